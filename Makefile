@@ -14,7 +14,7 @@ POSE := 0.6,0,-0.24383544
 
 # The targets share one environment: run in parallel, they would both install into it.
 .NOTPARALLEL:
-.PHONY: demo test lint types check generate derivation docs benchmark figures suites clean
+.PHONY: demo test lint types check generate schemas derivation docs benchmark figures suites clean
 
 demo: $(VENV)/.demo  ## the whole loop, from the robot file to corrected code, with a map, a report and pictures
 	$(BIN)/python -m pkmodes generate $(ROBOT) --out $(DEMO)
@@ -36,7 +36,7 @@ demo: $(VENV)/.demo  ## the whole loop, from the robot file to corrected code, w
 	@echo "  build/mode.gif         its second mode, as in the README"
 
 test: $(VENV)/.dev  ## all tests, including the slow ones
-	$(BIN)/python -m pytest -n auto
+	$(BIN)/python -m pytest -n auto --dist worksteal
 
 lint: $(VENV)/.dev
 	$(BIN)/python -m ruff format --check .
@@ -51,6 +51,9 @@ check: $(VENV)/.dev  ## check that generated code is up to date and agrees with 
 
 generate: $(VENV)/.derive  ## regenerate the committed code
 	$(BIN)/python -m pkmodes_derive generate
+
+schemas: $(VENV)/.dev  ## rewrite docs/schemas from the classes of the JSON documents
+	$(BIN)/python -m pkmodes.cli.schemas docs/schemas
 
 derivation: $(VENV)/.derive  ## rebuild docs/derivation/
 	$(BIN)/python -m pkmodes_derive latex

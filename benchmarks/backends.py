@@ -68,6 +68,7 @@ def measured(quick: list[str], sizes: tuple[int, ...]) -> dict[str, object]:
     """Run the measurements one after the other, each in its own process."""
     with tempfile.TemporaryDirectory() as folder:
         one, every = Path(folder) / "one.json", Path(folder) / "all.json"
+        child("check_peers.py", [], {})
         child("one_core.py", [str(one), *quick], ONE_THREAD, alone)
         child("all_cores.py", [str(every), *quick], {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"})
         memory = [json.loads(child("memory.py", [str(size)], {})) for size in sizes]

@@ -1,13 +1,85 @@
-"""Tests marked `compiler` need a C compiler; where there is none they are skipped.  `.ci/run` requires one."""
+"""What all tests share: threads, the back ends, one browser for a worker, and what is computed once for all workers.
+
+Tests marked `compiler` need a C compiler; where there is none they are skipped.  `.ci/run` requires one.
+"""
 
 from __future__ import annotations
 
-import pytest
+import os
 
+# Workers share the cores already: linear algebra has one thread, here before NumPy is loaded, and in the processes
+# that tests start.
+os.environ |= dict.fromkeys(
+    ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"), "1"
+)
+
+import importlib
+import math
+from collections.abc import Iterator
+
+import hypothesis
+import pytest
+import threadpoolctl
+
+from helpers.generated.emission import Emission
+from helpers.pages.browser import close_browsers
+from helpers.runs.shared import Shared
 from pkmodes.compiled import build
+from pkmodes.solve.backends import VARIABLE
+
+# A plugin may have loaded NumPy before.
+threadpoolctl.threadpool_limits(1)
+
+# How long an example takes depends on the machine, and what its fixtures hold is the same for every example.
+hypothesis.settings.register_profile(
+    "pkmodes",
+    deadline=None,
+    suppress_health_check=[hypothesis.HealthCheck.function_scoped_fixture, hypothesis.HealthCheck.too_slow],
+)
+hypothesis.settings.load_profile("pkmodes")
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_setup(item: pytest.Item) -> None:
     if item.get_closest_marker("compiler") and not build.compiler():
         pytest.skip("needs a C compiler: install gcc or clang")
+
+
+@pytest.fixture(scope="module", params=["numpy", pytest.param("compiled", marks=pytest.mark.compiler)])
+def backend(request: pytest.FixtureRequest) -> Iterator[str]:
+    """Each back end in turn, for whatever a test evaluates without asking for one, in other processes too.
+
+    For tests of what users see of modes and sensitivities: ``pytestmark = pytest.mark.usefixtures("backend")``.  A
+    fixture of a whole module that evaluates asks for it, too.
+    """
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv(VARIABLE, request.param)
+        yield str(request.param)
+
+
+@pytest.fixture(scope="session")
+def shared(tmp_path_factory: pytest.TempPathFactory) -> Shared:
+    """What one worker computes for all."""
+    folder = tmp_path_factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        folder = folder.parent
+    return Shared(folder / "shared")
+
+
+@pytest.fixture(scope="session")
+def emission(shared: Shared) -> Emission:
+    """The parametric models and the pages of the derivation: emitted once."""
+    return Emission(shared)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _without_progress() -> None:
+    """Lines of progress appear where a diagnosis takes long, which depends on the machine."""
+    importlib.import_module("pkmodes.cli.diagnose").SECONDS = math.inf
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _browsers() -> Iterator[None]:
+    """The browser that the tests of pages started is closed at the end."""
+    yield
+    close_browsers()

@@ -16,7 +16,7 @@ STANDARD = sys.stdlib_module_names
 BRIDGE = {"src/pkmodes/codegen/derivation.py"}
 #: Parts that load modules of a mechanism by name.
 BY_MECHANISM = {
-    "src/pkmodes/mechanism/registry.py",
+    "src/pkmodes/mechanism/described.py",
     "src/pkmodes/mechanism/packages.py",
     "src/pkmodes/codegen/checking/mechanism_relations.py",
 }
@@ -44,11 +44,21 @@ def files(folder: str) -> list[Path]:
 COPIED = ROOT / "derive/pkmodes_derive/emit/numpy/eigen.py"
 
 
-def test_the_derivation_imports_sympy_and_jinja_only() -> None:
+def test_the_derivation_imports_sympy_jinja_and_the_description_only() -> None:
     assert imports(COPIED) == {"numpy"}
     for file in files("derive"):
-        assert file == COPIED or imports(file) <= {"pkmodes_derive", "sympy", "jinja2"}, file
+        assert file == COPIED or imports(file) <= {
+            "pkmodes_derive",
+            "pkmodes_description",
+            "sympy",
+            "jinja2",
+        }, file
         assert "emit.numpy.eigen" not in file.read_text(encoding="utf-8"), file
+
+
+def test_the_description_imports_msgspec_only() -> None:
+    for file in files("src/pkmodes_description"):
+        assert imports(file) <= {"pkmodes_description", "msgspec"}, file
 
 
 def test_generated_code_imports_numpy_only() -> None:
@@ -178,7 +188,11 @@ def test_no_mechanism_is_named_outside_its_own_folder() -> None:
         folder.parent.name for folder in (ROOT / "generated/pkmodes_generated").glob("*/description.json")
     ]
     assert "linear_delta" in names
-    for file in (file for part in ("src/pkmodes", "derive") for file in sorted((ROOT / part).rglob("*"))):
+    for file in (
+        file
+        for part in ("src/pkmodes", "src/pkmodes_description", "derive")
+        for file in sorted((ROOT / part).rglob("*"))
+    ):
         if not file.is_file() or "__pycache__" in file.parts or file.suffix == ".so":
             continue
         text = file.read_text(encoding="utf-8")

@@ -17,6 +17,7 @@ import pkmodes
 from helpers.generated.compiled import COMPILER
 from helpers.pages.documentation import ELSEWHERE, HINT, PAGES, ROOT, Block, blocks, same
 from helpers.robots.robot_text import published
+from helpers.runs.processes import without_progress
 from pkmodes import updating
 from pkmodes.robot.reading import robot_from_document
 
@@ -77,7 +78,7 @@ class Reader:
             text=True,
             check=False,
         )
-        self.printed = done.stdout
+        self.printed = without_progress(done.stdout)
         assert done.returncode == int(block.hint("exit") or 0), done.stdout
 
     def _text(self, block: Block) -> None:

@@ -6,13 +6,18 @@ import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from types import MappingProxyType, SimpleNamespace
 from typing import Any
 
 import jsonschema
+import numpy as np
 import pytest
+from msgspec import field
 
 from helpers.robots.robot_text import PUBLISHED, edited, published
+from pkmodes.base.documents import Document, schema_of
 from pkmodes.cli import cli, run
+from pkmodes.cli.schemas import schema_files
 from pkmodes_rig.robots import ROBOTS
 
 ROOT = Path(__file__).parents[1]
@@ -59,6 +64,32 @@ def objects(part: Any) -> Iterator[dict[str, Any]]:
     elif isinstance(part, list):
         for value in part:
             yield from objects(value)
+
+
+def test_the_schemas_are_those_of_the_documents() -> None:
+    committed = {path.name: path.read_text(encoding="utf-8") for path in SCHEMAS.values()}
+    assert committed == schema_files(), "run: make schemas"
+
+
+class Inner(Document, omit_defaults=True):
+    sizes: list[float | None]
+    load: dict[str, float] = field(name="set", default_factory=dict)
+
+
+class Outer(Document):
+    rows: list[Inner]
+    count: int
+
+
+def test_a_document_is_plain_json() -> None:
+    """Tuples, arrays and read-only mappings of results become lists and objects, numbers that are not finite null."""
+    loads = MappingProxyType({"mass": np.float64(0.3)}), {}
+    rows = tuple(SimpleNamespace(sizes=(1.0, np.nan, -np.inf), load=load) for load in loads)
+    content = Outer.of(SimpleNamespace(rows=(), count=np.int64(2)), rows=tuple(map(Inner.of, rows))).as_json()
+    sizes = [1.0, None, None]
+    assert content == {"rows": [{"sizes": sizes, "set": {"mass": 0.3}}, {"sizes": sizes}], "count": 2}
+    assert [type(value) for value in (content["rows"], content["count"])] == [list, int]
+    jsonschema.validate(content, schema_of(Outer, "a test"))
 
 
 def test_every_command_has_a_schema_that_is_one_and_a_section_with_its_keys() -> None:

@@ -10,9 +10,9 @@ import pytest
 from pkmodes import updating
 from pkmodes.mechanism.registry import mechanism
 from pkmodes.updating import frame
-from pkmodes.updating.loop import corrections
-from pkmodes.updating.structure import RobotStructure
-from pkmodes.updating.suspects import suspects
+from pkmodes.updating.candidates import suspects
+from pkmodes.updating.corrected_robot import corrections
+from pkmodes.updating.robot_structure import RobotStructure
 from pkmodes_rig.measurements import measure
 from pkmodes_rig.robots import POSES, read
 

@@ -9,6 +9,8 @@ import pkmodes
 from helpers.robots.robot_text import PUBLISHED
 from pkmodes_generated import linear_delta
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 
 def mean_condition(model: pkmodes.Model, branch: list[float], samples: int = 20_001) -> float:
     """Mean condition number of D_p over the width that the links reach in the plane z = -245 mm (any x)."""

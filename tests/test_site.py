@@ -15,6 +15,7 @@ import pytest
 
 from helpers.pages.browser import opened, served
 from helpers.pages.documentation import PAGES, ROOT
+from helpers.runs.shared import Shared
 
 pytestmark = pytest.mark.slow
 
@@ -34,10 +35,14 @@ LATEX = re.compile(r"\\[a-zA-Z]+|\$")
 
 
 @pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("site")
+def site(shared: Shared) -> Path:
+    return shared.folder("site", built) / "html"
+
+
+def built(folder: Path) -> None:
+    """Build as ``make docs`` does."""
     command = ["-m", "sphinx", "--fail-on-warning", "--keep-going", "--quiet", "-d", str(folder / "doctrees")]
-    built = subprocess.run(
+    run = subprocess.run(
         [sys.executable, *command, "-c", "docs/site", "docs", str(folder / "html")],
         cwd=ROOT,
         env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"},
@@ -45,9 +50,8 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
         text=True,
         check=False,
     )
-    assert built.returncode == 0, built.stderr
-    assert not built.stderr
-    return folder / "html"
+    assert run.returncode == 0, run.stderr
+    assert not run.stderr
 
 
 @pytest.fixture(scope="module")
@@ -175,7 +179,7 @@ def test_a_long_formula_is_broken_between_its_terms(address: str) -> None:
 def test_the_search_finds_a_word_without_a_network(address: str, site: Path, from_files: bool) -> None:
     start = f"{site.as_uri()}/" if from_files else f"{address}/"
     with opened(urljoin(start, "search.html?q=wind-up")) as found:
-        found.page.wait_for_selector("ul.search li a", timeout=10_000)
+        found.page.wait_for_selector("ul.search li a")
         results = found.page.eval_on_selector_all("ul.search li a", "links => links.map(l => l.href)")
     assert any("robot-file" in result or "model" in result for result in results)
     assert all(request.startswith((start, "data:")) for request in found.requests)

@@ -12,10 +12,10 @@ from math import isfinite, prod
 from sympy import Expr, Symbol, default_sort_key
 
 from pkmodes_derive.definition import DefinitionError
-from pkmodes_derive.description import Margin, Requirement
 from pkmodes_derive.functions import Function, Model
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.vocabulary import Field
+from pkmodes_description import Margin, Requirement
 
 RULES = ("at_least_zero", "above_zero", "at_most_limit")
 

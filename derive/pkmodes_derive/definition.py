@@ -62,7 +62,7 @@ def read(name: str, text: str, place: str) -> ModuleType:
     module.__file__ = place
     # Messages and tracebacks show the text that was run, even if the file has changed since.
     linecache.cache[place] = (len(text), None, text.splitlines(keepends=True), place)
-    with told(place, "fix that line"):
+    with as_definition_errors(place, "fix that line"):
         exec(compile(text, place, "exec"), module.__dict__)
     title, directions = (getattr(module, attribute, None) for attribute in ("TITLE", "DIRECTIONS"))
     if not isinstance(title, str) or not title.strip():
@@ -85,7 +85,7 @@ def _in_order(directions: list[object] | tuple[object, ...]) -> bool:
 
 
 @contextmanager
-def told(place: str, remedy: str, during: str = "") -> Iterator[None]:
+def as_definition_errors(place: str, remedy: str, during: str = "") -> Iterator[None]:
     """Turn every exception into a `DefinitionError` that names the last line of the file involved."""
     try:
         yield

@@ -14,6 +14,7 @@ from sympy import Expr, Symbol, sympify
 
 from pkmodes_derive.parts import Arm, Clamp, PointMass, Reducer, Rod, Run
 from pkmodes_derive.vocabulary import AXES, DeclarationError, Vocabulary
+from pkmodes_description import ElementShape
 
 Vector = tuple[Expr, ...]
 
@@ -61,7 +62,7 @@ class Element:
         The coordinate by which a wheel turns, right-handed about its axis.
     """
 
-    shape: str
+    shape: ElementShape
     kind: str
     name: str
     points: tuple[Point, ...]
@@ -155,7 +156,7 @@ class Drawing:
 
     def _add(
         self,
-        shape: str,
+        shape: ElementShape,
         kind: str,
         name: str,
         points: Sequence[Place],

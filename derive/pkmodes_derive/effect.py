@@ -15,7 +15,9 @@ from typing import Any
 
 from sympy import Expr, Symbol
 
-from pkmodes_derive.description import EffectData, EffectParameterData, Named, Requirement
+from pkmodes_description import Effect as DescribedEffect
+from pkmodes_description import EffectParameter as DescribedParameter
+from pkmodes_description import Named, Requirement
 
 
 @dataclass(frozen=True)
@@ -160,20 +162,20 @@ class Effect:
             places = tuple(map(str, parts)) if self.released.letter == "i" else tuple(numbers)
         return replace(self, parameters=tuple(parameters), places=places)
 
-    def data(self) -> EffectData:
+    def data(self) -> DescribedEffect:
         """Return the data that the runtime needs."""
         coordinates = []
         if (q := self.released) is not None:
             for place in self.places:
                 name, text = (t.format(i=place, j=place) for t in (q.name, q.description))
                 coordinates.append(Named(name, q.unit, text))
-        return EffectData(
+        return DescribedEffect(
             self.name,
             self.sentence,
             self.grounds,
             tuple(coordinates),
             tuple(
-                EffectParameterData(p.name, p.unit, p.description, p.greater_than, p.fitted)
+                DescribedParameter(p.name, p.unit, p.description, p.greater_than, p.fitted)
                 for p in self.parameters
             ),
             self._requirements(),

@@ -13,8 +13,8 @@ from math import prod
 
 from sympy import Basic, Expr, Symbol
 
-from pkmodes_derive.description import Margin
 from pkmodes_derive.vocabulary import Field, Vocabulary
+from pkmodes_description import Margin
 
 
 def mirrored(index: tuple[int, ...]) -> tuple[int, ...]:

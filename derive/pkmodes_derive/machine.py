@@ -12,13 +12,13 @@ from dataclasses import dataclass
 from sympy import Add, Expr, Integer, Symbol, sympify
 
 from pkmodes_derive.chain import Chain
-from pkmodes_derive.description import Margin, Requirement, Scale, Whole
 from pkmodes_derive.drawing import Drawing
 from pkmodes_derive.effect import Coordinate, Effect
 from pkmodes_derive.functions import Argument, Output
 from pkmodes_derive.parts import Arm, Belt, Clamp, Drive, Form, Link, PointMass, Reducer, Rod, Rotor, Run
 from pkmodes_derive.tables import Tables
 from pkmodes_derive.vocabulary import AXES, DeclarationError, Field, Vocabulary
+from pkmodes_description import Margin, ParameterGroup, Requirement, Scale
 
 #: Meaning of the index letters; a mechanism may override it.
 LETTERS = {
@@ -146,7 +146,7 @@ class Machine:
         self.compliances: tuple[Symbol, ...] = ()
         self.effects: tuple[Effect, ...] = ()
         self.effect_fields: tuple[Field, ...] = ()
-        self.wholes: tuple[Whole, ...] = ()
+        self.parameter_groups: tuple[ParameterGroup, ...] = ()
         self.margins: tuple[Margin, ...] = ()
         self.requirements: tuple[Requirement, ...] = ()
         self.scales: tuple[Scale, ...] = ()

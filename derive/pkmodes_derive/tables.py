@@ -13,22 +13,20 @@ from typing import TypeVar
 
 from sympy import Symbol
 
-from pkmodes_derive.description import Key, Table
 from pkmodes_derive.vocabulary import AXES, DeclarationError, Field, Vocabulary
+from pkmodes_description import UNITS, Key, Table
 
-#: SI unit of each dimension; messages use these names.
-UNITS = {
-    "mass": "kg",
-    "length": "m",
-    "angle": "rad",
-    "number": "1",
-    "moment of inertia": "kg m^2",
-    "specific stiffness": "N/m",
-    "torsional stiffness": "N m/rad",
-    "acceleration": "m/s^2",
-}
-
-
+#: Dimensions that a key can have; others are those of effects.
+DIMENSIONS = (
+    "mass",
+    "length",
+    "angle",
+    "number",
+    "moment of inertia",
+    "specific stiffness",
+    "torsional stiffness",
+    "acceleration",
+)
 #: Keys of every robot file that a mechanism does not declare.
 RESERVED = ("format", "name", "mechanism", "gravity", "effects")
 
@@ -42,8 +40,8 @@ def _check_key(name: str) -> None:
 
 def unit_of(dimension: str) -> str:
     """Return the SI unit of a dimension."""
-    if dimension not in UNITS:
-        raise DeclarationError(f"unknown dimension {dimension!r}", f"use one of {', '.join(UNITS)}")
+    if dimension not in DIMENSIONS:
+        raise DeclarationError(f"unknown dimension {dimension!r}", f"use one of {', '.join(DIMENSIONS)}")
     return UNITS[dimension]
 
 

@@ -42,7 +42,7 @@ def _value(
         meaning += f" One of {', '.join(map(str, part['enum']))}."
     if optional:
         meaning += " May be absent."
-    kinds = [kind for inner in _variants(part, definitions) for kind in _kinds(inner)]
+    kinds = [kind for inner in _variants(part, definitions) for kind in _kinds(inner, definitions)]
     yield path, " or ".join(dict.fromkeys(kinds)), meaning.strip()
     yield from _properties(part, definitions, path)
 
@@ -58,15 +58,13 @@ def _variants(part: dict[str, Any], definitions: dict[str, Any]) -> Iterator[dic
         yield part
 
 
-def _kinds(part: dict[str, Any]) -> list[str]:
-    """Return the types of a value; a list with the type of its items."""
+def _kinds(part: dict[str, Any], definitions: dict[str, Any]) -> list[str]:
+    """Return the types of a value; a list with the type of its items, if they have one."""
     if "enum" in part:
         return ["string"]
-    found = part["type"]
-    kinds = [found] if isinstance(found, str) else list(found)
-    items = part.get("items", {}).get("type")
-    of = f" of {items}s" if isinstance(items, str) else ""
-    return [f"{kind}{of}" if kind == "array" else kind for kind in kinds]
+    kind = part["type"]
+    items = [inner["type"] for inner in _variants(part.get("items", {}), definitions) if "type" in inner]
+    return [f"{kind} of {items[0]}s" if len(items) == 1 else kind]
 
 
 class SchemaTable(SphinxDirective):

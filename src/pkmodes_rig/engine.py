@@ -260,9 +260,9 @@ class Rig:
     # -------------------------------------------------------------------------------------------------------
 
     def _acceleration(self, kind: mujoco.mjtObj, index: int) -> np.ndarray:
-        found = np.empty(6)
-        mujoco.mj_objectAcceleration(self.model, self.data, kind, index, found, 0)
-        return found[3:]
+        acceleration = np.empty(6)
+        mujoco.mj_objectAcceleration(self.model, self.data, kind, index, acceleration, 0)
+        return acceleration[3:]
 
     def _id(self, kind: mujoco.mjtObj, name: str) -> int:
         return int(mujoco.mj_name2id(self.model, kind, name))

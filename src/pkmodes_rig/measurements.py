@@ -145,7 +145,7 @@ def identified(
         for i, visible in zip(looked_for, chance, strict=True):
             part = sigma * np.exp(rng.normal(0.0, uneven)) if uneven else sigma
             error = rng.normal(0.0, part) + shared
-            found = _shape(true, i, shapes, shape_noise, rng)
+            shape = _shape(true, i, shapes, shape_noise, rng)
             if rng.random() < missing or (nodes and rng.random() > visible):
                 continue
             frequency = true.frequencies[i] * (1 + drift * index) * np.exp(error)
@@ -155,7 +155,7 @@ def identified(
             says = sigma_shape == "stated" or (sigma_shape == "some" and rng.random() < 0.5)
             stated = frequency * part * sigma_scale
             known = shape_noise if says else None
-            rows.append(Identified(index, i, frequency, frequency * part, stated, number, found, known))
+            rows.append(Identified(index, i, frequency, frequency * part, stated, number, shape, known))
     rng.shuffle(rows)
     return rows
 
@@ -196,14 +196,14 @@ def exact(
     rows: Sequence[Identified], modes_list: Sequence[TrueModes], shapes: Sequence[str]
 ) -> list[Identified]:
     """Return the same modes without errors, with the true standard deviations stated."""
-    found = []
+    errorless = []
     for row in rows:
         true = modes_list[row.pose]
         frequency = float(true.frequencies[row.mode])
         size = frequency * row.sigma / row.frequency
         shape = np.array([true.shapes[name][row.mode] for name in shapes])
-        found.append(replace(row, frequency=frequency, sigma=size, stated=size, shape=shape))
-    return found
+        errorless.append(replace(row, frequency=frequency, sigma=size, stated=size, shape=shape))
+    return errorless
 
 
 def _looked_for(
@@ -217,12 +217,12 @@ def _looked_for(
     low, high = band or (0.0, np.inf)
     tied = [i for i in range(true.rigid, base_rigid) if true.frequencies[i] > LOWEST_FREQUENCY]
     if isinstance(modes, int):
-        found = [*tied, *range(base_rigid, min(base_rigid + modes, len(true.frequencies)))]
-        return [i for i in found if low <= true.frequencies[i] <= high]
-    found = [
+        indices = [*tied, *range(base_rigid, min(base_rigid + modes, len(true.frequencies)))]
+        return [i for i in indices if low <= true.frequencies[i] <= high]
+    indices = [
         i for i in (*tied, *range(base_rigid, len(true.frequencies))) if low <= true.frequencies[i] <= high
     ]
-    return found[: int(rng.integers(modes[0], modes[1] + 1))]
+    return indices[: int(rng.integers(modes[0], modes[1] + 1))]
 
 
 def _chances(true: TrueModes, looked_for: Sequence[int], sensors: Sequence[str], nodes: float) -> np.ndarray:

@@ -244,9 +244,11 @@ class Engine:
             mujoco.mj_fwdVelocity(self.model, self.data)
 
     def _acceleration(self, j: int, name: str) -> np.ndarray:
-        site, found = mujoco.mjtObj.mjOBJ_SITE, np.empty(6)
-        mujoco.mj_objectAcceleration(self.model, self.data, site, self._id(site, f"{name}_{j}"), found, 0)
-        return found[3:]
+        site, acceleration = mujoco.mjtObj.mjOBJ_SITE, np.empty(6)
+        mujoco.mj_objectAcceleration(
+            self.model, self.data, site, self._id(site, f"{name}_{j}"), acceleration, 0
+        )
+        return acceleration[3:]
 
     def _displacements(self) -> np.ndarray:
         return self.data.qpos[[self.model.jnt_qposadr[self.model.dof_jntid[i]] for i in self._coordinates]]

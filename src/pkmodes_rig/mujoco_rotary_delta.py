@@ -136,14 +136,14 @@ class Engine:
 
     def slopes(self, step: float) -> np.ndarray:
         """Compute the gradient of the potential energy from differences of the energy."""
-        found = np.zeros(SIZE)
+        gradient = np.zeros(SIZE)
         for i, unit in enumerate(np.eye(SIZE)):
             for k, weight in enumerate(FIRST, start=1):
                 for sign in (1, -1):
                     self.move(sign * k * step * unit)
-                    found[i] += sign * weight / step * self.potential()
+                    gradient[i] += sign * weight / step * self.potential()
         self.move(np.zeros(SIZE))
-        return found
+        return gradient
 
     def _displacements(self) -> np.ndarray:
         joints = [self.model.dof_jntid[i] for i in (*self._arms, *self._motors, *self._frame)]
@@ -160,13 +160,13 @@ class Engine:
 
         The spin is absolute, not relative to the rotating arm: the engine requires some inertia about the rod.
         """
-        found = []
+        spins = []
         for j in AXES:
             turning = np.empty((3, self.model.nv))
             body = self._id(mujoco.mjtObj.mjOBJ_BODY, f"rod_{j}")
             mujoco.mj_jacBody(self.model, self.data, None, turning, body)
-            found.append(self.data.xmat[body].reshape(3, 3)[:, 2] @ turning)
-        return found
+            spins.append(self.data.xmat[body].reshape(3, 3)[:, 2] @ turning)
+        return spins
 
     def _id(self, kind: mujoco.mjtObj, name: str) -> int:
         return int(mujoco.mj_name2id(self.model, kind, name))
@@ -180,14 +180,14 @@ def arm_angles(parameters: Parameters, p: np.ndarray) -> np.ndarray:
 
     They only assemble the engine near the pose; the engine's closure verifies them.
     """
-    found = []
+    angles = []
     for j in AXES:
         r = p + parameters.joint[j] - parameters.origin[j]
         z, y = parameters.zero[j], np.cross(parameters.axis[j], parameters.zero[j])
         L, reach = parameters.arm_length[j], np.hypot(r @ z, r @ y)
         cosine = (r @ r + L**2 - parameters.link_length[j] ** 2) / (2 * L * reach)
-        found.append(np.arctan2(r @ y, r @ z) + parameters.branch[j] * np.arccos(cosine))
-    return np.array(found)
+        angles.append(np.arctan2(r @ y, r @ z) + parameters.branch[j] * np.arccos(cosine))
+    return np.array(angles)
 
 
 def _description(

@@ -138,24 +138,24 @@ class Loops:
     def platform(self, x: np.ndarray) -> np.ndarray:
         """Compute the platform centre at which the links close."""
         ends = self.q.origin + self.q.arm_length[:, None] * self._rays(x)[0]
-        lengths, found = self.q.link_length + x[6:9], self.p.copy()
+        lengths, platform = self.q.link_length + x[6:9], self.p.copy()
         for _ in range(30):
-            links = found + self.q.joint - ends
+            links = platform + self.q.joint - ends
             step = np.linalg.solve(2 * links, np.sum(links**2, axis=1) - lengths**2)
-            found = found - step
+            platform = platform - step
             if np.abs(step).max() < 1e-15:
                 break
-        return found
+        return platform
 
     def points(self, x: np.ndarray) -> np.ndarray:
         """Return the positions of all points relative to the frame."""
         ray, platform = self._rays(x)[0], self.platform(x)
-        found = [platform]
+        points = [platform]
         for j in AXES:
-            found.append(self.q.origin[j] + self.q.arm_center[j] * ray[j])
+            points.append(self.q.origin[j] + self.q.arm_center[j] * ray[j])
             first, last = self.q.origin[j] + self.q.arm_length[j] * ray[j], platform + self.q.joint[j]
-            found += [first + part * (last - first) for part, _ in ROD]
-        return np.array(found)
+            points += [first + part * (last - first) for part, _ in ROD]
+        return np.array(points)
 
     def jacobians(self, x: np.ndarray) -> np.ndarray:
         """Return the velocities of all points per velocity of the nine coordinates."""
@@ -168,11 +168,11 @@ class Loops:
         right = np.einsum("ji,jik->jk", links, moved)
         right[:, 6:9] += np.diag(self.q.link_length + x[6:9])
         platform = np.linalg.solve(links, right)
-        found = [platform]
+        velocities = [platform]
         for j in AXES:
-            found.append(moved[j] * self.q.arm_center[j] / self.q.arm_length[j])
-            found += [moved[j] + part * (platform - moved[j]) for part, _ in ROD]
-        return np.array(found)
+            velocities.append(moved[j] * self.q.arm_center[j] / self.q.arm_length[j])
+            velocities += [moved[j] + part * (platform - moved[j]) for part, _ in ROD]
+        return np.array(velocities)
 
     def weight_gradient(self, x: np.ndarray) -> np.ndarray:
         """Compute the gradient of the gravity potential in the nine coordinates and the rocking angle."""

@@ -49,10 +49,10 @@ class Rows:
 
     def row(self, **parts: float) -> np.ndarray:
         """Return a row with these entries, zero elsewhere."""
-        found = np.zeros(len(self.names))
+        row = np.zeros(len(self.names))
         for name, part in parts.items():
-            found[self.names.index(name)] = part
-        return found
+            row[self.names.index(name)] = part
+        return row
 
     def spring(self, row: np.ndarray, stiffness: float) -> None:
         """Add a spring that a row strains, or one for each of several rows."""

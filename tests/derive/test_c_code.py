@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from helpers.generated.compiled import build, call
+from helpers.generated.emission import Emission
 from helpers.robots.sample_robots import random_robot
 from pkmodes.codegen.generation import specification
 from pkmodes.robot.robot import Robot
@@ -73,8 +74,8 @@ def compare(left: Callable[..., tuple], right: Callable[..., object], values: di
 
 
 @pytest.fixture(scope="module")
-def parametric_library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
-    return build(tmp_path_factory.mktemp("c"), "linear_delta", product.parametric("linear_delta"))
+def parametric_library(tmp_path_factory: pytest.TempPathFactory, emission: Emission) -> ctypes.CDLL:
+    return build(tmp_path_factory.mktemp("c"), "linear_delta", emission.parametric("linear_delta"))
 
 
 @pytest.mark.parametrize("case", range(5))
@@ -115,12 +116,12 @@ def test_specialised_numpy_and_c_equal_the_parametric_model(tmp_path: Path, case
     )
 
 
-def test_header_can_be_included_from_c_plus_plus(tmp_path: Path) -> None:
+def test_header_can_be_included_from_c_plus_plus(tmp_path: Path, emission: Emission) -> None:
     compiler = shutil.which("c++") or shutil.which("g++") or shutil.which("clang++")
     if compiler is None:
         pytest.skip("no C++ compiler")
     (tmp_path / "linear_delta.h").write_text(
-        product.parametric("linear_delta")["linear_delta.h"], encoding="utf-8"
+        emission.parametric("linear_delta")["linear_delta.h"], encoding="utf-8"
     )
     (tmp_path / "user.cpp").write_text(
         '#include "linear_delta.h"\nint main() { return 0; }\n', encoding="utf-8"

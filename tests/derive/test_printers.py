@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import subprocess
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -29,16 +30,23 @@ from sympy import (
     sign,
     sin,
     sqrt,
+    sstr,
     symbols,
     tan,
 )
 from sympy.printing.codeprinter import PrintMethodNotImplementedError
 
 from helpers.generated.compiled import COMPILER, FLAGS
+from helpers.generated.emission import Emission
+from pkmodes_derive import emit
 from pkmodes_derive.emit import product
+from pkmodes_derive.emit.backend import Backend
 from pkmodes_derive.emit.c99 import printer as c99
+from pkmodes_derive.emit.identity import digest
 from pkmodes_derive.emit.numpy import printer as numpy
+from pkmodes_derive.emit.program import Program
 from pkmodes_derive.emit.provenance import Provenance
+from pkmodes_derive.emit.registry import BACKENDS
 from pkmodes_derive.functions import Argument, Function, Model, Output
 from pkmodes_derive.specialise import number
 from pkmodes_derive.vocabulary import Vocabulary
@@ -53,6 +61,7 @@ EXPRESSIONS: dict[str, Expr] = {
     "others": exp(a) * log(2 + b) + tan(a),
     "powers": (2 + a) ** Rational(3, 2) / sqrt(2 + b) + pi * a**3,
 }
+PROVENANCE = Provenance("sample", "sample", "A sample.", "a test", "pytest", "pytest", constants=("none",))
 VALUES = [(0.3, -0.7), (-0.4, 0.2), (-0.6, -0.5), (0.8, 0.1)]
 
 
@@ -69,10 +78,7 @@ def model() -> Model:
 
 @pytest.fixture(scope="module")
 def texts() -> dict[str, str]:
-    provenance = Provenance(
-        "sample", "sample", "A sample.", "a test", "pytest", "pytest", constants=("none",)
-    )
-    return product.write(model(), provenance)[0]
+    return product.written((model(), PROVENANCE))[0]
 
 
 def test_numbers_are_printed_exactly() -> None:
@@ -111,10 +117,41 @@ def test_functions_have_the_names_of_the_language(expression: Expr, in_numpy: st
     assert c99.expression(expression) == in_c
 
 
-@pytest.mark.parametrize("printer", [numpy, c99])
-def test_an_unknown_function_is_refused(printer: object) -> None:
+@pytest.mark.parametrize("backend", BACKENDS, ids=lambda backend: backend.name)
+def test_an_unknown_function_is_refused(backend: Backend) -> None:
     with pytest.raises(PrintMethodNotImplementedError):
-        printer.expression(besselj(1, a))  # type: ignore[attr-defined]
+        backend.printer(besselj(1, a))
+
+
+@pytest.mark.parametrize("backend", BACKENDS, ids=lambda backend: backend.name)
+def test_every_language_prints_what_mechanisms_need(backend: Backend) -> None:
+    for expression in EXPRESSIONS.values():
+        assert "a" in backend.printer(expression)
+
+
+def test_a_folder_with_a_back_end_is_registered_once() -> None:
+    folder = Path(emit.__file__).parent
+    defined = {init.parent.name for init in folder.glob("*/__init__.py") if "BACKEND = " in init.read_text()}
+    assert defined == {backend.printer.__module__.split(".")[-2] for backend in BACKENDS}
+    assert len({backend.name for backend in BACKENDS}) == len(BACKENDS) == len(defined)
+
+
+def test_another_back_end_is_one_entry(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It prints the programs of all languages, and knows the digest of the C source."""
+
+    def files(model: Model, programs: Mapping[str, Program], provenance: Provenance) -> dict[str, str]:
+        lines = [
+            f"{name} = {sstr(entry.value)}" for name, p in programs.items() for entry in p.results[0].entries
+        ]
+        return {f"{provenance.name}.txt": "\n".join([provenance.identity.digest, *lines])}
+
+    before, _ = product.written((model(), PROVENANCE))
+    monkeypatch.setattr(product, "BACKENDS", (Backend("text", sstr, model=files), *BACKENDS))
+    after, _ = product.written((model(), PROVENANCE))
+    text = after.pop("sample.txt")
+    assert text.splitlines()[0] == digest(before["sample.c"])
+    assert all(f"\n{name} = " in text for name in EXPRESSIONS)
+    assert after == before
 
 
 def executed(texts: dict[str, str]) -> dict:
@@ -137,9 +174,11 @@ def test_numpy_functions_take_batches_and_complex_steps(texts: dict[str, str], n
         np.testing.assert_allclose(function(step).real, expected, rtol=1e-14)
 
 
-def test_only_what_needs_it_has_the_function_for_complex_angles(texts: dict[str, str]) -> None:
+def test_only_what_needs_it_has_the_function_for_complex_angles(
+    texts: dict[str, str], emission: Emission
+) -> None:
     assert texts["sample.py"].count("def _arctan2(y, x):") == 1
-    assert "_arctan2" not in product.parametric("linear_delta")["model.py"]
+    assert "_arctan2" not in emission.parametric("linear_delta")["model.py"]
 
 
 @pytest.mark.compiler

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 import types
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
@@ -15,11 +16,15 @@ from scipy.linalg import eigh
 import pkmodes
 from helpers.generated.compiled import build, call
 from helpers.robots.sample_robots import ROBOTS
+from helpers.runs.shared import Shared
 from pkmodes.codegen.generation import specification
 from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.reading import robot_from_document
 from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import product
+
+#: Makes the model, the generated module and the texts of a robot file with some effects.
+Sample = Callable[[str, tuple[str, ...]], tuple[pkmodes.Model, types.ModuleType, dict[str, str]]]
 
 ROBOT = "linear-delta-2022.toml"
 POSE = np.array([0.6, 0.03, -0.245])
@@ -66,17 +71,27 @@ def robot(name: str, effects: tuple[str, ...], **tables: dict) -> pkmodes.Model:
     return pkmodes.Model(robot_from_document(content, "sample.toml"))
 
 
-def generated(model: pkmodes.Model) -> tuple[types.ModuleType, dict[str, str]]:
-    texts = product.specialised(specification(model.robot, "sample.toml"))
+def emitted(model: pkmodes.Model) -> dict[str, str]:
+    return product.specialised(specification(model.robot, "sample.toml"))
+
+
+def executed(texts: dict[str, str]) -> types.ModuleType:
     module = types.ModuleType("sample")
     exec(compile(texts["sample.py"], "sample.py", "exec"), module.__dict__)
-    return module, texts
+    return module
 
 
-@cache
-def sample(name: str, effects: tuple[str, ...]) -> tuple[pkmodes.Model, types.ModuleType, dict[str, str]]:
-    model = robot(name, effects)
-    return model, *generated(model)
+@pytest.fixture(scope="module")
+def sample(shared: Shared) -> Sample:
+    """Return a robot file with effects as a model, its generated module, and the texts of all files."""
+
+    @cache
+    def made(name: str, effects: tuple[str, ...]) -> tuple[pkmodes.Model, types.ModuleType, dict[str, str]]:
+        model = robot(name, effects)
+        texts = shared.value(f"single_{name}_{'+'.join(effects)}", lambda: emitted(model))
+        return model, executed(texts), texts
+
+    return made
 
 
 NAMES = tuple(sorted(path.name for path in ROBOTS.glob("*.toml")))
@@ -106,7 +121,7 @@ def test_every_effect_has_a_case_here() -> None:
 
 
 @pytest.mark.parametrize("effects", COMBINED)
-def test_the_interface_is_that_of_a_robot_without_effects(effects: tuple[str, ...]) -> None:
+def test_the_interface_is_that_of_a_robot_without_effects(sample: Sample, effects: tuple[str, ...]) -> None:
     _, plain, plain_texts = sample(ROBOT, ())
     model, module, texts = sample(ROBOT, effects)
     condensed = "clamp_compliance" in effects and "belt_mass" not in effects
@@ -121,7 +136,7 @@ def test_the_interface_is_that_of_a_robot_without_effects(effects: tuple[str, ..
 
 
 @pytest.mark.parametrize(("name", "effects"), CASES)
-def test_the_eigenproblem_is_that_of_modes(name: str, effects: tuple[str, ...]) -> None:
+def test_the_eigenproblem_is_that_of_modes(sample: Sample, name: str, effects: tuple[str, ...]) -> None:
     """Solve with a solver unaware of massless coordinates; shapes equal those of `modes`, including the platform."""
     model, module, texts = sample(name, effects)
     pose = POSES[model.robot.mechanism_name]
@@ -174,7 +189,7 @@ def results(function: object, inputs: list) -> tuple[np.ndarray, ...]:
 
 @pytest.mark.compiler
 @pytest.mark.parametrize("effects", COMBINED[7:])
-def test_c_equals_numpy(tmp_path: Path, effects: tuple[str, ...]) -> None:
+def test_c_equals_numpy(sample: Sample, tmp_path: Path, effects: tuple[str, ...]) -> None:
     model, module, texts = sample(ROBOT, effects)
     library = build(tmp_path, "sample", texts)
     given = arguments(module, np.random.default_rng(4))
@@ -196,10 +211,12 @@ def test_c_equals_numpy(tmp_path: Path, effects: tuple[str, ...]) -> None:
         ("gearbox_inertia", {"motor": {"inertia": 0.017e-3 + 2e-4 / 100.0}}),
     ],
 )
-def test_every_function_is_that_of_a_robot_declared_so(effect: str, tables: dict[str, dict]) -> None:
+def test_every_function_is_that_of_a_robot_declared_so(
+    sample: Sample, effect: str, tables: dict[str, dict]
+) -> None:
     """Declaring the effect's contribution in the robot file instead gives the same results from the base model."""
     _, module, _ = sample("linear-delta-2022.toml", (effect,))
-    declared, _ = generated(robot("linear-delta-2022.toml", (), **tables))
+    declared = executed(emitted(robot("linear-delta-2022.toml", (), **tables)))
     given = arguments(module, np.random.default_rng(5))
     product_functions = mechanisms.base("linear_delta").functions
     assert {f.name for f in product_functions} == functions(declared)
@@ -215,7 +232,7 @@ def test_every_function_is_that_of_a_robot_declared_so(effect: str, tables: dict
             )
 
 
-def test_massless_clamps_take_the_least_elastic_energy() -> None:
+def test_massless_clamps_take_the_least_elastic_energy(sample: Sample) -> None:
     """The condensed energy is the minimum over the clamp displacements: any other displacements give more energy."""
     _, module, _ = sample(ROBOT, ("clamp_compliance",))
     _, K = module.uncondensed_matrices(POSE)
@@ -244,7 +261,7 @@ def test_a_motor_without_inertia_makes_its_wind_up_massless() -> None:
     model = pkmodes.Model(
         robot_from_document({**content, "name": "sample", "axis": axes, "effects": effects}, "sample.toml")
     )
-    module, _ = generated(model)
+    module = executed(emitted(model))
     assert tuple(q for q in model.coordinates if q != "psi_2") == module.COORDINATES
     assert model.coordinates == module.ALL_COORDINATES
     eigenvalues = eigh(*module.modal_matrices(POSE)[::-1], eigvals_only=True)

@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from pkmodes import Robot, read_robot
+from pkmodes import Robot, read_robot, updating
 from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
 from pkmodes.diagnosis import Measurements, Prediction
-from pkmodes.updating import loop
-from pkmodes.updating.structure import RobotStructure
-from pkmodes.updating.suspects import suspects
+from pkmodes.updating.candidates import suspects
+from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes.updating.robot_structure import RobotStructure
 from pkmodes_rig.robots import POSES, read
 
 COREXY = Path(__file__).parents[2] / "robots" / "corexy-printer.toml"
@@ -43,7 +43,7 @@ def measured(robot: Robot, points: np.ndarray, loads: Loads) -> Measurements:
 def structure(
     robot: Robot, points: np.ndarray, loads: Loads, candidates: Sequence[str] | None = None
 ) -> RobotStructure:
-    return loop.structure(robot, measured(robot, points, loads), candidates)
+    return MeasuredRobot.of(robot, measured(robot, points, loads)).structure(candidates)
 
 
 def declared(one: RobotStructure) -> np.ndarray:
@@ -125,11 +125,10 @@ def test_subsets_keep_the_set_values_and_other_places_drop_them() -> None:
     step = 1e-6 * np.eye(3)
     for k in range(3):
         there, back = (
-            loop.structure(
+            structure(
                 robot,
-                measured(
-                    robot, points + sign * step[k], [{PAYLOAD: 0.3}, {}, {PAYLOAD: 0.3}, {PAYLOAD: 0.5}]
-                ),
+                points + sign * step[k],
+                [{PAYLOAD: 0.3}, {}, {PAYLOAD: 0.3}, {PAYLOAD: 0.5}],
                 ("belt_mass",),
             ).predict(values, ())
             for sign in (1, -1)
@@ -279,7 +278,7 @@ def test_the_derivative_with_respect_to_a_coefficient_includes_known_tensions() 
 def test_a_coefficient_is_recovered_from_modes_at_several_tensions(tmp_path: Path) -> None:
     robot, data = read_robot(COREXY), corexy_modes(2e-3, 1.03, 1)
     assert "belt_tension_stiffness" not in {c.name for c in suspects(robot)[1]}
-    found = loop.diagnose(robot, data)
+    found = updating.diagnose(robot, data)
     assert found.verdict == "effect_found"
     assert [effect.members for effect in found.effects] == [("belt_tension_stiffness",)]
     (value,) = found.effects[0].parameters
@@ -291,12 +290,12 @@ def test_a_coefficient_is_recovered_from_modes_at_several_tensions(tmp_path: Pat
     assert found.after.held_out_rms_relative is not None
     assert found.after.held_out_rms_relative < 0.005
     # The corrected file has the coefficient, and no tension: that belongs to the measurements.
-    loop.save_robot(robot, found, tmp_path / "corrected.toml")
+    updating.save_robot(robot, found, tmp_path / "corrected.toml")
     text = (tmp_path / "corrected.toml").read_text(encoding="utf-8")
     assert "coefficient" in text
     assert "tension =" not in text
-    assert loop.diagnose(read_robot(tmp_path / "corrected.toml"), data).verdict == "adequate"
-    updated = loop.update(
+    assert updating.diagnose(read_robot(tmp_path / "corrected.toml"), data).verdict == "adequate"
+    updated = updating.update(
         robot.with_values({COEFFICIENT: {"value": 0.0, "sigma": 5e-3}}), data, holdout=()
     ).values
     assert updated[COEFFICIENT] == pytest.approx(2e-3, abs=3e-4)
@@ -309,12 +308,12 @@ def test_a_coefficient_is_told_from_a_wrong_stiffness() -> None:
         (0.0, 1.1, f"parameter:{BELTS}"),
     ):
         names = ["effects", f"parameter:{BELTS}"]
-        found = loop.diagnose(robot, corexy_modes(coefficient, factor, 2), candidates=names)
+        found = updating.diagnose(robot, corexy_modes(coefficient, factor, 2), candidates=names)
         assert found.verdict == "effect_found", found.reason
         (effect,) = found.effects
         assert cause in effect.members
         assert not {"belt_tension_stiffness", f"parameter:{BELTS}"} <= set(effect.members)
-        rows = loop.compare(robot, corexy_modes(coefficient, factor, 2)).rows
+        rows = updating.compare(robot, corexy_modes(coefficient, factor, 2)).rows
         assert {row.load[TENSION] for row in rows} == set(TENSIONS)
 
 

@@ -10,8 +10,8 @@ from helpers.robots.small_structures import SIGMA, LogLinear, log_linear, logs_m
 from pkmodes.diagnosis import Candidate, Parameter
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.updating.structure import RobotStructure
-from pkmodes.updating.suspects import suspects
+from pkmodes.updating.candidates import suspects
+from pkmodes.updating.robot_structure import RobotStructure
 from pkmodes_rig.robots import POSES, ROBOTS, read
 
 SETUPS, MODES = 8, 5

@@ -16,7 +16,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict.stability import trials
-from pkmodes.updating.suspects import suspects
+from pkmodes.updating.candidates import suspects
 from pkmodes_rig.robots import read
 
 SETUPS, MODES = 10, 5

@@ -10,8 +10,8 @@ from dataclasses import replace
 
 import pytest
 
+from pkmodes import updating
 from pkmodes.diagnosis.verdict.result import Diagnosis, Finding
-from pkmodes.updating import loop
 from pkmodes_rig.laboratory import Laboratory
 from pkmodes_rig.measurements import Identified
 from pkmodes_rig.robots import read
@@ -60,7 +60,7 @@ def assert_named(outcome: Outcome) -> None:
 
 
 def diagnosed(text: str, robot: str) -> Diagnosis:
-    return loop.diagnose(read(robot), measurements(text))
+    return updating.diagnose(read(robot), measurements(text))
 
 
 @pytest.mark.parametrize("number", range(12))
@@ -126,7 +126,7 @@ def test_one_heavy_carriage_of_three_is_named_and_found_when_it_is_a_candidate()
     found = diagnosed(text, "published")
     assert found.verdict == "unexplained"
     assert f"but {path} would" in found.reason
-    asked = loop.diagnose(read("published"), measurements(text), candidates=["effects", path])
+    asked = updating.diagnose(read("published"), measurements(text), candidates=["effects", path])
     (effect,) = asked.effects
     assert effect.members == (path,)
     (value,) = effect.parameters

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import pytest
 
-from pkmodes.updating.suspects import suspects
+from pkmodes.updating.candidates import suspects
 from pkmodes_rig.suites.mechanism_cases import KINDS, MechanismCase, MechanismOutcome, robot_of, run
 from pkmodes_rig.suites.mechanism_sizes import SIZES
 from pkmodes_rig.suites.mechanism_suites import OUTSIDE, SUITES, WRONG, cases

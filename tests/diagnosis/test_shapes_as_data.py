@@ -16,8 +16,8 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.shapes import ShapeRows
 from pkmodes.diagnosis.match.pairing import Pairing
-from pkmodes.updating.structure import RobotStructure, channels
-from pkmodes.updating.suspects import suspects
+from pkmodes.updating.candidates import suspects
+from pkmodes.updating.robot_structure import RobotStructure, channels
 from pkmodes_rig.robots import POSES, read
 
 CRITERIA = Criteria()

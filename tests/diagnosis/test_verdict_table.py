@@ -14,7 +14,9 @@ import pytest
 
 from helpers.pages.report_examples import made_up
 from pkmodes import updating
+from pkmodes.base.documents import schema_of
 from pkmodes.cli import cli, run
+from pkmodes.diagnosis.verdict import document, verdicts
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS, Colour, Verdict, Word
 
 ROOT = Path(__file__).parents[2]
@@ -80,12 +82,24 @@ def test_the_command_line_knows_a_made_up_verdict(hearsay: str, capsys: pytest.C
 def test_the_schema_allows_the_verdicts_of_the_table() -> None:
     allowed = list(enumerations(schema()))
     assert len(allowed) == 2, "the verdict, and those of the stability"
-    assert allowed == [[*VERDICTS]] * 2
+    assert allowed == [sorted(VERDICTS)] * 2
     assert get_args(Word) == tuple(VERDICTS)
     content = made_up(2, 2)[0].as_json()
     jsonschema.Draft202012Validator(schema()).validate(content)
     with pytest.raises(jsonschema.ValidationError, match="hearsay"):
         jsonschema.Draft202012Validator(schema()).validate(content | {"verdict": HEARSAY.word})
+
+
+def test_a_made_up_entry_reaches_the_schema(monkeypatch: pytest.MonkeyPatch) -> None:
+    source = Path(verdicts.__file__).read_text(encoding="utf-8")
+    entry = "VERDICTS['hearsay'] = ADEQUATE\n"
+    table: dict[str, Any] = {"__name__": verdicts.__name__}
+    exec(source.replace("\nif TYPE_CHECKING:", f"\n{entry}if TYPE_CHECKING:"), table)
+    monkeypatch.setattr(document, "Word", table["Word"])
+    described = schema_of(document.DiagnoseDocument, "pkmodes diagnose --json")
+    assert list(enumerations(described)) == [sorted([*VERDICTS, HEARSAY.word])] * 2
+    content = made_up(2, 2)[0].as_json() | {"verdict": HEARSAY.word}
+    jsonschema.Draft202012Validator(described).validate(content)
 
 
 def test_every_colour_is_one_of_the_page() -> None:

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from helpers.generated.compiled import build, call
+from helpers.generated.emission import Emission
 from helpers.robots.sample_robots import random_robot
 from pkmodes_derive import mechanisms
-from pkmodes_derive.emit import product
 from pkmodes_generated.linear_delta import extended
 
 pytestmark = pytest.mark.compiler
@@ -20,8 +20,8 @@ MODEL = mechanisms.extended("linear_delta")
 NAME = "linear_delta_extended"
 
 
-def test_extended_c_equals_numpy(tmp_path: Path) -> None:
-    library = build(tmp_path, NAME, product.parametric("linear_delta"))
+def test_extended_c_equals_numpy(tmp_path: Path, emission: Emission) -> None:
+    library = build(tmp_path, NAME, emission.parametric("linear_delta"))
     rng = np.random.default_rng(31)
     functions = [f for f in MODEL.functions if f.in_c]
     others = {f.name for f in MODEL.functions} - {f.name for f in functions}

@@ -13,8 +13,8 @@ from helpers.robots.robot_text import PUBLISHED, edited
 from pkmodes.base.errors import PkmodesError
 from pkmodes.robot.paths import moved, resolve
 from pkmodes.robot.units import Quantity
-from pkmodes.updating.structure import RobotStructure
-from pkmodes.updating.suspects import suspects
+from pkmodes.updating.candidates import suspects
+from pkmodes.updating.robot_structure import RobotStructure
 from pkmodes_rig.engine import true_modes
 from pkmodes_rig.robots import POSES, ROBOTS, read
 

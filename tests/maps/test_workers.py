@@ -23,7 +23,15 @@ from pkmodes.cli import run
 from pkmodes.maps import mapping, running
 from pkmodes.mechanism import registry as mechanism
 
+#: Longer than any machine takes to start or to answer [s].
+LONG = 600
 PATHS = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
+
+
+@pytest.fixture(autouse=True)
+def _patience(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A busy machine starts processes slowly."""
+    monkeypatch.setattr(running, "PATIENCE", LONG)
 
 
 def free_port() -> int:
@@ -58,7 +66,7 @@ def processes(*commands: list[str], **environment: str) -> Iterator[list[subproc
 
 
 def worker(address: str) -> list[str]:
-    options = ["--nthreads", "1", "--no-dashboard", "--host", "127.0.0.1", "--death-timeout", "120"]
+    options = ["--nthreads", "1", "--no-dashboard", "--host", "127.0.0.1", "--death-timeout", str(LONG)]
     return ["distributed.cli.dask_worker", address, *options, "--no-nanny"]
 
 
@@ -81,8 +89,8 @@ def workers(scheduler: str) -> Iterator[list[subprocess.Popen[bytes]]]:
 def wait_for(address: str, number: int) -> None:
     import distributed
 
-    with distributed.Client(address, timeout=60, set_as_default=False) as client:
-        deadline = time.monotonic() + 90
+    with distributed.Client(address, timeout=LONG, set_as_default=False) as client:
+        deadline = time.monotonic() + LONG
         while len(client.scheduler_info()["workers"]) != number:
             assert time.monotonic() < deadline
             time.sleep(0.1)
@@ -127,7 +135,7 @@ def test_one_worker_killed_midway_changes_nothing(scheduler: str, tmp_path: Path
                     first.send_signal(signal.SIGKILL)
 
             with model().map(GRID, out=out, scheduler=address, progress=progress) as there:
-                assert first.wait(timeout=20) == -signal.SIGKILL
+                assert first.wait(timeout=LONG) == -signal.SIGKILL
                 xarray.testing.assert_identical(here, there.load())
     assert numbers[-1] == 330
     assert numbers == sorted(numbers)
@@ -191,7 +199,7 @@ def test_an_unexpected_error_of_a_worker_says_so(
 def test_another_version_on_the_workers(
     scheduler: str, workers: list[subprocess.Popen[bytes]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(pkmodes, "__version__", "9.9")
+    monkeypatch.setattr(running, "VERSION", "9.9")
     with pytest.raises(
         PkmodesError, match=r"expected pkmodes 9.9 on every worker, found .* on tcp://"
     ) as error:
@@ -216,7 +224,7 @@ def test_a_scheduler_without_workers(monkeypatch: pytest.MonkeyPatch) -> None:
     address = f"tcp://127.0.0.1:{port}"
     command = ["distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard"]
     with processes(command):
-        deadline = time.monotonic() + 60
+        deadline = time.monotonic() + LONG
         while True:
             try:
                 model().map(GRID, scheduler=address)

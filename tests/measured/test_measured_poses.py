@@ -11,8 +11,10 @@ import pkmodes
 from helpers.diagnoses.measurement_files import HEADER, ROW, read
 from helpers.robots.robot_text import PUBLISHED
 from pkmodes import updating
-from pkmodes.base.errors import MeasurementError
-from pkmodes.updating.poses import check_measured
+from pkmodes.base.errors import MeasurementError, PkmodesError
+from pkmodes.measured.measurements import Measurements
+from pkmodes.updating import measured_robot
+from pkmodes.updating.measured_robot import MeasuredRobot
 
 
 def test_positions_in_millimetres_are_recognised(tmp_path: Path) -> None:
@@ -22,11 +24,11 @@ def test_positions_in_millimetres_are_recognised(tmp_path: Path) -> None:
         (HEADER.replace("x,y,z", "x [mm],y [mm],z [mm]"), "0.6,0,-0.245", "look like metres"),
     ):
         with pytest.raises(MeasurementError) as error:
-            check_measured(read(tmp_path, f"{header}\nA,{place},55.5,0.1\nA,{place},60,0.1\n"), model)
+            MeasuredRobot.of(model, read(tmp_path, f"{header}\nA,{place},55.5,0.1\nA,{place},60,0.1\n"))
         assert remedy in error.value.remedy
     mixed = read(tmp_path, f"{HEADER}\nA,600,0,-245,55.5,0.1\nB,0.6,0,-0.245,60,0.1\n")
     with pytest.raises(MeasurementError, match="out of reach"):
-        check_measured(mixed, model)
+        MeasuredRobot.of(model, mixed)
 
 
 @pytest.mark.parametrize(("x", "recognised"), [(250.0, True), (0.31, False)])
@@ -37,17 +39,17 @@ def test_small_numbers_are_not_taken_for_millimetres(tmp_path: Path, x: float, r
     (tmp_path / "modes.csv").write_text(text)
     data = updating.read(tmp_path / "modes.csv", robot=model)
     with pytest.raises(MeasurementError) as error:
-        check_measured(data, model)
+        MeasuredRobot.of(model, data)
     assert ("millimetres" in error.value.remedy) == recognised
 
 
 def test_a_pose_that_the_robot_cannot_take_is_refused(tmp_path: Path) -> None:
     model = pkmodes.load(PUBLISHED)
-    check_measured(read(tmp_path, f"{HEADER}\n{ROW}\n"), model)
+    MeasuredRobot.of(model, read(tmp_path, f"{HEADER}\n{ROW}\n"))
     for place, reason in (("0.6,0,-0.5", "out of reach: link"), ("0.1,0,-0.245", "beyond its limits")):
         found = read(tmp_path, f"{HEADER}\n{ROW}\n# far\nC 3,{place},50,0.1\nC 3,{place},60,0.1\n")
         with pytest.raises(MeasurementError) as error:
-            check_measured(found, model)
+            MeasuredRobot.of(model, found)
         line = str(error.value)
         assert f"{tmp_path / 'modes.csv'}: line 4, columns x, y and z)" in line
         assert f'"C 3" at [{place.replace(",", ", ")}] m' in line
@@ -55,9 +57,10 @@ def test_a_pose_that_the_robot_cannot_take_is_refused(tmp_path: Path) -> None:
         assert str(PUBLISHED) in error.value.remedy
     found = read(tmp_path, f"{HEADER}\nC,9,9,9,1,0.1\n{ROW}\nD,0.6,0,9,2,0.1\n")
     with pytest.raises(MeasurementError, match="line 2, columns x, y and z, the first of 2 bad poses"):
-        check_measured(found, model)
-    check_measured(found.at([1]), model)
-    check_measured(found.at([]), model)
+        MeasuredRobot.of(model, found)
+    MeasuredRobot.of(model, found.at([1]))
+    with pytest.raises(PkmodesError, match="expected measurements, found no rows"):
+        MeasuredRobot.of(model, found.at([]))
 
 
 def test_a_part_of_the_poses_keeps_rows_and_numbers_poses_anew(tmp_path: Path) -> None:
@@ -75,3 +78,51 @@ def test_a_part_of_the_poses_keeps_rows_and_numbers_poses_anew(tmp_path: Path) -
     for bad in ([3], [-1], [0, 0], [0.5], [True, False, True]):
         with pytest.raises(MeasurementError, match="pose indices"):
             found.at(bad)
+
+
+def test_a_robot_and_its_measurements_are_checked_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    robot, data = pkmodes.read_robot(PUBLISHED), read(tmp_path, f"{HEADER}\n{ROW}\n")
+    visits: list[str] = []
+    for name in ("load_cases", "check_reachable", "check_measurements"):
+        check = getattr(measured_robot, name)
+
+        def counted(*given: object, check=check, name=name) -> object:
+            visits.append(name)
+            return check(*given)
+
+        monkeypatch.setattr(measured_robot, name, counted)
+    updating.compare(robot, data)
+    assert visits == ["check_measurements", "load_cases", "check_reachable"]
+    measured = MeasuredRobot.of(robot, data)
+    assert (measured.robot, measured.data) == (robot, data)
+    structures = [measured.structure(), measured.structure(candidates=())]
+    assert visits == 2 * ["check_measurements", "load_cases", "check_reachable"]
+    assert all(one.points is not None and len(one.points) == len(data.points) for one in structures)
+
+
+def test_the_first_of_several_mistakes_is_told_before_poses_are_checked(tmp_path: Path) -> None:
+    """In this order: robot, measurements, components, coordinates, set values, poses, candidates, priors."""
+    robot = pkmodes.read_robot(PUBLISHED)
+    far = {"points": [[9.0, 9.0, 9.0]], "settings": {"platform.mass": [-1.0]}}
+    given: dict[str, object] = {"frequency": [1.0], "sigma": [0.1]}
+    messages = []
+    for changes in (
+        {**far, "components": {"x": "m", "z": "m", "y": "m"}, "shapes": {"no": [1.0]}},
+        {**far, "shapes": {"no": [1.0]}},
+        far,
+        {"points": far["points"]},
+        {"points": [[0.6, 0.0, -0.245]]},
+    ):
+        data = Measurements.from_rows(["A"], **given, **changes)
+        with pytest.raises(PkmodesError) as error:
+            updating.diagnose(robot, data, candidates=["no such"], priors={"none": 1.0})
+        messages.append(error.value.what)
+    expected = ["expected poses with x, y and z", '"no" is not a coordinate', "mass", "pose ", "unknown cand"]
+    assert all(part in what for part, what in zip(expected, messages, strict=True)), messages
+    for wrong in ((PUBLISHED, None), (robot, None)):
+        with pytest.raises(
+            PkmodesError, match="expected a robot" if wrong[0] is PUBLISHED else "expected meas"
+        ):
+            updating.compare(*wrong)

@@ -7,7 +7,7 @@ import pickle
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.diagnoses.measurement_files import CHANNELS, FULL, HEADER, ROW, read, refusal
@@ -163,7 +163,7 @@ def test_rows_of_commas_alone_are_blank_and_decimal_commas_are_named(tmp_path: P
     assert "if numbers have decimal commas, write points" in line
 
 
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(st.lists(st.sampled_from([*'A,,,,0.1-e#" \n\t\r;', HEADER, ROW, "\n"]), max_size=30).map("".join))
 def test_any_text_is_read_or_refused_clearly(tmp_path: Path, text: str) -> None:
     try:

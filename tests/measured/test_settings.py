@@ -13,7 +13,6 @@ from pkmodes import Model, Robot, read_robot, updating
 from pkmodes.base.errors import MeasurementError, PkmodesError
 from pkmodes.cli import run
 from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, compare
-from pkmodes.updating import loop
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 HEADER = "pose,x,y,frequency,sigma"
@@ -209,7 +208,7 @@ def test_the_commands_show_what_is_set(
     read(tmp_path, text, robot)
     # As predicted by the robot with that payload.
     alone = Model(robot.with_values({PAYLOAD[4:]: 0.2})).frequencies([0.1, 0.1])[2:]
-    found = loop.compare(robot, updating.read(tmp_path / "modes.csv", robot=robot))
+    found = updating.compare(robot, updating.read(tmp_path / "modes.csv", robot=robot))
     assert [row.predicted for row in found.rows[2:]] == pytest.approx(alone.tolist(), rel=1e-12)
     other = read(tmp_path, text.replace(f",{PAYLOAD}", "").replace(",\n", "\n").replace(",0.2", ""), robot)
-    assert all(not row.load for row in loop.compare(robot, other).rows)
+    assert all(not row.load for row in updating.compare(robot, other).rows)

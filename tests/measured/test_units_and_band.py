@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.diagnoses.measurement_files import HEADER, ROW
@@ -210,7 +210,7 @@ def files(draw: st.DrawFn) -> tuple[str, dict[str, list[float]]]:
     return "\n".join(lines), values
 
 
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(files())
 def test_files_in_any_units_read_back_what_was_written(tmp_path: Path, file) -> None:
     text, values = file

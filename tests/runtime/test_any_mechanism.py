@@ -25,8 +25,10 @@ from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.system.evaluation import ExtendedSystem
 from pkmodes.updating import frame
-from pkmodes.updating.poses import check_measured
-from pkmodes.updating.structure import RobotStructure, channels
+from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes.updating.robot_structure import RobotStructure, channels
+
+pytestmark = pytest.mark.usefixtures("backend")
 
 KIND = known._read("planar_pair")
 SAMPLE = sample(KIND)
@@ -194,7 +196,7 @@ def test_measurements_have_the_components_of_the_pose(tmp_path: Path, model: pkm
         data = updating.read(path, robot=given)
         assert data.components == ("x", "y")
         np.testing.assert_allclose(data.points, POSES)
-    check_measured(data, model)
+    MeasuredRobot.of(model, data)
     structure = RobotStructure(model.robot, data.points, [], [], {})
     found = diagnosis.compare(structure, data)
     np.testing.assert_allclose([row.predicted for row in found.rows], f.ravel(), rtol=1e-9)
@@ -204,13 +206,13 @@ def test_measurements_have_the_components_of_the_pose(tmp_path: Path, model: pkm
     with pytest.raises(MeasurementError, match='unknown column "z"'):
         updating.read(path, robot=model)
     with pytest.raises(MeasurementError, match="expected poses with x and y, found x, y and z"):
-        check_measured(updating.read(path), model)
+        MeasuredRobot.of(model, updating.read(path))
     path.write_text("pose,x,frequency,sigma,shape:x\nA,0.1,30,0.1,1\n", encoding="utf-8")
     with pytest.raises(MeasurementError, match='the column "y" is missing'):
         updating.read(path, robot=model)
     path.write_text("pose,x,y,frequency,sigma\nA,100,50,30,0.1\n", encoding="utf-8")
     with pytest.raises(MeasurementError, match=r"write x \[mm\],y \[mm\] in the header"):
-        check_measured(updating.read(path, robot=model), model)
+        MeasuredRobot.of(model, updating.read(path, robot=model))
 
 
 def test_channels_are_the_coordinates_and_the_tool() -> None:

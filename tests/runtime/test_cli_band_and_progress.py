@@ -14,6 +14,9 @@ import pkmodes
 from pkmodes import updating
 from pkmodes.base.errors import MeasurementError, PkmodesError
 from pkmodes.cli import run
+from pkmodes.updating.measured_robot import MeasuredRobot
+
+pytestmark = pytest.mark.usefixtures("backend")
 
 LOOP = Path(__file__).resolve().parents[2] / "examples" / "closed_loop"
 FILES = [str(LOOP / "robot.toml"), str(LOOP / "measured.csv")]
@@ -89,7 +92,7 @@ def test_priors_may_have_units_as_other_values(tmp_path: Path) -> None:
         "gearbox_compliance": "1e-6 deg/(N*cm)",
         "measurement:yaw": "1 deg",
     }
-    found = {c.name: c.sigma for c in updating.loop.structure(robot, data, None, given).candidates}
+    found = {c.name: c.sigma for c in MeasuredRobot.of(robot, data).structure(None, given).candidates}
     expected = [1e-3, 0.02, 0.1, 0.02, 1e-4 * np.pi / 180.0, np.pi / 180.0]
     for name, sigma in zip(given, expected, strict=True):
         assert found[name] == (pytest.approx(sigma, rel=1e-12),), name

@@ -23,6 +23,8 @@ from pkmodes.cli import run
 from pkmodes_rig.measurements import measure
 from pkmodes_rig.robots import POSES, ROBOTS, read
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 ROOT = Path(__file__).parents[2]
 KEYS = {"robot", "rms_relative", "chi2_per_dof", "p_value", "unpaired", "rows"}
 HEADER = "pose,x,y,z,frequency,sigma"

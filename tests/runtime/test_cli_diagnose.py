@@ -22,6 +22,8 @@ from helpers.diagnoses.diagnose_command import (
 )
 from helpers.diagnoses.verdict_examples import VERDICTS, given, judged
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 
 class Verdict(NamedTuple):
     """A diagnosis with one of the verdicts."""
@@ -32,7 +34,9 @@ class Verdict(NamedTuple):
 
 
 @pytest.fixture(scope="module", params=VERDICTS)
-def verdict(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Verdict:
+def verdict(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory, backend: str
+) -> Verdict:
     """Each verdict once, with its JSON on standard output and a saved robot."""
     modes, candidates = given(request.param)
     folder = tmp_path_factory.mktemp(request.param)

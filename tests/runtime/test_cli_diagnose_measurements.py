@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from helpers.diagnoses.diagnose_command import (
     HEADER,
@@ -19,6 +20,8 @@ from helpers.diagnoses.diagnose_command import (
     refusal,
     rows_of,
 )
+
+pytestmark = pytest.mark.usefixtures("backend")
 
 
 def test_labels_ends_of_lines_and_comments_do_not_matter(tmp_path: Path) -> None:

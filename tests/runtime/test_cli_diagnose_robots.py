@@ -10,6 +10,8 @@ import pytest
 import pkmodes
 from helpers.diagnoses.diagnose_command import PUBLISHED, TOWER, call, diagnosed, edited, files, measured
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 
 @pytest.mark.parametrize(
     ("mass", "candidate", "refitted"),

@@ -26,6 +26,8 @@ from helpers.diagnoses.diagnose_command import (
 from pkmodes.cli import run
 from pkmodes.robot.reading import robot_from_document
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 
 def wider(text: str) -> str:
     """The tower with joints that are 30 % farther from the centre."""
@@ -75,7 +77,9 @@ class Saved(NamedTuple):
 
 
 @pytest.fixture(scope="module", params=list(SAVED))
-def corrected(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Saved:
+def corrected(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory, backend: str
+) -> Saved:
     declared, truth, name, effects = SAVED[request.param]
     folder = tmp_path_factory.mktemp("saved")
     robot, modes = files(folder, declared, measured(truth, name=name, effects=effects))

@@ -15,6 +15,7 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED
+from helpers.runs.processes import interruptible
 from pkmodes.cli import run
 
 ROOT = Path(__file__).parents[2]
@@ -35,10 +36,14 @@ class Finder:
 
 sys.meta_path.insert(0, Finder())
 """
+#: Longer than any machine takes [s].
+TIMEOUT = 600
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="sends POSIX signals")
 
 
-def start(folder: Path, how: list[str], arguments: list[str], **environment: str) -> subprocess.Popen[bytes]:
+def start(
+    folder: Path, how: list[str], arguments: list[str], *, ignoring: bool = False, **environment: str
+) -> subprocess.Popen[bytes]:
     (folder / "sitecustomize.py").write_text(HOOK, encoding="utf-8")
     paths = [folder, *(ROOT / part for part in ("src", "generated", "derive"))]
     return subprocess.Popen(
@@ -46,11 +51,12 @@ def start(folder: Path, how: list[str], arguments: list[str], **environment: str
         env={**os.environ, "PYTHONPATH": os.pathsep.join(map(str, paths)), **environment},
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
+        preexec_fn=None if ignoring else interruptible,
     )
 
 
 def expect_one_line(process: subprocess.Popen[bytes]) -> None:
-    _, err = process.communicate(timeout=60)
+    _, err = process.communicate(timeout=TIMEOUT)
     assert err.decode() == "error: interrupted (pkmodes); run it again\n"
     assert process.returncode == 130
 
@@ -105,10 +111,10 @@ def test_an_ignored_interrupt_stays_ignored(tmp_path: Path) -> None:
     """As for a shell's background job."""
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
-        process = start(tmp_path, STARTS[0], MODES, INTERRUPT_AT="numpy")
+        process = start(tmp_path, STARTS[0], MODES, ignoring=True, INTERRUPT_AT="numpy")
     finally:
         signal.signal(signal.SIGINT, before)
-    _, err = process.communicate(timeout=60)
+    _, err = process.communicate(timeout=TIMEOUT)
     assert (process.returncode, err) == (0, b"")
 
 

@@ -15,6 +15,8 @@ import pkmodes
 from helpers.robots.robot_text import PUBLISHED, edited
 from pkmodes.cli import run
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 ROOT = Path(__file__).parents[2]
 ROBOT = str(PUBLISHED)
 POSE = "0.6,0.03,-0.245"

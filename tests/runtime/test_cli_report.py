@@ -15,13 +15,15 @@ from pkmodes.cli import run
 from pkmodes.diagnosis import Diagnosis
 from pkmodes.report import report
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 ROOT = Path(__file__).parents[2]
 LOOP = [str(ROOT / "examples" / "closed_loop" / name) for name in ("robot.toml", "measured.csv")]
 DIAGNOSE = ["diagnose", *LOOP, "--candidates", "gearbox_compliance"]
 
 
 @pytest.fixture(scope="module")
-def found() -> Diagnosis:
+def found(backend: str) -> Diagnosis:
     return updating.diagnose(read_robot(LOOP[0]), updating.read(LOOP[1]), candidates=["gearbox_compliance"])
 
 

@@ -14,6 +14,8 @@ from helpers.robots.robot_text import PUBLISHED, edited, published
 from pkmodes.cli import run
 from pkmodes_rig.robots import ROBOTS
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 POSE, POINT = "0.6,0.03,-0.245", [0.6, 0.03, -0.245]
 KEYS = {
     "robot",

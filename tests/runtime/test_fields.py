@@ -18,6 +18,8 @@ from pkmodes.sensitivity import sensitivities as sensitivity_module
 from pkmodes.sensitivity.sensitivities import Sensitivities
 from pkmodes.solve import batch, kinematics, mode_fields
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 POSE = np.array([0.6, 0.03, -0.245])
 CENTRE = np.array([0.0, 0.0, 0.1])
 EFFECTS = {"effects.gearbox_compliance.compliance": 1e-4, "effects.clamp_compliance.compliance": 1e-7}

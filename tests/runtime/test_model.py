@@ -11,6 +11,8 @@ from helpers.robots.robot_text import PUBLISHED
 from pkmodes.base.errors import PoseError
 from pkmodes_generated import linear_delta
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 POSE = np.array([0.6, 0.03, -0.245])
 
 

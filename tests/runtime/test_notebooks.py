@@ -13,6 +13,8 @@ import pkmodes
 from pkmodes.figures.pictures import pictures
 from pkmodes.view import scene
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 POSES = [[0.6, 0.0, -0.245], [0.5, 0.02, -0.245], [0.1, 0.0, -0.245]]
 
 

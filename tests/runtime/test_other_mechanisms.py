@@ -24,7 +24,7 @@ from pkmodes.robot.paths import moved, paths, resolve
 from pkmodes.robot.reading import read_robot, robot_from_document
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.saving import Correction, corrected_text
-from pkmodes.updating.suspects import suspects
+from pkmodes.updating.candidates import suspects
 
 
 @pytest.fixture(autouse=True, scope="module")
@@ -291,11 +291,11 @@ def test_what_reads_robot_files_names_nothing_of_a_mechanism() -> None:
     """In the code only: docstrings may give examples, and sentences contain words such as joint."""
     kind = mechanisms.mechanism("linear_delta")
     named = {kind.name, *kind.effects, *kind.independent}
-    named |= {table.name for table in kind.tables} | {whole.path for whole in kind.wholes}
+    named |= {table.name for table in kind.tables} | {group.path for group in kind.parameter_groups}
     every = [item.key for item in items(kind)]
     named |= {key.field for key in every} - {"gravity", ""} - {key.kind for key in every}
     source = Path(__file__).parents[2] / "src/pkmodes"
-    for file in (*sorted((source / "robot").glob("*.py")), source / "updating/suspects.py"):
+    for file in (*sorted((source / "robot").glob("*.py")), source / "updating/candidates.py"):
         tree = ast.parse(file.read_text(encoding="utf-8"))
         explained = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
         for node in ast.walk(tree):

@@ -9,6 +9,8 @@ import pkmodes
 from helpers.robots.robot_text import PUBLISHED
 from pkmodes.base.errors import PoseError
 
+pytestmark = pytest.mark.usefixtures("backend")
+
 GOOD = [0.6, 0.03, -0.245]
 BAD = {
     "finite": [np.nan, 0.0, -0.245],

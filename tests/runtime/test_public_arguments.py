@@ -106,6 +106,7 @@ CALLS: dict[str, Callable[[object], object]] = {
 TEXTS = {"measured pose", "measured mode"}
 
 
+@pytest.mark.usefixtures("backend")
 @pytest.mark.parametrize("name", CALLS)
 def test_every_mistake_is_an_error_of_the_package(name: str) -> None:
     for given in NEVER:

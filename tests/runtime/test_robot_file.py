@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.robots.robot_text import PUBLISHED, edited, published
@@ -264,7 +264,7 @@ values = st.one_of(
 )
 
 
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=200)
+@settings(max_examples=200)
 @given(
     st.sampled_from(["platform", "link", "axis", "gravity", "name", "format", "motor", "effects", "zzz"]),
     st.one_of(values, st.dictionaries(st.text(max_size=8), values, max_size=3), st.lists(values, max_size=3)),

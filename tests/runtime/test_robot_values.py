@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import tomlkit
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pkmodes
@@ -116,7 +116,8 @@ def same_to_the_last_digit(found: pkmodes.Robot, expected: pkmodes.Robot) -> Non
     assert hash(found) == hash(expected)
 
 
-@settings(max_examples=120, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@pytest.mark.usefixtures("backend")
+@settings(max_examples=120)
 @given(
     base=st.sampled_from([published(), RICH]),
     path=st.sampled_from(sorted(VALUES)),
@@ -329,6 +330,7 @@ def test_quantities_compare_and_hash() -> None:
     assert len({Quantity(1.5, "kg"), Quantity(1.5, "kg", 0.0), Quantity(1.5, "m"), Quantity(1.5, "kg")}) == 3
 
 
+@pytest.mark.usefixtures("backend")
 def test_models_with_effects_are_pickled_and_copied(rich: pkmodes.Robot) -> None:
     model = pkmodes.Model(rich.with_values({"effects.gearbox_compliance.compliance": 1e-4}), 1e5)
     expected = model.modes(POSE)
@@ -338,6 +340,7 @@ def test_models_with_effects_are_pickled_and_copied(rich: pkmodes.Robot) -> None
         np.testing.assert_array_equal(twin.modes(POSE).shapes, expected.shapes)
 
 
+@pytest.mark.usefixtures("backend")
 def test_models_travel_to_other_processes(robot: pkmodes.Robot) -> None:
     model = pkmodes.Model(robot.with_values({"effects.payload.mass": "350 g"}))
     poses = [np.array(POSE), np.array(POSE) + 0.01]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.robots.corrected_files import changed_lines, correct, reread, with_joints
@@ -136,7 +136,7 @@ def test_the_joint_radius_changes_along_the_joints(tmp_path: Path) -> None:
 UNITS = {"m": 1.0, "mm": 1e-3, "inch": 0.0254, None: 1.0}
 
 
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.floats(1e-6, 1e6), st.none() | st.floats(1e-9, 1e3), st.sampled_from(list(UNITS)))
 def test_any_value_reads_back(tmp_path: Path, value: float, sigma: float | None, unit: str | None) -> None:
     text = edited('"400 mm"', "0.4" if unit is None else f'"{0.4 / UNITS[unit]} {unit}"')

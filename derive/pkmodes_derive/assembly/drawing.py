@@ -12,16 +12,17 @@ from sympy import Expr, Integer, Symbol
 
 from pkmodes_derive.assembly.derived import Derived, derive, flat
 from pkmodes_derive.assembly.springs import Spring, springs
-from pkmodes_derive.description import DrawingData, ElementData
 from pkmodes_derive.drawing import Element, Point, from_parts
 from pkmodes_derive.functions import Argument, FieldGroup, Function, Model, Output
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.vocabulary import AXES, DeclarationError
+from pkmodes_description import Drawing as DescribedDrawing
+from pkmodes_description import Element as DescribedElement
 
 Motion = tuple[Expr, ...]
 
 
-def drawing(machine: Machine) -> tuple[Model, DrawingData]:
+def drawing(machine: Machine) -> tuple[Model, DescribedDrawing]:
     """Return the model and the description of a drawing; `machine` has every effect that applies."""
     d = derive(machine)
     elements = machine.draw.elements or from_parts(
@@ -31,7 +32,7 @@ def drawing(machine: Machine) -> tuple[Model, DrawingData]:
     moved = [_motion(d, point) for point in points]
     motions = list(dict.fromkeys(moved))
     of_springs = springs(d)
-    data = DrawingData(
+    data = DescribedDrawing(
         tuple(motions.index(motion) for motion in moved),
         tuple(_data(element, points, of_springs) for element in elements),
         tuple(spring.named for spring in of_springs),
@@ -56,11 +57,11 @@ def _motion(d: Derived, point: Point) -> Motion:
     return tuple(rows)
 
 
-def _data(element: Element, points: Sequence[Point], of_springs: Sequence[Spring]) -> ElementData:
+def _data(element: Element, points: Sequence[Point], of_springs: Sequence[Spring]) -> DescribedElement:
     spring = next(
         (i for i, s in enumerate(of_springs) if s.part is not None and s.part is element.spring), -1
     )
-    return ElementData(
+    return DescribedElement(
         element.shape,
         element.kind,
         element.name,

@@ -10,9 +10,9 @@ from pkmodes_derive.assembly import chapters, sensitivity
 from pkmodes_derive.assembly.condensed import Condensed
 from pkmodes_derive.assembly.derived import Derived, added, derive, flat, units_of_mass, units_of_stiffness
 from pkmodes_derive.assembly.kinematics import Kinematics
-from pkmodes_derive.description import Description, Named
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output, Relation
 from pkmodes_derive.machine import Machine
+from pkmodes_description import Description, Drawing, Named
 
 Relations = Callable[[Machine, Kinematics], tuple[Relation, ...]]
 Places = tuple[tuple[int, int], ...]
@@ -40,7 +40,7 @@ def base(machine: Machine, relations: Relations | None = None) -> Model:
     )
 
 
-def describe(machine: Machine, rigid_modes: int | None) -> Description:
+def describe(machine: Machine, rigid_modes: int | None, drawing: Drawing) -> Description:
     """Return what the runtime needs to know about a mechanism; `machine` has every effect that applies."""
     v = machine.vocabulary
     named = tuple(Named(q.name, v[q].unit, v[q].description) for q in machine.coordinates)
@@ -49,7 +49,7 @@ def describe(machine: Machine, rigid_modes: int | None) -> Description:
         for axis, q in zip(machine.directions, machine.pose, strict=True)
     )
     return Description(
-        mechanism=machine.name,
+        name=machine.name,
         title=machine.title,
         pose=pose,
         pose_is=machine.pose_is,
@@ -67,13 +67,14 @@ def describe(machine: Machine, rigid_modes: int | None) -> Description:
         ),
         rigid_modes=rigid_modes or 0,
         tables=machine.tables.described(),
-        wholes=machine.wholes,
+        parameter_groups=machine.parameter_groups,
         margins=machine.margins,
         requirements=machine.requirements,
-        effects=tuple(effect.data() for effect in machine.effects),
+        effects_in_order=tuple(effect.data() for effect in machine.effects),
         scales=machine.scales,
-        differences=tuple(machine.differences.items()),
-        sample=machine.sample,
+        difference_pairs=tuple(machine.differences.items()),
+        sample=dict(machine.sample),
+        drawing=drawing,
     )
 
 

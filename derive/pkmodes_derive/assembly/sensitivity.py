@@ -21,8 +21,8 @@ from sympy import Add, Expr, Symbol, diff
 
 from pkmodes_derive.assembly.derived import Derived
 from pkmodes_derive.chain import Chain
-from pkmodes_derive.description import CHOICES
 from pkmodes_derive.machine import Machine
+from pkmodes_description import CHOICES
 
 
 def values(machine: Machine, moving: Sequence[Symbol]) -> tuple[Symbol, ...]:

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from sympy import Add, Expr, Symbol, default_sort_key, diff
 
 from pkmodes_derive.assembly.derived import Derived
-from pkmodes_derive.description import Named
 from pkmodes_derive.machine import SMALL, Machine
 from pkmodes_derive.parts import Reducer, Run
+from pkmodes_description import Named
 
 #: What precedes the name of a spring in the description of its stiffness, or of its displacement.
 BEFORE = ("stiffness of ", SMALL, "small ")

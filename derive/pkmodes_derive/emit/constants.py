@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from pkmodes_derive.description import Margin
 from pkmodes_derive.emit.provenance import Provenance
 from pkmodes_derive.functions import Argument, Model
+from pkmodes_description import Margin
 
 #: Largest condition number of a regular pose, as `pkmodes.mechanism.poses.MAX_CONDITION`; single precision has
 #: fewer digits to lose.

@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from pkmodes_derive.description import Description
 from pkmodes_derive.tables import unit_of
+from pkmodes_description import Description
 
 #: Hexadecimal digits of a digest; 64 bits tell the models of a machine apart.
 DIGITS = 16

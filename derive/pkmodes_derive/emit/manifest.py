@@ -15,6 +15,7 @@ from importlib.resources.abc import Traversable
 import sympy
 
 import pkmodes_derive
+import pkmodes_description
 from pkmodes_derive.emit.program import Program
 from pkmodes_derive.emit.specification import Specification
 
@@ -28,8 +29,8 @@ def digest(text: str) -> str:
 
 
 def source_digests() -> dict[str, str]:
-    """Return the digests of every source and template of the derivation by relative path."""
-    found: dict[str, str] = {}
+    """Return the digests of every source and template of the derivation and the description by relative path."""
+    digests: dict[str, str] = {}
 
     def walk(folder: Traversable, prefix: str) -> None:
         for entry in sorted(folder.iterdir(), key=lambda item: item.name):
@@ -38,10 +39,11 @@ def source_digests() -> dict[str, str]:
                 walk(entry, f"{path}/")
             elif entry.name.endswith((".py", ".j2", ".c")):
                 # Newlines may differ between checkouts of the same sources.
-                found[path] = digest(entry.read_text(encoding="utf-8").replace("\r\n", "\n"))
+                digests[path] = digest(entry.read_text(encoding="utf-8").replace("\r\n", "\n"))
 
     walk(files(pkmodes_derive), "")
-    return found
+    walk(files(pkmodes_description), "pkmodes_description/")
+    return digests
 
 
 def text(

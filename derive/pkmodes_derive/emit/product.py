@@ -6,7 +6,7 @@ function of the derivation, the templates and the specification.  Writing and co
 
 from __future__ import annotations
 
-import json
+from collections.abc import Mapping
 from dataclasses import replace
 
 import sympy
@@ -14,14 +14,16 @@ import sympy
 import pkmodes_derive
 from pkmodes_derive import mechanisms
 from pkmodes_derive.definition import FILE_NAME
-from pkmodes_derive.description import as_data
-from pkmodes_derive.emit import c99, lanes, manifest, numpy
+from pkmodes_derive.emit import manifest
 from pkmodes_derive.emit.identity import Identity, limits, literal
 from pkmodes_derive.emit.program import Program, arrange
 from pkmodes_derive.emit.provenance import ANY_ROBOT, Provenance, pasteable
+from pkmodes_derive.emit.registry import BACKENDS
 from pkmodes_derive.emit.specification import Specification
 from pkmodes_derive.functions import Model
 from pkmodes_derive.specialise import specialise
+from pkmodes_description import FILE_NAME as DESCRIPTION
+from pkmodes_description import encode
 
 REGENERATE = "python -m pkmodes_derive generate"
 #: What the names of a robot's functions without its effects have in addition.
@@ -37,7 +39,7 @@ def parametric(mechanism: str, definition: str = "") -> dict[str, str]:
     definition : str
         Path of the file of a user-defined mechanism, relative to the product.
     """
-    model = mechanisms.base(mechanism)
+    model, extended = mechanisms.base(mechanism), mechanisms.extended(mechanism)
     own = mechanisms.source(mechanism)
     command = f"pkmodes generate --mechanism {pasteable(definition)} {ANY_ROBOT} --out .."
     provenance = Provenance(
@@ -50,37 +52,37 @@ def parametric(mechanism: str, definition: str = "") -> dict[str, str]:
         place="" if own is None else ", run in this folder",
         identity=Identity(mechanism, pkmodes_derive.__version__),
     )
-    texts, programs = write(model, provenance)
-    extended_texts, extended_programs = write(
-        mechanisms.extended(mechanism),
-        replace(
-            provenance,
-            name=f"{mechanism}_extended",
-            module="extended",
-            title=f"Dynamics of the mechanism {mechanism} with effects: extended matrices and sensitivities.",
-            origin=f"the derivation of {mechanism} and the catalogue of effects",
-        ),
-    )
+    beyond = f"the derivation of {mechanism} and the catalogue of effects"
     drawing, _ = mechanisms.drawing(mechanism)
-    drawing_texts, drawing_programs = in_numpy(
-        drawing,
-        replace(
-            provenance,
-            module="drawing",
-            title=f"Points and springs of the mechanism {mechanism}, with effects, for pictures of it.",
-            origin=f"the derivation of {mechanism} and the catalogue of effects",
+    texts, programs = written(
+        (model, provenance),
+        (
+            extended,
+            replace(
+                provenance,
+                name=f"{mechanism}_extended",
+                module="extended",
+                title=f"Dynamics of the mechanism {mechanism} with effects: extended matrices and sensitivities.",
+                origin=beyond,
+            ),
+        ),
+        (
+            drawing,
+            replace(
+                provenance,
+                module="drawing",
+                title=f"Points and springs of the mechanism {mechanism}, with effects, for pictures of it.",
+                origin=beyond,
+            ),
         ),
     )
-    lane_texts, lane_programs = lanes.files(
-        model,
-        mechanisms.extended(mechanism),
-        mechanisms.description(mechanism),
-        replace(provenance, title=f"The mechanism {mechanism} for the compiled evaluator."),
-    )
-    texts |= extended_texts | drawing_texts | lane_texts
-    programs |= extended_programs | drawing_programs | lane_programs
-    data = as_data(mechanisms.description(mechanism))
-    texts["description.json"] = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
+    description = mechanisms.description(mechanism)
+    of_both = replace(provenance, title=f"The mechanism {mechanism} for the compiled evaluator.")
+    for backend in BACKENDS:
+        more_texts, more_programs = backend.mechanism(model, extended, description, of_both)
+        texts |= more_texts
+        programs |= more_programs
+    texts[DESCRIPTION] = encode(description)
     texts["__init__.py"] = (
         f'"""Generated model of the mechanism {mechanism}: see `model`."""\n\n'
         "from .model import *  # noqa: F403\n"  # relative: a user-defined mechanism may be anywhere
@@ -138,20 +140,18 @@ def specialised(specification: Specification) -> dict[str, str]:
         beside = f"{name}_{WITHOUT_EFFECTS}"
         note = f"The same functions for the robot without its effects are in `{beside}`."
         model = replace(model, notes=(*model.notes, note))
-    texts, programs = write(specialise(model, values), provenance)
+    texts, programs = written((specialise(model, values), provenance))
     if specification.effects:
         base = mechanisms.base(specification.mechanism)
-        own_texts, own_programs = write(
-            specialise(base, values),
-            replace(
-                provenance,
-                name=beside,
-                module=beside,
-                title=f"Dynamics of the robot {specification.name} ({specification.mechanism}) without its effects, "
-                "parameters folded in.",
-                constants=_constants(base, specification),
-            ),
+        without_effects = replace(
+            provenance,
+            name=beside,
+            module=beside,
+            title=f"Dynamics of the robot {specification.name} ({specification.mechanism}) without its effects, "
+            "parameters folded in.",
+            constants=_constants(base, specification),
         )
+        own_texts, own_programs = written((specialise(base, values), without_effects))
         texts |= own_texts
         programs |= {f"{WITHOUT_EFFECTS}_{key}": program for key, program in own_programs.items()}
     origin = None if own is None else (given, own)
@@ -161,18 +161,22 @@ def specialised(specification: Specification) -> dict[str, str]:
     return texts
 
 
-def write(model: Model, provenance: Provenance) -> tuple[dict[str, str], dict[str, Program]]:
-    """Write a model in every language: return the texts by file name, and the programs that all of them print."""
-    programs = {function.name: arrange(function) for function in model.functions}
-    in_c = c99.BACKEND.files(model, programs, provenance)
-    provenance = provenance.of_source(in_c[f"{provenance.name}.c"])
-    return {**numpy.BACKEND.files(model, programs, provenance), **in_c}, programs
-
-
-def in_numpy(model: Model, provenance: Provenance) -> tuple[dict[str, str], dict[str, Program]]:
-    """Write a model that no controller needs in NumPy only."""
-    programs = {function.name: arrange(function) for function in model.functions}
-    return numpy.BACKEND.files(model, programs, provenance), programs
+def written(*models: tuple[Model, Provenance]) -> tuple[dict[str, str], dict[str, Program]]:
+    """Write models in every language: return the texts by file name, and the programs that all of them print."""
+    texts: dict[str, str] = {}
+    programs: dict[str, Program] = {}
+    for model, provenance in models:
+        of_model = {function.name: arrange(function) for function in model.functions}
+        by_backend: dict[str, Mapping[str, str]] = {}
+        # First the language whose source identifies the model, because the others state its digest.
+        for backend in sorted(BACKENDS, key=lambda backend: not backend.source):
+            files = by_backend[backend.name] = backend.model(model, of_model, provenance)
+            if backend.source and files:
+                provenance = provenance.of_source(files[f"{provenance.name}{backend.source}"])
+        for backend in BACKENDS:
+            texts |= by_backend[backend.name]
+        programs |= of_model
+    return texts, programs
 
 
 def _constants(model: Model, specification: Specification) -> tuple[str, ...]:

@@ -7,7 +7,7 @@ paper: tables, coordinates, closures, bodies, transmissions, and conditions on a
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from contextlib import AbstractContextManager, nullcontext
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
@@ -15,19 +15,18 @@ from types import ModuleType
 
 from pkmodes_derive import definition
 from pkmodes_derive.applying import apply_effects
-from pkmodes_derive.assembly import drawing as drawn
 from pkmodes_derive.assembly import models
+from pkmodes_derive.assembly.drawing import drawing as model_and_drawing
 from pkmodes_derive.declared import check_declared, check_model, check_names
-from pkmodes_derive.definition import DefinitionError
-from pkmodes_derive.description import Description, DrawingData
+from pkmodes_derive.definition import DefinitionError, as_definition_errors
 from pkmodes_derive.effect import Effect
 from pkmodes_derive.effects import catalogue
 from pkmodes_derive.functions import Model
 from pkmodes_derive.machine import Machine
+from pkmodes_description import Description, Drawing
 
 #: User-defined mechanisms by name: text and module of the definition.
 _added: dict[str, tuple[str, ModuleType]] = {}
-REMEDY = "fix the declaration"
 
 
 def names() -> tuple[str, ...]:
@@ -75,11 +74,17 @@ def machine(name: str, effects: Sequence[Effect] = ()) -> Machine:
     if name not in _added:
         return _machine(import_module(f"{__name__}.{name}"), name, effects)
     module = _added[name][1]
-    with definition.told(str(module.__file__), REMEDY):
+    with _reported(name):
         check_declared(_machine(module, name, ()))
-    during = f", with the effects {', '.join(effect.name for effect in effects)}" if effects else ""
-    with definition.told(str(module.__file__), REMEDY, during):
+    with _reported(name, f", with the effects {', '.join(e.name for e in effects)}" if effects else ""):
         return _machine(module, name, effects)
+
+
+def _reported(name: str, during: str = "") -> AbstractContextManager[None]:
+    """Report mistakes in the definition of a user-defined mechanism, not those in one that comes with pkmodes."""
+    if name not in _added:
+        return nullcontext()
+    return as_definition_errors(str(_added[name][1].__file__), "fix the declaration", during)
 
 
 def _machine(module: ModuleType, name: str, effects: Sequence[Effect]) -> Machine:
@@ -101,10 +106,10 @@ def base(name: str) -> Model:
     """Return the model of a mechanism without effects, derived once per process."""
     if name not in _added:
         return models.base(machine(name), getattr(import_module(f"{__name__}.{name}"), "relations", None))
-    declared, place = machine(name), str(_added[name][1].__file__)
-    with definition.told(place, REMEDY, ", during the derivation"):
+    declared = machine(name)
+    with _reported(name, ", during the derivation"):
         model = models.base(declared)
-    with definition.told(place, REMEDY):
+    with _reported(name):
         check_model(declared, model)
         check_names(declared, model)
     return model
@@ -114,23 +119,20 @@ def base(name: str) -> Model:
 def extended(name: str) -> Model:
     """Return the model of a mechanism with every effect that applies, derived once per process."""
     declared = machine(name, effects(name))
-    if name not in _added:
-        return models.extended(declared)
-    with definition.told(str(_added[name][1].__file__), REMEDY, ", during the derivation with every effect"):
+    with _reported(name, ", during the derivation with every effect"):
         model = models.extended(declared)
-    with definition.told(str(_added[name][1].__file__), REMEDY):
-        check_names(declared, model)
+    if name in _added:
+        with _reported(name):
+            check_names(declared, model)
     return model
 
 
 @cache
-def drawing(name: str) -> tuple[Model, DrawingData]:
+def drawing(name: str) -> tuple[Model, Drawing]:
     """Return the model of a mechanism's drawing, with every effect, and its description; derived once per process."""
     declared = machine(name, effects(name))
-    if name not in _added:
-        return drawn.drawing(declared)
-    with definition.told(str(_added[name][1].__file__), REMEDY, ", during the derivation of its drawing"):
-        return drawn.drawing(declared)
+    with _reported(name, ", during the derivation of its drawing"):
+        return model_and_drawing(declared)
 
 
 @cache
@@ -145,5 +147,5 @@ def single(name: str, chosen: tuple[str, ...], zeros: frozenset[tuple[str, int]]
 
 def description(name: str) -> Description:
     """Return what the runtime needs to know about a mechanism."""
-    described = models.describe(machine(name, effects(name)), base(name).rigid_modes)
-    return replace(described, drawing=drawing(name)[1])
+    _, drawn = drawing(name)
+    return models.describe(machine(name, effects(name)), base(name).rigid_modes, drawn)

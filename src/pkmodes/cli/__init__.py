@@ -20,12 +20,12 @@ from pkmodes.base.version import VERSION
 from pkmodes.cli.check import check
 from pkmodes.cli.commands import Commands
 from pkmodes.cli.compare import compare
+from pkmodes.cli.delivery import silence
 from pkmodes.cli.diagnose import diagnose
 from pkmodes.cli.figures import figures
 from pkmodes.cli.generate import generate
 from pkmodes.cli.map import map_
 from pkmodes.cli.modes import modes
-from pkmodes.cli.output import silence
 from pkmodes.cli.sensitivities import sensitivities
 from pkmodes.cli.show import show
 

@@ -2,16 +2,94 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import click
+from msgspec import Meta
 
+from pkmodes.base.documents import Document
 from pkmodes.base.errors import PkmodesError
-from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
+from pkmodes.cli.delivery import deliver
+from pkmodes.cli.options import json_option
+from pkmodes.cli.targets import check_targets
 
 if TYPE_CHECKING:
     from pkmodes.codegen.checking.report import Report
+
+Cause = Literal[
+    "robot",
+    "derivation",
+    "sympy",
+    "generator",
+    "edited",
+    "missing",
+    "orphan",
+    "manifest",
+    "different",
+]
+
+
+class FindingDocument(Document):
+    """A reason why a target is not up to date."""
+
+    cause: Annotated[Cause, Meta(description="Kind of finding.")]
+    subject: Annotated[str, Meta(description="The field or file.")]
+    message: Annotated[str, Meta(description="One sentence.")]
+    diff: Annotated[
+        str,
+        Meta(
+            description="Unified diff from the file on disk to its expected contents, shortened; may be empty."
+        ),
+    ]
+
+
+class RelationDocument(Document):
+    """A generated derivative compared with finite differences."""
+
+    name: Annotated[str, Meta(description="The relation, and the kind of finite difference.")]
+    error: Annotated[
+        float | None,
+        Meta(description="Largest error relative to the size of the quantity; null where it is not finite."),
+    ]
+    bound: Annotated[float, Meta(description="Upper bound of the error.")]
+    holds: Annotated[bool, Meta(description="Whether it is within the bound.")]
+
+
+class TargetDocument(Document):
+    """A checked target."""
+
+    target: Annotated[str, Meta(description="The checked folder or robot file.")]
+    holds: Annotated[
+        bool, Meta(description="Whether it is up to date and consistent, as far as it could be checked.")
+    ]
+    findings: Annotated[list[FindingDocument], Meta(description="Why it is not up to date; empty if it is.")]
+    consistency: Annotated[
+        list[RelationDocument],
+        Meta(
+            description="Generated derivatives compared with finite differences; empty for a folder of the "
+            "parametric model."
+        ),
+    ]
+    unchecked: Annotated[
+        list[str],
+        Meta(description="What could not be checked, and the remedy, such as for a missing robot file."),
+    ]
+    mend: Annotated[
+        str | None,
+        Meta(description="Command that fixes the findings; null where there is none, or nothing to fix."),
+    ]
+
+
+class CheckDocument(Document):
+    """The report on all targets."""
+
+    holds: Annotated[
+        bool,
+        Meta(description="Whether everything that could be checked holds: exit code 0, otherwise 1."),
+    ]
+    targets: Annotated[list[TargetDocument], Meta(description="One for each target, in the order given.")]
 
 
 @click.command(
@@ -42,7 +120,7 @@ def check(targets: tuple[Path, ...], mechanism: Path | None, json_file: str | No
     from pkmodes.codegen.checking import products
     from pkmodes.mechanism.registry import add_folder, supplied
 
-    check_target(json_file, *targets)
+    check_targets(json_file, targets)
     if mechanism is not None:
         add_folder(mechanism)
         targets = targets or (mechanism,)
@@ -56,53 +134,47 @@ def check(targets: tuple[Path, ...], mechanism: Path | None, json_file: str | No
             raise PkmodesError(
                 "no such file or folder", str(target), "give a generated folder or a robot file"
             )
-    content = {"holds": all(r.holds for r in reports), "targets": [_as_json(r) for r in reports]}
-    with deliver(to_file(json_file, content)):
-        if json_file == "-":
-            write_json(json_file, content)
-        else:
-            for report in reports:
-                _print(report)
-    return 0 if all(report.holds for report in reports) else 1
+    holds = all(report.holds for report in reports)
+    document = CheckDocument(holds=holds, targets=list(map(_document, reports)))
+    deliver(json_file, document.as_json(), lambda: _print(reports))
+    return 0 if holds else 1
 
 
-def _as_json(report: Report) -> dict[str, Any]:
-    return {
-        "target": report.target,
-        "holds": report.holds,
-        "findings": [
-            {"cause": f.cause, "subject": f.subject, "message": f.message, "diff": f.diff}
-            for f in report.findings
-        ],
-        "consistency": [
-            {"name": c.name, "error": c.error, "bound": c.bound, "holds": c.holds} for c in report.checks
-        ],
-        "unchecked": list(report.unchecked),
-        "mend": report.mend or None,
-    }
+def _document(report: Report) -> TargetDocument:
+    return TargetDocument.of(
+        report,
+        findings=list(map(FindingDocument.of, report.findings)),
+        consistency=list(map(RelationDocument.of, report.checks)),
+        mend=report.mend or None,
+    )
 
 
-def _print(report: Report) -> None:
+def _print(reports: Sequence[Report]) -> None:
+    for report in reports:
+        for line in _lines(report):
+            click.echo(line)
+
+
+def _lines(report: Report) -> Iterator[str]:
     for finding in report.findings:
-        click.echo(f"{report.target}: {finding.message}")
+        yield f"{report.target}: {finding.message}"
         if finding.diff:
-            click.echo(finding.diff)
-    failed = [c for c in report.checks if not c.holds]
-    for one in failed:
-        click.echo(
-            f"{report.target}: {one.name}: relative error {one.error:.1e}, expected at most {one.bound:.0e}"
-        )
+            yield finding.diff
+    failed = [check for check in report.checks if not check.holds]
+    for check in failed:
+        size = f"relative error {check.error:.1e}, expected at most {check.bound:.0e}"
+        yield f"{report.target}: {check.name}: {size}"
     if report.checks and not failed:
-        worst = max(report.checks, key=lambda c: c.error / c.bound)
-        click.echo(
+        worst = max(report.checks, key=lambda check: check.error / check.bound)
+        yield (
             f"{report.target}: {len(report.checks)} relations agree with finite differences "
             f"(closest to its bound: {worst.name}, {worst.error:.1e} of {worst.bound:.0e})"
         )
     for sentence in report.unchecked:
-        click.echo(f"{report.target}: not checked: {sentence}")
+        yield f"{report.target}: not checked: {sentence}"
     if report.mend:
-        click.echo(f"fix with: {report.mend}")
+        yield f"fix with: {report.mend}"
     elif report.holds and report.unchecked:
-        click.echo(f"{report.target}: as generated, and current except for what was not checked")
+        yield f"{report.target}: as generated, and current except for what was not checked"
     elif report.holds:
-        click.echo(f"{report.target}: current")
+        yield f"{report.target}: current"

@@ -2,32 +2,94 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 import click
+from msgspec import Meta, field
 
-from pkmodes.cli.output import (
+from pkmodes.base.documents import Count, Document, Number, Probability, Size
+from pkmodes.cli.delivery import deliver
+from pkmodes.cli.options import (
     band_of,
     band_option,
     check_order,
-    check_other_targets,
-    check_target,
-    deliver,
     json_option,
     mechanism_option,
     report_option,
-    to_file,
-    write_json,
 )
-from pkmodes.cli.reporting import measured_reporting, page_of
+from pkmodes.cli.reporting import page_of, report_file, sources_of
+from pkmodes.cli.targets import check_targets, report_target
 from pkmodes.model.loading import read_robot
 
 if TYPE_CHECKING:
     from pkmodes.diagnosis import Comparison
     from pkmodes.diagnosis.compare import ComparedRow
     from pkmodes.robot.robot import Robot
+
+
+class RowDocument(Document, omit_defaults=True):
+    """A measured mode and its partner in the model."""
+
+    pose: Annotated[str, Meta(description="Label of the pose.")]
+    line: Annotated[Number, Meta(description="Line of the measurement file.")]
+    mode: Annotated[str, Meta(description="The experimenter's mode number; may be empty.")]
+    measured: Annotated[float, Meta(description="Frequency [Hz].")]
+    sigma: Annotated[float, Meta(description="Its standard deviation [Hz].")]
+    predicted: Annotated[
+        float | None,
+        Meta(
+            description="Frequency of the paired mode [Hz]; null for an unmatched row, like the next three."
+        ),
+    ]
+    partner: Annotated[
+        Number | None,
+        Meta(description="Number of the paired mode in the model, from 1, counting the rigid ones."),
+    ]
+    residual: Annotated[float | None, Meta(description="predicted / measured - 1.")]
+    sigmas: Annotated[
+        float | None,
+        Meta(
+            description="Difference of the logarithms in standard deviations, including the uncertainty of the "
+            "position."
+        ),
+    ]
+    mac: Annotated[
+        Size | None, Meta(description="Modal assurance criterion; null where no shape was measured.")
+    ]
+    load: Annotated[
+        dict[str, float],
+        Meta(
+            description="Values set by the measurements at its pose, by path, in SI units; present only where there "
+            "are any."
+        ),
+    ] = field(name="set", default_factory=dict)
+
+
+class CompareDocument(Document):
+    """The residuals of a robot."""
+
+    robot: Annotated[str, Meta(description="Name of the robot.")]
+    rms_relative: Annotated[
+        Size | None,
+        Meta(description="Root mean square of the residuals of the paired rows; null where none is paired."),
+    ]
+    chi2_per_dof: Annotated[
+        Size | None,
+        Meta(
+            description="For the paired rows with their stated errors, nothing fitted; null where none is paired."
+        ),
+    ]
+    p_value: Annotated[
+        Probability | None,
+        Meta(
+            description="Probability of a larger chi-square if the model is right; null where none is paired."
+        ),
+    ]
+    unpaired: Annotated[Count, Meta(description="Number of unmatched measured modes.")]
+    rows: Annotated[
+        list[RowDocument], Meta(description="One for each measured mode, in the order of the file.")
+    ]
 
 
 @click.command(
@@ -48,39 +110,21 @@ def compare(
     however much they differ; scripts can use p_value in the JSON, or diagnose --fail-on.
     """
     check_order(robot, modes, "pkmodes compare")
-    check_target(json_file, robot, modes)
-    check_other_targets({"--report": (report_to, "the report")}, json_file, robot, modes)
+    check_targets(json_file, [robot, modes], report_target(report_to))
     from pkmodes import updating  # SciPy is loaded only where it is used
 
     declared = read_robot(robot)
     data = updating.read(modes, band_of(band), declared)
-    reporting = measured_reporting(report_to, robot, modes)
+    sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
     result = updating.compare(declared, data)
-    content = {
-        "robot": declared.name,
-        "rms_relative": result.rms_relative,
-        "chi2_per_dof": result.chi2_per_dof,
-        "p_value": result.p_value,
-        "unpaired": len(result.unpaired),
-        "rows": [_as_json(row) for row in result.rows],
-    }
-    files = to_file(json_file, content)
-    if reporting is not None:
-        files.append(lambda: reporting.write(page_of(result, declared, data)))
-    with deliver(files):
-        if json_file == "-":
-            write_json(json_file, content)
-        else:
-            _print(declared, modes, result)
-        if reporting is not None:
-            reporting.announce(json_file)
-
-
-def _as_json(row: ComparedRow) -> dict[str, object]:
-    """Return a row as JSON; the key ``set`` is present only if a load case sets something."""
-    content = asdict(row)
-    load = content.pop("load")
-    return {**content, **({"set": load} if load else {})}
+    document = CompareDocument.of(
+        result,
+        robot=declared.name,
+        unpaired=len(result.unpaired),
+        rows=list(map(RowDocument.of, result.rows)),
+    )
+    report = report_file(report_to, lambda: page_of(result, declared, data, sources))
+    deliver(json_file, document.as_json(), lambda: _print(declared, modes, result), report)
 
 
 def _print(robot: Robot, modes: Path, result: Comparison) -> None:

@@ -13,21 +13,18 @@ import click
 
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.base.pasting import pasted
-from pkmodes.cli.output import (
+from pkmodes.cli.delivery import ResultFile, deliver
+from pkmodes.cli.options import (
     band_of,
     band_option,
     check_order,
-    check_other_targets,
-    check_target,
-    deliver,
     json_option,
     named_as_options,
     repeated_mechanism_option,
     report_option,
-    to_file,
-    write_json,
 )
-from pkmodes.cli.reporting import measured_reporting, page_of
+from pkmodes.cli.reporting import page_of, report_file, sources_of
+from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.cli.verdicts import failing
 from pkmodes.model.loading import read_robot
 
@@ -93,13 +90,8 @@ def diagnose(
     is 0 for any verdict except those in --fail-on, which give 1; 2 for bad input.
     """
     check_order(robot, modes, "pkmodes diagnose")
-    check_target(json_file, robot, modes)
-    check_other_targets(
-        {"--save-robot": (save_to, "the corrected robot"), "--report": (report_to, "the report")},
-        json_file,
-        robot,
-        modes,
-    )
+    save_target = Target("--save-robot", save_to, "the corrected robot")
+    check_targets(json_file, [robot, modes], save_target, report_target(report_to))
     names = None if candidates is None else _names(candidates, "--candidates")
     held = None if holdout is None else [] if holdout.strip() == "none" else _names(holdout, "--holdout")
     failures = frozenset() if fail_on is None else failing(_names(fail_on, "--fail-on"))
@@ -108,7 +100,7 @@ def diagnose(
 
     declared = read_robot(robot)
     data = updating.read(modes, band_of(band), declared)
-    reporting = measured_reporting(report_to, robot, modes)
+    sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
     with _progress() as progress, named_as_options({"candidates": "--candidates", "holdout": "--holdout"}):
         result = updating.diagnose(
             declared,
@@ -117,34 +109,27 @@ def diagnose(
             holdout=held,
             progress=progress,
         )
-    saved: list[Path] = []
-
-    def save() -> None:
-        if save_to is not None:
-            updating.save_robot(declared, result, save_to)
-            saved.append(save_to)
-
-    content = result.as_json()
-    files = [save, *to_file(json_file, content)]
-    if reporting is not None:
-        files.append(lambda: reporting.write(page_of(result, declared, data)))
-    with deliver(files):
-        if json_file == "-":
-            write_json(json_file, content)
-        else:
-            show(declared, result)
-        if reporting is not None:
-            reporting.announce(json_file)
-        for path in saved:
-            option = f"--mechanism {pasted(mechanism)} " if mechanism else ""
-            command = f"pkmodes generate {option}{pasted(path)} --out DIR"
-            click.echo(f"\nwrote {path}{_chosen(result)}; next: {command}", err=json_file == "-")
-            for constant in _set_only(declared, result):
-                text = (
-                    f"{constant} is known from the measurements alone: add its value in operation to {path}"
-                )
-                click.echo(text, err=json_file == "-")
+    robot_file = ResultFile(
+        save_to,
+        lambda file: updating.save_robot(declared, result, file),
+        lambda file: _saved(file, mechanism, declared, result),
+    )
+    report = report_file(report_to, lambda: page_of(result, declared, data, sources))
+    deliver(json_file, result.as_json(), lambda: show(declared, result), robot_file, report)
     return 1 if result.verdict in failures else 0
+
+
+def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) -> list[str]:
+    """Say what the saved robot has, how to generate its code, and what is missing in it."""
+    option = f"--mechanism {pasted(mechanism)} " if mechanism else ""
+    command = f"pkmodes generate {option}{pasted(file)} --out DIR"
+    return [
+        f"\nwrote {file}{_chosen(result)}; next: {command}",
+        *(
+            f"{constant} is known from the measurements alone: add its value in operation to {file}"
+            for constant in _set_only(robot, result)
+        ),
+    ]
 
 
 def _chosen(result: Diagnosis) -> str:

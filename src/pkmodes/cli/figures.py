@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Annotated
 
 import click
+from msgspec import Meta
 
+from pkmodes.base.documents import Document
 from pkmodes.base.errors import OutputError, shown
-from pkmodes.cli.output import (
-    check_target,
-    deliver,
-    json_option,
-    mechanism_option,
-    named_as_options,
-    to_file,
-    write_json,
-)
+from pkmodes.cli.delivery import deliver
+from pkmodes.cli.options import json_option, mechanism_option, named_as_options
+from pkmodes.cli.targets import check_targets
 from pkmodes.model.loading import load
+
+
+class FiguresDocument(Document):
+    """The files of the figures."""
+
+    robot: Annotated[str, Meta(description="The robot file, as given.")]
+    out: Annotated[str, Meta(description="The folder of the figures, as given.")]
+    files: Annotated[list[str], Meta(description="Names of the files written there.")]
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes figures robots/linear-delta-2022.toml --out figures")
@@ -42,7 +47,7 @@ from pkmodes.model.loading import load
 @json_option
 def figures(robot: Path, out: str, grid: str | None, formats: tuple[str, ...], json_file: str | None) -> None:
     """Draw the working plane, frequencies, directions of motion, and the influence of parameters."""
-    check_target(json_file, robot)
+    check_targets(json_file, [robot])
     folder = Path(out)
     if not out or "\0" in out or (folder.exists() and not folder.is_dir()):
         raise OutputError("expected the name of a folder", f"--out {shown(out)}", "choose another place")
@@ -53,9 +58,5 @@ def figures(robot: Path, out: str, grid: str | None, formats: tuple[str, ...], j
     places = None if grid is None else parse_grid(grid, model.mechanism, "--grid")
     with named_as_options({"grid": "--grid"}):
         written = write_pictures(model, folder, places, tuple(dict.fromkeys(formats)))
-    content = {"robot": str(robot), "out": out, "files": [path.name for path in written]}
-    with deliver(to_file(json_file, content)):
-        if json_file == "-":
-            write_json(json_file, content)
-        else:
-            click.echo("\n".join(map(str, written)))
+    document = FiguresDocument(robot=str(robot), out=out, files=[path.name for path in written])
+    deliver(json_file, document.as_json(), lambda: click.echo("\n".join(map(str, written))))

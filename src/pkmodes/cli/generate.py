@@ -3,11 +3,29 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Annotated
 
 import click
+from msgspec import Meta
 
+from pkmodes.base.documents import Document
 from pkmodes.base.errors import OutputError
-from pkmodes.cli.output import check_target, deliver, json_option, to_file, write_json
+from pkmodes.cli.delivery import deliver
+from pkmodes.cli.options import json_option
+from pkmodes.cli.targets import check_targets
+
+
+class GenerateDocument(Document):
+    """The files of a model."""
+
+    robot: Annotated[str, Meta(description="The robot file, as given.")]
+    out: Annotated[str, Meta(description="The folder of the model, as given.")]
+    files: Annotated[
+        list[str],
+        Meta(
+            description="Names of the files written there; for your own mechanism, the files in its folder."
+        ),
+    ]
 
 
 @click.command(
@@ -39,18 +57,10 @@ def generate(robot: Path, out: str, mechanism: Path | None, json_file: str | Non
     """
     from pkmodes.codegen.generation import generate as generate_model
 
-    check_target(json_file, robot, *([mechanism] if mechanism else []))
+    check_targets(json_file, [robot, *([mechanism] if mechanism else [])])
     if not out.strip():
         raise OutputError("expected a folder, found an empty name", "--out", "name a folder for the model")
     written = generate_model(robot, Path(out), mechanism)
-    content = {
-        "robot": str(robot),
-        "out": str(Path(out)),
-        "files": [path.relative_to(out).as_posix() for path in written],
-    }
-    with deliver(to_file(json_file, content)):
-        if json_file == "-":
-            write_json(json_file, content)
-        else:
-            for path in written:
-                click.echo(path)
+    files = [path.relative_to(out).as_posix() for path in written]
+    document = GenerateDocument(robot=str(robot), out=str(Path(out)), files=files)
+    deliver(json_file, document.as_json(), lambda: click.echo("\n".join(map(str, written))))

@@ -6,23 +6,16 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import click
+from msgspec import Meta
 
-from pkmodes.cli.output import (
-    check_distinct,
-    check_other_targets,
-    check_target,
-    deliver,
-    json_option,
-    mechanism_option,
-    named_as_options,
-    report_option,
-    to_file,
-    write_json,
-)
-from pkmodes.cli.reporting import Reporting
+from pkmodes.base.documents import Document
+from pkmodes.cli.delivery import deliver
+from pkmodes.cli.options import json_option, mechanism_option, named_as_options, report_option
+from pkmodes.cli.reporting import report_file, sources_of
+from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.model.loading import load
 from pkmodes.robot.corrections import changeable
 
@@ -31,6 +24,49 @@ if TYPE_CHECKING:
 
     from pkmodes.model.model import Model
     from pkmodes.report.sources import Source
+
+
+class ExtremesDocument(Document):
+    """Where a frequency is lowest and highest."""
+
+    mode: Annotated[int, Meta(description="Number of the mode: 1 is the first vibration mode.")]
+    minimum_hz: Annotated[
+        float | None,
+        Meta(description="Its lowest frequency [Hz]; null where no robot of the map has this mode."),
+    ]
+    minimum_at: Annotated[
+        dict[str, float | str] | None,
+        Meta(description="Where: the value of each coordinate of the map, in SI units."),
+    ]
+    maximum_hz: Annotated[float | None, Meta(description="Its highest frequency [Hz].")]
+    maximum_at: Annotated[dict[str, float | str] | None, Meta(description="Where.")]
+
+
+class MapDocument(Document):
+    """The summary of a map."""
+
+    robot: Annotated[str, Meta(description="Name of the robot.")]
+    file: Annotated[str | None, Meta(description="The file of the map as given, null without one.")]
+    dimensions: Annotated[
+        dict[str, int], Meta(description="Length of each dimension of the dataset, by name.")
+    ]
+    ranges: Annotated[
+        dict[str, Annotated[list[float | str], Meta(min_length=2, max_length=2)]],
+        Meta(
+            description="First and last value along each dimension of the poses and of the swept parameters, in SI "
+            "units."
+        ),
+    ]
+    poses: Annotated[
+        int, Meta(description="Number of poses, of all robots of a sweep or of samples together.")
+    ]
+    valid: Annotated[int, Meta(description="How many of them could be evaluated.")]
+    reasons: Annotated[dict[str, int], Meta(description="How many could not, by the code of the reason.")]
+    rigid_modes: Annotated[
+        int, Meta(description="Rigid-body modes of the robot as declared, which are left out.")
+    ]
+    tracked: Annotated[bool, Meta(description="Whether modes are numbered by their shapes.")]
+    modes: Annotated[list[ExtremesDocument], Meta(description="The vibration modes.")]
 
 
 @click.command(
@@ -107,11 +143,9 @@ def map_(
 ) -> None:
     """Compute the modes over the workspace, print their ranges, and write them to a file."""
     inputs = [robot, *([poses] if poses else [])]
-    check_target(json_file, *inputs)
-    check_other_targets({"--report": (report_to, "the report")}, json_file, *inputs)
-    # A map may also be a folder, which model.map checks.
-    check_distinct({"--out": (out, "the map"), "--report": (report_to, "the report")}, json_file, *inputs)
-    reporting = None if report_to is None else Reporting(report_to, {"robot file": robot})
+    map_target = Target("--out", out, "the map", anywhere=True)
+    check_targets(json_file, inputs, map_target, report_target(report_to))
+    sources = sources_of(report_to, {"robot file": robot})
     if grid is not None and poses is not None:
         raise click.UsageError("--grid and --poses exclude each other", click.get_current_context())
     model = load(robot)
@@ -134,19 +168,12 @@ def map_(
 
     file = None if out is None else str(out)
     content = summary_of(dataset, file)
-    files = to_file(json_file, content)
-    if reporting is not None:
-        files.append(lambda: reporting.write(lambda sources: _page(model, dataset, content, sources)))
+    report = report_file(report_to, lambda: _page(model, dataset, content, sources))
     complete = (
         "" if out is None else "the map is written; for its report run the command again with --overwrite"
     )
-    with _continued(out, complete), deliver(files):
-        if json_file == "-":
-            write_json(json_file, content)
-        else:
-            show(model, content)
-        if reporting is not None:
-            reporting.announce(json_file)
+    with _continued(out, complete):
+        deliver(json_file, MapDocument(**content).as_json(), lambda: show(model, content), report)
 
 
 def _page(model: Model, dataset: Dataset, content: dict[str, Any], sources: Sequence[Source]) -> str:

@@ -3,18 +3,76 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, Literal, cast
 
 import click
+import msgspec
 import numpy as np
+from msgspec import UNSET, Meta, UnsetType
 
-from pkmodes.cli.output import check_target, deliver, json_option, mechanism_option, to_file, write_json
+from pkmodes.base.documents import Count, Document
+from pkmodes.cli.delivery import deliver
+from pkmodes.cli.options import json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
-from pkmodes.dataset.fields import FIELDS, INDEPENDENT, Field
+from pkmodes.cli.targets import check_targets
+from pkmodes.dataset.fields import FIELDS, INDEPENDENT, Field, of_modes
 from pkmodes.mechanism.poses import placed
 from pkmodes.model.loading import load
 from pkmodes.model.model import Model
 from pkmodes.solve.results import Modes, Statics
+
+
+class _AtPose(Document):
+    robot: Annotated[str, Meta(description="Name of the robot.")]
+    pose: Annotated[
+        list[float],
+        Meta(description="The components of the mechanism's pose: the platform centre [m]."),
+    ]
+    coordinates: Annotated[
+        list[str],
+        Meta(
+            description="Names of the n generalised coordinates, in the order of the matrices; x in m, theta in rad "
+            "(docs/model.md)."
+        ),
+    ]
+
+
+#: What follows the fields of `pkmodes.Modes`.
+_AFTER: tuple[tuple[str, Any, str], ...] = (
+    (
+        "static_torques",
+        list[float],
+        "Torque of each drive that holds the pose against gravity, positive with its coordinate [N m].",
+    ),
+    ("rigid_modes", Count, "Number of modes that strain no elastic element; they come first."),
+    ("backend", Literal["numpy", "compiled"], "What evaluated the modes."),
+)
+
+
+def modes_document() -> type[Document]:
+    """Return the class of the JSON document, whose keys are fields of `pkmodes.Modes` (`pkmodes.dataset.fields`)."""
+    fields = [FIELDS[name] for name in of_modes() if FIELDS[name].key]
+    keys = [(field.key, _type_of(field), field.key_text) for field in fields if not field.same_as]
+    declared: list[Any] = [
+        (name, Annotated[kind, Meta(description=text)]) for name, kind, text in (*keys, *_AFTER)
+    ]
+    for field in fields:
+        if field.same_as:  # of some mechanisms only
+            kind = Annotated[list[float] | UnsetType, Meta(description=field.key_text)]
+            declared.append((field.key, kind, UNSET))
+    text = "The modes at a pose: n coordinates, m modes, the rigid-body ones first."
+    document = msgspec.defstruct("ModesDocument", declared, bases=(_AtPose,), namespace={"__doc__": text})
+    return cast("type[Document]", document)
+
+
+def _type_of(field: Field) -> Any:
+    """Return the type of a field in JSON: by name along the independent coordinates, lists along other axes."""
+    if field.dims == (INDEPENDENT,):
+        return dict[str, float]
+    kind: Any = float
+    for _ in field.dims:
+        kind = list[kind]
+    return kind
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245")
@@ -28,17 +86,13 @@ def modes(robot: Path, pose: str, json_file: str | None) -> None:
     Mode shapes are mass-normalised.  The table scales them to their largest component and, if the other coordinates
     are angles, divides lengths by a radius, as in the paper.
     """
-    check_target(json_file, robot)
+    check_targets(json_file, [robot])
     model = load(robot)
     point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
     result, statics = model.modes(point), model.statics(point)
-    content = as_json(model, result, statics)
-    with deliver(to_file(json_file, content)):
-        if json_file == "-":
-            write_json(json_file, content)
-        else:
-            _print(model, result, statics)
+    document = modes_document()(**as_json(model, result, statics))
+    deliver(json_file, document.as_json(), lambda: _print(model, result, statics))
 
 
 def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:

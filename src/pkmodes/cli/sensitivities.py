@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated
 
 import click
 import numpy as np
+from msgspec import Meta
 from numpy.typing import NDArray
 
+from pkmodes.base.documents import Count, Document, Matrix
 from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.cli.output import check_target, deliver, json_option, mechanism_option, to_file, write_json
+from pkmodes.cli.delivery import deliver
+from pkmodes.cli.options import json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
+from pkmodes.cli.targets import check_targets
 from pkmodes.mechanism.poses import placed
 from pkmodes.model.loading import load
 
@@ -25,6 +29,54 @@ Array = NDArray[np.float64]
 #: Derivatives below these bounds are rounding and shown as 0: relative change of the frequency per relative change of
 #: the value, or per SI unit if the value is 0.
 NOTHING, NOTHING_BY_UNIT = 1e-9, 1e-15
+
+
+class SensitivitiesDocument(Document):
+    """The derivatives at a pose: T quantities, m modes, the rigid-body ones first."""
+
+    robot: Annotated[str, Meta(description="Name of the robot.")]
+    pose: Annotated[list[float], Meta(description="Platform centre [m].")]
+    frequencies_hz: Annotated[
+        list[float],
+        Meta(
+            description="Frequencies of the m modes, as in `pkmodes modes` [Hz], the rigid-body modes first."
+        ),
+    ]
+    rigid_modes: Annotated[
+        Count, Meta(description="Number of modes that strain no elastic element; they come first.")
+    ]
+    groups: Annotated[
+        list[int],
+        Meta(
+            description="A number for each mode; repeated modes have the same number, and their derivatives are "
+            "those of the branches into which the group splits, ascending."
+        ),
+    ]
+    parameters: Annotated[
+        list[str],
+        Meta(description="Paths of the T quantities (docs/sensitivities.md), in the order asked for."),
+    ]
+    units: Annotated[list[str], Meta(description="SI unit of each quantity; 1 if dimensionless.")]
+    values: Annotated[
+        list[float], Meta(description="Value of each quantity in its unit, 0 for an absent effect.")
+    ]
+    frequency_derivatives: Annotated[
+        list[list[float | None]],
+        Meta(
+            description="T lists of m: Hz per unit of the quantity; null where the frequency is 0 to rounding, where "
+            "a square root has no derivative."
+        ),
+    ]
+    relative_derivatives: Annotated[
+        list[list[float | None]],
+        Meta(
+            description="T lists of m: per cent of the frequency per per cent of the value; null where either is 0, "
+            "and where the derivative is null."
+        ),
+    ]
+    eigenvalue_derivatives: Annotated[
+        Matrix, Meta(description="T lists of m: 1/s^2 per unit of the quantity.")
+    ]
 
 
 @click.command(
@@ -47,19 +99,26 @@ def sensitivities(robot: Path, pose: str, parameters: str | None, json_file: str
     Absent effects are included.  Quantities are sorted by how much a change of one percent changes a frequency.  The
     platform pose and all other quantities are held constant; docs/sensitivities.md lists the paths.
     """
-    check_target(json_file, robot)
+    check_targets(json_file, [robot])
     paths = None if parameters is None else _paths(parameters)
     model = load(robot)
     point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
-    result, found = model.modes(point), model.sensitivities(point, paths)
-    relative = _relative(found, result.frequencies)
-    content = as_json(model, result, found, relative)
-    with deliver(to_file(json_file, content)):
-        if json_file == "-":
-            write_json(json_file, content)
-        else:
-            _print(model, result, found, relative)
+    modes, derivatives = model.modes(point), model.sensitivities(point, paths)
+    relative = _relative(derivatives, modes.frequencies)
+    document = SensitivitiesDocument.of(
+        derivatives,
+        robot=model.robot.name,
+        pose=modes.poses.tolist(),
+        frequencies_hz=modes.frequencies.tolist(),
+        rigid_modes=modes.rigid_modes,
+        groups=derivatives.groups.tolist(),
+        values=derivatives.values.tolist(),
+        frequency_derivatives=derivatives.frequencies.tolist(),
+        relative_derivatives=relative.tolist(),
+        eigenvalue_derivatives=derivatives.eigenvalues.tolist(),
+    )
+    deliver(json_file, document.as_json(), lambda: _print(model, modes, derivatives, relative))
 
 
 def _paths(text: str) -> list[str]:
@@ -73,29 +132,12 @@ def _paths(text: str) -> list[str]:
     return list(dict.fromkeys(paths))
 
 
-def _relative(found: Sensitivities, frequencies: Array) -> Array:
+def _relative(derivatives: Sensitivities, frequencies: Array) -> Array:
     """Return the percent change of the frequency per percent of the value; NaN if either is 0."""
-    values = np.where(found.values == 0.0, np.nan, found.values)
+    values = np.where(derivatives.values == 0.0, np.nan, derivatives.values)
     sizes = np.where(frequencies == 0.0, np.nan, frequencies)
-    relative: Array = found.frequencies * values[:, None] / sizes
+    relative: Array = derivatives.frequencies * values[:, None] / sizes
     return relative
-
-
-def as_json(model: Model, result: Modes, found: Sensitivities, relative: Array) -> dict[str, Any]:
-    """Return the result with the JSON keys documented in docs/json.md."""
-    return {
-        "robot": model.robot.name,
-        "pose": result.poses.tolist(),
-        "frequencies_hz": result.frequencies.tolist(),
-        "rigid_modes": result.rigid_modes,
-        "groups": found.groups.tolist(),
-        "parameters": list(found.parameters),
-        "units": list(found.units),
-        "values": found.values.tolist(),
-        "frequency_derivatives": found.frequencies.tolist(),
-        "relative_derivatives": relative.tolist(),
-        "eigenvalue_derivatives": found.eigenvalues.tolist(),
-    }
 
 
 @dataclass(frozen=True)
@@ -114,26 +156,26 @@ class _Line:
         return float(f"{np.nanmax(np.abs(self.relative), initial=0.0):.6g}") if self.value else 0.0
 
 
-def _print(model: Model, result: Modes, found: Sensitivities, relative: Array) -> None:
+def _print(model: Model, modes: Modes, derivatives: Sensitivities, relative: Array) -> None:
     from pkmodes.cli.terminal import Terminal
 
     terminal = Terminal()
-    rigid = result.rigid_modes
-    values = found.values.tolist()
+    rigid = modes.rigid_modes
+    values = derivatives.values.tolist()
     floor = np.array([NOTHING / abs(value) if value else NOTHING_BY_UNIT for value in values])
-    small = np.abs(found.frequencies) <= floor[:, None] * np.abs(result.frequencies)
-    rates = np.where(small, 0.0, found.frequencies)[:, rigid:]
-    every = list(map(_Line, found.parameters, found.units, values, rates, relative[:, rigid:]))
+    small = np.abs(derivatives.frequencies) <= floor[:, None] * np.abs(modes.frequencies)
+    rates = np.where(small, 0.0, derivatives.frequencies)[:, rigid:]
+    every = list(map(_Line, derivatives.parameters, derivatives.units, values, rates, relative[:, rigid:]))
     lines = sorted((line for line in every if line.rates.any()), key=lambda line: -line.weight)
-    terminal.heading(f"{model.robot.name} at {placed(model.mechanism, result.poses, 'g')}")
-    modes = [str(number) for number in range(1, len(result.frequencies) - rigid + 1)]
-    frequencies = [f"{f:.3f}" for f in result.frequencies[rigid:]]
+    terminal.heading(f"{model.robot.name} at {placed(model.mechanism, modes.poses, 'g')}")
+    numbers = [str(number) for number in range(1, len(modes.frequencies) - rigid + 1)]
+    frequencies = [f"{f:.3f}" for f in modes.frequencies[rigid:]]
     present = [line for line in lines if line.value != 0.0]
     if present:
         terminal.line()
         terminal.line("percent of the frequency per percent of the value:")
         rows = [["f [Hz]", *frequencies], *([line.path, *map(_share, line.relative)] for line in present)]
-        terminal.table(["mode", *modes], rows, left=("mode",))
+        terminal.table(["mode", *numbers], rows, left=("mode",))
     if lines:
         terminal.line()
         terminal.line("Hz per unit of the value:")
@@ -141,12 +183,12 @@ def _print(model: Model, result: Modes, found: Sensitivities, relative: Array) -
             [line.path, f"{line.value:.6g}", "" if line.unit == "1" else line.unit, *map(_rate, line.rates)]
             for line in lines
         ]
-        terminal.table(["mode", "value", "unit", *modes], rows, left=("mode", "unit"))
+        terminal.table(["mode", "value", "unit", *numbers], rows, left=("mode", "unit"))
     still = [line.path for line in every if not line.rates.any()]
     if still:
         terminal.line()
         terminal.line(f"no frequency depends on: {', '.join(still)}")
-    for members in _repeated(found.groups.tolist(), rigid):
+    for members in _repeated(derivatives.groups.tolist(), rigid):
         terminal.line()
         terminal.line(
             f"modes {', '.join(map(str, members))} coincide: the derivatives are those of the branches into which "

@@ -3,24 +3,27 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Annotated
 
 import click
+from msgspec import Meta
 
-from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.base.documents import Document
+from pkmodes.base.errors import PkmodesError
 from pkmodes.base.writing import write_file
-from pkmodes.cli.output import (
-    check_other_targets,
-    check_page,
-    check_place,
-    check_target,
-    deliver,
-    json_option,
-    mechanism_option,
-    to_file,
-    write_json,
-)
+from pkmodes.cli.delivery import deliver
+from pkmodes.cli.options import json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose
+from pkmodes.cli.targets import Target, check_targets
 from pkmodes.model.loading import load
+
+
+class ShowDocument(Document):
+    """The page of a robot."""
+
+    robot: Annotated[str, Meta(description="The robot file, as given.")]
+    out: Annotated[str, Meta(description="The page, or the moving picture.")]
+    pose: Annotated[list[float], Meta(description="The pose shown first, in SI units.")]
 
 
 @click.command(
@@ -58,10 +61,7 @@ def show(robot: Path, pose: str | None, out: str | None, mode: int | None, json_
     from pkmodes.view import scene as scene_of
 
     target = f"{robot.stem}.html" if out is None else out
-    check_place(target, "--out")
-    check_target(json_file, robot)
-    check_other_targets({"--out": (Path(target), "the page")}, json_file, robot)
-    check_page(Path(target), f"--out {shown(target)}", ".gif")
+    check_targets(json_file, [robot], Target("--out", target, "the page", (".html", ".gif")))
     moving = Path(target).suffix.lower() == ".gif"
     if mode is not None and not moving:
         remedy = "choose the mode on the page, or name FILE.gif"
@@ -84,9 +84,5 @@ def show(robot: Path, pose: str | None, out: str | None, mode: int | None, json_
         write_file(Path(target), animation(one, one.rigid_modes + mode - 1))
     else:
         write_file(Path(target), page(poses_around(model, point)))
-    content = {"robot": str(robot), "out": target, "pose": point}
-    with deliver(to_file(json_file, content)):
-        if json_file == "-":
-            write_json(json_file, content)
-        else:
-            click.echo(target)
+    document = ShowDocument(robot=str(robot), out=target, pose=point)
+    deliver(json_file, document.as_json(), lambda: click.echo(target))

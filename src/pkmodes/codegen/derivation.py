@@ -18,7 +18,7 @@ from types import ModuleType
 from pkmodes.base.errors import MissingExtraError, PkmodesError
 from pkmodes.base.writing import write_files
 from pkmodes.mechanism.packages import DEFINITION, GIVE
-from pkmodes.mechanism.registry import Mechanism, meanwhile, supplied
+from pkmodes.mechanism.registry import Mechanism, supplied, temporarily_registered
 
 #: The extra `derive` of pyproject.toml, repeated here so that it can be installed without a pkmodes index entry.
 REQUIREMENTS = ("jinja2>=3.1", "sympy==1.14.0")
@@ -89,7 +89,7 @@ def define(definition: Definition) -> None:
     PkmodesError
         If the definition is invalid; the message gives the line.
     """
-    with told():
+    with as_pkmodes_errors():
         derivation("mechanisms").add(definition.name, definition.text, str(definition.file))
 
 
@@ -107,7 +107,7 @@ def definition_of(mechanism: Mechanism) -> Definition | None:
 
 
 @contextmanager
-def told() -> Iterator[None]:
+def as_pkmodes_errors() -> Iterator[None]:
     """Convert errors of a definition to `PkmodesError`."""
     mistake = derivation("definition").DefinitionError
     try:
@@ -131,7 +131,7 @@ def parametric(definition: Definition, reference: str) -> dict[str, str]:
         If the definition is invalid.
     """
     define(definition)
-    with told():
+    with as_pkmodes_errors():
         texts: dict[str, str] = derivation("emit.product").parametric(definition.name, reference)
     return texts
 
@@ -141,5 +141,5 @@ def staged(name: str, texts: dict[str, str]) -> Iterator[Mechanism]:
     """Register a mechanism from code that has not been written to its folder yet."""
     with TemporaryDirectory(prefix="pkmodes-") as place:
         write_files(Path(place) / name, texts)
-        with meanwhile(Path(place) / name) as mechanism:
+        with temporarily_registered(Path(place) / name) as mechanism:
             yield mechanism

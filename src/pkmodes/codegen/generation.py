@@ -12,13 +12,13 @@ from pkmodes.base.errors import OutputError, PkmodesError, shown
 from pkmodes.base.writing import write_files
 from pkmodes.codegen.derivation import (
     Definition,
+    as_pkmodes_errors,
     define,
     definition_of,
     derivation,
     parametric,
     read_definition,
     staged,
-    told,
 )
 from pkmodes.codegen.product_folder import MANIFEST, check_mechanism, check_owner, check_place, stale_outputs
 from pkmodes.mechanism.packages import folder_of
@@ -54,7 +54,7 @@ def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
 
 def specialised(specification: Any) -> dict[str, str]:
     """Derive the model of one robot and return its texts by file name."""
-    with told():
+    with as_pkmodes_errors():
         texts: dict[str, str] = derivation("emit.product").specialised(specification)
     return texts
 

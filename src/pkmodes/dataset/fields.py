@@ -45,6 +45,8 @@ class Field:
         Its name in maps, datasets and tables; empty if it is in none.
     key : str
         Its name in the JSON of ``pkmodes modes``; empty if it is not there.
+    key_text : str
+        What it is, for the JSON Schema.
     units : str or callable
         In maps; of a mechanism.
     text : str
@@ -64,6 +66,7 @@ class Field:
     in_modes: bool = True
     variable: str = ""
     key: str = ""
+    key_text: str = ""
     units: str | Callable[[Mechanism], str] = "1"
     text: str = ""
     comment: str = ""
@@ -111,6 +114,8 @@ FIELDS: dict[str, Field] = {
             of=natural_frequencies,
             variable="frequency",
             key="frequencies_hz",
+            key_text="sqrt(|lambda|) / (2 pi) with the sign of lambda [Hz], ascending, the rigid-body ones "
+            "first; m of them.",
             units="Hz",
             text="natural frequency",
             comment="sqrt(abs(lambda))/(2 pi) with the sign of lambda",
@@ -123,6 +128,7 @@ FIELDS: dict[str, Field] = {
             of=_itself,
             variable="shape",
             key="shapes",
+            key_text="One list of n components for each mode, mass-normalised: phi^T M phi = 1 in SI units.",
             text="mode shape",
             comment=NORMALISED,
             with_shapes=True,
@@ -134,6 +140,8 @@ FIELDS: dict[str, Field] = {
             of=_platform_shapes,
             variable="platform_shape",
             key="platform_shapes",
+            key_text="For each mode the motion of the platform centre along the linear components of the "
+            "pose, with the scale of the shape.",
             text=f"motion {PER_MODE}",
             comment=NORMALISED,
         ),
@@ -164,6 +172,7 @@ FIELDS: dict[str, Field] = {
             of=_itself,
             variable="joint_position",
             key="joint_positions",
+            key_text="The independent coordinates at the pose, by name, in SI units.",
             units=_unit_of_joints,
             text="{independent} at the pose",
         ),
@@ -173,6 +182,7 @@ FIELDS: dict[str, Field] = {
             needs=("joint_positions",),
             of=_itself,
             key="carriage_positions",
+            key_text="The same as joint_positions in a list, for a robot with carriages [m].",
             same_as="joint_positions",
         ),
         Field(
@@ -181,6 +191,7 @@ FIELDS: dict[str, Field] = {
             needs=("mass_matrix",),
             of=_itself,
             key="mass_matrix",
+            key_text="n by n, SI units.",
         ),
         Field(
             name="stiffness_matrix",
@@ -188,6 +199,7 @@ FIELDS: dict[str, Field] = {
             needs=("stiffness_matrix",),
             of=_itself,
             key="stiffness_matrix",
+            key_text="n by n, SI units.",
         ),
         Field(
             name="static_torque",

@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.diagnosis.matrices import at_measured
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.measured.measurements import Measurements
 
 
-def check_arguments(structure: Structure, data: Measurements) -> None:
-    """Refuse an invalid structure, measurements, unnamed setups, and invalid priors."""
+def checked(structure: Structure, data: Measurements) -> Structure:
+    """Return a structure at the measured setups; refuse an invalid one, measurements, unnamed setups, and priors."""
     if not callable(getattr(structure, "predict", None)) or not hasattr(structure, "candidates"):
         remedy = "give a structure, such as a MatrixStructure; for a robot, use pkmodes.updating"
         raise PkmodesError(f"expected a structure, found {shown(structure)}", "structure", remedy)
@@ -27,6 +28,7 @@ def check_arguments(structure: Structure, data: Measurements) -> None:
             raise PkmodesError(what, data.source, "leave it out, or model it in the setups of the structure")
     for candidate in structure.candidates:
         _check_prior(candidate.name, candidate.sigma, len(candidate.parameters))
+    return at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
 
 
 def check_measurements(data: object, reader: str) -> None:

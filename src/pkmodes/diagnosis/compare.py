@@ -8,25 +8,21 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy import stats
 
-from pkmodes.diagnosis.arguments import check_arguments
+from pkmodes.diagnosis.arguments import checked
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.match.predicted import Predicted
-from pkmodes.diagnosis.matrices import at_measured
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.verdict.mistakes import other_unit
+from pkmodes.diagnosis.verdict.result import MeasuredMode
 from pkmodes.measured.measurements import Measurements
 
 
 @dataclass(frozen=True)
-class ComparedRow:
-    """One measured mode.
+class ComparedRow(MeasuredMode):
+    """One measured mode and its partner.
 
     Attributes
     ----------
-    pose, line, mode : str, int, str
-        Pose, line in the file, and label.
-    measured, sigma : float
-        Frequency and its standard deviation [Hz].
     predicted : float or None
         Frequency of its partner [Hz]; None if it is unmatched.
     partner : int or None
@@ -41,11 +37,6 @@ class ComparedRow:
         Values set at its pose, by name.
     """
 
-    pose: str
-    line: int
-    mode: str
-    measured: float
-    sigma: float
     predicted: float | None
     partner: int | None
     residual: float | None
@@ -107,11 +98,9 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
     PkmodesError
         If the data do not belong to the structure, or it cannot be evaluated as declared.
     """
-    check_arguments(structure, data)
-    structure = at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
+    structure = checked(structure, data)
     fitter = Fitter(structure, data)
-    every = np.ones(len(data.frequency), dtype=bool)
-    pairing, *_ = fitter.unfitted(fitter.declared, every)
+    pairing, *_ = fitter.unfitted(fitter.declared, np.ones(len(data.frequency), dtype=bool))
     paired = pairing.partner >= 0
     pairing, left, sigma, chi2 = fitter.unfitted(fitter.declared, paired)
     predicted, sigmas = data.frequency * np.exp(-left), -left / sigma
@@ -130,7 +119,7 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
             mac=None if np.isnan(pairing.mac[i]) else float(pairing.mac[i]),
             load=data.load(int(data.pose[i])),
         )
-        for i in range(len(every))
+        for i in range(len(paired))
     )
     notes = tuple(text for text in (other_unit(fitter),) if text)
     prediction = structure.predict(fitter.declared, ())

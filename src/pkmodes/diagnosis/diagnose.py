@@ -16,12 +16,12 @@ from dataclasses import replace
 import numpy as np
 
 from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.diagnosis.arguments import check_arguments
+from pkmodes.diagnosis.arguments import checked
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.matrices import at_measured, slowness
+from pkmodes.diagnosis.matrices import slowness
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.search.search import Outcome, Search
@@ -76,8 +76,7 @@ def diagnose(
     PkmodesError
         If a label is unknown, no setup is left to fit, or the model cannot be evaluated as declared.
     """
-    check_arguments(structure, data)
-    structure = at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
+    structure = checked(structure, data)
     if progress is not None and (remark := slowness(structure)):
         progress(remark)
     fitted, held = split(data, holdout)

@@ -15,13 +15,12 @@ import numpy as np
 from scipy import stats
 
 from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.diagnosis.arguments import check_arguments
+from pkmodes.diagnosis.arguments import checked
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.matrices import at_measured
 from pkmodes.diagnosis.problem import Candidate, Structure, reached_bounds
 from pkmodes.diagnosis.verdict import whole_data
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
@@ -134,12 +133,9 @@ def update(
     PkmodesError
         If a name is unknown or has no prior, nothing could change, or the model cannot be evaluated.
     """
-    check_arguments(structure, data)
-    structure = at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
+    structure = checked(structure, data)
     fitted, held = split(data, holdout)
-    part = structure.subset(fitted)
-    some = data.at(fitted)
-    fitter = Fitter(part, some, criteria)
+    fitter = Fitter(structure.subset(fitted), data.at(fitted), criteria)
     chosen = _chosen(fitter, parameters)
     fitter, fit = _fitted(fitter, chosen)
     store, setups = FitStore(fitter), AllSetups(structure, data, fitter, held)

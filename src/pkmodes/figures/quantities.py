@@ -11,7 +11,7 @@ from pkmodes.linalg.mac import mass_weighted_mac
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.workspace import Volume
 from pkmodes.robot.layout import items
-from pkmodes.robot.wholes import value_of, wholes
+from pkmodes.robot.parameter_groups import groups_by_path, value_of
 from pkmodes.solve.workspace import box_of
 from pkmodes.view.robot_drawing import RobotDrawing
 
@@ -44,7 +44,7 @@ def relative_sensitivities(model: Model, plane: Plane) -> tuple[list[str], Array
     paths = [path for path, quantity in declared.items() if path in single and quantity.value != 0.0]
     effects = [path for path in declared if path.startswith("effects.") and declared[path].value != 0.0]
     # A joint radius of zero has no direction in which it could change.
-    known = [path for path, whole in wholes(mechanism).items() if value_of(model.robot, whole) != 0.0]
+    known = [path for path, whole in groups_by_path(mechanism).items() if value_of(model.robot, whole) != 0.0]
     paths = [*paths, *(path for path in effects if path not in paths), *known]
     few = coarser(plane)
     sensitivities = model.sensitivities(points_of(model, few), paths, fields=["frequencies"], on_error="nan")

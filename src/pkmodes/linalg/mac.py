@@ -75,9 +75,11 @@ def subspace_mac(
     some = model[batch, order] * measured[:, None] * members[batch, order][..., None]
     basis, _ = space(some)
     lengths = (shapes**2).sum(axis=-1)
-    told = (measured.sum(axis=-1) > members.sum(axis=-1)) & (measured.sum(axis=-1) >= 2) & (lengths > 0.0)
+    comparable = (
+        (measured.sum(axis=-1) > members.sum(axis=-1)) & (measured.sum(axis=-1) >= 2) & (lengths > 0.0)
+    )
     along = ((basis @ shapes[..., None]) ** 2).sum(axis=(-1, -2))
-    return np.where(told, along / np.where(lengths > 0.0, lengths, 1.0), np.nan)
+    return np.where(comparable, along / np.where(lengths > 0.0, lengths, 1.0), np.nan)
 
 
 def mass_weighted_mac(products: Array, shapes: Array, masses: Array) -> Array:

@@ -14,8 +14,8 @@ from pkmodes.base.arguments import NATURAL_NUMBER, POSITIVE_INTEGER, Constraint,
 from pkmodes.base.errors import PkmodesError
 from pkmodes.maps.poses import ascending
 from pkmodes.robot.layout import lent
+from pkmodes.robot.parameter_groups import elements_of, groups_by_path
 from pkmodes.robot.robot import Robot
-from pkmodes.robot.wholes import elements_of, wholes
 
 Array = NDArray[np.float64]
 SAMPLE = "sample"
@@ -123,8 +123,8 @@ def _taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
     """Return the paths of all values that a sweep sets: also the elements of a whole, and another name of a value."""
     paths = set(swept)
     for path, values in swept.items():
-        if path in wholes(robot.mechanism):
-            paths |= set(elements_of(robot, wholes(robot.mechanism)[path], float(values[0])))
+        if path in groups_by_path(robot.mechanism):
+            paths |= set(elements_of(robot, groups_by_path(robot.mechanism)[path], float(values[0])))
     for path, own in lent(robot.mechanism).items():
         if {path, own} & paths:
             paths |= {path, own}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
@@ -13,6 +13,24 @@ Array = NDArray[np.float64]
 Integers = NDArray[np.int_]
 #: Default components of a pose and their units: a point in space.
 POSITION: Mapping[str, str] = MappingProxyType({"x": "m", "y": "m", "z": "m"})
+
+
+class Numbers(Mapping[str, Array]):
+    """Read-only columns of numbers by name."""
+
+    __slots__ = ("_columns",)
+
+    def __init__(self, columns: Mapping[str, Array]) -> None:
+        self._columns = dict(columns)
+
+    def __getitem__(self, name: str) -> Array:
+        return self._columns[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,10 +49,9 @@ class Columns:
         Their standard deviations, 0 where they are assumed exact.
     pose : ndarray of int, shape (R,)
         Index of each row's pose.
-    frequency, sigma : ndarray, shape (R,)
-        Natural frequency and its standard deviation [Hz].
-    damping : ndarray, shape (R,)
-        Damping ratio, NaN where not given.
+    numbers : mapping of str to ndarray of shape (R,)
+        The measured quantities and their standard deviations, named as the arguments of `Measurements.from_rows`,
+        NaN where not given.
     mode : tuple of str, length R
         The experimenter's mode numbers, empty where not given.
     lines : ndarray of int, shape (R,)
@@ -45,8 +62,6 @@ class Columns:
         Components of the mode shapes, any scale per row, NaN where not measured.
     shape_sigma : ndarray, shape (R,)
         Standard deviation of the row's shape components relative to the largest, NaN where not given.
-    damping_sigma : ndarray, shape (R,)
-        Standard deviation of the damping ratio, NaN where there is no damping.
     band : tuple of float, or None
         Lowest and highest frequency of the band in which modes were identified [Hz]; None if not given.
     unit : str
@@ -64,18 +79,35 @@ class Columns:
     points: Array
     point_sigma: Array
     pose: Integers
-    frequency: Array
-    sigma: Array
-    damping: Array
+    numbers: Mapping[str, Array]
     mode: tuple[str, ...]
     lines: Integers
     channels: tuple[str, ...]
     shapes: Array
     shape_sigma: Array
-    damping_sigma: Array
     band: tuple[float, float] | None
     unit: str = ""
     components: tuple[str, ...] = tuple(POSITION)
     component_units: tuple[str, ...] = tuple(POSITION.values())
     settings: tuple[str, ...] = ()
     set_values: Array = field(default_factory=lambda: np.empty((0, 0)))
+
+    @property
+    def frequency(self) -> Array:
+        """Natural frequency of each row [Hz], (R,)."""
+        return self.numbers["frequency"]
+
+    @property
+    def sigma(self) -> Array:
+        """Standard deviation of the frequency [Hz], (R,)."""
+        return self.numbers["sigma"]
+
+    @property
+    def damping(self) -> Array:
+        """Damping ratio, (R,), NaN where not given."""
+        return self.numbers["damping"]
+
+    @property
+    def damping_sigma(self) -> Array:
+        """Standard deviation of the damping ratio, (R,), NaN where there is no damping."""
+        return self.numbers["damping_sigma"]

@@ -12,22 +12,20 @@ from decimal import Decimal
 from typing import NamedTuple, NoReturn
 
 from pkmodes.base.errors import MeasurementError, shown
+from pkmodes.measured.quantities import (
+    QUANTITIES,
+    SHAPE_SIGMA,
+    quantity_numbers,
+    required_columns,
+    row_numbers,
+)
 from pkmodes.measured.rules import SET, SHAPE
 from pkmodes.robot.units import QuantityError, base_units
 
 #: Columns of text.
 TEXT = ("pose", "mode")
-ALWAYS = ("pose", "frequency", "sigma")
 #: Prefix of the standard deviations of pose components.
 SPREAD = "sigma_"
-#: SI units of the columns; those of poses and shapes depend on the mechanism.
-UNITS = {
-    "frequency": "Hz",
-    "sigma": "Hz",
-    "damping": "1",
-    "sigma_damping": "1",
-    "sigma_shape": "1",
-}
 SEPARATORS = {";": "semicolons", "\t": "tabs", "|": "bars"}
 EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"'}
 #: Units of a shape component of unknown kind: a displacement or a rotation.
@@ -71,7 +69,6 @@ def read_header(
 
     Parameters
     ----------
-    cells : sequence of str
     where : str
         File and line.
     channels : collection of str, or mapping of str to str
@@ -87,11 +84,14 @@ def read_header(
     ------
     MeasurementError
     """
-    required = ("pose", *components, "frequency", "sigma") if positions else ALWAYS
+    needed = required_columns()
+    required = ("pose", *(components if positions else ()), *needed)
     spreads = {f"{SPREAD}{name}": unit for name, unit in components.items()}
-    units = {**UNITS, **components, **spreads, **{f"{SET}{name}": unit for name, unit in settings.items()}}
-    known = ["pose", *components, "frequency", "sigma", *spreads]
-    known += ["damping", "sigma_damping", "mode", "sigma_shape", *(f"{SHAPE}{name}" for name in channels)]
+    units = {number.column: number.unit for number in row_numbers()} | dict(components) | spreads
+    units |= {f"{SET}{name}": unit for name, unit in settings.items()}
+    known = ["pose", *components, *needed, *spreads]
+    known += [number.column for number in quantity_numbers() if not number.required]
+    known += ["mode", SHAPE_SIGMA.column, *(f"{SHAPE}{name}" for name in channels)]
     known += [f"{SET}{name}" for name in settings]
     help_text = f"start with a header such as {','.join(required)}"
     text = ",".join(cells)
@@ -124,8 +124,7 @@ def read_header(
         if name in (*components, *spreads) and len(placed) < len(components):
             missing = next(other for other in components if other not in placed)
             what = f'found the column "{name}" without "{missing}"'
-            every = " and ".join([", ".join(list(components)[:-1]), *list(components)[-1:]])
-            _refuse(what, where, f"give {every}, or no position column at all")
+            _refuse(what, where, f"give {in_words(components)}, or no position column at all")
     return columns
 
 
@@ -150,6 +149,12 @@ def column_of(cell: str, where: str, units: Mapping[str, str]) -> tuple[str, Dec
     if unit is None or name not in units:
         return name, None
     return name, _factor(name, unit, where, (), units)
+
+
+def in_words(names: Collection[str]) -> str:
+    """Join names as in a sentence: x, y and z."""
+    *others, last = [*names] or [""]
+    return f"{', '.join(others)} and {last}" if others else last
 
 
 def _plain(name: str, units: Mapping[str, str]) -> str:
@@ -225,8 +230,9 @@ def _factor(
         allowed = MOTIONS
     expected = " or ".join(EXAMPLES.get(one, f'"{one}"') for one in allowed)
     remedy = f"write a unit of that kind, or none for {_plain(name, units) or 'a plain ratio'}"
-    if name == "sigma" and unit == "%":
-        remedy = "multiply by the frequency, and write the result in its unit"
+    for quantity in QUANTITIES.values():
+        if name == quantity.sigma.column and unit == "%":
+            remedy = f"multiply by the {quantity.value.column}, and write the result in its unit"
     try:
         if allowed == ("Hz",):
             return frequency_factor(unit)

@@ -8,14 +8,26 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Never
+from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pkmodes.base.errors import MeasurementError, listed, nearest, shown
-from pkmodes.measured.columns import POSITION, Array, Columns
+from pkmodes.base.errors import MeasurementError, listed, shown
+from pkmodes.measured.arguments import (
+    by_name,
+    checked_array,
+    for_all,
+    mode_numbers,
+    nearest_argument,
+    numbers_of,
+    read_only,
+    renamed_columns,
+)
+from pkmodes.measured.columns import POSITION, Array, Columns, Numbers
 from pkmodes.measured.header import frequency_factor
+from pkmodes.measured.quantities import quantity_numbers
 from pkmodes.measured.rules import (
     SET,
     SHAPE,
@@ -30,25 +42,8 @@ from pkmodes.measured.rules import (
 )
 from pkmodes.robot.units import QuantityError
 
-#: Default standard deviation of a damping ratio, relative to it.
-DAMPING_SIGMA = 0.2
-#: Arguments of `Measurements.from_rows` by column name, where the two names differ.
-KEYWORDS = {"sigma_shape": "shape_sigma", "sigma_damping": "damping_sigma", "x": "points", "shape": "shapes"}
-ARGUMENTS = (
-    "points",
-    "point_sigma",
-    "damping",
-    "mode",
-    "shapes",
-    "shape_sigma",
-    "damping_sigma",
-    "band",
-    "components",
-    "settings",
-)
 
-
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, init=False)
 class Measurements(Columns):
     """Identified modes of a machine at P poses: R rows in the order of their file, C shape channels.
 
@@ -62,7 +57,14 @@ class Measurements(Columns):
         If the arrays do not match or a number breaks a rule; the place gives line and column.
     """
 
-    def __post_init__(self) -> None:
+    def __init__(self, *, numbers: Mapping[str, Array] = MappingProxyType({}), **columns: Any) -> None:
+        # Measured quantities may also be given by name, alone or in place of those in `numbers`.
+        own = {number.argument for number in quantity_numbers()} & columns.keys()
+        super().__init__(numbers={**numbers, **{name: columns.pop(name) for name in own}}, **columns)
+        self._check()
+
+    def _check(self) -> None:
+        """Convert the columns to read-only arrays of the right shape, and refuse what breaks a rule."""
         poses, rows, channels = len(self.labels), np.size(self.pose), len(self.channels)
         size = len(self.components)
         if not self.settings:
@@ -77,19 +79,20 @@ class Measurements(Columns):
             "points": (poses, size),
             "point_sigma": (poses, size),
             "pose": (rows,),
-            "frequency": (rows,),
-            "sigma": (rows,),
-            "damping": (rows,),
             "lines": (rows,),
             "shapes": (rows, channels),
             "shape_sigma": (rows,),
-            "damping_sigma": (rows,),
             "set_values": (poses, len(self.settings)),
         }.items():
             whole = name in ("pose", "lines")
-            array = _array(getattr(self, name), name, shape, self.source, whole)
-            array.flags.writeable = False
-            object.__setattr__(self, name, array)
+            object.__setattr__(
+                self, name, read_only(checked_array(getattr(self, name), name, shape, self.source, whole))
+            )
+        numbers = {
+            name: read_only(checked_array(column, name, (rows,), self.source))
+            for name, column in self.numbers.items()
+        }
+        object.__setattr__(self, "numbers", Numbers(numbers))
         if self.band is not None:
             object.__setattr__(self, "band", checked_band(self.band, f"{self.source}: band"))
         used, first = np.unique(self.pose, return_index=True)
@@ -121,7 +124,7 @@ class Measurements(Columns):
         unit: str = "",
         components: Mapping[str, str] = POSITION,
         settings: Mapping[str, ArrayLike] | None = None,
-        **unknown: Never,
+        **further: ArrayLike,
     ) -> Measurements:
         """Build measurements from columns with one entry for each of R rows.
 
@@ -159,8 +162,9 @@ class Measurements(Columns):
         settings : mapping of str to array_like of shape (R,), optional
             Known values of parameters by path, in SI units, NaN where the declared value applies.  Rows with the
             same label must agree.
-        **unknown
-            Refused; the error suggests the nearest argument.
+        **further : array_like, shape (R,), optional
+            Other measured quantities and their standard deviations.  Unknown names are refused; the error suggests
+            the nearest argument.
 
         Returns
         -------
@@ -173,9 +177,10 @@ class Measurements(Columns):
             If the columns do not match, a number breaks a rule, a label has two positions or two values of a
             setting, or a row is repeated.
         """
-        for name in unknown:
+        quantities = {number.argument for number in quantity_numbers()}
+        for name in (name for name in further if name not in quantities):
             what = f"unknown argument {shown(name)}"
-            raise MeasurementError(what, "from_rows", nearest(KEYWORDS.get(name, name), ARGUMENTS))
+            raise MeasurementError(what, "from_rows", nearest_argument(name))
         try:
             if unit:
                 frequency_factor(unit)
@@ -189,69 +194,71 @@ class Measurements(Columns):
             )
         labels = listed(pose, "labels", f"{source}: pose", '"P1"', error=MeasurementError)
         names = [str(label) for label in labels]
-        rows, shapes = len(names), _by_name(shapes, "shapes", "x_1", source)
+        rows, shapes = len(names), by_name(shapes, "shapes", "x_1", source)
         shape = rows, len(components)
-        places = np.zeros(shape) if points is None else _array(points, "points", shape, source)
+        places = np.zeros(shape) if points is None else checked_array(points, "points", shape, source)
         spreads = (
-            np.zeros(shape) if point_sigma is None else _array(point_sigma, "point_sigma", shape, source)
+            np.zeros(shape)
+            if point_sigma is None
+            else checked_array(point_sigma, "point_sigma", shape, source)
         )
-        columns = [_array(column, f"{SHAPE}{name}", (rows,), source) for name, column in shapes.items()]
-        known = _by_name(settings, "settings", "effects.payload.mass", source)
+        components_of_shapes = [
+            checked_array(column, f"{SHAPE}{name}", (rows,), source) for name, column in shapes.items()
+        ]
+        known = by_name(settings, "settings", "effects.payload.mass", source)
         loads = np.empty((rows, len(known)))
-        for k, (name, given) in enumerate(known.items()):
-            loads[:, k] = _array(given, f"{SET}{name}", (rows,), source)
+        for k, (name, values) in enumerate(known.items()):
+            loads[:, k] = checked_array(values, f"{SET}{name}", (rows,), source)
         first: dict[str, int] = {}  # first row of each label, in the order of the rows
         for i, label in enumerate(names):
             first.setdefault(label, i)
         index = {label: i for i, label in enumerate(first)}
         introduced = list(first.values())
-        ratios = np.full(rows, np.nan) if damping is None else _array(damping, "damping", (rows,), source)
-        unsure = (
-            np.full(rows, np.nan)
-            if damping_sigma is None
-            else _array(_for_all(damping_sigma, rows), "damping_sigma", (rows,), source)
-        )
-        columns_of_rows = Columns(
-            source=source,
-            labels=tuple(first),
-            points=places[introduced],
-            point_sigma=spreads[introduced],
-            pose=np.array([index[label] for label in names], dtype=int),
-            frequency=_array(frequency, "frequency", (rows,), source),
-            sigma=_array(sigma, "sigma", (rows,), source),
-            damping=ratios,
-            mode=("",) * rows if mode is None else tuple(map(str, _numbers(mode, source))),
-            lines=np.arange(1, rows + 1)
-            if lines is None
-            else _array(lines, "lines", (rows,), source, whole=True).astype(int),
-            channels=tuple(shapes),
-            shapes=np.stack(columns, axis=-1) if columns else np.empty((rows, 0)),
-            shape_sigma=np.full(rows, np.nan)
-            if shape_sigma is None
-            else _array(_for_all(shape_sigma, rows), "shape_sigma", (rows,), source),
-            damping_sigma=np.where(np.isnan(unsure), DAMPING_SIGMA * ratios, unsure),
-            band=band,
-            unit=unit,
-            components=tuple(components),
-            component_units=tuple(components.values()),
-            settings=tuple(known),
-            set_values=loads[introduced],
-        )
+        named: dict[str, ArrayLike | None] = {
+            "frequency": frequency,
+            "sigma": sigma,
+            "damping": damping,
+            "damping_sigma": damping_sigma,
+        }
         try:
-            found = cls(**vars(columns_of_rows))
+            measurements = cls(
+                source=source,
+                labels=tuple(first),
+                points=places[introduced],
+                point_sigma=spreads[introduced],
+                pose=np.array([index[label] for label in names], dtype=int),
+                numbers=numbers_of({**named, **further}, rows, source),
+                mode=("",) * rows if mode is None else tuple(map(str, mode_numbers(mode, source))),
+                lines=np.arange(1, rows + 1)
+                if lines is None
+                else checked_array(lines, "lines", (rows,), source, whole=True),
+                channels=tuple(shapes),
+                shapes=np.stack(components_of_shapes, axis=-1)
+                if components_of_shapes
+                else np.empty((rows, 0)),
+                shape_sigma=np.full(rows, np.nan)
+                if shape_sigma is None
+                else checked_array(for_all(shape_sigma, rows), "shape_sigma", (rows,), source),
+                band=band,
+                unit=unit,
+                components=tuple(components),
+                component_units=tuple(components.values()),
+                settings=tuple(known),
+                set_values=loads[introduced],
+            )
         except BrokenRuleError as error:
-            name = error.problem.column
-            if lines is not None or not name.startswith("sigma_") or name not in KEYWORDS:
+            name, renamed = error.problem.column, renamed_columns()
+            if lines is not None or name not in renamed:
                 raise
-            where = error.where.replace(f"column {name}", f"argument {KEYWORDS[name]}")
+            where = error.where.replace(f"column {name}", f"argument {renamed[name]}")
             raise MeasurementError(error.what, where, error.remedy) from None
         problems = [
-            *position_problems(found, places, spreads),
-            *setting_problems(found, loads),
-            *repetitions(found),
+            *position_problems(measurements, places, spreads),
+            *setting_problems(measurements, loads),
+            *repetitions(measurements),
         ]
-        refuse(problems, source, found.lines)
-        return found
+        refuse(problems, source, measurements.lines)
+        return measurements
 
     def load(self, pose: int) -> dict[str, float]:
         """Return the values set at a pose by path, in SI units, without those that are as declared.
@@ -310,58 +317,10 @@ class Measurements(Columns):
             points=self.points[kept],
             point_sigma=self.point_sigma[kept],
             pose=np.searchsorted(kept, self.pose[rows]),
-            frequency=self.frequency[rows],
-            sigma=self.sigma[rows],
-            damping=self.damping[rows],
+            numbers={name: column[rows] for name, column in self.numbers.items()},
             mode=tuple(self.mode[i] for i in rows),
             lines=self.lines[rows],
             shapes=self.shapes[rows],
             shape_sigma=self.shape_sigma[rows],
-            damping_sigma=self.damping_sigma[rows],
             set_values=self.set_values[kept],
         )
-
-
-def _for_all(given: ArrayLike, rows: int) -> ArrayLike:
-    """Repeat a single number for all rows; return anything else unchanged."""
-    return np.full(rows, given) if isinstance(given, int | float | np.integer | np.floating) else given
-
-
-def _by_name(
-    given: Mapping[str, ArrayLike] | None, argument: str, example: str, source: str
-) -> Mapping[str, ArrayLike]:
-    if given is None:
-        return {}
-    if not isinstance(given, Mapping) or not all(isinstance(name, str) for name in given):
-        what = "components by coordinate" if argument == "shapes" else "values by name"
-        raise MeasurementError(
-            f"expected {what}, found {shown(given)}",
-            f"{source}: {argument}",
-            f'for example: {{"{example}": [0.5, -0.2]}}',
-        )
-    return given
-
-
-def _numbers(mode: Sequence[object], source: str) -> list[object]:
-    """Check the experimenter's mode numbers, which may be text."""
-    return listed(mode, "mode numbers", f"{source}: mode", "1", error=MeasurementError)
-
-
-def _array(given: ArrayLike, name: str, shape: tuple[int, ...], source: str, whole: bool = False) -> Array:
-    """Copy an array, checking its shape and that it holds integers or numbers."""
-    try:
-        array = np.array(given)
-        if array.dtype.kind not in ("iu" if whole else "iuf") and array.size:
-            raise TypeError(f"values of type {array.dtype}")
-    except Exception as error:  # conversion of an arbitrary object may raise anything
-        kind = "whole numbers" if whole else "numbers"
-        raise MeasurementError(
-            f"expected {kind}, found {error}", f"{source}: {name}", f"give an array of {kind}"
-        ) from None
-    if array.shape != shape:
-        raise MeasurementError(
-            f"expected an array of shape {shape}, found {array.shape}",
-            f"{source}: {name}",
-            "give one entry for each row, and one column for each component",
-        )
-    return array.astype(int if whole else float)

@@ -1,22 +1,35 @@
-"""Read modal measurements from CSV with a header, or report the first problem with its line and column."""
+"""Read modal measurements from files of any of the known formats."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from os import PathLike, fspath
+from os import PathLike
 from pathlib import Path
 from types import MappingProxyType
-from typing import NoReturn
 
-from pkmodes.base.errors import MeasurementError
 from pkmodes.measured.columns import POSITION
-from pkmodes.measured.header import components_of, read_header
+from pkmodes.measured.csv_format import CSV
+from pkmodes.measured.formats import Format, Machine
 from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.table import cells_of, read_lines, read_table
 
-LARGEST_FILE = 50_000_000
-#: First bytes of spreadsheet files: a zip archive, and the older Excel format.
-WORKBOOKS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
+#: Formats by name.  The first one is tried on files of no known format: its errors say what is expected.
+FORMATS = {known.name: known for known in (CSV,)}
+#: Number of bytes from which a format is recognised.
+HEAD = 4096
+
+
+def format_of(path: str | PathLike[str]) -> Format:
+    """Return the format of a file, by its content, else by its suffix."""
+    place, head = Path(path), b""
+    try:
+        if place.is_file():
+            with place.open("rb") as file:
+                head = file.read(HEAD)
+    except (OSError, ValueError):  # the reader of the format says why
+        pass
+    by_content = (known for known in FORMATS.values() if known.recognises(head))
+    by_suffix = (known for known in FORMATS.values() if place.suffix.lower() in known.suffixes)
+    return next(by_content, None) or next(by_suffix, None) or next(iter(FORMATS.values()))
 
 
 def read_measurements(
@@ -57,17 +70,7 @@ def read_measurements(
     MeasurementError
         If the file cannot be read or is invalid, with line, column, what was expected and what was found.
     """
-    source = fspath(path)
-    lines = read_lines(read_text(Path(path), source), source)
-    if not lines.records:
-        remedy = "start with the names of the columns"
-        raise MeasurementError("expected a header and rows, found none", source, remedy)
-    number, line = lines.records[0]
-    where = f"{source}: line {number}"
-    cells = cells_of(line, where)
-    chosen = components_of(cells, components, channels)
-    columns = read_header(cells, where, channels, positions, chosen, settings)
-    return read_table(columns, lines, source, chosen)
+    return format_of(path).read(path, Machine(channels, positions, components, settings))
 
 
 def read_modes(path: str | PathLike[str], channels: Collection[str] | Mapping[str, str]) -> Measurements:
@@ -95,49 +98,3 @@ def read_modes(path: str | PathLike[str], channels: Collection[str] | Mapping[st
         If the file cannot be read or is invalid, with line, column, what was expected and what was found.
     """
     return read_measurements(path, channels, positions=False)
-
-
-def _refuse(what: str, where: str, remedy: str) -> NoReturn:
-    raise MeasurementError(what, where, remedy) from None
-
-
-def read_text(
-    path: Path,
-    source: str,
-    what: str = "the measurements",
-    remedy: str = "give a CSV file of modal measurements",
-) -> str:
-    """Return the text of a CSV file.
-
-    Parameters
-    ----------
-    path : Path
-    source : str
-        The file, for messages.
-    what, remedy : str
-        What it should contain, and what to give instead of another file.
-
-    Raises
-    ------
-    MeasurementError
-        If it cannot be read, or is not UTF-8 text.
-    """
-    try:
-        if path.exists() and not path.is_file():
-            kind = "a folder" if path.is_dir() else "not a regular file"
-            _refuse(f"cannot read {what}: it is {kind}", source, remedy)
-        if path.stat().st_size > LARGEST_FILE:
-            _refuse(f"cannot read {what}: it is larger than 50 MB", source, remedy)
-        content = path.read_bytes()
-        if content.startswith(WORKBOOKS):
-            remedy = "open it in a spreadsheet program and save it as CSV UTF-8"
-            _refuse("expected CSV text, found an Excel workbook or another archive", source, remedy)
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = error.object[: error.start].count(b"\n") + 1
-        found = f"expected UTF-8 text, found the byte 0x{error.object[error.start]:02x}"
-        _refuse(found, f"{source}: line {line}", "save the file as UTF-8")
-    except (OSError, ValueError) as error:  # ValueError: a path with a null character
-        reason = getattr(error, "strerror", None) or str(error)
-        remedy = "check its permissions" if isinstance(error, PermissionError) else "check the path"
-        _refuse(f"cannot read {what}: {reason.lower()}", source, remedy)

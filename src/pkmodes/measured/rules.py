@@ -10,6 +10,14 @@ from numpy.typing import NDArray
 
 from pkmodes.base.errors import MeasurementError, shown
 from pkmodes.measured.columns import Array, Columns, Integers
+from pkmodes.measured.quantities import (
+    FREQUENCY,
+    QUANTITIES,
+    SHAPE_SIGMA,
+    Quantity,
+    Range,
+    quantity_numbers,
+)
 from pkmodes.robot.units import LARGEST, SMALLEST
 
 #: Prefix of the columns that hold mode shapes.
@@ -18,7 +26,7 @@ SHAPE = "shape:"
 SET = "set:"
 
 
-class Found(NamedTuple):
+class Quoted(NamedTuple):
     """A number quoted in a message: its row and column, its value in SI units, and its format."""
 
     row: int
@@ -32,7 +40,7 @@ class Problem(NamedTuple):
 
     row: int
     column: str
-    what: str | tuple[str | Found, ...]
+    what: str | tuple[str | Quoted, ...]
     remedy: str
 
 
@@ -40,21 +48,21 @@ class BrokenRuleError(MeasurementError):
     """A violated rule; the reader of a file can replace the numbers in its message by the original cells."""
 
     def __init__(self, problem: Problem, where: str) -> None:
-        super().__init__(told(problem, _plainly), where, problem.remedy)
+        super().__init__(message(problem, _plainly), where, problem.remedy)
         self.problem = problem
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.problem, self.where)
 
 
-def told(problem: Problem, show: Callable[[Found], str]) -> str:
+def message(problem: Problem, show: Callable[[Quoted], str]) -> str:
     """Return the message of a problem, with its numbers formatted by `show`."""
     parts = (problem.what,) if isinstance(problem.what, str) else problem.what
     return "".join(part if isinstance(part, str) else show(part) for part in parts)
 
 
-def _plainly(found: Found) -> str:
-    return format(found.value, found.digits)
+def _plainly(number: Quoted) -> str:
+    return format(number.value, number.digits)
 
 
 def refuse(problems: Sequence[Problem], source: str, lines: Integers) -> None:
@@ -84,80 +92,65 @@ def checked_band(band: Iterable[float], where: str) -> tuple[float, float]:
 def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
     """Yield numbers that are out of range; `first` holds the first row of each pose."""
     rows = np.arange(len(given.mode))
-
-    def broken(
-        column: str, values: Array, good: NDArray[np.bool_], expected: str, remedy: str, at: Integers = rows
-    ) -> Iterator[Problem]:
-        for i in np.flatnonzero(~good):
-            large = column in ("frequency", "sigma") and LARGEST < values[i] < np.inf
-            wanted = f"{expected} (at most {LARGEST:g})" if large else expected
-            row = int(at[i])
-            yield Problem(
-                row, column, (f"expected {wanted}, found ", Found(row, column, float(values[i]))), remedy
-            )
-
-    # A NaN compares false and so fails.
     for k, (name, unit) in enumerate(zip(given.components, given.component_units, strict=True)):
-        point, spread = given.points[:, k], given.point_sigma[:, k]
-        remedy = f"write a number in {unit}"
-        yield from broken(name, point, np.abs(point) <= LARGEST, "a finite coordinate", remedy, first)
-        good = (spread >= 0.0) & (spread <= LARGEST)
-        expected = f"a standard deviation of at least 0 {unit}"
-        yield from broken(f"sigma_{name}", spread, good, expected, "leave it blank if unknown", first)
-    frequency, sigma, damping = given.frequency, given.sigma, given.damping
-    positive = (frequency >= SMALLEST) & (frequency <= LARGEST)
-    yield from broken(
-        "frequency", frequency, positive, "a frequency above 0 Hz", "leave out rigid-body modes"
-    )
-    known = (sigma >= SMALLEST) & (sigma <= LARGEST)
-    remedy = "write the standard deviation of the frequency"
-    yield from broken("sigma", sigma, known, "a standard deviation above 0 Hz", remedy)
-    small = (sigma < frequency) | ~(positive & known)
-    remedy = "write the standard deviation of the frequency, and check the units of both"
-    yield from broken("sigma", sigma, small, "a standard deviation below the frequency", remedy)
-    ratio = np.isnan(damping) | ((damping >= 0.0) & (damping < 1.0))
-    yield from broken(
-        "damping", damping, ratio, "a damping ratio of at least 0 and below 1", "write 0.02 for 2 %"
-    )
-    unsure = (
-        ~ratio | np.isnan(given.damping_sigma) | ((given.damping_sigma >= 0.0) & (given.damping_sigma < 1.0))
-    )
-    yield from broken(
-        "sigma_damping",
-        given.damping_sigma,
-        unsure,
-        "a standard deviation of at least 0 and below 1",
-        "write the standard deviation of the damping ratio, or leave it blank",
-    )
-    rough = np.isnan(given.shape_sigma) | ((given.shape_sigma >= SMALLEST) & (given.shape_sigma < 1.0))
-    yield from broken(
-        "sigma_shape",
-        given.shape_sigma,
-        rough,
-        "a standard deviation above 0 and below 1, relative to the largest component",
-        "write 0.05 for 5 %, or leave it blank",
-    )
+        place = Range(-LARGEST, LARGEST, "a finite coordinate", f"write a number in {unit}", blank=False)
+        yield from _outside(name, given.points[:, k], place, first)
+        what = f"a standard deviation of at least 0 {unit}"
+        spread = Range(0.0, LARGEST, what, "leave it blank if unknown", blank=False)
+        yield from _outside(f"sigma_{name}", given.point_sigma[:, k], spread, first)
+    for quantity in QUANTITIES.values():
+        yield from _quantity_problems(quantity, given, rows)
+    yield from _outside(SHAPE_SIGMA.column, given.shape_sigma, SHAPE_SIGMA.range, rows)
     if given.band is not None:
         low, high = given.band
-        inside = ((frequency >= low) & (frequency <= high)) | ~positive
         expected = f"a frequency in the band from {low:.10g} Hz to {high:.10g} Hz"
-        yield from broken("frequency", frequency, inside, expected, "correct the row or the band")
+        band = Range(low, high, expected, "correct the row or the band", blank=False)
+        inside = band.holds(given.frequency) | ~FREQUENCY.value.range.holds(given.frequency)
+        yield from _broken(FREQUENCY.value.column, given.frequency, inside, band, rows)
     for k, name in enumerate(given.channels):
-        part = given.shapes[:, k]
-        good = np.isnan(part) | (np.abs(part) <= LARGEST)
-        yield from broken(
-            f"{SHAPE}{name}", part, good, "a finite shape component", "leave it blank if unknown"
-        )
+        component = Range(-LARGEST, LARGEST, "a finite shape component", "leave it blank if unknown")
+        yield from _outside(f"{SHAPE}{name}", given.shapes[:, k], component, rows)
     for k, name in enumerate(given.settings):
-        part = given.set_values[:, k]
-        good = np.isnan(part) | (np.abs(part) <= LARGEST)
-        yield from broken(
-            f"{SET}{name}", part, good, "a finite value", "leave it blank if it is as declared", first
-        )
+        setting = Range(-LARGEST, LARGEST, "a finite value", "leave it blank if it is as declared")
+        yield from _outside(f"{SET}{name}", given.set_values[:, k], setting, first)
     for i in np.flatnonzero((given.shapes == 0.0).any(axis=1) & ~(np.abs(given.shapes) > 0.0).any(axis=1)):
         column = f"{SHAPE}{given.channels[int(np.argmax(given.shapes[i] == 0.0))]}"
         remedy = "leave the components blank if the shape was not measured"
         yield Problem(int(i), column, "expected a mode shape, found only zeros", remedy)
+
+
+def _quantity_problems(quantity: Quantity, given: Columns, rows: Integers) -> Iterator[Problem]:
+    """Yield numbers of a quantity and standard deviations that are out of range."""
+    value, sigma = quantity.value, quantity.sigma
+    values, sigmas = given.numbers[value.argument], given.numbers[sigma.argument]
+    valid, known = value.range.holds(values), sigma.range.holds(sigmas)
+    yield from _broken(value.column, values, valid, value.range, rows)
+    # The usual standard deviation of a bad number is bad too.
+    stated = known if quantity.usual_sigma is None else known | ~valid
+    yield from _broken(sigma.column, sigmas, stated, sigma.range, rows)
+    if quantity.transformation.positive:
+        small = (sigmas < values) | ~(valid & known) | np.isnan(values) | np.isnan(sigmas)
+        what, remedy = f"a standard deviation below the {value.column}", sigma.range.remedy
+        below = Range(0.0, LARGEST, what, f"{remedy}, and check the units of both")
+        yield from _broken(sigma.column, sigmas, small, below, rows)
+
+
+def _outside(column: str, values: Array, allowed: Range, at: Integers) -> Iterator[Problem]:
+    """Yield numbers outside a range; `at` holds their rows."""
+    yield from _broken(column, values, allowed.holds(values), allowed, at)
+
+
+def _broken(
+    column: str, values: Array, good: NDArray[np.bool_], allowed: Range, at: Integers
+) -> Iterator[Problem]:
+    """Yield numbers that are not good, with the messages of a range."""
+    of_quantity = column in {number.column for number in quantity_numbers()}
+    for i in np.flatnonzero(~good):
+        large = of_quantity and allowed.largest == LARGEST < values[i] < np.inf
+        expected = f"{allowed.expected} (at most {LARGEST:g})" if large else allowed.expected
+        row = int(at[i])
+        what = (f"expected {expected}, found ", Quoted(row, column, float(values[i])))
+        yield Problem(row, column, what, allowed.remedy)
 
 
 def text_problems(given: Columns, first: Integers) -> Iterator[Problem]:
@@ -180,58 +173,60 @@ def text_problems(given: Columns, first: Integers) -> Iterator[Problem]:
             )
 
 
-def position_problems(found: Columns, points: Array, spreads: Array) -> Iterator[Problem]:
+def position_problems(data: Columns, points: Array, spreads: Array) -> Iterator[Problem]:
     """Yield rows whose position or its standard deviation differs from the first row of their pose."""
-    first = np.unique(found.pose, return_index=True)[1]
+    first = np.unique(data.pose, return_index=True)[1]
     for kind, prefix, rows, poses in (
-        ("positions", "", points, found.points),
-        ("standard deviations", "sigma_", spreads, found.point_sigma),
+        ("positions", "", points, data.points),
+        ("standard deviations", "sigma_", spreads, data.point_sigma),
     ):
-        for i, k in np.argwhere(rows != poses[found.pose]):
-            name, number = f"{prefix}{found.components[k]}", found.pose[i]
+        for i, k in np.argwhere(rows != poses[data.pose]):
+            name, number = f"{prefix}{data.components[k]}", data.pose[i]
             before = int(first[number])
             yield Problem(
                 int(i),
                 name,
                 (
-                    f"pose {shown(found.labels[number])} has two {kind}: {name} is ",
-                    Found(before, name, float(poses[number, k]), ".10g"),
-                    f" in line {found.lines[before]} and ",
-                    Found(int(i), name, float(rows[i, k]), ".10g"),
+                    f"pose {shown(data.labels[number])} has two {kind}: {name} is ",
+                    Quoted(before, name, float(poses[number, k]), ".10g"),
+                    f" in line {data.lines[before]} and ",
+                    Quoted(int(i), name, float(rows[i, k]), ".10g"),
                     " here",
                 ),
                 "give each pose a unique label",
             )
 
 
-def setting_problems(found: Columns, rows: Array) -> Iterator[Problem]:
+def setting_problems(data: Columns, rows: Array) -> Iterator[Problem]:
     """Yield rows, of all rows (R, K), with a setting that differs from the first row of their pose."""
-    first = np.unique(found.pose, return_index=True)[1]
-    poses = found.set_values[found.pose]
+    first = np.unique(data.pose, return_index=True)[1]
+    poses = data.set_values[data.pose]
     for i, k in np.argwhere((rows != poses) & ~(np.isnan(rows) & np.isnan(poses))):
-        name, number = f"{SET}{found.settings[k]}", found.pose[i]
+        name, number = f"{SET}{data.settings[k]}", data.pose[i]
         before = int(first[number])
         pair = [(before, float(poses[i, k])), (int(i), float(rows[i, k]))]
-        there, here = ("blank" if np.isnan(v) else Found(row, name, v, ".10g") for row, v in pair)
-        what = f"pose {shown(found.labels[number])} has two values: {name} is "
+        there, here = ("blank" if np.isnan(v) else Quoted(row, name, v, ".10g") for row, v in pair)
+        what = f"pose {shown(data.labels[number])} has two values: {name} is "
         yield Problem(
             int(i),
             name,
-            (what, there, f" in line {found.lines[before]} and ", here, " here"),
+            (what, there, f" in line {data.lines[before]} and ", here, " here"),
             "give each load case a unique label",
         )
 
 
-def repetitions(found: Columns) -> Iterator[Problem]:
+def repetitions(data: Columns) -> Iterator[Problem]:
     """Yield repeated rows: one mode must not count as two measurements."""
-    numbers = np.column_stack([found.pose, found.frequency, found.sigma, found.damping, found.shapes])
+    compared = [n for q in QUANTITIES.values() for n in (q.value, q.sigma) if n is q.value or n.required]
+    columns = [data.numbers[number.argument] for number in compared]
+    numbers = np.column_stack([data.pose, *columns, data.shapes])
     seen: dict[tuple[bytes, str], int] = {}
     for i, row in enumerate(numbers):
-        before = seen.setdefault((row.tobytes(), found.mode[i]), i)
+        before = seen.setdefault((row.tobytes(), data.mode[i]), i)
         if before != i:
             yield Problem(
                 i,
                 "frequency",
-                f"the row repeats line {found.lines[before]}",
+                f"the row repeats line {data.lines[before]}",
                 "remove one, or number them in the column mode where two modes coincide",
             )

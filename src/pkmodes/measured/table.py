@@ -8,29 +8,28 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from pkmodes.base.errors import MeasurementError, shown
 from pkmodes.measured.header import SPREAD, TEXT, Column, frequency_factor
 from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import required_columns, row_numbers
 from pkmodes.measured.rules import (
     SET,
     SHAPE,
     BrokenRuleError,
-    Found,
     Problem,
+    Quoted,
     checked_band,
+    message,
     refuse,
-    told,
 )
 from pkmodes.robot.units import QuantityError
 
 #: A line that tells spreadsheet programs the separator of the cells.
 SEPARATOR = re.compile(r"\"?sep\s*=\s*(.)\"?[,;\t]*", re.IGNORECASE)
-#: Columns without blank cells, besides the pose components.
-FILLED = ("pose", "frequency", "sigma")
 
 # Stricter than float(): no "nan", no "1_000", no digits of other scripts.
 NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
@@ -64,11 +63,11 @@ def read_lines(text: str, source: str) -> Lines:
                 raise MeasurementError(
                     f'expected a colon after "band", found {shown(line)}', where, BAND_HELP
                 )
-            found = parse_band(match[2], where)
-            if band not in (None, found):
+            limits = parse_band(match[2], where)
+            if band not in (None, limits):
                 what = f"this band differs from that in line {stated}"
                 raise MeasurementError(what, where, "remove one of them")
-            band, stated = found, number
+            band, stated = limits, number
         elif not records and SEPARATOR.fullmatch(line) is not None:
             what = f"expected the names of the columns, found {shown(line)}, a line for spreadsheet programs"
             raise MeasurementError(what, where, "remove this line")
@@ -100,7 +99,6 @@ def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, f
 
     Parameters
     ----------
-    text : str
     where, remedy : str
         Place and remedy, for messages.
 
@@ -141,8 +139,6 @@ def read_table(
 
     Parameters
     ----------
-    columns : sequence of Column
-    lines : Lines
     source : str
         The file.
     components : mapping of str to str
@@ -158,7 +154,7 @@ def read_table(
         what = "expected a row for each identified mode, found only a header"
         raise MeasurementError(what, source, "add the rows")
     blank = {f"{SPREAD}{name}": 0.0 for name in components}  # the pose is exact
-    filled = {*FILLED, *components}
+    filled = {"pose", *required_columns(), *components}
     numbers_of_lines = np.array([line for line, _ in records])
     texts: dict[str, list[str]] = {name: [] for name in TEXT}
     numbers: dict[str, list[float]] = {column.name: [] for column in columns if column.name not in TEXT}
@@ -191,18 +187,18 @@ def read_table(
     try:
         return _measurements(texts, numbers, lines, source, units["frequency"], components)
     except BrokenRuleError as error:
-        what = told(error.problem, lambda found: _as_written(found, columns, records))
+        what = message(error.problem, lambda quoted: _as_written(quoted, columns, records))
         raise MeasurementError(what, error.where, error.remedy) from None
 
 
-def _as_written(found: Found, columns: Sequence[Column], records: Sequence[tuple[int, str]]) -> str:
+def _as_written(quoted: Quoted, columns: Sequence[Column], records: Sequence[tuple[int, str]]) -> str:
     """Format a number as in its cell, with the header's unit; also in SI units if that is another unit."""
-    number = format(found.value, found.digits)
-    place = [column.name for column in columns].index(found.column)
+    number = format(quoted.value, quoted.digits)
+    place = [column.name for column in columns].index(quoted.column)
     column = columns[place]
     if column.factor is None:
         return number
-    cell = cells_of(records[found.row][1], "")[place]
+    cell = cells_of(records[quoted.row][1], "")[place]
     if column.si == column.unit:
         return f"{cell} {column.unit}"
     return f"{cell} {column.unit} ({f'{number} {column.si}'.strip()})"
@@ -219,20 +215,17 @@ def _measurements(
     """Build measurements from a file's columns by name; `unit` is the header's unit of the frequencies."""
     rows = len(lines.records) - 1
     blank = [0.0] * rows
+    columns: dict[str, Any] = {number.argument: numbers.get(number.column) for number in row_numbers()}
     return Measurements.from_rows(
         texts["pose"],
-        numbers["frequency"],
-        numbers["sigma"],
+        **columns,
         points=np.array([numbers.get(name, blank) for name in components]).T,
         point_sigma=np.array([numbers.get(f"{SPREAD}{name}", blank) for name in components]).T,
         components=components,
-        damping=numbers.get("damping"),
         mode=texts["mode"] or None,
         shapes={
             name.removeprefix(SHAPE): column for name, column in numbers.items() if name.startswith(SHAPE)
         },
-        shape_sigma=numbers.get("sigma_shape"),
-        damping_sigma=numbers.get("sigma_damping"),
         band=lines.band,
         source=source,
         lines=np.array([line for line, _ in lines.records[1:]]),

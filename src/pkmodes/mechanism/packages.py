@@ -22,9 +22,7 @@ GROUP = "pkmodes.mechanisms"
 OPTION = "--mechanism"
 PREFIX = "pkmodes_folder_"
 DEFINITION = "definition.py"
-FILES = ("__init__.py", "model.py", "extended.py", "description.json")
-#: Not in code that was generated before there were drawings.
-DRAWING = "drawing.py"
+FILES = ("__init__.py", "model.py", "extended.py", "drawing.py", "description.json")
 GIVE = "give the folder DIR/<mechanism> written by: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
 
 _folders: dict[str, str] = {}
@@ -48,8 +46,7 @@ def imported(path: str | PathLike[str]) -> str:
     """
     folder = Path(path)
     _check(folder)
-    present = [name for name in (*FILES, DRAWING) if (folder / name).is_file()]
-    content = b"\0".join((folder / name).read_bytes() for name in present)
+    content = b"\0".join((folder / name).read_bytes() for name in FILES)
     folder = folder.resolve()
     package = (
         PREFIX + hashlib.sha256(f"{folder}\0".encode("utf-8", "surrogateescape") + content).hexdigest()[:16]
@@ -82,6 +79,7 @@ def _import(package: str, folder: Path) -> None:
     try:
         spec.loader.exec_module(module)
         extended = import_module(f"{package}.extended")
+        import_module(f"{package}.drawing")
         _ = module.Parameters, module.COORDINATES, extended.Effects, extended.COORDINATES
     except KeyboardInterrupt:
         raise

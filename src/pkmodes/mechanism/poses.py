@@ -14,8 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.errors import PkmodesError, PoseError, shown
+from pkmodes.mechanism.described import Mechanism
 from pkmodes.mechanism.generated import Generated
-from pkmodes.mechanism.registry import Margin, Mechanism
+from pkmodes_description import Margin
 
 Array = NDArray[np.float64]
 OnError = Literal["raise", "nan"]

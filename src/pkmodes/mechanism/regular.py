@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.mechanism.described import Mechanism
 from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.poses import margin_of
-from pkmodes.mechanism.registry import Key, Mechanism
+from pkmodes_description import Key
 
 Array = NDArray[np.float64]
 #: Condition number up to which a pose is regular.

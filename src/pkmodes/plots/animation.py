@@ -15,7 +15,7 @@ from pkmodes.view.scene import AMPLITUDE, Scene
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from pkmodes.mechanism.description import Element
+    from pkmodes_description import Element
 
 Array = NDArray[np.float64]
 FRAMES, MILLISECONDS = 24, 50

@@ -11,7 +11,7 @@ from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.report.blocks import Block, Difference, Paragraph
 from pkmodes.report.wording import SENTENCE, clean
 from pkmodes.robot.robot import Robot
-from pkmodes.updating.loop import corrected_robot
+from pkmodes.updating.corrected_robot import corrected_robot
 
 NO_END = "\\ No newline at end of file"
 

@@ -14,7 +14,7 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.model.model import Model
 from pkmodes.robot.reading import robot_from_document
 from pkmodes.robot.robot import Robot
-from pkmodes.updating.loop import corrected_robot
+from pkmodes.updating.corrected_robot import corrected_robot
 from pkmodes.view import assets, fragment, poses_around, scene, typical_pose
 
 #: Poses of a measurement that are shown at most.

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from typing import NoReturn
 
 from pkmodes.base.errors import OutputError, PkmodesError, nearest, shown
-from pkmodes.mechanism.registry import Whole
 from pkmodes.robot.declaration import Declaration
 from pkmodes.robot.layout import effect_parameters, items
-from pkmodes.robot.wholes import elements_of, wholes
+from pkmodes.robot.parameter_groups import elements_of, groups_by_path
+from pkmodes_description import ParameterGroup
 
 DIGITS = 10
-#: Elements of a whole are written with more digits, because their rounding errors add up.
+#: Elements of a group are written with more digits, because their rounding errors add up.
 DIGITS_OF_ELEMENTS = 12
 
 
@@ -53,7 +53,7 @@ def edits_of(changes: Mapping[str, Correction], robot: Declaration) -> dict[str,
     Parameters
     ----------
     changes : mapping of str to Correction
-        By path of a value or of a whole.
+        By path of a value or of a parameter group.
     robot : Declaration
         The robot as declared in its file.
 
@@ -89,8 +89,8 @@ def changeable(robot: Declaration) -> dict[str, str]:
         if item.shared or item.key.default is not None
         for number in item.numbers
     }
-    whole = {whole.path: whole.unit for whole in robot.mechanism.wholes}
-    return {**declared, **others, **effect_parameters(robot.mechanism), **whole}
+    groups = {group.path: group.unit for group in robot.mechanism.parameter_groups}
+    return {**declared, **others, **effect_parameters(robot.mechanism), **groups}
 
 
 def _check_numbers(path: str, correction: Correction, robot: Declaration) -> None:
@@ -105,21 +105,21 @@ def _check_numbers(path: str, correction: Correction, robot: Declaration) -> Non
 
 def _elements(path: str, correction: Correction, robot: Declaration) -> dict[str, Edit]:
     """Return the values of the file that a correction changes."""
-    if path in (known := wholes(robot.mechanism)):
-        return _of_whole(known[path], correction, robot)
+    if path in (known := groups_by_path(robot.mechanism)):
+        return _of_group(known[path], correction, robot)
     if path not in changeable(robot):
         remedy = nearest(path, changeable(robot), "see docs/robot-file.md for the values")
         refuse(f"there is no value {shown(path)} to change", robot.source, remedy)
     return {path: Edit(float(correction.value), correction.sigma, correction.note)}
 
 
-def _of_whole(whole: Whole, correction: Correction, robot: Declaration) -> dict[str, Edit]:
-    """Return the edits of a whole's elements; the whole's standard deviation goes into the comment."""
+def _of_group(group: ParameterGroup, correction: Correction, robot: Declaration) -> dict[str, Edit]:
+    """Return the edits of a group's elements; the group's standard deviation goes into the comment."""
     sigma = correction.sigma
-    deviation = "" if sigma is None else f"sigma of {whole.path} {sigma:.3g} {whole.unit}"
+    deviation = "" if sigma is None else f"sigma of {group.path} {sigma:.3g} {group.unit}"
     note = "; ".join(part for part in (correction.note, deviation) if part)
     try:
-        elements = elements_of(robot, whole, correction.value)
+        elements = elements_of(robot, group, correction.value)
     except PkmodesError as error:
         refuse(error.what, error.where, error.remedy)
     return {path: Edit(value, None, note, DIGITS_OF_ELEMENTS) for path, value in elements.items()}

@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.mechanism.registry import Mechanism, mechanism
+from pkmodes.mechanism import registry
+from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot.layout import OF_QUANTITIES, Item, items
 from pkmodes.robot.units import Quantity
 
@@ -83,7 +84,7 @@ class Declaration:
     @property
     def mechanism(self) -> Mechanism:
         """The mechanism: description and generated functions."""
-        return mechanism(self.mechanism_name)
+        return registry.mechanism(self.mechanism_name)
 
     @property
     def declared(self) -> dict[str, object]:

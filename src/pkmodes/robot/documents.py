@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from pkmodes.mechanism.registry import Mechanism
+from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot.layout import EFFECTS, items, lent
 from pkmodes.robot.tables import FORMAT
 

@@ -6,11 +6,12 @@ from collections.abc import Mapping
 from typing import Any
 
 from pkmodes.base.errors import PkmodesError, nearest, shown
-from pkmodes.mechanism.registry import Effect, EffectParameter, Mechanism, names
-from pkmodes.mechanism.registry import mechanism as mechanism_named
+from pkmodes.mechanism import registry
+from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot import schema
 from pkmodes.robot.layout import EFFECTS
 from pkmodes.robot.units import DIMENSIONS, Quantity, article
+from pkmodes_description import Effect, EffectParameter
 
 
 def read_effects(
@@ -54,7 +55,7 @@ def read_effects(
 
 def _not_there(mechanism: Mechanism, name: str, source: str) -> PkmodesError:
     where = f"{source}: {EFFECTS}.{shown(name)}"
-    if any(name in mechanism_named(other).effects for other in names()):
+    if any(name in registry.mechanism(other).effects for other in registry.names()):
         what = f"the effect {name} does not apply to the mechanism {mechanism.name}"
         return PkmodesError(what, where, f"effects that apply: {', '.join(mechanism.effects)}")
     return PkmodesError(f"unknown effect {shown(name)}", where, nearest(name, mechanism.effects))

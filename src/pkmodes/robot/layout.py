@@ -9,8 +9,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache, cached_property
 
-from pkmodes.mechanism.registry import Key, Mechanism, Table
+from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot.units import DIMENSIONS
+from pkmodes_description import Key, Table
 
 #: A number among the generated parameters or effects: its field, and its index in the field.
 Slot = tuple[str, tuple[int, ...]]
@@ -24,16 +25,8 @@ GRAVITY = Key(
     field="gravity",
     dimension="acceleration",
     description="gravitational acceleration in the base frame",
-    index=(),
     elements=XYZ,
-    choices=(),
-    at_least=None,
-    above=None,
-    at_most=None,
-    default=None,
-    effect="",
     signed=True,
-    suspected=True,
 )
 #: Kinds of keys whose values are quantities; other keys are choices, without unit or standard deviation.
 OF_QUANTITIES = ("quantity", "vector", "pair")

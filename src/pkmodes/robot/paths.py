@@ -1,8 +1,8 @@
 """Parameter paths: each names a quantity and corresponds to a direction in the generated model's parameters.
 
-A shared value changes every entry that does not override it, and a whole changes many numbers at once: pairs
-symmetrically apart, or vectors along their directions.  Each path is a straight line in the space of the generated
-parameters, so values and derivatives along it follow from the same weights.
+A shared value changes every entry that does not override it, and a parameter group changes many numbers at once:
+pairs symmetrically apart, or vectors along their directions.  Each path is a straight line in the space of the
+generated parameters, so values and derivatives along it follow from the same weights.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ import numpy as np
 
 from pkmodes.base.errors import PkmodesError, nearest, shown
 from pkmodes.robot.layout import EFFECTS, Item, Slot, effect_parameters, items, takers
+from pkmodes.robot.parameter_groups import groups_by_path, items_of, value_of, weights_of
 from pkmodes.robot.robot import Robot
-from pkmodes.robot.wholes import items_of, value_of, weights_of, wholes
 
 #: The unit of a path, and the weight with which each number changes along it.
 Moves = tuple[str, Mapping[Slot, float]]
@@ -79,12 +79,12 @@ def _resolved(robot: Robot, path: str, known: Mapping[str, Moves]) -> ParameterP
         remedy = nearest(path, known, "see docs/sensitivities.md for the paths")
         raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
     unit, weights = known[path]
-    whole = wholes(robot.mechanism).get(path)
-    if whole is not None and not weights:
-        item = items_of(robot.mechanism, whole)[0]
+    group = groups_by_path(robot.mechanism).get(path)
+    if group is not None and not weights:
+        item = items_of(robot.mechanism, group)[0]
         what = f"{path} cannot vary: a {item.key.name} that is zero has no direction"
         raise PkmodesError(what, robot.source, f"use elements such as {item.numbers[0].path}")
-    value = _value(robot, next(iter(weights))) if whole is None else value_of(robot, whole)
+    value = _value(robot, next(iter(weights))) if group is None else value_of(robot, group)
     return ParameterPath(path, value, unit, weights)
 
 
@@ -119,8 +119,8 @@ def _value(robot: Robot, slot: Slot) -> float:
 
 
 def _known(robot: Robot) -> dict[str, Moves]:
-    whole = {w.path: (w.unit, weights_of(robot, w)) for w in robot.mechanism.wholes}
-    return {**_common(robot), **whole, **_of_entries(robot), **_of_effects(robot)}
+    groups = {g.path: (g.unit, weights_of(robot, g)) for g in robot.mechanism.parameter_groups}
+    return {**_common(robot), **groups, **_of_entries(robot), **_of_effects(robot)}
 
 
 def _common(robot: Robot) -> dict[str, Moves]:

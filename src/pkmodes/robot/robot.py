@@ -25,7 +25,7 @@ class Robot(Declaration):
         values : mapping of str to value
             By dotted path: every quantity of the robot file (``platform.mass``, ``axis.1.origin.x``, or the whole
             vector ``axis.1.origin``), the override of a shared value for one axis (``axis.1.belt.width``), an effect
-            parameter, declared or not (``effects.payload.mass``), ``frame.mass``, and wholes such as ``axis.span``
+            parameter, declared or not (``effects.payload.mass``), ``frame.mass``, and groups such as ``axis.span``
             and ``axis.joint_radius``.  A value is written as in the file: text with a unit, a number in SI units, or
             a table ``{"value": ..., "sigma": ...}``; a `Quantity` is also accepted.
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from pkmodes.base.errors import RobotFileError, shown
 from pkmodes.base.writing import write_file
-from pkmodes.mechanism.registry import Mechanism
+from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot.corrections import Correction, Edit, changeable, edits_of, refuse
 from pkmodes.robot.editing import Keys, TomlText
 from pkmodes.robot.layout import EFFECTS, by_path, lent
@@ -61,13 +61,13 @@ def corrected_text(source: Path, changes: Mapping[str, Correction]) -> str:
         The robot file.
     changes : mapping of str to Correction
         By path: a declared value (``platform.mass``, ``axis.1.origin.x``); an override for one axis
-        (``axis.1.belt.width``); ``frame.mass``; an effect parameter (``effects.payload.mass``); or a whole such as
+        (``axis.1.belt.width``); ``frame.mass``; an effect parameter (``effects.payload.mass``); or a group such as
         ``axis.span``: its value is that of the first element, and its change applies to all.
 
     Returns
     -------
     str
-        In the units of the file.  Lines without a changed value are unchanged.  The standard deviation of a whole is
+        In the units of the file.  Lines without a changed value are unchanged.  The standard deviation of a group is
         written in a comment, because its elements cannot carry it.
 
     Raises

@@ -6,7 +6,6 @@ import math
 from typing import Any
 
 from pkmodes.base.errors import shown
-from pkmodes.mechanism.registry import Key
 from pkmodes.robot.layout import XYZ
 from pkmodes.robot.units import (
     DIMENSIONS,
@@ -18,6 +17,7 @@ from pkmodes.robot.units import (
     in_range,
     parse,
 )
+from pkmodes_description import Key
 
 MIN_DIRECTION, MAX_DIRECTION = 0.5, 2.0
 #: A vector within rounding of unit length is kept as it is, so that reading it again does not change it.

@@ -7,11 +7,13 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
 from pkmodes.base.errors import PkmodesError, RobotFileError, nearest, shown
-from pkmodes.mechanism.registry import Key, Mechanism, Table, mechanism
+from pkmodes.mechanism import registry
+from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot import schema
 from pkmodes.robot.effects import read_effects
 from pkmodes.robot.layout import EFFECTS, GRAVITY, by_path, lent
 from pkmodes.robot.units import DIMENSIONS, Quantity
+from pkmodes_description import Key, Table
 
 FORMAT_HELP = "see docs/robot-file.md for the format"
 FORMAT = 1
@@ -79,7 +81,7 @@ class Tables:
         if not isinstance(raw, str):
             raise schema.RefusedError(f"expected the name of a mechanism, found {shown(raw)}", FORMAT_HELP)
         try:
-            return mechanism(raw)
+            return registry.mechanism(raw)
         except PkmodesError as error:
             raise schema.RefusedError(error.what, error.remedy) from error
 

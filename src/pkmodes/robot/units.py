@@ -14,6 +14,7 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from pkmodes.base.errors import shown
+from pkmodes_description import UNITS
 
 if TYPE_CHECKING:
     from pint import Unit, UnitRegistry
@@ -25,23 +26,25 @@ LONGEST = 60
 #: Magnitudes outside these limits are mistakes, and their products would overflow.
 SMALLEST, LARGEST = 1e-30, 1e30
 
-#: Dimensions by name, with the SI unit and an example for error messages.
-DIMENSIONS: dict[str, tuple[str, str]] = {
-    "length": ("m", "400 mm"),
-    "mass": ("kg", "1.5 kg"),
-    "moment of inertia": ("kg m^2", "130e-6 kg*m^2"),
-    "acceleration": ("m/s^2", "-9.81 m/s^2"),
-    "specific stiffness": ("N/m", "2.42e6 N/m"),
-    "stiffness": ("N/m", "1e6 N/m"),
-    "torsional stiffness": ("N m/rad", "500 N*m/rad"),
-    "compliance": ("m/N", "1e-7 m/N"),
-    "torsional compliance": ("rad/(N m)", "1e-4 rad/(N*m)"),
-    "linear density": ("kg/m", "0.06 kg/m"),
-    "angle": ("rad", "30 deg"),
-    "force": ("N", "50 N"),
-    "reciprocal force": ("1/N", "1e-3 1/N"),
-    "number": ("1", "10"),
+#: An example of each dimension for error messages.
+EXAMPLES = {
+    "length": "400 mm",
+    "mass": "1.5 kg",
+    "moment of inertia": "130e-6 kg*m^2",
+    "acceleration": "-9.81 m/s^2",
+    "specific stiffness": "2.42e6 N/m",
+    "stiffness": "1e6 N/m",
+    "torsional stiffness": "500 N*m/rad",
+    "compliance": "1e-7 m/N",
+    "torsional compliance": "1e-4 rad/(N*m)",
+    "linear density": "0.06 kg/m",
+    "angle": "30 deg",
+    "force": "50 N",
+    "reciprocal force": "1e-3 1/N",
+    "number": "10",
 }
+#: Dimensions by name, with the SI unit and an example.
+DIMENSIONS = {name: (unit, EXAMPLES[name]) for name, unit in UNITS.items()}
 
 
 #: Units of lengths and angles of a pose as people read them, with the factor from SI.

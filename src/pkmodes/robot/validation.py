@@ -12,12 +12,13 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.mechanism.registry import Key, Mechanism, Requirement
+from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot import schema
 from pkmodes.robot.declaration import Declaration, Parameters
 from pkmodes.robot.layout import EFFECTS, items, lent, takers
 from pkmodes.robot.tables import FORMAT_HELP, Tables, default_of
 from pkmodes.robot.units import DIMENSIONS, Quantity, article
+from pkmodes_description import Key, Requirement
 
 Values = Mapping[str, schema.Value]
 

@@ -11,15 +11,15 @@ from typing import Any
 import numpy as np
 
 from pkmodes.base.errors import PkmodesError, nearest, shown
-from pkmodes.mechanism.registry import Whole
 from pkmodes.robot import schema
 from pkmodes.robot.corrections import changeable
 from pkmodes.robot.declaration import Declaration
 from pkmodes.robot.documents import document_of
 from pkmodes.robot.layout import by_path, lent, takers
+from pkmodes.robot.parameter_groups import elements_of, groups_by_path, items_of
 from pkmodes.robot.units import Quantity
 from pkmodes.robot.validation import declaration
-from pkmodes.robot.wholes import elements_of, items_of, wholes
+from pkmodes_description import ParameterGroup
 
 OTHER_VALUES = " with other values"
 
@@ -89,9 +89,9 @@ def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str,
     """Return the values of the file that a value by path changes."""
     known = changeable(robot)
     raw = _plain(raw, known.get(path), f"{source}: {path}")
-    if path in (of_mechanism := wholes(robot.mechanism)):
-        whole = of_mechanism[path]
-        return dict(elements_of(robot, whole, _value_of_whole(robot, whole, raw, source)))
+    if path in (of_mechanism := groups_by_path(robot.mechanism)):
+        group = of_mechanism[path]
+        return dict(elements_of(robot, group, _value_of_group(robot, group, raw, source)))
     if path in known:
         _check_taken(robot, path)
         return {path: raw}
@@ -129,16 +129,16 @@ def _plain(raw: Any, unit: str | None, where: str) -> Any:
     return raw
 
 
-def _value_of_whole(robot: Declaration, whole: Whole, raw: Any, source: str) -> float:
-    """Read the value of a whole, which cannot have a standard deviation."""
-    where = f"{source}: {whole.path}"
+def _value_of_group(robot: Declaration, group: ParameterGroup, raw: Any, source: str) -> float:
+    """Read the value of a group, which cannot have a standard deviation."""
+    where = f"{source}: {group.path}"
     if isinstance(raw, Mapping) and raw.get("sigma") is not None:
-        what = f"{whole.path} has no standard deviation: only its elements have one"
+        what = f"{group.path} has no standard deviation: only its elements have one"
         raise PkmodesError(what, where, "give the value only, and give sigma for the elements")
     if isinstance(raw, Mapping):
         raw = {key: value for key, value in raw.items() if key != "sigma"}
     try:
-        return schema.quantity(raw, items_of(robot.mechanism, whole)[0].key.dimension, above=0.0).value
+        return schema.quantity(raw, items_of(robot.mechanism, group)[0].key.dimension, above=0.0).value
     except schema.RefusedError as error:
         raise PkmodesError(error.what, where, error.remedy) from None
 

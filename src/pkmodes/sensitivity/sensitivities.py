@@ -186,7 +186,7 @@ def _chosen(robot: Robot, parameters: Sequence[str] | None) -> list[ParameterPat
         # A zero vector has no direction along which its radius could change; it was not requested by name.
         still = {
             whole.path
-            for whole in robot.mechanism.wholes
+            for whole in robot.mechanism.parameter_groups
             if whole.kind == "radius" and not getattr(robot.parameters, whole.field).any(axis=1).all()
         }
         return resolve_all(robot, [path for path in paths(robot) if path not in still])

@@ -8,7 +8,7 @@ from html import escape
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.mechanism.description import Named
+from pkmodes_description import Named
 
 #: Rows of a table at most.
 ROWS = 20

@@ -1,5 +1,7 @@
 """Model updating of a robot: compare with measured modes, diagnose, update, and save the corrected robot file."""
 
-from pkmodes.updating.loop import compare, diagnose, read, save_robot, update
+from pkmodes.updating.analyses import compare, diagnose, update
+from pkmodes.updating.corrected_robot import save_robot
+from pkmodes.updating.reading import read
 
 __all__ = ["compare", "diagnose", "read", "save_robot", "update"]

@@ -61,14 +61,14 @@ def true_points(mechanism: Mechanism, points: Array, values: Mapping[str, float]
 
 def rate(mechanism: Mechanism, name: str, points: Array, values: Mapping[str, float]) -> Array:
     """Return the derivative of the true poses with respect to one of the parameters, (P, d)."""
-    found = np.zeros(points.shape)
+    rates = np.zeros(points.shape)
     if name != YAW:
-        found[:, [_offset(mechanism, i) for i in range(len(mechanism.pose))].index(name)] = 1.0
-        return found
+        rates[:, [_offset(mechanism, i) for i in range(len(mechanism.pose))].index(name)] = 1.0
+        return rates
     i, k = _linear(mechanism)[:2]
     turned = true_points(mechanism, points, {YAW: values.get(YAW, 0.0)})
-    found[:, i], found[:, k] = -turned[:, k], turned[:, i]
-    return found
+    rates[:, i], rates[:, k] = -turned[:, k], turned[:, i]
+    return rates
 
 
 def _linear(mechanism: Mechanism) -> list[int]:

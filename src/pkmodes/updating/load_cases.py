@@ -95,7 +95,6 @@ class LoadCases:
 
         Parameters
         ----------
-        cases : sequence of int
         some : ndarray of bool, shape (S,)
             Mask of the setups to include.
 
@@ -118,7 +117,11 @@ def settable(mechanism: Mechanism, robot: Robot | None = None) -> dict[str, str]
     if robot is not None:
         return changeable(robot)
     units = {number.path: number.unit for item in items(mechanism) for number in item.numbers}
-    return {**units, **effect_parameters(mechanism), **{whole.path: whole.unit for whole in mechanism.wholes}}
+    return {
+        **units,
+        **effect_parameters(mechanism),
+        **{whole.path: whole.unit for whole in mechanism.parameter_groups},
+    }
 
 
 def load_cases(robot: Robot, data: Measurements) -> LoadCases:

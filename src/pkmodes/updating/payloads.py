@@ -26,7 +26,6 @@ def payloads(robot: Robot, points: Array) -> list[dict[str, float]]:
 
     Parameters
     ----------
-    robot : Robot
     points : ndarray, shape (P, d)
         Poses that can be evaluated.
     """

@@ -32,14 +32,14 @@ def with_priors(
         what = f"expected standard deviations by candidate, found {shown(priors)}"
         raise PkmodesError(what, "priors", 'write for example {"parameter:link.length": "1 mm"}')
     by_name = {parameter.name: parameter for parameter in parameters}
-    found = {candidate.name: candidate for candidate in candidates}
+    with_sigma = {candidate.name: candidate for candidate in candidates}
     known = [candidate.name for candidate in candidates if candidate.claimable]
     for name, given in priors.items():
         if name not in known:
             _refuse(robot, name, known)
-        sigmas = tuple(_deviation(given, by_name[each], name) for each in found[name].parameters)
-        found[name] = replace(found[name], sigma=sigmas)
-    return list(found.values())
+        sigmas = tuple(_deviation(given, by_name[each], name) for each in with_sigma[name].parameters)
+        with_sigma[name] = replace(with_sigma[name], sigma=sigmas)
+    return list(with_sigma.values())
 
 
 def _refuse(robot: Robot, name: object, known: Sequence[str]) -> NoReturn:

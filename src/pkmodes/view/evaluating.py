@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from html import escape
 
 import numpy as np
+from msgspec.structs import replace
 from numpy.typing import ArrayLike
 
 from pkmodes.model.model import Model

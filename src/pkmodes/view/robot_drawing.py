@@ -8,10 +8,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.mechanism.description import Named
 from pkmodes.mechanism.generated import Generated
 from pkmodes.robot.robot import Robot
 from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes_description import Named
 
 Array = NDArray[np.float64]
 #: Below this sine of the angle to the vertical, a direction is vertical, and upright means outwards.

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.mechanism.description import Element, Named
 from pkmodes.view.workspace import Surface
+from pkmodes_description import Element, Named
 
 Array = NDArray[np.float64]
 #: Amplitude of a displayed mode as a share of the robot's size.

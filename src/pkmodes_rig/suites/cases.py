@@ -9,6 +9,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
@@ -83,7 +84,7 @@ class Case:
     names: tuple[str, ...] = ()
     kind: str = ""
     shapes: tuple[str, ...] = SENSORS
-    options: Mapping[str, object] = field(default_factory=dict)
+    options: Mapping[str, Any] = field(default_factory=dict)
     edit: str = ""
     seed: int = SEED
     realistic: bool = False
@@ -139,7 +140,7 @@ def tried(case: Case) -> Trial:
     modes = _true(case, rng)
     for _ in range(TRIALS):
         laboratory = Laboratory.drawn(rng, *_expected(case)) if case.realistic else case.laboratory
-        options: dict[str, object] = {"sigma": SIGMA, "modes": MODES, "shapes": case.shapes}
+        options: dict[str, Any] = {"sigma": SIGMA, "modes": MODES, "shapes": case.shapes}
         options |= laboratory.options() if laboratory else {}
         options |= case.options
         stated = options.pop("band_stated", False)
@@ -181,7 +182,7 @@ def _true(case: Case, rng: np.random.Generator) -> list[TrueModes]:
     if isinstance(case.truth, Building):
         return case.truth.modes(rng)
     uncertain = {path: q for path, q in read(case.truth.robot).quantities.items() if q.sigma}
-    drawn = {path: q.value + q.sigma * rng.standard_normal() for path, q in uncertain.items()}
+    drawn = {path: q.value + (q.sigma or 0.0) * rng.standard_normal() for path, q in uncertain.items()}
     return replace(case.truth, values={**drawn, **case.truth.values}).modes(case.points)
 
 

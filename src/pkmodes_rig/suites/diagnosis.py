@@ -42,6 +42,7 @@ BINS = (0.0, 2.0, 4.0, 6.0, 10.0, 20.0, float("inf"))
 
 
 def main() -> None:
+    """Run the chosen suites, and write their page."""
     arguments = _arguments()
     os.environ.setdefault("OMP_NUM_THREADS", "1")  # one process per core is faster than threads
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -218,16 +219,16 @@ def _confusion(groups: dict[str, list[Outcome]], title: str) -> list[str]:
 
 
 def _grouped(outcomes: list[Outcome]) -> dict[str, list[Outcome]]:
-    found: dict[str, list[Outcome]] = {}
+    groups: dict[str, list[Outcome]] = {}
     for o in outcomes:
         name = f"(outside) {o.case.kind}" if o.case.kind in KINDS else o.case.kind
-        found.setdefault(name, []).append(o)
-    return found
+        groups.setdefault(name, []).append(o)
+    return groups
 
 
 def _kinds(outcomes: list[Outcome]) -> dict[str, list[Outcome]]:
     """Group the outcomes of the hard suites by kind of case."""
-    found: dict[str, list[Outcome]] = {}
+    groups: dict[str, list[Outcome]] = {}
     for o in outcomes:
         case = o.case
         frames = isinstance(case.truth, Building)
@@ -236,8 +237,8 @@ def _kinds(outcomes: list[Outcome]) -> dict[str, list[Outcome]]:
             kind = f"{'frames' if frames else 'robots'}; {kind}"
         elif case.suite == "units and wiring":
             kind = f"{case.kind}; {kind}"
-        found.setdefault(f"{case.suite}: {kind}", []).append(o)
-    return found
+        groups.setdefault(f"{case.suite}: {kind}", []).append(o)
+    return groups
 
 
 def _lacking(case: Case) -> str:

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -105,7 +105,8 @@ def units_and_wiring() -> Iterator[Case]:
     for m, mistake in enumerate(MISTAKES):
         for k in range(WITHOUT + WITH_ONE):
             robot, effect = ROBOT_NAMES[(k + m) % 3], plain[m % len(plain)]
-            truth, names = Truth(robot), ()
+            truth = Truth(robot)
+            names: tuple[str, ...] = ()
             if k >= WITHOUT:
                 truth, names = with_effect(robot, effect, EFFECT_SIZES[robot][effect][2]), (effect,)
             names += {"poses too high": (POSITIONS[2],), "poses turned": (POSITIONS[3],)}.get(mistake, ())
@@ -134,7 +135,7 @@ SUITES: dict[str, Callable[[], Iterator[Case]]] = {
 }
 
 
-def _places(effects: object) -> Iterator[tuple[tuple[int, str], tuple[int, str]]]:
+def _places(effects: Iterable[str]) -> Iterator[tuple[tuple[int, str], tuple[int, str]]]:
     return itertools.product(enumerate(effects), enumerate(ROBOT_NAMES))
 
 

@@ -7,12 +7,13 @@ import re
 import time
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
+from pkmodes import updating
 from pkmodes.diagnosis import diagnose
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.updating import loop
 from pkmodes_rig import Laboratory, read
 from pkmodes_rig.suites.buildings import Building
 from pkmodes_rig.suites.cases import Case, Trial, tried
@@ -67,7 +68,7 @@ class Outcome:
         of the causes, or rows of a faulty case set aside without redundancy).
     classes : tuple of tuple of str
         Classes of the causes found, or the survivors.
-    values : tuple of (name, found, sigma, true)
+    values : tuple of (name, estimate, sigma, true)
         Parameters of the causes that were named.
     renamed : bool
         Whether a class counts as right only by `SAME`.
@@ -108,29 +109,29 @@ def run(case: Case) -> Outcome:
     """Measure, diagnose and judge a case."""
     test = tried(case)
     start = time.perf_counter()
-    found = diagnosed(case, test.text)
+    diagnosis = diagnosed(case, test.text)
     seconds = time.perf_counter() - start
-    state = judged(case.names, found)
+    state = judged(case.names, diagnosis)
     faulty = bool(case.edit or case.names or case.truth.outside)
-    if found.verdict in ("adequate", "effect_found") and faulty and set_aside_blindly(case, found):
+    if diagnosis.verdict in ("adequate", "effect_found") and faulty and set_aside_blindly(case, diagnosis):
         state = "wrong"
-    notes = tuple(found.notes) if hasattr(found, "notes") else ()
+    notes = tuple(diagnosis.notes) if hasattr(diagnosis, "notes") else ()
     return Outcome(
         case=case,
         state=state,
-        verdict=found.verdict,
-        classes=tuple(f.members for f in found.effects) or found.survivors,
-        values=tuple(values(case, found)),
-        renamed=judged(case.names, found) != judged(case.names, found, same={}),
-        **_signals(case, test, found),
+        verdict=diagnosis.verdict,
+        classes=tuple(f.members for f in diagnosis.effects) or diagnosis.survivors,
+        values=tuple(values(case, diagnosis)),
+        renamed=judged(case.names, diagnosis) != judged(case.names, diagnosis, same={}),
+        **_signals(case, test, diagnosis),
         seconds=seconds,
-        reason=found.reason,
-        scatter=found.scatter,
-        outliers=len(found.outliers),
-        rows=len(found.rows),
-        poses=len({row.pose for row in found.rows}),
-        physical=state == "wrong" and physical(case.names, found),
-        mac=_macs(test, found) if found.effects else None,
+        reason=diagnosis.reason,
+        scatter=diagnosis.scatter,
+        outliers=len(diagnosis.outliers),
+        rows=len(diagnosis.rows),
+        poses=len({row.pose for row in diagnosis.rows}),
+        physical=state == "wrong" and physical(case.names, diagnosis),
+        mac=_macs(test, diagnosis) if diagnosis.effects else None,
         noted=_noted(case.mistake, notes) if case.mistake in NOTED else None,
         notes=notes,
         laboratory=test.laboratory,
@@ -146,15 +147,15 @@ def diagnosed(case: Case, text: str) -> Diagnosis:
     """Diagnose a specimen from the text of a file, as a user would."""
     if isinstance(case.truth, Building):
         return diagnose(case.truth.structure(), measurements(text, case.truth.channels))
-    return loop.diagnose(read(case.truth.robot), measurements(text))
+    return updating.diagnose(read(case.truth.robot), measurements(text))
 
 
-def judged(names: tuple[str, ...], found: Diagnosis, same: Mapping[str, tuple[str, ...]] = SAME) -> str:
+def judged(names: tuple[str, ...], diagnosis: Diagnosis, same: Mapping[str, tuple[str, ...]] = SAME) -> str:
     """Return the state of an outcome."""
-    if found.verdict != "effect_found":
-        return "adequate" if found.verdict == "adequate" else "abstained"
+    if diagnosis.verdict != "effect_found":
+        return "adequate" if diagnosis.verdict == "adequate" else "abstained"
     truths = [{name, *same.get(name, ())} for name in names]
-    classes = [set(finding.members) for finding in found.effects]
+    classes = [set(finding.members) for finding in diagnosis.effects]
     if any(not any(truth & members for truth in truths) for members in classes):
         return "wrong"
     for order in itertools.permutations(classes, len(truths)):
@@ -163,41 +164,41 @@ def judged(names: tuple[str, ...], found: Diagnosis, same: Mapping[str, tuple[st
     return "partly"
 
 
-def physical(names: tuple[str, ...], found: Diagnosis) -> bool:
+def physical(names: tuple[str, ...], diagnosis: Diagnosis) -> bool:
     """Return whether a class without any of the causes claims something in the machine."""
     right = {other for name in names for other in (name, *SAME.get(name, ()))}
     return any(
         not right & set(finding.members) and not all(m.startswith(MEASUREMENT) for m in finding.members)
-        for finding in found.effects
+        for finding in diagnosis.effects
     )
 
 
-def set_aside_blindly(case: Case, found: Diagnosis) -> bool:
+def set_aside_blindly(case: Case, diagnosis: Diagnosis) -> bool:
     """Return whether rows were set aside without the redundancy to identify the wrong one."""
-    if not found.outliers:
+    if not diagnosis.outliers:
         return False
     if isinstance(case.truth, Building):
-        uncertain = [p for p in case.truth.structure().parameters if p.sigma]
+        uncertain = sum(bool(p.sigma) for p in case.truth.structure().parameters)
     else:
-        uncertain = [q for q in read(case.truth.robot).quantities.values() if q.sigma]
-    unknown = len(uncertain) + sum(len(finding.parameters) for finding in found.effects)
-    fitted = sum(not row.held_out and not row.outlier for row in found.rows)
+        uncertain = sum(bool(q.sigma) for q in read(case.truth.robot).quantities.values())
+    unknown = uncertain + sum(len(finding.parameters) for finding in diagnosis.effects)
+    fitted = sum(not row.held_out and not row.outlier for row in diagnosis.rows)
     return fitted - unknown < SPARE
 
 
-def values(case: Case, found: Diagnosis) -> Iterator[tuple[str, float, float, float]]:
+def values(case: Case, diagnosis: Diagnosis) -> Iterator[tuple[str, float, float, float]]:
     """Yield the parameters of the causes that were named: estimate, standard deviation and true value."""
     true = dict(case.truth.values)
     if not isinstance(case.truth, Building):
         true |= {f"effects.{name}": value for name, value in case.truth.effects.items()}
-    for finding in found.effects:
+    for finding in diagnosis.effects:
         for name in case.names:
             for value in finding.alternatives.get(name, ()):
                 if value.name in true:
                     yield value.name, value.value, value.sigma, true[value.name]
 
 
-def _signals(case: Case, test: Trial, found: Diagnosis) -> dict[str, object]:
+def _signals(case: Case, test: Trial, diagnosis: Diagnosis) -> dict[str, Any]:
     """Compute the predicted signals, for a robot measured at all poses of a plan without mistakes in the file."""
     truth = case.truth
     if isinstance(truth, Building) or case.poses or case.mistake:
@@ -209,15 +210,15 @@ def _signals(case: Case, test: Trial, found: Diagnosis) -> dict[str, object]:
     rows = test.rows if test.laboratory else None
 
     def given(beside: str | None = None) -> float:
-        return signal(truth, case.plan, holdout=found.held_out_poses, beside=beside, rows=rows)
+        return signal(truth, case.plan, holdout=diagnosis.held_out_poses, beside=beside, rows=rows)
 
     pair = case.names[::-1] if case.suite.startswith("two effects") else ()
     return {"signal": given(), "beyond": tuple(given(other) for other in pair)}
 
 
-def _macs(test: Trial, found: Diagnosis) -> tuple[float, float] | None:
+def _macs(test: Trial, diagnosis: Diagnosis) -> tuple[float, float] | None:
     """Return the smallest MAC of the claim, and of the truth, against the measured shapes."""
-    claimed = [row.mac for row in found.rows if row.mac is not None]
+    claimed = [row.mac for row in diagnosis.rows if row.mac is not None]
     true = []
     for row in test.rows:
         if row.shape.size > 1 and test.laboratory:

@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from pkmodes import updating
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
@@ -25,7 +26,7 @@ from pkmodes.measured.measurements import Measurements
 from pkmodes.robot.paths import moved, resolve
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
-from pkmodes.updating import loop
+from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes_rig import Identified, TrueModes, corexy, exact, identified, rotary_delta, written
 from pkmodes_rig.suites.judging import judged
 from pkmodes_rig.suites.strengths import NO_WEIGHT
@@ -154,6 +155,7 @@ class MechanismCase:
 
     @property
     def label(self) -> str:
+        """Name for reports."""
         return f"{self.specimen.mechanism}, {self.suite} {self.number}"
 
 
@@ -176,19 +178,19 @@ def run(case: MechanismCase) -> MechanismOutcome:
     kind, robot = KINDS[case.specimen.mechanism], robot_of(case.specimen.mechanism)
     rows, text = measured(case)
     start = time.perf_counter()
-    found = loop.diagnose(robot, _read(text, robot))
+    diagnosis = updating.diagnose(robot, _read(text, robot))
     seconds = time.perf_counter() - start
     specimen = case.specimen
     lacking = specimen.effects or specimen.values or specimen.outside
     return MechanismOutcome(
         case=case,
-        state=judged(case.names, found, same=kind.same),
-        verdict=found.verdict,
-        classes=tuple(f.members for f in found.effects) or found.survivors,
-        values=tuple(_values(case, found)),
-        signal=signal(specimen, case.poses, holdout=found.held_out_poses, rows=rows) if lacking else 0.0,
+        state=judged(case.names, diagnosis, same=kind.same),
+        verdict=diagnosis.verdict,
+        classes=tuple(f.members for f in diagnosis.effects) or diagnosis.survivors,
+        values=tuple(_values(case, diagnosis)),
+        signal=signal(specimen, case.poses, holdout=diagnosis.held_out_poses, rows=rows) if lacking else 0.0,
         seconds=seconds,
-        reason=found.reason,
+        reason=diagnosis.reason,
     )
 
 
@@ -200,7 +202,7 @@ def measured(case: MechanismCase) -> tuple[list[Identified], str]:
         [case.seed, zlib.crc32(f"{specimen.mechanism} {case.suite}".encode()), case.number]
     )
     uncertain = {path: q for path, q in robot.quantities.items() if q.sigma}
-    drawn = {path: q.value + q.sigma * rng.standard_normal() for path, q in uncertain.items()}
+    drawn = {path: q.value + (q.sigma or 0.0) * rng.standard_normal() for path, q in uncertain.items()}
     points = kind.points[: case.poses]
     shapes, limits = kind.shapes if case.shapes else (), band(specimen.mechanism)
     rows = identified(
@@ -214,7 +216,7 @@ def measured(case: MechanismCase) -> tuple[list[Identified], str]:
         base_rigid=kind.rigid,
     )
     stated = limits if case.realistic and case.number % 4 == 0 else None
-    return rows, written(rows, points, shapes, band=stated, components=kind.components)
+    return rows, written(rows, list(points), shapes, band=stated, components=kind.components)
 
 
 def signal(
@@ -239,10 +241,10 @@ def signal(
             base_rigid=kind.rigid,
         )
     # Shapes serve only to pair the modes; the signal is computed from the frequencies.
-    text = written(exact(rows, modes, kind.shapes), points, kind.shapes, components=kind.components)
+    text = written(exact(rows, modes, kind.shapes), list(points), kind.shapes, components=kind.components)
     data = _read(text, robot)
     fitted, _ = split(data, holdout)
-    structure = loop.structure(robot, data, candidates=()).subset(fitted)
+    structure = MeasuredRobot.of(robot, data).structure(candidates=()).subset(fitted)
     fitter = Fitter(structure, data.at(fitted), scatter=NO_WEIGHT)
     fit = fitter.fit(Hypothesis(()), fitter.declared.copy())
     if fit is None:
@@ -259,23 +261,23 @@ def robot_of(mechanism: str) -> Robot:
 @cache
 def band(mechanism: str) -> tuple[float, float]:
     """Return the frequency band that is searched for modes [Hz]."""
-    found = [modes.frequencies[-1] for modes in Specimen(mechanism).modes(KINDS[mechanism].points)]
-    return LOWEST, float(f"{HIGHEST * max(found):.3g}")
+    highest = [modes.frequencies[-1] for modes in Specimen(mechanism).modes(KINDS[mechanism].points)]
+    return LOWEST, float(f"{HIGHEST * max(highest):.3g}")
 
 
 def _read(text: str, robot: Robot) -> Measurements:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "modes.csv"
         path.write_text(text, encoding="utf-8")
-        return loop.read(path, robot=robot)
+        return updating.read(path, robot=robot)
 
 
-def _values(case: MechanismCase, found: Diagnosis) -> list[Any]:
+def _values(case: MechanismCase, diagnosis: Diagnosis) -> list[Any]:
     """Return the parameters of the causes that were named: estimate, standard deviation and true value."""
     true = {**case.specimen.values, **{f"effects.{n}": v for n, v in case.specimen.effects.items()}}
     return [
         (value.name, value.value, value.sigma, true[value.name])
-        for finding in found.effects
+        for finding in diagnosis.effects
         for name in case.names
         for value in finding.alternatives.get(name, ())
         if value.name in true

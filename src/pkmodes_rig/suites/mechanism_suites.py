@@ -24,7 +24,7 @@ from pprint import pformat
 
 from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.paths import resolve
-from pkmodes.updating.suspects import PREFIX
+from pkmodes.updating.candidates import PREFIX
 from pkmodes_rig.suites.mechanism_cases import (
     KINDS,
     MechanismCase,
@@ -111,7 +111,7 @@ def cases() -> Iterator[MechanismCase]:
             _case("nothing missing", n, Specimen(name), (), "nothing") for n in range(NOTHING_MISSING)
         )
         for suite in SUITES[1:]:
-            places = [(kind, s) for kind, found in SIZES[name][suite].items() for s in found]
+            places = [(kind, s) for kind, sizes in SIZES[name][suite].items() for s in sizes]
             for n, (kind, size) in enumerate(places):
                 specimen = _specimen(name, suite, kind, size)
                 yield _case(suite, n, specimen, _truths(name, suite, kind), kind)
@@ -146,9 +146,9 @@ def _specimen(name: str, suite: str, kind: str, size: float) -> Specimen:
 
 def sizes() -> dict[str, dict[str, dict[str, list[float]]]]:
     """Find the sizes of all causes from their predicted signals."""
-    found: dict[str, dict[str, dict[str, list[float]]]] = {}
+    sizes_of: dict[str, dict[str, dict[str, list[float]]]] = {}
     for name in KINDS:
-        suites = found[name] = {suite: {} for suite in SUITES[1:]}
+        suites = sizes_of[name] = {suite: {} for suite in SUITES[1:]}
         # A coefficient of a constant that the file does not give, such as a tension, has no effect.
         effects = [e for e in mechanism(name).effects if e != "belt_tension_stiffness"]
         for kind in (*effects, "one alone"):
@@ -163,7 +163,7 @@ def sizes() -> dict[str, dict[str, dict[str, list[float]]]]:
             suites["outside the catalogue"][kind] = given or [
                 _size(name, "outside the catalogue", kind, t) for t in OUTSIDE_TARGETS
             ]
-    return found
+    return sizes_of
 
 
 def _size(name: str, suite: str, kind: str, target: float, sign: float = 1.0) -> float:
@@ -191,15 +191,16 @@ def _size(name: str, suite: str, kind: str, target: float, sign: float = 1.0) ->
     while high / low > 1.05:
         middle = (low * high) ** 0.5
         low, high = (middle, high) if measured(middle) < target else (low, middle)
-    found = float(f"{sign * high:.3g}")
-    print(f"{name} {kind}: {found:g} for {target:g} sigma", file=sys.stderr, flush=True)
-    return found
+    size = float(f"{sign * high:.3g}")
+    print(f"{name} {kind}: {size:g} for {target:g} sigma", file=sys.stderr, flush=True)
+    return size
 
 
 # Running -----------------------------------------------------------------------------------------------------
 
 
 def main() -> None:
+    """Run the suites of all mechanisms, and write their page."""
     arguments = _arguments()
     os.environ.setdefault("OMP_NUM_THREADS", "1")  # one process per core is faster than threads
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

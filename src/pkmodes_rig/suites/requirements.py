@@ -68,7 +68,7 @@ def _basic(name: str, suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
 def _together(name: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
     wrong = count(outcomes, "wrong")
     yield line(name, "confident and wrong <= 2 %", wrong, len(outcomes), most=0.02)
-    values = [abs(found - true) / sigma for o in outcomes for _, found, sigma, true in o.values]
+    values = [abs(estimate - true) / sigma for o in outcomes for _, estimate, sigma, true in o.values]
     inside = sum(v <= INTERVAL for v in values)
     yield line(name, "95 % intervals cover 90-99 %", inside, len(values), 0.90, 0.99)
 
@@ -128,14 +128,15 @@ HARD = {
 
 
 def line(suite: str, what: str, count: int, of: int, least: float = 0.0, most: float = 1.0) -> str:
+    """Return a line of the table: how often, with its 95 % interval, and whether that is within the bounds."""
     if not of:
         return f"| {suite} | {what} | no cases | | |"
     low = stats.beta.ppf(0.025, count, of - count + 1) if count else 0.0
     high = stats.beta.ppf(0.975, count + 1, of - count) if count < of else 1.0
     met = "met" if least <= count / of <= most else "**NOT MET**"
-    found = f"{count} of {of}: {100 * count / of:.1f} %"
-    return f"| {suite} | {what} | {found} | {100 * low:.1f}-{100 * high:.1f} % | {met} |"
+    share = f"{count} of {of}: {100 * count / of:.1f} %"
+    return f"| {suite} | {what} | {share} | {100 * low:.1f}-{100 * high:.1f} % | {met} |"
 
 
 def _right(outcome: Outcome) -> bool:
-    return all(abs(found - true) <= RIGHT * sigma for _, found, sigma, true in outcome.values)
+    return all(abs(estimate - true) <= RIGHT * sigma for _, estimate, sigma, true in outcome.values)

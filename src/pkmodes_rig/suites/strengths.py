@@ -17,6 +17,7 @@ import itertools
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -29,8 +30,8 @@ from pkmodes.measured.reading import read_measurements
 from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.paths import moved, resolve
 from pkmodes.robot.robot import Robot
-from pkmodes.updating import loop
-from pkmodes.updating.structure import channels as channels_of
+from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes.updating.robot_structure import channels as channels_of
 from pkmodes_rig import (
     BASE_RIGID,
     POSES,
@@ -156,7 +157,7 @@ def signal(
         text = written(exact(rows, modes, SHAPES), points, SHAPES)
     data = measurements(text)
     fitted, _ = split(data, holdout)
-    structure = loop.structure(robot, data).subset(fitted)
+    structure = MeasuredRobot.of(robot, data).structure().subset(fitted)
     # Shapes serve only to pair the modes; the signal is computed from the frequencies.
     fitter = Fitter(structure, data.at(fitted), scatter=NO_WEIGHT)
     causes = tuple(candidate for candidate in structure.candidates if candidate.name == beside)
@@ -195,9 +196,10 @@ def with_effect(robot: str, effect: str, size: float) -> Truth:
 def pairs() -> Iterator[tuple[str, str, tuple[str, str], tuple[float, float]]]:
     """Draw pairs of effects: robot and poses in turn, names, and the signal of each alone."""
     rng = np.random.default_rng([SEED, len(CATALOGUE)])
+    low, high = np.log(PAIR_TARGETS)
     for n in range(PAIRS):
         first, second = rng.choice(list(CATALOGUE), 2, replace=False)
-        a, b = np.exp(rng.uniform(*np.log(PAIR_TARGETS), 2))
+        a, b = np.exp(rng.uniform(low, high, 2))
         robot, plan = list(ROBOTS)[n % 3], PLANS[n // 3 % len(PLANS)]
         yield robot, plan, (str(first), str(second)), (float(a), float(b))
 
@@ -260,8 +262,8 @@ def effects(robot: str) -> None:
     """Print the sizes of the effects."""
     for effect in CATALOGUE:
         start = start_of(effect)
-        found = [size_for(t, lambda size, e=effect: with_effect(robot, e, size), start) for t in TARGETS]
-        print(f'        "{effect}": ({", ".join(f"{s:.3g}" for s in found)}),', flush=True)
+        sizes = [size_for(t, partial(with_effect, robot, effect), start) for t in TARGETS]
+        print(f'        "{effect}": ({", ".join(f"{s:.3g}" for s in sizes)}),', flush=True)
 
 
 def wrong_values(robot: str) -> None:
@@ -271,31 +273,33 @@ def wrong_values(robot: str) -> None:
         sign = -1.0 if declared and place % 2 else 1.0
         target = WRONG_TARGETS[place % len(WRONG_TARGETS)]
         start = 1e-4 * (declared or 1e-1)
-        found = size_for(target, lambda size, p=path, s=sign: with_wrong(robot, p, s * size), start)
-        print(f'        "{path}": {sign * found:.3g},', flush=True)
+
+        def wrong(size: float, path: str = path, sign: float = sign) -> Truth:
+            return with_wrong(robot, path, sign * size)
+
+        change = size_for(target, wrong, start)
+        print(f'        "{path}": {sign * change:.3g},', flush=True)
 
 
 def outside() -> None:
     """Print the sizes of causes outside the catalogue."""
     for kind, robot, plan, target in outside_causes():
         if kind == "tuned_absorber":
-            found = ABSORBER[target] * float(read(robot).parameters.platform_mass)
-            print(f"    {found:.3g},  # {kind}, {robot}, {plan}", flush=True)
+            size = ABSORBER[target] * float(read(robot).parameters.platform_mass)
+            print(f"    {size:.3g},  # {kind}, {robot}, {plan}", flush=True)
         else:
-            found = size_for(
-                target, lambda size, r=robot, k=kind: with_outside(r, k, size), STARTS[kind], plan
-            )
-            print(f"    {found:.3g},  # {kind}, {robot}, {plan}: {target:g} sigma", flush=True)
+            size = size_for(target, partial(with_outside, robot, kind), STARTS[kind], plan)
+            print(f"    {size:.3g},  # {kind}, {robot}, {plan}: {target:g} sigma", flush=True)
 
 
 def two_effects() -> None:
     """Print the sizes of the two effects of each pair."""
     for robot, plan, names, targets in pairs():
-        found = [
-            size_for(t, lambda size, r=robot, e=effect: with_effect(r, e, size), start_of(effect), plan)
+        sizes = [
+            size_for(t, partial(with_effect, robot, effect), start_of(effect), plan)
             for effect, t in zip(names, targets, strict=True)
         ]
-        print(f"    ({', '.join(f'{s:.4g}' for s in found)}),  # {' + '.join(names)}", flush=True)
+        print(f"    ({', '.join(f'{s:.4g}' for s in sizes)}),  # {' + '.join(names)}", flush=True)
 
 
 def start_of(effect: str) -> float:

@@ -12,8 +12,9 @@ import functools
 import itertools
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from typing import Any
 
-from pkmodes.updating.suspects import PREFIX
+from pkmodes.updating.candidates import PREFIX
 from pkmodes_rig.suites import hard_suites
 from pkmodes_rig.suites.cases import ROBOT_NAMES, Case, measured
 from pkmodes_rig.suites.judging import Outcome, failed, judged, run
@@ -107,10 +108,12 @@ def special() -> Iterator[Case]:
     for kind, without, with_one, changes in variants:
         for k in range(without + with_one):
             robot, effect = ROBOT_NAMES[k % 3], plain[k % len(plain)]
-            truth, names = Truth(robot), ()
+            truth = Truth(robot)
+            names: tuple[str, ...] = ()
             if k >= without:
                 truth, names = with_effect(robot, effect, EFFECT_SIZES[robot][effect][-1]), (effect,)
-            yield replace(_case("special", n, truth, k, names, kind), **{"shapes": SHAPES, **changes})
+            changed: dict[str, Any] = {"shapes": SHAPES, **changes}
+            yield replace(_case("special", n, truth, k, names, kind), **changed)
             n += 1
     for robot in ROBOT_NAMES:  # in the catalogue's terms, both a payload and lighter carriages
         names = "payload", f"{PREFIX}carriage.mass"

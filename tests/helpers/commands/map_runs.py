@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.runs.processes import interruptible
 from pkmodes.maps import mapping, running
 from pkmodes.maps.evaluating import Task
 from pkmodes.maps.storage import SUFFIX
@@ -22,14 +23,22 @@ ROBOT = ROOT / "robots" / "linear-delta-2022.toml"
 GRID = {"x": np.linspace(0.3, 0.8, 33), "y": np.linspace(-0.1, 0.1, 10), "z": -0.245}
 GRID_TEXT = "x=0.3:0.8:33,y=-0.1:0.1:10,z=-0.245"
 ROWS, TASKS = 20, 17
-#: Runs the command line with short tasks that take a while each.
+#: Runs the command line with short tasks.  Each takes a while; with HOLD_AFTER, that many are computed at once, then
+#: it waits until its standard input is closed, and a moment longer: a signal that was sent before arrives first.
 PROGRAM = f"""
-import sys, time
+import os, sys, time
 from pkmodes.maps import mapping, running
 mapping.ROWS = {ROWS}
 evaluate = running.evaluate
+hold, begun = int(os.environ.get("HOLD_AFTER", 0)), 0
 def slowly(task):
-    time.sleep(0.15)
+    global begun
+    begun += 1
+    if not hold:
+        time.sleep(0.15)
+    elif begun == hold + 1:
+        sys.stdin.read()
+        time.sleep(0.5)
     return evaluate(task)
 running.evaluate = slowly
 from pkmodes.cli import main
@@ -37,17 +46,23 @@ main()
 """
 
 
-def started(out: Path, *options: str) -> subprocess.Popen[str]:
-    """Start ``pkmodes map`` with one thread."""
+def started(out: Path, after: int, *options: str) -> subprocess.Popen[str]:
+    """Start ``pkmodes map`` with one thread, and wait until some tasks are done and the next one waits."""
     paths = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
-    return subprocess.Popen(
+    process = subprocess.Popen(
         [*[sys.executable, "-c", PROGRAM, "map", str(ROBOT), "--grid", GRID_TEXT], "--out", str(out)]
         + ["--threads", "1", *options],
-        env={**os.environ, "PYTHONPATH": paths},
+        env={**os.environ, "PYTHONPATH": paths, "HOLD_AFTER": str(after)},
+        stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
+        preexec_fn=interruptible,
     )
+    while done_in(out) < after:
+        assert process.poll() is None, process.communicate()
+        time.sleep(0.01)
+    return process
 
 
 def folder_of(out: Path) -> Path:
@@ -60,14 +75,6 @@ def done_in(out: Path) -> int:
         return int(np.load(folder_of(out) / "done.npy").sum())
     except (OSError, ValueError, EOFError):  # it is being made
         return 0
-
-
-def wait_until_done(out: Path, tasks: int, process: subprocess.Popen[str]) -> None:
-    deadline = time.monotonic() + 60
-    while done_in(out) < tasks:
-        assert process.poll() is None, process.communicate()
-        assert time.monotonic() < deadline
-        time.sleep(0.01)
 
 
 def count_tasks(monkeypatch: pytest.MonkeyPatch) -> list[Task]:

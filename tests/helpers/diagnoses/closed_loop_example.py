@@ -1,6 +1,6 @@
 """The machine behind examples/closed_loop: what its robot file declares, what it really is, and its measurement.
 
-    python tests/closed_loop_example.py
+    python tests/helpers/diagnoses/closed_loop_example.py
 
 writes the two files of the example from the virtual test rig (MuJoCo).  The gearboxes wind up, which the file does
 not declare, and the three values that it calls uncertain are off by about their uncertainty.

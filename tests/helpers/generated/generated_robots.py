@@ -43,16 +43,22 @@ STRICT = ["-Wconversion", "-Wdouble-promotion", "-Wfloat-conversion"]
 class Library:
     """The C functions of a robot, compiled in one precision with warnings as errors."""
 
+    @staticmethod
+    def _place(source: Path, single: bool) -> Path:
+        return source.with_name(f"{source.stem}{'_f' if single else ''}.so")
+
+    @classmethod
+    def build(cls, source: Path, single: bool) -> None:
+        define = ["-DPKMODES_FLOAT"] if single else []
+        library = cls._place(source, single)
+        subprocess.run(
+            [str(COMPILER), *FLAGS, *STRICT, *define, str(source), "-o", str(library), "-lm"], check=True
+        )
+
     def __init__(self, source: Path, single: bool) -> None:
         self.m = int(source.with_suffix(".h").read_text("utf-8").split("_COORDINATES ")[1].split("\n")[0])
         self.type, suffix = (np.float32, "_f") if single else (np.float64, "")
-        library = source.with_name(f"{source.stem}{suffix}.so")
-        define = ["-DPKMODES_FLOAT"] if single else []
-        assert COMPILER is not None
-        subprocess.run(
-            [COMPILER, *FLAGS, *STRICT, *define, str(source), "-o", str(library), "-lm"], check=True
-        )
-        code = ctypes.CDLL(str(library))
+        code = ctypes.CDLL(str(self._place(source, single)))
         self._status, self._frequencies, self._modes = (
             getattr(code, f"{source.stem}_{name}{suffix}")
             for name in ("status", "natural_frequencies", "modes")
@@ -74,15 +80,26 @@ class Library:
 
 
 class Robot:
-    """A robot file and what `generate` wrote for it."""
+    """A robot file, and what `generate` wrote for it and the compiler made of that."""
+
+    @staticmethod
+    def write(folder: Path, case: str) -> None:
+        """Write the file, generate, and compile."""
+        name, effects, _ = CASES[case]
+        file = folder / name
+        file.write_text((ROBOTS / name).read_text(encoding="utf-8") + effects, encoding="utf-8")
+        written = [path.name for path in generate(file, folder / "out")]
+        (folder / "written.txt").write_text("\n".join(written), encoding="utf-8")
+        source = folder / "out" / f"{file.stem.replace('-', '_')}.c"
+        for single in (False, True) if COMPILER else ():
+            Library.build(source, single)
 
     def __init__(self, folder: Path, case: str) -> None:
         file, effects, self.box = CASES[case]
         self.file = folder / file
-        self.file.write_text((ROBOTS / file).read_text(encoding="utf-8") + effects, encoding="utf-8")
         self.model = pkmodes.load(self.file)
         self.out = folder / "out"
-        self.written = [path.name for path in generate(self.file, self.out)]
+        self.written = (folder / "written.txt").read_text(encoding="utf-8").splitlines()
         self.name = self.file.stem.replace("-", "_")
         self.effects = bool(effects)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import functools
 import os
 import shutil
@@ -18,6 +19,8 @@ import pytest
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 #: WebGL without a graphics card.
 SOFTWARE_WEBGL = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+#: Longer than any machine takes for what a test waits for [ms].
+TIMEOUT = 600_000
 #: Impacts of findings of axe-core that no page may have.
 GRAVE = ("serious", "critical")
 
@@ -74,28 +77,69 @@ def opened(
         if os.environ.get("CI"):
             pytest.fail("needs Chromium: install the Debian package chromium")
         pytest.skip("needs Chromium: install the Debian package chromium")
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", *arguments])
+    with _playing():
+        context = _browser(arguments).new_context(
+            viewport={"width": width, "height": height},
+            color_scheme=scheme,
+            reduced_motion=motion,
+            **options,
+        )
+        context.set_default_timeout(TIMEOUT)
         try:
-            context = browser.new_context(
-                viewport={"width": width, "height": height},
-                color_scheme=scheme,
-                reduced_motion=motion,
-                **options,
-            )
             page = context.new_page()
             page.emulate_media(media=media)
-            found = Opened(page)
-            page.on("console", lambda message: found.problems.append(message.text))
-            page.on("pageerror", lambda error: found.problems.append(str(error)))
-            page.on("request", lambda request: found.requests.append(request.url))
-            page.on("requestfailed", lambda request: found.problems.append(f"failed: {request.url}"))
+            view = Opened(page)
+            page.on("console", lambda message: view.problems.append(message.text))
+            page.on("pageerror", lambda error: view.problems.append(str(error)))
+            page.on("request", lambda request: view.requests.append(request.url))
+            page.on("requestfailed", lambda request: view.problems.append(f"failed: {request.url}"))
             page.goto(place.resolve().as_uri() if isinstance(place, Path) else place)
-            yield found
+            yield view
         finally:
-            browser.close()
+            context.close()
+
+
+@functools.cache
+def _playwright() -> tuple[Any, asyncio.AbstractEventLoop]:
+    """Playwright and its event loop, from the first page of this process to `close_browsers`."""
+    from playwright.sync_api import sync_playwright
+
+    playwright = sync_playwright().start()
+    loop = asyncio._get_running_loop()
+    assert loop is not None
+    return playwright, loop
+
+
+@functools.cache
+def _browser(arguments: tuple[str, ...]) -> Any:
+    """Return the browser that was started with these arguments: a page has a context of its own in it."""
+    playwright, _ = _playwright()
+    return playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", *arguments])
+
+
+@contextmanager
+def _playing() -> Iterator[None]:
+    """Let Playwright's event loop be that of this thread, and none while other tests run, which may start their own.
+
+    Playwright runs it in a greenlet of this thread, where asyncio takes it for running until Playwright stops.
+    """
+    _, loop = _playwright()
+    asyncio._set_running_loop(loop)
+    try:
+        yield
+    finally:
+        asyncio._set_running_loop(None)
+
+
+def close_browsers() -> None:
+    """End Playwright, and with it the browsers that it started."""
+    if _playwright.cache_info().currsize:
+        playwright, loop = _playwright()
+        asyncio._set_running_loop(loop)
+        playwright.stop()
+        asyncio._set_running_loop(None)
+        _browser.cache_clear()
+        _playwright.cache_clear()
 
 
 class _Quiet(SimpleHTTPRequestHandler):

@@ -40,14 +40,20 @@ HOSTILE = (
 )
 
 
+#: Made once: the files are the same in every folder.
+_DIAGNOSES: dict[str, Diagnosis] = {}
+
+
 def diagnosed(verdict: str, folder: Path) -> tuple[Diagnosis, Robot, Measurements]:
     """Return a diagnosis with a verdict, and what it was made from."""
     modes, candidates = given(verdict)
     robot_file, modes_file = files(folder, modes=modes)
     robot = read_robot(robot_file)
     data = updating.read(modes_file, None, robot)
-    with judged(verdict):
-        result = updating.diagnose(robot, data, candidates=candidates.split(","))
+    if verdict not in _DIAGNOSES:
+        with judged(verdict):
+            _DIAGNOSES[verdict] = updating.diagnose(robot, data, candidates=candidates.split(","))
+    result = _DIAGNOSES[verdict]
     assert result.verdict == verdict
     return result, robot, data
 

@@ -6,12 +6,23 @@ file needs, which is the named tuple of the parameters and the functions of the 
 
 from __future__ import annotations
 
-import json
 import math
-from dataclasses import asdict, replace
 from pathlib import Path
 
-from pkmodes_derive.description import Description, Key, Named, Requirement, Table, Whole
+from msgspec.structs import replace
+
+from pkmodes_description import (
+    Description,
+    Drawing,
+    Effect,
+    EffectParameter,
+    Key,
+    Named,
+    ParameterGroup,
+    Requirement,
+    Table,
+    encode,
+)
 
 XY, XYZ, ENDS, RUNS = ("x", "y"), ("x", "y", "z"), ("min", "max"), ("1", "2")
 
@@ -20,6 +31,25 @@ def quantity(name: str, field: str, dimension: str, **bounds: object) -> Key:
     return Key(name, "quantity", field, dimension, name, **bounds)  # type: ignore[arg-type]
 
 
+def effect(name: str, *parameters: tuple[str, str], coordinates: tuple[str, ...] = ()) -> Effect:
+    return Effect(
+        name,
+        f"there is {name.replace('_', ' ')}",
+        grounds=False,
+        coordinates=tuple(Named(q, "m", q) for q in coordinates),
+        parameters=tuple(
+            EffectParameter(parameter, unit, parameter, 0.0, fitted=parameter not in ("mass", "tension"))
+            for parameter, unit in parameters
+        ),
+        requirements=(),
+    )
+
+
+EFFECTS = (
+    effect("belt_mass", ("linear_density", "kg/m")),
+    effect("belt_tension_stiffness", ("tension", "N"), ("coefficient", "1/N")),
+    effect("frame_compliance", ("compliance", "m/N"), ("mass", "kg"), coordinates=("u_x", "u_y")),
+)
 FRAME = Table(
     "frame",
     "the frame",
@@ -30,15 +60,15 @@ MOTOR = (
     quantity("gear_ratio", "gear_ratio", "number", above=0.0),
 )
 GANTRY = Description(
-    mechanism="made_up_gantry",
+    name="made_up_gantry",
     title="a gantry with two crossed belts",
     pose=tuple(Named(c, "m", c) for c in XY),
     pose_is="tool head in the base frame",
-    coordinates=(),
+    coordinates=tuple(Named(c, "m", c) for c in XY),
     independent=XY,
     independent_are="positions",
     directions=XY,
-    drives=(),
+    drives=(Named("1", "N m", "motor"),),
     rigid_modes=2,
     tables=(
         Table("toolhead", "the tool head", (quantity("mass", "toolhead_mass", "mass", above=0.0),)),
@@ -75,13 +105,13 @@ GANTRY = Description(
             "belt_path",
             "a belt with its two runs",
             (
-                Key("direction", "signs", "signs", "number", "g", elements=XY),
+                Key("direction", "signs", "signs", "number", "g", elements=XY, choices=(1, -1)),
                 Key("lengths", "vector", "lengths", "length", "free lengths", elements=RUNS, above=0.0),
             ),
             count=2,
         ),
     ),
-    wholes=(),
+    parameter_groups=(),
     margins=(),
     requirements=(
         Requirement(
@@ -93,6 +123,11 @@ GANTRY = Description(
             "m",
         ),
     ),
+    effects_in_order=EFFECTS,
+    sample={},
+    scales=(),
+    difference_pairs=(),
+    drawing=Drawing(motions=(0,), elements=(), springs=(), uprights=0),
 )
 GANTRY_CODE = """
 from typing import Any, NamedTuple
@@ -156,7 +191,7 @@ width = "9 mm"
 
 ARMS = replace(
     GANTRY,
-    mechanism="made_up_arms",
+    name="made_up_arms",
     title="arms that turn",
     tables=(
         Table(
@@ -194,9 +229,9 @@ ARMS = replace(
             count=3,
         ),
     ),
-    wholes=(
-        Whole("axis.joint_radius", "radius", "joint", "m", "distance of the joints from the centre"),
-        Whole("axis.range", "span", "limits", "rad", "max - min of every arm"),
+    parameter_groups=(
+        ParameterGroup("axis.joint_radius", "radius", "joint", "m", "distance of the joints from the centre"),
+        ParameterGroup("axis.range", "span", "limits", "rad", "max - min of every arm"),
     ),
     requirements=(),
 )
@@ -238,38 +273,11 @@ branch = 1
 )
 
 
-def effect(name: str, *parameters: tuple[str, str], coordinates: tuple[str, ...] = ()) -> dict[str, object]:
-    return {
-        "name": name,
-        "sentence": f"there is {name.replace('_', ' ')}",
-        "grounds": False,
-        "coordinates": [{"name": q, "unit": "m", "description": q} for q in coordinates],
-        "parameters": [
-            {
-                "name": parameter,
-                "unit": unit,
-                "description": parameter,
-                "greater_than": 0.0,
-                "fitted": parameter not in ("mass", "tension"),
-            }
-            for parameter, unit in parameters
-        ],
-    }
-
-
-EFFECTS = (
-    effect("belt_mass", ("linear_density", "kg/m")),
-    effect("belt_tension_stiffness", ("tension", "N"), ("coefficient", "1/N")),
-    effect("frame_compliance", ("compliance", "m/N"), ("mass", "kg"), coordinates=("u_x", "u_y")),
-)
-
-
 def write_package(folder: Path) -> tuple[str, ...]:
     """Write both as packages below a folder, and return their names."""
     for description, code in ((GANTRY, GANTRY_CODE), (ARMS, ARMS_CODE)):
-        package = folder / "made_up" / description.mechanism
+        package = folder / "made_up" / description.name
         package.mkdir(parents=True)
         (package / "__init__.py").write_text(code, encoding="utf-8")
-        data = {**asdict(description), "effects": EFFECTS}
-        (package / "description.json").write_text(json.dumps(data), encoding="utf-8")
-    return tuple(f"made_up.{description.mechanism}" for description in (GANTRY, ARMS))
+        (package / "description.json").write_text(encode(description), encoding="utf-8")
+    return tuple(f"made_up.{description.name}" for description in (GANTRY, ARMS))

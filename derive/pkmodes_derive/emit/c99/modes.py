@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from importlib.resources import files
 from math import prod
 
-from pkmodes_derive.description import Margin
 from pkmodes_derive.emit.constants import Constant, constants, pose, status_name
 from pkmodes_derive.emit.provenance import Provenance
 from pkmodes_derive.emit.templating import render
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output
+from pkmodes_description import Margin
 
 COMPARED = {"at_least_zero": ">= 0", "above_zero": "> 0"}
 #: What a controller calls.

@@ -29,7 +29,9 @@ class _Block:
 
 
 def files(model: Model, programs: Mapping[str, Program], provenance: Provenance) -> dict[str, str]:
-    """Return the texts of source and header by file name; they contain the functions for controllers."""
+    """Return the texts of source and header by file name, if the model has functions for controllers."""
+    if not any(f.in_c for f in model.functions):
+        return {}
     groups = model.groups if provenance.parametric else ()
     emitted = [f for f in model.functions if f.in_c]
     used = {f.name: programs[f.name] for f in emitted}

@@ -1,5 +1,7 @@
 """Lanes: C with vector types, several poses side by side, for the compiled evaluator of `pkmodes.compiled`."""
 
-from pkmodes_derive.emit.lanes.source import FILE_NAME, files
+from pkmodes_derive.emit.backend import Backend
+from pkmodes_derive.emit.lanes.printer import expression
+from pkmodes_derive.emit.lanes.source import files
 
-__all__ = ["FILE_NAME", "files"]
+BACKEND = Backend("lanes", expression, mechanism=files)

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping
 
 from sympy import Expr, Integer, Symbol
 
-from pkmodes_derive.description import CHOICES, Description, Margin
 from pkmodes_derive.functions import Function, Model, Output
+from pkmodes_description import CHOICES, Description, Margin
 
 
 def position(model: Model, description: Description) -> Function:

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from pkmodes_derive.description import Description
 from pkmodes_derive.emit import commentary, layout
 from pkmodes_derive.emit.lanes import functions
 from pkmodes_derive.emit.lanes.adjoint import gradient
@@ -18,6 +17,7 @@ from pkmodes_derive.emit.program import Entry, Program, Result, arrange
 from pkmodes_derive.emit.provenance import Provenance
 from pkmodes_derive.emit.templating import render
 from pkmodes_derive.functions import FieldGroup, Function, Model
+from pkmodes_description import Description
 
 FILE_NAME = "lanes.h"
 #: How a margin must compare, by its rule: what the C code knows it by.

@@ -2,5 +2,6 @@
 
 from pkmodes_derive.emit.backend import Backend
 from pkmodes_derive.emit.numpy.module import files
+from pkmodes_derive.emit.numpy.printer import expression
 
-BACKEND = Backend("NumPy", files)
+BACKEND = Backend("NumPy", expression, model=files)

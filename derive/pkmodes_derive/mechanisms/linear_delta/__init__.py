@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from sympy import Rational, Symbol, sqrt
 
-from pkmodes_derive.description import Margin, Requirement, Scale, Whole
+from pkmodes_derive.description import Margin, ParameterGroup, Requirement, Scale
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.mechanisms.linear_delta.euler_route import relations
@@ -232,9 +232,13 @@ def declare(m: Machine) -> None:
         ),
         spheres(m, [tuple(o[j][i] + x[j] * n[j][i] - b[j][i] for i in range(3)) for j in J], l_d),
     ]
-    m.wholes = (
-        Whole("axis.span", "span", "limits", "m", "max - min of every axis, with both ends moved evenly"),
-        Whole("axis.joint_radius", "radius", "joint", "m", "distance of the platform joints from the centre"),
+    m.parameter_groups = (
+        ParameterGroup(
+            "axis.span", "span", "limits", "m", "max - min of every axis, with both ends moved evenly"
+        ),
+        ParameterGroup(
+            "axis.joint_radius", "radius", "joint", "m", "distance of the platform joints from the centre"
+        ),
     )
     m.scales = tuple(Scale(x[j].name, "pulley_radius", (j,), "R_p") for j in J)
     m.margins = _margins()

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from sympy import Expr, Rational, Symbol, atan2, cos, sin, sqrt
 
-from pkmodes_derive.description import Margin, Requirement, Whole
+from pkmodes_derive.description import Margin, ParameterGroup, Requirement
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.mechanisms.rotary_delta.picture import Axis, draw
@@ -255,8 +255,10 @@ def declare(m: Machine) -> None:
         ),
         spheres(m, given, l_d),
     ]
-    m.wholes = (
-        Whole("axis.joint_radius", "radius", "joint", "m", "distance of the platform joints from the centre"),
+    m.parameter_groups = (
+        ParameterGroup(
+            "axis.joint_radius", "radius", "joint", "m", "distance of the platform joints from the centre"
+        ),
     )
     m.margins = _margins()
     m.requirements = _requirements()

@@ -14,8 +14,6 @@ from pkmodes.mechanism.registry import Mechanism
 
 def check_drawing(mechanism: Mechanism, parameters: object) -> list[Check]:
     """Check the motion of drawn points by differences of their positions, and the springs by the elastic Hessian."""
-    if mechanism.drawing is None:
-        return []
     return check_consistency(
         Generated(mechanism.model, parameters), mechanism, parameters, yielded=drawing_relations
     )
@@ -24,7 +22,6 @@ def check_drawing(mechanism: Mechanism, parameters: object) -> list[Check]:
 def drawing_relations(at: State) -> Iterator[Relation]:
     """Yield the relations of a drawing at one pose."""
     drawing = at.mechanism.drawing
-    assert drawing is not None  # `check_drawing` asks
     drawn = Generated(at.mechanism.drawn, at.parameters, at.mechanism.extended.Effects())
     # Any constant vectors serve as those that the robot leaves open.
     up = (np.tile([0.6, -0.48, 0.64], drawing.uprights),) if drawing.uprights else ()

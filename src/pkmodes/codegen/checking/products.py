@@ -22,9 +22,8 @@ from pkmodes.codegen.checking.user_mechanisms import check_definition, check_mec
 from pkmodes.codegen.derivation import derivation
 from pkmodes.codegen.generation import specialised, specification
 from pkmodes.codegen.product_folder import MANIFEST
+from pkmodes.mechanism import registry
 from pkmodes.mechanism.generated import Generated
-from pkmodes.mechanism.registry import meanwhile, names, supplied
-from pkmodes.mechanism.registry import mechanism as mechanism_named
 from pkmodes.mechanism.regular import regular_poses, sample
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
@@ -43,7 +42,7 @@ def check_committed(name: str) -> Report:
     name : str
         The mechanism.
     """
-    mechanism = mechanism_named(name)
+    mechanism = registry.mechanism(name)
     folder = Path(str(files(mechanism.package)))
     findings = findings_of(folder, derivation("emit.product").parametric(name))
     parameters = sample(mechanism)
@@ -65,7 +64,7 @@ def check_folder(folder: Path) -> Report:
         If the folder holds no generated code, its robot file is invalid, or its manifest does not record a robot.
     """
     recorded = manifest_of(folder)
-    if "robot" not in recorded and recorded.get("product") in supplied():
+    if "robot" not in recorded and recorded.get("product") in registry.supplied():
         findings = findings_of(folder, derivation("emit.product").parametric(recorded["product"]))
         return Report(str(folder), findings, [], REGENERATE if findings else "")
     if "definition" not in recorded:
@@ -73,14 +72,14 @@ def check_folder(folder: Path) -> Report:
     if "robot" not in recorded:
         return check_mechanism(folder, recorded)
     name = recorded.get("mechanism")
-    if name in names():
+    if name in registry.names():
         return _check_model(folder, recorded)
     inner = folder / str(name)
     if not inner.is_dir():
         what = f"the model's mechanism {shown(name)} is unknown, and its code is not in this folder"
         remedy = "give the folder with the code of the mechanism: --mechanism DIR/<mechanism>"
         raise PkmodesError(what, str(folder), remedy)
-    with meanwhile(inner):
+    with registry.temporarily_registered(inner):
         return _check_model(folder, recorded)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from pkmodes.base.errors import PkmodesError
-from pkmodes.mechanism.registry import mechanism as mechanism_named
+from pkmodes.mechanism import registry
 from pkmodes.robot.documents import document_of
 from pkmodes.robot.reading import robot_from_document
 from pkmodes.robot.robot import Robot
@@ -29,7 +29,7 @@ def recorded_robot(recorded: Mapping[str, Any], place: str) -> Robot:
     """
     try:
         values = recorded["robot"]["values"]
-        mechanism = mechanism_named(recorded["mechanism"])
+        mechanism = registry.mechanism(recorded["mechanism"])
         robot = robot_from_document(document_of(mechanism, recorded["robot"]["name"], values), place)
         same = robot.declared == values
     except (PkmodesError, LookupError, TypeError, ValueError, AttributeError):

@@ -22,10 +22,11 @@ from pkmodes.diagnosis.fit.noise import Noise, Whitening
 from pkmodes.diagnosis.fit.priors import Priors
 from pkmodes.diagnosis.fit.rows import Rows
 from pkmodes.diagnosis.fit.shapes import ShapeRows
-from pkmodes.diagnosis.fit.solver import bounded_least_squares, inverse_of_square
+from pkmodes.diagnosis.fit.solver import bounded_least_squares
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Structure, reached_bounds
 from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import FREQUENCY
 
 
 class Fitter:
@@ -63,7 +64,7 @@ class Fitter:
         self.upper = np.array([p.upper for p in self.parameters])
         self.nuisances = tuple(i for i, p in enumerate(self.parameters) if p.sigma)
         self.priors = Priors(self.parameters, structure.candidates, widened)
-        self.log = np.log(data.frequency)
+        self.log = FREQUENCY.transformed(data)
         reference = structure.predict(self.declared, ())
         self.pairer = Pairer(data, structure.channels, reference, self.criteria)
         self.shapes = self.shape_rows_of(data)
@@ -205,9 +206,7 @@ class Fitter:
             hypothesis=hypothesis,
             values=descent.values,
             free=descent.free,
-            covariance=inverse_of_square(at.jacobian),
-            chi2=at.chi2,
-            deviance=at.chi2 + self.noise.whitening(None, used, 0.0).log_determinant,
+            log_determinant=self.noise.whitening(None, used, 0.0).log_determinant,
             scatter=0.0,
             prediction=at.prediction,
             pairing=self.pairer.pair(at.prediction, used),
@@ -245,14 +244,11 @@ class Fitter:
                 self.priors.rates(values, free),
             ]
         )
-        chi2 = float(white @ white)
         return Fit(
             hypothesis=hypothesis,
             values=values,
             free=free,
-            covariance=inverse_of_square(jacobian),
-            chi2=chi2,
-            deviance=chi2 + whitening.log_determinant,
+            log_determinant=whitening.log_determinant,
             scatter=tau,
             prediction=replace(prediction, shape_rates=None),
             pairing=pairing,

@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from pkmodes.diagnosis.fit.solver import inverse_of_square
 from pkmodes.diagnosis.match.pairing import Pairing
 from pkmodes.diagnosis.problem import Array, Candidate, Prediction
 
@@ -29,6 +30,11 @@ class Hypothesis:
     excluded: frozenset[int] = frozenset()
     scatter: bool = False
 
+    @property
+    def remote(self) -> bool:
+        """Whether it has a remote cause."""
+        return any(cause.remote for cause in self.causes)
+
     def adding(self, cause: Candidate) -> Hypothesis:
         """Return the hypothesis with an additional cause."""
         return replace(self, causes=(*self.causes, cause))
@@ -50,12 +56,8 @@ class Fit:
         All parameters of the structure.
     free : tuple of int
         Indices of the fitted parameters: nuisances first, then those of the causes.
-    covariance : ndarray, shape (k, k)
-        Covariance of the fitted parameters.
-    chi2 : float
-        Whitened sum of squares, including shapes and priors.
-    deviance : float
-        chi2 plus the log determinant of V: twice the negative log likelihood.
+    log_determinant : float
+        That of the covariance V of the data.
     scatter : float
         Standard deviation of the error shared in a setup, tau.
     residual : ndarray, shape (R + R C,)
@@ -71,9 +73,7 @@ class Fit:
     hypothesis: Hypothesis
     values: Array
     free: tuple[int, ...]
-    covariance: Array
-    chi2: float
-    deviance: float
+    log_determinant: float
     scatter: float
     prediction: Prediction
     pairing: Pairing
@@ -87,6 +87,21 @@ class Fit:
     def causes(self) -> tuple[Candidate, ...]:
         """Causes of the hypothesis."""
         return self.hypothesis.causes
+
+    @property
+    def chi2(self) -> float:
+        """Whitened sum of squares, including shapes and priors."""
+        return float(self.white @ self.white)
+
+    @property
+    def deviance(self) -> float:
+        """Twice the negative log likelihood."""
+        return self.chi2 + self.log_determinant
+
+    @cached_property
+    def covariance(self) -> Array:
+        """Covariance of the fitted parameters, (k, k)."""
+        return inverse_of_square(self.jacobian)
 
     @cached_property
     def basis(self) -> Array:

@@ -20,6 +20,7 @@ from scipy.optimize import minimize_scalar
 from pkmodes.diagnosis.fit.shapes import ShapeRows
 from pkmodes.diagnosis.problem import Array
 from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import FREQUENCY
 
 
 @dataclass(frozen=True)
@@ -70,7 +71,7 @@ class Noise:
     """
 
     def __init__(self, data: Measurements, shapes: ShapeRows, most_shared: float) -> None:
-        self.sigma = data.sigma / data.frequency
+        self.sigma = FREQUENCY.transformed_sigma(data)
         order = np.argsort(data.pose, kind="stable")
         self.rows = np.split(order, np.searchsorted(data.pose[order], np.arange(1, len(data.labels))))
         self.uncertain = bool((data.point_sigma > 0.0).any())

@@ -56,7 +56,8 @@ class FitStore:
                 self._fits[k] = again
                 self._rough.discard(k)
         fit = self._fits[k]
-        return fit if fit is None else replace(fit, hypothesis=hypothesis)
+        # The order of the causes is that of the hypothesis asked for.
+        return fit if fit is None or fit.hypothesis == hypothesis else replace(fit, hypothesis=hypothesis)
 
     def again(self, hypothesis: Hypothesis, start: Array) -> Fit | None:
         """Fit again from another start, and keep the better fit."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import copy
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,7 @@ from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.problem import Array, Index, Prediction
 from pkmodes.linalg.mac import channel_motion, mac, subspace_mac, weighted
 from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import FREQUENCY
 
 
 @dataclass(frozen=True)
@@ -35,6 +37,18 @@ class Pairing:
 
     partner: Index
     mac: Array
+
+
+class _Shapes(NamedTuple):
+    """Shapes of rows (S, r, C) and modes (S, m, C) in the same weighting, and the measured components (S, r, C)."""
+
+    rows: Array
+    model: Array
+    measured: NDArray[np.bool_]
+
+    def in_subspace(self, setup: Index, row: Index, members: NDArray[np.bool_]) -> Array:
+        """Return the MAC of some rows, each with the subspace of some modes of its setup, (B, m)."""
+        return subspace_mac(self.rows[setup, row], self.model[setup], members, self.measured[setup, row])
 
 
 class Pairer:
@@ -66,7 +80,7 @@ class Pairer:
         criteria: Criteria | None = None,
     ) -> None:
         self._criteria = criteria or Criteria()
-        self._shape, self._log, self.pose = data.shapes, np.log(data.frequency), data.pose
+        self._shape, self._log, self.pose = data.shapes, FREQUENCY.transformed(data), data.pose
         self.columns = _columns(data, channels)
         setups = len(data.labels)
         self.moves = np.zeros((setups, len(self.columns)))
@@ -104,14 +118,14 @@ class Pairer:
         logs = prediction.log_frequencies[:, rigid:]
         row = self._row
         present = (row >= 0) & used[row]
-        shapes, model, measured = self._shapes(prediction)
-        alone = mac(shapes, model, measured) if len(self.columns) else None
+        shapes = self._shapes(prediction) if len(self.columns) else None
         with np.errstate(invalid="ignore"):
             distance = np.abs(self._log[row][..., None] - logs[:, None])
             close = np.diff(logs, axis=1) < c.close
-        likeness = None if alone is None else self._grouped(alone, shapes, model, measured, logs, close)
         cost = distance**2
-        if likeness is not None:
+        if shapes is not None:
+            alone = mac(*shapes)
+            likeness = self._grouped(alone, shapes, logs, close)
             cost = cost + c.shape_weight**2 * np.where(np.isnan(likeness), 0.0, 1.0 - likeness)
         # The assignment may take a mode that is too far away; it is then not a partner.  The cost of this is
         # constant: otherwise a mode that the model lacks would shift the others.
@@ -126,10 +140,10 @@ class Pairer:
         taken = partner >= 0
         partners[row[taken]] = partner[taken] + rigid
         values = np.full(len(self._log), np.nan)
-        if compare and alone is not None:
+        if compare and shapes is not None:
             beside = unmeasured_neighbours(prediction, partners, self.pose, c.close)
             beside = np.where(beside >= 0, beside - rigid, -1)
-            values = self._compared(partners - rigid, beside, alone, shapes, model, measured)
+            values = self._compared(partners - rigid, beside, alone, shapes)
         return Pairing(partners, values)
 
     def macs(self, prediction: Prediction) -> Array:
@@ -142,25 +156,18 @@ class Pairer:
         """Return measured minus model in ln f, (R,); an unmatched mode counts as the reach of the pairing."""
         reach = self._criteria.reach
         logs = prediction.log_frequencies[self.pose, np.maximum(pairing.partner, 0)]
-        return np.asarray(np.where(pairing.partner >= 0, np.clip(self._log - logs, -reach, reach), reach))
+        apart = np.clip(FREQUENCY.residual(self._log, logs), -reach, reach)
+        return np.asarray(np.where(pairing.partner >= 0, apart, reach))
 
-    def _shapes(self, prediction: Prediction) -> tuple[Array, Array, NDArray[np.bool_]]:
+    def _shapes(self, prediction: Prediction) -> _Shapes:
         """Return the shapes of the rows and modes of each setup, in units of each channel's motion."""
         row = self._row
         padded = np.where((row >= 0)[..., None], self._shape[row], np.nan)
         model = prediction.shapes[..., self.columns]
-        shapes, model = weighted(padded, model, np.where(self.moves > 0.0, self.moves, channel_motion(model)))
-        return shapes, model[:, prediction.rigid :], np.isfinite(padded)
+        shapes, model = weighted(padded, model, self.moves)
+        return _Shapes(shapes, model[:, prediction.rigid :], np.isfinite(padded))
 
-    def _grouped(
-        self,
-        alone: Array,
-        shapes: Array,
-        model: Array,
-        measured: NDArray[np.bool_],
-        logs: Array,
-        close: NDArray[np.bool_],
-    ) -> Array:
+    def _grouped(self, alone: Array, shapes: _Shapes, logs: Array, close: NDArray[np.bool_]) -> Array:
         """Return the MAC of each row with each mode of the model, or with the subspace of the modes close to it."""
         setups = np.flatnonzero(close.any(axis=1))
         if not len(setups):
@@ -174,25 +181,12 @@ class Pairer:
             return alone
         which, k = which[entry], k[entry]
         likeness = alone.copy()
-        inside = subspace_mac(
-            shapes[setups[which], place],
-            model[setups[which]],
-            near[which, k],
-            measured[setups[which], place],
-        )
+        inside = shapes.in_subspace(setups[which], place, near[which, k])
         at = setups[which], place, k
         likeness[at] = np.where(np.isnan(inside), likeness[at], inside)
         return likeness
 
-    def _compared(
-        self,
-        partner: Index,
-        beside: Index,
-        alone: Array,
-        shapes: Array,
-        model: Array,
-        measured: NDArray[np.bool_],
-    ) -> Array:
+    def _compared(self, partner: Index, beside: Index, alone: Array, shapes: _Shapes) -> Array:
         """Return the MAC of each row with its partner, or with the subspace of the partners and modes close to it."""
         pose, place = self.pose, self._place
         paired = partner >= 0
@@ -201,14 +195,12 @@ class Pairer:
         i = np.flatnonzero(paired & crowded)
         if len(i):
             rows = self._mates[i]
-            members = np.zeros((len(i), model.shape[1]), dtype=bool)
+            members = np.zeros((len(i), shapes.model.shape[1]), dtype=bool)
             entry, column = np.nonzero((rows >= 0) & paired[rows])
             members[entry, partner[rows[entry, column]]] = True
             entry, column = np.nonzero(beside[i] >= 0)
             members[entry, beside[i][entry, column]] = True
-            inside = subspace_mac(
-                shapes[pose[i], place[i]], model[pose[i]], members, measured[pose[i], place[i]]
-            )
+            inside = shapes.in_subspace(pose[i], place[i], members)
             likeness[i] = np.where(members.sum(axis=1) > 1, inside, likeness[i])
         return likeness
 
@@ -230,7 +222,7 @@ def neighbours(data: Measurements, criteria: Criteria) -> Index:
     ndarray of int, shape (R, g)
         The row itself first, then the others, padded with -1.
     """
-    log, sigma = np.log(data.frequency), data.sigma / data.frequency
+    log, sigma = FREQUENCY.transformed(data), FREQUENCY.transformed_sigma(data)
 
     def near(a: Index | int, b: Index) -> NDArray[np.bool_]:
         errors = criteria.mixed_sigmas * np.hypot(sigma[a], sigma[b])

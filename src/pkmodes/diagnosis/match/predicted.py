@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import FREQUENCY
 
 #: Modes above this multiple of the highest measured frequency only pad a setup that has fewer than others.
 FAR = 1e6
@@ -64,7 +65,7 @@ class Predicted:
         return cls(
             frequency=np.exp(own),
             mode=np.where(paired, pairing.partner - prediction.rigid + 1, 0),
-            sigmas=(own - np.log(data.frequency)) / sigma,
+            sigmas=(own - FREQUENCY.transformed(data)) / sigma,
             mac=pairing.mac,
             macs=pairer.macs(prediction),
             spectrum=np.where(spectrum < FAR * data.frequency.max(), spectrum, np.nan),

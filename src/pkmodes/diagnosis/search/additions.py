@@ -50,7 +50,7 @@ class Additions:
         enough = self._rows >= c.rows_to_set_aside
         if enough and self._hopeless(fit):
             return []
-        room = self.room(fit) and not any(cause.remote for cause in h.causes)
+        room = self.room(fit) and not h.remote
         if room and not h.scatter and self._setups >= 4 and self._rows >= 2 * self._setups:
             fits.append(self.store.fit(replace(h, scatter=True), fit.values))
         most = self._most_outliers if enough or rival else 0

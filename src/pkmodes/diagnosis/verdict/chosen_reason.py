@@ -17,7 +17,7 @@ from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND
 def reason_of(builder: DiagnosisBuilder, search: Search, outcome: Outcome, judged: Judgement) -> str:
     """Return why a verdict was given."""
     lines = search.store.fitter.data.lines
-    noise = reasons.noise(judged.final.hypothesis, judged.final.scatter, lines)
+    noise = reasons.noise(judged.final, lines)
     if judged.verdict is ADEQUATE:
         return reasons.adequate(outcome.last, noise)
     if judged.verdict is EFFECT_FOUND:
@@ -62,7 +62,8 @@ def _beyond_prior(search: Search) -> str:
     store, c = search.store, search.criteria
     explanations = []
     for fit in store.tried():
-        if len(fit.causes) != 1 or fit.causes[0].remote or fit.hypothesis.excluded or fit.hypothesis.scatter:
+        h = fit.hypothesis
+        if len(h.causes) != 1 or h.remote or h.excluded or h.scatter:
             continue
         index = store.fitter.indices(fit.causes[0])
         _, away = misfit.far_away(store, fit, index)
@@ -79,7 +80,7 @@ def _nearly(search: Search, first: Fit) -> str:
     explanations = []
     for fit in store.tried():
         h = fit.hypothesis
-        if not h.causes or any(cause.remote for cause in h.causes) or h.excluded or h.scatter or fit.at_bound:
+        if not h.causes or h.remote or h.excluded or h.scatter or fit.at_bound:
             continue
         after = _larger(store, fit)
         if after <= min(part * before, most) and search.gate(fit).p_unmeasured > search.criteria.surely:

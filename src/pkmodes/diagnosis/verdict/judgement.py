@@ -76,7 +76,7 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
         return Judgement(verdict, final, last, (), (), (), reasons.shapes(()) if strange else "")
     final, places = _preferred(search, final)
     grouped = tuple(classes(search.store.fitter, fits) for fits in places)
-    if any(cause.remote for cause in final.causes) and grouped[0]:
+    if final.hypothesis.remote and grouped[0]:
         # A cause of the same class that is not remote and passes the gate names the class.
         plain = (fit for fit in grouped[0][0] if not fit.causes[-1].remote and search.gate(fit).passed)
         final = next(plain, final)
@@ -145,10 +145,7 @@ def _also(search: Search, final: Fit) -> list[str]:
     fits = [
         fit
         for fit in store.tried()
-        if len(fit.causes) == 1
-        and not fit.causes[0].remote
-        and not fit.at_bound
-        and fit.causes != final.causes
+        if len(fit.causes) == 1 and not (fit.hypothesis.remote or fit.at_bound) and fit.causes != final.causes
     ]
     passing = [fit for fit in fits if store.p_value(fit) > search.criteria.surely]
     return [fit.causes[0].name for fit in sorted(passing, key=store.criterion)[:MENTIONED]]

@@ -20,7 +20,7 @@ def explained_by_errors(search: Search, final: Fit) -> str:
     noise = [fit for fit in search.additions.errors(worst) if store.p_value(fit) > c.surely]
     best = min(noise, key=store.criterion, default=None)
     if best is not None and store.criterion(best) <= worst:
-        what = reasons.noise(best.hypothesis, best.scatter, store.fitter.data.lines)
+        what = reasons.noise(best, store.fitter.data.lines)
         plain = store.fit(Hypothesis())
         pattern = reasons.uneven(store.fitter, plain) if plain is not None and best.hypothesis.scatter else ""
         return f"{what}; {pattern}" if pattern else what

@@ -36,19 +36,20 @@ class Reading:
     def of(self, data: Measurements) -> Measurements:
         """Return the measurements with this reading."""
         frequency = self.factor / data.frequency if self.inverse else self.factor * data.frequency
-        return replace(data, frequency=frequency, sigma=frequency * (data.sigma / data.frequency), band=None)
+        sigma = frequency * (data.sigma / data.frequency)
+        return replace(data, numbers={**data.numbers, "frequency": frequency, "sigma": sigma}, band=None)
 
 
 def readings(unit: str) -> list[Reading]:
     """Return the other readings of a frequency column whose header states a unit (Hz if empty)."""
-    said = float(1 / frequency_factor(unit)) if unit else 1.0
+    declared = float(1 / frequency_factor(unit)) if unit else 1.0
     others = [
-        Reading(name, f"write frequency [{name}], and sigma in its own unit", said / times)
+        Reading(name, f"write frequency [{name}], and sigma in its own unit", declared / times)
         for name, times in UNITS.items()
-        if abs(said / times - 1.0) > 1e-9
+        if abs(declared / times - 1.0) > 1e-9
     ]
     # A period n was read as n / said Hz, and 1 / n is the frequency.
-    others.append(Reading("periods in s", "write frequencies, 1 / period", 1.0 / said, inverse=True))
+    others.append(Reading("periods in s", "write frequencies, 1 / period", 1.0 / declared, inverse=True))
     others += [
         Reading(
             f"{name}, converted twice",
@@ -62,8 +63,8 @@ def readings(unit: str) -> list[Reading]:
 
 def other_unit(fitter: Fitter) -> str:
     """Return a sentence if all frequencies seem to be in another unit; empty if not."""
-    every = len(fitter.data.labels)
-    some = sorted(set(np.linspace(0, every - 1, min(every, ENOUGH)).astype(int).tolist()))
+    count = len(fitter.data.labels)
+    some = sorted(set(np.linspace(0, count - 1, min(count, ENOUGH)).astype(int).tolist()))
     structure, data = fitter.structure.subset(some), fitter.data.at(some)
     declared = structure.predict(fitter.declared, ())
     if not np.isfinite(declared.eigenvalues).all():
@@ -74,8 +75,8 @@ def other_unit(fitter: Fitter) -> str:
     least, reading = min(others, key=lambda other: other[0])
     if least > c.unit_difference or least * c.unit_gain > here:
         return ""
-    said = f"the header says {data.unit}, but the numbers" if data.unit else "the frequencies"
-    return f"{said} fit the declared model as {reading.what} ({100 * least:.2g} %): {reading.remedy}"
+    claim = f"the header says {data.unit}, but the numbers" if data.unit else "the frequencies"
+    return f"{claim} fit the declared model as {reading.what} ({100 * least:.2g} %): {reading.remedy}"
 
 
 def _usual(fitter: Fitter, prediction: Prediction, data: Measurements) -> float:
@@ -141,8 +142,8 @@ def _look_at(text: str) -> str:
 def dead_channels(fitter: Fitter, fit: Fit) -> list[str]:
     """Return the channels that are exactly 0 in every row although the model clearly moves them in some."""
     data, pairing = fitter.data, fit.pairing
-    told = (pairing.partner >= 0) & np.nan_to_num(data.shapes).any(axis=1)
-    measured = np.isfinite(data.shapes) & told[:, None]
+    shaped = (pairing.partner >= 0) & np.nan_to_num(data.shapes).any(axis=1)
+    measured = np.isfinite(data.shapes) & shaped[:, None]
     model = np.abs(fit.prediction.shapes[data.pose, np.maximum(pairing.partner, 0)][:, fitter.pairer.columns])
     units = np.array([fitter.structure.channel_units[i] for i in fitter.pairer.columns])
     moved, some = fitter.criteria.dead

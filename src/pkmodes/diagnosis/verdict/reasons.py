@@ -9,23 +9,21 @@ from numpy.typing import NDArray
 from scipy import stats
 
 from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.gate import Gate
 from pkmodes.diagnosis.verdict.result import Finding
 
 
-def noise(hypothesis: Hypothesis, scatter: float, lines: NDArray[np.int_]) -> str:
-    """Return what was attributed to measurement errors."""
-    parts = []
-    if hypothesis.excluded:
-        which = ", ".join(str(lines[row]) for row in sorted(hypothesis.excluded))
-        one = len(hypothesis.excluded) == 1
-        parts.append(
-            f"line {which} set aside as an outlier" if one else f"lines {which} set aside as outliers"
-        )
-    if hypothesis.scatter:
-        parts.append(f"an error of {100 * scatter:.2g} % that the modes of a pose share")
+def noise(fit: Fit, lines: NDArray[np.int_]) -> str:
+    """Return what a fit attributes to measurement errors."""
+    parts, excluded = [], [str(lines[row]) for row in sorted(fit.hypothesis.excluded)]
+    if len(excluded) == 1:
+        parts.append(f"line {excluded[0]} set aside as an outlier")
+    elif excluded:
+        parts.append(f"lines {', '.join(excluded)} set aside as outliers")
+    if fit.hypothesis.scatter:
+        parts.append(f"an error of {100 * fit.scatter:.2g} % that the modes of a pose share")
     return " and ".join(parts)
 
 

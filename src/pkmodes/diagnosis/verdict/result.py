@@ -5,7 +5,22 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from pkmodes.base.documents import Document
 from pkmodes.diagnosis.match.predicted import Predicted
+from pkmodes.diagnosis.verdict.document import (
+    CandidateDocument,
+    CauseDocument,
+    DiagnoseDocument,
+    ErrorDocument,
+    NextMeasurementDocument,
+    PlaceDocument,
+    RefittedDocument,
+    RowDocument,
+    SizeDocument,
+    StabilityDocument,
+    StagesDocument,
+    ValueDocument,
+)
 from pkmodes.diagnosis.verdict.verdicts import Word
 
 
@@ -64,7 +79,7 @@ class Refitted:
 
 @dataclass(frozen=True)
 class Finding:
-    """One cause that was effect.
+    """One cause that was found.
 
     Attributes
     ----------
@@ -106,8 +121,8 @@ class Error:
 
 
 @dataclass(frozen=True)
-class Row:
-    """One measured mode and its predictions; None if the model has no partner for it.
+class MeasuredMode:
+    """One measured mode.
 
     Attributes
     ----------
@@ -115,6 +130,21 @@ class Row:
         Pose, line in the file, and label.
     measured, sigma : float
         Frequency and its standard deviation [Hz].
+    """
+
+    pose: str
+    line: int
+    mode: str
+    measured: float
+    sigma: float
+
+
+@dataclass(frozen=True)
+class Row(MeasuredMode):
+    """One measured mode and its predictions; None if the model has no partner for it.
+
+    Attributes
+    ----------
     before, refit, after : float or None
         Predicted frequency of the model as declared, with nuisances refitted, and with the causes [Hz].
     mac : float or None
@@ -123,11 +153,6 @@ class Row:
         Values set at its pose, by name.
     """
 
-    pose: str
-    line: int
-    mode: str
-    measured: float
-    sigma: float
     before: float | None
     refit: float | None
     after: float | None
@@ -200,7 +225,7 @@ class Diagnosis:
     refitted : tuple of Refitted
     before, refit, after : Error
         Stages.  The refit includes outliers and a shared error if these explain the residual; it is None if there
-        are too few data.  after is None unless a cause was effect.
+        are too few data.  after is None unless a cause was found.
     held_out_poses, undetectable : tuple of str
     next_measurement : NextMeasurement or None
     candidates : tuple of Examined
@@ -280,79 +305,24 @@ class Diagnosis:
         dict of str to object
             What ``pkmodes diagnose --json`` writes.
         """
-        return {
-            "verdict": self.verdict,
-            "reason": self.reason,
-            "effects": [
-                {
-                    "name": effect.name,
-                    "class": list(effect.members),
-                    "parameters": _values(effect.parameters),
-                    "p_value": effect.p_value,
-                    "alternatives": {name: _values(v) for name, v in effect.alternatives.items()},
-                }
-                for effect in self.effects
+        document = DiagnoseDocument.of(
+            self,
+            effects=[_cause(cause) for cause in self.effects],
+            refitted={value.name: RefittedDocument.of(value) for value in self.refitted},
+            error=StagesDocument.of(
+                self, before=_error(self.before), refit=_error(self.refit), after=_error(self.after)
+            ),
+            next_measurement=self.next_measurement and NextMeasurementDocument.of(self.next_measurement),
+            candidates=[
+                CandidateDocument.of(one, visible_from=_by_key(SizeDocument, one.visible_from))
+                for one in self.candidates
             ],
-            "survivors": [list(members) for members in self.survivors],
-            "refitted": {
-                r.name: {"before": r.before, "after": r.after, "sigma": r.sigma, "unit": r.unit}
-                for r in self.refitted
-            },
-            "error": {
-                "before": _error(self.before),
-                "refit": _error(self.refit),
-                "after": _error(self.after),
-            },
-            "held_out_poses": list(self.held_out_poses),
-            "undetectable": list(self.undetectable),
-            "next_measurement": None
-            if self.next_measurement is None
-            else {
-                "pose": list(self.next_measurement.pose),
-                "separates": list(self.next_measurement.separates),
-                "sigmas": self.next_measurement.sigmas,
-                **_set(self.next_measurement.load),
-            },
-            "candidates": [
-                {
-                    "name": c.name,
-                    "p_value": c.p_value,
-                    "detectable": c.detectable,
-                    "visible_from": {key(v): {"value": v.value, "unit": v.unit} for v in c.visible_from},
-                }
-                for c in self.candidates
-            ],
-            "outliers": [{"pose": r.pose, "line": r.line} for r in self.outliers],
-            "unpaired": [{"pose": r.pose, "line": r.line} for r in self.unpaired],
-            "pose_scatter": self.scatter,
-            "shape_scatter": self.shape_scatter,
-            "notes": list(self.notes),
-            "stability": [
-                {"change": s.change, "verdict": s.verdict, "effects": list(s.effects)} for s in self.stability
-            ],
-            "rows": [
-                {
-                    "pose": r.pose,
-                    "line": r.line,
-                    "mode": r.mode,
-                    "frequency_hz": r.measured,
-                    "sigma_hz": r.sigma,
-                    "before_hz": r.before,
-                    "refit_hz": r.refit,
-                    "after_hz": r.after,
-                    "mac": r.mac,
-                    "held_out": r.held_out,
-                    "outlier": r.outlier,
-                    **_set(r.load),
-                }
-                for r in self.rows
-            ],
-        }
-
-
-def _set(load: Mapping[str, float]) -> dict[str, object]:
-    """Return the entry for the values set at a pose; empty if there are none."""
-    return {"set": dict(load)} if load else {}
+            outliers=list(map(PlaceDocument.of, self.outliers)),
+            unpaired=list(map(PlaceDocument.of, self.unpaired)),
+            stability=list(map(StabilityDocument.of, self.stability)),
+            rows=list(map(RowDocument.of, self.rows)),
+        )
+        return document.as_json()
 
 
 def key(v: Value) -> str:
@@ -360,15 +330,16 @@ def key(v: Value) -> str:
     return v.name.split(".")[-1] if v.name.startswith("effects.") else v.name
 
 
-def _values(values: tuple[Value, ...]) -> dict[str, object]:
-    return {key(v): {"value": v.value, "sigma": v.sigma, "unit": v.unit} for v in values}
+def _cause(cause: Finding) -> CauseDocument:
+    alternatives = {name: _by_key(ValueDocument, values) for name, values in cause.alternatives.items()}
+    return CauseDocument.of(
+        cause, parameters=_by_key(ValueDocument, cause.parameters), alternatives=alternatives
+    )
 
 
-def _error(error: Error | None) -> dict[str, object] | None:
-    if error is None:
-        return None
-    return {
-        "rms_relative": error.rms_relative,
-        "held_out_rms_relative": error.held_out_rms_relative,
-        "chi2_per_dof": error.chi2_per_dof,
-    }
+def _by_key(kind: type[Document], values: tuple[Value, ...]) -> dict[str, Document]:
+    return {key(value): kind.of(value) for value in values}
+
+
+def _error(error: Error | None) -> ErrorDocument | None:
+    return None if error is None else ErrorDocument.of(error)

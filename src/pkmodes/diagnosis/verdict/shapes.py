@@ -16,9 +16,9 @@ def shapes_disagree(store: FitStore, fit: Fit) -> bool:
     Either more than a few are clearly shapes of another mode, or all of them scatter implausibly.
     """
     fitter, c = store.fitter, store.fitter.criteria
-    told = np.isfinite(fit.pairing.mac) & fitter.used(fit.hypothesis)
+    compared = np.isfinite(fit.pairing.mac) & fitter.used(fit.hypothesis)
     scatter = store.shape_scatter(fit)
-    return len(strange_shapes(store, fit)) > int(told.sum()) // c.strange_allowed or (
+    return len(strange_shapes(store, fit)) > int(compared.sum()) // c.strange_allowed or (
         scatter is not None and scatter > c.most_shape_scatter
     )
 

@@ -67,8 +67,7 @@ def _contenders(search: Search, final: Fit) -> list[Fit]:
         for fit in store.tried()
         if fit.causes
         and len(fit.causes) <= max(len(final.causes), 1)
-        and not fit.at_bound
-        and not any(cause.remote for cause in fit.causes)
+        and not (fit.hypothesis.remote or fit.at_bound)
         and {c.name for c in fit.causes} != {c.name for c in final.causes}
         and store.criterion(fit) < store.criterion(final) + search.criteria.near
     ]
@@ -143,7 +142,7 @@ def _with(fitter: Fitter, errors: float, priors: float) -> Fitter:
     if errors != 1.0:
         data = replace(
             data,
-            sigma=data.sigma * errors,
+            numbers={**data.numbers, "sigma": data.sigma * errors},
             shape_sigma=data.shape_sigma * errors,
             point_sigma=data.point_sigma * errors,
         )

@@ -27,15 +27,14 @@ def remarks(setups: AllSetups, fit: Fit) -> tuple[str, ...]:
     fit : Fit
         Its values determine which rows are the same mode.
     """
-    copies = []
-    if not all_alike(setups.data, setups.fitter.criteria.same_shape):  # reported separately
+    copies, criteria = [], setups.fitter.criteria
+    if not all_alike(setups.data, criteria.same_shape):  # reported separately
         copies = [
             f"the shapes in lines {one} and {other} are identical: was one copied?"
             for one, other in copied(setups.data)
         ]
-    return *list(_same_place(setups.stage(fit.values), setups.fitter.criteria.same_place))[:MOST], *copies[
-        :MOST
-    ]
+    displaced = list(_same_place(setups.stage(fit.values), criteria.same_place))
+    return *displaced[:MOST], *copies[:MOST]
 
 
 def copied(data: Measurements) -> list[tuple[int, int]]:
@@ -61,9 +60,8 @@ def _same_place(stage: Stage, clearly: tuple[float, float]) -> Iterator[str]:
     ends = np.searchsorted(along, along + NEAR, side="right")
     for place, (i, end) in enumerate(zip(order, ends, strict=True)):
         rest = order[place + 1 : end]
-        rest = rest[
-            _same_load(data.set_values[rest], data.set_values[i])
-        ]  # another load changes the frequencies
+        # Another load changes the frequencies.
+        rest = rest[_same_load(data.set_values[rest], data.set_values[i])]
         apart = np.linalg.norm(data.points[rest] - data.points[i], axis=1)
         for k in rest[apart <= NEAR]:
             one, other = sorted((int(i), int(k)))

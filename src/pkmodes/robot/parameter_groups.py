@@ -1,7 +1,7 @@
-"""Wholes: several numbers that one path changes together.
+"""Parameter groups: several numbers that one path changes together.
 
 A ``span`` moves the two ends of every pair symmetrically apart, a ``radius`` scales every vector along its direction.
-The value of a whole is that of the first pair or vector, and the others change by the same amount.
+The value of a group is that of the first pair or vector, and the others change by the same amount.
 """
 
 from __future__ import annotations
@@ -13,33 +13,34 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import PkmodesError
-from pkmodes.mechanism.registry import Mechanism, Whole
+from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot.declaration import Declaration
 from pkmodes.robot.layout import Item, Slot, items
+from pkmodes_description import ParameterGroup
 
 Array = NDArray[np.float64]
 
 
-def wholes(mechanism: Mechanism) -> dict[str, Whole]:
-    """Return the wholes of a mechanism by path."""
-    return {whole.path: whole for whole in mechanism.wholes}
+def groups_by_path(mechanism: Mechanism) -> dict[str, ParameterGroup]:
+    """Return the parameter groups of a mechanism by path."""
+    return {group.path: group for group in mechanism.parameter_groups}
 
 
-def items_of(mechanism: Mechanism, whole: Whole) -> list[Item]:
-    """Return the pairs or vectors that a whole changes."""
-    return [item for item in items(mechanism) if item.key.field == whole.field]
+def items_of(mechanism: Mechanism, group: ParameterGroup) -> list[Item]:
+    """Return the pairs or vectors that a group changes."""
+    return [item for item in items(mechanism) if item.key.field == group.field]
 
 
-def value_of(robot: Declaration, whole: Whole) -> float:
-    """Return the value of a whole in SI units."""
-    first = _vectors(robot, whole)[0]
-    return float(first[1] - first[0]) if whole.kind == "span" else float(np.linalg.norm(first))
+def value_of(robot: Declaration, group: ParameterGroup) -> float:
+    """Return the value of a group in SI units."""
+    first = _vectors(robot, group)[0]
+    return float(first[1] - first[0]) if group.kind == "span" else float(np.linalg.norm(first))
 
 
-def weights_of(robot: Declaration, whole: Whole) -> dict[Slot, float]:
-    """Return the change of each number per unit of the whole; empty if a vector is zero and has no direction."""
-    vectors = _vectors(robot, whole)
-    if whole.kind == "span":
+def weights_of(robot: Declaration, group: ParameterGroup) -> dict[Slot, float]:
+    """Return the change of each number per unit of the group; empty if a vector is zero and has no direction."""
+    vectors = _vectors(robot, group)
+    if group.kind == "span":
         rates = np.tile([-0.5, 0.5], (len(vectors), 1))
     else:
         norms = np.linalg.norm(vectors, axis=1, keepdims=True)
@@ -48,29 +49,29 @@ def weights_of(robot: Declaration, whole: Whole) -> dict[Slot, float]:
         rates = vectors / norms
     return {
         number.slot: rate
-        for item, row in zip(items_of(robot.mechanism, whole), rates.tolist(), strict=True)
+        for item, row in zip(items_of(robot.mechanism, group), rates.tolist(), strict=True)
         for number, rate in zip(item.numbers, row, strict=True)
         if rate != 0.0 and number.slot is not None
     }
 
 
-def elements_of(robot: Declaration, whole: Whole, value: float) -> dict[str, float]:
-    """Return the elements by path that give a whole another value.
+def elements_of(robot: Declaration, group: ParameterGroup, value: float) -> dict[str, float]:
+    """Return the elements by path that give a group another value.
 
     Raises
     ------
     PkmodesError
         If a vector is zero and has no direction, or would shrink to zero.
     """
-    vectors = _vectors(robot, whole).tolist()
+    vectors = _vectors(robot, group).tolist()
     found: dict[str, float] = {}
-    for item, vector in zip(items_of(robot.mechanism, whole), vectors, strict=True):
-        if whole.kind == "span":
+    for item, vector in zip(items_of(robot.mechanism, group), vectors, strict=True):
+        if group.kind == "span":
             moved = _apart(vector, value - (vectors[0][1] - vectors[0][0]))
         else:
             moved = _along(vector, value - math.hypot(*vectors[0]), item, robot.source)
         for number, before, after in zip(item.numbers, vector, moved, strict=True):
-            if whole.kind == "span" or before != 0.0:
+            if group.kind == "span" or before != 0.0:
                 found[number.path] = after
     return found
 
@@ -95,7 +96,7 @@ def _along(vector: Sequence[float], change: float, item: Item, source: str) -> l
     return [element * ((before + change) / before) for element in vector]
 
 
-def _vectors(robot: Declaration, whole: Whole) -> Array:
+def _vectors(robot: Declaration, group: ParameterGroup) -> Array:
     """Return one row for each pair or vector."""
-    field = np.asarray(getattr(robot.parameters, whole.field))
-    return np.array([field[item.index] for item in items_of(robot.mechanism, whole)])
+    field = np.asarray(getattr(robot.parameters, group.field))
+    return np.array([field[item.index] for item in items_of(robot.mechanism, group)])

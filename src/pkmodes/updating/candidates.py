@@ -17,13 +17,13 @@ import numpy as np
 
 from pkmodes.base.errors import PkmodesError, nearest, shown
 from pkmodes.diagnosis.problem import Candidate, Parameter
-from pkmodes.mechanism.registry import Effect, Whole
 from pkmodes.robot.layout import GRAVITY, by_path, lent, takers
+from pkmodes.robot.parameter_groups import groups_by_path, items_of, weights_of
 from pkmodes.robot.paths import ParameterPath, paths, resolve
 from pkmodes.robot.robot import Robot
-from pkmodes.robot.wholes import items_of, weights_of, wholes
 from pkmodes.updating import frame
 from pkmodes.updating.load_cases import LoadCases
+from pkmodes_description import Effect, ParameterGroup
 
 #: Prefix of suspected values as candidates.
 PREFIX = "parameter:"
@@ -41,7 +41,6 @@ def suspects(
 
     Parameters
     ----------
-    robot : Robot
     chosen : sequence of str, optional
         Names of candidates: effects, ``parameter:<path>``, ``measurement:<what>``, or the words ``effects``,
         ``parameters`` and ``measurement`` for all of a kind.  By default all effects, every value that may be
@@ -84,7 +83,7 @@ def suspects(
 
 def _unknown(candidates: Sequence[Candidate], known: set[str], chosen: Sequence[str]) -> list[Candidate]:
     """Return the candidates without the parameters that the measurements set at every pose."""
-    found = []
+    kept = []
     for candidate in candidates:
         left = tuple(name for name in candidate.parameters if name not in known)
         if not left and candidate.name in chosen:
@@ -93,8 +92,8 @@ def _unknown(candidates: Sequence[Candidate], known: set[str], chosen: Sequence[
             what = f"{names} {is_known}: the measurements set {it} at every pose"
             raise PkmodesError(what, "candidates", f"leave {candidate.name} out")
         if left == candidate.parameters or (left and not candidate.remote):
-            found.append(replace(candidate, parameters=left))
-    return found
+            kept.append(replace(candidate, parameters=left))
+    return kept
 
 
 def _chosen(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> list[Candidate]:
@@ -109,20 +108,20 @@ def _chosen(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> lis
     if isinstance(chosen, str):
         what = f"expected a list of names, found {shown(chosen)}"
         raise PkmodesError(what, "candidates", f"write [{shown(chosen)}]")
-    found: dict[str, Candidate] = {}
+    candidates: dict[str, Candidate] = {}
     for name in chosen:
         if name in kinds:
-            found |= kinds[name]
+            candidates |= kinds[name]
         elif name in every:
-            found[name] = every[name]
+            candidates[name] = every[name]
         else:
-            found[name] = _asked_for(robot, name, [*every])
-    return list(found.values())
+            candidates[name] = _asked_for(robot, name, [*every])
+    return list(candidates.values())
 
 
 def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> list[Candidate]:
     """Return effects with a wrong declared constant, such as the mass of a moving frame: alone they would not fit."""
-    found = []
+    with_constants = []
     for borrowed, own in lent(robot.mechanism).items():
         _, name, constant = borrowed.split(".")
         declared = robot.quantities.get(own)
@@ -130,10 +129,10 @@ def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> lis
             effect = robot.mechanism.effects[name]
             parameters = (*(f"{EFFECTS}{name}.{p.name}" for p in effect.fitted), borrowed)
             sentence = f"{effect.sentence}, and its {constant} differs from the declared one"
-            found.append(
+            with_constants.append(
                 Candidate(f"{name} with another {own}", parameters, sentence, remote=True, nameable=False)
             )
-    return found
+    return with_constants
 
 
 def _varying(robot: Robot) -> list[str]:
@@ -156,7 +155,7 @@ def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
         every = [*known, *(f"{PREFIX}{p}" for p in paths(robot))]
         remedy = nearest(name, every, "use the names in docs/diagnosis.md")
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
-    whole, item = wholes(robot.mechanism).get(path), by_path(robot.mechanism).get(path)
+    whole, item = groups_by_path(robot.mechanism).get(path), by_path(robot.mechanism).get(path)
     _refuse_declared(robot, path, [path, *(_elements(robot, whole) if whole is not None else ())])
     shared = item.shared if item is not None else ""
     if (
@@ -187,7 +186,7 @@ def _refuse_declared(robot: Robot, what: str, declared: Sequence[str]) -> None:
         )
 
 
-def _elements(robot: Robot, whole: Whole) -> list[str]:
+def _elements(robot: Robot, whole: ParameterGroup) -> list[str]:
     """Return the paths of the elements of a whole."""
     return [number.path for item in items_of(robot.mechanism, whole) for number in item.numbers]
 
@@ -199,7 +198,7 @@ def _declared_parameters(robot: Robot, effect: Effect) -> list[str]:
 
 def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
     """Return the effects that the file does not declare, or declares without a standard deviation."""
-    found = {}
+    candidates = {}
     robots = (robot, *(case.robot for case in loads.cases))
     there = {path for one in robots for path, value in {**one.constants, **one.effects}.items() if value}
     for effect in robot.mechanism.effects.values():
@@ -208,25 +207,25 @@ def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
         absent = [p for p in effect.parameters if not p.fitted and f"{effect.name}.{p.name}" not in there]
         suspected = all(robot.quantities[n].sigma is None for n in _declared_parameters(robot, effect))
         if suspected and not absent:
-            found[effect.name] = Candidate(effect.name, tuple(names), effect.sentence)
-    return found
+            candidates[effect.name] = Candidate(effect.name, tuple(names), effect.sentence)
+    return candidates
 
 
 def _suspected(robot: Robot) -> dict[str, Candidate]:
     """Return the candidates of values without a standard deviation; wholes in place of their elements."""
-    parts = {element for whole in robot.mechanism.wholes for element in _elements(robot, whole)}
-    found = [
+    parts = {element for whole in robot.mechanism.parameter_groups for element in _elements(robot, whole)}
+    suspected = [
         path
         for path in _varying(robot)
         if robot.quantities[path].sigma is None and path not in parts and _may_be_wrong(robot, path)
     ]
-    for whole in robot.mechanism.wholes:
+    for whole in robot.mechanism.parameter_groups:
         free = all(robot.quantities[element].sigma is None for element in _elements(robot, whole))
         if free and weights_of(robot, whole):
-            found.append(whole.path)
+            suspected.append(whole.path)
     return {
         f"{PREFIX}{path}": Candidate(f"{PREFIX}{path}", (path,), f"the declared value of {path} is wrong")
-        for path in found
+        for path in suspected
     }
 
 
@@ -239,7 +238,7 @@ def _may_be_wrong(robot: Robot, path: str) -> bool:
 
 def _of_one_entry(robot: Robot) -> list[Candidate]:
     """Return the values of single axes for which the file gives one shared value without a sigma."""
-    found, known = [], paths(robot)
+    candidates, known = [], paths(robot)
     for path in known:
         item = by_path(robot.mechanism).get(path)
         if item is not None and item.shared in known and path not in robot.quantities:
@@ -248,21 +247,21 @@ def _of_one_entry(robot: Robot) -> list[Candidate]:
             ]
             if robot.quantities[item.shared].sigma is None and len(following) > 1:
                 sentence = f"the value of {path} differs from that of the other axes"
-                found.append(Candidate(f"{PREFIX}{path}", (path,), sentence, remote=True))
-    return found
+                candidates.append(Candidate(f"{PREFIX}{path}", (path,), sentence, remote=True))
+    return candidates
 
 
 def _joints(robot: Robot) -> dict[str, ParameterPath]:
     """Return compliances in single joints; those of the catalogue are in all joints of their kind."""
-    found = {}
+    joints = {}
     for effect in robot.mechanism.effects.values():
         name, unit = f"{effect.name}.{effect.parameters[0].name}", effect.parameters[0].unit
         declared = robot.quantities.get(f"{EFFECTS}{name}")
         for q in effect.coordinates if declared is None or declared.sigma != 0.0 else ():
             slot = (f"{name}.{q.name}", ())
             path = ParameterPath(f"{EFFECTS}{name}.{q.name}", 0.0, unit, {slot: 1.0})
-            found[_alone(effect.name, q.name)] = path
-    return found
+            joints[_alone(effect.name, q.name)] = path
+    return joints
 
 
 def _alone(effect: str, coordinate: str) -> str:
@@ -273,15 +272,15 @@ def _unlike(
     robot: Robot, candidates: Sequence[Candidate], joints: Mapping[str, ParameterPath]
 ) -> list[Candidate]:
     """Return the general forms of candidate compliances, with a separate value in each joint."""
-    found = []
+    general = []
     effects = robot.mechanism.effects
     for name in [candidate.name for candidate in candidates if candidate.name in effects]:
         each = [joint for q in effects[name].coordinates if (joint := _alone(name, q.name)) in joints]
         if len(each) > 1:
             parameters = tuple(joints[joint].path for joint in each)
             what = f"{name} with a separate value in each joint"
-            found.append(Candidate(what, parameters, general_of=name))
-    return found
+            general.append(Candidate(what, parameters, general_of=name))
+    return general
 
 
 def _parameter(robot: Robot, move: ParameterPath) -> Parameter:

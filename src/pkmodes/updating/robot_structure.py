@@ -18,9 +18,9 @@ from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import POSE, locked_joints
 from pkmodes.system.evaluation import ExtendedSystem
 from pkmodes.updating import frame
-from pkmodes.updating.evaluated import Moves, Solved, derived, joined, reordered, solved
 from pkmodes.updating.load_cases import LoadCase, LoadCases
 from pkmodes.updating.payloads import payloads
+from pkmodes.updating.predictions import Moves, Solved, derived, joined, reordered, solved
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -33,15 +33,11 @@ WHERE = ("direction", "choice", "signs", "pair")
 
 
 def channels(mechanism: Mechanism) -> dict[str, str]:
-    """Return the shape components of a robot with their units: all coordinates, also released ones, and the platform.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-    """
+    """Return the shape components of a robot with their units: all coordinates, released or not, and the platform."""
     units = {component.name: component.unit for component in mechanism.pose}
-    found = dict(zip(mechanism.extended.COORDINATES, mechanism.extended.COORDINATE_UNITS, strict=True))
-    return found | {f"{PLATFORM}{name}": units[name] for name in mechanism.directions}
+    extended = mechanism.extended
+    coordinates = dict(zip(extended.COORDINATES, extended.COORDINATE_UNITS, strict=True))
+    return coordinates | {f"{PLATFORM}{name}": units[name] for name in mechanism.directions}
 
 
 class _Part(NamedTuple):
@@ -57,11 +53,10 @@ class RobotStructure:
 
     Parameters
     ----------
-    robot : Robot
     points : ndarray, shape (P, d)
         Poses.
     parameters, candidates, moves
-        From `pkmodes.updating.suspects.suspects`; parameters of the measurement frame have no move.
+        From `pkmodes.updating.candidates.suspects`; parameters of the measurement frame have no move.
     loads : LoadCases, optional
         Values set at the poses; by default none.
     """
@@ -121,15 +116,15 @@ class RobotStructure:
             self._latest is not None and self._latest[0] == asked
         ):  # a fit asks more than once at the same values
             return self._latest[1]
-        found = self._joined(
+        prediction = self._joined(
             [
                 (part.rows, derived(part.at, self._moved_by(values, by, part.rows, part.owners), shape_rates))
                 for part in self._at_values(values)
             ]
         )
         if by:
-            self._latest = asked, found
-        return found
+            self._latest = asked, prediction
+        return prediction
 
     def predict_many(
         self, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
@@ -152,7 +147,7 @@ class RobotStructure:
                 locked_joints(each[c], m.paths) for c, m in zip(owners, moves[k], strict=True)
             )
             groups.setdefault(k if apart else alike.pop(), []).append(k)
-        found = []
+        batches = []
         for some in groups.values():
             together = None
             if len(some) > 1:
@@ -162,7 +157,7 @@ class RobotStructure:
                     np.concatenate([where[k][rows] for k in some]),
                 )
             if together is None or not np.isfinite(together.eigenvalues).all():
-                found += [
+                batches += [
                     Batch(np.array([k]), self.predict(values[k], by[k], shape_rates=shape_rates))
                     for k in some
                 ]
@@ -171,8 +166,8 @@ class RobotStructure:
                 if len(owners) > 1:
                     back = np.argsort(rows) + len(rows) * np.arange(len(some))[:, None]
                     prediction = reordered(prediction, back.ravel())
-                found.append(Batch(np.array(some), prediction))
-        return found
+                batches.append(Batch(np.array(some), prediction))
+        return batches
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
         """Return the modes at all poses, with derivatives with respect to the platform's position."""
@@ -188,8 +183,8 @@ class RobotStructure:
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         margin = 0.25 * max(float((high - low).max()), 0.1)
         drawn = rng.uniform(low - margin, high + margin, (DRAWS, len(low)))
-        found = check_poses(drawn, self._mechanism, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
-        drawn = drawn[found.valid][:count]
+        check = check_poses(drawn, self._mechanism, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
+        drawn = drawn[check.valid][:count]
         return drawn, self.at(drawn)
 
     def _moved_by(self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]) -> list[Moves]:
@@ -263,13 +258,13 @@ class RobotStructure:
 
     def _reachable(self, robots: Sequence[Robot], points: Array) -> NDArray[np.bool_]:
         """Return a mask of the poses that these robots of the cases reach; declared ones were checked before."""
-        found = np.ones(len(points), dtype=bool)
+        reached = np.ones(len(points), dtype=bool)
         measured = np.array_equal(points, self.points)
         for c, (robot, case) in enumerate(zip(robots, self._loads.cases, strict=True)):
             if not (measured and _same_geometry(self._mechanism, robot, case.robot)):
                 rows = np.flatnonzero(self._loads.of == c)
-                found[rows] = check_poses(points[rows], self._mechanism, robot.parameters, "nan").valid
-        return found
+                reached[rows] = check_poses(points[rows], self._mechanism, robot.parameters, "nan").valid
+        return reached
 
 
 @cache

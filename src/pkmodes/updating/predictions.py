@@ -116,10 +116,10 @@ def joined(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction
     rigid = max(part.rigid for _, part in parts)
     count = rigid + max(part.eigenvalues.shape[1] - part.rigid for _, part in parts)
     eigenvalues = np.full((setups, count), np.nan)
-    found = [np.full((setups, count, *a.shape[2:]), np.nan) for a in (only.rates, only.shapes)]
+    arrays = [np.full((setups, count, *a.shape[2:]), np.nan) for a in (only.rates, only.shapes)]
     with_rates = only.shape_rates is not None
     if with_rates:
-        found.append(np.full((setups, count, *np.asarray(only.shape_rates).shape[2:]), np.nan))
+        arrays.append(np.full((setups, count, *np.asarray(only.shape_rates).shape[2:]), np.nan))
     for rows, part in parts:
         elastic = part.eigenvalues.shape[1] - part.rigid
         lacking = LACKING * FARTHER ** np.arange(count - rigid - elastic)
@@ -128,10 +128,10 @@ def joined(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction
         eigenvalues[np.ix_(rows, np.arange(rigid + elastic, count))] = lacking
         eigenvalues[np.ix_(rows, place)] = part.eigenvalues
         given = [part.rates, part.shapes, *([np.asarray(part.shape_rates)] if with_rates else [])]
-        for whole, some in zip(found, given, strict=True):
+        for whole, some in zip(arrays, given, strict=True):
             whole[rows] = 0.0
             whole[np.ix_(rows, place)] = some
-    return Prediction(eigenvalues, found[0], found[1], rigid, found[2] if with_rates else None)
+    return Prediction(eigenvalues, arrays[0], arrays[1], rigid, arrays[2] if with_rates else None)
 
 
 def reordered(prediction: Prediction, rows: Index) -> Prediction:
@@ -160,11 +160,11 @@ def _concatenated(parts: Sequence[Prediction]) -> Prediction:
 def _mixed(moves: Sequence[Moves], most: int, poses: int) -> Array:
     """Return the motion of each parameter along each path, (N, T, k)."""
     columns = max(len(one.paths) if one.mix is None else one.mix.shape[-1] for one in moves)
-    found = np.zeros((len(moves), poses, most, columns))
-    for one, part in zip(moves, found, strict=True):
+    mix = np.zeros((len(moves), poses, most, columns))
+    for one, part in zip(moves, mix, strict=True):
         each = np.eye(len(one.paths)) if one.mix is None else one.mix
         part[:, : each.shape[-2], : each.shape[-1]] = each
-    return found.reshape(-1, most, columns)
+    return mix.reshape(-1, most, columns)
 
 
 def _channel_rates(
@@ -175,16 +175,16 @@ def _channel_rates(
     directions, geometry = len(mechanism.directions), geometry_of(mechanism)
     changes = shape_derivatives(derivatives, at.eigenvalues, at.shapes, at.system.first)
     motion = at.system.motion_of_all(at.points)
-    found = np.zeros((*at.channels.shape, len(paths[0])))
-    found[..., : changes.shape[-1], :] = np.moveaxis(changes, 1, -1)
-    found[..., -directions:, :] = np.moveaxis(changes @ np.swapaxes(motion, -1, -2)[:, None], 1, -1)
+    rates = np.zeros((*at.channels.shape, len(paths[0])))
+    rates[..., : changes.shape[-1], :] = np.moveaxis(changes, 1, -1)
+    rates[..., -directions:, :] = np.moveaxis(changes @ np.swapaxes(motion, -1, -2)[:, None], 1, -1)
     for robot, some, part in _alike(at, paths):
         for t, path in enumerate(some):
             # The Jacobian of the platform also changes with the geometry and the pose.
             if any(field in geometry or field == POSE for field, _ in path.weights):
                 rate = _motion_rate(at.system, robot, at.points[part], path)[..., derivatives.free]
-                found[part, :, -directions:, t] += at.shapes[part] @ np.swapaxes(rate, -1, -2)
-    return found
+                rates[part, :, -directions:, t] += at.shapes[part] @ np.swapaxes(rate, -1, -2)
+    return rates
 
 
 def _alike(
@@ -216,5 +216,5 @@ def _motion_rate(system: ExtendedSystem, robot: Robot, points: Array, path: Para
             values.setdefault(field, np.array(getattr(robot.parameters, field), dtype=complex))
             values[field][index] += STEP * 1j * weight
     parameters = robot.parameters._replace(**values)
-    found: Array = system.motion_of_all(points + STEP * 1j * shift, parameters).imag / STEP
-    return found
+    rate: Array = system.motion_of_all(points + STEP * 1j * shift, parameters).imag / STEP
+    return rate

@@ -1,0 +1,70 @@
+"""JSON documents: a class declares the keys of an object once, for the output and for its JSON Schema."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Annotated, Any, Self
+
+import msgspec
+from msgspec import Meta, Struct
+
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
+
+Count = Annotated[int, Meta(ge=0)]
+#: A line of a file, or the number of a mode, from 1.
+Number = Annotated[int, Meta(ge=1)]
+Size = Annotated[float, Meta(ge=0)]
+Probability = Annotated[float, Meta(ge=0, le=1)]
+Matrix = list[list[float]]
+
+
+class Document(Struct):
+    """An object in JSON: the fields are its keys, in their order, and their descriptions those of the schema.
+
+    A field with another name in JSON is declared with ``msgspec.field(name=...)``; with ``omit_defaults=True`` a
+    field that has its default is left out.
+    """
+
+    @classmethod
+    def of(cls, source: object, **others: Any) -> Self:
+        """Fill the fields from the attributes of a result with the same names.
+
+        Parameters
+        ----------
+        source : object
+            The result.
+        **others : Any
+            The fields that differ from its attributes.
+        """
+        names = [name for name in cls.__struct_fields__ if name not in others]
+        return cls(**{name: getattr(source, name) for name in names}, **others)
+
+    def as_json(self) -> dict[str, Any]:
+        """Return the object as JSON has it; numbers that are not finite are None."""
+        content: dict[str, Any] = _plain(msgspec.to_builtins(self, enc_hook=_converted))
+        return content
+
+
+def _converted(value: Any) -> Any:
+    """Return a value that msgspec does not know, such as one of NumPy, as one that it does."""
+    return dict(value) if isinstance(value, Mapping) else value.tolist()
+
+
+def _plain(value: Any) -> Any:
+    """Replace tuples by lists, and numbers that are not finite by None."""
+    if isinstance(value, dict):
+        return {key: _plain(entry) for key, entry in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(entry) for entry in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def schema_of(document: type[Document], title: str) -> dict[str, Any]:
+    """Return the JSON Schema of a document."""
+    name, definitions = (
+        document.__name__,
+        msgspec.json.schema_components([document], ref_template="#/$defs/{name}")[1],
+    )
+    own = {**definitions.pop(name), "title": title}
+    return {"$schema": DIALECT, **own, **({"$defs": definitions} if definitions else {})}

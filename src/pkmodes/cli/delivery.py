@@ -1,0 +1,105 @@
+"""Results of the commands: complete files, and text or JSON on standard output."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import click
+
+from pkmodes.base.errors import PkmodesError
+from pkmodes.base.writing import write_file
+
+
+@dataclass(frozen=True)
+class ResultFile:
+    """A file that a command writes besides the JSON.
+
+    Attributes
+    ----------
+    file : Path or None
+        None if it is not wanted.
+    write : callable
+        Writes it, completely or not at all.
+    lines : callable
+        What to say when it was written.
+    """
+
+    file: Path | None
+    write: Callable[[Path], object]
+    lines: Callable[[Path], Sequence[str]]
+
+
+def deliver(
+    json_file: str | None, content: dict[str, Any], show: Callable[[], object], *files: ResultFile
+) -> None:
+    """Write the files, then print the result, or its JSON if ``--json`` is ``-``.
+
+    A file that cannot be written is reported after printing; it does not prevent the others.  If the reader of
+    standard output, such as head, closes the pipe early, the files and the exit code do not change.
+
+    Parameters
+    ----------
+    json_file : str or None
+        The target of ``--json``.
+    content : dict of str to Any
+        The result for scripts, `Document.as_json`.
+    show : callable
+        Prints it for a person.
+    *files : ResultFile
+        In the order of writing.  Their lines follow the result in reverse, on stderr if standard output is the JSON.
+
+    Raises
+    ------
+    PkmodesError
+        The first error of a file.
+    """
+    to_stdout = json_file == "-"
+    problems: list[PkmodesError] = []
+    written: list[str] = []
+    if json_file is not None and not to_stdout:
+        json_target = ResultFile(Path(json_file), lambda path: write_json(path, content), lambda _: ())
+        files = (json_target, *files)
+    for each in files:
+        if each.file is None:
+            continue
+        try:
+            each.write(each.file)
+        except PkmodesError as error:
+            problems.append(error)
+        else:
+            written = [*each.lines(each.file), *written]
+    try:
+        if to_stdout:
+            click.echo(_text(content, ascii_only=True), nl=False)
+        else:
+            show()
+        for line in written:
+            click.echo(line, err=to_stdout)
+        if sys.stdout is not None:
+            sys.stdout.flush()
+    except (BrokenPipeError, SystemExit):  # click and rich turn the one into the other
+        silence()
+    finally:
+        if problems:
+            raise problems[0]
+
+
+def write_json(file: Path, content: dict[str, Any]) -> None:
+    """Write a result as JSON."""
+    # Bytes of a file name that are not UTF-8 are surrogates, which JSON can hold only as escapes.
+    write_file(file, _text(content, ascii_only=False).encode("utf-8", "backslashreplace").decode("utf-8"))
+
+
+def _text(content: dict[str, Any], ascii_only: bool) -> str:
+    return json.dumps(content, indent=1, allow_nan=False, ensure_ascii=ascii_only) + "\n"
+
+
+def silence() -> None:
+    """Discard further standard output: the interpreter would report an error when it flushes a closed pipe."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

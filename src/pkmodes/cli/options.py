@@ -1,0 +1,102 @@
+"""Options that several commands share, and errors that name them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import click
+
+from pkmodes.base.errors import PkmodesError
+from pkmodes.base.pasting import pasted
+
+json_option = click.option(
+    "--json",
+    "json_file",
+    metavar="FILE",
+    default=None,
+    help="Write the machine-readable result to FILE; - for standard output.",
+)
+
+report_option = click.option(
+    "--report",
+    "report_to",
+    metavar="FILE.html",
+    type=click.Path(path_type=Path),
+    help="Write a report, one page that needs no other file and no network.",
+)
+
+
+def _add_mechanism(_: click.Context, __: click.Parameter, folder: Path | None) -> Path | None:
+    if folder is not None:
+        from pkmodes.mechanism.registry import add_folder
+
+        add_folder(folder)
+    return folder
+
+
+_MECHANISM: dict[str, Any] = {
+    "metavar": "FOLDER",
+    "type": click.Path(path_type=Path),
+    "callback": _add_mechanism,
+    "help": "A mechanism of your own: the folder that generate --mechanism FILE.py wrote.",
+}
+mechanism_option = click.option("--mechanism", expose_value=False, **_MECHANISM)
+#: The same for a command that prints other commands for the mechanism.
+repeated_mechanism_option = click.option("--mechanism", **_MECHANISM)
+
+band_option = click.option(
+    "--band",
+    metavar="LOW,HIGH",
+    default=None,
+    help="Frequency band of the measurement, such as 10,400 in Hz, if the file does not give it.",
+)
+
+
+def band_of(text: str | None) -> tuple[float, float] | None:
+    """Return the band of the option in Hz.
+
+    Raises
+    ------
+    MeasurementError
+        If it is not two frequencies, the lower one first.
+    """
+    if text is None:
+        return None
+    from pkmodes.measured.table import parse_band
+
+    return parse_band(text, "--band", "write --band 10,400")
+
+
+def check_order(robot: Path, modes: Path, command: str) -> None:
+    """Reject swapped robot and measurement files, recognised by their names.
+
+    Raises
+    ------
+    PkmodesError
+    """
+    if modes.suffix.lower() == ".toml" and robot.suffix.lower() != ".toml":
+        what = f"expected ROBOT.toml before MODES.csv, found {robot} before {modes}"
+        raise PkmodesError(
+            what, command, f"the robot file comes first: {command} {pasted(modes)} {pasted(robot)}"
+        )
+
+
+@contextmanager
+def named_as_options(options: Mapping[str, str]) -> Iterator[None]:
+    """Replace the name of a function argument in an error by that of the option.
+
+    Parameters
+    ----------
+    options : mapping of str to str
+        Options by argument.  The place of an error is an argument, alone or before a colon: ``sweep: platform.mass``.
+    """
+    try:
+        yield
+    except PkmodesError as error:
+        argument, _, rest = error.where.partition(": ")
+        if argument not in options:
+            raise
+        raise type(error)(error.what, f"{options[argument]} {rest}".rstrip(), error.remedy) from None

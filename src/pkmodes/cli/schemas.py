@@ -1,0 +1,45 @@
+"""JSON Schemas of the output of ``--json``: ``python -m pkmodes.cli.schemas docs/schemas`` writes them."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+
+from pkmodes.base.documents import Document, schema_of
+from pkmodes.base.writing import write_files
+from pkmodes.cli.check import CheckDocument
+from pkmodes.cli.compare import CompareDocument
+from pkmodes.cli.figures import FiguresDocument
+from pkmodes.cli.generate import GenerateDocument
+from pkmodes.cli.map import MapDocument
+from pkmodes.cli.modes import modes_document
+from pkmodes.cli.sensitivities import SensitivitiesDocument
+from pkmodes.cli.show import ShowDocument
+from pkmodes.diagnosis.verdict.document import DiagnoseDocument
+
+#: What each command writes.
+DOCUMENTS: dict[str, type[Document]] = {
+    "generate": GenerateDocument,
+    "check": CheckDocument,
+    "modes": modes_document(),
+    "map": MapDocument,
+    "figures": FiguresDocument,
+    "show": ShowDocument,
+    "sensitivities": SensitivitiesDocument,
+    "compare": CompareDocument,
+    "diagnose": DiagnoseDocument,
+}
+
+
+def schema_files() -> dict[str, str]:
+    """Return the schema of each command by the name of its file."""
+    return {
+        f"{command}.schema.json": json.dumps(schema_of(document, f"pkmodes {command} --json"), indent=1)
+        + "\n"
+        for command, document in DOCUMENTS.items()
+    }
+
+
+if __name__ == "__main__":
+    write_files(Path(sys.argv[1]), schema_files())

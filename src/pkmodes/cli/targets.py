@@ -1,0 +1,91 @@
+"""The files that a command writes, refused before anything is computed if they cannot or must not be written."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from pkmodes.base.errors import OutputError, shown
+from pkmodes.base.pasting import pasted
+
+
+@dataclass(frozen=True)
+class Target:
+    """A file that a command writes.
+
+    Attributes
+    ----------
+    option : str
+        The option that names it.
+    file : str, Path or None
+        As given; None if it is not wanted.
+    what : str
+        What it will be, such as "the report".
+    endings : tuple of str
+        If not empty, its name ends in one of them.
+    anywhere : bool
+        Whether it may also be a folder, or in one that does not exist: such a target is checked where it is written.
+    """
+
+    option: str
+    file: str | Path | None
+    what: str
+    endings: tuple[str, ...] = ()
+    anywhere: bool = False
+
+
+def report_target(file: Path | None) -> Target:
+    """Return the target of ``--report``."""
+    return Target("--report", file, "the report", (".html",))
+
+
+def check_targets(json_file: str | None, inputs: Sequence[Path], *others: Target) -> None:
+    """Check the target of ``--json`` and those of other options.
+
+    Raises
+    ------
+    OutputError
+        If one of them cannot be written, is an input, or is the same file as another, or a page is not named as one.
+    """
+    targets = [Target("--json", None if json_file == "-" else json_file, "the result"), *others]
+    for target in targets:
+        if target.file is not None and not target.anywhere:
+            _check_place("" if target.file == Path() else str(target.file), target.option)
+    taken: dict[Path, str] = {}
+    for target in targets:
+        if target.file is None:
+            continue
+        path, where = Path(target.file), f"{target.option} {target.file}"
+        if path.resolve() in taken:
+            what = f"{taken[path.resolve()]} and {target.what} would be the same file"
+            raise OutputError(what, where, "choose another file")
+        if any(given.exists() and path.exists() and given.samefile(path) for given in inputs):
+            raise OutputError(f"{target.what} would replace its own input", where, "choose another file")
+        taken[path.resolve()] = target.what
+        if target.endings:
+            _check_ending(target, path)
+
+
+def _check_place(file: str, option: str) -> None:
+    """Reject a target that is not a file in an existing folder."""
+    where, path = f"{option} {shown(file)}", Path(file)
+    if not file or "\0" in file or file == "-":
+        raise OutputError("expected the name of a file", where, "choose another place")
+    if path.is_dir():
+        raise OutputError("expected a file, found a folder", where, "name a file in it")
+    if not path.parent.exists():
+        raise OutputError(
+            f"the folder {path.parent} does not exist", where, "create it, or choose another place"
+        )
+    if not path.parent.is_dir():
+        raise OutputError(f"{path.parent} is not a folder", where, "choose another place")
+
+
+def _check_ending(target: Target, path: Path) -> None:
+    """Reject a name that no browser would open as a page; a pipe or a device may have any name."""
+    special = path.exists() and not path.is_file()
+    if not special and path.suffix.lower() not in (".htm", *target.endings):
+        what = f"expected a name that ends in {' or '.join(target.endings)}, found {shown(path.name)}"
+        given = target.file if isinstance(target.file, Path) else shown(target.file)
+        raise OutputError(what, f"{target.option} {given}", f"write {pasted(path.with_suffix('.html'))}")

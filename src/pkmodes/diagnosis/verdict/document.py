@@ -1,0 +1,231 @@
+"""The JSON of a diagnosis: its keys, their types and their meaning."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from msgspec import Meta, field
+
+from pkmodes.base.documents import Document, Number, Probability, Size
+from pkmodes.diagnosis.verdict.verdicts import Word
+
+
+class SizeDocument(Document):
+    """The smallest detectable change of a parameter."""
+
+    value: Annotated[float, Meta(description="In SI units.")]
+    unit: str
+
+
+class ValueDocument(Document):
+    """A fitted parameter."""
+
+    value: float
+    sigma: Annotated[float, Meta(description="Standard deviation.")]
+    unit: str
+
+
+#: Parameters by their names.
+Values = dict[str, ValueDocument]
+
+
+class CauseDocument(Document):
+    """A cause that was found."""
+
+    name: Annotated[str, Meta(description="The best of its class.")]
+    members: Annotated[
+        list[str],
+        Meta(
+            description="All candidates that these data cannot separate from it, including itself.",
+            min_length=1,
+        ),
+    ] = field(name="class")
+    parameters: Annotated[
+        Values,
+        Meta(
+            description="Its parameters: of an effect by the last part of their name, others by their path."
+        ),
+    ]
+    p_value: Annotated[
+        Probability,
+        Meta(description="p-value of the improvement, corrected for the number of candidates."),
+    ]
+    alternatives: Annotated[
+        dict[str, Annotated[Values, Meta(description="Parameters of one member.")]],
+        Meta(description="For each member of the class, its parameters if it were the cause."),
+    ]
+
+
+class RefittedDocument(Document):
+    """A nuisance parameter."""
+
+    before: Annotated[float, Meta(description="As declared, SI units.")]
+    after: Annotated[float, Meta(description="Refitted value.")]
+    sigma: Annotated[float, Meta(description="Standard deviation after the refit.")]
+    unit: str
+
+
+class ErrorDocument(Document):
+    """The errors of one stage."""
+
+    rms_relative: Annotated[
+        Size | None,
+        Meta(
+            description="Root mean square of f_model / f_measured - 1 over the fitted rows; null if there are none."
+        ),
+    ]
+    held_out_rms_relative: Annotated[
+        Size | None, Meta(description="The same over the held-out rows; null if there are none.")
+    ]
+    chi2_per_dof: Annotated[
+        Size, Meta(description="Chi-square per degree of freedom of the fitted rows and the priors.")
+    ]
+
+
+class StagesDocument(Document):
+    """The errors of all stages."""
+
+    before: Annotated[ErrorDocument, Meta(description="For the robot as declared.")]
+    refit: Annotated[
+        ErrorDocument | None,
+        Meta(description="With the nuisance parameters refitted; null where there are too few data."),
+    ]
+    after: Annotated[
+        ErrorDocument | None, Meta(description="With the causes; null unless something was added.")
+    ]
+
+
+class NextMeasurementDocument(Document, omit_defaults=True):
+    """A pose to be measured."""
+
+    pose: Annotated[list[float], Meta(description="Platform centre [m].")]
+    separates: Annotated[list[str], Meta(description="The two explanations.", min_length=2, max_length=2)]
+    sigmas: Annotated[float, Meta(description="By how many standard deviations they differ there.")]
+    load: Annotated[
+        dict[str, float],
+        Meta(
+            description="Values to be set for it, by path, in SI units; present only where a payload is proposed."
+        ),
+    ] = field(name="set", default_factory=dict)
+
+
+class CandidateDocument(Document):
+    """The test of a candidate."""
+
+    name: str
+    p_value: Annotated[
+        Probability,
+        Meta(
+            description="p-value of its score at the refit of the nuisance parameters, for this candidate alone."
+        ),
+    ]
+    detectable: Annotated[
+        bool, Meta(description="Whether a change that moves a frequency by a tenth is detectable.")
+    ]
+    visible_from: Annotated[
+        dict[str, SizeDocument],
+        Meta(description="Smallest detectable change of each parameter; empty if there is none."),
+    ]
+
+
+class StabilityDocument(Document):
+    """The result with other errors or priors."""
+
+    change: Annotated[str, Meta(description="The change, such as sigma x 0.5.")]
+    verdict: Annotated[Word, Meta(description="The resulting verdict.")]
+    effects: Annotated[list[str], Meta(description="The resulting names of the causes.")]
+
+
+class PlaceDocument(Document):
+    """A measured mode by its place in the file."""
+
+    pose: Annotated[str, Meta(description="Label of the pose.")]
+    line: Annotated[Number, Meta(description="Line of the measurement file.")]
+
+
+class RowDocument(PlaceDocument, omit_defaults=True):
+    """A measured mode and its predictions."""
+
+    mode: Annotated[str, Meta(description="The experimenter's mode number; may be empty.")]
+    measured: Annotated[float, Meta(description="Measured value.")] = field(name="frequency_hz")
+    sigma: Annotated[float, Meta(description="Its standard deviation.")] = field(name="sigma_hz")
+    before: Annotated[
+        float | None, Meta(description="Predicted as declared; null where the row is unmatched.")
+    ] = field(name="before_hz")
+    refit: Annotated[
+        float | None,
+        Meta(
+            description="With the nuisance parameters refitted; null where the row is unmatched, or without that "
+            "stage."
+        ),
+    ] = field(name="refit_hz")
+    after: Annotated[
+        float | None,
+        Meta(description="With the causes; null where the row is unmatched, or without that stage."),
+    ] = field(name="after_hz")
+    mac: Annotated[Size | None, Meta(description="MAC in the last stage; null where no shape was measured.")]
+    held_out: Annotated[bool, Meta(description="Whether its pose took no part in any fit.")]
+    outlier: Annotated[bool, Meta(description="Whether it was set aside.")]
+    load: Annotated[
+        dict[str, float],
+        Meta(
+            description="Values set by the measurements at its pose, by path, in SI units; present only where there "
+            "are any."
+        ),
+    ] = field(name="set", default_factory=dict)
+
+
+class DiagnoseDocument(Document):
+    """The result of a diagnosis."""
+
+    verdict: Annotated[Word, Meta(description="The verdict, as defined in docs/diagnosis.md.")]
+    reason: Annotated[str, Meta(description="One sentence for a person.")]
+    effects: Annotated[
+        list[CauseDocument], Meta(description="The causes; empty unless the verdict is effect_found.")
+    ]
+    survivors: Annotated[
+        list[Annotated[list[str], Meta(min_length=1)]],
+        Meta(description="Classes that remain; empty unless the verdict is ambiguous."),
+    ]
+    refitted: Annotated[
+        dict[str, RefittedDocument],
+        Meta(description="The nuisance parameters, by path, each fitted within its prior."),
+    ]
+    error: StagesDocument
+    held_out_poses: Annotated[
+        list[str], Meta(description="Labels of the poses that took no part in any choice or fit.")
+    ]
+    undetectable: Annotated[
+        list[str], Meta(description="Candidates that are not detectable with these data.")
+    ]
+    next_measurement: Annotated[
+        NextMeasurementDocument | None,
+        Meta(
+            description="The pose that best separates the remaining explanations; null when nothing is left to "
+            "separate."
+        ),
+    ]
+    candidates: Annotated[list[CandidateDocument], Meta(description="Result for each candidate.")]
+    outliers: Annotated[list[PlaceDocument], Meta(description="Rows that were set aside.")]
+    unpaired: Annotated[
+        list[PlaceDocument], Meta(description="Measured modes that are unmatched in the last stage.")
+    ]
+    scatter: Annotated[
+        Size,
+        Meta(description="Relative error common to the modes of a pose, 0 where the data show none."),
+    ] = field(name="pose_scatter")
+    shape_scatter: Annotated[
+        Size | None,
+        Meta(
+            description="Estimated scatter of the shapes without a stated one, relative to the largest component; "
+            "null where there are none."
+        ),
+    ]
+    notes: Annotated[
+        list[str],
+        Meta(description="Remarks about the data and the result that a person should read; may be empty."),
+    ]
+    stability: Annotated[list[StabilityDocument], Meta(description="Results with other errors and priors.")]
+    rows: Annotated[
+        list[RowDocument], Meta(description="One for each measured mode, in the order of the file.")
+    ]

@@ -1,0 +1,87 @@
+"""Measurements in CSV with a header, one row for each mode, and the text of any CSV file."""
+
+from __future__ import annotations
+
+from os import PathLike, fspath
+from pathlib import Path
+from typing import NoReturn
+
+from pkmodes.base.errors import MeasurementError
+from pkmodes.measured.formats import Format, Machine
+from pkmodes.measured.header import components_of, read_header
+from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.table import cells_of, read_lines, read_table
+
+LARGEST_FILE = 50_000_000
+#: First bytes of spreadsheet files: a zip archive, and the older Excel format.
+WORKBOOKS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
+
+
+def read(path: str | PathLike[str], machine: Machine) -> Measurements:
+    """Read measurements, or raise an error for the first problem with its line and column."""
+    source = fspath(path)
+    lines = read_lines(read_text(Path(path), source), source)
+    if not lines.records:
+        remedy = "start with the names of the columns"
+        raise MeasurementError("expected a header and rows, found none", source, remedy)
+    number, line = lines.records[0]
+    where = f"{source}: line {number}"
+    cells = cells_of(line, where)
+    components = components_of(cells, machine.components, machine.channels)
+    columns = read_header(cells, where, machine.channels, machine.positions, components, machine.settings)
+    return read_table(columns, lines, source, components)
+
+
+def begins_with_a_header(head: bytes) -> bool:
+    """Return whether the first line that is no comment names the column of the poses."""
+    lines = (line.strip() for line in head.decode("utf-8-sig", "replace").splitlines())
+    header = next((line for line in lines if line and not line.startswith("#")), "")
+    return "pose" in [cell.strip(' "') for cell in header.split(",")]
+
+
+CSV = Format("CSV", (".csv",), begins_with_a_header, read)
+
+
+def _refuse(what: str, where: str, remedy: str) -> NoReturn:
+    raise MeasurementError(what, where, remedy) from None
+
+
+def read_text(
+    path: Path,
+    source: str,
+    what: str = "the measurements",
+    remedy: str = "give a CSV file of modal measurements",
+) -> str:
+    """Return the text of a CSV file.
+
+    Parameters
+    ----------
+    source : str
+        The file, for messages.
+    what, remedy : str
+        What it should contain, and what to give instead of another file.
+
+    Raises
+    ------
+    MeasurementError
+        If it cannot be read, or is not UTF-8 text.
+    """
+    try:
+        if path.exists() and not path.is_file():
+            kind = "a folder" if path.is_dir() else "not a regular file"
+            _refuse(f"cannot read {what}: it is {kind}", source, remedy)
+        if path.stat().st_size > LARGEST_FILE:
+            _refuse(f"cannot read {what}: it is larger than 50 MB", source, remedy)
+        content = path.read_bytes()
+        if content.startswith(WORKBOOKS):
+            remedy = "open it in a spreadsheet program and save it as CSV UTF-8"
+            _refuse("expected CSV text, found an Excel workbook or another archive", source, remedy)
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = error.object[: error.start].count(b"\n") + 1
+        what = f"expected UTF-8 text, found the byte 0x{error.object[error.start]:02x}"
+        _refuse(what, f"{source}: line {line}", "save the file as UTF-8")
+    except (OSError, ValueError) as error:  # ValueError: a path with a null character
+        reason = getattr(error, "strerror", None) or str(error)
+        remedy = "check its permissions" if isinstance(error, PermissionError) else "check the path"
+        _refuse(f"cannot read {what}: {reason.lower()}", source, remedy)

@@ -1,0 +1,55 @@
+"""A file format of measurements: how its files are recognised, and how they are read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, field
+from os import PathLike
+from types import MappingProxyType
+
+from pkmodes.measured.columns import POSITION
+from pkmodes.measured.measurements import Measurements
+
+
+@dataclass(frozen=True)
+class Machine:
+    """What files say of a measured machine: its coordinates, poses and settings.
+
+    Attributes
+    ----------
+    channels : collection of str, or mapping of str to str
+        Coordinates at which shapes may be measured.  A mapping gives their SI units.
+    positions : bool
+        Whether the pose components are required.  If not, either all or none of them must be present.
+    components : sequence of mapping of str to str
+        Possible sets of pose components, each with SI units.
+    settings : mapping of str to str
+        Paths of values that may be set, with their SI units.
+    """
+
+    channels: Collection[str] | Mapping[str, str]
+    positions: bool = True
+    components: Sequence[Mapping[str, str]] = (POSITION,)
+    settings: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+
+
+@dataclass(frozen=True)
+class Format:
+    """A file format.
+
+    Attributes
+    ----------
+    name : str
+        For messages.
+    suffixes : tuple of str
+        Of its files, in lower case with the dot.
+    recognises : callable
+        Whether a file that begins with some bytes is of this format.
+    read : callable
+        The measurements in a file, from its path and the machine.  Raises `MeasurementError`.
+    """
+
+    name: str
+    suffixes: tuple[str, ...]
+    recognises: Callable[[bytes], bool]
+    read: Callable[[str | PathLike[str], Machine], Measurements]

@@ -1,0 +1,64 @@
+"""A mechanism at runtime: its description with its generated code.
+
+Everything that differs between mechanisms comes from here.  No other module refers to a mechanism by name.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from importlib import import_module
+from importlib.resources import files
+from types import ModuleType
+
+import msgspec
+
+from pkmodes_description import FILE_NAME, Description, Effect, decode
+
+
+class Mechanism(Description, frozen=True, eq=False, dict=True, kw_only=True):
+    """A mechanism: its `Description` and its generated functions.
+
+    Attributes
+    ----------
+    package : str
+        Package with the generated functions.
+    """
+
+    package: str
+
+    @cached_property
+    def effects(self) -> dict[str, Effect]:
+        """The effects that apply by name, in the order of the generated model."""
+        return {effect.name: effect for effect in self.effects_in_order}
+
+    @cached_property
+    def differences(self) -> dict[str, str]:
+        """Fields that enter only as the difference from another field, which carries the sensitivities."""
+        return dict(self.difference_pairs)
+
+    @cached_property
+    def model(self) -> ModuleType:
+        """The generated model without effects."""
+        return import_module(self.package)
+
+    @cached_property
+    def extended(self) -> ModuleType:
+        """The generated model with effects."""
+        return import_module(f"{self.package}.extended")
+
+    @cached_property
+    def drawn(self) -> ModuleType:
+        """The generated points and springs of the drawing."""
+        return import_module(f"{self.package}.drawing")
+
+
+def described(package: str) -> Mechanism:
+    """Return the mechanism that a package describes.
+
+    Raises
+    ------
+    DescriptionError
+        If the description is invalid.
+    """
+    description = decode((files(package) / FILE_NAME).read_bytes())
+    return Mechanism(package=package, **msgspec.structs.asdict(description))

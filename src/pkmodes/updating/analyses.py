@@ -1,0 +1,121 @@
+"""Compare, diagnose and update a robot with the modes measured on it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from pkmodes import diagnosis
+from pkmodes.diagnosis.compare import Comparison
+from pkmodes.diagnosis.search.additions import Progress
+from pkmodes.diagnosis.update import Update
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.linalg.threads import one_blas_thread
+from pkmodes.measured.measurements import Measurements
+from pkmodes.model.model import Model
+from pkmodes.robot.robot import Robot
+from pkmodes.updating.measured_robot import MeasuredRobot
+
+
+def compare(robot: Robot | Model, data: Measurements) -> Comparison:
+    """Compare predictions with measurements, without any fit.
+
+    Parameters
+    ----------
+    robot : Robot or Model
+        From `pkmodes.read_robot` or `pkmodes.load`.
+    data : Measurements
+        From `read`.
+
+    Returns
+    -------
+    Comparison
+        One row for each measured mode, in the order of the file.
+
+    Raises
+    ------
+    PkmodesError
+        If a pose cannot be reached, or a set value is refused.
+    """
+    measured = MeasuredRobot.of(robot, data)
+    return diagnosis.compare(measured.structure(candidates=()), measured.data)
+
+
+@one_blas_thread()
+def diagnose(
+    robot: Robot | Model,
+    data: Measurements,
+    *,
+    candidates: Sequence[str] | None = None,
+    holdout: Sequence[str] | None = None,
+    priors: Mapping[str, float | str] | None = None,
+    progress: Progress | None = None,
+) -> Diagnosis:
+    """Find what the model of a robot lacks.
+
+    Parameters
+    ----------
+    robot : Robot or Model
+        From `pkmodes.read_robot` or `pkmodes.load`.
+    data : Measurements
+        From `read`.
+    candidates : sequence of str, optional
+        Names of effects, ``parameter:<path>``, ``measurement:<what>``, or the words ``effects``, ``parameters`` and
+        ``measurement``; by default all.
+    holdout : sequence of str, optional
+        Labels of held-out poses, used in no choice or fit; by default one in six.
+    priors : mapping of str to float or str, optional
+        Prior standard deviations of the parameters of candidates: numbers in SI units, or text with a unit,
+        ``"1 mm"`` or ``"2 %"`` of the declared value.
+    progress : callable, optional
+        Called with a sentence at each step.
+
+    Returns
+    -------
+    Diagnosis
+        The verdict with its reason, the causes, and the error before and after; `save_robot` writes the corrected
+        robot file.
+
+    Raises
+    ------
+    PkmodesError
+        If a pose cannot be reached, or a name is unknown.
+    """
+    measured = MeasuredRobot.of(robot, data)
+    suspected = measured.structure(candidates, priors)
+    return diagnosis.diagnose(suspected, measured.data, holdout=holdout, progress=progress)
+
+
+@one_blas_thread()
+def update(
+    robot: Robot | Model,
+    data: Measurements,
+    parameters: Sequence[str] | None = None,
+    *,
+    holdout: Sequence[str] | None = None,
+) -> Update:
+    """Update the uncertain values of a robot together: a correction, not a cause.
+
+    Parameters
+    ----------
+    robot : Robot or Model
+        Its quantities with a sigma may change, with the sigma as a prior; `pkmodes.Robot.with_values` adds a sigma
+        to others.
+    data : Measurements
+        From `read`.
+    parameters : sequence of str, optional
+        Dotted paths of those that may change; by default all with a sigma.
+    holdout : sequence of str, optional
+        Labels of held-out poses; by default one in six.
+
+    Returns
+    -------
+    Update
+        The values before and after, and the error before and after.
+
+    Raises
+    ------
+    PkmodesError
+        If a pose cannot be reached, a name is unknown, or a value has no sigma.
+    """
+    measured = MeasuredRobot.of(robot, data)
+    return diagnosis.update(measured.structure(candidates=()), measured.data, parameters, holdout=holdout)

@@ -1,0 +1,90 @@
+"""The robot file as a diagnosis corrects it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.diagnosis.verdict.verdicts import VERDICTS
+from pkmodes.model.model import Model
+from pkmodes.robot.paths import resolve
+from pkmodes.robot.robot import Robot
+from pkmodes.robot.saving import Correction, corrected_text, save_corrected
+from pkmodes.updating import frame
+from pkmodes.updating.measured_robot import robot_of
+
+
+def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
+    """Return the changes of the robot file after a diagnosis: refitted values, causes, and their uncertainty."""
+    causes = {v.name for finding in diagnosis.effects for v in finding.parameters}
+    changes = {}
+    for value in diagnosis.corrected:
+        if value.name.startswith(frame.OF_MEASUREMENT):
+            continue  # it concerns the measurements, not the robot
+        note = "found by pkmodes diagnose" if value.name in causes else "refitted by pkmodes diagnose"
+        if value.name in robot.quantities or not value.name.startswith("effects."):
+            unit = "" if value.unit == "1" else f" {value.unit}"
+            note = f"was {resolve(robot, value.name).value:.6g}{unit}: {note}"
+        changes[value.name] = Correction(value.value, value.sigma, note)
+    return changes
+
+
+def corrected_robot(robot: Robot | Model, diagnosis: Diagnosis) -> str:
+    """Return the text of the corrected robot file; comments and order of the original are kept.
+
+    If a class has several causes, the first one, which names it, is written.
+
+    Parameters
+    ----------
+    robot : Robot or Model
+        The diagnosed robot, read from a file.
+    diagnosis : Diagnosis
+        From `diagnose`.
+
+    Raises
+    ------
+    PkmodesError
+        If there is nothing to correct, or the robot was not read from a file.
+    """
+    robot = _correctable(robot, diagnosis, "corrected_robot")
+    return corrected_text(Path(robot.source), corrections(robot, diagnosis))
+
+
+def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> None:
+    """Write the corrected robot file, as `corrected_robot` returns it.
+
+    Parameters
+    ----------
+    robot : Robot or Model
+        As declared, read from a file.
+    found : Diagnosis
+        Of this robot.
+    target : path-like
+        Another file; an existing one is replaced.
+
+    Raises
+    ------
+    PkmodesError
+        If there is nothing to correct, or the file cannot be written.
+    """
+    robot = _correctable(robot, found, str(target))
+    save_corrected(Path(robot.source), Path(target), corrections(robot, found))
+
+
+def _correctable(given: Robot | Model, diagnosis: Diagnosis, where: str) -> Robot:
+    """Return a robot whose file a diagnosis corrects."""
+    robot = robot_of(given)
+    if not VERDICTS[diagnosis.verdict].settled:
+        raise PkmodesError(
+            f"there is no corrected robot to save: the verdict is {diagnosis.verdict}",
+            where,
+            "leave out --save-robot, or measure more",
+        )
+    if not Path(robot.source).is_file():
+        what = f"expected a robot read from a file, found {shown(robot.source)}"
+        raise PkmodesError(
+            what, "save_robot", "diagnose a robot read from a file, or write its values to one"
+        )
+    return robot

@@ -1,0 +1,90 @@
+"""A robot with the modes measured on it, checked once: coordinates, set values, and poses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from os import PathLike
+
+from pkmodes.base.errors import MeasurementError, PkmodesError, nearest, shown
+from pkmodes.diagnosis.arguments import check_measurements
+from pkmodes.measured.header import in_words
+from pkmodes.measured.measurements import Measurements
+from pkmodes.model.model import Model
+from pkmodes.robot.robot import Robot
+from pkmodes.updating.candidates import suspects
+from pkmodes.updating.load_cases import LoadCases, load_cases
+from pkmodes.updating.poses import check_reachable
+from pkmodes.updating.priors import with_priors
+from pkmodes.updating.robot_structure import RobotStructure, channels
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredRobot:
+    """A robot and measurements that it can have.
+
+    Attributes
+    ----------
+    loads : LoadCases
+        The robot with the values set at each pose, which it can reach.
+    """
+
+    robot: Robot
+    data: Measurements
+    loads: LoadCases
+
+    @classmethod
+    def of(cls, robot: Robot | Model, data: Measurements) -> MeasuredRobot:
+        """Return a robot with its measurements.
+
+        Raises
+        ------
+        PkmodesError
+            If an argument is something else.
+        MeasurementError
+            If there are no measurements, the poses have other components than the mechanism's, a shape component is
+            not a coordinate of the robot, a set value is refused, or a pose cannot be evaluated: for the first such
+            pose, with the line of its first row.
+        """
+        robot = robot_of(robot)
+        check_measurements(data, "pkmodes.updating.read(path)")
+        names = tuple(component.name for component in robot.mechanism.pose)
+        if data.components != names:
+            what = f"expected poses with {in_words(names)}, found {in_words(data.components)}"
+            raise MeasurementError(what, data.source, f"give the pose components of {robot.source}")
+        known = channels(robot.mechanism)
+        for name in data.channels:
+            if name not in known:
+                what = f"{shown(name)} is not a coordinate of {robot.source}"
+                raise MeasurementError(what, data.source, nearest(name, known))
+        loads = load_cases(robot, data)
+        check_reachable(robot, data, loads)
+        return cls(robot, data, loads)
+
+    def structure(
+        self, candidates: Sequence[str] | None = None, priors: Mapping[str, float | str] | None = None
+    ) -> RobotStructure:
+        """Return the robot at the measured poses, with its nuisances and candidates, for the diagnosis.
+
+        Raises
+        ------
+        PkmodesError
+            If a candidate or the name of a prior is unknown.
+        """
+        parameters, causes, moves = suspects(self.robot, candidates, self.loads)
+        if priors is not None:
+            causes = with_priors(self.robot, parameters, causes, priors)
+        return RobotStructure(self.robot, self.data.points, parameters, causes, moves, self.loads)
+
+
+def robot_of(given: Robot | Model) -> Robot:
+    """Return a robot, given as such or as a model."""
+    if isinstance(given, Model):
+        return given.robot
+    if not isinstance(given, Robot):
+        path = isinstance(given, str | PathLike)
+        remedy = (
+            f"read it: pkmodes.read_robot({shown(str(given))})" if path else "give what pkmodes.load returns"
+        )
+        raise PkmodesError(f"expected a robot or a model, found {shown(given)}", "robot", remedy)
+    return given

@@ -1,0 +1,47 @@
+"""The description of a mechanism: what the derivation writes about it as ``description.json`` and the runtime reads.
+
+It has its tables, poses, conditions, effects and drawing, so that the runtime reads robot files, checks poses and
+writes reports without code for any particular mechanism.  `structure` is its only definition, from which `encoding`
+follows; `references` checks what types cannot.
+"""
+
+from pkmodes_description.encoding import FILE_NAME, DescriptionError, decode, encode
+from pkmodes_description.structure import (
+    CHOICES,
+    UNITS,
+    Description,
+    Drawing,
+    Effect,
+    EffectParameter,
+    Element,
+    ElementShape,
+    Key,
+    Margin,
+    Named,
+    ParameterGroup,
+    Requirement,
+    Scale,
+    Table,
+)
+
+__all__ = [
+    "CHOICES",
+    "FILE_NAME",
+    "UNITS",
+    "Description",
+    "DescriptionError",
+    "Drawing",
+    "Effect",
+    "EffectParameter",
+    "Element",
+    "ElementShape",
+    "Key",
+    "Margin",
+    "Named",
+    "ParameterGroup",
+    "Requirement",
+    "Scale",
+    "Table",
+    "decode",
+    "encode",
+]
