@@ -71,9 +71,9 @@ def compiler() -> str | None:
     """
     own = os.environ.get("CC", "").strip()
     for name in [own] if own else ["cc", "gcc", "clang"]:
-        found = shutil.which(name)
-        if found:
-            return found
+        path = shutil.which(name)
+        if path:
+            return path
     return None
 
 
@@ -90,10 +90,10 @@ def digest(header: str) -> str:
         *((FOLDER / name).read_text(encoding="utf-8") for name in SOURCES),
         repr((FLAGS, WIDTHS)),
     ]
-    found = hashlib.sha256()
+    sha = hashlib.sha256()
     for text in texts:
-        found.update(hashlib.sha256(text.replace("\r\n", "\n").encode("utf-8")).digest())
-    return found.hexdigest()
+        sha.update(hashlib.sha256(text.replace("\r\n", "\n").encode("utf-8")).digest())
+    return sha.hexdigest()
 
 
 def build(header: str, target: Path, cc: str) -> None:
@@ -147,7 +147,7 @@ def build(header: str, target: Path, cc: str) -> None:
 
 def _run(command: Sequence[str], folder: Path) -> None:
     try:
-        found = subprocess.run(
+        run = subprocess.run(
             command,
             cwd=folder,
             capture_output=True,
@@ -158,8 +158,6 @@ def _run(command: Sequence[str], folder: Path) -> None:
         )
     except (OSError, subprocess.TimeoutExpired) as error:
         raise BuildError(f"{command[0]} cannot be run: {error}") from None
-    if found.returncode:
-        said = next(
-            (line for line in found.stderr.splitlines() if "error" in line), found.stderr.strip()[:300]
-        )
+    if run.returncode:
+        said = next((line for line in run.stderr.splitlines() if "error" in line), run.stderr.strip()[:300])
         raise BuildError(f"{command[0]} failed: {said}")

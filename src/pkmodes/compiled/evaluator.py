@@ -23,8 +23,6 @@ class Evaluator:
 
     Parameters
     ----------
-    library : Library
-    lanes : Lanes
     coordinates : int
         Without effects; with them `lanes` says how many there are.
     largest_condition : float

@@ -123,8 +123,8 @@ def load(package: str, name: str) -> Library:
     header = header_file.read_text(encoding="utf-8")
     wanted = build.digest(header)
     shipped = SHIPPED / f"{name}.so"
-    found = _loaded(shipped, wanted) if shipped.is_file() else None
-    return found or _built(name, header, wanted)
+    library = _loaded(shipped, wanted) if shipped.is_file() else None
+    return library or _built(name, header, wanted)
 
 
 def _built(name: str, header: str, wanted: str) -> Library:
@@ -135,27 +135,27 @@ def _built(name: str, header: str, wanted: str) -> Library:
     folder = _cache()
     path = folder / f"{name}-{wanted[:16]}-{_version(cc)}.so"
     try:
-        found = None
+        library = None
         if path.is_file():
             _check_private(path)
-            found = _loaded(path, wanted)  # None for a damaged file
-        if found is None:
+            library = _loaded(path, wanted)  # None for a damaged file
+        if library is None:
             build.build(header, path, cc)
-            found = _loaded(path, wanted)
+            library = _loaded(path, wanted)
     except build.BuildError as error:
         raise UnavailableError(f"the library of {name} cannot be built: {error}", INSTALL) from None
     except OSError as error:
         raise UnavailableError(f"the library of {name} cannot be kept: {error}", _elsewhere()) from None
-    if found is None:
+    if library is None:
         raise UnavailableError(f"the library that {cc} has built cannot be loaded: {path}", INSTALL)
-    return found
+    return library
 
 
 def _loaded(path: Path, wanted: str) -> Library | None:
     """Load a file; return None if it was built from other sources or for another processor."""
     try:
-        found = Library(path)
-        return found if (found.layout, found.digest) == (LAYOUT, wanted) else None
+        library = Library(path)
+        return library if (library.layout, library.digest) == (LAYOUT, wanted) else None
     except (OSError, AttributeError):
         return None
 
@@ -185,10 +185,10 @@ def _elsewhere() -> str:
 
 def _check_private(path: Path) -> None:
     """Refuse a path that other users can write to: code from it would be run."""
-    found = path.stat()
-    if hasattr(os, "getuid") and found.st_uid != os.getuid():
+    status = path.stat()
+    if hasattr(os, "getuid") and status.st_uid != os.getuid():
         raise PermissionError(f"{path} belongs to another user")
-    if found.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
+    if status.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
         raise PermissionError(f"others can write to {path}")
 
 

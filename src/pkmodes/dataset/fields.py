@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from pkmodes.dataset.motion import in_plane, out_of_plane
 from pkmodes.linalg.eigen import natural_frequencies
@@ -51,10 +51,8 @@ class Field:
         In maps; of a mechanism.
     text : str
         What it is, for maps; {plane}, {normal} and {independent} are replaced.
-    comment : str
     symbol : str
         Heading in the table of a notebook, followed by the number of the mode; empty if it has no columns there.
-    dtype : str
     with_shapes : bool
         Whether maps keep it only on request, with the mode shapes.
     same_as : str
@@ -242,6 +240,11 @@ def of_maps(shapes: bool) -> tuple[Field, ...]:
         *(field for field in listed if not field.with_shapes),
         *(field for field in listed if field.with_shapes and shapes),
     )
+
+
+def missing(dtype: DTypeLike) -> float:
+    """Return the value of fields of a type where a pose cannot be evaluated."""
+    return -1 if np.dtype(dtype).kind == "i" else np.nan
 
 
 def tail(field: Field, sizes: Mapping[str, int]) -> tuple[int, ...]:

@@ -29,8 +29,6 @@ def dataset_of_modes(
 
     Parameters
     ----------
-    robot : Robot
-    rigid_modes : int
     coordinates : tuple of str
         Of the shapes.
     poses : ndarray, shape (..., d)

@@ -21,7 +21,6 @@ class Variable:
 
     Attributes
     ----------
-    name : str
     dims : tuple of str
         After those of the poses.
     units, long_name, comment : str
@@ -56,7 +55,6 @@ def variables(mechanism: Mechanism, normal: str | None, shapes: bool, tracked: b
 
     Parameters
     ----------
-    mechanism : Mechanism
     normal : str or None
         Direction perpendicular to the plane of the grid.
     shapes, tracked : bool

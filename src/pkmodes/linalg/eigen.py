@@ -143,10 +143,10 @@ def has_stiff_joint(eigenvalues: Array, first: int, rigid: int) -> NDArray[np.bo
     if eigenvalues.shape[-1] <= first:
         return np.zeros(len(eigenvalues), dtype=bool)
     largest = eigenvalues[:, -1]
-    found: NDArray[np.bool_] = (largest > GRADED * np.abs(eigenvalues[:, rigid])) & (
+    stiff: NDArray[np.bool_] = (largest > GRADED * np.abs(eigenvalues[:, rigid])) & (
         largest > STIFFER * np.abs(eigenvalues[:, first - 1])
     )
-    return found
+    return stiff
 
 
 def magnitude(eigenvalues: Array, first: int, rigid: int) -> Array:
@@ -167,10 +167,10 @@ def magnitude(eigenvalues: Array, first: int, rigid: int) -> Array:
         Not negative.
     """
     size = np.abs(eigenvalues)
-    found = np.repeat(size.max(axis=-1, keepdims=True), size.shape[-1], axis=-1)
+    magnitudes = np.repeat(size.max(axis=-1, keepdims=True), size.shape[-1], axis=-1)
     stiff = has_stiff_joint(eigenvalues, first, rigid)
-    found[stiff] = np.maximum(size[stiff], size[stiff, first - 1 : first])
-    return found
+    magnitudes[stiff] = np.maximum(size[stiff], size[stiff, first - 1 : first])
+    return magnitudes
 
 
 def _sign(shapes: Array) -> Array:

@@ -41,9 +41,6 @@ def dataset_of(
     ----------
     robot : Robot
         As declared.
-    places : Grid or Poses
-    variants : Variants
-    layout : Layout
     arrays : mapping of str to ndarray or Stored, shape (rows, ...)
         The fields of `pkmodes.maps.layout.tails`.
     tracked : Tracked, optional

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import PkmodesError
-from pkmodes.dataset.fields import COORDINATE, INDEPENDENT, MODE, Field, of_maps
+from pkmodes.dataset.fields import COORDINATE, INDEPENDENT, MODE, Field, missing, of_maps
 from pkmodes.maps.layout import Layout, tails
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.robot import Robot
@@ -36,7 +36,6 @@ class Task:
         As for `pkmodes.Model`.
     normal : str or None
         Direction perpendicular to the plane of the grid.
-    layout : Layout
     """
 
     pieces: tuple[tuple[Robot, Array], ...]
@@ -93,7 +92,7 @@ def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
     sizes = tails(robot, layout)
     for field in fields:
         shape, dtype = sizes[field.variable]
-        array = arrays[field.variable] = np.full((len(points), *shape), np.nan, dtype)
+        array = arrays[field.variable] = np.full((len(points), *shape), missing(dtype), dtype)
         _place(field, values[field.name], array, model, layout, checked.valid)
     return arrays
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from pkmodes.dataset.fields import of_maps, sizes_of, tail
 from pkmodes.robot.robot import Robot
-from pkmodes.system.evaluation import evaluation
+from pkmodes.system.evaluation import evaluation, number_of_modes
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ def layout_of(robots: Sequence[Robot], shapes: bool, backend: str) -> Layout:
     modes, order = 0, {}
     for robot in robots:
         system = evaluation(robot)
-        modes = max(modes, len(system.coordinates) - int(system.massless().sum()) - system.rigid_modes)
+        modes = max(modes, number_of_modes(system) - system.rigid_modes)
         order.update(dict.fromkeys(system.coordinates))
     released = [q.name for effect in robots[0].mechanism.effects.values() for q in effect.coordinates]
     every = [q.name for q in robots[0].mechanism.coordinates] + released

@@ -252,8 +252,8 @@ class Model:
         --------
         >>> import numpy as np, pkmodes
         >>> model = pkmodes.load("robots/linear-delta-2022.toml")
-        >>> found = model.map({"x": np.linspace(0.3, 0.8, 6), "y": 0.0, "z": -0.245})
-        >>> found.frequency.sel(mode=1).squeeze().round(2).values
+        >>> dataset = model.map({"x": np.linspace(0.3, 0.8, 6), "y": 0.0, "z": -0.245})
+        >>> dataset.frequency.sel(mode=1).squeeze().round(2).values
         array([46.34, 49.55, 54.23, 55.56, 50.33, 46.8 ])
         """
         from pkmodes.maps.mapping import map_of

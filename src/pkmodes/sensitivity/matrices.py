@@ -77,15 +77,15 @@ def _entries(mechanism: Mechanism, matrix: int) -> Entries:
 @cache
 def joints_of(mechanism: Mechanism) -> dict[Slot, tuple[int, ...]]:
     """Return the coordinates that each compliance, of all joints or a single one, releases in the extended model."""
-    found: dict[Slot, tuple[int, ...]] = {}
+    joints: dict[Slot, tuple[int, ...]] = {}
     for effect in mechanism.effects.values():
         place = tuple(mechanism.extended.COORDINATES.index(q.name) for q in effect.coordinates)
         compliance = f"{effect.name}.{effect.parameters[0].name}"
         if place:
-            found[compliance, ()] = place
+            joints[compliance, ()] = place
         for q, one in zip(effect.coordinates, place, strict=True):
-            found[f"{compliance}.{q.name}", ()] = (one,)
-    return found
+            joints[f"{compliance}.{q.name}", ()] = (one,)
+    return joints
 
 
 def geometry_of(mechanism: Mechanism) -> frozenset[str]:
@@ -99,13 +99,13 @@ def locked_joints(
 ) -> dict[int, list[tuple[tuple[int, ...], float]]]:
     """Return the locked joints that paths would release: coordinates and weights by index of the path."""
     free = set(system.free)
-    found: dict[int, list[tuple[tuple[int, ...], float]]] = {}
+    locked: dict[int, list[tuple[tuple[int, ...], float]]] = {}
     for t, path in enumerate(paths):
         for slot, weight in path.weights.items():
             place = tuple(q for q in joints_of(system.mechanism).get(slot, ()) if q not in free)
             if place:
-                found.setdefault(t, []).append((place, weight))
-    return found
+                locked.setdefault(t, []).append((place, weight))
+    return locked
 
 
 class MatrixDerivatives:
@@ -179,7 +179,7 @@ class MatrixDerivatives:
         They are NaN for the compliance of a locked joint, which is not in the matrices.
         """
         robot = np.repeat(np.arange(self._each[0]), self._each[1])[poses]
-        found = []
+        derivatives = []
         for matrix in (0, 1):
             entries = self._entries(matrix)
             values = self._values[matrix][poses]
@@ -198,8 +198,8 @@ class MatrixDerivatives:
                 diagonal = np.arange(full.shape[-1])
                 full[..., diagonal, diagonal] += self._springs[robot]
             full[:, list(self.locked)] = np.nan
-            found.append(full[..., self.free[:, None], self.free])
-        return found[0], found[1]
+            derivatives.append(full[..., self.free[:, None], self.free])
+        return derivatives[0], derivatives[1]
 
     def eigenvalues(self, eigenvalues: Array, shapes: Array) -> Array:
         """Compute derivatives of simple eigenvalues, phi^T (dK - lambda dM) phi with phi^T M phi = 1.
@@ -227,13 +227,13 @@ class MatrixDerivatives:
                 part += self._of_each(moved) @ np.swapaxes(self._shift, 1, 2)
             parts.append(part)
         strained = self._of_each(phi**2) @ np.swapaxes(self._springs, 1, 2)
-        found = (parts[1] + strained).reshape(*shapes.shape[:2], self._springs.shape[1])
-        found -= eigenvalues[..., None] * parts[0].reshape(found.shape)
+        rates = (parts[1] + strained).reshape(*shapes.shape[:2], self._springs.shape[1])
+        rates -= eigenvalues[..., None] * parts[0].reshape(rates.shape)
         for t in self.locked:
             for joints, weight in self._locked[t]:
                 force = self.joint_forces(eigenvalues, shapes, joints)
-                found[..., t] -= weight * np.sum(force**2, axis=-1)
-        return np.asarray(found)
+                rates[..., t] -= weight * np.sum(force**2, axis=-1)
+        return np.asarray(rates)
 
     def joint_forces(self, eigenvalues: Array, shapes: Array, joints: Sequence[int]) -> Array:
         """Compute the forces B(lambda) phi that locked joints carry in each mode, (N, m, r)."""
@@ -245,10 +245,10 @@ class MatrixDerivatives:
 
     def locked_motion(self, t: int, eigenvalues: Array, shapes: Array) -> Array:
         """Compute the deflection of locked joints under their forces, per unit of compliance, (N, m, e)."""
-        found = np.zeros((*shapes.shape[:-1], self.M.shape[-1]))
+        motion = np.zeros((*shapes.shape[:-1], self.M.shape[-1]))
         for joints, weight in self._locked[t]:
-            found[..., list(joints)] -= weight * self.joint_forces(eigenvalues, shapes, joints)
-        return found
+            motion[..., list(joints)] -= weight * self.joint_forces(eigenvalues, shapes, joints)
+        return motion
 
     def locked_change(self, t: int, eigenvalues: Array, shapes: Array) -> tuple[Array, Array]:
         """Return the replacements of (dK - lambda dM) phi and phi^T dM phi for the compliance of a locked joint.

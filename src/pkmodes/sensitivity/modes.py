@@ -70,11 +70,11 @@ def branches(change: Array, shapes: Array, group: Index) -> Array:
     -------
     ndarray, shape (T, m)
     """
-    found = np.empty(change.shape[:2])
+    rates = np.empty(change.shape[:2])
     for number in np.unique(group):
         members = np.flatnonzero(group == number)
-        found[:, members] = np.linalg.eigvalsh(_symmetric(_inside(change, shapes, members)))
-    return found
+        rates[:, members] = np.linalg.eigvalsh(_symmetric(_inside(change, shapes, members)))
+    return rates
 
 
 def _inside(change: Array, shapes: Array, members: Index) -> Array:

@@ -15,7 +15,7 @@ from pkmodes.sensitivity.terms import RATES
 from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.solve.batch import Job
 from pkmodes.solve.solver import EIGENVALUES, Codes, Solver
-from pkmodes.system.evaluation import Evaluation
+from pkmodes.system.evaluation import Evaluation, number_of_modes
 
 Array = NDArray[np.float64]
 
@@ -46,11 +46,10 @@ def rates_job(
         As for `pkmodes.Model.sensitivities`.
     asked : sequence of str
         Fields.
-    threads : int
     by_numpy : callable
         Evaluates the fields at some poses, (n, d).
     """
-    modes = len(system.coordinates) - int(np.count_nonzero(system.massless()))
+    modes = number_of_modes(system)
 
     def compute(points: Array, rows: Mapping[str, Array]) -> Codes:
         at = RobotAtPoses(system, points, source, {})

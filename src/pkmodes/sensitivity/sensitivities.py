@@ -98,13 +98,11 @@ class ResolvedPaths:
 
     Parameters
     ----------
-    robot : Robot
     parameters : sequence of str, optional
         Paths; by default all that can vary.
 
     Attributes
     ----------
-    paths : list of ParameterPath
     system : Evaluation
         Of the robot.
 
@@ -215,38 +213,40 @@ def _at(
     at = solved(solver, system, p, robot.source) if of_modes else None
     matrices = at.all_coordinates if at is not None and extended is system else None
     derivatives = MatrixDerivatives(extended, p, [chosen], matrices)
-    found: dict[str, NDArray[Any]] = {}
+    fields: dict[str, NDArray[Any]] = {}
     if {"mass_matrix", "stiffness_matrix", "shapes"} & set(asked):
-        found["mass_matrix"], found["stiffness_matrix"] = derivatives.dense()
+        fields["mass_matrix"], fields["stiffness_matrix"] = derivatives.dense()
     if at is not None:
         M, K, eigenvalues, shapes = (
             at[name] for name in ("mass_matrix", "stiffness_matrix", "eigenvalues", "shapes")
         )
         first = system.first
         sizes = magnitude(eigenvalues, first, system.rigid_modes)
-        group = found["groups"] = groups(eigenvalues, close, sizes)
+        group = fields["groups"] = groups(eigenvalues, close, sizes)
         if "shapes" in asked:
-            both = _changes(derivatives, found["mass_matrix"], found["stiffness_matrix"], eigenvalues, shapes)
-            found["eigenvalues"], found["shapes"] = np.empty(both[1].shape), np.empty(both[0].shape)
+            both = _changes(
+                derivatives, fields["mass_matrix"], fields["stiffness_matrix"], eigenvalues, shapes
+            )
+            fields["eigenvalues"], fields["shapes"] = np.empty(both[1].shape), np.empty(both[0].shape)
             for i, one in enumerate(zip(M, K, eigenvalues, shapes, *both, group, sizes, strict=True)):
-                found["eigenvalues"][i], found["shapes"][i] = mode_derivatives(*one)
+                fields["eigenvalues"][i], fields["shapes"][i] = mode_derivatives(*one)
             evaluated = [t for t in range(len(chosen)) if t not in derivatives.locked]
             stiff = has_stiff_joint(eigenvalues, first, system.rigid_modes)
             for i in np.flatnonzero(stiff).tolist():
                 given = eigenvalues[i], shapes[i]
-                dM, dK = found["mass_matrix"][i], found["stiffness_matrix"][i]
+                dM, dK = fields["mass_matrix"][i], fields["stiffness_matrix"][i]
                 other = derivatives.stiff_change(i, *given, dM, dK)[evaluated]
                 norm = both[1][i, evaluated]
                 _, turned = mode_derivatives(M[i], K[i], *given, other, norm, group[i], sizes[i])
-                found["shapes"][i, evaluated, first:] = turned[:, first:]
+                fields["shapes"][i, evaluated, first:] = turned[:, first:]
         elif {"eigenvalues", "frequencies"} & set(asked):
-            found["eigenvalues"] = _rates(derivatives, eigenvalues, shapes, group)
+            fields["eigenvalues"] = _rates(derivatives, eigenvalues, shapes, group)
         if "frequencies" in asked:
             size = np.abs(eigenvalues)
             nothing = size <= ROUNDING * sizes  # sqrt has no derivative at 0
             twice = 4.0 * np.pi * np.sqrt(np.where(nothing, np.nan, size))
-            found["frequencies"] = found["eigenvalues"] / twice[:, None]
-    return {name: found[name] for name in asked}
+            fields["frequencies"] = fields["eigenvalues"] / twice[:, None]
+    return {name: fields[name] for name in asked}
 
 
 def _rates(derivatives: MatrixDerivatives, eigenvalues: Array, shapes: Array, group: Index) -> Array:

@@ -57,16 +57,16 @@ def shape_derivatives(derivatives: MatrixDerivatives, eigenvalues: Array, shapes
     diagonal = np.arange(shapes.shape[1])
     share[..., diagonal, diagonal] = -0.5 * norm
     free = derivatives.free
-    found = np.zeros((*share.shape[:3], derivatives.M.shape[-1]))
-    found[..., free] = share @ shapes[:, None]
+    rates = np.zeros((*share.shape[:3], derivatives.M.shape[-1]))
+    rates[..., free] = share @ shapes[:, None]
     M = derivatives.M[:, free[:, None], free]
     massless = (M == 0.0).all(axis=(0, 1)) & (np.arange(len(free)) >= first)
     if massless.any():
         r = np.flatnonzero(massless)
         K = derivatives.K[:, free[r][:, None], free[r]]
-        found[..., free[r]] -= np.swapaxes(
+        rates[..., free[r]] -= np.swapaxes(
             np.linalg.solve(K[:, None], np.swapaxes(change[..., r], -1, -2)), -1, -2
         )
     for t in derivatives.locked:
-        found[:, t] += derivatives.locked_motion(t, eigenvalues, shapes)
-    return found
+        rates[:, t] += derivatives.locked_motion(t, eigenvalues, shapes)
+    return rates

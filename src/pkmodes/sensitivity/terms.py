@@ -24,21 +24,17 @@ def terms_of(system: ExtendedSystem, paths: Sequence[ParameterPath]) -> Terms:
     system : ExtendedSystem
         Of the robot, with or without effects.
     paths : sequence of ParameterPath
-
-    Returns
-    -------
-    Terms
     """
     values = _values(system)
     parameters, pose = flat(system.parameters).size, len(values)
     joints = pose + len(system.mechanism.pose)
-    found = [list(_terms(system, path, values)) for path in paths]
-    places = np.array([place for terms in found for place, _ in terms], dtype=np.int32)
-    weights = np.array([weight for terms in found for _, weight in terms], dtype=float)
+    terms_of_paths = [list(_terms(system, path, values)) for path in paths]
+    places = np.array([place for terms in terms_of_paths for place, _ in terms], dtype=np.int32)
+    weights = np.array([weight for terms in terms_of_paths for _, weight in terms], dtype=float)
     locked = np.setdiff1d(np.arange(len(system.mechanism.extended.COORDINATES)), system.free)
     of_effects = ((places >= parameters) & (places < pose)) | (places >= joints)
     return Terms(
-        first=np.cumsum([0, *map(len, found)], dtype=np.int32),
+        first=np.cumsum([0, *map(len, terms_of_paths)], dtype=np.int32),
         places=places,
         weights=weights,
         effects=flat(system.effects),

@@ -21,7 +21,6 @@ class RobotAtPoses:
 
     Parameters
     ----------
-    system : Evaluation
     points : ndarray, shape (N, d)
     source : str
         The robot, for messages.

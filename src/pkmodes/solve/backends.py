@@ -83,7 +83,6 @@ def solver_of(system: Evaluation, largest_condition: float, backend: str) -> Sol
 
     Parameters
     ----------
-    system : Evaluation
     largest_condition : float
         Poses with a larger condition number are singular.
     backend : str

@@ -71,9 +71,8 @@ def run(
     codes = None
     if not job.checks_poses:
         codes = pose_codes(points, mechanism, robot.parameters, max_condition)
-    elif (
-        raises and out and not aside
-    ):  # before the caller's arrays are filled; it costs a tenth of the evaluation
+    elif raises and out and not aside:
+        # Before the caller's arrays are filled; it takes less than a tenth of the time of the evaluation.
         codes = job.compute(points, {})
     if raises and codes is not None:
         refuse(points, np.maximum(codes, 0), mechanism, robot.parameters)

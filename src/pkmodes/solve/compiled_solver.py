@@ -28,7 +28,6 @@ class CompiledSolver(Solver):
 
     Parameters
     ----------
-    evaluator : Evaluator
     system : Evaluation
         Of the same robot.
     """

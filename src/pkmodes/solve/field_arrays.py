@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import PkmodesError, listed, nearest, shown
+from pkmodes.dataset.fields import missing
 from pkmodes.mechanism.poses import Where
 
 Array = NDArray[Any]
@@ -131,7 +132,7 @@ class FieldArrays:
                 self._stand_ins.append(name)
         self.arrays[name], self.rows[name] = array, whole.reshape(prod(self._batch), *tail)
         if self._blank:
-            whole[...] = -1 if whole.dtype.kind == "i" else np.nan
+            whole[...] = missing(whole.dtype)
 
     def put(self, where: Where, values: Mapping[str, Array]) -> None:
         """Store the values of some poses, (n, *tail) each; fields are added when they come first."""

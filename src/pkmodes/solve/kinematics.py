@@ -85,8 +85,8 @@ class Kinematics:
         --------
         >>> import pkmodes
         >>> model = pkmodes.load("robots/linear-delta-2022.toml")
-        >>> found = model.check([0.6, 0.0, -0.5])
-        >>> print(found.reason, "-", found.sentences)
+        >>> check = model.check([0.6, 0.0, -0.5])
+        >>> print(check.reason, "-", check.sentences)
         reachable - the pose is out of reach: link 2 is 0.1385 m too short; choose a pose closer to the rails
         """
         checked = self.checked(poses, "nan")

@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.dataset.fields import FIELDS, sizes_of, tail
+from pkmodes.dataset.fields import FIELDS, missing, sizes_of, tail
 from pkmodes.mechanism.poses import CHUNK
 from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.solve.batch import Job, Rows
 from pkmodes.solve.numpy_solver import NumpySolver
 from pkmodes.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
-from pkmodes.system.evaluation import Evaluation
+from pkmodes.system.evaluation import Evaluation, number_of_modes
 
 Array = NDArray[np.float64]
 #: Poses for which quantities are kept that are not among the fields, for each thread.
@@ -26,8 +26,6 @@ class ModeFields:
 
     Parameters
     ----------
-    solver : Solver
-    system : Evaluation
     source : str
         The robot, for messages.
     names : iterable of str
@@ -48,7 +46,7 @@ class ModeFields:
         self._names = tuple(names)
         self._derived = [name for name in self._names if name not in solver.fields]
         self._needed = _needed(self._derived, solver.fields) - {*self._names}
-        modes = len(system.coordinates) - int(np.count_nonzero(system.massless()))
+        modes = number_of_modes(system)
         sizes = sizes_of(system.mechanism, modes, len(system.coordinates))
         fields = {name: FIELDS[name] for name in (*self._names, *self._needed) if name in FIELDS}
         self._tails = {name: (tail(field, sizes), field.dtype) for name, field in fields.items()}
@@ -110,7 +108,7 @@ class ModeFields:
                 rows[name][...] = at[name]
             return
         for name in self._derived:
-            rows[name][codes != 0] = np.nan
+            rows[name][codes != 0] = missing(rows[name].dtype)
         good = np.flatnonzero(codes == 0)
         for start in range(0, len(good), CHUNK):
             some = good[start : start + CHUNK]

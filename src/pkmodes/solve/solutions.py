@@ -13,7 +13,7 @@ from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.solve.backends import AUTO, chosen, solver_of
 from pkmodes.solve.numpy_solver import NumpySolver, modes_of
 from pkmodes.solve.solver import EIGENVALUES, SHAPES, UNSOLVED, Solver
-from pkmodes.system.evaluation import Evaluation, ExtendedSystem
+from pkmodes.system.evaluation import Evaluation, ExtendedSystem, number_of_modes
 
 Array = NDArray[np.float64]
 MOTIONS = "platform_shapes"
@@ -26,7 +26,6 @@ def solved(solver: Solver, system: Evaluation, p: Array, source: str) -> RobotAt
     ----------
     solver : Solver
         Of the robot.
-    system : Evaluation
     p : ndarray, shape (N, d)
         Poses that can be evaluated; N may be 0.
     source : str
@@ -39,7 +38,7 @@ def solved(solver: Solver, system: Evaluation, p: Array, source: str) -> RobotAt
     """
     at = RobotAtPoses(system, np.ascontiguousarray(p), source, {})
     n, numpy = len(system.coordinates), NumpySolver.init(system, MAX_CONDITION)
-    m = n - int(np.count_nonzero(system.massless()))
+    m = number_of_modes(system)
     arrays = {EIGENVALUES: np.empty((len(p), m)), SHAPES: np.empty((len(p), m, n))}
     codes = (solver if len(p) else numpy).compute(at, arrays)
     left = np.flatnonzero(codes == UNSOLVED)
@@ -112,7 +111,7 @@ def _by_solvers(
         solver = solver_of(system, MAX_CONDITION, backend)
         if isinstance(solver, NumpySolver):
             return None
-        n, m = len(system.coordinates), len(system.coordinates) - int(np.count_nonzero(system.massless()))
+        n, m = len(system.coordinates), number_of_modes(system)
         if not arrays:
             tails = {EIGENVALUES: (m,), SHAPES: (m, n), MOTIONS: (m, len(system.mechanism.directions))}
             arrays = {name: np.empty((len(points), *tail)) for name, tail in tails.items()}

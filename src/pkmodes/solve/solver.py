@@ -55,7 +55,6 @@ class Solver(ABC):
 
         Parameters
         ----------
-        system : Evaluation
         largest_condition : float
             Poses with a larger condition number are singular; for back ends that check poses.
 
@@ -71,7 +70,6 @@ class Solver(ABC):
 
         Parameters
         ----------
-        at : RobotAtPoses
         arrays : mapping of str to ndarray, shape (N, ...)
             Contiguous, by name of `fields`; eigenvalues (N, m) ascending, shapes (N, m, n) as `condensed_eigh`
             returns them.

@@ -26,7 +26,6 @@ def box_of(model: Kinematics, pose: Array | None = None) -> tuple[Array, Array]:
 
     Parameters
     ----------
-    model : Kinematics
     pose : ndarray, shape (d,), optional
         A pose on the branch; by default the branch whose platform hangs lower.
 
@@ -44,15 +43,15 @@ def box_of(model: Kinematics, pose: Array | None = None) -> tuple[Array, Array]:
         generated = Generated(model.mechanism.model, model.robot.parameters)
         drawn = drawn_poses(generated, model.mechanism, model.robot.parameters, rng, DRAWS)
     drawn = drawn[np.isfinite(drawn).all(axis=-1)]
-    found = drawn[model.check(drawn).valid] if len(drawn) else drawn
+    reached = drawn[model.check(drawn).valid] if len(drawn) else drawn
     if pose is None:
-        if not len(found):
+        if not len(reached):
             what = f"none of {DRAWS:,} poses drawn can be reached"
             raise PoseError(what, model.robot.source, "check the robot file, or give a grid or poses")
-        pose = hanging(model, found)[0]
+        pose = hanging(model, reached)[0]
     inside = on_branch(model, pose)
-    found = np.vstack([pose, found[inside(found)]]) if len(found) else pose[None]
-    low, high = found.min(axis=0), found.max(axis=0)
+    reached = np.vstack([pose, reached[inside(reached)]]) if len(reached) else pose[None]
+    low, high = reached.min(axis=0), reached.max(axis=0)
     for _ in range(ROUNDS):
         size = np.where(high > low, high - low, 1e-3)
         drawn = rng.uniform(low - BEYOND * size, high + BEYOND * size, (DRAWS, len(low)))
@@ -80,7 +79,6 @@ def hanging(model: Kinematics, poses: Array) -> Array:
 
     Parameters
     ----------
-    model : Kinematics
     poses : ndarray, shape (N, d)
         That can be evaluated.
     """

@@ -32,7 +32,6 @@ class Evaluation(Protocol):
 
     Attributes
     ----------
-    mechanism : Mechanism
     parameters : Parameters
         Of the generated model.
     coordinates : tuple of str
@@ -116,7 +115,6 @@ class ExtendedSystem:
 
     Parameters
     ----------
-    mechanism : Mechanism
     parameters : Parameters
         The robot, as the generated model takes it.
     effects : mapping of str to float
@@ -125,7 +123,6 @@ class ExtendedSystem:
 
     Attributes
     ----------
-    mechanism : Mechanism
     parameters, effects : Parameters and Effects
         Arguments of the generated model.
     free : ndarray of int, shape (n,)
@@ -178,12 +175,12 @@ class ExtendedSystem:
         first = systems[0]
         if len(systems) == 1:
             return first
-        found = copy.copy(first)
-        found.parameters = first.parameters._replace(**_different([s.parameters for s in systems], count))
-        found.effects = first.effects._replace(**_different([s.effects for s in systems], count))
-        found.joints = np.repeat([s.joints for s in systems], count, axis=0)
-        found.joint_rates = np.repeat([s.joint_rates for s in systems], count, axis=0)
-        return found
+        stack = copy.copy(first)
+        stack.parameters = first.parameters._replace(**_different([s.parameters for s in systems], count))
+        stack.effects = first.effects._replace(**_different([s.effects for s in systems], count))
+        stack.joints = np.repeat([s.joints for s in systems], count, axis=0)
+        stack.joint_rates = np.repeat([s.joint_rates for s in systems], count, axis=0)
+        return stack
 
     def all_coordinates(self, p: Array) -> tuple[Array, Array]:
         """Return M and K in all coordinates, each (N, e, e); here locked joints are free and have no spring."""
@@ -228,9 +225,9 @@ class ExtendedSystem:
         """Return which released coordinates have no inertia."""
         values = (*self.effects, *(getattr(self.parameters, name) for name in _inertias(self.mechanism)))
         zeros = b"".join((np.asarray(value) == 0.0).tobytes() for value in values)
-        found: NDArray[np.bool_] = _massless(self.mechanism, zeros)[self.free]
-        found[: self.first] = False
-        return found
+        massless: NDArray[np.bool_] = _massless(self.mechanism, zeros)[self.free]
+        massless[: self.first] = False
+        return massless
 
     def platform_motion(self, p: Array) -> Array:
         """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""
@@ -267,7 +264,7 @@ class ExtendedSystem:
     def _single(self, name: str, p: Array) -> tuple[Array, ...]:
         """Evaluate a generated function; a single pose uses scalars, several times faster than arrays of length 1."""
         function: Callable[[Array], tuple[Array, ...]] = getattr(self._generated, name)
-        return tuple(found[None] for found in function(p[0])) if len(p) == 1 else function(p)
+        return tuple(values[None] for values in function(p[0])) if len(p) == 1 else function(p)
 
 
 @cache
@@ -296,6 +293,11 @@ def _massless(mechanism: Mechanism, zeros: bytes) -> NDArray[np.bool_]:
     return np.asarray((M == 0.0).all(axis=0))
 
 
+def number_of_modes(system: Evaluation) -> int:
+    """Return how many coordinates have inertia."""
+    return len(system.coordinates) - int(np.count_nonzero(system.massless()))
+
+
 def matrices(system: Evaluation, p: Array) -> tuple[Array, Array]:
     """Return M and K of the free coordinates, each (N, n, n)."""
     M, K = (system.free_part(matrix) for matrix in system.all_coordinates(p))
@@ -314,12 +316,12 @@ def active_effects(mechanism: Mechanism, effects: Mapping[str, float]) -> tuple[
 
 def _different(sets: Sequence[tuple[Any, ...]], count: int) -> dict[str, Array]:
     """Return the fields in which the named tuples differ, each value repeated `count` times along a leading axis."""
-    found = {}
+    repeated = {}
     for name in sets[0]._fields:  # type: ignore[attr-defined]
         values = np.array([getattr(one, name) for one in sets], dtype=float)
         if (values != values[0]).any():
-            found[name] = np.repeat(values, count, axis=0)
-    return found
+            repeated[name] = np.repeat(values, count, axis=0)
+    return repeated
 
 
 def _shared_and_single(effects: Mapping[str, float]) -> tuple[dict[str, float], list[tuple[str, str, float]]]:
