@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from unittest.mock import MagicMock
+
 import numpy as np
 import pytest
 from threadpoolctl import threadpool_info, threadpool_limits
 
 from pkmodes import updating
 from pkmodes.linalg.threads import one_blas_thread
-from pkmodes.updating import loop
+from pkmodes.updating import analyses
 
 
 def threads() -> set[int]:
@@ -27,8 +29,8 @@ def test_blas_has_one_thread_while_it_lasts() -> None:
 @pytest.mark.parametrize("name", ["diagnose", "update"])
 def test_the_fits_of_a_robot_are_limited(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     seen = []
-    monkeypatch.setattr(loop, "structure", lambda *_, **__: None)
-    monkeypatch.setattr(loop.diagnosis, name, lambda *_, **__: seen.append(threads()))
+    monkeypatch.setattr(analyses, "MeasuredRobot", MagicMock())
+    monkeypatch.setattr(analyses.diagnosis, name, lambda *_, **__: seen.append(threads()))
     with threadpool_limits(limits=2, user_api="blas"):
         getattr(updating, name)(None, None)
     assert seen == [{1}]
