@@ -16,7 +16,7 @@ from helpers.pages.report_examples import diagnosed, made_up
 from pkmodes import Model, read_robot, updating
 from pkmodes.diagnosis.verdict.result import Examined, NextMeasurement, Stability
 from pkmodes.report import report
-from pkmodes.report.three import view_of_result
+from pkmodes.report.model_view import view_of_result
 
 ROOT = Path(__file__).parents[2]
 LOOP = [ROOT / "examples" / "closed_loop" / name for name in ("robot.toml", "measured.csv")]

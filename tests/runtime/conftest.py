@@ -8,16 +8,19 @@ from pathlib import Path
 import pytest
 
 from helpers.robots.robot_text import published
+from helpers.runs.shared import Shared
 from pkmodes.cli import run
 
 
 @pytest.fixture(scope="session")
-def pristine(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def pristine(shared: Shared) -> Path:
     """A robot file and its generated model, to be copied and corrupted."""
-    folder = tmp_path_factory.mktemp("pristine")
-    (folder / "robot.toml").write_text(published(), encoding="utf-8")
-    assert run(["generate", str(folder / "robot.toml"), "--out", str(folder / "model")]) == 0
-    return folder
+
+    def generate(folder: Path) -> None:
+        (folder / "robot.toml").write_text(published(), encoding="utf-8")
+        assert run(["generate", str(folder / "robot.toml"), "--out", str(folder / "model")]) == 0
+
+    return shared.folder("pristine", generate)
 
 
 @pytest.fixture

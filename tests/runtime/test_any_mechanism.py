@@ -28,8 +28,6 @@ from pkmodes.updating import frame
 from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes.updating.robot_structure import RobotStructure, channels
 
-pytestmark = pytest.mark.usefixtures("backend")
-
 KIND = known._read("planar_pair")
 SAMPLE = sample(KIND)
 POSES = np.array([[0.1, 0.05], [0.25, -0.02], [0.0, 0.2]])

@@ -214,19 +214,3 @@ print((before, names, "{part}" in dir(pkmodes)))
 def test_the_package_has_nothing_else() -> None:
     with pytest.raises(AttributeError, match="opening"):
         _ = pkmodes.opening
-
-
-def test_the_former_name_of_updating_still_works_and_says_so() -> None:
-    code = """
-import warnings
-with warnings.catch_warnings(record=True) as caught:
-    warnings.simplefilter("always")
-    from pkmodes.closing import diagnose
-import pkmodes
-print([str(w.message) for w in caught if w.category is DeprecationWarning], diagnose is pkmodes.updating.diagnose)
-"""
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
-    found = subprocess.run(
-        [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True
-    )
-    assert found.stdout == "['pkmodes.closing is now pkmodes.updating'] True\n"

@@ -135,10 +135,10 @@ def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) 
 def _chosen(result: Diagnosis) -> str:
     """Say which of several indistinguishable causes the saved robot has, and how to save it with another."""
     return "".join(
-        f" with {found.name}; the data cannot tell it from {' or '.join(found.members[1:])}: to save that instead, "
-        f"add --candidates {found.members[1]}"
-        for found in result.effects
-        if len(found.members) > 1
+        f" with {effect.name}; the data cannot tell it from {' or '.join(effect.members[1:])}: to save that instead, "
+        f"add --candidates {effect.members[1]}"
+        for effect in result.effects
+        if len(effect.members) > 1
     )
 
 
@@ -146,9 +146,9 @@ def _set_only(robot: Robot, result: Diagnosis) -> list[str]:
     """Return the constants of the causes found that only the load cases have, such as a belt tension."""
     in_loads = {path for row in result.rows for path in row.load}
     causes = [
-        robot.mechanism.effects[found.name]
-        for found in result.effects
-        if found.name in robot.mechanism.effects
+        robot.mechanism.effects[effect.name]
+        for effect in result.effects
+        if effect.name in robot.mechanism.effects
     ]
     paths = [
         f"effects.{effect.name}.{p.name}" for effect in causes for p in effect.parameters if not p.fitted

@@ -25,16 +25,16 @@ def show(robot: Robot, result: Diagnosis) -> None:
     terminal = Terminal()
     terminal.heading(f"{robot.name}: {result.verdict}")
     terminal.line(result.reason, "  ")
-    for found in result.effects:
-        sentence = f": {found.sentence}" if found.sentence else ""
+    for effect in result.effects:
+        sentence = f": {effect.sentence}" if effect.sentence else ""
         terminal.line()
-        terminal.line(f"cause: {found.name} ({p_value(found.p_value)}){sentence}")
-        for value in found.parameters:
+        terminal.line(f"cause: {effect.name} ({p_value(effect.p_value)}){sentence}")
+        for value in effect.parameters:
             terminal.line(f"{_short(value)} = {_with_sigma(value)}", "  ")
-        if len(found.members) > 1:
+        if len(effect.members) > 1:
             terminal.line("these data cannot distinguish it from", "  ")
-            for member in found.members[1:]:
-                values = [f"{_short(v)} = {_with_sigma(v)}" for v in found.alternatives[member]]
+            for member in effect.members[1:]:
+                values = [f"{_short(v)} = {_with_sigma(v)}" for v in effect.alternatives[member]]
                 terminal.line(", ".join(values), "    ")
     for group in result.survivors:
         terminal.line(f"remains: {' or '.join(group)}", "  ")
@@ -146,7 +146,7 @@ def setting(mechanism: Mechanism, load: Mapping[str, float]) -> str:
 
 def _stability(result: Diagnosis) -> list[str]:
     """Return the causes found with other standard deviations or priors; the JSON has their verdicts."""
-    claimed = {member for found in result.effects for member in found.members}
+    claimed = {member for effect in result.effects for member in effect.members}
     changed = [
         f"with {CHANGED.get(entry.change, entry.change)}, {' and '.join(entry.effects)}"
         for entry in result.stability

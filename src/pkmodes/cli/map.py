@@ -178,7 +178,7 @@ def map_(
 
 def _page(model: Model, dataset: Dataset, content: dict[str, Any], sources: Sequence[Source]) -> str:
     from pkmodes.report.map import map_report, middle_of
-    from pkmodes.report.three import view_of
+    from pkmodes.report.model_view import view_of
 
     view = view_of(model, start=middle_of(model, dataset))
     return map_report(model, dataset, content, sources, view)

@@ -71,12 +71,7 @@ def band_of(text: str | None) -> tuple[float, float] | None:
 
 
 def check_order(robot: Path, modes: Path, command: str) -> None:
-    """Reject swapped robot and measurement files, recognised by their names.
-
-    Raises
-    ------
-    PkmodesError
-    """
+    """Reject swapped robot and measurement files, recognised by their names."""
     if modes.suffix.lower() == ".toml" and robot.suffix.lower() != ".toml":
         what = f"expected ROBOT.toml before MODES.csv, found {robot} before {modes}"
         raise PkmodesError(

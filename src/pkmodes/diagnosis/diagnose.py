@@ -155,7 +155,7 @@ def _judged(builder: DiagnosisBuilder, search: Search, outcome: Outcome) -> Diag
     if wiring:
         judged = replace(judged, verdict=UNEXPLAINED, doubt=wiring)
     reason = judged.doubt or reason_of(builder, search, outcome, judged)
-    return builder.judged(
+    return builder.after_search(
         search,
         outcome,
         judged,
@@ -189,7 +189,7 @@ def _insufficient(builder: DiagnosisBuilder) -> Diagnosis:
             search = Search(store, candidates)
             singles = search.additions.would_do()
             hints = [single.causes[0].name for single in singles[:HINTS]]
-    reason = reasons.insufficient(
+    reason = reasons.insufficient_data(
         len(fitter.log),
         int(fitter.shapes.count.sum()),
         [fitter.parameters[i].name for i in fitter.nuisances],

@@ -143,8 +143,7 @@ def update(
     declared, after = setups.stage(fitter.declared), setups.stage(fit.values)
     squares, degrees = store.frequency_misfit(fit)
     updated = tuple(_updated(fitter, fit, i) for i in chosen)
-    k = [fit.free.index(i) for i in chosen]
-    covariance = fit.covariance[np.ix_(k, k)]
+    covariance = fit.covariance_of(chosen)
     size = np.sqrt(np.diagonal(covariance))
     remarks = [text for text in (other_unit(fitter), other_wiring(fitter, fit)) if text]
     remarks += whole_data.remarks(setups, fit)
@@ -212,11 +211,9 @@ def _fitted(fitter: Fitter, chosen: Sequence[int]) -> tuple[Fitter, Fit]:
 
 
 def _updated(fitter: Fitter, fit: Fit, i: int) -> Updated:
-    p, k = fitter.parameters[i], fit.free.index(i)
-    row = fitter.priors.of(i)
+    p, row, sigma = fitter.parameters[i], fitter.priors.of(i), fit.sigma_of(i)
     assert row is not None
     prior = float(fitter.priors.width(fit.values)[row])
-    sigma = float(np.sqrt(fit.covariance[k, k]))
     return Updated(
         name=p.name,
         unit=p.unit,

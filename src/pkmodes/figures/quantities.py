@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -62,7 +63,7 @@ def coarser(plane: Plane) -> Plane:
     dataset = plane.dataset.isel(
         {plane.along: slice(None, None, step), plane.across: slice(None, None, step)}
     )
-    return Plane(dataset, plane.across, plane.along, plane.normal, plane.at)
+    return replace(plane, dataset=dataset)
 
 
 def points_of(model: Model, plane: Plane) -> Array:

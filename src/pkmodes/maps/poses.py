@@ -41,9 +41,9 @@ class Grid:
         """Number of values along each of `dims`."""
         return tuple(len(self.axes[name]) for name in self.dims)
 
-    def points(self, places: NDArray[np.intp]) -> Array:
+    def points(self, indices: NDArray[np.intp]) -> Array:
         """Return poses by their flat index, (N, d)."""
-        at = np.unravel_index(places, self.shape)
+        at = np.unravel_index(indices, self.shape)
         return np.stack(
             [self.axes[name][i] for name, i in zip(reversed(self.dims), at[::-1], strict=True)], -1
         )
@@ -93,9 +93,9 @@ class Poses:
         """The number of poses."""
         return (len(self.table),)
 
-    def points(self, places: NDArray[np.intp]) -> Array:
+    def points(self, indices: NDArray[np.intp]) -> Array:
         """Return poses by their index, (N, d)."""
-        return self.table[places]
+        return self.table[indices]
 
     def normal(self, directions: Sequence[str]) -> str | None:
         """Return the third direction of the platform's motion, if there is one."""

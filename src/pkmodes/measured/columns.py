@@ -50,8 +50,8 @@ class Columns:
     pose : ndarray of int, shape (R,)
         Index of each row's pose.
     numbers : mapping of str to ndarray of shape (R,)
-        The measured quantities and their standard deviations, named as the arguments of `Measurements.from_rows`,
-        NaN where not given.
+        The measured quantities and their standard deviations, named as the arguments of
+        ``Measurements.from_rows``, NaN where not given.
     mode : tuple of str, length R
         The experimenter's mode numbers, empty where not given.
     lines : ndarray of int, shape (R,)

@@ -13,7 +13,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.errors import PkmodesError, PoseError, shown
+from pkmodes.base.arguments import POSITIVE_NUMBER, check_argument
+from pkmodes.base.errors import PoseError, shown
 from pkmodes.mechanism.described import Mechanism
 from pkmodes.mechanism.generated import Generated
 from pkmodes_description import Margin
@@ -207,13 +208,8 @@ def largest_condition(given: float) -> float:
     PkmodesError
         If it is not a positive number.
     """
-    number = isinstance(given, int | float | np.integer | np.floating) and not isinstance(given, bool)
-    if not (number and given > 0.0):
-        raise PkmodesError(
-            f"expected a positive number, found {shown(given)}",
-            "max_condition",
-            f"give the largest condition number to accept, such as {MAX_CONDITION:g}",
-        )
+    remedy = f"give the largest condition number to accept, such as {MAX_CONDITION:g}"
+    check_argument(given, POSITIVE_NUMBER, "max_condition", remedy)
     return given
 
 

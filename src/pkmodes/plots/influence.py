@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.plots.labels import typeset
-from pkmodes.plots.maps import each, panels_of
+from pkmodes.plots.maps import mode_panels, panels_of
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.style import BLACK, UNCHANGED, WHITE, figure
 
@@ -90,7 +90,7 @@ def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Figure:
     colours = ListedColormap([*palette[: len(shown)], grey])
     modes = relative.shape[-1]
     drawn, panels = panels_of(plane, modes, colour_bars=False)
-    for mode, axes in each(plane, panels, modes):
+    for mode, axes in mode_panels(plane, panels, modes):
         plane.draw(axes, place[first[..., mode]], cmap=colours, vmin=-0.5, vmax=len(shown) + 0.5)
     legend = [Patch(color=palette[i], label=paths[path]) for i, path in enumerate(shown)]
     if counts.sum() > counts[shown].sum():

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
-from pkmodes.plots.maps import each, panels_of
+from pkmodes.plots.maps import mode_panels, panels_of
 from pkmodes.plots.plane import Plane
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ def neighbouring_mac(plane: Plane, mac: Array) -> Figure:
     modes = mac.shape[-1]
     drawn, panels = panels_of(plane, modes, colour_bars=False)
     mesh = None
-    for mode, axes in each(plane, panels, modes):
+    for mode, axes in mode_panels(plane, panels, modes):
         mesh = plane.draw(axes, mac[..., mode], vmin=0.0, vmax=1.0)
     if mesh is not None:
         bar = drawn.colorbar(mesh, ax=panels, location="right", shrink=0.9, aspect=35)

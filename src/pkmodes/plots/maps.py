@@ -37,7 +37,7 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Figure:
     values = plane.dataset["frequency"].values
     modes = values.shape[-1]
     drawn, panels = panels_of(plane, modes, colour_bars=True)
-    for mode, axes in each(plane, panels, modes):
+    for mode, axes in mode_panels(plane, panels, modes):
         one = values[..., mode]
         low, high = limits_of(one)
         mesh = plane.draw(axes, one, vmin=low, vmax=high)
@@ -64,7 +64,7 @@ def directions(plane: Plane) -> Figure:
     step = max(1, round(min(len(x), len(y)) / STROKES))
     rows, columns = (slice(step // 2, None, step) for _ in range(2))
     mesh = None
-    for mode, axes in each(plane, panels, modes):
+    for mode, axes in mode_panels(plane, panels, modes):
         perpendicular = np.sqrt(
             np.clip(1.0 - unit[:, :, mode, across] ** 2 - unit[:, :, mode, along] ** 2, 0.0, 1.0)
         )
@@ -152,7 +152,7 @@ def panels_of(plane: Plane, modes: int, *, colour_bars: bool) -> tuple[Figure, A
     return drawn, drawn.subplots(rows, columns, squeeze=False)
 
 
-def each(plane: Plane, panels: Any, modes: int) -> Iterator[tuple[int, Axes]]:
+def mode_panels(plane: Plane, panels: Any, modes: int) -> Iterator[tuple[int, Axes]]:
     """Yield each mode with its panel, titled, and labelled where no panel is beside or below; others stay empty."""
     columns = panels.shape[1]
     for mode, axes in enumerate(panels.flat):

@@ -5,9 +5,9 @@
 makes other pages from `pkmodes.report.blocks`.
 """
 
-from pkmodes.report.making import report
 from pkmodes.report.map import map_report
+from pkmodes.report.measured_report import report
+from pkmodes.report.model_view import view_of, view_of_result
 from pkmodes.report.sources import Source
-from pkmodes.report.three import view_of, view_of_result
 
 __all__ = ["Source", "map_report", "report", "view_of", "view_of_result"]

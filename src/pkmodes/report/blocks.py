@@ -62,9 +62,6 @@ class Table:
 
     Attributes
     ----------
-    caption : str
-    columns : sequence of Column
-    rows : sequence of sequence of Cell
     groups : sequence of (str, int)
         Titles above several columns and how many; empty for none.
     note : str
@@ -94,7 +91,6 @@ class Picture:
 
         Parameters
         ----------
-        figure : matplotlib.figure.Figure
         title : str
             Its name.
         description : str
@@ -165,8 +161,6 @@ class Section:
     ----------
     name : str
         Its id: letters and hyphens.
-    title : str
-    blocks : sequence of Block
     """
 
     name: str
@@ -186,9 +180,6 @@ class Summary:
         What was done, such as "Diagnosis".
     verdict : str
         The verdict as in the JSON; empty if there is none.
-    headline, reason : str
-    tone : str
-    notes : sequence of str
     facts : sequence of (str, Cell)
         The most important numbers.
     """

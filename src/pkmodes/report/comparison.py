@@ -7,13 +7,13 @@ from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report import figures
 from pkmodes.report.blocks import Cell, Section, Summary, Tone
+from pkmodes.report.formatting import SENTENCE, clean, number, p_value, plural, pointer
+from pkmodes.report.glossary import glossary
 from pkmodes.report.mode_table import mode_table
 from pkmodes.report.numbers import percent
 from pkmodes.report.origin import origin, view_section
 from pkmodes.report.page import page
 from pkmodes.report.setting import Setting
-from pkmodes.report.wording import SENTENCE, clean, number, p_value, plural, pointer
-from pkmodes.report.words import words
 
 
 def comparison_page(result: Comparison, evidence: Evidence, setting: Setting) -> str:
@@ -25,7 +25,7 @@ def comparison_page(result: Comparison, evidence: Evidence, setting: Setting) ->
         Section("shapes", "Mode shapes", figures.shape_figures(evidence)),
         *view_section(setting.view),
         Section("rows", "All measured modes", [mode_table(result, evidence, setting)]),
-        words(diagnosed=False),
+        glossary(diagnosed=False),
         origin(evidence, setting),
     ]
     return page(_summary(result, setting), sections)

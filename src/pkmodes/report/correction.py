@@ -9,7 +9,7 @@ from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.report.blocks import Block, Difference, Paragraph
-from pkmodes.report.wording import SENTENCE, clean
+from pkmodes.report.formatting import SENTENCE, clean
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.corrected_robot import corrected_robot
 
@@ -30,10 +30,10 @@ def correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
     lines = difference(source.read_bytes().decode("utf-8"), after, source.name)
     if not lines:
         return [Paragraph("The robot file needs no correction.")]
-    several = [found for found in result.effects if len(found.members) > 1]
+    several = [effect for effect in result.effects if len(effect.members) > 1]
     chosen = "".join(
-        f" It has {clean(found.name)}; the data cannot tell it from {' or '.join(map(clean, found.members[1:]))}."
-        for found in several
+        f" It has {clean(effect.name)}; the data cannot tell it from {' or '.join(map(clean, effect.members[1:]))}."
+        for effect in several
     )
     return [
         Paragraph(

@@ -9,12 +9,12 @@ from pkmodes.plots.labels import typeset
 from pkmodes.report import explanations, figures, numbers
 from pkmodes.report.blocks import Cell, Section, Summary
 from pkmodes.report.correction import correction
+from pkmodes.report.formatting import SENTENCE, clean, number, pointer, unit
+from pkmodes.report.glossary import glossary
 from pkmodes.report.mode_table import mode_table
 from pkmodes.report.origin import origin, view_section
 from pkmodes.report.page import page
 from pkmodes.report.setting import Setting
-from pkmodes.report.wording import SENTENCE, clean, number, pointer, unit
-from pkmodes.report.words import words
 
 #: Most values of causes in the head.
 MOST = 4
@@ -40,7 +40,7 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
         Section("correction", "Correction", correction(result, setting.robot)),
         *view_section(setting.view),
         Section("rows", "All measured modes", [mode_table(result, evidence, setting)]),
-        words(diagnosed=True),
+        glossary(diagnosed=True),
         _origin(result, evidence, setting),
     ]
     return page(_summary(result, evidence, setting), sections)
@@ -61,7 +61,7 @@ def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary
 
 
 def _headline(result: Diagnosis) -> str:
-    names = " and ".join(clean(found.sentence or found.name) for found in result.effects)
+    names = " and ".join(clean(effect.sentence or effect.name) for effect in result.effects)
     return VERDICTS[result.verdict].sentence.format(causes=names, s="s" if len(result.effects) > 1 else "")
 
 
@@ -72,13 +72,13 @@ def _sentence(text: str) -> str:
 
 def _facts(result: Diagnosis) -> list[tuple[str, Cell]]:
     """Return the sizes of the causes, and the errors of the first and the last stage."""
-    found: list[tuple[str, Cell]] = []
+    facts: list[tuple[str, Cell]] = []
     for i, effect in enumerate(result.effects):
         for value in effect.parameters:
             text = f"{typeset(f'{value.value:.3g}')} {unit(value.unit)}".rstrip()
             at = pointer("effects", i, "parameters", key(value), "value")
-            found.append((clean(key(value)), Cell(text, value.value, at)))
-    found = found[:MOST]
+            facts.append((clean(key(value)), Cell(text, value.value, at)))
+    facts = facts[:MOST]
     last = "after" if result.after is not None else "refit"
     stages = {"before": (result.before, "as declared")}
     stages[last] = (
@@ -88,16 +88,16 @@ def _facts(result: Diagnosis) -> list[tuple[str, Cell]]:
         if error is not None:
             at = pointer("error", name, "rms_relative")
             cell = numbers.percent(error.rms_relative, at)
-            found.append((f"rms difference {title} [%]", cell))
+            facts.append((f"rms difference {title} [%]", cell))
     error = stages[last][0]
     if error is not None:
         held = error.held_out_rms_relative
         at = pointer("error", last, "held_out_rms_relative")
-        found.append((f"rms of held-out poses {stages[last][1]} [%]", numbers.percent(held, at)))
+        facts.append((f"rms of held-out poses {stages[last][1]} [%]", numbers.percent(held, at)))
         form = ".3g" if error.chi2_per_dof < 999.5 else ".0f"
         chi2 = number(error.chi2_per_dof, form, pointer("error", last, "chi2_per_dof"))
-        found.append((f"chi\u00b2 per degree of freedom {stages[last][1]}", chi2))
-    return found
+        facts.append((f"chi\u00b2 per degree of freedom {stages[last][1]}", chi2))
+    return facts
 
 
 def _origin(result: Diagnosis, evidence: Evidence, setting: Setting) -> Section:

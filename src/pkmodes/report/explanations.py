@@ -5,7 +5,7 @@ from __future__ import annotations
 from pkmodes.diagnosis.verdict.result import Diagnosis, Finding, key
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Table
-from pkmodes.report.wording import SENTENCE, clean, number, p_value, plural, pointer, unit
+from pkmodes.report.formatting import SENTENCE, clean, number, p_value, plural, pointer, unit
 
 #: Most candidates in the table; more than any robot has.
 MOST = 200
@@ -13,24 +13,24 @@ MOST = 200
 
 def causes(result: Diagnosis) -> list[Block]:
     """Return the causes found with their classes, or the explanations that remain."""
-    found: list[Block] = []
+    blocks: list[Block] = []
     for i, effect in enumerate(result.effects):
         entries: list[tuple[str, list[Cell]]] = [("Cause", [Cell(clean(effect.name), strong=True)])]
         if effect.sentence:
             entries.append(("What it is", [Cell(clean(effect.sentence, SENTENCE))]))
         entries.append(("p-value", [p_value(effect.p_value, pointer("effects", i, "p_value"))]))
-        found += [Facts(entries), _members(effect, i)]
+        blocks += [Facts(entries), _members(effect, i)]
         if len(effect.members) > 1:
-            found.append(
+            blocks.append(
                 Paragraph(
                     "These data cannot tell the members of this class from one another: each explains the "
                     "measurements as well, with the value in its row. The correction has the first."
                 )
             )
     if result.survivors:
-        found.append(Paragraph("These explanations remain; the data do not decide between them:"))
-        found.append(Listing([" or ".join(map(clean, group)) for group in result.survivors]))
-    return found
+        blocks.append(Paragraph("These explanations remain; the data do not decide between them:"))
+        blocks.append(Listing([" or ".join(map(clean, group)) for group in result.survivors]))
+    return blocks
 
 
 def _members(effect: Finding, i: int) -> Table:
@@ -65,10 +65,10 @@ def candidates(result: Diagnosis) -> list[Block]:
         return [Paragraph("No candidate was tested."), *about]
     figure = scores.candidates(result)
     best = min(result.candidates, key=lambda one: one.p_value)
-    found: list[Block] = []
+    blocks: list[Block] = []
     if figure is not None:
         name = clean(best.name)
-        found.append(
+        blocks.append(
             Picture.of(
                 figure,
                 "Scores of the candidates",
@@ -79,7 +79,7 @@ def candidates(result: Diagnosis) -> list[Block]:
                 "marks would not be detectable with these data.",
             )
         )
-    return [*found, _table(result), *_undetectable(result)]
+    return [*blocks, _table(result), *_undetectable(result)]
 
 
 def _table(result: Diagnosis) -> Table:

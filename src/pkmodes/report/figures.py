@@ -9,7 +9,7 @@ from pkmodes.plots.evidence import Evidence
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.mac_matrices import mac_matrices, worst_setup
 from pkmodes.report.blocks import Block, Paragraph, Picture
-from pkmodes.report.wording import clean, plural
+from pkmodes.report.formatting import clean, plural
 
 
 def mode_figures(evidence: Evidence) -> list[Block]:
@@ -19,7 +19,7 @@ def mode_figures(evidence: Evidence) -> list[Block]:
     count = plural(len(evidence.measured), "measured mode")
     where = plural(len(evidence.labels), evidence.place)
     single = len(evidence.stages) == 1
-    found: list[Block] = [
+    blocks: list[Block] = [
         Picture.of(
             spectrum.spectrum(evidence),
             f"Frequencies at each {evidence.place}",
@@ -30,10 +30,10 @@ def mode_figures(evidence: Evidence) -> list[Block]:
     ]
     if not any(stage.paired.any() for stage in evidence.stages):
         return [
-            *found,
+            *blocks,
             Paragraph("No measured mode has a partner in the model, so there are no differences."),
         ]
-    found.append(
+    blocks.append(
         Picture.of(
             differences.by_mode(evidence),
             "Differences by mode",
@@ -43,7 +43,7 @@ def mode_figures(evidence: Evidence) -> list[Block]:
             f"on the {evidence.place}.{'' if single else ' Both panels have the same scale.'}{_marks(evidence)}",
         )
     )
-    found.append(
+    blocks.append(
         Picture.of(
             differences.by_setup(evidence),
             f"Differences by {evidence.place}",
@@ -53,7 +53,7 @@ def mode_figures(evidence: Evidence) -> list[Block]:
             f"{'' if single else ' The scales of the panels differ.'}",
         )
     )
-    return found
+    return blocks
 
 
 def pose_figures(evidence: Evidence) -> list[Block]:

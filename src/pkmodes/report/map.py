@@ -25,10 +25,10 @@ from pkmodes.report.blocks import (
     Summary,
     Table,
 )
+from pkmodes.report.formatting import clean, hertz, number, plural, pointer, unit
 from pkmodes.report.origin import files_of, view_section
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
-from pkmodes.report.wording import clean, hertz, number, plural, pointer, unit
 from pkmodes.robot.corrections import changeable
 from pkmodes.robot.units import SHOWN
 
@@ -147,8 +147,8 @@ def _extent(model: Model, content: dict[str, Any]) -> str:
 
 def _units(model: Model) -> dict[str, tuple[str, float]]:
     """Return the unit of each axis as shown, with the factor from SI."""
-    found = {path: (unit(name), 1.0) for path, name in changeable(model.robot).items()}
-    return found | {component.name: SHOWN[component.unit] for component in model.mechanism.pose}
+    units = {path: (unit(name), 1.0) for path, name in changeable(model.robot).items()}
+    return units | {component.name: SHOWN[component.unit] for component in model.mechanism.pose}
 
 
 def _value(value: float) -> str:

@@ -8,8 +8,8 @@ from pkmodes.diagnosis.compare import ComparedRow, Comparison
 from pkmodes.diagnosis.verdict.result import Diagnosis, Row
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report.blocks import Cell, Column, Table
+from pkmodes.report.formatting import clean, hertz, number, plural, pointer
 from pkmodes.report.setting import Setting
-from pkmodes.report.wording import clean, hertz, number, plural, pointer
 
 #: Most rows on the page: beyond that, those that differ most.
 MOST = 300
@@ -96,8 +96,8 @@ def _remark(row: Row | ComparedRow, evidence: Evidence, i: int) -> str:
 
 def _order(evidence: Evidence) -> list[int]:
     """Return the rows by pose and frequency."""
-    found: list[int] = np.lexsort((evidence.measured, evidence.setup)).tolist()
-    return found
+    order: list[int] = np.lexsort((evidence.measured, evidence.setup)).tolist()
+    return order
 
 
 def _worst(evidence: Evidence) -> list[int]:
@@ -105,5 +105,5 @@ def _worst(evidence: Evidence) -> list[int]:
     if not evidence.stages:
         return _order(evidence)
     away = np.abs(evidence.last.predicted.sigmas)
-    found: list[int] = np.argsort(-np.where(np.isnan(away), np.inf, away), kind="stable").tolist()
-    return found
+    order: list[int] = np.argsort(-np.where(np.isnan(away), np.inf, away), kind="stable").tolist()
+    return order

@@ -6,8 +6,8 @@ from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis, Error, key
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Paragraph, Picture, Table
+from pkmodes.report.formatting import NOTHING, clean, number, plural, pointer, unit
 from pkmodes.report.setting import Setting
-from pkmodes.report.wording import NOTHING, clean, number, plural, pointer, unit
 
 STAGES = {
     "before": "before: as declared",
@@ -46,17 +46,17 @@ def errors(result: Diagnosis) -> list[Block]:
     if not result.held_out_poses:
         rows, columns = [[*row[:2], row[3]] for row in rows], [*columns[:2], columns[3]]
     caption = "Errors of the model: rms of model / measurement \u2212 1, and chi\u00b2 per degree of freedom."
-    found: list[Block] = [Table(caption, columns, rows)]
+    blocks: list[Block] = [Table(caption, columns, rows)]
     if result.held_out_poses:
         shown = ", ".join(map(clean, result.held_out_poses[:20]))
         more = f" and {len(result.held_out_poses) - 20} more" if len(result.held_out_poses) > 20 else ""
-        found.append(
+        blocks.append(
             Paragraph(
                 f"Held out, so that no choice and no fit has seen them: {shown}{more}. Their error is that of a "
                 "prediction."
             )
         )
-    return found
+    return blocks
 
 
 def percent(relative: float | None, at: str = "", strong: bool = False) -> Cell:
@@ -77,11 +77,11 @@ def values(result: Diagnosis) -> list[Block]:
         Column("moved [prior\u00a0\u03c3]"),
     ]
     caption = "Fitted values: as declared, and after the fit with their standard deviations."
-    found: list[Block] = [Table(caption, columns, rows)]
+    blocks: list[Block] = [Table(caption, columns, rows)]
     figure = scores.pulls(result.corrected)
     if figure is not None:
         count = plural(sum(v.prior_sigma is not None for v in result.corrected), "value")
-        found.append(
+        blocks.append(
             Picture.of(
                 figure,
                 "Movement of the uncertain values",
@@ -91,7 +91,7 @@ def values(result: Diagnosis) -> list[Block]:
                 "shaded prior means that the data say nothing about it.",
             )
         )
-    return found
+    return blocks
 
 
 def _value(result: Diagnosis, value: Corrected) -> list[Cell]:
@@ -135,14 +135,14 @@ def stability(result: Diagnosis) -> list[Block]:
     ]
     columns = [Column("change", False), Column("verdict", False), Column("best explanation", False)]
     caption = "The explanations tried, fitted again with other errors and priors."
-    found: list[Block] = [Table(caption, columns, rows)]
+    blocks: list[Block] = [Table(caption, columns, rows)]
     if result.verdict != "unexplained":
         sentence = (
             "With halved \u03c3, unexplained is normal where the stated errors are right: the residual is then too "
             "large for them."
         )
-        found.append(Paragraph(sentence))
-    return found
+        blocks.append(Paragraph(sentence))
+    return blocks
 
 
 def next_measurement(result: Diagnosis, setting: Setting) -> list[Block]:

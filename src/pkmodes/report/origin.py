@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from pkmodes.base.version import VERSION
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report.blocks import Block, Cell, Facts, Foreign, Paragraph, Section
+from pkmodes.report.formatting import clean, plural
 from pkmodes.report.setting import Setting
 from pkmodes.report.sources import Source
-from pkmodes.report.wording import clean, plural
 
 
 def origin(evidence: Evidence, setting: Setting, more: Sequence[tuple[str, Sequence[Cell]]] = ()) -> Section:
@@ -17,8 +17,6 @@ def origin(evidence: Evidence, setting: Setting, more: Sequence[tuple[str, Seque
 
     Parameters
     ----------
-    evidence : Evidence
-    setting : Setting
     more : sequence of (str, sequence of Cell)
         Further facts.
     """
@@ -39,11 +37,11 @@ def origin(evidence: Evidence, setting: Setting, more: Sequence[tuple[str, Seque
 
 def files_of(sources: Sequence[Source]) -> list[tuple[str, Sequence[Cell]]]:
     """Return the facts about the input files: names and digests."""
-    found: list[tuple[str, Sequence[Cell]]] = []
+    facts: list[tuple[str, Sequence[Cell]]] = []
     for source in sources:
-        found.append((source.role, [Cell(clean(source.name))]))
-        found.append((f"SHA-256 of the {source.role}", [Cell(source.digest)]))
-    return found
+        facts.append((source.role, [Cell(clean(source.name))]))
+        facts.append((f"SHA-256 of the {source.role}", [Cell(source.digest)]))
+    return facts
 
 
 def view_section(view: str | None) -> list[Section]:

@@ -18,12 +18,7 @@ TEMPLATES, PAGE, STYLE = "templates", "page.html.j2", "style.css"
 
 
 def need_report() -> None:
-    """Refuse to make a report without the libraries for it.
-
-    Raises
-    ------
-    MissingExtraError
-    """
+    """Refuse to make a report without the libraries for it."""
     require("reports", "report", "jinja2", "matplotlib")
 
 

@@ -8,8 +8,8 @@ from functools import cached_property
 
 from pkmodes.measured.measurements import Measurements
 from pkmodes.plots.labels import typeset
+from pkmodes.report.formatting import clean, unit
 from pkmodes.report.sources import Source
-from pkmodes.report.wording import clean, unit
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.load_cases import settable
 
@@ -22,9 +22,6 @@ class Setting:
     ----------
     subject : str
         What was measured: the name of the robot or structure.
-    robot : Robot or None
-    data : Measurements or None
-    sources : tuple of Source
     view : str or None
         HTML of the view in three dimensions.
     """

@@ -12,8 +12,7 @@ from importlib.resources import files
 import numpy as np
 
 from pkmodes.robot.units import SHOWN
-from pkmodes.view.page_data import as_data, embedded, top
-from pkmodes.view.page_data import directions as directions_of
+from pkmodes.view.page_data import as_data, embedded, end_of_scale, platform_directions
 from pkmodes.view.scene import AMPLITUDE, Scene
 
 #: Parts of the program in the browser, in order.
@@ -117,7 +116,7 @@ def fragment(scene: Scene, name: str = "robot") -> str:
 <p><span data-part="held"></span></p><p>Platform moves along <span data-part="along"></span></p></div>
 <div class="pkview-legend" aria-hidden="true">Share of the strain energy
 <div class="pkview-scale"></div>
-<div class="pkview-ends"><span>0 %</span><span>{100 * top(scene):.0f} %</span></div></div>
+<div class="pkview-ends"><span>0 %</span><span>{100 * end_of_scale(scene):.0f} %</span></div></div>
 <div class="pkview-buttons"><button type="button" data-part="reset">Reset view</button>
 <button type="button" class="pkview-play" data-part="play" aria-pressed="false"><span>Play</span></button></div>
 <p class="pkview-message" role="alert" data-part="message" hidden></p>
@@ -198,7 +197,7 @@ def _motion(key: str) -> str:
 def _table(scene: Scene, key: str) -> str:
     """Return the table of the vibration modes at the first pose: frequencies, directions, shares of the springs."""
     i, modes = scene.chosen, range(scene.rigid_modes, scene.frequencies.shape[1])
-    moves, shares = directions_of(scene)[i], scene.shares[i]
+    moves, shares = platform_directions(scene)[i], scene.shares[i]
     heads = "".join(f'<th scope="col" data-column="{m}">Mode {m - scene.rigid_modes + 1}</th>' for m in modes)
     frequencies = "".join(
         f'<td data-column="{m}" data-part="frequency" data-mode="{m}">{scene.frequencies[i, m]:.2f} Hz</td>'

@@ -24,7 +24,7 @@ def as_data(scene: Scene) -> dict[str, Any]:
     return {
         "size": _rounded(scene.size, PLACES),
         "amplitude": AMPLITUDE,
-        "top": top(scene),
+        "top": end_of_scale(scene),
         "vertical": _rounded(scene.vertical, 6),
         "pose": [{"name": c.name, "unit": c.unit} for c in scene.pose],
         "components": list(scene.directions),
@@ -53,19 +53,19 @@ def as_data(scene: Scene) -> dict[str, Any]:
         "shares": [
             [None if np.isnan(held).any() else _rounded(held, SHARES) for held in modes] for modes in shares
         ],
-        "directions": _rounded(directions(scene), MOVES),
+        "directions": _rounded(platform_directions(scene), MOVES),
         "workspace": _surface(scene, scene.workspace),
     }
 
 
-def directions(scene: Scene) -> Array:
+def platform_directions(scene: Scene) -> Array:
     """Return the unit vectors of the platform's motion, (N, m, directions); zero where it does not move."""
     size = np.linalg.norm(scene.platform_shapes, axis=-1, keepdims=True)
     unit_vectors: Array = scene.platform_shapes / np.where(size > 0.0, size, 1.0)
     return unit_vectors
 
 
-def top(scene: Scene) -> float:
+def end_of_scale(scene: Scene) -> float:
     """Return the end of the scale of shares: the largest of any spring, mode and pose, rounded up to 10 %."""
     shares = scene.shares
     largest = float(np.nanmax(shares)) if np.isfinite(shares).any() else 1.0

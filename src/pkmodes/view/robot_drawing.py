@@ -42,7 +42,6 @@ class RobotDrawing:
 
     def __init__(self, robot: Robot) -> None:
         mechanism = robot.mechanism
-        assert mechanism.drawing is not None
         self.drawing = mechanism.drawing
         self._mechanism, self._system = mechanism, ExtendedSystem.of(robot)
         self.coordinates = self._system.coordinates

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -102,6 +103,16 @@ class Fit:
     def covariance(self) -> Array:
         """Covariance of the fitted parameters, (k, k)."""
         return inverse_of_square(self.jacobian)
+
+    def covariance_of(self, index: Sequence[int]) -> Array:
+        """Return the covariance of some of the fitted parameters."""
+        place = [self.free.index(i) for i in index]
+        return self.covariance[np.ix_(place, place)]
+
+    def sigma_of(self, i: int) -> float:
+        """Return the standard deviation of a fitted parameter."""
+        k = self.free.index(i)
+        return float(np.sqrt(self.covariance[k, k]))
 
     @cached_property
     def basis(self) -> Array:

@@ -55,6 +55,7 @@ class Priors:
                     what = f"{shown(name)} has two priors: {sigmas[names[name]]:g} and {sigma:g}"
                     raise PkmodesError(what, where, "give the same one in every candidate")
         self.index: NDArray[np.intp] = np.array(sorted(sigmas), dtype=np.intp)
+        self._row = {i: row for row, i in enumerate(self.index.tolist())}
         self.sigma = widened * np.array([sigmas[i] for i in sorted(sigmas)], dtype=float)
         self._declared = np.array([parameters[i].value for i in self.index])
         self._log = np.array([parameters[i].log for i in self.index], dtype=bool)
@@ -74,12 +75,10 @@ class Priors:
 
     def rates(self, values: Array, free: Sequence[int]) -> Array:
         """Return the derivatives of the residual with respect to some parameters, (P, k)."""
-        derivatives = np.zeros((len(self.index), len(free)))
-        place = {i: row for row, i in enumerate(self.index)}
+        derivatives, width = np.zeros((len(self.index), len(free))), self.width(values)
         for column, i in enumerate(free):
-            if i in place:
-                row = place[i]
-                derivatives[row, column] = self.width(values)[row] ** -1
+            if (row := self.of(i)) is not None:
+                derivatives[row, column] = width[row] ** -1
         return derivatives
 
     def width(self, values: Array) -> Array:
@@ -88,5 +87,4 @@ class Priors:
 
     def of(self, i: int) -> int | None:
         """Return the index of a parameter among those with a prior; None if it has none."""
-        place = np.flatnonzero(self.index == i)
-        return int(place[0]) if len(place) else None
+        return self._row.get(i)

@@ -36,7 +36,7 @@ class DiagnosisBuilder:
     def __init__(self, setups: AllSetups) -> None:
         self.setups, self.fitter = setups, setups.fitter
 
-    def judged(
+    def after_search(
         self,
         search: Search,
         outcome: Outcome,
@@ -173,8 +173,8 @@ class DiagnosisBuilder:
         """Return fitted parameters with their standard deviations."""
         values = []
         for i in index:
-            p, k = self.fitter.parameters[i], fit.free.index(i)
-            values.append(Value(p.name, float(fit.values[i]), float(np.sqrt(fit.covariance[k, k])), p.unit))
+            p = self.fitter.parameters[i]
+            values.append(Value(p.name, float(fit.values[i]), fit.sigma_of(i), p.unit))
         return tuple(values)
 
     def corrected(self, fit: Fit) -> tuple[Corrected, ...]:

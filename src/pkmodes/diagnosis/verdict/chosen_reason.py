@@ -21,7 +21,7 @@ def reason_of(builder: DiagnosisBuilder, search: Search, outcome: Outcome, judge
     if judged.verdict is ADEQUATE:
         return reasons.adequate(outcome.last, noise)
     if judged.verdict is EFFECT_FOUND:
-        return reasons.found(builder.findings(judged), outcome.first, noise)
+        return reasons.effect_found(builder.findings(judged), outcome.first, noise)
     if judged.verdict is AMBIGUOUS:
         return reasons.ambiguous([[name for name, _ in named] for named in remains(judged)])
     return _unexplained(search, outcome, judged)

@@ -36,7 +36,7 @@ def adequate(gate: Gate, setting_aside: str) -> str:
     )
 
 
-def found(findings: Sequence[Finding], gate: Gate, setting_aside: str) -> str:
+def effect_found(findings: Sequence[Finding], gate: Gate, setting_aside: str) -> str:
     """Return the reason if causes are found."""
     causes = " and ".join(_cause(finding) for finding in findings)
     smallest = min(gate.p_value, gate.p_candidates)
@@ -256,7 +256,7 @@ def uneven(fitter: Fitter, fit: Fit) -> str:
     )
 
 
-def insufficient(
+def insufficient_data(
     rows: int,
     shapes: int,
     uncertain: Sequence[str],

@@ -18,12 +18,11 @@ def doubt_of_values(search: Search, final: Fit) -> str:
     fitter, c = search.store.fitter, search.criteria
     for cause in final.causes:
         index = fitter.indices(cause)
-        sigma = np.sqrt(np.diagonal(_covariance(final, index)))
-        for i, s in zip(index, sigma, strict=True):
-            p, value = fitter.parameters[i], float(final.values[i])
+        for i in index:
+            p, value, sigma = fitter.parameters[i], float(final.values[i]), final.sigma_of(i)
             for bound in (p.lower, p.upper):
-                if bound != p.value and np.isfinite(bound) and abs(value - bound) < c.bounded * s:
-                    return reasons.at_bound(cause, value, float(s), bound)
+                if bound != p.value and np.isfinite(bound) and abs(value - bound) < c.bounded * sigma:
+                    return reasons.at_bound(cause, value, sigma, bound)
         if p_absent(search, final, cause) > c.absent:
             return reasons.near_absence(cause)
     return next((text for cause in final.causes if (text := _rests_on(search, final, cause))), "")
@@ -37,7 +36,7 @@ def p_absent(search: Search, final: Fit, cause: Candidate) -> float:
     fitter = search.store.fitter
     index = fitter.indices(cause)
     away = final.values[list(index)] - fitter.declared[list(index)]
-    squares = float(away @ np.linalg.pinv(_covariance(final, index), hermitian=True) @ away)
+    squares = float(away @ np.linalg.pinv(final.covariance_of(index), hermitian=True) @ away)
     return float(stats.chi2.sf(squares, len(index)))
 
 
@@ -47,7 +46,7 @@ def _rests_on(search: Search, final: Fit, cause: Candidate) -> str:
     fitter, h = store.fitter, final.hypothesis
     used, index = fitter.used(h), list(fitter.indices(cause))
     leverage = np.where(used, final.leverage[fitter.frequency_rows], 0.0)
-    sigma = np.sqrt(np.diagonal(_covariance(final, fitter.indices(cause))))
+    sigma = [final.sigma_of(i) for i in index]
     for row in np.argsort(leverage)[::-1]:
         if leverage[row] <= c.redundant:
             break
@@ -57,9 +56,8 @@ def _rests_on(search: Search, final: Fit, cause: Candidate) -> str:
         if here is None or less is None:
             continue
         gone = float(stats.chi2.sf(max(less.deviance - here.deviance, 0.0), len(index))) > c.claimed
-        moved = np.abs(here.values[index] - final.values[index]) > c.moved * np.hypot(
-            sigma, np.sqrt(np.diagonal(_covariance(here, tuple(index))))
-        )
+        both = np.hypot(sigma, [here.sigma_of(i) for i in index])
+        moved = np.abs(here.values[index] - final.values[index]) > c.moved * both
         if gone or moved.any():
             data = fitter.data
             value = None if gone else float(here.values[index[int(np.argmax(moved))]])
@@ -67,8 +65,3 @@ def _rests_on(search: Search, final: Fit, cause: Candidate) -> str:
                 cause, int(data.lines[row]), data.labels[data.pose[row]], float(data.frequency[row]), value
             )
     return ""
-
-
-def _covariance(fit: Fit, index: tuple[int, ...]) -> np.ndarray:
-    place = [fit.free.index(i) for i in index]
-    return fit.covariance[np.ix_(place, place)]

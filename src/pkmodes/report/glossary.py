@@ -24,7 +24,7 @@ DIAGNOSED = {
 }
 
 
-def words(diagnosed: bool) -> Section:
+def glossary(diagnosed: bool) -> Section:
     """Return the section that explains the words of a comparison or a diagnosis."""
     chosen = COMPARED | (DIAGNOSED if diagnosed else {})
     entries = [(word, [Cell(meaning)]) for word, meaning in chosen.items()]

@@ -36,7 +36,7 @@ def view_of(model: Model, poses: ArrayLike | None = None, *, start: ArrayLike | 
     Returns
     -------
     str or None
-        None if no pose can be shown, or the code of the mechanism was generated before there were drawings.
+        None if no pose can be shown.
     """
     try:
         if poses is None:

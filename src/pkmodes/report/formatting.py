@@ -20,7 +20,6 @@ def clean(text: object, longest: int | None = LONGEST) -> str:
 
     Parameters
     ----------
-    text : object
     longest : int or None
         Longer text is shortened; None for any length.
     """
