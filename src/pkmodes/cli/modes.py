@@ -19,6 +19,7 @@ from pkmodes.dataset.fields import FIELDS, INDEPENDENT, Field, of_modes
 from pkmodes.mechanism.poses import placed
 from pkmodes.model.loading import load
 from pkmodes.model.model import Model
+from pkmodes.solve.backends import SOLVERS
 from pkmodes.solve.results import Modes, Statics
 
 
@@ -37,6 +38,7 @@ class _AtPose(Document):
     ]
 
 
+_literal: Any = Literal
 #: What follows the fields of `pkmodes.Modes`.
 _AFTER: tuple[tuple[str, Any, str], ...] = (
     (
@@ -45,7 +47,7 @@ _AFTER: tuple[tuple[str, Any, str], ...] = (
         "Torque of each drive that holds the pose against gravity, positive with its coordinate [N m].",
     ),
     ("rigid_modes", Count, "Number of modes that strain no elastic element; they come first."),
-    ("backend", Literal["numpy", "compiled"], "What evaluated the modes."),
+    ("backend", _literal[tuple(SOLVERS)], "What evaluated the modes."),
 )
 
 
