@@ -13,7 +13,7 @@ import pkmodes
 from helpers.robots.sample_mechanisms import TYPICAL
 from helpers.robots.sample_mechanisms import sample as other_sample
 from helpers.robots.sample_robots import sample as linear_sample
-from pkmodes.mechanism.registry import mechanism as mechanism_named
+from pkmodes.mechanism import registry
 from pkmodes.robot.robot import Robot
 from pkmodes.system.evaluation import ExtendedSystem
 from pkmodes.view.evaluating import scene
@@ -30,7 +30,7 @@ ROUNDING = 1e-12
 def robot_of(name: str, seed: int, effects: bool = False) -> tuple[Robot, np.ndarray]:
     """Return a random robot and a pose; with all effects that the mechanism has, or without any."""
     found = linear_sample(f"random-{seed}") if name == "linear_delta" else other_sample(name, seed)
-    mechanism = mechanism_named(name)
+    mechanism = registry.mechanism(name)
     values: dict[str, float] = {}
     for effect in mechanism.effects.values() if effects else ():
         for p in effect.parameters:

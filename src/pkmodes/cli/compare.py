@@ -128,8 +128,9 @@ def compare(
 
 
 def _print(robot: Robot, modes: Path, result: Comparison) -> None:
-    from pkmodes.cli.diagnosis_tables import p_value, setting
+    from pkmodes.cli.diagnosis_tables import setting
     from pkmodes.cli.terminal import Terminal
+    from pkmodes.diagnosis.verdict.result import p_in_words
 
     terminal = Terminal()
     terminal.heading(f"{robot.name} compared with {modes}, frequencies in Hz")
@@ -157,7 +158,7 @@ def _print(robot: Robot, modes: Path, result: Comparison) -> None:
     rms, chi2, p = result.rms_relative, result.chi2_per_dof, result.p_value
     if rms is not None and chi2 is not None and p is not None:
         terminal.line(
-            f"rms of the differences {100 * rms:.3g} %, chi2 per degree of freedom {chi2:.3g} ({p_value(p)})"
+            f"rms of the differences {100 * rms:.3g} %, chi2 per degree of freedom {chi2:.3g} ({p_in_words(p)})"
         )
     for note in result.notes:
         terminal.line(note)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from pkmodes.cli.terminal import Terminal
-from pkmodes.diagnosis.verdict.result import Diagnosis, Error, Row, Value
+from pkmodes.diagnosis.verdict.result import Diagnosis, Error, Row, Value, p_in_words
 from pkmodes.mechanism.poses import placed
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.robot import Robot
@@ -28,7 +28,7 @@ def show(robot: Robot, result: Diagnosis) -> None:
     for effect in result.effects:
         sentence = f": {effect.sentence}" if effect.sentence else ""
         terminal.line()
-        terminal.line(f"cause: {effect.name} ({p_value(effect.p_value)}){sentence}")
+        terminal.line(f"cause: {effect.name} ({p_in_words(effect.p_value)}){sentence}")
         for value in effect.parameters:
             terminal.line(f"{_short(value)} = {_with_sigma(value)}", "  ")
         if len(effect.members) > 1:
@@ -45,11 +45,6 @@ def show(robot: Robot, result: Diagnosis) -> None:
         terminal.line()
         _refitted(terminal, result)
     _remarks(terminal, robot, result)
-
-
-def p_value(p: float) -> str:
-    """Format a p-value, which is never zero."""
-    return f"p = {p:.2g}" if p > 0.0 else "p < 1e-300"
 
 
 def _errors(terminal: Terminal, result: Diagnosis) -> None:

@@ -65,7 +65,7 @@ def band_of(text: str | None) -> tuple[float, float] | None:
     """
     if text is None:
         return None
-    from pkmodes.measured.table import parse_band
+    from pkmodes.measured.csv_rows import parse_band
 
     return parse_band(text, "--band", "write --band 10,400")
 

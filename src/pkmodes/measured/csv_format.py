@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import NoReturn
 
 from pkmodes.base.errors import MeasurementError
+from pkmodes.measured.csv_rows import cells_of, read_lines, read_table
 from pkmodes.measured.formats import Format, Machine
 from pkmodes.measured.header import components_of, read_header
 from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.table import cells_of, read_lines, read_table
 
 LARGEST_FILE = 50_000_000
 #: First bytes of spreadsheet files: a zip archive, and the older Excel format.

@@ -6,8 +6,7 @@ import os
 from contextlib import suppress
 from functools import cache
 
-import numpy as np
-
+from pkmodes.base.arguments import POSITIVE_INTEGER, check_argument
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.solve.compiled_solver import CompiledSolver
 from pkmodes.solve.numpy_solver import NumpySolver
@@ -62,10 +61,7 @@ def checked_threads(threads: int | None) -> int:
     """
     if threads is None:
         return all_cores()
-    if isinstance(threads, bool) or not isinstance(threads, int | np.integer) or threads < 1:
-        raise PkmodesError(
-            f"expected a positive integer, found {shown(threads)}", "threads", "leave it out for all cores"
-        )
+    check_argument(threads, POSITIVE_INTEGER, "threads", "leave it out for all cores")
     return int(threads)
 
 

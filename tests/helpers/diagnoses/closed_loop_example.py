@@ -44,7 +44,10 @@ def measured_text() -> str:
         missing=0.1,
         shapes=("x_1", "x_2", "x_3", "p_x", "p_y", "p_z"),
     )
-    return "# Modes of the workshop delta: virtual test rig, tests/closed_loop_example.py\n" + text
+    return (
+        "# Modes of the workshop delta: virtual test rig, tests/helpers/diagnoses/closed_loop_example.py\n"
+        + text
+    )
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.gate import Gate
-from pkmodes.diagnosis.verdict.result import Finding
+from pkmodes.diagnosis.verdict.result import Finding, p_in_words
 
 
 def noise(fit: Fit, lines: NDArray[np.int_]) -> str:
@@ -31,7 +31,7 @@ def adequate(gate: Gate, setting_aside: str) -> str:
     """Return the reason if nothing is missing."""
     aside = f", with {setting_aside}" if setting_aside else ""
     return (
-        f"the residual of the declared model is noise ({_p(gate.p_value)}, "
+        f"the residual of the declared model is noise ({p_in_words(gate.p_value)}, "
         f"and {gate.p_candidates:.2g} for the best candidate){aside}"
     )
 
@@ -41,11 +41,7 @@ def effect_found(findings: Sequence[Finding], gate: Gate, setting_aside: str) ->
     causes = " and ".join(_cause(finding) for finding in findings)
     smallest = min(gate.p_value, gate.p_candidates)
     aside = f"; {setting_aside}" if setting_aside else ""
-    return f"the residual of the declared model is not noise ({_p(smallest)}); explanation: {causes}{aside}"
-
-
-def _p(p_value: float) -> str:
-    return f"p = {p_value:.2g}" if p_value > 0.0 else "p < 1e-300"
+    return f"the residual of the declared model is not noise ({p_in_words(smallest)}); explanation: {causes}{aside}"
 
 
 def _cause(finding: Finding) -> str:
@@ -155,7 +151,7 @@ def weak(causes: Sequence[Candidate], p_value: float, what: str) -> str:
     perhaps = f"; measurement errors would explain it too: {what}" if what else ""
     return (
         f"the residual points to {_names(causes)}, but not clearly enough for a claim "
-        f"({_p(p_value)} among all candidates): measure more{perhaps}"
+        f"({p_in_words(p_value)} among all candidates): measure more{perhaps}"
     )
 
 
@@ -209,8 +205,8 @@ def scattered(ratio: float, pattern: str, few: bool) -> str:
 def small(p_candidates: float) -> str:
     """Return the reason if the residual is hardly more than noise."""
     return (
-        f"the residual is small but points to a candidate ({_p(p_candidates)}), and no candidate explains it well "
-        "enough for a claim: measure more"
+        f"the residual is small but points to a candidate ({p_in_words(p_candidates)}), and no candidate explains "
+        "it well enough for a claim: measure more"
     )
 
 
@@ -219,7 +215,7 @@ def nearly(causes: Sequence[Candidate], before: float, after: float, p_value: fl
     verb = "explain" if len(causes) > 1 else "explains"
     return (
         f"{_names(causes)} {verb} nearly all of the residual (chi2 per degree of freedom from {before:.3g} to "
-        f"{after:.3g}), but the rest exceeds the stated errors ({_p(p_value)}): they are about "
+        f"{after:.3g}), but the rest exceeds the stated errors ({p_in_words(p_value)}): they are about "
         f"{after**0.5:.2g} times too small, or something else is missing as well"
     )
 
@@ -275,9 +271,8 @@ def insufficient_data(
     one = rows == 1
     if not contradicts:
         them = "it" if one else "them"
-        return (
-            f"{text}; the declared model with its uncertain values does not contradict {them} ({_p(p_value)})"
-        )
+        p = p_in_words(p_value)
+        return f"{text}; the declared model with its uncertain values does not contradict {them} ({p})"
     they, verb = ("it", "contradicts") if one else ("they", "contradict")
     would = f"; {they} would not with {' or '.join(hints)}" if hints else ""
-    return f"{text}; yet {they} {verb} the declared model and its uncertain values ({_p(p_value)}){would}"
+    return f"{text}; yet {they} {verb} the declared model and its uncertain values ({p_in_words(p_value)}){would}"

@@ -325,6 +325,11 @@ class Diagnosis:
         return document.as_json()
 
 
+def p_in_words(p_value: float) -> str:
+    """Return a p-value as text; it is never zero."""
+    return f"p = {p_value:.2g}" if p_value > 0.0 else "p < 1e-300"
+
+
 def key(v: Value) -> str:
     """Return the last name of an effect's parameter (`compliance`), as in the robot file; else the whole path."""
     return v.name.split(".")[-1] if v.name.startswith("effects.") else v.name
