@@ -36,7 +36,7 @@ demo: $(VENV)/.demo  ## the whole loop, from the robot file to corrected code, w
 	@echo "  build/mode.gif         its second mode, as in the README"
 
 test: $(VENV)/.dev  ## all tests, including the slow ones
-	$(BIN)/python -m pytest -n auto --dist worksteal
+	$(BIN)/python -m pytest -n auto --dist worksteal --durations=15
 
 lint: $(VENV)/.dev
 	$(BIN)/python -m ruff format --check .
