@@ -80,6 +80,20 @@ def test_without_compiler_and_library_numpy_does_the_work(
     assert not list(fresh.glob("*.so"))
 
 
+def test_without_a_library_numpy_compares_whatever_the_environment_asks_for(
+    fresh: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A comparison chooses no back end: what cannot be had must not refuse the user's measurements."""
+    robot, measured = (ROOT / "examples/closed_loop" / name for name in ("robot.toml", "measured.csv"))
+    declared = pkmodes.read_robot(robot)
+    monkeypatch.setenv("PKMODES_BACKEND", "numpy")
+    expected = pkmodes.updating.compare(declared, pkmodes.updating.read(measured, robot=declared))
+    monkeypatch.setattr(build.shutil, "which", lambda name: None)
+    monkeypatch.setenv("PKMODES_BACKEND", "compiled")
+    comparison = pkmodes.updating.compare(declared, pkmodes.updating.read(measured, robot=declared))
+    assert comparison.chi2_per_dof == expected.chi2_per_dof
+
+
 def test_a_compiler_that_fails_is_named(fresh: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     broken = tmp_path / "mycc"
     broken.write_text("#!/bin/sh\necho 'error: no such processor' >&2\nexit 1\n")

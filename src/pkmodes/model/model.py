@@ -85,7 +85,7 @@ class Model:
         self.kinematics = Kinematics(robot, max_condition)
         self.dynamics = Dynamics(self.kinematics)
         self.robot, self.mechanism = robot, robot.mechanism
-        self.max_condition, self.coordinates = self.kinematics.max_condition, self.dynamics.coordinates
+        self.coordinates = self.dynamics.coordinates
         self._resolved_paths: tuple[tuple[str, ...] | None, ResolvedPaths] | None = None
 
     def __repr__(self) -> str:
@@ -94,6 +94,11 @@ class Model:
     def __reduce__(self) -> tuple[Any, ...]:
         # The evaluation may hold modules, which cannot be pickled; it is rebuilt from the robot.
         return type(self), (self.robot, self.max_condition)
+
+    @property
+    def max_condition(self) -> float:
+        """The largest condition number of a pose that is not singular."""
+        return self.kinematics.max_condition
 
     @property
     def reasons(self) -> dict[str, str]:

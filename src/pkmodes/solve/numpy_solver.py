@@ -36,19 +36,31 @@ class NumpySolver(Solver):
         Raises
         ------
         PoseError
-            If M is not positive definite, the eigenvalues are not finite, or a released joint is so soft that its
-            frequency is lost in rounding.
+            As `checked_modes` does.
         """
-        try:
-            both = dict(zip((EIGENVALUES, SHAPES), modes_of(at), strict=True))
-        except np.linalg.LinAlgError:
-            raise PoseError(
-                "the mass matrix is not positive definite", at.source, "give every moving body a mass"
-            ) from None
-        _check(both[EIGENVALUES], at)
+        both = dict(zip((EIGENVALUES, SHAPES), checked_modes(at), strict=True))
         for name, array in arrays.items():
             array[...] = both[name]
         return np.zeros(len(at.points), dtype=np.int8)
+
+
+def checked_modes(at: RobotAtPoses) -> tuple[Array, Array]:
+    """Return eigenvalues and shapes as `modes_of` does, with its layout in memory.
+
+    Raises
+    ------
+    PoseError
+        If M is not positive definite, the eigenvalues are not finite, or a released joint is so soft that its
+        frequency is lost in rounding.
+    """
+    try:
+        eigenvalues, shapes = modes_of(at)
+    except np.linalg.LinAlgError:
+        raise PoseError(
+            "the mass matrix is not positive definite", at.source, "give every moving body a mass"
+        ) from None
+    _check(eigenvalues, at)
+    return eigenvalues, shapes
 
 
 def modes_of(at: RobotAtPoses) -> tuple[Array, Array]:

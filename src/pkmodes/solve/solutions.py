@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from pkmodes.mechanism.poses import MAX_CONDITION
 from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.solve.backends import AUTO, chosen, solver_of
-from pkmodes.solve.numpy_solver import NumpySolver, modes_of
-from pkmodes.solve.solver import EIGENVALUES, SHAPES, UNSOLVED, Solver
+from pkmodes.solve.numpy_solver import NumpySolver, checked_modes, modes_of
+from pkmodes.solve.solver import EIGENVALUES, SHAPES, UNSOLVED, Solver, UnavailableError
 from pkmodes.system.evaluation import Evaluation, ExtendedSystem, number_of_modes
 
 Array = NDArray[np.float64]
@@ -37,14 +37,16 @@ def solved(solver: Solver, system: Evaluation, p: Array, source: str) -> RobotAt
         As `NumpySolver.compute` does.
     """
     at = RobotAtPoses(system, np.ascontiguousarray(p), source, {})
-    n, numpy = len(system.coordinates), NumpySolver.init(system, MAX_CONDITION)
-    m = number_of_modes(system)
+    if isinstance(solver, NumpySolver) or not len(p):  # the layout decides how products of shapes round
+        at.known.update(zip((EIGENVALUES, SHAPES), checked_modes(at), strict=True))
+        return at
+    n, m = len(system.coordinates), number_of_modes(system)
     arrays = {EIGENVALUES: np.empty((len(p), m)), SHAPES: np.empty((len(p), m, n))}
-    codes = (solver if len(p) else numpy).compute(at, arrays)
+    codes = solver.compute(at, arrays)
     left = np.flatnonzero(codes == UNSOLVED)
     if len(left):
         some = {name: array[left] for name, array in arrays.items()}
-        numpy.compute(RobotAtPoses(system, p[left], source, {}), some)
+        NumpySolver.init(system, MAX_CONDITION).compute(RobotAtPoses(system, p[left], source, {}), some)
         for name, array in some.items():
             arrays[name][left] = array
     at.known.update(arrays)
@@ -108,7 +110,10 @@ def _by_solvers(
     codes = np.empty(len(points), dtype=np.int8)
     backend = chosen(AUTO)
     for b, system in enumerate(systems):
-        solver = solver_of(system, MAX_CONDITION, backend)
+        try:
+            solver = solver_of(system, MAX_CONDITION, backend)
+        except UnavailableError:
+            return None
         if isinstance(solver, NumpySolver):
             return None
         n, m = len(system.coordinates), number_of_modes(system)
