@@ -187,9 +187,10 @@ def test_poses_at_one_position_with_other_frequencies_are_named() -> None:
     assert "same position" not in "".join(notes(replace(data, frequency=same, points=points)).notes)
 
 
-def test_shapes_that_are_all_the_same_are_noticed() -> None:
+@pytest.mark.parametrize("scale", [1.0, 1e-100])
+def test_shapes_that_are_all_the_same_are_noticed(scale: float) -> None:
     data = measured()
-    found = notes(replace(data, shapes=np.tile(data.shapes[:1], (len(data.shapes), 1))))
+    found = notes(replace(data, shapes=scale * np.tile(data.shapes[:1], (len(data.shapes), 1))))
     assert found.verdict == "unexplained"
     assert any("are the same" in note for note in found.notes)
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import pickle
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -61,3 +64,24 @@ def test_one_number_states_the_deviation_of_all_shapes() -> None:
     with pytest.raises(MeasurementError) as error:
         Measurements.from_rows(["a"], [1], [0.1], sigma_shape=[0.02])
     assert error.value.remedy == 'did you mean "shape_sigma"?'
+
+
+def test_of_several_mistakes_that_of_the_frequencies_is_told() -> None:
+    data = Measurements.from_rows(["a", "b"], [1, 2], [0.1, 0.1])
+    wrong = dict.fromkeys(("damping_sigma", "sigma", "damping", "frequency"), np.ones(3))
+    with pytest.raises(MeasurementError, match="frequency"):
+        replace(data, **wrong)
+
+
+def test_a_missing_quantity_is_named() -> None:
+    columns = dict.fromkeys(("pose", "labels", "points", "point_sigma", "shapes", "channels"))
+    with pytest.raises(TypeError, match="missing measured quantities: sigma, damping, damping_sigma"):
+        Measurements(frequency=np.ones(1), **columns)
+
+
+@pytest.mark.parametrize("protocol", range(pickle.HIGHEST_PROTOCOL + 1))
+def test_measurements_can_be_pickled_with_any_protocol_and_show_their_numbers(protocol: int) -> None:
+    data = Measurements.from_rows(["a", "b"], [1, 2.5], [0.1, 0.1])
+    again = pickle.loads(pickle.dumps(data, protocol))
+    assert again.frequency.tolist() == [1.0, 2.5]
+    assert "2.5" in repr(again)

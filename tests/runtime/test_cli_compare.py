@@ -304,6 +304,8 @@ def test_arguments_that_are_refused(tmp_path: Path) -> None:
         (PUBLISHED,): "missing argument 'MODES.csv' (pkmodes compare)",
         (PUBLISHED, modes, modes): "unexpected extra argument",
         (PUBLISHED, modes, "--json", modes): "would replace its own input",
+        # Of two mistakes, that of --json is told first.
+        (PUBLISHED, modes, "--json", modes, "--report", "absent/x.html"): "would replace its own input",
         (PUBLISHED, modes, "--json", tmp_path): "expected a file, found a folder",
         (
             PUBLISHED,

@@ -48,23 +48,30 @@ def check_targets(json_file: str | None, inputs: Sequence[Path], *others: Target
     OutputError
         If one of them cannot be written, is an input, or is the same file as another, or a page is not named as one.
     """
-    targets = [Target("--json", None if json_file == "-" else json_file, "the result"), *others]
-    for target in targets:
-        if target.file is not None and not target.anywhere:
-            _check_place("" if target.file == Path() else str(target.file), target.option)
+    result = Target("--json", None if json_file == "-" else json_file, "the result")
     taken: dict[Path, str] = {}
-    for target in targets:
-        if target.file is None:
-            continue
-        path, where = Path(target.file), f"{target.option} {target.file}"
-        if path.resolve() in taken:
-            what = f"{taken[path.resolve()]} and {target.what} would be the same file"
-            raise OutputError(what, where, "choose another file")
-        if any(given.exists() and path.exists() and given.samefile(path) for given in inputs):
-            raise OutputError(f"{target.what} would replace its own input", where, "choose another file")
-        taken[path.resolve()] = target.what
-        if target.endings:
-            _check_ending(target, path)
+    for targets in ([result], others):  # of several mistakes, that of --json is told first
+        for target in targets:
+            if target.file is not None and not target.anywhere:
+                _check_place("" if target.file == Path() else str(target.file), target.option)
+        for target in targets:
+            if target.file is not None:
+                _check_distinct(target, inputs, taken)
+    for target in others:
+        if target.file is not None and target.endings:
+            _check_ending(target, Path(target.file))
+
+
+def _check_distinct(target: Target, inputs: Sequence[Path], taken: dict[Path, str]) -> None:
+    """Reject a target that is an input or one of those taken, and take it."""
+    path = Path(str(target.file))
+    where = f"{target.option} {target.file if target.option == '--json' else path}"
+    if path.resolve() in taken:
+        what = f"{taken[path.resolve()]} and {target.what} would be the same file"
+        raise OutputError(what, where, "choose another file")
+    if any(given.exists() and path.exists() and given.samefile(path) for given in inputs):
+        raise OutputError(f"{target.what} would replace its own input", where, "choose another file")
+    taken[path.resolve()] = target.what
 
 
 def _check_place(file: str, option: str) -> None:

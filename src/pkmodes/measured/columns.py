@@ -18,8 +18,6 @@ POSITION: Mapping[str, str] = MappingProxyType({"x": "m", "y": "m", "z": "m"})
 class Numbers(Mapping[str, Array]):
     """Read-only columns of numbers by name."""
 
-    __slots__ = ("_columns",)
-
     def __init__(self, columns: Mapping[str, Array]) -> None:
         self._columns = dict(columns)
 
@@ -31,6 +29,9 @@ class Numbers(Mapping[str, Array]):
 
     def __len__(self) -> int:
         return len(self._columns)
+
+    def __repr__(self) -> str:
+        return repr(self._columns)
 
 
 @dataclass(frozen=True, eq=False)

@@ -59,8 +59,13 @@ class Measurements(Columns):
 
     def __init__(self, *, numbers: Mapping[str, Array] = MappingProxyType({}), **columns: Any) -> None:
         # Measured quantities may also be given by name, alone or in place of those in `numbers`.
-        own = {number.argument for number in quantity_numbers()} & columns.keys()
-        super().__init__(numbers={**numbers, **{name: columns.pop(name) for name in own}}, **columns)
+        names = [number.argument for number in quantity_numbers()]
+        given = {**numbers, **{name: columns.pop(name) for name in names if name in columns}}
+        if missing := [name for name in names if name not in given]:
+            raise TypeError(f"Measurements.__init__() missing measured quantities: {', '.join(missing)}")
+        super().__init__(
+            numbers={name: given[name] for name in (*names, *(n for n in given if n not in names))}, **columns
+        )
         self._check()
 
     def _check(self) -> None:

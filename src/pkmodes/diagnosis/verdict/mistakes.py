@@ -178,6 +178,8 @@ def all_alike(data: Measurements, same: float) -> tuple[str, ...]:
         some: Array = shapes[:, common]
         if len(some) < 3 or common.sum() < 2:
             continue
+        largest = np.abs(some).max(axis=1, keepdims=True)  # shapes have any scale
+        some = some / np.where(largest > 0.0, largest, 1.0)
         if mac(some, some, np.ones(some.shape, dtype=bool)).min() > same:
             labels.append(label)
     return tuple(labels)
