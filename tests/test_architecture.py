@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -149,6 +150,15 @@ def test_every_folder_of_the_runtime_has_a_floor() -> None:
     assert {file.name for file in root.glob("*.py")} == {"__init__.py", "__main__.py"}
     assert {file.parent.name for file in root.glob("*/__init__.py")} == set(FLOORS)
     assert all((file.parent / "__init__.py").is_file() for file in root.rglob("*.py"))
+
+
+def test_the_page_on_the_architecture_lists_the_floors_and_names_files_that_exist() -> None:
+    page = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
+    assert re.findall(r"^\| `(\w+)/` \|", page, re.MULTILINE) == list(reversed(FLOORS))
+    named = re.findall(r"`((?:src|derive|tests|docs)/[\w/.]+)`", page)
+    assert len(named) > 15
+    for name in named:
+        assert (ROOT / name).exists(), name
 
 
 @pytest.mark.parametrize("floor", FLOORS)
