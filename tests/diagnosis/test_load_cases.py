@@ -215,7 +215,9 @@ def test_setups_may_have_more_modes_than_others() -> None:
         )
         np.testing.assert_array_equal(found.rates[i, elastic], expected.rates[0, expected.rigid :])
         np.testing.assert_array_equal(found.shapes[i, elastic], expected.shapes[0, expected.rigid :])
-        assert (found.eigenvalues[i, elastic.stop :] > 1e30).all()
+        lacking = found.eigenvalues[i, elastic.stop :]
+        assert (lacking > 1e30).all()
+        assert (lacking[1:] > 10.0 * lacking[:-1]).all(), "apart from each other, too"
     count = [(row[3:] < 1e30).sum() for row in found.eigenvalues]
     assert count == [9, 9, 6, 9]
 
