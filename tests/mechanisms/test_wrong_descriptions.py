@@ -93,6 +93,12 @@ CODE = (
         ["belt_path.1.lengths.1"],
         "the number of places of run_margin is 1",
     ),
+    (
+        "corexy",
+        ("drawing", "springs"),
+        [{"name": "one", "unit": "N/m", "description": "of all runs"}] * 9,
+        "the number of springs is 9, expected 8",
+    ),
     ("linear_delta", ("differences",), [["origin", "link_length"]], "the shape of origin and link_length is"),
     ("linear_delta", ("scales", 0, "index"), [], "the shape of pulley_radius is (3,), expected ()"),
     ("linear_delta", ("sample", "platform_mass"), "1", "TypeError: expected numbers in the sample, found"),
