@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -61,3 +63,16 @@ def test_one_number_states_the_deviation_of_all_shapes() -> None:
     with pytest.raises(MeasurementError) as error:
         Measurements.from_rows(["a"], [1], [0.1], sigma_shape=[0.02])
     assert error.value.remedy == 'did you mean "shape_sigma"?'
+
+
+def test_a_shape_may_have_components_at_rest() -> None:
+    data = Measurements.from_rows(["A"], [10.0], [0.1], shapes={"a": [0.0], "b": [1.0]})
+    np.testing.assert_array_equal(data.shapes, [[0.0, 1.0]])
+
+
+def test_a_refusal_keeps_its_place_in_another_process() -> None:
+    with pytest.raises(MeasurementError) as error:
+        Measurements.from_rows(["A"], [-10.0], [0.1])
+    copied = pickle.loads(pickle.dumps(error.value))
+    assert str(copied) == str(error.value)
+    assert copied.where == error.value.where != ""
