@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -82,11 +83,10 @@ def test_the_runtime_reaches_the_derivation_through_one_module() -> None:
 def test_only_the_bridge_and_the_mechanisms_are_imported_by_name() -> None:
     for file in files("src/pkmodes"):
         if file.relative_to(ROOT).as_posix() not in BRIDGE | BY_MECHANISM:
-            names = {
-                node.id
-                for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
-                if isinstance(node, ast.Name)
-            }
+            nodes = list(ast.walk(ast.parse(file.read_text(encoding="utf-8"))))
+            names = {node.id for node in nodes if isinstance(node, ast.Name)}
+            names |= {node.name for node in nodes if isinstance(node, ast.alias)}
+            names |= {node.module for node in nodes if isinstance(node, ast.ImportFrom)}
             assert not names & {"import_module", "__import__", "importlib"}, file
 
 
@@ -215,6 +215,19 @@ def test_no_mechanism_is_named_outside_its_own_folder() -> None:
 def test_the_runtime_imports_no_generated_code_by_its_name() -> None:
     for file in files("src/pkmodes"):
         assert "pkmodes_generated" not in imports(file), file
+
+
+def test_the_runtime_imports_nothing_that_is_not_installed_with_it() -> None:
+    """Not the virtual rig, which is not in the wheel, nor what only tests and benchmarks need."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    extras = project["optional-dependencies"]
+    declared = [*project["dependencies"], *extras["map"], *extras["plot"], *extras["report"]]
+    installed = {re.split(r"[\[>=<]", one)[0].lower().replace("-", "_") for one in declared}
+    # Those that the declared ones need: dask and pandas by distributed and xarray, Pillow by matplotlib.
+    installed |= {"pkmodes_description", "pkmodes_derive", "dask", "pandas", "PIL"}
+    installed.add("hatchling")  # it builds the wheel
+    for file in files("src/pkmodes"):
+        assert imports(file) <= installed, file
 
 
 def test_the_virtual_rig_shares_no_code_with_the_model() -> None:

@@ -14,8 +14,11 @@ from pkmodes import Robot, read_robot, updating
 from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
 from pkmodes.diagnosis import Measurements, Prediction
+from pkmodes.robot.paths import resolve
+from pkmodes.system.evaluation import ExtendedSystem
 from pkmodes.updating.candidates import suspects
 from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes.updating.predictions import Moves, derived, reordered, solved
 from pkmodes.updating.robot_structure import RobotStructure
 from pkmodes_rig.robots import POSES, read
 
@@ -215,9 +218,36 @@ def test_setups_may_have_more_modes_than_others() -> None:
         )
         np.testing.assert_array_equal(found.rates[i, elastic], expected.rates[0, expected.rigid :])
         np.testing.assert_array_equal(found.shapes[i, elastic], expected.shapes[0, expected.rigid :])
-        assert (found.eigenvalues[i, elastic.stop :] > 1e30).all()
+        lacking = found.eigenvalues[i, elastic.stop :]
+        assert (lacking > 1e30).all()
+        assert (lacking[1:] > 10.0 * lacking[:-1]).all(), "apart from each other, too"
     count = [(row[3:] < 1e30).sum() for row in found.eigenvalues]
     assert count == [9, 9, 6, 9]
+
+
+def test_all_of_a_prediction_is_reordered() -> None:
+    eigenvalues, rates, shapes, along = (
+        np.random.default_rng(3).normal(size=size) for size in ((3, 4), (3, 4, 2), (3, 4, 5), (3, 4, 5, 2))
+    )
+    found = reordered(Prediction(eigenvalues, rates, shapes, 1, along), np.array([2, 0, 1]))
+    assert found.rigid == 1
+    for new, old in (
+        (found.eigenvalues, eigenvalues),
+        (found.rates, rates),
+        (found.shapes, shapes),
+        (found.shape_rates, along),
+    ):
+        np.testing.assert_array_equal(new, [old[2], old[0], old[1]])
+
+
+def test_robots_evaluated_together_have_the_derivatives_of_each_alone() -> None:
+    """Of shapes, too, along the geometry, which moves the platform's Jacobian."""
+    robot, points = read("published"), np.array(POSES["published"]["scattered"][:2])
+    moves = Moves((resolve(robot, "link.length"),), None)
+    one, two = (solved([robot] * n, [ExtendedSystem.of(robot)] * n, np.tile(points, (n, 1))) for n in (1, 2))
+    alone, both = derived(one, [moves], True), derived(two, [moves, moves], True)
+    for half in (slice(0, 2), slice(2, 4)):
+        np.testing.assert_allclose(both.shape_rates[half], alone.shape_rates, rtol=1e-9, atol=1e-9)
 
 
 def corexy_matrices(

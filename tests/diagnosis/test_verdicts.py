@@ -49,6 +49,23 @@ def test_a_brace_is_found_with_its_stiffness() -> None:
             assert r.value == pytest.approx(true[r.name], abs=4 * r.sigma)
 
 
+def test_values_come_with_what_was_declared_and_what_can_be_seen() -> None:
+    """A mass of 20 kg +- 0.1 kg and storeys of 4e5 N/m +- 3 %; a change is seen from five standard deviations."""
+    rng = np.random.default_rng(1)
+    found = checked(frame(TWO), frame_measured(TWO, uncertain(rng) | {"brace 2": 6.0e4}, rng))
+    assert [(r.name, r.before) for r in found.refitted] == [("mass", 20.0), ("storey", 4e5)]
+    assert [(r.name, r.declared, r.prior_sigma) for r in found.corrected] == [
+        ("mass", 20.0, 0.1),
+        ("storey", 4e5, pytest.approx(12e3)),
+        ("brace 2", 0.0, None),
+    ]
+    ((fitted,),) = (effect.parameters for effect in found.effects)
+    (brace,) = (one for one in found.candidates if one.name == "brace 2")
+    (visible,) = brace.visible_from
+    assert visible.sigma == pytest.approx(fitted.sigma, rel=0.1)
+    assert visible.value == pytest.approx(5.0 * visible.sigma)
+
+
 @pytest.mark.parametrize("seed", [20, 37, 57])
 @pytest.mark.parametrize("times", [2.5, 9.0])
 def test_a_brace_far_stiffer_than_its_storey_is_found_though_the_nuisances_absorb_it_at_first(

@@ -15,6 +15,7 @@ import pytest
 import pkmodes
 from pkmodes import PkmodesError
 from pkmodes.compiled import build, loader
+from pkmodes.solve import batch
 
 pytestmark = pytest.mark.compiler
 
@@ -232,6 +233,16 @@ def test_a_joint_that_is_too_soft_leaves_the_callers_arrays_alone(backend: str) 
     assert (frequencies == 7.0).all()
     with pytest.raises(pkmodes.PoseError, match="pose 1 at"):
         model.frequencies([*poses[:1], [9.0, 9.0, 9.0]], backend=backend)
+
+
+def test_poses_that_are_left_to_numpy_are_evaluated_in_parts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The joint is too stiff for the compiled evaluator."""
+    plain = pkmodes.load(ROOT / "robots/linear-delta-2022.toml")
+    model = plain.with_values({"effects.gearbox_compliance.compliance": 1e-30})
+    poses = np.array([0.6, 0.05, -0.245]) + np.linspace(0.0, 0.02, 7)[:, None]
+    by_numpy = model.frequencies(poses, backend="numpy")
+    monkeypatch.setattr(batch, "CHUNK", 3)
+    np.testing.assert_array_equal(model.frequencies(poses, backend="compiled"), by_numpy)
 
 
 def test_messages_are_those_of_numpy() -> None:

@@ -25,6 +25,7 @@ from helpers.commands.map_runs import (
 )
 from pkmodes.base.errors import OutputError
 from pkmodes.maps import mapping
+from pkmodes.maps.locking import locked
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="sends POSIX signals")
 
@@ -149,6 +150,15 @@ def test_a_damaged_plan_is_refused(interrupted: Path, monkeypatch: pytest.Monkey
     plan.write_text(text)
     with pytest.raises(OutputError, match=r"damaged|differs in"):
         model().map(GRID, out=interrupted)
+
+
+def test_a_folder_in_which_nothing_was_begun_is_removed(tmp_path: Path) -> None:
+    empty, begun = tmp_path / "empty", tmp_path / "begun"
+    with pytest.raises(ZeroDivisionError), locked(empty):
+        raise ZeroDivisionError
+    with locked(begun):
+        (begun / "plan.json").touch()
+    assert [path.name for path in tmp_path.iterdir()] == ["begun"]
 
 
 def test_a_folder_without_a_plan_is_begun_anew(interrupted: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -16,6 +16,7 @@ from pkmodes.base.errors import PkmodesError
 PUBLISHED = Path(__file__).parents[2] / "robots" / "linear-delta-2022.toml"
 GRID = {"x": [0.45, 0.6], "y": [0.0, 0.05], "z": -0.245}
 SERVO, GEARBOX = "effects.servo_stiffness.stiffness", "effects.gearbox_compliance.compliance"
+CLAMP = "effects.clamp_compliance.compliance"
 
 
 @pytest.fixture(scope="module")
@@ -74,6 +75,19 @@ def test_an_effect_from_zero_adds_modes_and_coordinates(model: pkmodes.Model) ->
     still = without["shape"].sel(coordinate=released).isel(mode=slice(6))
     assert (still == 0.0).all(), "a joint that is locked does not move"
     assert np.isnan(without["shape"].isel(mode=slice(6, None))).all()
+
+
+def test_modes_and_coordinates_do_not_depend_on_the_order_of_the_robots(model: pkmodes.Model) -> None:
+    """The robot with the most modes may come first or last, and joints keep the order of the description."""
+    poses = {**GRID, "x": [0.6, 9.0]}
+    ways = {GEARBOX: [0.0, 1e-4], CLAMP: [0.0, 1e-7]}
+    both = model.with_values({path: values[-1] for path, values in ways.items()})
+    for paths in itertools.permutations(ways):
+        found = model.map(poses, sweep={path: ways[path] for path in paths}, shapes=True)
+        back = model.map(poses, sweep={path: ways[path][::-1] for path in paths}, shapes=True)
+        assert found["coordinate"].values.tolist() == list(both.modes([0.6, 0.0, -0.245]).coordinates)
+        xarray.testing.assert_allclose(found, back.isel({path: slice(None, None, -1) for path in paths}))
+        assert np.isnan(found["shape"].sel(x=9.0)).all(), "nothing is known where a pose is out of reach"
 
 
 def test_servos_that_hold_the_platform_leave_no_rigid_modes(model: pkmodes.Model) -> None:

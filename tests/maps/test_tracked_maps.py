@@ -79,6 +79,20 @@ def test_where_nothing_is_marked_neighbours_have_the_same_shapes(model: pkmodes.
     assert (product[both] > 0).mean() > 0.99
 
 
+def test_along_a_line_no_shape_changes_its_sign(model: pkmodes.Model) -> None:
+    """By rank, some do; a line goes around no pose at which two frequencies coincide."""
+    x = np.linspace(0.25, 0.85, 61)
+    M, _ = model.matrices(np.stack([x, np.zeros(61), np.full(61, -0.245)], axis=-1))
+    smallest = []
+    for tracked in (False, True):
+        phi = model.map({"x": x, "y": 0.0, "z": -0.245}, shapes=True, tracked=tracked)[
+            "shape"
+        ].values.squeeze()
+        smallest.append(np.einsum("xmi,xij,xmj->xm", phi[:-1], M[:-1], phi[1:]).min())
+    assert smallest[0] < -0.5
+    assert smallest[1] > 0.5
+
+
 def test_along_a_sweep(model: pkmodes.Model) -> None:
     """From a light to a heavy motor, some modes cross; followed, frequencies only fall."""
     masses = np.linspace(0.5, 4.0, 36)

@@ -17,6 +17,7 @@ from pkmodes.cli import run
 from pkmodes.maps.pose_file import read_poses
 from pkmodes.mechanism import registry as mechanism
 from pkmodes.robot.corrections import changeable
+from pkmodes.solve import mode_fields
 
 ROOT = Path(__file__).parents[2]
 ROBOTS = ROOT / "robots"
@@ -82,6 +83,19 @@ def test_back_ends_agree() -> None:
     here, numpy = model.map(grid), model.map(grid, backend="numpy")
     np.testing.assert_allclose(here["frequency"], numpy["frequency"], rtol=1e-10)
     assert (here["reason"] == numpy["reason"]).all()
+
+
+def test_digits_do_not_depend_on_the_parts(monkeypatch: pytest.MonkeyPatch) -> None:
+    model = pkmodes.load(ROBOTS / "linear-delta-2022.toml")
+    grid = {"x": [0.45, 0.5, 0.6, 9.0], "y": np.linspace(-0.05, 0.05, 5), "z": -0.245}
+    whole = model.map(grid)
+    monkeypatch.setattr(mode_fields, "CHUNK", 4)
+    monkeypatch.setattr(mode_fields, "PART", 10)
+    parts = model.map(grid)
+    assert whole["valid"].sum() == 15
+    for name in whole.data_vars:
+        if whole[name].dtype == float:
+            np.testing.assert_allclose(parts[name], whole[name], rtol=1e-10, atol=1e-12, err_msg=name)
 
 
 def test_a_map_has_the_published_frequencies() -> None:

@@ -85,3 +85,16 @@ def test_measurements_can_be_pickled_with_any_protocol_and_show_their_numbers(pr
     again = pickle.loads(pickle.dumps(data, protocol))
     assert again.frequency.tolist() == [1.0, 2.5]
     assert "2.5" in repr(again)
+
+
+def test_a_shape_may_have_components_at_rest() -> None:
+    data = Measurements.from_rows(["A"], [10.0], [0.1], shapes={"a": [0.0], "b": [1.0]})
+    np.testing.assert_array_equal(data.shapes, [[0.0, 1.0]])
+
+
+def test_a_refusal_keeps_its_place_in_another_process() -> None:
+    with pytest.raises(MeasurementError) as error:
+        Measurements.from_rows(["A"], [-10.0], [0.1])
+    copied = pickle.loads(pickle.dumps(error.value))
+    assert str(copied) == str(error.value)
+    assert copied.where == error.value.where != ""

@@ -49,6 +49,61 @@ KNOWN = (
     (("drawing", "uprights"), 5),
 )
 
+#: References within a description that lead nowhere, and how the message begins.
+REFERENCES = (
+    ("linear_delta", ("pose", 1, "name"), "x", '"x" occurs twice in pose'),
+    ("linear_delta", ("drives", 1, "name"), "1", '"1" occurs twice in drives'),
+    ("linear_delta", ("independent",), ["x_1", "x_2", "x_1"], '"x_1" occurs twice in independent'),
+    ("linear_delta", ("directions",), ["x", "y", "y"], '"y" occurs twice in directions'),
+    ("linear_delta", ("scales", 0, "coordinate"), "q", '"q" in scales is none of x_1'),
+    ("corexy", ("rigid_modes",), 5, "there are 5 rigid modes of 4 coordinates"),
+    ("linear_delta", ("tables", 1, "shared_by"), "platform", '"platform" in shared_by is none of axis'),
+    ("linear_delta", ("tables", 7, "shared_by"), "axis", "the table axis is both repeated and shared"),
+    ("linear_delta", ("tables", 0, "keys", 0, "field"), "", "platform.mass: it has to belong either to"),
+    (
+        "linear_delta",
+        ("tables", 7, "keys", 4, "elements"),
+        ["a", "b", "c"],
+        "axis.limits: 3 elements of a pair",
+    ),
+    ("corexy", ("drawing", "motions"), [], "the drawing has no points"),
+    ("corexy", ("drawing", "motions", 0), 6, "the motions of the drawing are not numbered from 0"),
+    ("corexy", ("drawing", "elements", 0, "points"), [1, 50], "left rail in the drawing: the points [1, 50]"),
+    (
+        "corexy",
+        ("drawing", "elements", 5, "points"),
+        [0, 7, 8],
+        "tool head in the drawing: the points [0, 7, 8]",
+    ),
+    ("corexy", ("drawing", "elements", 11, "spring"), 8, "belt 1 in the drawing: there is no spring 8"),
+)
+#: Descriptions that are complete in themselves, but not those of the code.
+CODE = (
+    ("corexy", ("coordinates", 0, "unit"), "rad", "their units is"),
+    ("corexy", ("directions",), ["x"], "the number of directions is 1, expected 2"),
+    ("corexy", ("drives", 1), REMOVED, "the number of drives is 1, expected 2"),
+    ("corexy", ("rigid_modes",), 1, "the number of rigid modes is 1, expected 2"),
+    ("linear_delta", ("drawing", "uprights"), 0, "TypeError: drawing_points() missing"),
+    ("corexy", ("drawing", "motions", 49), 5, "the number of their motions is 6, expected 5"),
+    ("corexy", ("tables", 5, "keys", 1, "index"), [0], "the number of keys of workspace is 2, expected 1"),
+    ("corexy", ("tables", 7, "count"), 3, "the shape of belt_specific_stiffness is (3,)"),
+    (
+        "corexy",
+        ("requirements", 0, "places"),
+        ["belt_path.1.lengths.1"],
+        "the number of places of run_margin is 1",
+    ),
+    (
+        "corexy",
+        ("drawing", "springs"),
+        [{"name": "one", "unit": "N/m", "description": "of all runs"}] * 9,
+        "the number of springs is 9, expected 8",
+    ),
+    ("linear_delta", ("differences",), [["origin", "link_length"]], "the shape of origin and link_length is"),
+    ("linear_delta", ("scales", 0, "index"), [], "the shape of pulley_radius is (3,), expected ()"),
+    ("linear_delta", ("sample", "platform_mass"), "1", "TypeError: expected numbers in the sample, found"),
+)
+
 
 def nodes(data: Any, place: Place = ()) -> Iterator[tuple[Place, Any]]:
     """Yield every node below the root with its place."""
@@ -148,6 +203,26 @@ def test_a_known_mistake_is_refused(place: Place, other: Any, tmp_path: Path) ->
     folder = Folder("linear_delta", tmp_path)
     assert "description" in folder.use(place, other)
     assert folder.use(("title",), "another title") == ""
+
+
+@pytest.mark.parametrize(("name", "place", "other", "what"), REFERENCES)
+def test_a_reference_to_nothing_is_named(name: str, place: Place, other: Any, what: str) -> None:
+    text = files(f"pkmodes_generated.{name}").joinpath("description.json").read_text(encoding="utf-8")
+    decode(text.encode())
+    with pytest.raises(DescriptionError) as error:
+        decode(mutated(json.loads(text), place, other).encode())
+    assert str(error.value).startswith(what)
+
+
+@pytest.mark.parametrize(("name", "place", "other", "what"), CODE)
+def test_code_that_is_not_the_described_is_named(name: str, place: Place, other: Any, what: str) -> None:
+    package = f"pkmodes_generated.{name}"
+    data = json.loads(files(package).joinpath("description.json").read_text(encoding="utf-8"))
+    check_code(Mechanism(package=package, **asdict(decode(json.dumps(data).encode()))))
+    wrong = Mechanism(package=package, **asdict(decode(mutated(data, place, other).encode())))
+    with pytest.raises(PkmodesError, match="does not fit its code") as error:
+        check_code(wrong)
+    assert f"does not fit its code: {what}" in error.value.what
 
 
 def test_a_sample_of_mistakes(folder: Folder) -> None:

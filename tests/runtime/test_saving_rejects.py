@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+import pkmodes
+from helpers.pages.report_examples import made_up
 from helpers.robots.corrected_files import correct, with_joints
 from helpers.robots.robot_text import PUBLISHED, edited, published
-from pkmodes.base.errors import OutputError, RobotFileError
+from pkmodes.base.errors import OutputError, PkmodesError, RobotFileError
+from pkmodes.diagnosis.verdict.result import Corrected
 from pkmodes.robot.saving import Correction, corrected_text, save_corrected
+from pkmodes.updating.corrected_robot import corrected_robot, corrections
 
 
 @pytest.mark.parametrize(
@@ -90,3 +95,18 @@ def test_the_robot_file_is_never_replaced(tmp_path: Path) -> None:
     assert source.read_text(encoding="utf-8") == published()
     with pytest.raises(RobotFileError, match="no such file"):
         save_corrected(tmp_path / "absent.toml", tmp_path / "new.toml", {})
+
+
+def test_only_a_settled_diagnosis_of_a_robot_file_corrects_it(tmp_path: Path) -> None:
+    """What concerns the measurements, such as their yaw, is no value of the robot."""
+    robot = pkmodes.read_robot(PUBLISHED)
+    yaw = Corrected("measurement.yaw", 0.01, 0.001, "rad", 0.0, None, False)
+    mass = Corrected("platform.mass", 1.25, 0.01, "kg", 1.5, 0.1, False)
+    found, _ = made_up(poses=2, modes=2)
+    found = replace(found, effects=(), corrected=(yaw, mass))
+    assert list(corrections(robot, found)) == ["platform.mass"]
+    for verdict in ("ambiguous", "unexplained", "insufficient_data"):
+        with pytest.raises(PkmodesError, match=f"the verdict is {verdict}"):
+            corrected_robot(robot, replace(found, verdict=verdict))
+    with pytest.raises(PkmodesError, match="expected a robot read from a file"):
+        corrected_robot(replace(robot, source=str(tmp_path / "gone.toml")), found)
