@@ -17,6 +17,14 @@ Number = Annotated[int, Meta(ge=1)]
 Size = Annotated[float, Meta(ge=0)]
 Probability = Annotated[float, Meta(ge=0, le=1)]
 Matrix = list[list[float]]
+#: Of a measured row.
+Settings = Annotated[
+    dict[str, float],
+    Meta(
+        description="Values set by the measurements at its pose, by path, in SI units; present only where there "
+        "are any."
+    ),
+]
 
 
 class Document(Struct):

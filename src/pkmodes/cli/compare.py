@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import click
 from msgspec import Meta, field
 
-from pkmodes.base.documents import Count, Document, Number, Probability, Size
+from pkmodes.base.documents import Count, Document, Number, Probability, Settings, Size
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import (
     band_of,
@@ -57,13 +57,7 @@ class RowDocument(Document, omit_defaults=True):
     mac: Annotated[
         Size | None, Meta(description="Modal assurance criterion; null where no shape was measured.")
     ]
-    load: Annotated[
-        dict[str, float],
-        Meta(
-            description="Values set by the measurements at its pose, by path, in SI units; present only where there "
-            "are any."
-        ),
-    ] = field(name="set", default_factory=dict)
+    load: Settings = field(name="set", default_factory=dict)
 
 
 class CompareDocument(Document):

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from pkmodes.base.documents import Document, Number, Probability, Size
+from pkmodes.base.documents import Document, Number, Probability, Settings, Size
 from pkmodes.diagnosis.verdict.verdicts import Word
 
 
@@ -166,13 +166,7 @@ class RowDocument(PlaceDocument, omit_defaults=True):
     mac: Annotated[Size | None, Meta(description="MAC in the last stage; null where no shape was measured.")]
     held_out: Annotated[bool, Meta(description="Whether its pose took no part in any fit.")]
     outlier: Annotated[bool, Meta(description="Whether it was set aside.")]
-    load: Annotated[
-        dict[str, float],
-        Meta(
-            description="Values set by the measurements at its pose, by path, in SI units; present only where there "
-            "are any."
-        ),
-    ] = field(name="set", default_factory=dict)
+    load: Settings = field(name="set", default_factory=dict)
 
 
 class DiagnoseDocument(Document):
