@@ -122,4 +122,4 @@ def test_frequencies_are_compared_by_their_logarithms_and_ratios_as_they_are() -
     assert FREQUENCY.residual(np.log(data.frequency), np.log([5.0, 20.0])) == pytest.approx([math.log(2), 0])
     assert DAMPING.transformation is IDENTITY
     np.testing.assert_array_equal(DAMPING.transformed(data), data.damping)
-    np.testing.assert_array_equal(DAMPING.transformed_sigma(data), [0.0, 0.2 * 0.02])
+    np.testing.assert_array_equal(DAMPING.transformed_sigma(data), [0.0, 0.3 * 0.02])

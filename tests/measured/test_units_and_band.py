@@ -233,15 +233,15 @@ def test_files_in_any_units_read_back_what_was_written(tmp_path: Path, file) -> 
 # Standard deviations of damping and shapes -----------------------------------------------------------------
 
 
-def test_a_blank_deviation_of_damping_is_a_fifth_of_it_and_one_of_shapes_is_not_stated(
+def test_a_blank_deviation_of_damping_is_30_percent_of_it_and_one_of_shapes_is_not_stated(
     tmp_path: Path,
 ) -> None:
     text = f"{HEADER},damping,sigma_damping,sigma_shape\n{ROW},0.02,,\nA,0.6,0,-0.245,60,0.1,,,0.03\n"
     found = read(tmp_path, text)
-    assert found.damping_sigma == pytest.approx([0.004, np.nan], nan_ok=True)
+    assert found.damping_sigma == pytest.approx([0.006, np.nan], nan_ok=True)
     assert found.shape_sigma == pytest.approx([np.nan, 0.03], nan_ok=True)
     assert found.at([0]).shape_sigma == pytest.approx([np.nan, 0.03], nan_ok=True)
-    assert found.at([0]).damping_sigma == pytest.approx([0.004, np.nan], nan_ok=True)
+    assert found.at([0]).damping_sigma == pytest.approx([0.006, np.nan], nan_ok=True)
 
 
 @pytest.mark.parametrize(

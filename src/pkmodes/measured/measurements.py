@@ -153,7 +153,7 @@ class Measurements(Columns):
             Standard deviation of each row's shape components relative to the largest, above 0 and below 1; NaN
             where unknown.  A single number applies to all rows.
         damping_sigma : float or array_like, shape (R,), optional
-            Standard deviations of the damping ratios, by default and where NaN a fifth of the ratio.
+            Standard deviations of the damping ratios, by default and where NaN 30 % of the ratio.
         band : tuple of float, optional
             Lowest and highest frequency of the band in which modes were identified [Hz].
         source : str

@@ -164,7 +164,7 @@ DAMPING = Quantity(
         ),
     ),
     IDENTITY,  # a ratio may be 0
-    usual_sigma=lambda ratios: 0.2 * ratios,
+    usual_sigma=lambda ratios: 0.3 * ratios,
 )
 #: All quantities by name, in the order in which messages list their columns.
 QUANTITIES = {quantity.value.column: quantity for quantity in (FREQUENCY, DAMPING)}
