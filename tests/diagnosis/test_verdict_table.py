@@ -102,6 +102,12 @@ def test_a_made_up_entry_reaches_the_schema(monkeypatch: pytest.MonkeyPatch) -> 
     jsonschema.Draft202012Validator(described).validate(content)
 
 
+def test_only_an_adequate_model_passes_and_only_a_settled_one_is_saved() -> None:
+    assert [word for word, verdict in VERDICTS.items() if not verdict.fails] == ["adequate"]
+    assert [word for word, verdict in VERDICTS.items() if verdict.settled] == ["adequate", "effect_found"]
+    assert len({verdict.sentence for verdict in VERDICTS.values()}) == len(VERDICTS)
+
+
 def test_every_colour_is_one_of_the_page() -> None:
     style = (ROOT / "src/pkmodes/report/templates/style.css").read_text(encoding="utf-8")
     assert {verdict.colour for verdict in VERDICTS.values()} <= {*get_args(Colour)}

@@ -66,7 +66,13 @@ def test_a_reader_knows_the_machine(tmp_path: Path, records: Format) -> None:
 
 
 def test_a_file_of_no_known_content_is_taken_at_its_suffix(tmp_path: Path, records: Format) -> None:
-    for name, expected in (("modes.json", records), ("modes.csv", CSV), ("modes.txt", CSV), ("modes", CSV)):
+    for name, expected in (
+        ("modes.json", records),
+        ("MODES.JSON", records),
+        ("modes.csv", CSV),
+        ("modes.txt", CSV),
+        ("modes", CSV),
+    ):
         path = tmp_path / name
         assert format_of(path) is expected
         path.write_bytes(b"\x00\xff neither")

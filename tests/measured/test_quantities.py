@@ -13,6 +13,7 @@ import pytest
 
 from helpers.diagnoses.measurement_files import HEADER, read, refusal
 from pkmodes.base.errors import MeasurementError
+from pkmodes.measured.columns import Numbers
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.quantities import (
     DAMPING,
@@ -107,6 +108,22 @@ def test_rows_that_differ_in_it_do_not_repeat_each_other(bandwidth: Quantity) ->
     assert Measurements.from_rows(**twice, bandwidth=[1.0, 2.0]).frequency.tolist() == [10.0, 10.0]
     with pytest.raises(MeasurementError, match="repeats line 1"):
         Measurements.from_rows(**twice, bandwidth=[1.0, 1.0])
+
+
+def test_a_row_is_repeated_whatever_is_said_of_the_error_of_an_optional_quantity() -> None:
+    """Only the standard deviation that every row has tells two measurements of one mode apart."""
+    twice = {"pose": ["A", "A"], "frequency": [10, 10], "damping": [0.02, 0.02]}
+    with pytest.raises(MeasurementError, match="repeats line 1"):
+        Measurements.from_rows(**twice, sigma=[1, 1], damping_sigma=[0.001, 0.002])
+    assert len(Measurements.from_rows(**twice, sigma=[1, 2], damping_sigma=0.001).frequency) == 2
+
+
+def test_columns_are_those_at_the_time_they_were_given() -> None:
+    given = {"frequency": np.array([10.0])}
+    numbers = Numbers(given)
+    given["frequency"] = np.array([20.0])
+    given["more"] = np.array([1.0])
+    assert {name: column.tolist() for name, column in numbers.items()} == {"frequency": [10.0]}
 
 
 def test_without_its_entry_it_is_unknown(tmp_path: Path) -> None:

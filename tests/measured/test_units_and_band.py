@@ -258,6 +258,13 @@ def test_a_deviation_out_of_range_is_refused(tmp_path: Path, column: str, bad: l
 # The band --------------------------------------------------------------------------------------------------
 
 
+def test_a_bad_frequency_is_one_problem_and_not_outside_the_band_too(tmp_path: Path) -> None:
+    for number in ("0", "-5", "nan"):
+        line = refusal(tmp_path, f"# band: 10, 400\n{HEADER}\nA,0.6,0,-0.245,{number},0.1\n")
+        assert "problems" not in line
+        assert "in the band" not in line
+
+
 @pytest.mark.parametrize(
     ("comment", "band"),
     [
