@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+import pkmodes
 from pkmodes.cli import run
-from pkmodes.figures.pictures import PICTURES, PictureKind, RobotPlane
+from pkmodes.figures.pictures import PICTURES, PictureKind, RobotPlane, pictures
 from pkmodes.plots.style import figure
 
 ROOT = Path(__file__).parents[2]
@@ -46,3 +47,33 @@ def test_another_figure_is_an_entry_and_a_function(
     assert drawn.findtext(".//dc:title", namespaces=SVG) == "Static torques"
     words = [text.text for text in drawn.iterfind(".//svg:text", SVG)]
     assert "largest static torque [N m]" in words
+
+
+@pytest.mark.parametrize(
+    ("robot", "grid", "said", "at"),
+    [
+        (
+            "linear-delta-2022",
+            {"x": np.linspace(0.5, 0.6, 3), "y": np.linspace(0.0, 0.05, 2), "z": -0.245},
+            ["In three dimensions.", "Anywhere."],
+            "linear-delta-2022, z = \N{MINUS SIGN}245 mm.",
+        ),
+        (
+            "corexy-printer",
+            {"x": np.linspace(0.1, 0.2, 3), "y": np.linspace(0.1, 0.2, 2)},
+            ["In a plane.", "Anywhere."],
+            "corexy-printer",
+        ),
+    ],
+)
+def test_a_robot_that_moves_in_a_plane_has_its_own_description_where_there_is_one(
+    monkeypatch: pytest.MonkeyPatch, robot: str, grid: dict[str, object], said: list[str], at: str
+) -> None:
+    entries = (
+        PictureKind("one", "One", "In three dimensions.", lambda _: figure(2.0), planar="In a plane."),
+        PictureKind("other", "Other", "Anywhere.", lambda _: figure(2.0)),
+    )
+    monkeypatch.setattr(import_module("pkmodes.figures.pictures"), "PICTURES", entries)
+    found = [picture.description for picture in pictures(pkmodes.load(ROOT / f"robots/{robot}.toml"), grid)]
+    assert [text.partition(f" {robot}")[0] for text in found] == said
+    assert all(at in text for text in found), found

@@ -214,3 +214,20 @@ print((before, names, "{part}" in dir(pkmodes)))
 def test_the_package_has_nothing_else() -> None:
     with pytest.raises(AttributeError, match="opening"):
         _ = pkmodes.opening
+
+
+@pytest.mark.parametrize(
+    ("robot", "remedy"),
+    [
+        ("my robot.toml", 'read it: pkmodes.read_robot("my robot.toml")'),
+        (Path("robot.toml"), 'read it: pkmodes.read_robot("robot.toml")'),
+        (None, "give what pkmodes.load returns"),
+        (b"robot.toml", "give what pkmodes.load returns"),
+    ],
+)
+def test_a_path_in_place_of_a_robot_is_to_be_read(robot: object, remedy: str) -> None:
+    modes = Measurements.from_rows(["a"], [10.0], [0.1])
+    for called in (pkmodes.updating.compare, pkmodes.updating.diagnose):
+        with pytest.raises(pkmodes.PkmodesError, match="expected a robot or a model, found") as error:
+            called(robot, modes)  # type: ignore[arg-type]
+        assert (error.value.where, error.value.remedy) == ("robot", remedy)
