@@ -55,9 +55,8 @@ def processes(*commands: list[str], **environment: str) -> Iterator[list[subproc
     try:
         yield started
     finally:
-        for process in started:
+        for process in reversed(started):  # a worker whose scheduler is gone waits for it, and ends when killed
             process.terminate()
-        for process in started:
             try:
                 process.wait(timeout=20)
             except subprocess.TimeoutExpired:
