@@ -25,6 +25,7 @@ from pkmodes.measured.quantities import (
     Quantity,
     Range,
 )
+from pkmodes.measured.scaling import with_errors
 
 ROWS = "A,0.6,0,-0.245,55,0.1,{}\nA,0.6,0,-0.245,60,0.1,{}\nB,0.5,0,-0.245,50,0.1,{}\n"
 
@@ -140,3 +141,53 @@ def test_frequencies_are_compared_by_their_logarithms_and_ratios_as_they_are() -
     assert DAMPING.transformation is IDENTITY
     np.testing.assert_array_equal(DAMPING.transformed(data), data.damping)
     np.testing.assert_array_equal(DAMPING.transformed_sigma(data), [0.0, 0.3 * 0.02])
+
+
+@pytest.mark.parametrize("factor", [0.5, 2.0])
+def test_all_errors_are_scaled_together(bandwidth: Quantity, factor: float) -> None:
+    data = Measurements.from_rows(
+        ["A", "A", "B"],
+        [10.0, 20.0, 30.0],
+        [0.1, 0.2, 0.3],
+        damping=[0.02, 0.04, np.nan],
+        bandwidth=[1.0, np.nan, 2.0],
+        bandwidth_sigma=[0.25, 0.5, np.nan],
+        shapes={"x_1": [1.0, np.nan, 0.5]},
+        shape_sigma=[0.05, np.nan, 0.02],
+        points=[[0.6, 0.0, -0.2], [0.6, 0.0, -0.2], [0.5, 0.0, -0.2]],
+        point_sigma=[[0.001, 0.0, 0.0], [0.001, 0.0, 0.0], [0.0, 0.002, 0.0]],
+    )
+    scaled = with_errors(data, factor)
+    for name in ("sigma", "damping_sigma", "bandwidth_sigma"):
+        np.testing.assert_array_equal(scaled.numbers[name], factor * data.numbers[name], err_msg=name)
+    np.testing.assert_array_equal(scaled.shape_sigma, factor * data.shape_sigma)
+    np.testing.assert_array_equal(scaled.point_sigma, factor * data.point_sigma)
+    for name in ("frequency", "damping", "bandwidth"):
+        np.testing.assert_array_equal(scaled.numbers[name], data.numbers[name], err_msg=name)
+    np.testing.assert_array_equal(scaled.shapes, data.shapes)
+
+
+def test_errors_are_scaled_as_far_as_a_file_may_state_them() -> None:
+    data = Measurements.from_rows(
+        ["A", "A"],
+        [10.0, 20.0],
+        [6.0, 1e-30],
+        damping=[0.5, 0.5],
+        damping_sigma=[0.6, 0.0],
+        shapes={"x_1": [1.0, 1.0]},
+        shape_sigma=[0.7, 1e-30],
+    )
+    larger, smaller = with_errors(data, 2.0), with_errors(data, 0.5)
+    assert larger.sigma.tolist() == [math.nextafter(10.0, 0.0), 2e-30]
+    assert larger.damping_sigma.tolist() == [math.nextafter(1.0, 0.0), 0.0]
+    assert larger.shape_sigma.tolist() == [math.nextafter(1.0, 0.0), 2e-30]
+    assert smaller.sigma.tolist() == [3.0, 1e-30]
+    assert smaller.shape_sigma.tolist() == [0.35, 1e-30]
+
+
+def test_columns_of_reports_have_the_heading_of_the_quantity(bandwidth: Quantity) -> None:
+    assert (FREQUENCY.value.heading, FREQUENCY.sigma.heading) == (
+        "f [Hz]",
+        "\N{GREEK SMALL LETTER SIGMA} [Hz]",
+    )
+    assert bandwidth.value.heading == "bandwidth [Hz]"

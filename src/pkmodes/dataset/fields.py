@@ -79,6 +79,11 @@ class Field:
         """Return whether results of a mechanism have it."""
         return not self.same_as or mechanism.independent_are.replace(" ", "_") == self.name
 
+    @property
+    def heading(self) -> str:
+        """Heading of its columns in reports, for a field with the same units for all mechanisms."""
+        return f"{self.symbol} [{self.units}]"
+
     def units_of(self, mechanism: Mechanism) -> str:
         """Return its units for a mechanism."""
         return self.units if isinstance(self.units, str) else self.units(mechanism)

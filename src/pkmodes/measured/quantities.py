@@ -1,7 +1,7 @@
 """The quantities that are measured of each mode: their columns, units and errors, and how predictions are compared.
 
 Another quantity is another entry of `QUANTITIES`: the reader of files, its units, `Measurements` and the checks of
-their numbers follow.
+their numbers follow, and the errors that the stability of a verdict is tried with.
 """
 
 from __future__ import annotations
@@ -43,6 +43,10 @@ class Range:
         inside = (numbers >= self.smallest) & (numbers <= self.largest)
         return np.asarray(inside | np.isnan(numbers) if self.blank else inside)
 
+    def nearest(self, numbers: Array) -> Array:
+        """Return the nearest numbers that are allowed; NaN stays."""
+        return np.asarray(np.clip(numbers, self.smallest, self.largest))
+
 
 @dataclass(frozen=True)
 class Number:
@@ -56,17 +60,25 @@ class Number:
         Its name in Python, in `Measurements.from_rows` and `Measurements.numbers`.
     unit : str
         Of the number in Python, and in a file whose header gives none.
+    symbol : str
+        Of its columns in reports; by default the name.
     """
 
     column: str
     argument: str
     unit: str
     range: Range
+    symbol: str = ""
 
     @property
     def required(self) -> bool:
         """Whether every mode must have one."""
         return not self.range.blank
+
+    @property
+    def heading(self) -> str:
+        """Heading of its columns in reports."""
+        return f"{self.symbol or self.column} [{self.unit}]"
 
 
 @dataclass(frozen=True)
@@ -130,6 +142,7 @@ FREQUENCY = Quantity(
         "frequency",
         "Hz",
         Range(SMALLEST, LARGEST, "a frequency above 0 Hz", "leave out rigid-body modes", blank=False),
+        symbol="f",
     ),
     Number(
         "sigma",
@@ -142,6 +155,7 @@ FREQUENCY = Quantity(
             "write the standard deviation of the frequency",
             blank=False,
         ),
+        symbol="\u03c3",
     ),
     LOGARITHM,
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
+from pkmodes.dataset.fields import FIELDS
 from pkmodes.figures.pictures import pictures
 from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.poses import Grid
@@ -168,7 +169,8 @@ def _ranges(model: Model, content: dict[str, Any]) -> Table:
             at = mode[f"{end}_at"] or {}
             cells += [_place(at.get(dim), units.get(dim, ("", 1.0))[1]) for dim in dims]
         rows.append(cells)
-    columns = [Column("mode"), Column("f [Hz]"), *places, Column("f [Hz]"), *places]
+    frequency = Column(FIELDS["frequencies"].heading)
+    columns = [Column("mode"), frequency, *places, frequency, *places]
     groups = [("", 1), ("lowest", 1 + len(dims)), ("highest", 1 + len(dims))]
     return Table("Lowest and highest frequency of each vibration mode, and where.", columns, rows, groups)
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from pkmodes.diagnosis.compare import ComparedRow, Comparison
 from pkmodes.diagnosis.verdict.result import Diagnosis, Row
+from pkmodes.measured.quantities import FREQUENCY
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report.blocks import Cell, Column, Table
 from pkmodes.report.formatting import clean, hertz, number, plural, pointer
@@ -33,10 +34,10 @@ def mode_table(result: Diagnosis | Comparison, evidence: Evidence, setting: Sett
     remarks = [_remark(row, evidence, i) for i, row in enumerate(rows)]
     columns = [Column(evidence.place, numbers=False), Column("line")]
     columns += [Column("own", numbers=False)] if own else []
-    columns += [Column("mode"), Column("f [Hz]"), Column("\u03c3 [Hz]")]
+    columns += [Column("mode"), Column(FREQUENCY.value.heading), Column(FREQUENCY.sigma.heading)]
     groups = [("", 3 + own), ("measured", 2)]
     for stage in evidence.stages:
-        columns += [Column("f [Hz]"), Column("diff. [%]"), Column("diff. [\u03c3]")]
+        columns += [Column(FREQUENCY.value.heading), Column("diff. [%]"), Column("diff. [\u03c3]")]
         groups.append((f"model {stage.title}", 3))
     columns += [Column("MAC")] if shapes else []
     columns += [Column("remark", numbers=False)] if any(remarks) else []

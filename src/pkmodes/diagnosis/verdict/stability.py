@@ -18,6 +18,7 @@ from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict.nested import nested
 from pkmodes.diagnosis.verdict.result import Stability
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED, Verdict
+from pkmodes.measured.scaling import with_errors
 
 #: Factors of the errors and of the priors.
 CHANGES = {"sigma x 0.5": (0.5, 1.0), "sigma x 2": (2.0, 1.0), "priors x 2": (1.0, 2.0)}
@@ -138,12 +139,5 @@ def _is_kin(search: Search, final: Fit, other: Fit, members: Sequence[set[str]])
 
 def _with(fitter: Fitter, errors: float, priors: float) -> Fitter:
     """Return a fitter of the same structure and data with other errors and priors."""
-    data = fitter.data
-    if errors != 1.0:
-        data = replace(
-            data,
-            numbers={**data.numbers, "sigma": data.sigma * errors},
-            shape_sigma=data.shape_sigma * errors,
-            point_sigma=data.point_sigma * errors,
-        )
+    data = fitter.data if errors == 1.0 else with_errors(fitter.data, errors)
     return Fitter(fitter.structure, data, fitter.criteria, fitter.shape_scatter, widened=priors)

@@ -1,0 +1,35 @@
+"""Measurements with other errors than stated."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import QUANTITIES, SHAPE_SIGMA
+
+
+def with_errors(data: Measurements, factor: float) -> Measurements:
+    """Return measurements whose standard deviations are some times those stated.
+
+    A standard deviation beyond what a file may state becomes the largest, or smallest, that it may.
+
+    Parameters
+    ----------
+    factor : float
+        Of all quantities, of shapes and of positions.
+    """
+    numbers = dict(data.numbers)
+    for quantity in QUANTITIES.values():
+        sigma = quantity.sigma
+        scaled = sigma.range.nearest(factor * numbers[sigma.argument])
+        if quantity.transformation.positive:
+            scaled = np.fmin(scaled, np.nextafter(numbers[quantity.value.argument], 0.0))
+        numbers[sigma.argument] = scaled
+    return replace(
+        data,
+        numbers=numbers,
+        shape_sigma=SHAPE_SIGMA.range.nearest(factor * data.shape_sigma),
+        point_sigma=factor * data.point_sigma,
+    )
