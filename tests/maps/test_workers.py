@@ -55,7 +55,9 @@ def processes(*commands: list[str], **environment: str) -> Iterator[list[subproc
     try:
         yield started
     finally:
-        for process in reversed(started):  # a worker whose scheduler is gone waits for it, and ends when killed
+        for process in reversed(
+            started
+        ):  # a worker whose scheduler is gone waits for it, and ends when killed
             process.terminate()
             try:
                 process.wait(timeout=20)
