@@ -47,10 +47,7 @@ def texts(emission: Emission) -> dict[str, str]:
 
 @pytest.mark.slow
 def test_output_does_not_depend_on_the_hash_seed(emission: Emission) -> None:
-    """Three of them: this one, that of the process that emitted for all tests, and, below, that of the committed code.
-
-    The latter two are random.
-    """
+    """Nor on that of the process that emitted for all tests, or of the committed code, which are any."""
     path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
     run = subprocess.Popen(
         [sys.executable, "-c", DIGEST, str(ROBOT)],

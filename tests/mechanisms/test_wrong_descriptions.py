@@ -66,6 +66,62 @@ REFERENCES = (
         ["a", "b", "c"],
         "axis.limits: 3 elements of a pair",
     ),
+    ("linear_delta", ("effects", 8, "coordinates", 0, "name"), "x_1", '"x_1" occurs twice in coordinates'),
+    ("linear_delta", ("directions",), ["x", "y", "q"], '"q" in directions is none of x, y, z'),
+    ("linear_delta", ("pose", 0, "unit"), "mm", '"mm" in the units of pose is none of m, rad'),
+    ("linear_delta", ("tables", 1, "name"), "platform", '"platform" occurs twice in tables'),
+    ("linear_delta", ("tables", 1, "keys", 1, "name"), "length", '"length" occurs twice in link'),
+    (
+        "linear_delta",
+        ("tables", 0, "keys", 0, "dimension"),
+        "weight",
+        'platform.mass: "weight" in dimension is none of length',
+    ),
+    (
+        "linear_delta",
+        ("tables", 7, "keys", 0, "elements"),
+        ["x", "y", "x"],
+        'axis.origin: "x" occurs twice in elements',
+    ),
+    (
+        "linear_delta",
+        ("tables", 6, "keys", 0, "effect"),
+        "frame_compliance.weight",
+        'frame.mass: "frame_compliance.weight" in effect is none of axis_belt_stiffness.factor_1',
+    ),
+    ("linear_delta", ("tables", 7, "keys", 5, "default"), 1.0, "axis.branch: a choice cannot have a default"),
+    ("linear_delta", ("tables", 7, "keys", 5, "choices"), [], "axis.branch: 0 choices of a choice"),
+    ("linear_delta", ("tables", 0, "keys", 0, "choices"), [1], "platform.mass: 1 choices of a quantity"),
+    ("linear_delta", ("wholes", 1, "path"), "axis.span", '"axis.span" occurs twice in wholes'),
+    ("linear_delta", ("wholes", 0, "unit"), "rad", 'axis.span: there is no field "limits" of pairs in rad'),
+    ("linear_delta", ("wholes", 0, "field"), "joint", 'axis.span: there is no field "joint" of pairs in m'),
+    ("linear_delta", ("margins", 0, "sentence"), "{} is far", '"" in the sentence of the margin reachable'),
+    ("linear_delta", ("effects", 1, "name"), "belt_mass", '"belt_mass" occurs twice in effects'),
+    (
+        "linear_delta",
+        ("effects", 0, "parameters", 1, "name"),
+        "factor_1",
+        '"effects.axis_belt_stiffness.factor_1" occurs twice in the parameters of axis_belt_stiffness',
+    ),
+    (
+        "linear_delta",
+        ("effects", 3, "requirements", 0, "places"),
+        ["effects.belt_tension_stiffness.force"],
+        '"effects.belt_tension_stiffness.force" in the places of belt_tension_stiffness_margin is none of',
+    ),
+    (
+        "linear_delta",
+        ("effects", 3, "requirements", 0, "sentence"),
+        "above {force}",
+        '"{force}" in the sentence of belt_tension_stiffness_margin is no value beside',
+    ),
+    (
+        "corexy",
+        ("requirements", 0, "sentence"),
+        "above {force}",
+        '"{force}" in the sentence of run_margin is no value beside',
+    ),
+    ("corexy", ("drawing", "elements", 0, "turns"), "q", '"q" in turns of left rail is none of x'),
     ("corexy", ("drawing", "motions"), [], "the drawing has no points"),
     ("corexy", ("drawing", "motions", 0), 6, "the motions of the drawing are not numbered from 0"),
     ("corexy", ("drawing", "elements", 0, "points"), [1, 50], "left rail in the drawing: the points [1, 50]"),
@@ -212,6 +268,12 @@ def test_a_reference_to_nothing_is_named(name: str, place: Place, other: Any, wh
     with pytest.raises(DescriptionError) as error:
         decode(mutated(json.loads(text), place, other).encode())
     assert str(error.value).startswith(what)
+
+
+@pytest.mark.parametrize("place", [("scales", 0, "coordinate"), ("drawing", "elements", 0, "turns")])
+def test_coordinates_of_effects_may_be_scaled_and_drawn(place: Place) -> None:
+    text = files("pkmodes_generated.linear_delta").joinpath("description.json").read_text(encoding="utf-8")
+    decode(mutated(json.loads(text), place, "psi_2").encode())
 
 
 @pytest.mark.parametrize(("name", "place", "other", "what"), CODE)
