@@ -158,6 +158,32 @@ CODE = (
     ("linear_delta", ("differences",), [["origin", "link_length"]], "the shape of origin and link_length is"),
     ("linear_delta", ("scales", 0, "index"), [], "the shape of pulley_radius is (3,), expected ()"),
     ("linear_delta", ("sample", "platform_mass"), "1", "TypeError: expected numbers in the sample, found"),
+    ("linear_delta", ("sample", "more"), 1.0, "the fields of the sample are "),
+    ("linear_delta", ("tables", 0, "keys", 0), REMOVED, "the fields of the keys are "),
+    ("linear_delta", ("tables", 0, "keys", 0, "index"), [7], "IndexError: "),
+    ("corexy", ("tables", 5, "keys", 1), REMOVED, "the number of values of workspace is 2, expected 4"),
+    ("linear_delta", ("effects", 8, "coordinates", 0, "name"), "psi_9", "the order of coordinates is "),
+    ("linear_delta", ("effects", 6, "parameters", 0, "name"), "weight", "the parameters of effects are "),
+    (
+        "linear_delta",
+        ("independent",),
+        ["x_1", "x_2"],
+        "the number of independent coordinates is 2, expected 3",
+    ),
+    (
+        "corexy",
+        ("pose",),
+        [{"name": name, "unit": "m", "description": name} for name in "xyz"],
+        "ValueError: expected an array of shape (..., 2), found shape (3,)",
+    ),
+    ("linear_delta", ("margins", 0, "names"), [["1", "2"]], "the shape of the names of "),
+    (
+        "linear_delta",
+        ("effects", 3, "requirements", 0, "places"),
+        [f"effects.belt_tension_stiffness.{name}" for name in ("coefficient", "tension")],
+        "the number of places of belt_tension_stiffness_margin is 2, expected 1",
+    ),
+    ("corexy", ("drawing", "motions"), [0, 1, 2, 3, 4] * 12, "the number of drawn points is 60, expected 50"),
 )
 
 
