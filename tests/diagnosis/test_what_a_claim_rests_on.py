@@ -15,6 +15,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.search import Search
+from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.held_out import remarks
 from pkmodes.diagnosis.verdict.result import Error
 from pkmodes.diagnosis.verdict.values import p_absent
@@ -177,14 +178,33 @@ def test_an_outlier_that_distorts_the_fit_is_set_aside() -> None:
     assert [row.line for row in result.outliers] == [4 * MODES + 2 + 1]
 
 
-def test_an_error_that_drifts_with_the_order_of_the_poses_is_noted() -> None:
+def test_a_model_that_is_right_only_with_an_unstated_error_of_the_poses_is_not_adequate() -> None:
     model = linear({"a": DIRECTIONS[0]})
     drift = np.repeat(np.linspace(-15.0, 15.0, SETUPS), MODES)
     result = found(model, drift)
-    assert result.verdict == "adequate"
+    assert result.verdict == "unexplained"
+    assert "that the modes of a pose share and the file does not state" in result.reason
+    assert "it drifts with the order of the poses" in result.reason
     assert any("it drifts with the order of the poses" in note for note in result.notes)
     mixed = np.repeat(np.random.default_rng(1).permutation(np.linspace(-15.0, 15.0, SETUPS)), MODES)
-    assert not any("drifts" in note for note in found(model, mixed).notes)
+    other = found(model, mixed)
+    assert other.verdict == "unexplained"
+    assert not any("drifts" in text for text in (other.reason, *other.notes))
+
+
+@pytest.mark.parametrize(
+    ("ratio", "words"),
+    [
+        (1.0, "as large as"),
+        (1.004, "as large as"),
+        (1.12, "12 % larger than"),
+        (0.9, "10 % smaller than"),
+        (1.6, "1.6 times as large as"),
+        (23.4, "23 times as large as"),
+    ],
+)
+def test_errors_are_never_called_one_times_as_large(ratio: float, words: str) -> None:
+    assert reasons.larger(ratio) == words
 
 
 @pytest.mark.parametrize("sigma", [0.002, 0.01, 0.02])
@@ -256,7 +276,7 @@ def test_a_cause_that_leaves_more_than_the_stated_errors_is_named_in_the_reason(
     assert result.verdict == "unexplained"
     assert result.reason.startswith("a explains nearly all of the residual")
     left = 1.8 * errors - a * (a @ (1.8 * errors))
-    assert f"about {np.sqrt(left @ left / (len(left) - 1)):.2g} times too small" in result.reason
+    assert f"it is {np.sqrt(left @ left / (len(left) - 1)):.2g} times as large as these" in result.reason
     # A cause that leaves as much as it explains is not named.
     assert "nearly all" not in found(linear({"a": a, "b": b}), 300.0 * a + 200.0 * DIRECTIONS[5]).reason
 

@@ -72,8 +72,8 @@ class Criteria:
     #: A cause is not claimed if some candidate would fit an arbitrary residual of that size as well with more than
     #: this probability: the data are too few to tell it from something outside the candidates.
     specific: float = 0.01
-    #: A candidate fits such a residual if it leaves no more than the claim does, plus this many standard deviations
-    #: of noise.  Many small changes at once are drawn too if there are at least this many candidates for each cause.
+    #: It fits such a residual if it leaves no more than the claim does, plus this many standard deviations of noise.
+    #: Combinations of candidates are drawn too if there are at least this many for each cause.
     spread: float = 2.0
     many: int = 6
     #: A claim that increases the held-out error by this factor is contradicted by it.

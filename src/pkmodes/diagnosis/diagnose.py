@@ -26,6 +26,7 @@ from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
+from pkmodes.diagnosis.verdict.all_poses import HeldOut, tested
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
 from pkmodes.diagnosis.verdict.chosen_reason import reason_of
@@ -33,7 +34,13 @@ from pkmodes.diagnosis.verdict.judgement import Judgement, judge
 from pkmodes.diagnosis.verdict.mistakes import other_unit, other_wiring
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.stability import Trial, trials, unchanged
-from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
+from pkmodes.diagnosis.verdict.verdicts import (
+    ADEQUATE,
+    AMBIGUOUS,
+    EFFECT_FOUND,
+    INSUFFICIENT_DATA,
+    UNEXPLAINED,
+)
 from pkmodes.diagnosis.verdict.whole_data import remarks
 from pkmodes.measured.measurements import Measurements
 
@@ -151,6 +158,11 @@ def _judged(builder: DiagnosisBuilder, search: Search, outcome: Outcome) -> Diag
     changes = trials(search, judged.final, [groups[0] for groups in judged.grouped if groups])
     if judged.verdict is EFFECT_FOUND:
         judged = _stable(judged, changes)
+    held = HeldOut()
+    if judged.verdict in (ADEQUATE, EFFECT_FOUND):
+        held = tested(builder.setups, search, judged.final)
+        if held.doubt:
+            judged = replace(judged, verdict=UNEXPLAINED, doubt=held.doubt)
     wiring = other_wiring(store.fitter, judged.final)
     if wiring:
         judged = replace(judged, verdict=UNEXPLAINED, doubt=wiring)
@@ -160,7 +172,7 @@ def _judged(builder: DiagnosisBuilder, search: Search, outcome: Outcome) -> Diag
         outcome,
         judged,
         reason,
-        (*((wiring,) if wiring else ()), *remarks(builder.setups, judged.final)),
+        (*((wiring,) if wiring else ()), *remarks(builder.setups, judged.final), *held.notes),
         tuple(trial.entry for trial in changes),
     )
 

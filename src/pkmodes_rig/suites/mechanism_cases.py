@@ -13,7 +13,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -27,8 +26,22 @@ from pkmodes.robot.paths import moved, resolve
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.measured_robot import MeasuredRobot
-from pkmodes_rig import Identified, TrueModes, corexy, exact, identified, rotary_delta, written
-from pkmodes_rig.suites.judging import judged
+from pkmodes_rig import (
+    BASE_RIGID,
+    POSES,
+    SENSORS,
+    Identified,
+    TrueModes,
+    corexy,
+    exact,
+    identified,
+    read,
+    rotary_delta,
+    true_modes,
+    written,
+)
+from pkmodes_rig import ROBOTS as DELTAS
+from pkmodes_rig.suites.judging import SAME, judged
 from pkmodes_rig.suites.strengths import NO_WEIGHT
 
 ROBOTS = Path(__file__).resolve().parents[3] / "robots"
@@ -55,7 +68,7 @@ class Kind:
     Attributes
     ----------
     file : str
-        The robot's file in ``robots/``.
+        The robot's file in ``robots/``; empty for a linear delta of the rig.
     rig : callable
         Returns the true modes for parameters, pose, effects and outside causes.
     rigid : int
@@ -120,9 +133,16 @@ KINDS = {
 }
 
 
+#: These mechanisms, and the linear deltas of the rig, by name.
+MACHINES = KINDS | {
+    name: Kind("", true_modes, BASE_RIGID, ("x", "y", "z"), SENSORS, np.array(POSES[name]["scattered"]), SAME)
+    for name in DELTAS
+}
+
+
 @dataclass(frozen=True)
 class Specimen:
-    """True state of a robot; `effects`, `values` and `outside` as in `strengths.Truth`."""
+    """True state of one of `MACHINES`; `effects`, `values` and `outside` as in `strengths.Truth`."""
 
     mechanism: str
     effects: Mapping[str, float] = field(default_factory=dict)
@@ -135,7 +155,7 @@ class Specimen:
         paths = [(resolve(declared, path), value) for path, value in self.values.items()]
         robot = moved(declared, [(path, value - path.value) for path, value in paths])
         effects = {**robot.constants, **self.effects}
-        rig = KINDS[self.mechanism].rig
+        rig = MACHINES[self.mechanism].rig
         return [rig(robot.parameters, p, effects, self.outside) for p in points]
 
 
@@ -178,7 +198,7 @@ def run(case: MechanismCase) -> MechanismOutcome:
     kind, robot = KINDS[case.specimen.mechanism], robot_of(case.specimen.mechanism)
     rows, text = measured(case)
     start = time.perf_counter()
-    diagnosis = updating.diagnose(robot, _read(text, robot))
+    diagnosis = updating.diagnose(robot, measurements_of(text, robot))
     seconds = time.perf_counter() - start
     specimen = case.specimen
     lacking = specimen.effects or specimen.values or specimen.outside
@@ -187,7 +207,7 @@ def run(case: MechanismCase) -> MechanismOutcome:
         state=judged(case.names, diagnosis, same=kind.same),
         verdict=diagnosis.verdict,
         classes=tuple(f.members for f in diagnosis.effects) or diagnosis.survivors,
-        values=tuple(_values(case, diagnosis)),
+        values=tuple(values_of(specimen, case.names, diagnosis)),
         signal=signal(specimen, case.poses, holdout=diagnosis.held_out_poses, rows=rows) if lacking else 0.0,
         seconds=seconds,
         reason=diagnosis.reason,
@@ -228,7 +248,7 @@ def signal(
     tied: bool = True,
 ) -> float:
     """Compute the predicted signal of a specimen's causes, as defined by `strengths.signal`."""
-    kind, robot = KINDS[specimen.mechanism], robot_of(specimen.mechanism)
+    kind, robot = MACHINES[specimen.mechanism], robot_of(specimen.mechanism)
     points = kind.points[:poses]
     modes = specimen.modes(points)
     if rows is None:
@@ -242,7 +262,7 @@ def signal(
         )
     # Shapes serve only to pair the modes; the signal is computed from the frequencies.
     text = written(exact(rows, modes, kind.shapes), list(points), kind.shapes, components=kind.components)
-    data = _read(text, robot)
+    data = measurements_of(text, robot)
     fitted, _ = split(data, holdout)
     structure = MeasuredRobot.of(robot, data).structure(candidates=()).subset(fitted)
     fitter = Fitter(structure, data.at(fitted), scatter=NO_WEIGHT)
@@ -253,32 +273,35 @@ def signal(
 
 
 @cache
-def robot_of(mechanism: str) -> Robot:
+def robot_of(machine: str) -> Robot:
     """Return the declared robot."""
-    return read_robot(ROBOTS / KINDS[mechanism].file)
+    return read(machine) if machine in DELTAS else read_robot(ROBOTS / KINDS[machine].file)
 
 
 @cache
-def band(mechanism: str) -> tuple[float, float]:
+def band(machine: str) -> tuple[float, float]:
     """Return the frequency band that is searched for modes [Hz]."""
-    highest = [modes.frequencies[-1] for modes in Specimen(mechanism).modes(KINDS[mechanism].points)]
+    highest = [modes.frequencies[-1] for modes in Specimen(machine).modes(MACHINES[machine].points)]
     return LOWEST, float(f"{HIGHEST * max(highest):.3g}")
 
 
-def _read(text: str, robot: Robot) -> Measurements:
+def measurements_of(text: str, robot: Robot) -> Measurements:
+    """Read the text of a measurement file."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "modes.csv"
         path.write_text(text, encoding="utf-8")
         return updating.read(path, robot=robot)
 
 
-def _values(case: MechanismCase, diagnosis: Diagnosis) -> list[Any]:
+def values_of(
+    specimen: Specimen, names: Sequence[str], diagnosis: Diagnosis
+) -> list[tuple[str, float, float, float]]:
     """Return the parameters of the causes that were named: estimate, standard deviation and true value."""
-    true = {**case.specimen.values, **{f"effects.{n}": v for n, v in case.specimen.effects.items()}}
+    true = {**specimen.values, **{f"effects.{n}": v for n, v in specimen.effects.items()}}
     return [
         (value.name, value.value, value.sigma, true[value.name])
         for finding in diagnosis.effects
-        for name in case.names
+        for name in names
         for value in finding.alternatives.get(name, ())
         if value.name in true
     ]

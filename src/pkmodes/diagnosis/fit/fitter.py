@@ -259,6 +259,17 @@ class Fitter:
             converged=converged,
         )
 
+    def evaluated(self, hypothesis: Hypothesis, values: Array, scatter: float) -> Fit | None:
+        """Return given values as a fit of a hypothesis; None if the structure cannot be evaluated.
+
+        Parameters
+        ----------
+        scatter : float
+            Standard deviation of the error that the modes of a setup share.
+        """
+        free, used = self._free(hypothesis), self.used(hypothesis)
+        return self._finished(hypothesis, values, free, used, scatter, True)
+
     def difference(self, a: Fit, b: Fit) -> float:
         """Return the squared difference of the predictions and priors of two fits, whitened as for the first."""
         used = self.used(a.hypothesis) & self.used(b.hypothesis)

@@ -24,6 +24,8 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array, Candidate
 
+#: Orthonormal directions of candidates' signatures (D, k), and the sign that physics allows, 0 for both.
+Directions = Sequence[tuple[Array, int]]
 #: Number of draws of the smallest p-value under the hypothesis, and their seed.
 DRAWS = 20_000
 SEED = 20_221_107

@@ -24,6 +24,7 @@ from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.classes import classes, other_pairs, survivors
 from pkmodes.diagnosis.verdict.measurement_errors import explained_by_errors
 from pkmodes.diagnosis.verdict.nested import more_general
+from pkmodes.diagnosis.verdict.notes import drift
 from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.diagnosis.verdict.specificity import p_coincidence
 from pkmodes.diagnosis.verdict.values import doubt_of_values
@@ -71,9 +72,8 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
     if not last.passed:
         return Judgement(UNEXPLAINED, final, last, (), (), ())
     if not final.causes:
-        strange = shapes_disagree(search.store, final)
-        verdict = UNEXPLAINED if strange else ADEQUATE
-        return Judgement(verdict, final, last, (), (), (), reasons.shapes(()) if strange else "")
+        doubt = _doubt_of_adequacy(search, final)
+        return Judgement(UNEXPLAINED if doubt else ADEQUATE, final, last, (), (), (), doubt)
     final, places = _preferred(search, final)
     grouped = tuple(classes(search.store.fitter, fits) for fits in places)
     if final.hypothesis.remote and grouped[0]:
@@ -97,6 +97,17 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
     else:
         verdict = EFFECT_FOUND
     return Judgement(verdict, final, last, grouped, others, p_values, doubt)
+
+
+def _doubt_of_adequacy(search: Search, final: Fit) -> str:
+    """Return why the declared model is not adequate although its residual passes the gate; empty if it is."""
+    if shapes_disagree(search.store, final):
+        return reasons.shapes(())
+    if (
+        final.hypothesis.scatter
+    ):  # an error that nobody stated may just as well be an effect that the model lacks
+        return reasons.shared(final.scatter, drift(search.store.fitter, final))
+    return ""
 
 
 def _too_many(search: Search, grouped: tuple[list[list[Fit]], ...]) -> bool:

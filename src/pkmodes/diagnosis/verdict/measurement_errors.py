@@ -34,4 +34,4 @@ def explained_by_errors(search: Search, final: Fit) -> str:
     inflated = store.criterion(base) - squares + count * (1.0 + np.log(ratio))
     if inflated + np.log(rows) > worst:
         return ""
-    return f"errors {ratio**0.5:.2g} times as large as stated"
+    return f"errors {reasons.larger(ratio**0.5)} the stated ones"

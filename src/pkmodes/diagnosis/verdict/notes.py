@@ -103,13 +103,13 @@ def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
             "outlier: check it"
         )
     if fit.hypothesis.scatter:
-        drift = _drift(fitter, fit)
-        also = f": {drift}" if drift else ""
+        pattern = drift(fitter, fit)
+        also = f": {pattern}" if pattern else ""
         share = f"the modes of a pose share an error of {100 * fit.scatter:.2g} %"
         yield f"{share} that the file does not state{also}"
 
 
-def _drift(fitter: Fitter, fit: Fit) -> str:
+def drift(fitter: Fitter, fit: Fit) -> str:
     """Return a sentence if the error that the modes of a pose share drifts with the order of the poses."""
     left = fit.residual[fitter.frequency_rows]
     means = np.array([left[rows].mean() for rows in fitter.noise.rows if len(rows)])

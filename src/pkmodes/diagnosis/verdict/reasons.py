@@ -146,6 +146,38 @@ def rests_on(cause: Candidate, line: int, label: str, frequency: float, value: f
     )
 
 
+def shared(error: float, drift: str) -> str:
+    """Return the reason if only an unstated error that the modes of a pose share makes the model adequate."""
+    also = f"; {drift}" if drift else ""
+    return (
+        f"the declared model explains the residual only with an error of {100 * error:.2g} % that the modes of a "
+        f"pose share and the file does not state{also}: something changed between the poses, or an effect is missing"
+    )
+
+
+def held_out(causes: Sequence[Candidate], p_value: float, instead: Sequence[Candidate]) -> str:
+    """Return the reason if the held-out poses contradict a result."""
+    who = f"{_names(causes)} would explain" if causes else "the declared model explains"
+    other = f"; {_names(instead)} would explain all poses: look there" if instead else ""
+    return f"{who} the fitted poses, but not the held-out ones ({p_in_words(p_value)}){other}"
+
+
+def not_everywhere(causes: Sequence[Candidate]) -> str:
+    """Return the reason if the held-out poses cannot be evaluated with a result."""
+    who = f"{_names(causes)} would explain" if causes else "the declared model explains"
+    return f"{who} the fitted poses, but with these values the held-out ones cannot be evaluated"
+
+
+def larger(ratio: float) -> str:
+    """Return how large errors are relative to the stated ones: "2.3 times as large as", "12 % larger than"."""
+    percent = round(100.0 * (ratio - 1.0))
+    if percent == 0:
+        return "as large as"
+    if abs(percent) < 50:
+        return f"{abs(percent)} % {'larger' if percent > 0 else 'smaller'} than"
+    return f"{ratio:.2g} times as large as"
+
+
 def weak(causes: Sequence[Candidate], p_value: float, what: str) -> str:
     """Return the reason if the improvement may be chance."""
     perhaps = f"; measurement errors would explain it too: {what}" if what else ""
@@ -199,7 +231,7 @@ def scattered(ratio: float, pattern: str, few: bool) -> str:
     """Return the reason if the residual has no direction."""
     perhaps = "something outside the candidates, or stated errors that are too small"
     what = pattern or (perhaps if few else "perhaps the stated sigma is too small")
-    return f"the residual is {ratio**0.5:.2g} times the stated errors and points to no candidate: {what}"
+    return f"the residual is {larger(ratio**0.5)} the stated errors and points to no candidate: {what}"
 
 
 def small(p_candidates: float) -> str:
@@ -215,8 +247,8 @@ def nearly(causes: Sequence[Candidate], before: float, after: float, p_value: fl
     verb = "explain" if len(causes) > 1 else "explains"
     return (
         f"{_names(causes)} {verb} nearly all of the residual (chi2 per degree of freedom from {before:.3g} to "
-        f"{after:.3g}), but the rest exceeds the stated errors ({p_in_words(p_value)}): they are about "
-        f"{after**0.5:.2g} times too small, or something else is missing as well"
+        f"{after:.3g}), but the rest exceeds the stated errors ({p_in_words(p_value)}): it is {larger(after**0.5)} "
+        "these, or something else is missing as well"
     )
 
 
@@ -224,8 +256,8 @@ def real(ratio: float, pattern: str) -> str:
     """Return the reason if nothing explains the residual."""
     seen = f"; {pattern}" if pattern else ""
     return (
-        f"the residual is real, about {ratio**0.5:.2g} times the stated errors, and no candidate or pair of "
-        f"candidates reduces it to noise{seen}"
+        f"the residual is real, {larger(ratio**0.5)} the stated errors, and no candidate or pair of candidates "
+        f"reduces it to noise{seen}"
     )
 
 

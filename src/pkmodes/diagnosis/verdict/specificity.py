@@ -1,19 +1,11 @@
-r"""Specificity: whether few data suffice to tell a cause from something outside the candidates.
+"""Specificity: whether the data suffice to tell a cause from something outside the candidates.
 
 The residual of a cause outside the candidates may look like a candidate by chance, especially with few data.  The
 probability is estimated by simulation: residuals as large as the measured one, drawn from changes of the structure
-that are not candidates, are compared with the linear signature of every candidate.  There are two kinds of draws.
-
-*Arbitrary changes*, with independent relative changes :math:`\xi_{ij} = \xi_{ji}` of the modal stiffnesses and
-:math:`\eta_{ij} = \eta_{ji}` of the modal masses, give
-
-.. math:: d \ln f_i = \tfrac12 (\xi_{ii} - \eta_{ii}), \qquad
-    d\phi_i = \sum_{j \ne i} \phi_j \frac{\sqrt{\lambda_i \lambda_j} \, \xi_{ij} - \lambda_i \eta_{ij}}
-    {\lambda_i - \lambda_j} :
-
-each shape changes mostly by the shapes of neighbouring modes, and the shapes of two neighbours change together, so
-twelve shape values carry less information than twelve independent ones.  *Many small changes* are changes of all
-candidates at once, each with the same weight.
+that are not candidates, are compared with the linear signature of every candidate.  There are two kinds of draws:
+`arbitrary` changes, independent in all setups, and `plausible` ones, combinations of the candidates.  A draw has the
+size of what the claim explains and leaves, and of what noise would hide; it looks like a candidate if this explains as
+much as the claim does.
 """
 
 from __future__ import annotations
@@ -21,108 +13,82 @@ from __future__ import annotations
 from itertools import combinations
 
 import numpy as np
-from scipy import stats
 
-from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis, orthonormal
-from pkmodes.diagnosis.problem import Array, Prediction
+from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.search.score import Directions, score
 from pkmodes.diagnosis.search.search import Search
+from pkmodes.diagnosis.verdict import arbitrary
+from pkmodes.diagnosis.verdict.plausible import Plausible
 
 #: Number of draws of each kind, and their seed.
 DRAWS, SEED = 2_000, 20_221_107
-#: Modes beyond the highest measured one whose shapes are mixed into it.
-ABOVE = 3
 
 
 def p_coincidence(search: Search, final: Fit) -> float:
-    """Return the probability that as many candidates explain a residual of this size that none of them caused.
-
-    It is taken as zero for more than `Criteria.few_rows` rows.
-    """
-    store, fitter, c = search.store, search.store.fitter, search.criteria
-    h = final.hypothesis
+    """Return the probability that as many candidates explain a residual of this size that none of them caused."""
+    store, fitter, h = search.store, search.store.fitter, final.hypothesis
     plain = store.fit(Hypothesis(excluded=h.excluded, scatter=h.scatter))
-    used = fitter.used(h)
-    if plain is None or not final.causes or used.sum() > c.few_rows:
+    if plain is None or not final.causes:
         return 0.0
-    free = sum(len(cause.parameters) for cause in final.causes)
-    data = slice(0, fitter.prior_rows.start)
-    degrees = float(used.sum() + fitter.shapes.count[used].sum() - plain.leverage[data].sum())
-    left = degrees - free
-    excess = max(plain.chi2 - degrees, plain.chi2 - final.chi2)
-    clear = float(stats.chi2.isf(c.claimed / max(len(search.candidates), 1), free))
-    if left <= 0.0 or excess <= clear:
-        return 1.0
-    most = max(final.chi2 - left, 0.0) + c.spread * float(np.sqrt(2.0 * left))
-    directions = search.gate(plain).scores.directions
     rng = np.random.default_rng(SEED)
-    probabilities, kinds = [], [arbitrary(fitter, plain)]
-    if len(directions) >= c.many * len(final.causes):
-        kinds.append(np.hstack([axes for axes, _ in directions]))
-    for changes in kinds:
-        drawn = changes @ rng.standard_normal((changes.shape[1], DRAWS))
-        drawn *= np.sqrt(excess) / np.maximum(np.linalg.norm(drawn, axis=0), 1e-300)
-        probabilities.append(_explained(drawn, directions, len(final.causes), max(clear, excess - most)))
-    return max(probabilities)
+    gain, directions = plain.chi2 - final.chi2, search.gate(plain).scores.directions
+    used, data = fitter.used(h), slice(0, fitter.prior_rows.start)
+    degrees = float(used.sum() + fitter.shapes.count[used].sum() - plain.leverage[data].sum())
+    drawn = arbitrary.draws(fitter, plain, DRAWS, rng)
+    p_value = _coincidence(search, final, gain, drawn, directions, degrees, final.chi2)
+    # A few candidates do not represent what else may be wrong: a combination of them says nothing.
+    every = (*directions, *score(fitter, plain, search.remote).directions)
+    if gain > 0.0 and len(every) >= search.criteria.many * len(final.causes):
+        plausible = Plausible.of(every, float(np.sqrt(gain)))
+        along = [(plausible.axes.T @ axes, sign) for axes, sign in directions]
+        drawn, left = plausible.draws(DRAWS, rng), plausible.squares(final.white)
+        p_value = max(p_value, _coincidence(search, final, gain, drawn, along, plausible.resolved, left))
+    return p_value
 
 
-def _explained(drawn: Array, directions: tuple[tuple[Array, int], ...], causes: int, needed: float) -> float:
-    """Return the fraction of the residuals (D, n) that some combination of causes reduces by as much as needed."""
+def _coincidence(
+    search: Search,
+    final: Fit,
+    gain: float,
+    drawn: Array,
+    directions: Directions,
+    degrees: float,
+    squares: float,
+) -> float:
+    """Return the fraction of changes that some candidates explain as well as the claimed causes do the residual.
+
+    Parameters
+    ----------
+    gain : float
+        Decrease of chi2 by the claimed causes.
+    drawn : ndarray, shape (D, n)
+        Effects of changes on the data, of any size.
+    directions : sequence of (ndarray, int)
+        Those of the candidates, in the same D coordinates.
+    degrees : float
+        Number of directions in which the changes differ.
+    squares : float
+        Sum of squares that the claimed causes leave in these directions.
+    """
+    left = degrees - sum(len(cause.parameters) for cause in final.causes)
+    if left <= 0.0:
+        return 1.0
+    # What the claim leaves beyond noise, another cause may leave too, and noise hides as much again.
+    size = gain + max(squares - left, 0.0) + search.criteria.spread * float(np.sqrt(2.0 * left))
+    sized = drawn * (np.sqrt(size) / np.maximum(np.linalg.norm(drawn, axis=0), 1e-300))
     reached = np.zeros(drawn.shape[1], dtype=bool)
-    for some in combinations(directions, causes):
-        signs = [sign for _, sign in some]
-        if causes == 1 and signs[0]:
-            along = some[0][0][:, 0] @ drawn
-            gain = np.where(along > 0.0, along**2, 0.0)
-        else:
-            basis = some[0][0] if causes == 1 else orthonormal(np.hstack([axes for axes, _ in some]))
-            gain = ((basis.T @ drawn) ** 2).sum(axis=0)
-        reached |= gain >= needed
+    for some in combinations(directions, len(final.causes)):
+        reached |= _gain(sized, some) >= gain
     return float(reached.mean())
 
 
-def arbitrary(fitter: Fitter, plain: Fit) -> Array:
-    """Return the effect of arbitrary structural changes on the whitened data beside a fit, (D, T).
-
-    The changes in different setups are independent, as if the structure differed between them.
-    """
-    used, data = fitter.used(plain.hypothesis), fitter.prior_rows.start
-    # Modes far above the measured ones do not contribute to their shapes.
-    modes = int(plain.pairing.partner.max(initial=0)) + 1 + ABOVE
-    changed = _changed(plain.prediction, modes, fitter.criteria.mixed)
-    changes = fitter.rows.rates(changed, plain.pairing, used) / fitter.noise.stated[:, None]
-    parts = []
-    for place in fitter.places():
-        if len(place):
-            own = np.zeros((len(plain.white), changes.shape[1]))
-            own[place] = changes[place]
-            parts.append(own - plain.basis @ (plain.basis[:data].T @ own[:data]))
-    return np.hstack(parts)
-
-
-def _changed(prediction: Prediction, modes: int, least: float) -> Prediction:
-    """Return the lowest modes with their derivatives with respect to relative changes of modal stiffness and mass."""
-    eigenvalues, shapes = prediction.eigenvalues[:, :modes], prediction.shapes[:, :modes]
-    m = eigenvalues.shape[1]
-    i, j = np.triu_indices(m)
-    size = np.abs(eigenvalues)
-    gap = eigenvalues[:, i] - eigenvalues[:, j]
-    # Nearly coincident modes rotate into each other under any change; they are compared as one subspace.
-    smallest = 2.0 * least * np.maximum(size[:, i], size[:, j])
-    gap = np.where(gap >= 0.0, 1.0, -1.0) * np.maximum(np.abs(gap), np.maximum(smallest, 1e-300))
-    mean = np.sqrt(size[:, i] * size[:, j])
-    rates = np.zeros((len(eigenvalues), m, 2, len(i)))
-    along = np.zeros((*shapes.shape, 2, len(i)))
-    for t in np.flatnonzero(i == j):
-        rates[:, i[t], 0, t], rates[:, i[t], 1, t] = eigenvalues[:, i[t]], -eigenvalues[:, i[t]]
-    for t in np.flatnonzero(i != j):
-        for a, b, sign in ((i[t], j[t], 1.0), (j[t], i[t], -1.0)):
-            along[:, a, :, 0, t] = sign * (mean / gap)[:, t, None] * shapes[:, b]
-            along[:, a, :, 1, t] = -sign * (size[:, a] / gap[:, t])[:, None] * shapes[:, b]
-    return Prediction(
-        eigenvalues,
-        rates.reshape(len(eigenvalues), m, -1),
-        shapes,
-        prediction.rigid,
-        along.reshape(*shapes.shape, -1),
-    )
+def _gain(residuals: Array, causes: Directions) -> Array:
+    """Return the squares that causes remove from residuals (D, n), at best."""
+    (axes, sign), *others = causes
+    if not others and sign:
+        along = axes[:, 0] @ residuals
+        return np.where(along > 0.0, along**2, 0.0)
+    basis = axes if not others else orthonormal(np.hstack([axes for axes, _ in causes]))
+    gain: Array = ((basis.T @ residuals) ** 2).sum(axis=0)
+    return gain

@@ -1,0 +1,243 @@
+"""Clear causes on all mechanisms alike: the specimens, and how they are sized, measured, diagnosed and judged.
+
+Each case has a laboratory of its own (`pkmodes_rig.laboratory`), and its causes are sized so that the modes that this
+laboratory finds have the predicted signal asked for: a cause is neither hidden nor obvious.
+"""
+
+from __future__ import annotations
+
+import time
+import zlib
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+from pkmodes import updating
+from pkmodes.mechanism.registry import mechanism
+from pkmodes_rig import Identified, Laboratory, identified, written
+from pkmodes_rig.suites.judging import judged
+from pkmodes_rig.suites.mechanism_cases import (
+    MACHINES,
+    Specimen,
+    measurements_of,
+    robot_of,
+    signal,
+    values_of,
+)
+from pkmodes_rig.suites.sizes import UNEQUAL
+
+#: Causes that tie a robot to ground, which makes rigid modes measurable: sized without these modes.
+TYING = (
+    *("servo_stiffness", "cable_stiffness", "directional_cable", "hose", "bellows", "one_servo", "arm_hose"),
+)
+#: Numbers of modes at a pose, by the number of vibration modes of the mechanism.
+MODES = {"linear_delta": (4, 8), "rotary_delta": (2, 6), "corexy": (2, 4)}
+#: Fewest rows of a file, and how many laboratories are drawn to get them.
+LEAST, TRIALS = 12, 50
+#: Steps of the search for a size; the first size is the declared start times a power of ten.
+STEPS = 40
+
+
+@dataclass(frozen=True)
+class ClearCase:
+    """One or two causes of a given signal, and how they are measured.
+
+    Attributes
+    ----------
+    suite, number, seed
+        Identify the case and its random draws.
+    machine : str
+        One of `MACHINES`.
+    kinds : tuple of str
+        Effects of the catalogue, or one cause outside it.
+    targets : tuple of two floats
+        Range of the predicted signal of each cause alone.
+    outside : bool
+        Whether the cause is outside the catalogue.
+    """
+
+    suite: str
+    number: int
+    machine: str
+    kinds: tuple[str, ...]
+    targets: tuple[float, float]
+    outside: bool = False
+    seed: int = 1
+
+    @property
+    def label(self) -> str:
+        """Name for reports."""
+        return f"{self.machine}, {self.suite} {self.number}"
+
+    @property
+    def mechanism(self) -> str:
+        """Name of the mechanism."""
+        return robot_of(self.machine).mechanism_name
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Causes that should be named."""
+        return () if self.outside else self.kinds
+
+
+@dataclass(frozen=True)
+class ClearOutcome:
+    """Outcome of a case with some poses held out; attributes as in `judging.Outcome`.
+
+    Attributes
+    ----------
+    held_out : tuple of str
+        Poses held out.
+    """
+
+    case: ClearCase
+    state: str
+    verdict: str
+    classes: tuple[tuple[str, ...], ...] = ()
+    values: tuple[tuple[str, float, float, float], ...] = ()
+    signal: float = 0.0
+    rows: int = 0
+    seconds: float = 0.0
+    reason: str = ""
+    held_out: tuple[str, ...] = ()
+
+
+def run(case: ClearCase) -> ClearOutcome:
+    """Measure, diagnose and judge a case."""
+    specimen, rows, text = measured(case)
+    return _diagnosed(case, specimen, rows, text, None)
+
+
+def splits(case: ClearCase) -> list[ClearOutcome]:
+    """Diagnose a case once for each pose, with that pose alone held out."""
+    specimen, rows, text = measured(case)
+    labels = measurements_of(text, robot_of(case.machine)).labels
+    return [_diagnosed(case, specimen, rows, text, [label]) for label in labels]
+
+
+def _diagnosed(
+    case: ClearCase,
+    specimen: Specimen,
+    rows: Sequence[Identified],
+    text: str,
+    holdout: Sequence[str] | None,
+) -> ClearOutcome:
+    robot, kind = robot_of(case.machine), MACHINES[case.machine]
+    start = time.perf_counter()
+    diagnosis = updating.diagnose(robot, measurements_of(text, robot), holdout=holdout)
+    return ClearOutcome(
+        case=case,
+        state=judged(case.names, diagnosis, same=kind.same),
+        verdict=diagnosis.verdict,
+        classes=tuple(f.members for f in diagnosis.effects) or diagnosis.survivors,
+        values=tuple(values_of(specimen, case.names, diagnosis)),
+        signal=signal(specimen, holdout=diagnosis.held_out_poses, rows=rows),
+        rows=len(rows),
+        seconds=time.perf_counter() - start,
+        reason=diagnosis.reason,
+        held_out=diagnosis.held_out_poses,
+    )
+
+
+def measured(case: ClearCase) -> tuple[Specimen, list[Identified], str]:
+    """Return the specimen with its causes sized, the modes found and the text of their file."""
+    effects: dict[str, float] = {}
+    outside: dict[str, float] = {}
+    for place, kind in enumerate(case.kinds):
+
+        def alone(size: float, kind: str = kind) -> Specimen:
+            return (
+                Specimen(case.machine, outside={kind: size})
+                if case.outside
+                else with_effect(case, kind, size)
+            )
+
+        specimen = alone(_size(case, place, kind, alone))
+        effects |= specimen.effects
+        outside |= specimen.outside
+    both = Specimen(case.machine, effects, outside=outside)
+    rows, text = _found(case, both)
+    return both, rows, text
+
+
+def with_effect(case: ClearCase, effect: str, size: float) -> Specimen:
+    """Return a machine with one effect of the catalogue; the factors of a group are all different."""
+    fitted = [p.name for p in mechanism(case.mechanism).effects[effect].parameters if p.fitted]
+    parts = (1.0,) if len(fitted) == 1 else UNEQUAL
+    return Specimen(case.machine, {f"{effect}.{p}": size * q for p, q in zip(fitted, parts, strict=False)})
+
+
+def _size(case: ClearCase, place: int, kind: str, alone: Callable[[float], Specimen]) -> float:
+    """Find a size whose predicted signal is a value drawn from the range asked for.
+
+    The modes found change with the size, so the signal may jump beyond the range: an added mode is seen or not.  The
+    smallest size above its lower end is then taken.
+    """
+    rng = np.random.default_rng([case.seed, _key(case), case.number, place])
+    target = float(np.exp(rng.uniform(*np.log(case.targets))))
+
+    def measured_signal(size: float) -> float:
+        specimen = alone(size)
+        if kind in TYING:
+            return signal(specimen, tied=False)
+        return signal(specimen, rows=_found(case, specimen)[0])
+
+    low, high = 0.0, 0.0
+    size = 1e-12
+    for _ in range(STEPS):
+        value = measured_signal(size)
+        if target / 1.05 <= value <= target * 1.05:
+            return size
+        if value < target:
+            low = size
+            # The signal grows in proportion to a small size.
+            size = size * min(max(target / max(value, 1e-9), 1.5), 100.0) if not high else (low * high) ** 0.5
+        else:
+            high = size
+            size = (low * high) ** 0.5 if low else size / 10.0
+        if high and low and high / low < 1.02:
+            break
+    return high or size
+
+
+def _found(case: ClearCase, specimen: Specimen) -> tuple[list[Identified], str]:
+    """Return the modes that the laboratory of a case finds and the text of their file.
+
+    The true uncertain values are drawn from their priors.
+    """
+    kind, robot = MACHINES[case.machine], robot_of(case.machine)
+    rng = np.random.default_rng([case.seed, _key(case), case.number])
+    uncertain = {path: q for path, q in robot.quantities.items() if q.sigma}
+    drawn = {path: q.value + (q.sigma or 0.0) * rng.standard_normal() for path, q in uncertain.items()}
+    true = Specimen(case.machine, specimen.effects, {**drawn, **specimen.values}, specimen.outside)
+    modes = true.modes(kind.points)
+    for _ in range(TRIALS):
+        laboratory = Laboratory.drawn(rng, _span(case.machine), kind.shapes, modes=MODES[case.mechanism])
+        options = laboratory.options()
+        stated = options.pop("band_stated")
+        rows = identified(modes, rng=rng, base_rigid=kind.rigid, **options)  # type: ignore[arg-type]
+        if len(rows) >= LEAST:
+            break
+    text = written(
+        rows,
+        list(kind.points),
+        laboratory.shapes,
+        band=laboratory.band if stated else None,
+        sigma_shape=laboratory.sigma_shape != "absent",
+        components=kind.components,
+    )
+    return rows, text
+
+
+@cache
+def _span(machine: str) -> tuple[float, float]:
+    """Return the lowest and highest vibration frequency of the declared model at the first pose [Hz]."""
+    (modes,) = Specimen(machine).modes(MACHINES[machine].points[:1])
+    vibrations = modes.frequencies[modes.rigid :]
+    return float(vibrations[0]), float(vibrations[-1])
+
+
+def _key(case: ClearCase) -> int:
+    return zlib.crc32(f"{case.machine} {case.suite}".encode())

@@ -1,0 +1,138 @@
+"""Held-out setups take no part in any choice or fit, and refuse a result that does not predict them.
+
+Structures whose frequencies' logarithms are linear in the parameters: every prediction error is known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from helpers.robots.small_structures import SIGMA, LogLinear, logs_measured
+from pkmodes.diagnosis import Candidate, Diagnosis, Parameter, diagnose
+from pkmodes.diagnosis.diagnose import split
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.search.search import Search
+from pkmodes.diagnosis.verdict.all_poses import p_held_out
+from pkmodes.diagnosis.verdict.all_setups import AllSetups
+
+SETUPS, MODES = 12, 5
+HELD = ["P0", "P1"]
+DIRECTIONS = np.linalg.qr(np.random.default_rng(11).standard_normal((SETUPS * MODES, 6)))[0].T
+FITTED = np.repeat(np.arange(SETUPS) >= 2, MODES)
+
+
+def structure(
+    signatures: Mapping[str, np.ndarray], prior: float | None = None, remote: str = ""
+) -> LogLinear:
+    """One cause for each signature, in standard deviations, and an uncertain value with the last direction."""
+    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
+    directions = {**signatures, **({} if prior is None else {"k": DIRECTIONS[5]})}
+    G = np.stack([d.reshape(SETUPS, MODES) for d in directions.values()], axis=-1) * SIGMA
+    parameters = [Parameter(n, 0.0, sigma=prior if n == "k" else None) for n in directions]
+    causes = [Candidate(n, (n,), remote=n == remote) for n in signatures]
+    return LogLinear(base, G, parameters, causes)
+
+
+def found(model: LogLinear, change: np.ndarray, holdout: list[str] = HELD) -> Diagnosis:
+    errors = 0.9 * np.random.default_rng(3).standard_normal(SETUPS * MODES)
+    logs = model.base + SIGMA * (change + errors).reshape(SETUPS, MODES)
+    return diagnose(model, logs_measured(logs, SIGMA), holdout=holdout)
+
+
+def alike() -> tuple[np.ndarray, np.ndarray]:
+    """Two signatures that agree in the fitted setups, and in the held-out ones only in size."""
+    a = DIRECTIONS[0] * np.where(FITTED, 1.0, 1.5)
+    return a, np.where(FITTED, a, -a)
+
+
+@pytest.mark.parametrize("prior", [None, 4.0])
+def test_the_prediction_errors_have_their_predictive_covariance(prior: float | None) -> None:
+    """Against the same number from two least-squares fits, by the normal equations and the priors as rows."""
+    rng = np.random.default_rng(8)
+    model = structure({"a": DIRECTIONS[0], "b": DIRECTIONS[1]}, prior)
+    change = 20.0 * DIRECTIONS[0] + 2.0 * rng.standard_normal(SETUPS * MODES)
+    data = logs_measured(model.base + SIGMA * change.reshape(SETUPS, MODES), SIGMA)
+    fitted, held = split(data, HELD)
+    fitter = Fitter(model.subset(fitted), data.at(fitted))
+    search = Search(FitStore(fitter), model.candidates)
+    hypothesis = Hypothesis((model.candidates[0],))
+    final, every = search.store.fit(hypothesis), Fitter(model, data)
+    again = every.fit(hypothesis)
+    assert final is not None
+    assert again is not None
+    p_value = p_held_out(AllSetups(model, data, fitter, held), every, again, final, frozenset())
+
+    columns = [DIRECTIONS[0]] if prior is None else [DIRECTIONS[5], DIRECTIONS[0]]
+    rows = np.stack(columns, axis=1)
+    own = np.zeros((0, 1)) if prior is None else np.array([[1.0 / prior, 0.0]])
+
+    def squares(some: np.ndarray) -> float:
+        A, y = np.vstack([rows[some], own]), np.append(change[some], np.zeros(len(own)))
+        return float(((y - A @ np.linalg.lstsq(A, y)[0]) ** 2).sum())
+
+    grown = squares(np.ones(SETUPS * MODES, dtype=bool)) - squares(FITTED)
+    assert p_value == pytest.approx(stats.chi2.sf(grown, len(HELD) * MODES), rel=1e-4)
+    assert p_value < 0.05  # errors twice as large as stated
+
+
+def test_a_claim_that_does_not_predict_the_held_out_poses_is_refused() -> None:
+    a, c = alike()
+    plain = found(structure({"a": a, "b": DIRECTIONS[1]}), 40.0 * a)
+    assert [effect.name for effect in plain.effects] == ["a"]
+    contradicted = found(structure({"a": a, "b": DIRECTIONS[1]}), 40.0 * c)
+    assert contradicted.verdict == "unexplained"
+    assert "a would explain the fitted poses, but not the held-out ones (p" in contradicted.reason
+    assert contradicted.effects == ()
+
+
+def test_the_reason_names_a_special_cause_that_explains_all_poses() -> None:
+    a, c = alike()
+    diagnosis = found(structure({"a": a, "b": DIRECTIONS[1], "c": c}, remote="c"), 40.0 * c)
+    assert diagnosis.verdict == "unexplained"
+    assert diagnosis.reason.endswith("c would explain all poses: look there")
+    # With the same data and other poses held out, it is named as well.
+    others = found(structure({"a": a, "b": DIRECTIONS[1], "c": c}, remote="c"), 40.0 * c, ["P7", "P9"])
+    assert others.verdict == "unexplained"
+    assert "c would" in others.reason
+
+
+def test_a_gross_error_in_one_held_out_row_is_reported_and_two_are_not_excused() -> None:
+    a = DIRECTIONS[0]
+    model = structure({"a": a, "b": DIRECTIONS[1]})
+    one = 40.0 * a
+    one[3] += 25.0
+    diagnosis = found(model, one)
+    assert [effect.name for effect in diagnosis.effects] == ["a"]
+    assert any("line 4 (held-out P0" in note and "check it" in note for note in diagnosis.notes)
+    two = one.copy()
+    two[7] -= 25.0
+    assert found(model, two).verdict == "unexplained"
+
+
+def test_a_model_that_does_not_predict_the_held_out_poses_is_not_adequate() -> None:
+    model = structure({"a": DIRECTIONS[0], "b": DIRECTIONS[1]})
+    assert found(model, np.zeros(SETUPS * MODES)).verdict == "adequate"
+    moved = found(model, np.where(FITTED, 0.0, 6.0))
+    assert moved.verdict == "unexplained"
+    assert "the declared model explains the fitted poses, but not the held-out ones" in moved.reason
+
+
+def test_choices_and_fits_do_not_use_the_held_out_poses() -> None:
+    """Values and p-values of a claim are the same whatever the held-out poses are, as long as they agree with it."""
+    a = DIRECTIONS[0]
+    model = structure({"a": a, "b": DIRECTIONS[1]})
+    rng = np.random.default_rng(1)
+    first, second = (
+        found(model, 40.0 * a + np.where(FITTED, 0.0, 0.5 * rng.standard_normal(SETUPS * MODES)))
+        for _ in range(2)
+    )
+    assert first.effects == second.effects
+    assert first.refit is not None
+    assert second.refit is not None
+    assert first.refit.held_out_rms_relative != second.refit.held_out_rms_relative
