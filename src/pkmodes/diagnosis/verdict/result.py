@@ -21,7 +21,7 @@ from pkmodes.diagnosis.verdict.document import (
     StagesDocument,
     ValueDocument,
 )
-from pkmodes.diagnosis.verdict.verdicts import Word
+from pkmodes.diagnosis.verdict.verdicts import VERDICTS, Word
 
 
 @dataclass(frozen=True)
@@ -282,6 +282,11 @@ class Diagnosis:
                 lines.append(f"{stage:6} {rms}{apart}chi2 per degree of freedom {error.chi2_per_dof:.3g}")
         lines += [f"note: {text}" for text in self.notes]
         return "\n".join(lines)
+
+    @property
+    def settled(self) -> bool:
+        """Whether the last model leaves only noise, so that its values correct the robot file."""
+        return VERDICTS[self.verdict].settled
 
     @property
     def outliers(self) -> tuple[Row, ...]:
