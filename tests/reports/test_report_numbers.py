@@ -91,7 +91,8 @@ def test_every_number_is_that_of_the_json(made: Made) -> None:
     shown_hz = ("frequency_hz", "sigma_hz", "before_hz", stage)
     unused = {k for k in numbers if k.endswith("_hz") and k.rsplit("/", 1)[1] not in shown_hz}
     parameters = {k for k in numbers if "/parameters/" in k}  # repeated in the alternatives, also shown
-    assert numbers - unused - set(found) <= parameters | {"/pose_scatter"}
+    covariances = {k for k in numbers if "/covariance/" in k}  # shown as standard deviations
+    assert numbers - unused - set(found) <= parameters | covariances | {"/pose_scatter"}
 
 
 def test_the_verdict_comes_first(made: Made) -> None:

@@ -18,6 +18,7 @@ from helpers.diagnoses.diagnose_command import (
     measured,
     names,
     rows_of,
+    unwritable,
     write,
 )
 from helpers.diagnoses.verdict_examples import VERDICTS, given, judged
@@ -118,17 +119,45 @@ def test_a_robot_is_saved_only_when_there_is_one(verdict: Verdict) -> None:
         assert f"wrote {verdict.saved}; next: pkmodes generate {verdict.saved} --out DIR" in answer.err
         assert pkmodes.read_robot(verdict.saved).name == "linear-delta-2022"
     else:
-        assert answer.code == 2
+        assert answer.code == 1
         assert answer.err == (
-            f"error: there is no corrected robot to save: the verdict is {name} ({verdict.saved}); "
-            "leave out --save-robot, or measure more\n"
+            f"pkmodes diagnose: {verdict.saved} is not written: the verdict is {name}, "
+            "which leaves nothing to correct\n"
         )
         assert verdict.saved.read_text() == "what was here before"
     assert sorted(p.name for p in verdict.saved.parent.iterdir()) == ["modes.csv", "robot.toml", "saved.toml"]
 
 
+def few() -> str:
+    """Too few rows to decide anything."""
+    return csv_of(bare(rows_of(measured())[:2]))
+
+
+def test_where_no_robot_can_be_saved_all_else_is_written(tmp_path: Path) -> None:
+    """The input is good: exit code 1 says that what was asked for is not there."""
+    inputs = files(tmp_path, modes=few())
+    saved, page, out = tmp_path / "saved.toml", tmp_path / "page.html", tmp_path / "result.json"
+    options = ("--candidates", "payload", "--save-robot", saved, "--report", page, "--json", out)
+    answer = call(*inputs, *options)
+    assert answer.code == 1
+    assert "linear-delta-2022: insufficient_data" in answer.out
+    assert answer.err.startswith(f"pkmodes diagnose: {saved} is not written: ")
+    assert answer.err.count("\n") == 1
+    assert json.loads(out.read_text())["verdict"] == "insufficient_data"
+    assert "insufficient_data" in page.read_text(encoding="utf-8")
+    assert not saved.exists()
+
+
+def test_a_report_that_cannot_be_written_does_not_hide_that_no_robot_is_saved(tmp_path: Path) -> None:
+    inputs = files(tmp_path, modes=few())
+    page, saved = unwritable(tmp_path, "page.html"), tmp_path / "saved.toml"
+    answer = call(*inputs, "--candidates", "payload", "--save-robot", saved, "--report", page)
+    assert answer.code == 2
+    assert [line.partition(":")[0] for line in answer.err.splitlines()] == ["pkmodes diagnose", "error"]
+
+
 def test_a_verdict_is_no_failure_unless_a_robot_is_asked_for(tmp_path: Path) -> None:
-    inputs = files(tmp_path, modes=csv_of(bare(rows_of(measured())[:2])))
+    inputs = files(tmp_path, modes=few())
     out = tmp_path / "result.json"
     answer = call(*inputs, "--candidates", "payload", "--json", out)
     assert answer.code == 0

@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import pkmodes
-from helpers.diagnoses.diagnose_command import PUBLISHED, WIND_UP, call, csv_of, files, measured, rows_of
+from helpers.diagnoses.diagnose_command import (
+    PUBLISHED,
+    UNEQUAL,
+    WIND_UP,
+    call,
+    csv_of,
+    edited,
+    files,
+    measured,
+    rows_of,
+)
 from helpers.runs.processes import without_progress
 
 pytestmark = pytest.mark.usefixtures("backend")
@@ -55,6 +67,7 @@ def test_the_table_of_a_cause(tmp_path: Path) -> None:
         end = lines[start].index(column) + len(column)
         assert all(line[end - 1] != " " and line[end] == " " for line in lines[start + 1 : start + 5])
     assert lines[start + 4].split()[-1] == "m/N"
+    assert any(line.startswith("stable: the same cause with ") for line in lines)
 
 
 def test_the_table_of_two_causes_and_of_causes_that_look_alike(tmp_path: Path) -> None:
@@ -81,6 +94,37 @@ def test_the_table_of_two_causes_and_of_causes_that_look_alike(tmp_path: Path) -
     start = out.index("  these data cannot distinguish it from\n")
     for name in effect["class"][1:]:
         assert re.search(rf"^    {name}\.compliance = \(\S+ \+- \S+\)e-\d\d \S+$", out[start:], re.M)
+
+
+def test_belts_are_printed_relative_to_their_mean_where_their_common_stiffness_is_uncertain(
+    tmp_path: Path,
+) -> None:
+    """One belt is 10 % too soft and one 5 % too stiff; what is printed are the ratios to their mean."""
+    robot = edited(PUBLISHED, ('"2.42e6 N/m", sigma = "2 %"', '"2.42e6 N/m", sigma = "6 %"'))
+    inputs = files(tmp_path, robot, measured(poses=5, effects=UNEQUAL))
+    found, page = tmp_path / "result.json", tmp_path / "page.html"
+    options = ("--candidates", "axis_belt_stiffness,payload", "--json", found, "--report", page)
+    out = call(*inputs, *options).out
+    start = out.index("  relative to their mean:\n")
+    printed = re.findall(r"^    axis_belt_stiffness\.factor_(\d) = (\S+) \+- (\S+)$", out[start:], re.M)
+    truth = 1.0 + np.array([UNEQUAL[f"axis_belt_stiffness.factor_{j}"] for j in (1, 2, 3)])
+    truth = truth / truth.mean() - 1.0
+    assert [number for number, _, _ in printed] == ["1", "2", "3"]
+    for (_, value, sigma), right in zip(printed, truth, strict=True):
+        assert abs(float(value) - right) < 4 * float(sigma)
+        assert float(sigma) < 0.003
+    each = re.search(r"^  with their mean, which is less certain:\n    (.*)$", out[start:], re.M)
+    assert each is not None
+    assert all(float(sigma) > 0.04 for sigma in re.findall(r"\+- (\S+?)(?:,|$)", each[1]))
+    assert max(map(len, out.partition("\nwrote ")[0].splitlines())) <= 80
+    (effect,) = json.loads(found.read_text())["effects"]
+    assert [f"factor_{number}" for number, _, _ in printed] == list(effect["relative"])
+    C = np.array(effect["covariance"])
+    sigmas = [one["sigma"] for one in effect["parameters"].values()]
+    np.testing.assert_allclose(np.sqrt(np.diag(C)), sigmas, rtol=1e-12)
+    shown = page.read_text(encoding="utf-8")
+    assert "factor_1 relative to the mean" in shown
+    assert 'data-at="/effects/0/relative/factor_1/value"' in shown
 
 
 def test_no_pose_is_held_out_on_request(tmp_path: Path) -> None:

@@ -87,7 +87,8 @@ def diagnose(
     """Find what is missing from the model, and how much adding it improves the fit.
 
     The verdict is adequate, effect_found, ambiguous, unexplained or insufficient_data, with a reason.  The exit code
-    is 0 for any verdict except those in --fail-on, which give 1; 2 for bad input.
+    is 0 for any verdict except those in --fail-on, which give 1; so does --save-robot where the verdict leaves
+    nothing to save.  It is 2 for bad input.
     """
     check_order(robot, modes, "pkmodes diagnose")
     save_target = Target("--save-robot", save_to, "the corrected robot")
@@ -109,14 +110,20 @@ def diagnose(
             holdout=held,
             progress=progress,
         )
+    unsaved = save_to is not None and not result.settled
     robot_file = ResultFile(
-        save_to,
+        None if unsaved else save_to,
         lambda file: updating.save_robot(declared, result, file),
         lambda file: _saved(file, mechanism, declared, result),
     )
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))
-    deliver(json_file, result.as_json(), lambda: show(declared, result), robot_file, report)
-    return 1 if result.verdict in failures else 0
+    try:
+        deliver(json_file, result.as_json(), lambda: show(declared, result), robot_file, report)
+    finally:  # also where another file cannot be written
+        if unsaved:
+            why = f"the verdict is {result.verdict}, which leaves nothing to correct"
+            click.echo(f"pkmodes diagnose: {save_to} is not written: {why}", err=True)
+    return 1 if unsaved or result.verdict in failures else 0
 
 
 def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) -> list[str]:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
+from pkmodes.cli.stability_text import stability_sentence
 from pkmodes.cli.terminal import Terminal
-from pkmodes.diagnosis.verdict.result import Diagnosis, Error, Row, Value, p_in_words
+from pkmodes.diagnosis.verdict.result import Diagnosis, Error, Finding, Row, Value, p_in_words
 from pkmodes.mechanism.poses import placed
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.robot import Robot
@@ -16,8 +17,6 @@ from pkmodes.updating.load_cases import settable
 PLAIN = range(-3, 6)
 #: Largest number of measurement lines listed; the JSON has all of them.
 MOST_LISTED = 8
-#: Changes made to test whether an explanation depends on them.
-CHANGED = {"sigma x 0.5": "sigma halved", "sigma x 2": "sigma doubled", "priors x 2": "priors doubled"}
 
 
 def show(robot: Robot, result: Diagnosis) -> None:
@@ -29,13 +28,13 @@ def show(robot: Robot, result: Diagnosis) -> None:
         sentence = f": {effect.sentence}" if effect.sentence else ""
         terminal.line()
         terminal.line(f"cause: {effect.name} ({p_in_words(effect.p_value)}){sentence}")
-        for value in effect.parameters:
-            terminal.line(f"{_short(value)} = {_with_sigma(value)}", "  ")
+        _values(terminal, effect)
         if len(effect.members) > 1:
             terminal.line("these data cannot distinguish it from", "  ")
             for member in effect.members[1:]:
-                values = [f"{_short(v)} = {_with_sigma(v)}" for v in effect.alternatives[member]]
-                terminal.line(", ".join(values), "    ")
+                relative = effect.relative(member)
+                values = [f"{_short(v)} = {_with_sigma(v)}" for v in relative or effect.alternatives[member]]
+                terminal.line(", ".join(values) + (" relative to their mean" if relative else ""), "    ")
     for group in result.survivors:
         terminal.line(f"remains: {' or '.join(group)}", "  ")
     terminal.line()
@@ -45,6 +44,19 @@ def show(robot: Robot, result: Diagnosis) -> None:
         terminal.line()
         _refitted(terminal, result)
     _remarks(terminal, robot, result)
+
+
+def _values(terminal: Terminal, effect: Finding) -> None:
+    """Print the values of a cause: relative to their mean, where the mean is far less certain."""
+    relative = effect.relative()
+    if relative:
+        terminal.line("relative to their mean:", "  ")
+    for value in relative or effect.parameters:
+        terminal.line(f"{_short(value)} = {_with_sigma(value)}", "    " if relative else "  ")
+    if relative:
+        each = ", ".join(map(_with_sigma, effect.parameters))
+        terminal.line("with their mean, which is less certain:", "  ")
+        terminal.line(each, "    ")
 
 
 def _errors(terminal: Terminal, result: Diagnosis) -> None:
@@ -127,7 +139,7 @@ def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
         place += f" with {load}" if load else ""
         remarks.append(f"measure next at {place}: {a} and {b} differ there by {sigmas:.0f} sigma")
     remarks += [f"note: {text}" for text in result.notes]
-    remarks += _stability(result)
+    remarks += [text] if (text := stability_sentence(result)) else []
     for remark in remarks:
         terminal.line()
         terminal.line(remark)
@@ -137,18 +149,6 @@ def setting(mechanism: Mechanism, load: Mapping[str, float]) -> str:
     """Format the settings of a pose: paths with values and units."""
     units = settable(mechanism)
     return ", ".join(f"{path} = {value:g} {units[path]}".removesuffix(" 1") for path, value in load.items())
-
-
-def _stability(result: Diagnosis) -> list[str]:
-    """Return the causes found with other standard deviations or priors; the JSON has their verdicts."""
-    claimed = {member for effect in result.effects for member in effect.members}
-    changed = [
-        f"with {CHANGED.get(entry.change, entry.change)}, {' and '.join(entry.effects)}"
-        for entry in result.stability
-        if entry.effects and not set(entry.effects) <= claimed
-    ]
-    what = "the best explanation changes" if claimed else "the best explanation, which is not claimed"
-    return [f"{what}: {'; '.join(changed)}"] if changed else []
 
 
 def _listed(rows: Sequence[Row]) -> str:

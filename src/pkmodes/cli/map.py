@@ -80,7 +80,7 @@ class MapDocument(Document):
     metavar="X=START:STOP:COUNT,...",
     default=None,
     help="For each component of the pose start:stop:count, both ends included, or one value; in SI units or with "
-    "units.  By default the reachable workspace.",
+    "units.  By default the reachable workspace, within the [usable] limits of the robot file.",
 )
 @click.option(
     "--poses",

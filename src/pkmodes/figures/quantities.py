@@ -13,6 +13,7 @@ from pkmodes.plots.plane import Plane
 from pkmodes.plots.workspace import Volume
 from pkmodes.robot.layout import items
 from pkmodes.robot.parameter_groups import groups_by_path, value_of
+from pkmodes.solve.usable import usable_box, within
 from pkmodes.solve.workspace import box_of
 from pkmodes.view.robot_drawing import RobotDrawing
 
@@ -76,10 +77,15 @@ def points_of(model: Model, plane: Plane) -> Array:
 
 
 def volume_of(model: Model, plane: Plane) -> Volume | None:
-    """Return which poses around a plane can be evaluated; None for a mechanism with two pose components."""
+    """Return where the robot is used around a plane, or where it can be if the plane itself is beyond its limits.
+
+    None for a mechanism with two pose components.
+    """
     if plane.normal is None:
         return None
-    low, high = box_of(model.kinematics)
+    usable = within(model.kinematics)
+    limited = bool(usable(points_of(model, plane)).all())
+    low, high = usable_box(model.kinematics) if limited else box_of(model.kinematics)
     names = [component.name for component in model.mechanism.pose]
     counts = {plane.normal: HEIGHTS, plane.along: FINE, plane.across: FINE}
     axes = {}
@@ -88,7 +94,9 @@ def volume_of(model: Model, plane: Plane) -> Volume | None:
         axes[name] = np.linspace(low[i] - around, high[i] + around, counts[name])
     order = (plane.normal, plane.along, plane.across)
     grid = dict(zip(order, np.meshgrid(*(axes[name] for name in order), indexing="ij"), strict=True))
-    valid = model.check(np.stack([grid[name] for name in names], axis=-1)).valid
+    poses = np.stack([grid[name] for name in names], axis=-1)
+    valid = model.check(poses).valid
+    valid = valid & usable(poses) if limited else valid
     return Volume(axes[plane.normal], axes[plane.along], axes[plane.across], valid)
 
 

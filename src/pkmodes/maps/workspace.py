@@ -1,4 +1,4 @@
-"""A grid over the reachable workspace of a robot, and where the workspace is."""
+"""A grid over the workspace of a robot, and where the workspace is."""
 
 from __future__ import annotations
 
@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from pkmodes.base.errors import PoseError
 from pkmodes.maps.poses import Grid
 from pkmodes.mechanism.poses import LARGE
-from pkmodes.solve.workspace import box_of
+from pkmodes.robot.usable import limits_of
+from pkmodes.solve.usable import usable_box
+from pkmodes.solve.workspace import workspace_in_words
 
 if TYPE_CHECKING:
     from pkmodes.solve.kinematics import Kinematics
@@ -21,7 +23,7 @@ POSES, LONGEST = 50_000, 1_000
 
 
 def reachable(model: Kinematics, poses: int = POSES) -> Grid:
-    """Return a grid over the workspace of a robot.
+    """Return a grid over the workspace of a robot, within its usable limits.
 
     Parameters
     ----------
@@ -40,7 +42,8 @@ def reachable(model: Kinematics, poses: int = POSES) -> Grid:
     PoseError
         If no pose was found.
     """
-    low, high = box_of(model)
+    low, high = usable_box(model)
+    limits = limits_of(model.mechanism, model.robot.usable)
     names = [component.name for component in model.mechanism.pose]
     units = [component.unit for component in model.mechanism.pose]
     size = np.where(high > low, high - low, 1e-3)
@@ -55,7 +58,8 @@ def reachable(model: Kinematics, poses: int = POSES) -> Grid:
         if last < first:  # narrower than a step
             axes[name] = np.array([(low[i] + high[i]) / 2])
         else:
-            axes[name] = np.round(np.arange(first, last + 1) * step, 12) + 0.0
+            values = np.round(np.arange(first, last + 1) * step, 12) + 0.0
+            axes[name] = np.clip(values, limits[0][i], limits[1][i])
     return Grid(axes)
 
 
@@ -75,14 +79,9 @@ def bounds_of(model: Kinematics, tried: Array, in_millimetres: str) -> str:
         if model.check(smaller).valid.any():
             return f"the numbers look like millimetres: {in_millimetres}"
     try:
-        low, high = box_of(model)
+        return f"the workspace lies within {workspace_in_words(model)}"
     except PoseError as error:
         return error.remedy
-    ends = ", ".join(
-        f"{component.name} from {a:.4g} to {b:.4g} {component.unit}"
-        for component, a, b in zip(model.mechanism.pose, low, high, strict=True)
-    )
-    return f"the workspace lies within {ends}"
 
 
 def _round(step: float) -> float:

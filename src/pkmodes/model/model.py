@@ -213,7 +213,7 @@ class Model:
         ----------
         grid : mapping of str to array_like, or array_like of shape (N, d), optional
             Ascending values, or one number, for each component of the pose, in SI units; or poses one after the
-            other.  By default a grid over the reachable workspace.
+            other.  By default a grid over the reachable workspace, within the usable limits of the robot.
         sweep : mapping of str to array_like, optional
             Values of parameters in SI units, by path; all combinations are evaluated.
         samples : int, optional

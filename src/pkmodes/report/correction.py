@@ -7,7 +7,6 @@ from pathlib import Path
 
 from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.report.blocks import Block, Difference, Paragraph
 from pkmodes.report.formatting import SENTENCE, clean
 from pkmodes.robot.robot import Robot
@@ -20,7 +19,7 @@ def correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
     """Return the difference that ``--save-robot`` makes, or why there is none."""
     if robot is None:
         return [Paragraph("The model is no robot file, so there is no file to correct.")]
-    if not VERDICTS[result.verdict].settled:
+    if not result.settled:
         return [Paragraph(f"No correction: the verdict is {result.verdict}.")]
     try:
         after = corrected_robot(robot, result)

@@ -74,10 +74,13 @@ def _facts(result: Diagnosis) -> list[tuple[str, Cell]]:
     """Return the sizes of the causes, and the errors of the first and the last stage."""
     facts: list[tuple[str, Cell]] = []
     for i, effect in enumerate(result.effects):
-        for value in effect.parameters:
+        relative = effect.relative()
+        where = "relative" if relative else "parameters"
+        for value in relative or effect.parameters:
             text = f"{typeset(f'{value.value:.3g}')} {unit(value.unit)}".rstrip()
-            at = pointer("effects", i, "parameters", key(value), "value")
-            facts.append((clean(key(value)), Cell(text, value.value, at)))
+            at = pointer("effects", i, where, key(value), "value")
+            title = f"{key(value)} relative to the mean" if relative else key(value)
+            facts.append((clean(title), Cell(text, value.value, at)))
     facts = facts[:MOST]
     last = "after" if result.after is not None else "refit"
     stages = {"before": (result.before, "as declared")}

@@ -19,7 +19,7 @@ def causes(result: Diagnosis) -> list[Block]:
         if effect.sentence:
             entries.append(("What it is", [Cell(clean(effect.sentence, SENTENCE))]))
         entries.append(("p-value", [p_value(effect.p_value, pointer("effects", i, "p_value"))]))
-        blocks += [Facts(entries), _members(effect, i)]
+        blocks += [Facts(entries), *_relative(effect, i), _members(effect, i)]
         if len(effect.members) > 1:
             blocks.append(
                 Paragraph(
@@ -50,11 +50,31 @@ def _members(effect: Finding, i: int) -> Table:
             )
     columns = [Column("cause", False), Column("parameter", False), Column("value"), Column("\u03c3")]
     caption = (
-        "Size of the cause."
+        f"Size of the cause{', with that mean' if effect.relative() else ''}."
         if len(effect.members) == 1
         else "The class: each member as if it were the cause."
     )
     return Table(caption, [*columns, Column("unit", False)], rows)
+
+
+def _relative(effect: Finding, i: int) -> list[Block]:
+    """Return the values relative to their mean, where the mean is far less certain."""
+    rows = []
+    for value in effect.relative():
+        at = ("effects", i, "relative", key(value))
+        rows.append(
+            [
+                Cell(clean(value.name)),
+                number(value.value, ".4g", pointer(*at, "value")),
+                number(value.sigma, ".2g", pointer(*at, "sigma")),
+                Cell(unit(value.unit)),
+            ]
+        )
+    if not rows:
+        return []
+    columns = [Column("parameter", False), Column("value"), Column("\u03c3"), Column("unit", False)]
+    caption = "Size of the cause, relative to the mean of its values. That mean is less certain."
+    return [Table(caption, columns, rows)]
 
 
 def candidates(result: Diagnosis) -> list[Block]:

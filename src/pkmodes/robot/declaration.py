@@ -12,6 +12,7 @@ from pkmodes.mechanism import registry
 from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot.layout import OF_QUANTITIES, Item, items
 from pkmodes.robot.units import Quantity
+from pkmodes.robot.usable import Limits
 
 #: The named tuple of the generated model; each mechanism has its own.
 Parameters = Any
@@ -42,6 +43,8 @@ class Declaration:
     constants : mapping of str to float
         Effect parameters that come from other tables of the file and are never fitted (the frame mass), whether or
         not the effect is declared.
+    usable : mapping of str to tuple of float
+        Where the machine is used: lower and upper limit of components of the pose in SI units.
     """
 
     name: str
@@ -51,6 +54,7 @@ class Declaration:
     quantities: Mapping[str, Quantity] = field(repr=False)
     effects: Mapping[str, float] = field(default_factory=dict)
     constants: Mapping[str, float] = field(default_factory=dict)
+    usable: Mapping[str, Limits] = field(default_factory=dict)
 
     def __eq__(self, other: object) -> bool:
         return self._content == other._content if isinstance(other, Declaration) else NotImplemented
@@ -73,7 +77,7 @@ class Declaration:
     def _content(self) -> tuple[object, ...]:
         """Everything except the source, in a form that can be compared and hashed."""
         arrays = (np.asarray(value) for value in self.parameters)
-        mappings = (self.quantities, self.effects, self.constants)
+        mappings = (self.quantities, self.effects, self.constants, self.usable)
         return (
             self.name,
             self.mechanism_name,

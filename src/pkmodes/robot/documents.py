@@ -8,9 +8,12 @@ from typing import Any
 from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot.layout import EFFECTS, items, lent
 from pkmodes.robot.tables import FORMAT
+from pkmodes.robot.usable import USABLE, Limits
 
 
-def document_of(mechanism: Mechanism, name: str, values: Mapping[str, Any]) -> dict[str, Any]:
+def document_of(
+    mechanism: Mechanism, name: str, values: Mapping[str, Any], usable: Mapping[str, Limits] | None = None
+) -> dict[str, Any]:
     """Return the document of a robot file with only these values.
 
     Parameters
@@ -19,6 +22,8 @@ def document_of(mechanism: Mechanism, name: str, values: Mapping[str, Any]) -> d
         The robot's name.
     values : mapping of str to value
         By path, as a file could contain them; a vector by all of its elements.
+    usable : mapping of str to tuple of float, optional
+        Limits of components of the pose.
 
     Raises
     ------
@@ -39,6 +44,8 @@ def document_of(mechanism: Mechanism, name: str, values: Mapping[str, Any]) -> d
         # A value that an effect takes from a table is declared in the table; the effect only repeats it.
         if path.startswith(f"{EFFECTS}.") and lent(mechanism).get(path) not in values:
             _put(document, tuple(path.split(".")), raw)
+    if usable:
+        document[USABLE] = {name: list(ends) for name, ends in usable.items()}
     return document
 
 

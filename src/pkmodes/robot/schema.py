@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import Any
 
 from pkmodes.base.errors import shown
@@ -112,6 +113,11 @@ def choice(raw: Any, allowed: tuple[int, ...]) -> int:
         choices = " or ".join(map(str, allowed))
         raise RefusedError(f"expected {choices}, found {shown(raw)}", f"write {choices}")
     return raw
+
+
+def is_bare(key: str) -> bool:
+    """Return whether TOML allows a key without quotes, and it is short."""
+    return re.fullmatch(r"[A-Za-z0-9_-]{1,60}", key) is not None
 
 
 def plain_name(raw: Any) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
@@ -13,6 +12,7 @@ from pkmodes.robot import schema
 from pkmodes.robot.effects import read_effects
 from pkmodes.robot.layout import EFFECTS, GRAVITY, by_path, lent
 from pkmodes.robot.units import DIMENSIONS, Quantity
+from pkmodes.robot.usable import USABLE, Limits, read_usable
 from pkmodes_description import Key, Table
 
 FORMAT_HELP = "see docs/robot-file.md for the format"
@@ -42,6 +42,8 @@ class Tables:
         By path, as given in the tables: without merging and without defaults.
     effects : mapping of str to Quantity
         Parameters of the effects in the file, by path.
+    usable : mapping of str to tuple of float
+        Limits of components of the pose, where the file gives any.
 
     Raises
     ------
@@ -68,7 +70,11 @@ class Tables:
             elif not table.shared_by and any(key.default is None for key in table.keys):
                 self._missing(table.name)
         self.effects = self._effects(document.get(EFFECTS, {}))
-        self._unknown(document, "", [*HEAD, *(table.name for table in mechanism.tables), EFFECTS])
+        tables = [table.name for table in mechanism.tables]
+        self.usable: dict[str, Limits] = {}
+        if USABLE not in tables:  # a mechanism of a user may have a table of that name
+            self.usable = read_usable(mechanism, document.get(USABLE, {}), self.problem)
+        self._unknown(document, "", [*HEAD, *tables, EFFECTS, USABLE])
 
     def raise_problems(self) -> None:
         """Raise an error with all problems, if there are any."""
@@ -159,7 +165,7 @@ class Tables:
         for key in raw:
             if key not in known:
                 # Without quotes if TOML allows a bare key.
-                name = key if re.fullmatch(r"[A-Za-z0-9_-]{1,60}", key) else shown(key)
+                name = key if schema.is_bare(key) else shown(key)
                 place = f"{path}.{name}" if path else name
                 self.problem(place, f"unknown key {shown(key)}", nearest(key, known))
 

@@ -56,6 +56,7 @@ def declaration(document: Mapping[str, Any], source: str) -> Declaration:
         quantities={**_quantities(mechanism, tables.values), **tables.effects},
         effects=_by_effect(tables.effects),
         constants=_by_effect(constants),
+        usable=tables.usable,
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,16 +39,9 @@ def box_of(model: Kinematics, pose: Array | None = None) -> tuple[Array, Array]:
         If no pose was found.
     """
     rng = np.random.default_rng(SEED)
-    with np.errstate(all="ignore"):
-        generated = Generated(model.mechanism.model, model.robot.parameters)
-        drawn = drawn_poses(generated, model.mechanism, model.robot.parameters, rng, DRAWS)
-    drawn = drawn[np.isfinite(drawn).all(axis=-1)]
-    reached = drawn[model.check(drawn).valid] if len(drawn) else drawn
+    reached = drawn_and_reached(model, rng)
     if pose is None:
-        if not len(reached):
-            what = f"none of {DRAWS:,} poses drawn can be reached"
-            raise PoseError(what, model.robot.source, "check the robot file, or give a grid or poses")
-        pose = hanging(model, reached)[0]
+        pose = hanging(model, some(model, reached))[0]
     inside = on_branch(model, pose)
     reached = np.vstack([pose, reached[inside(reached)]]) if len(reached) else pose[None]
     low, high = reached.min(axis=0), reached.max(axis=0)
@@ -90,3 +83,37 @@ def hanging(model: Kinematics, poses: Array) -> Array:
         sides == min(np.unique(sides), key=lambda side: float(potential[sides == side].mean()))
     ]
     return chosen
+
+
+def in_words(model: Kinematics, ends: Mapping[str, Sequence[float]]) -> str:
+    """Return ranges of components of the pose as text."""
+    return ", ".join(
+        f"{component.name} from {ends[component.name][0]:.4g} to {ends[component.name][1]:.4g} {component.unit}"
+        for component in model.mechanism.pose
+        if component.name in ends
+    )
+
+
+def workspace_in_words(model: Kinematics) -> str:
+    """Return where the reachable workspace is."""
+    low, high = box_of(model)
+    names = [component.name for component in model.mechanism.pose]
+    ends = zip(low.tolist(), high.tolist(), strict=True)
+    return in_words(model, dict(zip(names, ends, strict=True)))
+
+
+def drawn_and_reached(model: Kinematics, rng: np.random.Generator) -> Array:
+    """Draw poses, and return those that can be evaluated, (N, d), on any branch."""
+    with np.errstate(all="ignore"):
+        generated = Generated(model.mechanism.model, model.robot.parameters)
+        drawn = drawn_poses(generated, model.mechanism, model.robot.parameters, rng, DRAWS)
+    drawn = drawn[np.isfinite(drawn).all(axis=-1)]
+    return drawn[model.check(drawn).valid] if len(drawn) else drawn
+
+
+def some(model: Kinematics, reached: Array) -> Array:
+    """Refuse a robot that reaches no pose."""
+    if not len(reached):
+        what = f"none of {DRAWS:,} poses drawn can be reached"
+        raise PoseError(what, model.robot.source, "check the robot file, or give a grid or poses")
+    return reached

@@ -7,7 +7,6 @@ from pathlib import Path
 
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.model.model import Model
 from pkmodes.robot.paths import resolve
 from pkmodes.robot.robot import Robot
@@ -76,11 +75,11 @@ def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> No
 def _correctable(given: Robot | Model, diagnosis: Diagnosis, where: str) -> Robot:
     """Return a robot whose file a diagnosis corrects."""
     robot = robot_of(given)
-    if not VERDICTS[diagnosis.verdict].settled:
+    if not diagnosis.settled:
         raise PkmodesError(
             f"there is no corrected robot to save: the verdict is {diagnosis.verdict}",
             where,
-            "leave out --save-robot, or measure more",
+            "save a robot only where diagnosis.settled, or measure more",
         )
     if not Path(robot.source).is_file():
         what = f"expected a robot read from a file, found {shown(robot.source)}"

@@ -15,6 +15,7 @@ from pkmodes.mechanism.registry import Mechanism
 from pkmodes.mechanism.regular import declared
 from pkmodes.robot.paths import ParameterPath, moved
 from pkmodes.robot.robot import Robot
+from pkmodes.robot.usable import limits_of
 from pkmodes.sensitivity.matrices import POSE, locked_joints
 from pkmodes.system.evaluation import ExtendedSystem
 from pkmodes.updating import frame
@@ -178,11 +179,18 @@ class RobotStructure:
         )
 
     def elsewhere(self, count: int) -> tuple[Array, RobotStructure]:
-        """Return reachable poses in and around the measured ones, and the robot there, as declared."""
+        """Return reachable poses in and around the measured ones, and the robot there, as declared.
+
+        They are within the usable limits of the robot; near a limit, if all measured poses are beyond it.
+        """
         rng = np.random.default_rng(SEED)
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         margin = 0.25 * max(float((high - low).max()), 0.1)
-        drawn = rng.uniform(low - margin, high + margin, (DRAWS, len(low)))
+        least, most = limits_of(self._mechanism, self.robot.usable)
+        low, high = np.clip(low - margin, least, most), np.clip(high + margin, least, most)
+        low = np.where(low == high, np.maximum(low - margin, least), low)
+        high = np.where(high == least, np.minimum(high + margin, most), high)
+        drawn = rng.uniform(low, high, (DRAWS, len(low)))
         check = check_poses(drawn, self._mechanism, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
         drawn = drawn[check.valid][:count]
         return drawn, self.at(drawn)

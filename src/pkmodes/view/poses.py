@@ -11,7 +11,8 @@ from pkmodes.base.errors import PoseError
 from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.regular import regular_poses
 from pkmodes.model.model import Model
-from pkmodes.solve.workspace import box_of, hanging, on_branch
+from pkmodes.solve.usable import usable_box, usable_poses, used, within
+from pkmodes.solve.workspace import hanging
 from pkmodes.view.evaluating import scene
 from pkmodes.view.scene import Scene
 from pkmodes.view.workspace import workspace
@@ -34,7 +35,8 @@ def typical_pose(model: Model) -> Array:
     Returns
     -------
     ndarray, shape (d,)
-        In the middle of the workspace or its lower half, on the assembly branch that hangs lower.
+        In the middle of the workspace or its lower half, on the assembly branch that hangs lower, and within the
+        usable limits of the robot.
 
     Raises
     ------
@@ -48,17 +50,19 @@ def typical_pose(model: Model) -> Array:
     heights = Generated(model.mechanism.model, model.robot.parameters).gravity_potential(lower)
     group = lower[heights <= np.median(heights)]
     central: Array = group[np.argmin(np.linalg.norm(group - group.mean(axis=0), axis=-1))]
-    low, high = box_of(model.kinematics, central)
+    low, high = usable_box(model.kinematics, central)
     digits = int(np.ceil(-np.log10(0.05 * (high - low).max())))
     for middle in (0.5 * (low + high), central):
         rounded = middle.round(digits) + 0.0
-        if model.check(rounded).valid:
+        if model.check(rounded).valid and within(model.kinematics)(rounded[None])[0]:
             return np.asarray(rounded)
     return central
 
 
 def poses_around(model: Model, pose: ArrayLike) -> Scene:
     """Return the scene of a page: a grid of poses that covers the workspace and contains the given one.
+
+    The workspace is that within the usable limits of the robot, unless the pose itself is beyond them.
 
     Parameters
     ----------
@@ -79,7 +83,7 @@ def poses_around(model: Model, pose: ArrayLike) -> Scene:
     """
     first = np.asarray(pose, dtype=float)
     scene(model, first)  # its errors are those of this pose
-    inside, (low, high) = on_branch(model.kinematics, first), box_of(model.kinematics, first)
+    inside, (low, high) = used(model.kinematics, first), usable_box(model.kinematics, first)
     count = LEVELS.get(len(first), 3)
     levels = tuple(_levels(*ends, count) for ends in zip(low, high, first, strict=True))
     grid = np.stack(np.meshgrid(*levels, indexing="ij"), axis=-1)
@@ -90,7 +94,7 @@ def poses_around(model: Model, pose: ArrayLike) -> Scene:
         scene(model, grid[valid], int(places[here])),
         levels=levels,
         places=places,
-        workspace=workspace(model, first, (low, high)),
+        workspace=workspace(model, first, (low, high), inside),
     )
 
 
@@ -105,4 +109,8 @@ def _levels(low: float, high: float, value: float, count: int) -> Array:
 
 def _seeds(model: Model) -> Array:
     mechanism, parameters = model.mechanism, model.robot.parameters
-    return regular_poses(Generated(mechanism.model, parameters), mechanism, parameters, SEEDS)
+    seeds = regular_poses(Generated(mechanism.model, parameters), mechanism, parameters, SEEDS)
+    if not model.robot.usable:
+        return seeds
+    seeds = seeds[within(model.kinematics)(seeds)] if len(seeds) else seeds
+    return seeds if len(seeds) else usable_poses(model.kinematics)

@@ -40,7 +40,9 @@ class Surface:
     faces: NDArray[np.intp]
 
 
-def workspace(model: Model, pose: Array, box: tuple[Array, Array]) -> Surface | None:
+def workspace(
+    model: Model, pose: Array, box: tuple[Array, Array], inside: Inside | None = None
+) -> Surface | None:
     """Find the boundary of the part of the workspace that contains a pose.
 
     Parameters
@@ -49,6 +51,8 @@ def workspace(model: Model, pose: Array, box: tuple[Array, Array]) -> Surface | 
         A valid pose.
     box : tuple of ndarray, shape (d,)
         From `pkmodes.solve.workspace.box_of`.
+    inside : callable, optional
+        The test whether poses belong to it; by default whether they can be evaluated, on the branch of the pose.
 
     Returns
     -------
@@ -57,7 +61,7 @@ def workspace(model: Model, pose: Array, box: tuple[Array, Array]) -> Surface | 
     """
     if len(pose) not in CELLS or any(component.unit != "m" for component in model.mechanism.pose):
         return None
-    inside = on_branch(model.kinematics, pose)
+    inside = on_branch(model.kinematics, pose) if inside is None else inside
     room = AROUND * (box[1] - box[0])
     ends = zip(box[0] - room, box[1] + room, strict=True)
     steps = [np.linspace(low, high, CELLS[len(pose)] + 1) for low, high in ends]

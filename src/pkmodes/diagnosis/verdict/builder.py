@@ -158,7 +158,11 @@ class DiagnosisBuilder:
     def _finding(self, final: Fit, place: int, members: list[Fit], p_value: float) -> Finding:
         """Return one cause with its class."""
         cause = final.causes[place]
-        alternatives = {_name(fit): self.values(fit, self.fitter.indices(fit.causes[-1])) for fit in members}
+        index = {_name(fit): self.fitter.indices(fit.causes[-1]) for fit in members}
+        alternatives = {_name(fit): self.values(fit, index[_name(fit)]) for fit in members}
+        covariances = {
+            _name(fit): tuple(map(tuple, fit.covariance_of(index[_name(fit)]).tolist())) for fit in members
+        }
         names = [cause.name, *(name for name in alternatives if name != cause.name)]
         return Finding(
             name=cause.name,
@@ -167,6 +171,7 @@ class DiagnosisBuilder:
             alternatives={name: alternatives[name] for name in names},
             p_value=p_value,
             sentence=cause.sentence,
+            covariances={name: covariances[name] for name in names},
         )
 
     def values(self, fit: Fit, index: Sequence[int]) -> tuple[Value, ...]:

@@ -50,6 +50,16 @@ class CauseDocument(Document):
         Probability,
         Meta(description="p-value of the improvement, corrected for the number of candidates."),
     ]
+    covariance: Annotated[
+        list[list[float]], Meta(description="Covariance of these parameters, in their order.")
+    ]
+    relative: Annotated[
+        Values,
+        Meta(
+            description="The parameters relative to their mean, where the data determine these far better than each "
+            "by itself; else empty."
+        ),
+    ]
     alternatives: Annotated[
         dict[str, Annotated[Values, Meta(description="Parameters of one member.")]],
         Meta(description="For each member of the class, its parameters if it were the cause."),

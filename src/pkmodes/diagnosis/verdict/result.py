@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from pkmodes.base.documents import Document
 from pkmodes.diagnosis.match.predicted import Predicted
@@ -21,7 +21,8 @@ from pkmodes.diagnosis.verdict.document import (
     StagesDocument,
     ValueDocument,
 )
-from pkmodes.diagnosis.verdict.verdicts import Word
+from pkmodes.diagnosis.verdict.relative import relative_to_mean
+from pkmodes.diagnosis.verdict.verdicts import VERDICTS, Word
 
 
 @dataclass(frozen=True)
@@ -93,6 +94,8 @@ class Finding:
         p-value of the improvement, corrected for the number of candidates.
     sentence : str
         Physical meaning.
+    covariances : mapping of str to tuple of tuple of float
+        For each member, the covariance of its parameters, in their order.
     """
 
     name: str
@@ -101,6 +104,37 @@ class Finding:
     alternatives: dict[str, tuple[Value, ...]]
     p_value: float
     sentence: str
+    covariances: Mapping[str, tuple[tuple[float, ...], ...]] = field(default_factory=dict)
+
+    @property
+    def covariance(self) -> tuple[tuple[float, ...], ...]:
+        """Covariance of the parameters, in their order."""
+        return self.covariances.get(self.name, ())
+
+    def relative(self, member: str = "") -> tuple[Value, ...]:
+        """Return the parameters relative to their mean, where the data determine these far better than each.
+
+        Parameters
+        ----------
+        member : str
+            Of the class; by default the cause itself.
+
+        Returns
+        -------
+        tuple of Value
+            Their mean is 0; empty where the parameters themselves say as much.
+        """
+        name = member or self.name
+        values = self.alternatives.get(name, ())
+        if len({value.unit for value in values}) != 1:
+            return ()
+        found = relative_to_mean([value.value for value in values], self.covariances.get(name, ()))
+        if found is None:
+            return ()
+        return tuple(
+            replace(value, value=float(d), sigma=float(sigma))
+            for value, d, sigma in zip(values, *found, strict=True)
+        )
 
 
 @dataclass(frozen=True)
@@ -266,11 +300,13 @@ class Diagnosis:
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]
         for effect in self.effects:
+            relative = effect.relative()
             values = [
                 f"{v.name} = {v.value:.4g} +- {v.sigma:.2g} {v.unit}".removesuffix(" 1")
-                for v in effect.parameters
+                for v in relative or effect.parameters
             ]
-            lines.append(f"cause: {effect.name} (p = {effect.p_value:.2g}): {', '.join(values)}")
+            also = " relative to their mean" if relative else ""
+            lines.append(f"cause: {effect.name} (p = {effect.p_value:.2g}): {', '.join(values)}{also}")
             if len(effect.members) > 1:
                 lines.append(f"  these data cannot tell it from {', '.join(effect.members[1:])}")
         lines += [f"remains: {' or '.join(group)}" for group in self.survivors]
@@ -282,6 +318,11 @@ class Diagnosis:
                 lines.append(f"{stage:6} {rms}{apart}chi2 per degree of freedom {error.chi2_per_dof:.3g}")
         lines += [f"note: {text}" for text in self.notes]
         return "\n".join(lines)
+
+    @property
+    def settled(self) -> bool:
+        """Whether the last model leaves only noise, so that its values correct the robot file."""
+        return VERDICTS[self.verdict].settled
 
     @property
     def outliers(self) -> tuple[Row, ...]:
@@ -338,7 +379,11 @@ def key(v: Value) -> str:
 def _cause(cause: Finding) -> CauseDocument:
     alternatives = {name: _by_key(ValueDocument, values) for name, values in cause.alternatives.items()}
     return CauseDocument.of(
-        cause, parameters=_by_key(ValueDocument, cause.parameters), alternatives=alternatives
+        cause,
+        parameters=_by_key(ValueDocument, cause.parameters),
+        covariance=[list(row) for row in cause.covariance],
+        relative=_by_key(ValueDocument, cause.relative()),
+        alternatives=alternatives,
     )
 
 

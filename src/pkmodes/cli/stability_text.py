@@ -1,0 +1,64 @@
+"""What other stated errors and priors make of a diagnosis, in one sentence."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from pkmodes.diagnosis.verdict.result import Diagnosis, Stability
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
+
+HALVED, DOUBLED = "sigma x 0.5", "sigma x 2"
+#: The changes as people say them.
+CHANGES = {HALVED: "sigma halved", DOUBLED: "sigma doubled", "priors x 2": "priors twice as wide"}
+NOTHING = "nothing explains the residual"
+#: Halved errors make a right residual too large for every explanation.
+USUAL = ", as usual where the stated sigma is right"
+
+
+def stability_sentence(result: Diagnosis) -> str:
+    """Return what the changes of the stability test find; empty where nothing was tested.
+
+    Returns
+    -------
+    str
+        It begins with "stable" if no change finds another cause.
+    """
+    if not result.stability or result.verdict == INSUFFICIENT_DATA.word:
+        return ""
+    claimed = {member for effect in result.effects for member in effect.members}
+    outcomes: dict[str, list[str]] = {}
+    for entry in result.stability:
+        outcomes.setdefault(_outcome(result, entry, claimed), []).append(entry.change)
+    moved = any(not set(entry.effects) <= claimed for entry in result.stability)
+    same = _same(result)
+    order = sorted(outcomes, key=lambda outcome: outcome != same)  # what stays comes first
+    parts = [_part(outcome, outcomes[outcome], len(outcomes) == 1, result.settled) for outcome in order]
+    return f"{'stability' if moved else 'stable'}: {'; '.join(parts)}"
+
+
+def _outcome(result: Diagnosis, entry: Stability, claimed: set[str]) -> str:
+    """Return what one change finds."""
+    names = " and ".join(entry.effects)
+    if entry.verdict == ADEQUATE.word:
+        return "no cause is needed" if claimed else ADEQUATE.word
+    if entry.verdict == UNEXPLAINED.word:
+        return NOTHING if claimed else UNEXPLAINED.word
+    if not names:
+        return entry.verdict
+    if claimed and set(entry.effects) <= claimed:
+        return _same(result) if entry.verdict == result.verdict else f"{_same(result)}, but not alone,"
+    what = names if entry.verdict == EFFECT_FOUND.word else f"{names}, but not alone,"
+    return f"{what} instead" if claimed else f"the best explanation, which is not claimed, is {what}"
+
+
+def _same(result: Diagnosis) -> str:
+    if result.effects:
+        return "the same cause" + ("s" if len(result.effects) > 1 else "")
+    return result.verdict
+
+
+def _part(outcome: str, changes: Sequence[str], alone: bool, settled: bool) -> str:
+    words = [CHANGES.get(change, change) for change in changes]
+    joined = words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+    usual = USUAL if settled and outcome in (UNEXPLAINED.word, NOTHING) and list(changes) == [HALVED] else ""
+    return f"{outcome} {'also ' if alone and ' ' not in outcome else ''}with {joined}{usual}"

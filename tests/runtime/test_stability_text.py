@@ -1,0 +1,85 @@
+"""What the terminal says about other stated errors and priors."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from helpers.pages.report_examples import made_up
+from pkmodes.cli.stability_text import stability_sentence
+from pkmodes.diagnosis.verdict.result import Stability
+
+CHANGES = ("sigma x 0.5", "sigma x 2", "priors x 2")
+SAME = ("effect_found", "payload")
+NOTHING, ENOUGH = ("unexplained", ""), ("adequate", "")
+
+
+def said(verdict: str, *entries: tuple[str, str]) -> str:
+    result, _ = made_up(3, 2)
+    return stability_sentence(
+        replace(
+            result,
+            verdict=verdict,
+            effects=result.effects if verdict == "effect_found" else (),
+            stability=tuple(
+                Stability(change, word, tuple(names.split()))
+                for change, (word, names) in zip(CHANGES, entries, strict=False)
+            ),
+        )
+    )
+
+
+@pytest.mark.parametrize(
+    ("verdict", "entries", "expected"),
+    [
+        (
+            "effect_found",
+            (SAME, SAME, SAME),
+            "stable: the same cause with sigma halved, sigma doubled and priors twice as wide",
+        ),
+        (
+            "effect_found",
+            (NOTHING, SAME, SAME),
+            "stable: the same cause with sigma doubled and priors twice as wide; nothing explains the residual with "
+            "sigma halved, as usual where the stated sigma is right",
+        ),
+        (
+            "effect_found",
+            (NOTHING, ENOUGH, SAME),
+            "stable: the same cause with priors twice as wide; nothing explains the residual with sigma halved, as "
+            "usual where the stated sigma is right; no cause is needed with sigma doubled",
+        ),
+        (
+            "effect_found",
+            (SAME, ("effect_found", "belt_mass"), ("ambiguous", "payload")),
+            "stability: the same cause with sigma halved; belt_mass instead with sigma doubled; the same cause, but "
+            "not alone, with priors twice as wide",
+        ),
+        (
+            "adequate",
+            (ENOUGH, ENOUGH, ENOUGH),
+            "stable: adequate also with sigma halved, sigma doubled and priors twice as wide",
+        ),
+        (
+            "adequate",
+            (("effect_found", "payload belt_mass"), ENOUGH, ENOUGH),
+            "stability: adequate with sigma doubled and priors twice as wide; the best explanation, which is not "
+            "claimed, is payload and belt_mass with sigma halved",
+        ),
+        (
+            "unexplained",
+            (NOTHING, NOTHING, NOTHING),
+            "stable: unexplained also with sigma halved, sigma doubled and priors twice as wide",
+        ),
+        (
+            "unexplained",
+            (NOTHING, ENOUGH, ENOUGH),
+            "stable: unexplained with sigma halved; adequate with sigma doubled and priors twice as wide",
+        ),
+        ("insufficient_data", (("insufficient_data", ""),) * 3, ""),
+        ("effect_found", (), ""),
+    ],
+)
+def test_the_sentence(verdict: str, entries: tuple[tuple[str, str], ...], expected: str) -> None:
+    assert said(verdict, *entries) == expected
