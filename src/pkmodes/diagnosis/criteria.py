@@ -185,6 +185,8 @@ class Criteria:
     #: than the first, or if the others scatter by more than the second.
     rewired_misfit: float = 1.5
     rewired_scatter: float = 0.02
+    #: They are examined only if one of them reduces the squares by this factor at the setups with the worst shapes.
+    rewired_perhaps: float = 1.5
     #: Sensors are wired differently if that reduces the squares of the shapes by this factor, and the deviance of
     #: frequencies and shapes by this: a chance of 1e-9, after some 60 wirings were tried.
     rewired: float = 3.0

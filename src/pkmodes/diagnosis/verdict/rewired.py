@@ -19,6 +19,8 @@ from pkmodes.linalg.mac import channel_motion
 
 #: Numbers in the largest array that is evaluated at once.
 AT_ONCE = 2_000_000
+#: Number of setups, those with the worst shapes, that show whether another wiring may fit.
+WORST = 3
 
 
 @dataclass(frozen=True)
@@ -108,6 +110,33 @@ def at_prediction(scale: Scale, prediction: Prediction, wirings: Sequence[Wiring
     return misfits
 
 
+def promising(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring], gain: float) -> bool:
+    """Return whether some other wiring fits the shapes better where they fit worst.
+
+    At these few setups a wrong wiring is plain, and no wiring helps if there is only noise: most files need no more.
+    """
+    shapes, setups = fitter.shapes, len(fitter.data.labels)
+    if setups <= 2 * WORST:
+        return True
+    squares = (fit.white[fitter.shape_rows].reshape(shapes.sigma.shape) ** 2).sum(axis=1)
+    sums = np.bincount(fitter.data.pose, squares, setups) / np.maximum(
+        np.bincount(fitter.data.pose, shapes.count, setups), 1.0
+    )
+    some = np.sort(np.argsort(sums)[-WORST:])
+    part = Fitter(
+        fitter.structure.subset(some.tolist()),
+        fitter.data.at(some.tolist()),
+        fitter.criteria,
+        fitter.shape_scatter,
+        parameters=fitter.parameters,
+    )
+    scale, every = Scale(part, Hypothesis()), [as_in_file(fitter.data.channels), *wirings]
+    predictions = [part.structure.predict(part.declared, ()), _at(fit.prediction, some)]
+    found = [at_prediction(scale, p, every) for p in predictions if np.isfinite(p.eigenvalues).all()]
+    least = [min(each[k].shapes for each in found) for k in range(len(every))] if found else [np.inf]
+    return min(least[1:], default=np.inf) * gain < least[0]
+
+
 def refitted(fitter: Fitter, wiring: Wiring, hypothesis: Hypothesis, start: Array | None) -> Fit | None:
     """Return the fit of a hypothesis to the measurements with another wiring."""
     data = wiring.of(fitter.data)
@@ -168,6 +197,14 @@ def _tiled(prediction: Prediction, columns: Index, order: Index, signs: Array) -
         shapes[part][..., columns] = prediction.shapes[..., order[k]] * signs[k]
     eigenvalues = np.tile(prediction.eigenvalues, (count, 1))
     return Prediction(eigenvalues, np.zeros((*eigenvalues.shape, 0)), shapes, prediction.rigid)
+
+
+def _at(prediction: Prediction, setups: Index) -> Prediction:
+    """Return the prediction at some setups, without derivatives."""
+    eigenvalues = prediction.eigenvalues[setups]
+    return Prediction(
+        eigenvalues, np.zeros((*eigenvalues.shape, 0)), prediction.shapes[setups], prediction.rigid
+    )
 
 
 def _parts(wirings: Sequence[Wiring], most: int) -> Iterator[Sequence[Wiring]]:

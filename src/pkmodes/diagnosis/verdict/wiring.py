@@ -17,7 +17,7 @@ from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.match.mounting import described, remedy, simplicity, words
 from pkmodes.diagnosis.match.wirings import Wiring, as_in_file, wirings
 from pkmodes.diagnosis.problem import Instrumented, Sensor
-from pkmodes.diagnosis.verdict.rewired import Misfit, misfits
+from pkmodes.diagnosis.verdict.rewired import Misfit, misfits, promising
 
 #: Largest number of wirings that a sentence names.
 MOST = 4
@@ -68,7 +68,8 @@ class Rewired:
             some.append(f"{len(self.mistakes) - MOST} others")
         return (
             "sensors are exchanged, reversed or turned, and these data do not tell which: "
-            f"{'; '.join(some[:-1])}; or {some[-1]} ({size}); check cables and mountings, then correct the columns of the shapes"
+            f"{'; '.join(some[:-1])}; or {some[-1]} ({size}); "
+            "check cables and mountings, then correct the columns of the shapes"
         )
 
 
@@ -85,7 +86,7 @@ def rewired(fitter: Fitter, fit: Fit) -> Rewired | None:
     c, columns = fitter.criteria, fitter.data.channels
     sensors = tuple(fitter.structure.sensors) if isinstance(fitter.structure, Instrumented) else ()
     tried = wirings(columns, sensors)
-    if not tried:
+    if not tried or not promising(fitter, fit, tuple(tried), c.rewired_perhaps):
         return None
     found = misfits(fitter, fit, tuple(tried), c.rewired_refits, c.rewired_near)
     here = found.pop(as_in_file(columns))
