@@ -191,6 +191,8 @@ class Criteria:
     #: frequencies and shapes by this: a chance of 1e-9, after some 60 wirings were tried.
     rewired: float = 3.0
     rewired_certain: float = 45.0
+    #: No other mistake or cause is needed for data with a smaller chi2 per value.
+    rewired_noise: float = 3.0
     #: A wiring remains if its deviance differs from the best one by less than this.
     rewired_told_apart: float = 25.0
     #: Parameters are refitted for this many wirings, with deviances within this from the best one.

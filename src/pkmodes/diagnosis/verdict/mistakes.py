@@ -104,7 +104,7 @@ def other_wiring(fitter: Fitter, fit: Fit) -> str:
 
 
 def certain_wiring(fitter: Fitter, fit: Fit) -> str:
-    """Return a sentence if another wiring alone explains frequencies and shapes; empty if not.
+    """Return a sentence if another wiring brings the shapes near to their errors; empty if not.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def certain_wiring(fitter: Fitter, fit: Fit) -> str:
     if not fitter.shapes.known.any() or dead_channels(fitter, fit):
         return ""
     found = rewired(fitter, fit)
-    return "" if found is None or not found.explained else found.sentence
+    return "" if found is None or not found.certain else found.sentence
 
 
 def dead_channels(fitter: Fitter, fit: Fit) -> list[str]:

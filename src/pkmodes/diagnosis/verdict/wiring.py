@@ -37,8 +37,10 @@ class Rewired:
         What to change in the file for the first one.
     before, after : Misfit
         As in the file, and with the best wiring.
+    certain : bool
+        Whether the best one brings the shapes near to the errors of the measurement.
     explained : bool
-        Whether the best one brings frequencies and shapes near to the errors of the measurement.
+        Whether it does so with the frequencies too.
     hint : str
         What else to check.
     """
@@ -48,6 +50,7 @@ class Rewired:
     change: str
     before: Misfit
     after: Misfit
+    certain: bool
     explained: bool
     hint: str = ""
 
@@ -60,7 +63,7 @@ class Rewired:
         )
         some = [words(mistakes, "or") for mistakes in self.mistakes[:MOST]]
         if len(self.mistakes) == 1:
-            seems = "" if self.explained else "it seems that "
+            seems = "" if self.certain else "it seems that "
             also = "" if self.explained else "; something else is wrong too: correct this, and diagnose again"
             same = " (for shapes, which have any sign, the same)" if len(self.mistakes[0]) > 1 else ""
             return f"{seems}{some[0]}{same}: {size}; {self.change}{self.hint}{also}"
@@ -98,6 +101,7 @@ def rewired(fitter: Fitter, fit: Fit) -> Rewired | None:
     if here.evidence - best.evidence < c.rewired_told_apart:
         return None
     mistakes = tuple(_mistakes(tried[wiring], columns, sensors) for wiring in remaining)
+    certain = best.per_value[1] < c.rewired_noise and best.difference < c.most_shape_scatter / 2.0
     simplest = min(tried[order[0]], key=lambda wiring: simplicity(wiring, columns))
     return Rewired(
         tuple(remaining),
@@ -105,7 +109,8 @@ def rewired(fitter: Fitter, fit: Fit) -> Rewired | None:
         remedy(simplest, columns),
         here,
         best,
-        _explained(best),
+        certain,
+        certain and best.per_value[0] < c.rewired_noise,
         _hint(simplest, columns, sensors) if len(remaining) == 1 else "",
     )
 
@@ -129,11 +134,6 @@ def _doubtful(fitter: Fitter, fit: Fit) -> bool:
         if ratio > (visible if most is None else most):
             return True
     return False
-
-
-def _explained(best: Misfit) -> bool:
-    frequency, stated = best.per_value
-    return frequency < 3.0 and stated < 3.0 and best.difference < 0.1
 
 
 def _hint(wiring: Wiring, columns: Sequence[str], sensors: Sequence[Sensor]) -> str:
