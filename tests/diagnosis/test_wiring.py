@@ -28,7 +28,6 @@ from pkmodes_rig.suites.strengths import Truth, measurements
 PLATFORM = ("p_x", "p_y", "p_z")
 #: Near the axis of a tower printer two pairs of modes have nearly equal frequencies; elsewhere they are separate.
 PLANS = ("middle", "scattered")
-EFFECT = {"gearbox_compliance.compliance": 1.0}
 
 
 @cache
@@ -219,31 +218,27 @@ def test_a_structure_without_known_sensors_has_exchanges_and_reversals() -> None
     assert "exchanged cyclically" not in diagnose(structure, data).reason  # type: ignore[arg-type]
 
 
-@cache
-def corexy() -> Measurements:
+@pytest.fixture(scope="module")
+def corexy(tmp_path_factory: pytest.TempPathFactory) -> Measurements:
     _, text = measured(MechanismCase("wiring", 0, Specimen("corexy"), seed=7007))
-    robot = robot_of("corexy")
-    return measurements(text, updating.channels(robot)) if hasattr(updating, "channels") else _read(text)
-
-
-def _read(text: str) -> Measurements:
-    from pkmodes_rig.suites.mechanism_cases import _read as read_text
-
-    return read_text(text, robot_of("corexy"))
+    path = tmp_path_factory.mktemp("corexy") / "modes.csv"
+    path.write_text(text, encoding="utf-8")
+    return updating.read(path, robot=robot_of("corexy"))
 
 
 @pytest.mark.parametrize("order", list(itertools.permutations(("p_x", "p_y"))))
 @pytest.mark.parametrize("signs", list(itertools.product((1, -1), repeat=2)))
 def test_the_eight_signed_orders_of_a_planar_sensor_are_named(
-    order: tuple[str, str], signs: tuple[int, int]
+    corexy: Measurements, order: tuple[str, str], signs: tuple[int, int]
 ) -> None:
-    data = corexy()
-    fitter_of = MeasuredRobot.of(robot_of("corexy"), miswired(data, order, signs))
-    fitter = Fitter(fitter_of.structure(candidates=()), fitter_of.data)
+    robot = MeasuredRobot.of(robot_of("corexy"), miswired(corexy, order, signs))
+    fitter = Fitter(robot.structure(candidates=()), robot.data)
     fit = fitter.fit(Hypothesis())
     assert fit is not None
     said = certain_wiring(fitter, fit)
     has = [f"{'-' if sign < 0 else ''}{name}" for name, sign in zip(order, signs, strict=True)]
     assert followed([*has, "p_z"], said)[:2] == ["p_x", "p_y"], said
     if (order, signs) == (("p_y", "p_x"), (1, -1)):
-        assert said.startswith("the sensor at the tool head is turned by 90 degrees about z (p_x measures p_y, ")
+        assert said.startswith(
+            "the sensor at the tool head is turned by 90 degrees about z (p_x measures p_y, "
+        )

@@ -196,7 +196,7 @@ class Criteria:
     #: A wiring remains if its deviance differs from the best one by less than this.
     rewired_told_apart: float = 25.0
     #: Parameters are refitted for this many wirings, with deviances within this from the best one.
-    rewired_refits: int = 4
+    rewired_refits: int = 6
     rewired_near: float = 100.0
     #: A channel that is 0 in every row is dead if the model moves it by more than the first part of the largest one
     #: of its unit, in more than the second part of the rows.

@@ -47,6 +47,8 @@ WITHOUT, WITH_ONE = 3, 1
 #: plain effect, and so many sensors are mounted askew.
 BESIDE, SCATTERS = (SENSORS, SENSORS[1:], SENSORS[3:]), (0.02, 0.05)
 WITH_EFFECT, ASKEW_CASES = 4, 6
+#: Near the axis of a tower printer, the platform's sensor alone cannot tell x and y, or their signs.
+UNDECIDED = "signed order, undecided"
 #: True over declared mass of the frame.
 FRAME_MASS = 1.6
 
@@ -154,6 +156,8 @@ def _mountings(n: int, plain: Sequence[str]) -> Iterator[Case]:
             sigma_shape=("stated", "absent")[k // 5 % 2],
         )
         kind = ASKEW if mistake == ASKEW else "signed order"
+        if kind != ASKEW and plan == "middle" and len(laboratory.shapes) == len(BESIDE[-1]):
+            kind = UNDECIDED
         yield Case(
             "units and wiring", n + k, plan, truth, names, kind, laboratory=laboratory, mistake=mistake
         )

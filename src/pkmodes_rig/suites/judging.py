@@ -87,6 +87,8 @@ class Outcome:
     rewired : bool or None
         For a wrong signed order, whether the file is right after the advice of the notes was followed; otherwise
         whether the notes call the wiring wrong, None if it is.
+    misnamed : bool
+        Whether the notes name another signed order than the right one.
     """
 
     case: Case
@@ -107,6 +109,7 @@ class Outcome:
     mac: tuple[float, float] | None = None
     noted: bool | None = None
     rewired: bool | None = None
+    misnamed: bool = False
     notes: tuple[str, ...] = ()
     laboratory: Laboratory | None = None
 
@@ -139,7 +142,7 @@ def run(case: Case) -> Outcome:
         physical=state == "wrong" and physical(case.names, diagnosis),
         mac=_macs(test, diagnosis) if diagnosis.effects else None,
         noted=_noted(case.mistake, notes) if case.mistake in NOTED else None,
-        rewired=_rewired(case, test, notes),
+        **_rewired(case, test, notes),
         notes=notes,
         laboratory=test.laboratory,
     )
@@ -250,16 +253,15 @@ _WRONG_SHAPES = [
 ]
 
 
-def _rewired(case: Case, test: Trial, notes: tuple[str, ...]) -> bool | None:
+def _rewired(case: Case, test: Trial, notes: tuple[str, ...]) -> dict[str, Any]:
     called = [note for note in notes if MISWIRED.search(note)]
     if right_wiring(case):
-        return bool(called)
+        return {"rewired": bool(called)}
     if case.mistake not in ORDERS:
-        return None
+        return {}
     right = ["p_x", "p_y", "p_z"]
-    reversed_ = [f"-{name}" for name in right]
     shapes = test.laboratory.shapes if test.laboratory else case.shapes
-    some = [right] if set(shapes) - set(right) else [right, reversed_]  # shapes have any sign
-    advice = [note for note in called if OPEN not in note]
-    has = case.mistake.split(", ")
-    return has in some or any(followed(has, note) in some for note in advice)
+    some = [right] if set(shapes) - set(right) else [right, [f"-{name}" for name in right]]  # of any sign
+    has, advice = case.mistake.split(", "), [note for note in called if OPEN not in note]
+    follows = [followed(has, note) in some for note in advice]
+    return {"rewired": any(follows) or (has in some and not advice), "misnamed": not all(follows)}

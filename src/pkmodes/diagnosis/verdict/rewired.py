@@ -44,10 +44,17 @@ class Misfit:
     least: Array
     difference: float
 
-    @property
-    def evidence(self) -> float:
-        """Deviance, with errors of the size that the misfit shows: it does not depend on whether they are stated."""
+    def evidence(self, frequencies: bool = True) -> float:
+        """Return the deviance, with errors of the size that the misfit shows, whether they are stated or not.
+
+        Parameters
+        ----------
+        frequencies : bool, optional
+            Whether the frequencies count: not if something else is missing in the model, because modes paired
+            wrongly may then seem to fit better.
+        """
         some = self.count > 0
+        some[0] &= frequencies
         squares = np.maximum(self.squares, self.least)[some]
         return float((self.count[some] * np.log(squares / self.least[some])).sum())
 
@@ -149,41 +156,47 @@ def refitted(fitter: Fitter, wiring: Wiring, hypothesis: Hypothesis, start: Arra
 def misfits(
     fitter: Fitter, fit: Fit, wirings: Sequence[Wiring], refit: int, near: float
 ) -> dict[Wiring, Misfit]:
-    """Return the misfit of the file and of other wirings, the smaller one of the declared and the fitted model.
+    """Return the misfit of the file and of other wirings, each with the values that suit it best.
+
+    These are the declared ones, those of the fit, and those refitted with the best few wirings.
 
     Parameters
     ----------
     wirings : sequence of Wiring
         Other wirings.
     refit : int
-        Number of wirings, the best ones, whose parameters are refitted.
+        Number of wirings, the best ones, with which parameters are refitted.
     near : float
-        Only those are refitted whose evidence differs from the best one by less than this.
+        Only wirings whose evidence differs from the best one by less than this.
     """
     scale, own = Scale(fitter, fit.hypothesis), as_in_file(fitter.data.channels)
     every = [own, *wirings]
     found: dict[Wiring, Misfit] = {}
 
-    def keep(wiring: Wiring, misfit: Misfit) -> None:
-        if wiring not in found or misfit.evidence < found[wiring].evidence:
-            found[wiring] = misfit
+    def keep(some: Sequence[Wiring], misfits: Sequence[Misfit]) -> None:
+        for wiring, misfit in zip(some, misfits, strict=True):
+            if wiring not in found or misfit.evidence() < found[wiring].evidence():
+                found[wiring] = misfit
 
-    keep(own, scale.misfit(fit.residual))
+    keep([own], [scale.misfit(fit.residual)])
     for prediction in (fitter.structure.predict(fitter.declared, ()), fit.prediction):
         if np.isfinite(prediction.eigenvalues).all():
-            for wiring, misfit in zip(every, at_prediction(scale, prediction, every), strict=True):
-                keep(wiring, misfit)
-    best = sorted(found, key=lambda wiring: found[wiring].evidence)
-    least = found[best[0]].evidence
+            keep(every, at_prediction(scale, prediction, every))
+    best = sorted((w for w in found if w != own), key=lambda wiring: found[wiring].evidence())
+    least = found[best[0]].evidence()
     hypotheses = [Hypothesis(excluded=fit.hypothesis.excluded)]
     if fit.causes:
         hypotheses.append(fit.hypothesis)
-    for wiring in [w for w in best if w != own and found[w].evidence < least + near][:refit]:
+    again: list[tuple[float, Fit]] = []
+    for wiring in [w for w in best if found[w].evidence() < least + near][:refit]:
         for hypothesis in hypotheses:
-            start = fit.values if hypothesis.causes else None
-            again = refitted(fitter, wiring, hypothesis, start)
-            if again is not None:
-                keep(wiring, scale.misfit(again.residual))
+            other = refitted(fitter, wiring, hypothesis, fit.values if hypothesis.causes else None)
+            if other is not None:
+                misfit = scale.misfit(other.residual)
+                keep([wiring], [misfit])
+                again.append((misfit.evidence(), other))
+    if again:  # the parameters are the same with whatever wiring
+        keep(every, at_prediction(scale, min(again, key=lambda one: one[0])[1].prediction, every))
     return found
 
 

@@ -93,13 +93,14 @@ def rewired(fitter: Fitter, fit: Fit) -> Rewired | None:
         return None
     found = misfits(fitter, fit, tuple(tried), c.rewired_refits, c.rewired_near)
     here = found.pop(as_in_file(columns))
-    order = sorted(found, key=lambda wiring: found[wiring].evidence)
+    complete = min(misfit.per_value[0] for misfit in (here, *found.values())) < c.rewired_noise
+    evidence = {wiring: misfit.evidence(complete) for wiring, misfit in found.items()}
+    order = sorted(evidence, key=evidence.__getitem__)
     best = found[order[0]]
-    if here.shapes < c.rewired * best.shapes or here.evidence - best.evidence < c.rewired_certain:
+    gain = here.evidence(complete) - evidence[order[0]]
+    if here.shapes < c.rewired * best.shapes or gain < c.rewired_certain:
         return None
-    remaining = [wiring for wiring in order if found[wiring].evidence - best.evidence < c.rewired_told_apart]
-    if here.evidence - best.evidence < c.rewired_told_apart:
-        return None
+    remaining = [w for w in order if evidence[w] - evidence[order[0]] < c.rewired_told_apart]
     mistakes = tuple(_mistakes(tried[wiring], columns, sensors) for wiring in remaining)
     certain = best.per_value[1] < c.rewired_noise and best.difference < c.most_shape_scatter / 2.0
     simplest = min(tried[order[0]], key=lambda wiring: simplicity(wiring, columns))
