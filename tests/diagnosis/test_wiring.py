@@ -15,15 +15,21 @@ import numpy as np
 import pytest
 
 from pkmodes import updating
-from pkmodes.diagnosis.diagnose import diagnose
+from pkmodes.diagnosis.diagnose import diagnose, split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.match.wirings import Wiring
 from pkmodes.diagnosis.verdict.mistakes import certain_wiring, other_wiring
+from pkmodes.diagnosis.verdict.rewired import Misfit
+from pkmodes.diagnosis.verdict.wiring import rewired
 from pkmodes.measured.measurements import Measurements
 from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes_rig import ORDERS, POSES, SENSORS, followed, measure_modes, read
+from pkmodes_rig.suites.cases import tried
+from pkmodes_rig.suites.hard_suites import UNDECIDED
 from pkmodes_rig.suites.mechanism_cases import MechanismCase, Specimen, measured, robot_of
 from pkmodes_rig.suites.strengths import Truth, measurements
+from pkmodes_rig.suites.suites import SUITES
 
 PLATFORM = ("p_x", "p_y", "p_z")
 #: Near the axis of a tower printer two pairs of modes have nearly equal frequencies; elsewhere they are separate.
@@ -242,3 +248,28 @@ def test_the_eight_signed_orders_of_a_planar_sensor_are_named(
         assert said.startswith(
             "the sensor at the tool head is turned by 90 degrees about z (p_x measures p_y, "
         )
+
+
+@pytest.mark.parametrize(("number", "order"), [(70, "p_y, p_z, p_x"), (75, "-p_y, p_z, -p_x")])
+def test_the_right_order_is_among_those_that_remain(number: int, order: str) -> None:
+    """Near the axis of a tower printer, with the platform's sensor alone; in one case with unequal belts."""
+    case = next(c for c in SUITES["units and wiring"]() if c.number == number)
+    assert (case.kind, case.mistake) == (UNDECIDED, order)
+    data = measurements(tried(replace(case, seed=7002)).text)
+    structure = MeasuredRobot.of(read("tower"), data).structure(candidates=())
+    fitted, _ = split(data, None)
+    fitter = Fitter(structure.subset(fitted), data.at(fitted))
+    fit = fitter.fit(Hypothesis())
+    assert fit is not None
+    found = rewired(fitter, fit)
+    assert found is not None
+    assert len(found.wirings) > 1
+    assert Wiring(*ORDERS[order]).up_to_sign in found.wirings
+
+
+def test_the_misfit_does_not_depend_on_whether_errors_are_stated() -> None:
+    count = np.array([10.0, 20.0, 0.0])
+    one = Misfit(np.array([30.0, 10.0, 0.0]), count, np.array([10.0, 20.0, 1e-300]), 0.1)
+    assert one.evidence() == pytest.approx(10 * np.log(3.0))  # no better than the errors
+    assert one.evidence(frequencies=False) == 0.0
+    assert one.shapes == pytest.approx(20.0)
