@@ -13,7 +13,7 @@ from pkmodes.updating.robot_structure import channels
 from pkmodes_rig.engine import TrueModes, true_modes
 from pkmodes_rig.laboratory import SENSORS, Laboratory, seen
 from pkmodes_rig.measurements import exact, identified, measure_modes, written
-from pkmodes_rig.mistakes import MISTAKES, mistaken, parsed
+from pkmodes_rig.mistakes import ASKEW, MISTAKES, ORDERS, followed, mistaken, parsed
 from pkmodes_rig.robots import POSES, read
 
 POSE = POSES["asymmetric"]["grid"][4]
@@ -167,6 +167,46 @@ def test_a_flipped_channel_is_one_channel() -> None:
     before, after = before_and_after("sign of one channel")
     ratios = [set(np.round(column(after, f"shape:{n}") / column(before, f"shape:{n}"), 6)) for n in SENSORS]
     assert sorted(ratios, key=min) == [{-1.0}] + [{1.0}] * 5
+
+
+def test_a_wrong_signed_order_has_other_components_with_signs() -> None:
+    before, after = before_and_after("p_y, -p_x, p_z")
+    np.testing.assert_allclose(column(after, "shape:p_x"), column(before, "shape:p_y"), rtol=1e-8)
+    np.testing.assert_allclose(column(after, "shape:p_y"), -column(before, "shape:p_x"), rtol=1e-8)
+    assert [row["shape:p_z"] for row in after] == [row["shape:p_z"] for row in before]
+    assert len(ORDERS) == 47
+
+
+def test_a_sensor_askew_measures_the_same_vector() -> None:
+    before, after = before_and_after(ASKEW)
+    lengths = [np.hypot(column(rows, "shape:p_x"), column(rows, "shape:p_y")) for rows in (before, after)]
+    np.testing.assert_allclose(*lengths, rtol=1e-7)
+    turned = np.cos(np.radians(40)) * column(before, "shape:p_x") + np.sin(np.radians(40)) * column(
+        before, "shape:p_y"
+    )
+    np.testing.assert_allclose(column(after, "shape:p_x"), turned, rtol=1e-6, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("order", "advice"),
+    [
+        (
+            ["p_y", "-p_x", "p_z"],
+            "rename the column shape:p_x to shape:p_y, rename the column shape:p_y to shape:p_x and change the sign "
+            "of its values",
+        ),
+        (["-p_x", "p_y", "-p_z"], "change the sign of the columns shape:p_x and shape:p_z"),
+        (["-p_x", "-p_y", "-p_z"], "change the sign of the column shape:x_1"),
+        (
+            ["-p_y", "p_x", "-p_z"],
+            "rename the column shape:p_x to shape:p_y and change the sign of its values, rename the column shape:p_y "
+            "to shape:p_x, change the sign of the column shape:p_z",
+        ),
+    ],
+)
+def test_good_advice_restores_the_file(order: list[str], advice: str) -> None:
+    assert followed(order, advice) == ["p_x", "p_y", "p_z"]
+    assert followed(["p_z", *order[1:]], advice) != ["p_x", "p_y", "p_z"]
 
 
 def test_copied_shapes_and_poses_are_copies() -> None:

@@ -6,14 +6,16 @@ from pkmodes_rig.corexy import corexy
 from pkmodes_rig.engine import TrueModes, true_modes
 from pkmodes_rig.laboratory import SENSORS, Laboratory
 from pkmodes_rig.measurements import BASE_RIGID, Identified, exact, identified, measure_modes, written
-from pkmodes_rig.mistakes import MISTAKES, joined, mistaken, parsed
+from pkmodes_rig.mistakes import ASKEW, MISTAKES, ORDERS, followed, joined, mistaken, parsed
 from pkmodes_rig.robots import POSES, ROBOTS, read
 from pkmodes_rig.rotary_delta import rotary_delta
 from pkmodes_rig.storeys import channels, storey_modes
 
 __all__ = [
+    "ASKEW",
     "BASE_RIGID",
     "MISTAKES",
+    "ORDERS",
     "POSES",
     "ROBOTS",
     "SENSORS",
@@ -23,6 +25,7 @@ __all__ = [
     "channels",
     "corexy",
     "exact",
+    "followed",
     "identified",
     "joined",
     "measure_modes",

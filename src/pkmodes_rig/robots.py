@@ -183,12 +183,16 @@ def with_effects(name: str, effects: Mapping[str, float]) -> str:
 
 
 def _poses(name: str) -> dict[str, tuple[np.ndarray, ...]]:
-    """Return three plans of twelve poses: a grid in a plane, scattered in space, and along a line."""
+    """Return four plans of twelve poses: a grid in a plane, scattered in space, along a line, and near the middle.
+
+    Near the middle of a tower printer, modes in x and y have nearly equal frequencies.
+    """
     middle, half = np.array(REGIONS[name])
     grid = [(x, y, 0.1) for y in (-0.9, 0.15, 0.85) for x in (-0.95, -0.35, 0.3, 0.9)]
     scattered = np.random.default_rng(2022).uniform(-1, 1, (12, 3))
     line = np.linspace(-0.95, 0.95, 12)[:, None] * [1.0, 0.45, -0.6] + [0.0, 0.3, 0.1]
-    plans = {"grid": np.array(grid), "scattered": scattered, "line": line}
+    near = scattered * [0.1, 0.1, 1.0]
+    plans = {"grid": np.array(grid), "scattered": scattered, "line": line, "middle": near}
     return {plan: tuple(middle + half * np.clip(place, -1, 1)) for plan, place in plans.items()}
 
 

@@ -136,19 +136,14 @@ def test_exchanged_channels_are_noticed() -> None:
     data = measured()
     found = notes(replace(data, shapes=data.shapes[:, [1, 0, 2, 3]]))
     assert found.verdict == "unexplained"
-    assert "the channels floor 1 and floor 2 exchanged" in found.reason
+    assert found.reason.startswith("floor 1 and floor 2 are exchanged: the shapes differ from the model by ")
+    assert "rename the column shape:floor 1 to shape:floor 2, " in found.reason
+    assert found.notes[0] == found.reason
     turned = notes(replace(data, shapes=data.shapes * [1.0, 1.0, -1.0, 1.0]))
     assert turned.verdict == "unexplained"
-    assert "with floor 3 reversed: check that sensor's direction" in turned.reason
+    assert turned.reason.startswith("floor 3 is reversed: ")
+    assert "change the sign of the column shape:floor 3, or check the sensor's direction" in turned.reason
     assert "in the poses" not in turned.reason
-    with pytest.MonkeyPatch.context() as patch:
-        names = ("floor 1", "floor 2", "p_z", "floor 4")
-        patch.setattr(f"{__name__}.FLOORS", names)
-        data = replace(data, channels=names, shapes=data.shapes * [1.0, 1.0, -1.0, 1.0])
-        assert (
-            "with p_z reversed: check that sensor's direction, and the sign of z in the poses"
-            in notes(data).reason
-        )
 
 
 def test_a_dead_sensor_is_noticed() -> None:

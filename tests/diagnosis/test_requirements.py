@@ -58,9 +58,31 @@ def test_mistakes_have_to_be_noted_and_no_cause_claimed() -> None:
         (o,) = outcomes(suite, "abstained", noted=noted)
         made.append(replace(o, case=replace(o.case, mistake=mistake)))
     made += outcomes(suite, "wrong", physical=True)
-    claimed, unit, channels, sigma = lines(made)
+    claimed, unit, channels, sigma, *_ = lines(made)
     assert "| 1 of 4: 25.0 % |" in claimed
     assert "NOT MET" in claimed
     assert "| 1 of 2: 50.0 % |" in unit
     assert "no cases" in channels
     assert "no cases" in sigma
+
+
+def test_signed_orders_have_to_be_named_and_right_wirings_left_alone() -> None:
+    suite = "units and wiring"
+    made = []
+    for mistake, rewired, misnamed in (
+        ("p_y, -p_x, p_z", True, False),
+        ("p_y, p_x, p_z", False, True),
+        ("rad/s for Hz", False, False),
+        ("rpm for Hz", True, False),
+        ("p_y and p_z exchanged", None, False),
+    ):
+        (o,) = outcomes(suite, "abstained", rewired=rewired, misnamed=misnamed)
+        made.append(replace(o, case=replace(o.case, mistake=mistake)))
+    *_, named, other, right = lines(made)
+    assert "named >= 90 % | 1 of 2: 50.0 % |" in named
+    assert "another order named: none | 1 of 2: 50.0 % |" in other
+    assert "right wiring called wrong <= 1 % | 1 of 2: 50.0 % |" in right
+    undecided = [replace(o, case=replace(o.case, kind="signed order, undecided")) for o in made[:2]]
+    *_, named, other, _ = lines([*undecided, *made[2:]])
+    assert "named >= 90 % | no cases |" in named
+    assert "another order named: none | 1 of 2: 50.0 % |" in other

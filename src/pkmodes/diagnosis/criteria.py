@@ -181,10 +181,23 @@ class Criteria:
     uneven: float = 1e-3
     #: Shapes whose mutual MAC is above this are the same.
     same_shape: float = 0.98
-    #: Channels are wired differently if that reduces the squares of the shapes by the first factor.  It is examined
-    #: only if it reduces them by the second factor with the pairing unchanged.
-    rewired: float = 3.0
+    #: Other wirings of the sensors are tried if shapes with stated errors have a larger chi2 per degree of freedom
+    #: than the first, or if the others scatter by more than the second.
+    rewired_misfit: float = 1.5
+    rewired_scatter: float = 0.02
+    #: They are examined only if one of them reduces the squares by this factor at the setups with the worst shapes.
     rewired_perhaps: float = 1.5
+    #: Sensors are wired differently if that reduces the squares of the shapes by this factor, and the deviance of
+    #: frequencies and shapes by this: a chance of 1e-9, after some 60 wirings were tried.
+    rewired: float = 3.0
+    rewired_certain: float = 45.0
+    #: No other mistake or cause is needed for data with a smaller chi2 per value.
+    rewired_noise: float = 3.0
+    #: A wiring remains if its deviance differs from the best one by less than this.
+    rewired_told_apart: float = 25.0
+    #: Parameters are refitted for this many wirings, with deviances within this from the best one.
+    rewired_refits: int = 6
+    rewired_near: float = 100.0
     #: A channel that is 0 in every row is dead if the model moves it by more than the first part of the largest one
     #: of its unit, in more than the second part of the rows.
     dead: tuple[float, float] = (0.3, 0.25)

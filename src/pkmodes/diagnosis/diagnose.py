@@ -31,7 +31,7 @@ from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
 from pkmodes.diagnosis.verdict.chosen_reason import reason_of
 from pkmodes.diagnosis.verdict.judgement import Judgement, judge
-from pkmodes.diagnosis.verdict.mistakes import other_unit, other_wiring
+from pkmodes.diagnosis.verdict.mistakes import certain_wiring, other_unit, other_wiring
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.stability import Trial, trials, unchanged
 from pkmodes.diagnosis.verdict.verdicts import (
@@ -91,12 +91,15 @@ def diagnose(
     builder = DiagnosisBuilder(AllSetups(structure, data, fitter, held))
     unit = other_unit(fitter)
     if unit:
-        store = FitStore(fitter)
-        names = tuple(candidate.name for candidate in structure.candidates if candidate.claimable)
-        return builder.without_search(UNEXPLAINED, unit, store, None, names, (unit,), unchanged(UNEXPLAINED))
+        return _mistaken(builder, unit)
     if len(fitter.log) + int(fitter.shapes.count.sum()) < len(fitter.nuisances) + fitter.criteria.redundancy:
         return _insufficient(builder)
-    search, outcome = _searched(fitter, structure, progress)
+    plain = FitStore(fitter)
+    first = plain.fit(Hypothesis())
+    wiring = "" if first is None else certain_wiring(fitter, first)
+    if wiring:
+        return _mistaken(builder, wiring)
+    search, outcome = _searched(plain, structure, progress)
     if outcome is None:
         what = "the model cannot be evaluated with its declared values"
         raise PkmodesError(what, data.source, "check the poses and the robot file")
@@ -127,13 +130,27 @@ def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int],
     return fitted, held
 
 
+def _mistaken(builder: DiagnosisBuilder, mistake: str) -> Diagnosis:
+    """Return the result for measurements with an obvious mistake: nothing is fitted or searched for."""
+    store, candidates = FitStore(builder.fitter), builder.fitter.structure.candidates
+    names = tuple(candidate.name for candidate in candidates if candidate.claimable)
+    return builder.without_search(
+        UNEXPLAINED, mistake, store, None, names, (mistake,), unchanged(UNEXPLAINED)
+    )
+
+
 def _searched(
-    fitter: Fitter, structure: Structure, progress: Progress | None
+    plain: FitStore, structure: Structure, progress: Progress | None
 ) -> tuple[Search, Outcome | None]:
-    """Search, with the shape scatter estimated from the best of all explanations if none is stated."""
-    c = fitter.criteria
-    plain = FitStore(fitter)
-    first = plain.fit(Hypothesis())
+    """Search, with the shape scatter estimated from the best of all explanations if none is stated.
+
+    Parameters
+    ----------
+    plain : FitStore
+        With the fit of the declared model.
+    """
+    fitter = plain.fitter
+    c, first = fitter.criteria, plain.fit(Hypothesis())
     scatter = None if first is None else plain.shape_scatter(first)
     store = plain
     while True:

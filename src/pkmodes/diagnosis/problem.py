@@ -209,6 +209,34 @@ class Structure(Protocol):
         """Return points (count, d) where the structure could also be measured, and the structure at these setups."""
 
 
+@dataclass(frozen=True)
+class Sensor:
+    """A sensor with several axes at one place.
+
+    Parameters
+    ----------
+    place : str
+        Where it is, such as "platform".
+    channels : tuple of str
+        The channels of its two or three axes, perpendicular, in right-handed order.
+    axes : tuple of str
+        Names of the axes, such as "x".
+    """
+
+    place: str
+    channels: tuple[str, ...]
+    axes: tuple[str, ...]
+
+
+@runtime_checkable
+class Instrumented(Protocol):
+    """A structure that knows which of its channels are axes of one sensor."""
+
+    @property
+    def sensors(self) -> Sequence[Sensor]:
+        """Sensors with several axes, which may be mounted in another direction."""
+
+
 @runtime_checkable
 class Loadable(Protocol):
     """A structure that could be measured again with known loads, such as a payload."""

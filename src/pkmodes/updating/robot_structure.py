@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.diagnosis.problem import Batch, Candidate, Parameter, Prediction
+from pkmodes.diagnosis.problem import Batch, Candidate, Parameter, Prediction, Sensor
 from pkmodes.mechanism.poses import MAX_CONDITION, check_poses
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.mechanism.regular import declared
@@ -22,11 +22,10 @@ from pkmodes.updating import frame
 from pkmodes.updating.load_cases import LoadCase, LoadCases
 from pkmodes.updating.payloads import payloads
 from pkmodes.updating.predictions import Moves, Solved, derived, joined, reordered, solved
+from pkmodes.updating.sensors import PLATFORM, sensors
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Prefix of the channels of the platform's absolute motion.
-PLATFORM = "p_"
 #: Number of poses drawn around the measured ones for the next measurement, and their seed.
 DRAWS, SEED = 400, 7
 #: Kinds of keys of the robot file that define a location or orientation, whatever their dimension.
@@ -88,6 +87,11 @@ class RobotStructure:
         ]
         self._last: tuple[bytes, list[_Part]] | None = None
         self._latest: tuple[object, Prediction] | None = None
+
+    @property
+    def sensors(self) -> tuple[Sensor, ...]:
+        """Channels that are axes of one sensor."""
+        return sensors(self._mechanism)
 
     @property
     def settings(self) -> tuple[str, ...]:

@@ -6,12 +6,12 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from pkmodes_rig import MISTAKES, POSES, Laboratory, channels, read
+from pkmodes_rig import ASKEW, MISTAKES, ORDERS, POSES, SENSORS, Laboratory, channels, read
 from pkmodes_rig.suites.buildings import Building
 from pkmodes_rig.suites.cases import ROBOT_NAMES, Case
 from pkmodes_rig.suites.judging import NOTED, POSITIONS
@@ -43,6 +43,12 @@ LOADS = (0.0, 5.0, 12.0)
 CHANGE, SHAPE_NOISE = (0.10, 0.30), (0.02, 0.05)
 #: Cases of each mistake with a complete model, and with a plain effect.
 WITHOUT, WITH_ONE = 3, 1
+#: Channels beside wrong signed orders of the platform's sensor, and the shape errors; one specimen in so many has a
+#: plain effect, and so many sensors are mounted askew.
+BESIDE, SCATTERS = (SENSORS, SENSORS[1:], SENSORS[3:]), (0.02, 0.05)
+WITH_EFFECT, ASKEW_CASES = 4, 6
+#: Near the axis of a tower printer, the platform's sensor alone cannot tell x and y, or their signs.
+UNDECIDED = "signed order, undecided"
 #: True over declared mass of the frame.
 FRAME_MASS = 1.6
 
@@ -124,6 +130,37 @@ def units_and_wiring() -> Iterator[Case]:
         kind = "wrong frame.mass"
         yield Case("units and wiring", n, PLANS[k], truth, names, kind, laboratory=careful)
         n += 1
+    yield from _mountings(n, plain)
+
+
+def _mountings(n: int, plain: Sequence[str]) -> Iterator[Case]:
+    """Yield all wrong signed orders of the platform's sensor, and sensors mounted askew.
+
+    Two of five are on a tower printer with nearly equal modes.
+    """
+    middle, scattered = ("tower", "middle"), ("tower", "scattered")
+    places = (middle, scattered, ("asymmetric", "grid"), middle, ("published", "line"))
+    for k, mistake in enumerate([*ORDERS, *[ASKEW] * ASKEW_CASES]):
+        robot, plan = places[k % len(places)]
+        truth = Truth(robot)
+        names: tuple[str, ...] = ()
+        if k % WITH_EFFECT == 0:
+            effect = plain[k // WITH_EFFECT % len(plain)]
+            truth, names = with_effect(robot, effect, EFFECT_SIZES[robot][effect][2]), (effect,)
+        laboratory = Laboratory(
+            uneven=0.1,
+            missing=0.05,
+            modes=(5, 8),
+            shapes=BESIDE[k // 2 % len(BESIDE)],
+            shape_noise=SCATTERS[k // 3 % len(SCATTERS)],
+            sigma_shape=("stated", "absent")[k // 5 % 2],
+        )
+        kind = ASKEW if mistake == ASKEW else "signed order"
+        if kind != ASKEW and plan == "middle" and len(laboratory.shapes) == len(BESIDE[-1]):
+            kind = UNDECIDED
+        yield Case(
+            "units and wiring", n + k, plan, truth, names, kind, laboratory=laboratory, mistake=mistake
+        )
 
 
 SUITES: dict[str, Callable[[], Iterator[Case]]] = {

@@ -14,7 +14,7 @@ import numpy as np
 from pkmodes import updating
 from pkmodes.diagnosis import diagnose
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes_rig import Laboratory, read
+from pkmodes_rig import ASKEW, MISTAKES, ORDERS, Laboratory, followed, read
 from pkmodes_rig.suites.buildings import Building
 from pkmodes_rig.suites.cases import Case, Trial, tried
 from pkmodes_rig.suites.strengths import measurements, signal
@@ -46,6 +46,8 @@ MENTIONS = {
         r"(sigma|stated|standard deviation|error).*\b(large|great|high|big|cautious)", re.IGNORECASE
     ),
 }
+#: A note that calls the wiring of the sensors wrong, and one that leaves open which wiring is right.
+MISWIRED, OPEN = re.compile("as in the file, by"), "do not tell which"
 #: Mistakes that must be noted.
 NOTED = {
     "rad/s for Hz": "unit",
@@ -82,6 +84,11 @@ class Outcome:
         Smallest MAC of the claim, and of the truth, against the measured shapes.
     noted : bool or None
         Whether the notes mention the mistake, if they should.
+    rewired : bool or None
+        For a wrong signed order, whether the file is right after the advice of the notes was followed; otherwise
+        whether the notes call the wiring wrong, None if it is.
+    misnamed : bool
+        Whether the notes name another signed order than the right one.
     """
 
     case: Case
@@ -101,6 +108,8 @@ class Outcome:
     physical: bool = False
     mac: tuple[float, float] | None = None
     noted: bool | None = None
+    rewired: bool | None = None
+    misnamed: bool = False
     notes: tuple[str, ...] = ()
     laboratory: Laboratory | None = None
 
@@ -133,6 +142,7 @@ def run(case: Case) -> Outcome:
         physical=state == "wrong" and physical(case.names, diagnosis),
         mac=_macs(test, diagnosis) if diagnosis.effects else None,
         noted=_noted(case.mistake, notes) if case.mistake in NOTED else None,
+        **_rewired(case, test, notes),
         notes=notes,
         laboratory=test.laboratory,
     )
@@ -230,3 +240,28 @@ def _macs(test: Trial, diagnosis: Diagnosis) -> tuple[float, float] | None:
 
 def _noted(mistake: str, notes: tuple[str, ...]) -> bool:
     return any(MENTIONS[NOTED[mistake]].search(note) for note in notes)
+
+
+def right_wiring(case: Case) -> bool:
+    """Return whether the shapes of a case are those of their modes, and their columns those of their channels."""
+    return case.mistake not in (*ORDERS, ASKEW, *_WRONG_SHAPES)
+
+
+#: Mistakes after which shapes are not those of their modes.
+_WRONG_SHAPES = [
+    name for name in MISTAKES if any(word in name for word in ("exchanged", "channel", "shapes", "copied"))
+]
+
+
+def _rewired(case: Case, test: Trial, notes: tuple[str, ...]) -> dict[str, Any]:
+    called = [note for note in notes if MISWIRED.search(note)]
+    if right_wiring(case):
+        return {"rewired": bool(called)}
+    if case.mistake not in ORDERS:
+        return {}
+    right = ["p_x", "p_y", "p_z"]
+    shapes = test.laboratory.shapes if test.laboratory else case.shapes
+    some = [right] if set(shapes) - set(right) else [right, [f"-{name}" for name in right]]  # of any sign
+    has, advice = case.mistake.split(", "), [note for note in called if OPEN not in note]
+    follows = [followed(has, note) in some for note in advice]
+    return {"rewired": any(follows) or (has in some and not advice), "misnamed": not all(follows)}

@@ -11,8 +11,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from scipy import stats
 
-from pkmodes_rig.suites.hard_suites import ADDING
-from pkmodes_rig.suites.judging import NOTED, Outcome
+from pkmodes_rig import ORDERS
+from pkmodes_rig.suites.hard_suites import ADDING, UNDECIDED
+from pkmodes_rig.suites.judging import NOTED, Outcome, right_wiring
 
 #: Predicted signal above which a cause must be found.
 CLEAR = 6.0
@@ -38,6 +39,8 @@ def requirements(by_suite: Mapping[str, Sequence[Outcome]]) -> list[str]:
     for suite, rule in HARD.items():
         if by_suite[suite]:
             lines += rule(suite, by_suite[suite])
+    if by_suite["units and wiring"]:
+        lines += _right_wiring(by_suite)
     return lines
 
 
@@ -115,6 +118,19 @@ def _mistakes(suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
     ):
         told = [o for o in outcomes if NOTED.get(o.case.mistake) == kind]
         yield line(suite, what, sum(bool(o.noted) for o in told), len(told), least=0.90)
+    orders = [o for o in outcomes if o.case.mistake in ORDERS]
+    decided = [o for o in orders if o.case.kind != UNDECIDED]
+    named = sum(bool(o.rewired) for o in decided)
+    yield line(suite, "signed order of a triaxial sensor named >= 90 %", named, len(decided), least=0.90)
+    yield line(suite, "another order named: none", sum(o.misnamed for o in orders), len(orders), most=0.0)
+
+
+def _right_wiring(by_suite: Mapping[str, Sequence[Outcome]]) -> Iterator[str]:
+    """Yield the line of all files whose sensors are wired as they say."""
+    right = [o for outcomes in by_suite.values() for o in outcomes if right_wiring(o.case)]
+    if right:
+        called = sum(bool(o.rewired) for o in right)
+        yield line("all suites", "right wiring called wrong <= 1 %", called, len(right), most=0.01)
 
 
 #: Requirements of the other suites, each fixed before its suite was run.

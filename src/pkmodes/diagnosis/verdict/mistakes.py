@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
-from pkmodes.diagnosis.match.pairing import Pairer, Pairing
+from pkmodes.diagnosis.match.pairing import Pairer
 from pkmodes.diagnosis.problem import Array, Prediction
+from pkmodes.diagnosis.verdict.wiring import rewired
 from pkmodes.linalg.mac import mac
 from pkmodes.measured.header import frequency_factor
 from pkmodes.measured.measurements import Measurements
@@ -87,7 +86,7 @@ def _usual(fitter: Fitter, prediction: Prediction, data: Measurements) -> float:
 
 
 def other_wiring(fitter: Fitter, fit: Fit) -> str:
-    """Return a sentence on a dead channel, or on shapes that fit far better with two exchanged or one reversed."""
+    """Return a sentence on a dead channel, or on shapes that fit far better with another wiring of the sensors."""
     if not fitter.shapes.known.any():
         return ""
     dead = dead_channels(fitter, fit)
@@ -100,43 +99,22 @@ def other_wiring(fitter: Fitter, fit: Fit) -> str:
             f"channels {', '.join(dead)} are 0 in every row: are the sensors connected? "
             "If not, leave the columns out"
         )
-    here = _squares(fitter, fit, fitter.data)
-    degrees = max(float(fitter.shapes.degrees(fitter.used(fit.hypothesis))), 1.0)
-    if here / degrees <= 1.5 * (1.0 if fitter.shapes.stated.any() else 0.5):
+    found = rewired(fitter, fit)
+    return "" if found is None else found.sentence
+
+
+def certain_wiring(fitter: Fitter, fit: Fit) -> str:
+    """Return a sentence if another wiring brings the shapes near to their errors; empty if not.
+
+    Parameters
+    ----------
+    fit : Fit
+        Of the declared model with its nuisances.
+    """
+    if not fitter.shapes.known.any() or dead_channels(fitter, fit):
         return ""
-    # First with the mode pairing unchanged: that is fast, and most sensors are wired correctly.
-    squares = {text: _squares(fitter, fit, data, fit.pairing) for text, data in _rewired(fitter.data)}
-    text = min(squares, key=squares.__getitem__, default="")
-    if not text or squares[text] * fitter.criteria.rewired_perhaps > here:
-        return ""
-    squares = {text: _squares(fitter, fit, data) for text, data in _rewired(fitter.data)}
-    text = min(squares, key=squares.__getitem__)
-    return (
-        f"the shapes fit far better with {text}{_look_at(text)}"
-        if squares[text] * fitter.criteria.rewired < here
-        else ""
-    )
-
-
-def _rewired(data: Measurements) -> Iterator[tuple[str, Measurements]]:
-    for i, k in itertools.combinations(range(len(data.channels)), 2):
-        order = np.arange(len(data.channels))
-        order[[i, k]] = k, i
-        text = f"the channels {data.channels[i]} and {data.channels[k]} exchanged"
-        yield text, replace(data, shapes=data.shapes[:, order])
-    for i, name in enumerate(data.channels):
-        sign = np.ones(len(data.channels))
-        sign[i] = -1.0
-        yield f"{name} reversed", replace(data, shapes=data.shapes * sign)
-
-
-def _look_at(text: str) -> str:
-    """Return what to check if a channel is reversed."""
-    name, _, reversed_ = text.rpartition(" ")
-    if reversed_ != "reversed":
-        return ""
-    frame = f", and the sign of {name[-1]} in the poses" if name in ("p_x", "p_y", "p_z") else ""
-    return f": check that sensor's direction{frame}"
+    found = rewired(fitter, fit)
+    return "" if found is None or not found.certain else found.sentence
 
 
 def dead_channels(fitter: Fitter, fit: Fit) -> list[str]:
@@ -156,17 +134,6 @@ def dead_channels(fitter: Fitter, fit: Fit) -> list[str]:
         if (model[rows, k] > moved * alike[rows]).mean() >= some and alike[rows].any():
             dead.append(name)
     return dead
-
-
-def _squares(fitter: Fitter, fit: Fit, data: Measurements, pairing: Pairing | None = None) -> float:
-    """Return the sum of squared whitened shape residuals, by default with a new mode pairing."""
-    used = fitter.used(fit.hypothesis)
-    if pairing is None:
-        pairer = Pairer(data, fitter.structure.channels, None, fitter.criteria)
-        pairer.moves = fitter.pairer.moves
-        pairing = pairer.pair(fit.prediction, used, compare=False)
-    rows = fitter.shape_rows_of(data)
-    return float(((rows.residual(fit.prediction, pairing, used) / rows.sigma) ** 2).sum())
 
 
 def all_alike(data: Measurements, same: float) -> tuple[str, ...]:

@@ -1,0 +1,275 @@
+"""Sensors wired or mounted otherwise than the file says, on the virtual test rig.
+
+The columns of a correct file are put in a wrong order, and whoever follows the advice of the diagnosis must get the
+correct file back (`pkmodes_rig.followed`); shapes have any sign, so all columns may be of the opposite sign.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+from pkmodes import updating
+from pkmodes.diagnosis.diagnose import diagnose, split
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.match.wirings import Wiring
+from pkmodes.diagnosis.verdict.mistakes import certain_wiring, other_wiring
+from pkmodes.diagnosis.verdict.rewired import Misfit
+from pkmodes.diagnosis.verdict.wiring import rewired
+from pkmodes.measured.measurements import Measurements
+from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes_rig import ORDERS, POSES, SENSORS, followed, measure_modes, read
+from pkmodes_rig.suites.cases import tried
+from pkmodes_rig.suites.hard_suites import UNDECIDED
+from pkmodes_rig.suites.mechanism_cases import MechanismCase, Specimen, measured, robot_of
+from pkmodes_rig.suites.strengths import Truth, measurements
+from pkmodes_rig.suites.suites import SUITES
+
+PLATFORM = ("p_x", "p_y", "p_z")
+#: Near the axis of a tower printer two pairs of modes have nearly equal frequencies; elsewhere they are separate.
+PLANS = ("middle", "scattered")
+
+
+@cache
+def tower(plan: str, channels: tuple[str, ...] = SENSORS, **options: object) -> Measurements:
+    points = POSES["tower"][plan][:8]
+    options = {"shape_noise": 0.02, "sigma_shape": "stated", "modes": 6} | options
+    rng = np.random.default_rng(7003)
+    text = measure_modes(Truth("tower").modes(points), points, rng=rng, shapes=channels, **options)
+    return measurements(text)
+
+
+def miswired(data: Measurements, order: Sequence[str], signs: Sequence[int]) -> Measurements:
+    """Return measurements whose columns of the platform's sensor have other components."""
+    place = [data.channels.index(name) for name in PLATFORM[: len(order)]]
+    shapes = data.shapes.copy()
+    shapes[:, place] = data.shapes[:, [data.channels.index(name) for name in order]] * signs
+    return replace(data, shapes=shapes)
+
+
+def advice(data: Measurements, robot: str = "tower") -> str:
+    """What a diagnosis says of the wiring before it searches for causes."""
+    fitter = Fitter(MeasuredRobot.of(read(robot), data).structure(candidates=()), data)
+    fit = fitter.fit(Hypothesis())
+    assert fit is not None
+    return certain_wiring(fitter, fit)
+
+
+@pytest.mark.parametrize("plan", PLANS)
+@pytest.mark.parametrize("first", [0, 1, 2, 3, 4, 5])
+def test_all_signed_orders_of_a_triaxial_sensor_are_named(plan: str, first: int) -> None:
+    data = tower(plan)
+    for name in list(ORDERS)[first::6]:
+        said = advice(miswired(data, *ORDERS[name]))
+        assert followed(name.split(", "), said) == list(PLATFORM), f"{name}: {said}"
+    assert advice(data) == ""
+
+
+@pytest.mark.parametrize(
+    ("order", "what"),
+    [
+        ("p_x, -p_y, p_z", "p_y is reversed: the shapes differ from the model by "),
+        ("p_y, p_x, p_z", "p_x and p_y are exchanged: "),
+        (
+            "p_y, -p_x, p_z",
+            "the sensor at the platform is turned by 90 degrees about z (p_x measures p_y, p_y measures -p_x): ",
+        ),
+        ("-p_y, p_x, p_z", "the sensor at the platform is turned by -90 degrees about z ("),
+        ("p_x, p_z, -p_y", "the sensor at the platform is turned by 90 degrees about x ("),
+        ("-p_z, p_y, p_x", "the sensor at the platform is turned by 90 degrees about y ("),
+        ("-p_x, p_y, -p_z", "the sensor at the platform is turned by 180 degrees about y ("),
+        ("p_y, p_z, p_x", "p_x, p_y and p_z are exchanged cyclically (p_x measures p_y, p_y measures p_z, "),
+        ("p_y, -p_z, -p_x", "the sensor at the platform is turned (p_x measures p_y, "),
+        ("p_y, p_x, -p_z", "the sensor at the platform is turned (p_x measures p_y, "),
+        ("-p_y, -p_x, p_z", "p_x and p_y are exchanged and p_x and p_y reversed ("),
+        ("-p_x, -p_y, -p_z", "p_x, p_y and p_z are all reversed: "),
+    ],
+)
+def test_a_wiring_is_named_as_a_test_engineer_would(order: str, what: str) -> None:
+    said = advice(miswired(tower("middle"), *ORDERS[order]))
+    assert said.startswith(what)
+    assert " of their largest component as in the file, by " in said
+
+
+@pytest.mark.parametrize("order", ["p_x, -p_y, p_z", "p_y, p_x, p_z"])
+def test_a_diagnosis_names_the_wiring_and_claims_no_cause(order: str) -> None:
+    found = updating.diagnose(read("tower"), miswired(tower("middle"), *ORDERS[order]))
+    assert found.verdict == "unexplained"
+    assert followed(order.split(", "), found.reason) == list(PLATFORM)
+    assert found.notes[0] == found.reason
+    assert found.effects == ()
+    if order == "p_x, -p_y, p_z":
+        assert "change the sign of the column shape:p_y" in found.reason
+        assert "or check the sensor's direction and the sign of y in the poses" in found.reason
+
+
+def test_the_sign_of_a_whole_sensor_counts_only_beside_other_channels() -> None:
+    order = ORDERS["-p_x, -p_y, -p_z"]
+    alone = tower("scattered", PLATFORM)
+    assert advice(alone) == advice(miswired(alone, *order)) == ""
+    one = tower("scattered", ("x_1", *PLATFORM))
+    said = advice(miswired(one, *order))
+    assert said.startswith("x_1 is reversed")  # or all others are: for shapes, the same
+    assert followed(["-p_x", "-p_y", "-p_z"], said) == list(PLATFORM)
+
+
+def test_mistakes_that_differ_by_the_sign_of_all_columns_are_named_together() -> None:
+    said = advice(miswired(tower("scattered", PLATFORM), *ORDERS["p_x, -p_y, p_z"]))
+    assert said.startswith(
+        "p_y is reversed or the sensor at the platform is turned by 180 degrees about y "
+        "(p_x measures -p_x, p_z measures -p_z) (for shapes, which have any sign, the same): "
+    )
+
+
+def test_an_axis_that_is_not_in_the_file_may_be_measured() -> None:
+    data = tower("scattered")
+    two = replace(
+        data, channels=("x_1", "x_2", "p_x", "p_y"), shapes=data.shapes[:, [0, 1, 3, 5]]
+    )  # p_z under p_y
+    assert advice(two).startswith("p_y measures p_z: ")
+    assert "rename the column shape:p_y to shape:p_z" in advice(two)
+
+
+def test_wirings_that_these_data_do_not_tell_apart_are_all_listed() -> None:
+    """In the plane of symmetry y = 0, modes move either p_y alone or p_x and p_z: the sign of p_y is unknown."""
+    points = [np.array([x, 0.0, z]) for x, z in itertools.product((-0.05, 0.03, 0.06), (0.12, 0.25))]
+    text = measure_modes(
+        Truth("tower").modes(points),
+        points,
+        rng=np.random.default_rng(7004),
+        shapes=("x_1", *PLATFORM),
+        sigma_shape="stated",
+        modes=6,
+    )
+    said = advice(miswired(measurements(text), *ORDERS["p_z, p_y, p_x"]))
+    assert said.startswith("sensors are exchanged, reversed or turned, and these data do not tell which: ")
+    assert "p_x and p_z are exchanged;" in said
+    assert "p_y reversed" in said or "p_y measures -p_y" in said
+
+
+@pytest.mark.parametrize("columns", [("x_1", "x_3"), ("x_2", "p_y")])
+def test_joint_channels_may_be_exchanged(columns: tuple[str, str]) -> None:
+    data = tower("middle")
+    i, k = (data.channels.index(name) for name in columns)
+    order = np.arange(len(data.channels))
+    order[[i, k]] = k, i
+    said = advice(replace(data, shapes=data.shapes[:, order]))
+    assert said.startswith(f"{columns[0]} and {columns[1]} are exchanged: ")
+
+
+def test_a_reversed_joint_channel_is_named() -> None:
+    data = tower("middle")
+    said = advice(replace(data, shapes=data.shapes * [1, -1, 1, 1, 1, 1]))
+    assert said.startswith("x_2 is reversed: ")
+    assert said.endswith("change the sign of the column shape:x_2, or check the sensor's direction")
+
+
+@pytest.mark.parametrize("plan", PLANS)
+@pytest.mark.parametrize("channels", [SENSORS, PLATFORM, ("x_2", "p_y", "p_z")])
+def test_right_wirings_are_not_called_wrong(plan: str, channels: tuple[str, ...]) -> None:
+    """With 5 % errors of the shapes, and a cause that the declared model lacks."""
+    points = POSES["tower"][plan]
+    compliant = Truth("tower", {"gearbox_compliance.compliance": 0.2})
+    for truth, stated in itertools.product((Truth("tower"), compliant), ("stated", "absent")):
+        text = measure_modes(
+            truth.modes(points),
+            points,
+            rng=np.random.default_rng(7005),
+            shapes=channels,
+            shape_noise=0.05,
+            sigma_shape=stated,
+        )
+        data = measurements(text)
+        fitter = Fitter(MeasuredRobot.of(read("tower"), data).structure(candidates=()), data)
+        fit = fitter.fit(Hypothesis())
+        assert fit is not None
+        assert other_wiring(fitter, fit) == ""
+
+
+def test_a_wiring_is_named_beside_a_cause() -> None:
+    points = POSES["tower"]["scattered"]
+    compliant = Truth("tower", {"gearbox_compliance.compliance": 0.2})
+    text = measure_modes(
+        compliant.modes(points), points, rng=np.random.default_rng(7006), shapes=SENSORS, sigma_shape="stated"
+    )
+    said = advice(miswired(measurements(text), *ORDERS["p_x, -p_y, p_z"]))
+    assert "p_y is reversed: " in said
+    assert "something else is wrong too: correct this, and diagnose again" in said
+
+
+def test_a_structure_without_known_sensors_has_exchanges_and_reversals() -> None:
+    data = miswired(tower("scattered"), *ORDERS["p_y, p_z, p_x"])
+
+    class Plain:
+        """The same model, which does not say which channels are one sensor."""
+
+        def __init__(self, structure: object) -> None:
+            self._structure = structure
+
+        def __getattr__(self, name: str) -> object:
+            if name == "sensors":
+                raise AttributeError(name)
+            return getattr(self._structure, name)
+
+        def subset(self, setups: Sequence[int]) -> Plain:
+            return Plain(self._structure.subset(setups))  # type: ignore[attr-defined]
+
+    structure = Plain(MeasuredRobot.of(read("tower"), data).structure(candidates=()))
+    assert "exchanged cyclically" not in diagnose(structure, data).reason  # type: ignore[arg-type]
+
+
+@pytest.fixture(scope="module")
+def corexy(tmp_path_factory: pytest.TempPathFactory) -> Measurements:
+    _, text = measured(MechanismCase("wiring", 0, Specimen("corexy"), seed=7007))
+    path = tmp_path_factory.mktemp("corexy") / "modes.csv"
+    path.write_text(text, encoding="utf-8")
+    return updating.read(path, robot=robot_of("corexy"))
+
+
+@pytest.mark.parametrize("order", list(itertools.permutations(("p_x", "p_y"))))
+@pytest.mark.parametrize("signs", list(itertools.product((1, -1), repeat=2)))
+def test_the_eight_signed_orders_of_a_planar_sensor_are_named(
+    corexy: Measurements, order: tuple[str, str], signs: tuple[int, int]
+) -> None:
+    robot = MeasuredRobot.of(robot_of("corexy"), miswired(corexy, order, signs))
+    fitter = Fitter(robot.structure(candidates=()), robot.data)
+    fit = fitter.fit(Hypothesis())
+    assert fit is not None
+    said = certain_wiring(fitter, fit)
+    has = [f"{'-' if sign < 0 else ''}{name}" for name, sign in zip(order, signs, strict=True)]
+    assert followed([*has, "p_z"], said)[:2] == ["p_x", "p_y"], said
+    if (order, signs) == (("p_y", "p_x"), (1, -1)):
+        assert said.startswith(
+            "the sensor at the tool head is turned by 90 degrees about z (p_x measures p_y, "
+        )
+
+
+@pytest.mark.parametrize(("number", "order"), [(70, "p_y, p_z, p_x"), (75, "-p_y, p_z, -p_x")])
+def test_the_right_order_is_among_those_that_remain(number: int, order: str) -> None:
+    """Near the axis of a tower printer, with the platform's sensor alone; in one case with unequal belts."""
+    case = next(c for c in SUITES["units and wiring"]() if c.number == number)
+    assert (case.kind, case.mistake) == (UNDECIDED, order)
+    data = measurements(tried(replace(case, seed=7002)).text)
+    structure = MeasuredRobot.of(read("tower"), data).structure(candidates=())
+    fitted, _ = split(data, None)
+    fitter = Fitter(structure.subset(fitted), data.at(fitted))
+    fit = fitter.fit(Hypothesis())
+    assert fit is not None
+    found = rewired(fitter, fit)
+    assert found is not None
+    assert len(found.wirings) > 1
+    assert Wiring(*ORDERS[order]).up_to_sign in found.wirings
+
+
+def test_the_misfit_does_not_depend_on_whether_errors_are_stated() -> None:
+    count = np.array([10.0, 20.0, 0.0])
+    one = Misfit(np.array([30.0, 10.0, 0.0]), count, np.array([10.0, 20.0, 1e-300]), 0.1)
+    assert one.evidence() == pytest.approx(10 * np.log(3.0))  # no better than the errors
+    assert one.evidence(frequencies=False) == 0.0
+    assert one.shapes == pytest.approx(20.0)
