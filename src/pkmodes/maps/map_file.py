@@ -76,7 +76,7 @@ class MapFile:
             raise OutputError(
                 "cannot write: permission denied", where, "choose another place or make it writable"
             )
-        require(f"{path.suffix.lower()} files", "map", *LIBRARIES[path.suffix.lower()], "filelock")
+        require(f"{path.suffix.lower()} files", "map", *LIBRARIES[path.suffix.lower()])
         return cls(path)
 
     def write(self, dataset: xarray.Dataset, folder: Path) -> None:
