@@ -190,3 +190,30 @@ def test_a_file_name_that_is_not_utf_8_is_no_traceback(tmp_path: Path) -> None:
         done = shell('$PK "$@"', "generate", str(folder / "robot.toml"), "--out", target, "--json", out)
         assert (done.returncode, done.stderr) == (0, "")
     assert json.loads((tmp_path / "out.json").read_text(encoding="utf-8"))["out"] == target
+
+
+GRID = ["--grid", "x=0.6,y=0,z=-0.245"]
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments"),
+    [
+        ("a.json", ["modes", str(PUBLISHED), "--pose", "0.6,0,-0.245", "--json"]),
+        ("a.html", ["map", str(PUBLISHED), *GRID, "--report"]),
+        ("a.nc", ["map", str(PUBLISHED), *GRID, "--out"]),
+        ("a.html", ["show", str(PUBLISHED), "--out"]),
+        ("a", ["figures", str(PUBLISHED), "--out"]),
+        ("a", ["generate", str(PUBLISHED), "--out"]),
+        ("a.toml", [*DIAGNOSE, "--save-robot"]),
+    ],
+)
+def test_a_link_that_leads_back_to_itself_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str, arguments: list[str]
+) -> None:
+    loop = tmp_path / name
+    loop.symlink_to(loop)
+    assert run([*arguments, str(loop)]) == 2
+    error = capsys.readouterr().err
+    assert error.startswith("error: ")
+    assert error.count("\n") == 1
+    assert "symbolic links" in error

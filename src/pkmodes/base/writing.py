@@ -10,6 +10,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from pkmodes.base.errors import OutputError
+from pkmodes.base.places import resolved
 
 #: Failures after which the same place may be used once there is room.
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
@@ -92,7 +93,7 @@ def refusal(error: OSError, place: Path) -> OutputError:
 
 def _real(path: Path) -> Path:
     """Return the target of a symbolic link, so that the link itself is kept."""
-    target = path.resolve() if path.is_symlink() else path
+    target = resolved(path) if path.is_symlink() else path
     if target.is_dir():
         raise IsADirectoryError(None, "a folder of that name exists", str(target))
     return target

@@ -10,6 +10,7 @@ from msgspec import Meta
 
 from pkmodes.base.documents import Document
 from pkmodes.base.errors import OutputError, shown
+from pkmodes.base.places import resolved
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import json_option, mechanism_option, named_as_options
 from pkmodes.cli.targets import check_targets
@@ -51,6 +52,7 @@ def figures(robot: Path, out: str, grid: str | None, formats: tuple[str, ...], j
     folder = Path(out)
     if not out or "\0" in out or (folder.exists() and not folder.is_dir()):
         raise OutputError("expected the name of a folder", f"--out {shown(out)}", "choose another place")
+    resolved(folder, "--out")
     model = load(robot)
     from pkmodes.figures.files import write_pictures
     from pkmodes.maps.ranges import parse_grid
