@@ -16,16 +16,21 @@ from pkmodes.base.places import resolved
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 
-def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> list[Path]:
+def write_files(folder: Path, texts: Mapping[str, str | bytes], *, follow: bool = False) -> list[Path]:
     """Write texts, or other contents, into a folder, all or none; existing files of those names are replaced.
 
     Every text is written to a temporary file next to its target and then moved.  Replaced files are kept until all
     texts are in place.  If anything fails, they are restored and the folders created for the texts are removed.
 
+    Parameters
+    ----------
+    follow : bool
+        Whether a name in the folder may be a symbolic link that leads out of it: only where the user named the file.
+
     Raises
     ------
     OutputError
-        If the folder or a file cannot be written.
+        If the folder or a file cannot be written, or a link leads out of the folder.
     """
     staged: list[tuple[Path, Path]] = []
     moved: list[tuple[Path | None, Path]] = []
@@ -36,6 +41,9 @@ def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> list[Path]:
         for name, text in texts.items():
             writing = folder / name
             target = _real(writing)
+            if not follow and target != writing and not target.is_relative_to(resolved(folder)):
+                what = f"{name} is a symbolic link that leads out of the folder"
+                raise OutputError(what, str(folder), "remove the link, or choose another folder")
             staged.append((_stage(target, text), target))
         for temporary, target in staged:
             backup = _set_aside(target)
@@ -75,7 +83,7 @@ def write_file(path: Path, text: str | bytes) -> None:
         except OSError as error:
             raise refusal(error, path) from None
         return
-    write_files(path.parent, {path.name: text})
+    write_files(path.parent, {path.name: text}, follow=True)
 
 
 def refusal(error: OSError, place: Path) -> OutputError:
