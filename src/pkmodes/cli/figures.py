@@ -13,6 +13,7 @@ from pkmodes.base.errors import OutputError, shown
 from pkmodes.base.places import resolved
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import json_option, mechanism_option, named_as_options
+from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.model.loading import load
 
@@ -61,4 +62,4 @@ def figures(robot: Path, out: str, grid: str | None, formats: tuple[str, ...], j
     with named_as_options({"grid": "--grid"}):
         written = write_pictures(model, folder, places, tuple(dict.fromkeys(formats)))
     document = FiguresDocument(robot=str(robot), out=out, files=[path.name for path in written])
-    deliver(json_file, document.as_json(), lambda: click.echo("\n".join(map(str, written))))
+    deliver(json_file, document.as_json(), lambda: list(map(echo, written)))
