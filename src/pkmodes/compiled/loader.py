@@ -130,8 +130,8 @@ def load(package: str, name: str) -> Library:
 
 def _shipped(name: str, wanted: str) -> Library | None:
     """Return the library that was installed with the package, None if there is none for these sources and here."""
-    for path in _whole(SHIPPED, name):
-        with suppress(OSError):  # built for another system
+    with suppress(OSError):  # built for another system, or not to be read
+        for path in _whole(SHIPPED, name):
             library = _loaded(path, wanted)
             if library is not None:
                 return library
@@ -189,13 +189,10 @@ def _kept(folder: Path, stem: str, wanted: str) -> Library | None:
 def _whole(folder: Path, stem: str, check: Callable[[Path], None] = lambda _: None) -> Iterator[Path]:
     """Yield the libraries of that name that are as they were built."""
     for path in sorted(folder.glob(f"{stem}.*.so")):
-        check(path)
-        try:
-            whole = build.is_whole(path)
-        except FileNotFoundError:  # it was damaged, and another process has just replaced it
-            continue
-        if whole:
-            yield path
+        with suppress(FileNotFoundError):  # it was damaged, and another process has just replaced it
+            check(path)
+            if build.is_whole(path):
+                yield path
 
 
 def _loaded(path: Path, wanted: str) -> Library | None:
@@ -219,8 +216,7 @@ def _alone(lock: Path) -> Iterator[None]:
         what = f"another process has been building the library for {build.PATIENCE} s"
         raise UnavailableError(what, f"end that process, or delete {lock}") from None
     except (OSError, NotImplementedError):
-        yield
-        return
+        pass
     try:
         yield
     finally:

@@ -35,6 +35,8 @@ def poses_by_name(poses: ArrayLike, mechanism: Mechanism) -> ArrayLike:
     PoseError
         If a column is missing or repeated, does not hold numbers, or has another kind of unit.
     """
+    if _is_array(poses):
+        return poses  # at once: a single pose takes microseconds
     return by_name(poses, {component.name: component.unit for component in mechanism.pose}, "poses")
 
 
@@ -48,9 +50,7 @@ def by_name(given: ArrayLike, units: Mapping[str, str], where: str) -> ArrayLike
     where : str
         Name of the argument, for messages.
     """
-    if isinstance(given, list | tuple) or (isinstance(given, np.ndarray) and given.dtype.names is None):
-        return given
-    named = _named(given)
+    named = None if _is_array(given) else _named(given)
     if named is None:
         return given
     from pkmodes.measured.header import column_of  # not needed for arrays
@@ -82,6 +82,10 @@ def _converted(column: Array, factor: Decimal) -> Array:
     """Return numbers in SI units, to the same digits as from a file."""
     values = [float(Decimal(repr(value)) * factor) for value in column.astype(float).ravel().tolist()]
     return np.array(values).reshape(column.shape)
+
+
+def _is_array(given: Any) -> bool:
+    return isinstance(given, list | tuple) or (isinstance(given, np.ndarray) and given.dtype.names is None)
 
 
 def _named(given: Any) -> Named | None:
