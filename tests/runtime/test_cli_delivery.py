@@ -17,6 +17,8 @@ from helpers.robots.robot_text import PUBLISHED, published
 from helpers.runs.processes import without_progress
 from pkmodes import read_robot, updating
 from pkmodes.cli import run
+from pkmodes.cli.printing import echo
+from pkmodes.cli.terminal import Terminal
 from pkmodes.diagnosis import Diagnosis
 from pkmodes.diagnosis.verdict import verdicts
 
@@ -295,3 +297,15 @@ def test_differences_of_a_received_folder_cannot_control_the_terminal(
     printed = capsys.readouterr().out
     assert "\\x1b[2J" in printed
     assert harmless(printed)
+
+
+def test_sentences_and_tables_cannot_control_the_terminal(capsys: pytest.CaptureFixture[str]) -> None:
+    terminal = Terminal()
+    terminal.heading(HOSTILE)
+    terminal.line(HOSTILE)
+    terminal.table(["name"], [[HOSTILE]])
+    echo(f"\n{HOSTILE}")
+    printed = capsys.readouterr().out
+    assert harmless(printed)
+    assert printed.count("\\x1b[2J") == 4
+    assert printed.count("\n") == 6

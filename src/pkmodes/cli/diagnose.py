@@ -124,8 +124,7 @@ def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) 
     option = f"--mechanism {pasted(mechanism)} " if mechanism else ""
     command = f"pkmodes generate {option}{pasted(file)} --out DIR"
     return [
-        "",
-        f"wrote {file}{_chosen(result)}; next: {command}",
+        f"\nwrote {file}{_chosen(result)}; next: {command}",
         *(
             f"{constant} is known from the measurements alone: add its value in operation to {file}"
             for constant in _set_only(robot, result)

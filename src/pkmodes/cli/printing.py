@@ -12,7 +12,11 @@ def echo(text: object = "", *, err: bool = False) -> None:
 
     Parameters
     ----------
+    text : object
+        A line break at its begin leaves a line empty.
     err : bool
         Whether it goes to stderr.
     """
-    click.echo(printable(str(text)), err=err)
+    line = str(text)
+    rest = line.removeprefix("\n")
+    click.echo("\n" * (len(line) - len(rest)) + printable(rest), err=err)

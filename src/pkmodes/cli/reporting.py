@@ -39,7 +39,7 @@ def report_file(report: Path | None, page: Callable[[], str]) -> ResultFile:
     """Return the report as a file of the results; a pipe is not announced."""
 
     def lines(file: Path) -> list[str]:
-        return ["", f"wrote {file}"] if file.is_file() else []
+        return [f"\nwrote {file}"] if file.is_file() else []
 
     return ResultFile(report, lambda file: write_file(file, page()), lines)
 
