@@ -21,7 +21,7 @@ def compiled(source: str, folder: Path, flags: list[str]) -> ctypes.CDLL:
     if cc is None:
         raise MissingError("there is no C compiler: the peak and the parts are left out")
     library = folder / f"{Path(source).stem}-{len(list(folder.iterdir()))}.so"
-    command = [cc, *flags, "-shared", "-fPIC", str(HERE / source), "-o", str(library), "-lm"]
+    command = [*cc, *flags, "-shared", "-fPIC", str(HERE / source), "-o", str(library), "-lm"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         raise MissingError(f"{source} cannot be compiled, its rows are left out: {done.stderr.strip()[:200]}")

@@ -153,7 +153,7 @@ def casadi_map(threads: int = 1) -> Way:
     pose = casadi.SX.sym("p", 3)
     values = printed({"sqrt": casadi.sqrt})(*casadi.vertsplit(pose))
     M, K = (casadi.densify(casadi.SX(_rows(casadi, matrices().filled(x, values)))) for x in "MK")
-    n, cc = M.shape[0], compiler()
+    n, cc = M.shape[0], " ".join(compiler() or ())
     with tempfile.TemporaryDirectory() as folder:
         how = {"compiler": cc, "linker": cc, "flags": ["-O3", "-march=native"], "cleanup": False}
         how["directory"] = f"{folder}/"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shlex
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -35,6 +36,10 @@ def fresh(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Path]:
     loader.load.cache_clear()
     yield cache
     loader.load.cache_clear()
+
+
+def libraries(folder: Path) -> list[Path]:
+    return sorted(folder.glob("*.so"))
 
 
 def frequencies(backend: str = "auto") -> pkmodes.Modes:
@@ -78,7 +83,7 @@ def test_without_compiler_and_library_numpy_does_the_work(
     assert frequencies().backend == "numpy"
     with pytest.raises(PkmodesError, match=r"no C compiler to build it with .*; install a C compiler"):
         frequencies("compiled")
-    assert not list(fresh.glob("*.so"))
+    assert not libraries(fresh)
 
 
 def test_without_a_library_numpy_compares_whatever_the_environment_asks_for(
@@ -103,12 +108,12 @@ def test_a_compiler_that_fails_is_named(fresh: Path, monkeypatch: pytest.MonkeyP
     assert frequencies().backend == "numpy"
     with pytest.raises(PkmodesError, match="mycc failed: error: no such processor"):
         frequencies("compiled")
-    assert not [file for file in fresh.iterdir() if file.name != "."]
+    assert not libraries(fresh)
 
 
 def test_a_library_is_built_once_and_kept(fresh: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert frequencies("compiled").backend == "compiled"
-    (kept,) = fresh.iterdir()
+    (kept,) = libraries(fresh)
     assert fresh.stat().st_mode & 0o077 == 0
     loader.load.cache_clear()
     monkeypatch.setattr(build, "build", lambda *_: pytest.fail("built again"))
@@ -121,18 +126,191 @@ def test_a_library_is_built_once_and_kept(fresh: Path, monkeypatch: pytest.Monke
     assert kept.is_file()
 
 
-def test_what_is_no_library_is_built_again(fresh: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    whole = build.build
+def test_a_damaged_library_is_built_again_and_never_loaded(
+    fresh: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The system ends a process that loads a truncated library, with a signal: it must not be tried."""
+    frequencies("compiled")
+    (kept,) = libraries(fresh)
+    content = kept.read_bytes()
+    real, loaded = loader.Library, []
 
-    def spoilt(header: str, target: Path, cc: str) -> None:
-        target.write_text("not a library")
-        target.chmod(0o755)
+    def library(path: Path) -> loader.Library:
+        loaded.append(path.read_bytes())
+        return real(path)
 
-    monkeypatch.setattr(build, "build", spoilt)
-    with pytest.raises(PkmodesError, match="cannot be loaded"):
-        frequencies("compiled")
-    monkeypatch.setattr(build, "build", whole)
+    def built(header: str, folder: Path, stem: str, cc: tuple[str, ...]) -> Path:
+        kept.write_bytes(content)
+        return kept
+
+    monkeypatch.setattr(loader, "Library", library)
+    monkeypatch.setattr(build, "build", built)
+    middle = len(content) // 2
+    flipped = content[:middle] + bytes([content[middle] ^ 1]) + content[middle + 1 :]
+    for damaged in (
+        b"",
+        content[:1000],
+        content[:middle],
+        content[:-1],
+        content + b"x",
+        flipped,
+        b"not a library",
+    ):
+        kept.unlink()  # this process has it in memory still
+        kept.write_bytes(damaged)
+        loader.load.cache_clear()
+        assert frequencies("compiled").backend == "compiled"
+    assert set(loaded) == {content}
+
+
+def test_a_damaged_library_of_the_package_is_built_again(
+    fresh: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    frequencies("compiled")
+    (kept,) = libraries(fresh)
+    shipped = fresh.parent / "shipped"
+    shipped.mkdir()
+    name = f"corexy.{kept.name.split('.')[-2]}.so"
+    (shipped / name).write_bytes(kept.read_bytes())
+    kept.unlink()
+    monkeypatch.setattr(loader, "SHIPPED", shipped)
+    loader.load.cache_clear()
     assert frequencies("compiled").backend == "compiled"
+    assert not libraries(fresh), "that of the package is as good"
+    content = (shipped / name).read_bytes()
+    (shipped / name).unlink()
+    (shipped / name).write_bytes(content[:5000])
+    loader.load.cache_clear()
+    assert frequencies("compiled").backend == "compiled"
+    assert len(libraries(fresh)) == 1
+
+
+def test_a_library_reaches_the_disk_before_it_has_its_name(
+    fresh: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """After a power failure the name may be there and the bytes not."""
+    synced, real = [], os.fsync
+
+    def fsync(descriptor: int) -> None:
+        assert not libraries(fresh)
+        synced.append(os.fstat(descriptor).st_size)
+        real(descriptor)
+
+    monkeypatch.setattr(os, "fsync", fsync)
+    frequencies("compiled")
+    (kept,) = libraries(fresh)
+    assert kept.stat().st_size in synced
+
+
+def test_what_the_system_refuses_to_load_is_not_compiled_again(
+    fresh: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    frequencies("compiled")
+    (kept,) = libraries(fresh)
+
+    def refused(path: str) -> None:
+        raise OSError(f"{path}: failed to map segment from shared object")
+
+    monkeypatch.setattr(loader.ctypes, "CDLL", refused)
+    monkeypatch.setattr(build, "build", lambda *_: pytest.fail("built again"))
+    loader.load.cache_clear()
+    assert frequencies().backend == "numpy"
+    with pytest.raises(PkmodesError) as error:
+        frequencies("compiled")
+    assert f"the compiled library cannot be loaded: {kept}: failed to map segment" in error.value.what
+    assert "install a C compiler" not in error.value.remedy
+    assert "name a folder of your own in the environment variable PKMODES_CACHE" in error.value.remedy
+
+
+def test_nothing_is_compiled_for_a_folder_from_which_nothing_can_be_loaded(
+    fresh: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fresh.mkdir(mode=0o700)
+    mount = ["mount", "-t", "tmpfs", "-o", "noexec,mode=700", "none", str(fresh)]
+    if subprocess.run(mount, capture_output=True).returncode:
+        pytest.skip("a file system cannot be mounted here: needs the right to")
+    try:
+        monkeypatch.setattr(build, "build", lambda *_: pytest.fail("built"))
+        with pytest.raises(
+            PkmodesError, match=r"noexec .*; name a folder of your own .* from which programs"
+        ):
+            frequencies("compiled")
+    finally:
+        subprocess.run(["umount", str(fresh)], check=True)
+
+
+def test_processes_that_need_a_library_at_once_build_it_once(fresh: Path, tmp_path: Path) -> None:
+    """The others wait for the first one; each compiler that runs leaves a line."""
+    real, called = build.compiler(), tmp_path / "called"
+    assert real is not None
+    counting = tmp_path / "counting"
+    counting.write_text(
+        f'#!/bin/sh\ncase "$*" in *-shared*) echo x >> {called};; esac\nexec {real[0]} "$@"\n'
+    )
+    counting.chmod(0o755)
+    program = (
+        "import sys; from pathlib import Path; from pkmodes.compiled import build, loader; import pkmodes\n"
+        "build.FLAGS = ('-std=gnu11', '-O0', '-fPIC'); build.WIDTHS = {build.machine(): {2: ()}}\n"
+        "loader.SHIPPED = Path('nowhere')\n"
+        f"print(pkmodes.load({str(ROBOT)!r}).modes({POSE}, backend='compiled').backend)"
+    )
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "CC": str(counting)}
+    command = [sys.executable, "-c", program]
+    at_once = [
+        subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True) for _ in range(4)
+    ]
+    assert [process.communicate(timeout=600)[0] for process in at_once] == ["compiled\n"] * 4
+    assert called.read_text() == "x\n"
+    assert len(libraries(fresh)) == 1
+
+
+def test_a_file_system_without_locks_has_libraries_all_the_same(
+    fresh: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def no_locks(*_: object, **__: object) -> None:
+        raise OSError(38, "Function not implemented")
+
+    monkeypatch.setattr("filelock.FileLock.acquire", no_locks)
+    assert frequencies("compiled").backend == "compiled"
+
+
+@pytest.mark.parametrize("options", ["-O1", "-g  -DNOTHING='a b'"])
+def test_the_compiler_may_have_options(fresh: Path, monkeypatch: pytest.MonkeyPatch, options: str) -> None:
+    found = build.compiler()
+    assert found is not None
+    monkeypatch.setenv("CC", f"{Path(found[0]).name} {options}")
+    assert build.compiler() == (found[0], *shlex.split(options))
+    assert frequencies("compiled").backend == "compiled"
+
+
+def test_the_compiler_may_be_called_by_another_program(
+    fresh: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """As by ccache."""
+    found = build.compiler()
+    assert found is not None
+    caching = tmp_path / "my cache"
+    caching.write_text('#!/bin/sh\nexec "$@"\n')
+    caching.chmod(0o755)
+    monkeypatch.setenv("CC", f'"{caching}" {found[0]}')
+    assert frequencies("compiled").backend == "compiled"
+
+
+@pytest.mark.parametrize("name", ["no-such-compiler -O1", "'gcc"])
+def test_a_compiler_that_is_not_there_is_named(
+    fresh: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    monkeypatch.setenv("CC", name)
+    with pytest.raises(PkmodesError, match=f'the environment variable CC is "{name}".*; let CC begin with'):
+        frequencies("compiled")
+
+
+def test_options_with_which_no_nan_is_seen_are_refused(fresh: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    found = build.compiler()
+    assert found is not None
+    monkeypatch.setenv("CC", f"{found[0]} -ffast-math")
+    with pytest.raises(PkmodesError, match="a pose that cannot be evaluated shows as NaN"):
+        frequencies("compiled")
 
 
 @pytest.mark.parametrize("mode", [0o777, 0o770])
@@ -148,7 +326,7 @@ def test_a_folder_that_others_can_write_to_is_not_used(fresh: Path, mode: int) -
 
 def test_a_library_that_others_can_write_to_is_not_loaded(fresh: Path) -> None:
     frequencies("compiled")
-    (kept,) = fresh.iterdir()
+    (kept,) = libraries(fresh)
     kept.chmod(0o777)
     loader.load.cache_clear()
     with pytest.raises(PkmodesError, match="others can write to"):
@@ -158,7 +336,7 @@ def test_a_library_that_others_can_write_to_is_not_loaded(fresh: Path) -> None:
 @pytest.mark.skipif(not hasattr(os, "getuid") or os.getuid() != 0, reason="only root can give files away")
 def test_a_library_of_another_user_is_not_loaded(fresh: Path) -> None:
     frequencies("compiled")
-    (kept,) = fresh.iterdir()
+    (kept,) = libraries(fresh)
     os.chown(kept, 12345, -1)
     loader.load.cache_clear()
     with pytest.raises(PkmodesError, match="belongs to another user"):
@@ -180,9 +358,9 @@ def test_a_library_from_other_sources_is_not_used(fresh: Path, monkeypatch: pyte
     header = (ROOT / "generated/pkmodes_generated/corexy" / build.HEADER).read_text(encoding="utf-8")
     cc = build.compiler()
     assert cc is not None
-    build.build(header + "/* before the change */\n", shipped / "corexy.so", cc)
+    build.build(header + "/* before the change */\n", shipped, "corexy", cc)
     assert frequencies("compiled").backend == "compiled"
-    assert len(list(fresh.iterdir())) == 1  # built anew
+    assert len(libraries(fresh)) == 1  # built anew
 
 
 def test_the_command_line_says_which_back_end_ran(tmp_path: Path) -> None:

@@ -31,7 +31,7 @@ def solve(tmp_path_factory: pytest.TempPathFactory) -> Solver:
     cc = build.compiler()
     assert cc is not None
     command = [
-        cc,
+        *cc,
         *build.FLAGS,
         f"-DLANES_WIDTH={WIDTH}",
         "-I",

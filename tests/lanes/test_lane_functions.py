@@ -43,7 +43,7 @@ def lanes(request: pytest.FixtureRequest, tmp_path: Path) -> tuple[ctypes.CDLL, 
     (tmp_path / "lanes.c").write_text(SOURCE, encoding="utf-8")
     options = [*build.FLAGS, *WIDTHS[width], f"-DLANES_WIDTH={width}", f"-I{build.FOLDER}"]
     options.remove("-fvisibility=hidden")
-    command = [cc, *options, "-shared", "lanes.c", "-o", "lanes.so", "-lm"]
+    command = [*cc, *options, "-shared", "lanes.c", "-o", "lanes.so", "-lm"]
     subprocess.run(command, cwd=tmp_path, check=True)
     return ctypes.CDLL(str(tmp_path / "lanes.so")), width
 

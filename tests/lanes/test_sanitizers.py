@@ -39,7 +39,7 @@ print("clean")
 def test_the_sanitizers_find_nothing(tmp_path: Path) -> None:
     cc = build.compiler()
     assert cc is not None
-    found = subprocess.run([cc, "-print-file-name=libasan.so"], capture_output=True, text=True, check=True)
+    found = subprocess.run([*cc, "-print-file-name=libasan.so"], capture_output=True, text=True, check=True)
     runtime = found.stdout.strip()
     if not Path(runtime).is_absolute():
         pytest.skip("the compiler has no address sanitizer to be loaded before Python")

@@ -9,6 +9,7 @@ import xarray
 
 from helpers.commands.map_runs import model
 from pkmodes.base.errors import OutputError
+from pkmodes.maps.locking import LOCK
 
 POSE = {"x": 0.6, "y": 0.0, "z": -0.245}
 OTHER = {"x": 0.5, "y": 0.0, "z": -0.245}
@@ -76,8 +77,75 @@ def test_something_in_the_place_of_the_folder_for_interrupted_maps(tmp_path: Pat
     error = refused(tmp_path / "map.nc")
     assert error.what == "expected a folder for the map in progress, found a file"
     assert error.where == str(tmp_path / "map.nc.partial")
-    assert error.remedy == "delete it, or choose another output"
+    assert error.remedy == "move or rename it, or choose another output"
     assert (tmp_path / "map.nc.partial").read_text() == "mine"
+
+
+def test_a_folder_of_the_user_with_the_name_of_that_for_interrupted_maps(tmp_path: Path) -> None:
+    """Nothing in it is touched, whatever its files are called."""
+    mine = tmp_path / "map.nc.partial"
+    mine.mkdir()
+    for name in ("thesis.tex", "frequency.npy", "lock"):
+        (mine / name).write_text("mine")
+    error = refused(tmp_path / "map.nc")
+    assert (
+        error.what
+        == 'expected a folder for the map in progress, found one with other files ("frequency.npy")'
+    )
+    assert error.where == str(mine)
+    assert error.remedy == "move or rename it, or choose another output"
+    assert {file.name: file.read_text() for file in mine.iterdir()} == dict.fromkeys(
+        ("thesis.tex", "frequency.npy", "lock"), "mine"
+    )
+
+
+def test_a_file_that_the_user_adds_to_an_interrupted_map_survives_it(tmp_path: Path) -> None:
+    mine = tmp_path / "map.nc.partial"
+    mine.mkdir()
+    (mine / LOCK).touch()
+    (mine / "notes.txt").write_text("mine")
+    model().map(POSE, out=tmp_path / "map.nc").close()
+    assert [(file.name, file.read_text()) for file in mine.iterdir() if file.name != LOCK] == [
+        ("notes.txt", "mine")
+    ]
+
+
+def test_a_link_in_the_place_of_the_folder_for_interrupted_maps(tmp_path: Path) -> None:
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "map.nc.partial").symlink_to(tmp_path / "elsewhere")
+    error = refused(tmp_path / "map.nc")
+    assert error.what == "expected a folder for the map in progress, found a symbolic link"
+    assert not list((tmp_path / "elsewhere").iterdir())
+    (tmp_path / "map.nc.partial").unlink()
+    (tmp_path / "map.nc.partial").symlink_to(tmp_path / "nowhere")
+    assert refused(tmp_path / "map.nc").what == error.what
+    assert not (tmp_path / "nowhere").exists()
+
+
+@pytest.mark.parametrize("name", [LOCK, "frequency.npy", "plan.json", "new.nc"])
+def test_links_in_a_received_folder_are_not_followed(tmp_path: Path, name: str) -> None:
+    other, folder = tmp_path / "other", tmp_path / "map.nc.partial"
+    other.write_text("mine")
+    folder.mkdir()
+    (folder / LOCK).touch()
+    (folder / name).unlink(missing_ok=True)
+    (folder / name).symlink_to(other)
+    assert "found a link or device" in refused(tmp_path / "map.nc").what
+    assert other.read_text() == "mine"
+
+
+def test_a_link_to_another_suffix_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "map.nc").symlink_to(tmp_path / "thesis.tex")
+    error = refused(tmp_path / "map.nc")
+    assert error.what.startswith(
+        "expected a link to a name that ends in .nc, .zarr, .csv or .parquet, found "
+    )
+    assert not (tmp_path / "thesis.tex").exists()
+
+
+def test_a_link_to_itself_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "map.nc").symlink_to(tmp_path / "map.nc")
+    assert "symbolic links that lead back to themselves" in refused(tmp_path / "map.nc").what
 
 
 def test_a_folder_that_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

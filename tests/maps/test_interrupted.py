@@ -16,6 +16,7 @@ import xarray
 import pkmodes
 from helpers.commands.map_runs import (
     GRID,
+    ROWS,
     TASKS,
     count_tasks,
     done_in,
@@ -142,7 +143,41 @@ def test_damaged_arrays_are_refused(
     assert not interrupted.exists()
 
 
-@pytest.mark.parametrize("text", ["", "{", "[]", '{"version": 1}', "null"])
+@pytest.mark.parametrize("name", ["frequency.npy", "done.npy", "checks.npy"])
+def test_a_damaged_header_is_refused(interrupted: Path, monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    """Whichever of its bytes; NumPy would evaluate it as Python."""
+    count_tasks(monkeypatch)
+    file = folder_of(interrupted) / name
+    content = file.read_bytes()
+    for place in range(content.index(b"\n") + 1):
+        file.write_bytes(content[:place] + bytes([content[place] ^ 0x10]) + content[place + 1 :])
+        with pytest.raises(OutputError, match=f"the file {name} of the interrupted map is damaged"):
+            model().map(GRID, out=interrupted)
+    assert not interrupted.exists()
+
+
+@pytest.mark.parametrize("name", ["frequency.npy", "code.npy", "checks.npy", "done.npy"])
+@pytest.mark.parametrize("bit", [0, 6])
+def test_rows_that_were_damaged_are_computed_again(
+    interrupted: Path, monkeypatch: pytest.MonkeyPatch, name: str, bit: int
+) -> None:
+    """One flipped bit in the rows of the second of three tasks that were done, or in what is recorded of it."""
+    file = folder_of(interrupted) / name
+    stored = np.load(file)
+    rows = TASKS if name in ("checks.npy", "done.npy") else len(GRID["x"]) * len(GRID["y"])
+    content = bytearray(file.read_bytes())
+    place = len(content) - stored.nbytes + (stored.nbytes // rows) * (1 if rows == TASKS else ROWS + 3)
+    content[place] ^= 1 << bit
+    file.write_bytes(content)
+    done = 3
+    whole = model().map(GRID)
+    seen = count_tasks(monkeypatch)
+    with model().map(GRID, out=interrupted) as found:
+        xarray.testing.assert_allclose(found.load(), whole, rtol=1e-12)
+    assert len(seen) == TASKS - done + 1
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"version": 1}', "null", "[" * 100_000])
 def test_a_damaged_plan_is_refused(interrupted: Path, monkeypatch: pytest.MonkeyPatch, text: str) -> None:
     count_tasks(monkeypatch)
     plan = folder_of(interrupted) / "plan.json"

@@ -40,7 +40,6 @@ def ran(names: list[str], *arguments: str, folder: Path) -> subprocess.Completed
         ("netCDF4", ["--out", "map.nc"]),
         ("dask", ["--out", "map.nc"]),
         ("zarr", ["--out", "map.zarr"]),
-        ("filelock", ["--out", "map.nc"]),
         ("pyarrow", ["--out", "map.csv"]),
         ("pyarrow", ["--out", "map.parquet"]),
         ("pandas", ["--out", "map.csv"]),
@@ -60,7 +59,7 @@ def test_a_missing_library_is_named_before_anything_is_computed(
 
 
 def test_other_commands_do_without(tmp_path: Path) -> None:
-    names = ["xarray", "netCDF4", "zarr", "dask", "distributed", "pandas", "pyarrow", "filelock"]
+    names = ["xarray", "netCDF4", "zarr", "dask", "distributed", "pandas", "pyarrow"]
     done = ran(names, "modes", str(PUBLISHED), "--pose", "0.6,0,-0.245", folder=tmp_path)
     assert done.returncode == 0, done.stderr
 

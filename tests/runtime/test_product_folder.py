@@ -8,7 +8,7 @@ import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -19,8 +19,9 @@ from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.base import writing
 from pkmodes.base.errors import OutputError, PkmodesError
 from pkmodes.cli import run
-from pkmodes.codegen import generation
+from pkmodes.codegen import alone, generation
 from pkmodes.codegen.checking.recorded import recorded_robot
+from pkmodes.codegen.product_folder import check_place
 from pkmodes.robot.reading import read_robot
 from pkmodes_derive.emit.provenance import pasteable
 from pkmodes_rig.robots import ROBOTS
@@ -144,6 +145,115 @@ def test_a_name_that_cannot_be_one_is_refused(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str
 ) -> None:
     assert "cannot write: " in refused(PUBLISHED, tmp_path / name, capsys)
+
+
+# Two at once.
+
+
+@pytest.fixture
+def other(tmp_path: Path) -> Path:
+    """A robot file of another name."""
+    file = tmp_path / "other.toml"
+    file.write_text(published().replace('name = "linear-delta-2022"', 'name = "other"'), encoding="utf-8")
+    return file
+
+
+def while_deriving(monkeypatch: pytest.MonkeyPatch, happens: Callable[[], object]) -> None:
+    """Let something happen once, while the next model is derived."""
+    real = generation.specialised
+
+    def specialised(specification: object) -> dict[str, str]:
+        monkeypatch.setattr(generation, "specialised", real)
+        happens()
+        return real(specification)
+
+    monkeypatch.setattr(generation, "specialised", specialised)
+
+
+def test_two_robots_generated_at_once_are_not_mixed(
+    tmp_path: Path, other: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "new" / "model"
+    while_deriving(monkeypatch, lambda: generation.generate(other, out))
+    error = refused(PUBLISHED, out, capsys)
+    assert "another process has generated into the folder meanwhile" in error
+    assert json.loads((out / "manifest.json").read_text(encoding="utf-8"))["robot"]["name"] == "other"
+    assert {file.stem.removesuffix("_without_effects") for file in out.iterdir()} == {"manifest", "other"}
+    assert run(["check", str(out)]) == 0
+
+
+def test_one_robot_generated_twice_at_once_is_welcome(
+    tmp_path: Path, other: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = tmp_path / "new" / "model"
+    while_deriving(monkeypatch, lambda: generation.generate(other, out))
+    assert run(["generate", str(other), "--out", str(out)]) == 0
+
+
+def test_a_folder_into_which_another_process_writes_is_waited_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(alone, "PATIENCE", 0.1)
+    with alone.alone(tmp_path / "model"):
+        with pytest.raises(OutputError) as error, alone.alone(tmp_path / "model"):
+            pytest.fail("two at once")
+        assert "another process has been generating into the folder" in error.value.what
+    assert not (tmp_path / "model").exists(), "nothing was written"
+
+
+# Links in a received folder.
+
+
+@pytest.mark.parametrize("name", [MODULE, "linear_delta_2022.c", "manifest.json", ".pkmodes-generate.lock"])
+def test_links_in_a_received_folder_are_not_followed(
+    copy: Path, capsys: pytest.CaptureFixture[str], name: str
+) -> None:
+    """Also one that leads to nothing yet."""
+    outside, file = copy / "outside", copy / "model" / name
+    outside.write_bytes(file.read_bytes() if file.exists() else b"mine")
+    before = outside.read_bytes()
+    file.unlink(missing_ok=True)
+    file.symlink_to(outside)
+    error = refused(copy / "robot.toml", copy / "model", capsys)
+    assert "symbolic link" in error
+    assert outside.read_bytes() == before
+    assert file.is_symlink()
+    if name != "manifest.json":
+        outside.unlink()
+        assert "symbolic link" in refused(copy / "robot.toml", copy / "model", capsys)
+        assert not outside.exists()
+
+
+def test_the_folder_of_a_mechanism_may_not_be_a_link(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "outside").mkdir()
+    (tmp_path / "model").mkdir()
+    (tmp_path / "model" / "mine").symlink_to(tmp_path / "outside")
+    (tmp_path / "mine.py").write_text("TITLE = 'x'", encoding="utf-8")
+    command = ["generate", str(PUBLISHED), "--out", str(tmp_path / "model")]
+    assert run([*command, "--mechanism", str(tmp_path / "mine.py")]) == 2
+    assert 'found that "mine" is a symbolic link' in capsys.readouterr().err
+    assert not list((tmp_path / "outside").iterdir())
+
+
+def test_the_robot_file_in_the_folder_may_be_a_link(tmp_path: Path) -> None:
+    (tmp_path / "model").mkdir()
+    (tmp_path / "model" / "robot.toml").symlink_to(PUBLISHED)
+    check_place(tmp_path / "model", [PUBLISHED], None)
+
+
+def test_a_folder_of_pictures_is_not_left_by_a_link(tmp_path: Path) -> None:
+    (tmp_path / "outside").mkdir()
+    (tmp_path / "figures").mkdir()
+    (tmp_path / "figures" / "a.svg").symlink_to(tmp_path / "outside" / "a.svg")
+    (tmp_path / "figures" / "b.svg").symlink_to("c.svg")
+    with pytest.raises(OutputError, match=r"a\.svg is a symbolic link that leads out of the folder"):
+        writing.write_files(tmp_path / "figures", {"a.svg": "x"})
+    assert not list((tmp_path / "outside").iterdir())
+    writing.write_files(tmp_path / "figures", {"b.svg": "x"})
+    assert (tmp_path / "figures" / "b.svg").is_symlink()
+    assert (tmp_path / "figures" / "c.svg").read_text() == "x"
 
 
 @pytest.fixture

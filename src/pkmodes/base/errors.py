@@ -63,7 +63,7 @@ class PkmodesError(Exception):
         return type(self), (self.what, self.where, self.remedy)
 
     def __str__(self) -> str:
-        return f"{self.what} ({self.where}); {self.remedy}"
+        return printable(f"{self.what} ({self.where}); {self.remedy}")
 
     @property
     def lines(self) -> tuple[str, ...]:

@@ -10,21 +10,27 @@ from contextlib import suppress
 from pathlib import Path
 
 from pkmodes.base.errors import OutputError
+from pkmodes.base.places import resolved
 
 #: Failures after which the same place may be used once there is room.
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 
-def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> list[Path]:
+def write_files(folder: Path, texts: Mapping[str, str | bytes], *, follow: bool = False) -> list[Path]:
     """Write texts, or other contents, into a folder, all or none; existing files of those names are replaced.
 
     Every text is written to a temporary file next to its target and then moved.  Replaced files are kept until all
     texts are in place.  If anything fails, they are restored and the folders created for the texts are removed.
 
+    Parameters
+    ----------
+    follow : bool
+        Whether a name in the folder may be a symbolic link that leads out of it: only where the user named the file.
+
     Raises
     ------
     OutputError
-        If the folder or a file cannot be written.
+        If the folder or a file cannot be written, or a link leads out of the folder.
     """
     staged: list[tuple[Path, Path]] = []
     moved: list[tuple[Path | None, Path]] = []
@@ -35,6 +41,9 @@ def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> list[Path]:
         for name, text in texts.items():
             writing = folder / name
             target = _real(writing)
+            if not follow and target != writing and not target.is_relative_to(resolved(folder)):
+                what = f"{name} is a symbolic link that leads out of the folder"
+                raise OutputError(what, str(folder), "remove the link, or choose another folder")
             staged.append((_stage(target, text), target))
         for temporary, target in staged:
             backup = _set_aside(target)
@@ -74,7 +83,7 @@ def write_file(path: Path, text: str | bytes) -> None:
         except OSError as error:
             raise refusal(error, path) from None
         return
-    write_files(path.parent, {path.name: text})
+    write_files(path.parent, {path.name: text}, follow=True)
 
 
 def refusal(error: OSError, place: Path) -> OutputError:
@@ -92,7 +101,7 @@ def refusal(error: OSError, place: Path) -> OutputError:
 
 def _real(path: Path) -> Path:
     """Return the target of a symbolic link, so that the link itself is kept."""
-    target = path.resolve() if path.is_symlink() else path
+    target = resolved(path) if path.is_symlink() else path
     if target.is_dir():
         raise IsADirectoryError(None, "a folder of that name exists", str(target))
     return target

@@ -26,6 +26,7 @@ from pkmodes.cli.figures import figures
 from pkmodes.cli.generate import generate
 from pkmodes.cli.map import map_
 from pkmodes.cli.modes import modes
+from pkmodes.cli.printing import echo
 from pkmodes.cli.sensitivities import sensitivities
 from pkmodes.cli.show import show
 
@@ -102,5 +103,5 @@ def _be_lenient() -> None:
 def _report(lines: Sequence[str]) -> int:
     with suppress(OSError):  # stderr is closed
         for line in lines:
-            click.echo(f"error: {line}", err=True)
+            echo(f"error: {line}", err=True)
     return BAD_INPUT

@@ -13,6 +13,7 @@ from pkmodes.base.documents import Document
 from pkmodes.base.errors import PkmodesError
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import json_option
+from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 
 if TYPE_CHECKING:
@@ -152,14 +153,14 @@ def _document(report: Report) -> TargetDocument:
 def _print(reports: Sequence[Report]) -> None:
     for report in reports:
         for line in _lines(report):
-            click.echo(line)
+            echo(line)
 
 
 def _lines(report: Report) -> Iterator[str]:
     for finding in report.findings:
         yield f"{report.target}: {finding.message}"
         if finding.diff:
-            yield finding.diff
+            yield from finding.diff.split("\n")
     failed = [check for check in report.checks if not check.holds]
     for check in failed:
         size = f"relative error {check.error:.1e}, expected at most {check.bound:.0e}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -14,6 +15,11 @@ import click
 
 from pkmodes.base.errors import PkmodesError
 from pkmodes.base.writing import write_file
+from pkmodes.cli.printing import echo
+
+#: Characters that JSON may hold and a terminal obeys: controls, and those that turn the direction.  Bytes of a file
+#: name that are not UTF-8 are surrogates, which JSON can hold only as escapes.
+UNSEEN = re.compile("[\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
 
 
 @dataclass(frozen=True)
@@ -80,7 +86,7 @@ def deliver(
         else:
             show()
         for line in written:
-            click.echo(line, err=to_stdout)
+            echo(line, err=to_stdout)
         if sys.stdout is not None:
             sys.stdout.flush()
     except (BrokenPipeError, SystemExit):  # click and rich turn the one into the other
@@ -92,8 +98,8 @@ def deliver(
 
 def write_json(file: Path, content: dict[str, Any]) -> None:
     """Write a result as JSON."""
-    # Bytes of a file name that are not UTF-8 are surrogates, which JSON can hold only as escapes.
-    write_file(file, _text(content, ascii_only=False).encode("utf-8", "backslashreplace").decode("utf-8"))
+    text = UNSEEN.sub(lambda match: f"\\u{ord(match[0]):04x}", _text(content, ascii_only=False))
+    write_file(file, text)
 
 
 def _text(content: dict[str, Any], ascii_only: bool) -> str:

@@ -10,8 +10,10 @@ from msgspec import Meta
 
 from pkmodes.base.documents import Document
 from pkmodes.base.errors import OutputError, shown
+from pkmodes.base.places import resolved
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import json_option, mechanism_option, named_as_options
+from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.model.loading import load
 
@@ -51,6 +53,7 @@ def figures(robot: Path, out: str, grid: str | None, formats: tuple[str, ...], j
     folder = Path(out)
     if not out or "\0" in out or (folder.exists() and not folder.is_dir()):
         raise OutputError("expected the name of a folder", f"--out {shown(out)}", "choose another place")
+    resolved(folder, "--out")
     model = load(robot)
     from pkmodes.figures.files import write_pictures
     from pkmodes.maps.ranges import parse_grid
@@ -59,4 +62,4 @@ def figures(robot: Path, out: str, grid: str | None, formats: tuple[str, ...], j
     with named_as_options({"grid": "--grid"}):
         written = write_pictures(model, folder, places, tuple(dict.fromkeys(formats)))
     document = FiguresDocument(robot=str(robot), out=out, files=[path.name for path in written])
-    deliver(json_file, document.as_json(), lambda: click.echo("\n".join(map(str, written))))
+    deliver(json_file, document.as_json(), lambda: list(map(echo, written)))

@@ -12,6 +12,7 @@ from pkmodes.base.documents import Document
 from pkmodes.base.errors import OutputError
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import json_option
+from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 
 
@@ -63,4 +64,4 @@ def generate(robot: Path, out: str, mechanism: Path | None, json_file: str | Non
     written = generate_model(robot, Path(out), mechanism)
     files = [path.relative_to(out).as_posix() for path in written]
     document = GenerateDocument(robot=str(robot), out=str(Path(out)), files=files)
-    deliver(json_file, document.as_json(), lambda: click.echo("\n".join(map(str, written))))
+    deliver(json_file, document.as_json(), lambda: list(map(echo, written)))

@@ -14,6 +14,7 @@ from pkmodes.base.writing import write_file
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose
+from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import Target, check_targets
 from pkmodes.model.loading import load
 
@@ -85,4 +86,4 @@ def show(robot: Path, pose: str | None, out: str | None, mode: int | None, json_
     else:
         write_file(Path(target), page(poses_around(model, point)))
     document = ShowDocument(robot=str(robot), out=target, pose=point)
-    deliver(json_file, document.as_json(), lambda: click.echo(target))
+    deliver(json_file, document.as_json(), lambda: echo(target))

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from pkmodes.base.errors import OutputError, shown
 from pkmodes.base.pasting import pasted
+from pkmodes.base.places import resolved
 
 
 @dataclass(frozen=True)
@@ -65,13 +66,14 @@ def check_targets(json_file: str | None, inputs: Sequence[Path], *others: Target
 def _check_distinct(target: Target, inputs: Sequence[Path], taken: dict[Path, str]) -> None:
     """Reject a target that is an input or one of those taken, and take it."""
     path = Path(str(target.file))
+    real = resolved(path, target.option)
     where = f"{target.option} {target.file if target.option == '--json' else path}"
-    if path.resolve() in taken:
-        what = f"{taken[path.resolve()]} and {target.what} would be the same file"
+    if real in taken:
+        what = f"{taken[real]} and {target.what} would be the same file"
         raise OutputError(what, where, "choose another file")
     if any(given.exists() and path.exists() and given.samefile(path) for given in inputs):
         raise OutputError(f"{target.what} would replace its own input", where, "choose another file")
-    taken[path.resolve()] = target.what
+    taken[real] = target.what
 
 
 def _check_place(file: str, option: str) -> None:

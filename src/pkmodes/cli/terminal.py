@@ -8,6 +8,8 @@ from collections.abc import Sequence
 from rich.console import Console
 from rich.table import Table
 
+from pkmodes.base.errors import printable
+
 #: Tables are as wide as their numbers need and are never truncated.
 WIDEST_TABLE = 10_000
 #: Sentences are never wrapped to lines shorter than this.
@@ -17,7 +19,8 @@ NARROWEST = 40
 class Terminal:
     """Sentences and tables on standard output: sentences are wrapped at spaces, tables are never truncated.
 
-    Text from files, such as labels, is shown verbatim, including brackets and colons.
+    Text from files, such as labels, is shown verbatim, including brackets and colons; only characters that are not
+    visible are written as escapes.
     """
 
     def __init__(self) -> None:
@@ -27,12 +30,12 @@ class Terminal:
 
     def heading(self, text: str) -> None:
         """Print a line that may name a file; it is not wrapped, so that the name can be copied."""
-        self._console.print(text, soft_wrap=True)
+        self._console.print(printable(text), soft_wrap=True)
 
     def line(self, text: str = "", indent: str = "") -> None:
         """Print a sentence; every line starts with `indent`."""
         lines = textwrap.wrap(
-            text,
+            printable(text),
             self._width,
             initial_indent=indent,
             subsequent_indent=indent,
@@ -48,5 +51,5 @@ class Terminal:
         for title in titles:
             table.add_column(title, justify="left" if title in left else "right", no_wrap=True)
         for row in rows:
-            table.add_row(*row)
+            table.add_row(*map(printable, row))
         self._console.print(table)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -10,6 +11,7 @@ from typing import Any
 
 from pkmodes.base.errors import OutputError, PkmodesError, shown
 from pkmodes.base.writing import write_files
+from pkmodes.codegen.alone import alone
 from pkmodes.codegen.derivation import (
     Definition,
     as_pkmodes_errors,
@@ -20,7 +22,14 @@ from pkmodes.codegen.derivation import (
     read_definition,
     staged,
 )
-from pkmodes.codegen.product_folder import MANIFEST, check_mechanism, check_owner, check_place, stale_outputs
+from pkmodes.codegen.product_folder import (
+    MANIFEST,
+    check_mechanism,
+    check_no_link,
+    check_owner,
+    check_place,
+    stale_outputs,
+)
 from pkmodes.mechanism.packages import folder_of
 from pkmodes.mechanism.registry import add_folder
 from pkmodes.robot.reading import read_robot
@@ -64,10 +73,28 @@ def _plain(value: Any) -> Any:
 
 @dataclass(frozen=True)
 class _Folder:
-    """A folder of generated code and its present manifest."""
+    """A folder of generated code, its manifest before anything is derived, and what else may be in it."""
 
     place: Path
     recorded: dict[str, Any] | None
+    beside: tuple[Path, ...]
+
+    @classmethod
+    def checked(cls, place: Path, *beside: Path) -> _Folder:
+        """Check that generated files may be written there."""
+        folder = cls(place, _recorded(place), beside)
+        check_place(place, beside, folder.recorded)
+        return folder
+
+    def check_again(self, texts: Mapping[str, str]) -> None:
+        """Refuse a folder that another process has changed meanwhile, unless it wrote the same."""
+        now = _recorded(self.place)
+        if now not in (self.recorded, json.loads(texts[MANIFEST])):
+            what = "another process has generated into the folder meanwhile"
+            raise OutputError(what, str(self.place), "choose another folder, or run the command again")
+        check_place(self.place, self.beside, now)
+        for name in texts:
+            check_no_link(self.place / name)
 
     def write(self, texts: Mapping[str, str]) -> list[Path]:
         """Write the generated files and remove those that a previous generation wrote under other names."""
@@ -114,19 +141,21 @@ def generate(robot_file: Path, out: Path, mechanism: Path | None = None) -> list
     if mechanism is not None:
         add_folder(mechanism)
     robot = read_robot(robot_file)
-    folder = _Folder(out, _recorded(out))
-    check_place(out, [robot_file], folder.recorded)
+    folder = _Folder.checked(out, robot_file)
     folder_of_mechanism = folder_of(robot.mechanism.package)
     definition = relative(Path(folder_of_mechanism), out) if folder_of_mechanism else ""
-    return folder.write(_texts(robot, robot_file, folder, definition))
+    texts = _texts(robot, robot_file, folder, definition)
+    with alone(out):
+        folder.check_again(texts)
+        return folder.write(texts)
 
 
 def _generate_both(robot_file: Path, out: Path, definition: Definition) -> list[Path]:
     """Generate the code of a mechanism and the model of a robot; write nothing unless both succeed."""
     package = out / definition.name
-    inner, outer = _Folder(package, _recorded(package)), _Folder(out, _recorded(out))
-    check_place(out, [robot_file, definition.file, package], outer.recorded)
-    check_place(package, [], inner.recorded)
+    outer = _Folder.checked(out, robot_file, definition.file, package)
+    check_no_link(package)
+    inner = _Folder.checked(package)
     check_mechanism(package, inner.recorded, definition.name)
     of_mechanism = parametric(definition, relative(definition.file, package))
     with staged(definition.name, of_mechanism):
@@ -136,7 +165,11 @@ def _generate_both(robot_file: Path, out: Path, definition: Definition) -> list[
             remedy = f'write mechanism = "{definition.name}", or leave --mechanism out'
             raise PkmodesError(what, f"{robot_file}: mechanism", remedy)
         of_robot = _texts(robot, robot_file, outer, relative(definition.file, out))
-    written = [*inner.write(of_mechanism), *outer.write(of_robot)]
+    with alone(out):
+        check_no_link(package)
+        inner.check_again(of_mechanism)
+        outer.check_again(of_robot)
+        written = [*inner.write(of_mechanism), *outer.write(of_robot)]
     add_folder(package)
     return written
 

@@ -9,7 +9,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from pkmodes.base.errors import OutputError
+from pkmodes.base.errors import OutputError, shown
+from pkmodes.base.places import resolved
 
 MANIFEST = "manifest.json"
 ELSEWHERE = "name a new or empty folder, such as --out build/my-robot"
@@ -30,7 +31,7 @@ def check_place(out: Path, beside: Sequence[Path], recorded: Mapping[str, Any] |
     OutputError
         If it is the root of a file system or repository, the home folder, or contains other files than a model.
     """
-    place = out.resolve()
+    place = resolved(out, "--out")
     if place == Path(place.anchor):
         raise OutputError("cannot write a model into the root of the file system", str(out), ELSEWHERE)
     if _is_home(place):
@@ -39,12 +40,13 @@ def check_place(out: Path, beside: Sequence[Path], recorded: Mapping[str, Any] |
         return
     if (place / ".git").exists():
         raise OutputError("cannot write a model into the root of a repository", str(out), ELSEWHERE)
-    allowed = {path.resolve() for path in beside}
+    allowed = [path for path in beside if path.exists()]
     try:
         foreign = sorted(
             entry.name
             for entry in place.iterdir()
-            if not entry.name.startswith(".") and entry.resolve() not in allowed
+            if not entry.name.startswith(".")
+            and not (entry.exists() and any(entry.samefile(path) for path in allowed))
         )
     except OSError as error:
         raise OutputError(
@@ -96,6 +98,18 @@ def check_mechanism(folder: Path, recorded: Mapping[str, Any] | None, name: str)
     if recorded is not None and ("robot" in recorded or recorded.get("product") != name):
         what = f"the folder holds generated files other than the code of the mechanism {name}"
         raise OutputError(what, str(folder), "choose another folder, or remove that one")
+
+
+def check_no_link(path: Path) -> None:
+    """Reject a symbolic link in the place of generated files: in a received folder it may lead anywhere.
+
+    Raises
+    ------
+    OutputError
+    """
+    if path.is_symlink():
+        what = f"expected a file or folder, found that {shown(path.name)} is a symbolic link"
+        raise OutputError(what, str(path.parent), "remove the link, or choose another folder")
 
 
 def stale_outputs(

@@ -8,6 +8,7 @@ from __future__ import annotations
 import hashlib
 import os
 import platform
+import shlex
 import shutil
 import subprocess
 import tempfile
@@ -61,19 +62,23 @@ def machine() -> str:
     return {"amd64": "x86_64", "arm64": "aarch64"}.get(platform.machine().lower(), platform.machine().lower())
 
 
-def compiler() -> str | None:
-    """Find a C compiler: that of the environment variable CC, or cc, gcc or clang.
+def compiler() -> tuple[str, ...] | None:
+    """Find a C compiler: that of the environment variable CC, perhaps with options, or cc, gcc or clang.
 
     Returns
     -------
-    str or None
-        Its path.
+    tuple of str or None
+        The command: the path of the program, then its first arguments, such as those of ``CC="ccache gcc"``.
     """
-    own = os.environ.get("CC", "").strip()
-    for name in [own] if own else ["cc", "gcc", "clang"]:
-        path = shutil.which(name)
+    own = os.environ.get("CC", "")
+    try:
+        words = shlex.split(own)
+    except ValueError:  # a quotation mark without the other
+        words = [own]
+    for command in [words] if words else [["cc"], ["gcc"], ["clang"]]:
+        path = shutil.which(command[0])
         if path:
-            return path
+            return (path, *command[1:])
     return None
 
 
@@ -96,17 +101,35 @@ def digest(header: str) -> str:
     return sha.hexdigest()
 
 
-def build(header: str, target: Path, cc: str) -> None:
+def checksum(library: Path) -> str:
+    """Digest of the bytes of a library: with that of its name it tells whether the file is whole."""
+    with library.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()[:32]
+
+
+def is_whole(library: Path) -> bool:
+    """Whether a library has the bytes that were built; the system ends a process that loads a truncated one."""
+    return library.name.split(".")[-2] == checksum(library)
+
+
+def build(header: str, folder: Path, stem: str, cc: Sequence[str]) -> Path:
     """Compile and link a library, and put it in place whole or not at all.
 
     Parameters
     ----------
     header : str
         Text of the generated header.
-    target : Path
-        The library; its folder exists.
-    cc : str
-        The compiler.
+    folder : Path
+        Where the library will be; it exists.
+    stem : str
+        Begin of the library's name; the checksum of the library and ``.so`` follow.
+    cc : sequence of str
+        The compiler, from `compiler`.
+
+    Returns
+    -------
+    Path
+        The library.
 
     Raises
     ------
@@ -116,10 +139,10 @@ def build(header: str, target: Path, cc: str) -> None:
         If the library cannot be written.
     """
     with tempfile.TemporaryDirectory(prefix="pkmodes-") as name:
-        folder = Path(name)
-        (folder / HEADER).write_text(header, encoding="utf-8")
+        place = Path(name)
+        (place / HEADER).write_text(header, encoding="utf-8")
         for source in SOURCES:
-            shutil.copyfile(FOLDER / source, folder / source)
+            shutil.copyfile(FOLDER / source, place / source)
         widths = WIDTHS.get(machine(), {2: ()})
         jobs = [
             [*FLAGS, *options, f"-DLANES_WIDTH={width}", f"-DLANES_RUN=pkmodes_run_{width}", "-c", "kernel.c"]
@@ -130,19 +153,24 @@ def build(header: str, target: Path, cc: str) -> None:
         digested = f'-DPKMODES_DIGEST="{digest(header)}"'
         jobs.append([*FLAGS, *has, digested, "-c", "dispatch.c", "-o", "dispatch.o"])
         with ThreadPoolExecutor(os.cpu_count()) as pool:
-            list(pool.map(lambda job: _run([cc, *job], folder), jobs))
+            list(pool.map(lambda job: _run([*cc, *job], place), jobs))
         objects = [job[-1] for job in jobs]
-        _run([cc, "-shared", "-o", "library.so", *objects, "-lm"], folder)
+        _run([*cc, "-shared", "-o", "library.so", *objects, "-lm"], place)
+        library = folder / f"{stem}.{checksum(place / 'library.so')}.so"
         # Next to its place first: a library that is being written is never loaded.
-        with tempfile.NamedTemporaryFile(dir=target.parent, prefix=".", suffix=".so", delete=False) as file:
+        with tempfile.NamedTemporaryFile(dir=folder, prefix=".", suffix=".part", delete=False) as file:
             part = Path(file.name)
         try:
-            shutil.copyfile(folder / "library.so", part)
+            with part.open("wb") as written, (place / "library.so").open("rb") as built:
+                shutil.copyfileobj(built, written)
+                written.flush()
+                os.fsync(written.fileno())  # else its name may outlive a power failure, and its bytes not
             part.chmod(0o755)
-            part.replace(target)
+            part.replace(library)
         except OSError:
             part.unlink(missing_ok=True)
             raise
+    return library
 
 
 def _run(command: Sequence[str], folder: Path) -> None:

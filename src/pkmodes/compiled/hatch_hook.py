@@ -35,9 +35,11 @@ class CompiledLibraries(BuildHookInterface):  # type: ignore[misc]  # hatchling 
             folder = Path(self._temporary.name)
         folder.mkdir(exist_ok=True)
         for header in sorted((ROOT / "generated/pkmodes_generated").glob(f"*/{build.HEADER}")):
-            library = folder / f"{header.parent.name}.so"
+            name = header.parent.name
             try:
-                build.build(header.read_text(encoding="utf-8"), library, cc)
+                for old in (folder / f"{name}.so", *folder.glob(f"{name}.*.so")):  # of an editable install
+                    old.unlink(missing_ok=True)
+                library = build.build(header.read_text(encoding="utf-8"), folder, name, cc)
             except (build.BuildError, OSError) as error:
                 self._notice(str(error))
                 return

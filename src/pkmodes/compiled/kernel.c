@@ -6,6 +6,10 @@
 
 #include "lanes.h"
 
+#if __FINITE_MATH_ONLY__
+#error "a pose that cannot be evaluated shows as NaN: compile without -ffast-math and -ffinite-math-only"
+#endif
+
 #include "gradient.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))

@@ -1,7 +1,7 @@
 """Find the library of a mechanism: installed with `pkmodes`, built earlier, or built now.
 
-A library is used only if it was built from exactly these sources.  Libraries built at first use are kept in a folder
-that only the user can write to.
+A library is used only if it was built from exactly these sources and is still as it was built.  Libraries built at
+first use are kept in a folder that only the user can write to; one process builds each while the others wait.
 """
 
 from __future__ import annotations
@@ -11,10 +11,13 @@ import hashlib
 import os
 import stat
 import subprocess
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
+from pkmodes.base.errors import shown
 from pkmodes.compiled import build
 
 #: Libraries installed with the package.
@@ -122,42 +125,118 @@ def load(package: str, name: str) -> Library:
         )
     header = header_file.read_text(encoding="utf-8")
     wanted = build.digest(header)
-    shipped = SHIPPED / f"{name}.so"
-    library = _loaded(shipped, wanted) if shipped.is_file() else None
-    return library or _built(name, header, wanted)
+    return _shipped(name, wanted) or _built(name, header, wanted)
+
+
+def _shipped(name: str, wanted: str) -> Library | None:
+    """Return the library that was installed with the package, None if there is none for these sources and here."""
+    with suppress(OSError):  # built for another system, or not to be read
+        for path in _whole(SHIPPED, name):
+            library = _loaded(path, wanted)
+            if library is not None:
+                return library
+    return None
 
 
 def _built(name: str, header: str, wanted: str) -> Library:
     """Return the library from the cache, after building it if necessary."""
     cc = build.compiler()
     if cc is None:
-        raise UnavailableError("there is no compiled library, and no C compiler to build it with", INSTALL)
+        raise UnavailableError(*_no_compiler())
     folder = _cache()
-    path = folder / f"{name}-{wanted[:16]}-{_version(cc)}.so"
+    stem = f"{name}-{wanted[:16]}-{_version(cc)}"
     try:
-        library = None
-        if path.is_file():
-            _check_private(path)
-            library = _loaded(path, wanted)  # None for a damaged file
+        library = _kept(folder, stem, wanted)
         if library is None:
-            build.build(header, path, cc)
-            library = _loaded(path, wanted)
+            _check_executable(folder)
+            with _alone(folder / f".{stem}.lock"):
+                library = _kept(folder, stem, wanted)  # another process may have built it meanwhile
+                if library is None:
+                    damaged = list(folder.glob(f"{stem}.*.so"))
+                    built = build.build(header, folder, stem, cc)
+                    for path in damaged:
+                        if path != built:
+                            path.unlink(missing_ok=True)
+                    library = _kept(folder, stem, wanted)
     except build.BuildError as error:
         raise UnavailableError(f"the library of {name} cannot be built: {error}", INSTALL) from None
     except OSError as error:
         raise UnavailableError(f"the library of {name} cannot be kept: {error}", _elsewhere()) from None
     if library is None:
-        raise UnavailableError(f"the library that {cc} has built cannot be loaded: {path}", INSTALL)
+        raise UnavailableError(f"the library that {cc[0]} has built cannot be used: {folder / stem}", INSTALL)
     return library
 
 
+def _kept(folder: Path, stem: str, wanted: str) -> Library | None:
+    """Return the library that was built earlier, None if there is none that is whole.
+
+    Raises
+    ------
+    UnavailableError
+        If the system refuses to load it: building it again would not help.
+    """
+    for path in _whole(folder, stem, _check_private):
+        try:
+            library = _loaded(path, wanted)
+        except OSError as error:
+            remedy = f"{_elsewhere()} from which programs can be run, or delete that file to build it again"
+            raise UnavailableError(f"the compiled library cannot be loaded: {error}", remedy) from None
+        if library is not None:
+            return library
+    return None
+
+
+def _whole(folder: Path, stem: str, check: Callable[[Path], None] = lambda _: None) -> Iterator[Path]:
+    """Yield the libraries of that name that are as they were built."""
+    for path in sorted(folder.glob(f"{stem}.*.so")):
+        with suppress(FileNotFoundError):  # it was damaged, and another process has just replaced it
+            check(path)
+            if build.is_whole(path):
+                yield path
+
+
 def _loaded(path: Path, wanted: str) -> Library | None:
-    """Load a file; return None if it was built from other sources or for another processor."""
+    """Load a file; return None if it was built from other sources."""
     try:
         library = Library(path)
         return library if (library.layout, library.digest) == (LAYOUT, wanted) else None
-    except (OSError, AttributeError):
+    except AttributeError:
         return None
+
+
+@contextmanager
+def _alone(lock: Path) -> Iterator[None]:
+    """Wait until no other process builds the same library; where files cannot be locked, do not wait."""
+    from filelock import FileLock, Timeout
+
+    waiting = FileLock(lock, timeout=build.PATIENCE)
+    try:
+        waiting.acquire()
+    except Timeout:
+        what = f"another process has been building the library for {build.PATIENCE} s"
+        raise UnavailableError(what, f"end that process, or delete {lock}") from None
+    except (OSError, NotImplementedError):
+        pass
+    try:
+        yield
+    finally:
+        waiting.release()
+
+
+def _check_executable(folder: Path) -> None:
+    """Refuse a file system from which nothing can be loaded, before a compiler has worked for it."""
+    if hasattr(os, "statvfs") and os.statvfs(folder).f_flag & getattr(os, "ST_NOEXEC", 0):
+        what = f"libraries cannot be loaded from {folder}: its file system is mounted with noexec"
+        raise UnavailableError(what, f"{_elsewhere()} from which programs can be run")
+
+
+def _no_compiler() -> tuple[str, str]:
+    """Say why there is no compiler, and what to do."""
+    what, own = "there is no compiled library, and no C compiler to build it with", os.environ.get("CC", "")
+    if not own.strip():
+        return what, INSTALL
+    remedy = "let CC begin with the name or path of a compiler, or leave it out"
+    return f"{what}: the environment variable CC is {shown(own)}", remedy
 
 
 def _cache() -> Path:
@@ -193,10 +272,15 @@ def _check_private(path: Path) -> None:
 
 
 @cache
-def _version(cc: str) -> str:
-    """Return a short digest of a compiler, its version and the processor architecture."""
+def _version(cc: Sequence[str]) -> str:
+    """Return a short digest of a compiler, its version, the processor architecture and the C library."""
     try:
-        said = subprocess.run([cc, "--version"], capture_output=True, timeout=60, check=False).stdout
+        said = subprocess.run([*cc, "--version"], capture_output=True, timeout=60, check=False).stdout
     except (OSError, subprocess.TimeoutExpired):
         said = b""
-    return hashlib.sha256(f"{cc}\0{build.machine()}\0".encode() + said).hexdigest()[:8]
+    try:
+        system = os.confstr("CS_GNU_LIBC_VERSION")
+    except (AttributeError, OSError, ValueError):  # another system
+        system = ""
+    begin = "\0".join((*cc, build.machine(), str(system), ""))
+    return hashlib.sha256(begin.encode("utf-8", "surrogateescape") + said).hexdigest()[:8]

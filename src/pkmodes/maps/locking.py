@@ -1,4 +1,8 @@
-"""The folder of a map in progress: made, and kept from a second process."""
+"""The folder of a map in progress: made, told from one of the user, and kept from a second process.
+
+The lock is the first file in it, under a name that nothing else has.  A folder that has other files and no lock is
+the user's: nothing is written into it, nothing removed.
+"""
 
 from __future__ import annotations
 
@@ -6,10 +10,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from pkmodes.base.errors import OutputError
+from pkmodes.base.errors import OutputError, shown
 from pkmodes.base.writing import refusal
 
-LOCK = "lock"
+LOCK = "pkmodes-map.lock"
+ELSEWHERE = "move or rename it, or choose another output"
 
 
 @contextmanager
@@ -21,17 +26,17 @@ def locked(folder: Path) -> Iterator[None]:
     Raises
     ------
     OutputError
-        If it cannot be made, or another process holds it.
+        If it cannot be made, is not that of a map in progress, or another process holds it.
     """
     from filelock import FileLock, Timeout
 
     lock = FileLock(folder / LOCK, blocking=False)
     try:
-        folder.mkdir(exist_ok=True)
+        if not folder.is_symlink():
+            with suppress(FileExistsError):
+                folder.mkdir()
+        _check_own(folder)
         lock.acquire()
-    except FileExistsError:
-        what = "expected a folder for the map in progress, found a file"
-        raise OutputError(what, str(folder), "delete it, or choose another output") from None
     except Timeout:
         what, remedy = "another process is writing this map", "wait for it, or choose another output"
         raise OutputError(what, str(folder), remedy) from None
@@ -40,8 +45,27 @@ def locked(folder: Path) -> Iterator[None]:
     try:
         yield
     finally:
-        if folder.is_dir() and [path.name for path in folder.iterdir()] == [LOCK]:
-            with suppress(OSError):
+        with suppress(OSError):
+            if [path.name for path in folder.iterdir()] == [LOCK]:
                 (folder / LOCK).unlink()
                 folder.rmdir()
         lock.release()
+
+
+def _check_own(folder: Path) -> None:
+    """Refuse what is no folder of a map in progress; one that is empty may become one."""
+    if folder.is_symlink():
+        what = "expected a folder for the map in progress, found a symbolic link"
+        raise OutputError(what, str(folder), "remove it, or choose another output")
+    if not folder.is_dir():
+        what = "expected a folder for the map in progress, found a file"
+        raise OutputError(what, str(folder), ELSEWHERE)
+    entries = sorted(folder.iterdir())
+    if entries and folder / LOCK not in entries:
+        what = f"expected a folder for the map in progress, found one with other files ({shown(entries[0].name)})"
+        raise OutputError(what, str(folder), ELSEWHERE)
+    for entry in entries:
+        if entry.is_symlink() or not (entry.is_file() or entry.is_dir()):
+            what = f"expected files for the map in progress, found a link or device, {shown(entry.name)}"
+            remedy = "delete this folder to start again, or choose another output"
+            raise OutputError(what, str(folder), remedy)

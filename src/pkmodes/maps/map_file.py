@@ -13,6 +13,7 @@ import numpy as np
 from pkmodes.base.arguments import FILE_NAME, alternatives, check_argument
 from pkmodes.base.errors import OutputError, shown
 from pkmodes.base.extras import require
+from pkmodes.base.places import resolved
 from pkmodes.dataset.attributes import imported
 from pkmodes.dataset.table import table_of, write_table
 
@@ -28,6 +29,8 @@ LIBRARIES = {
     PARQUET: ("pandas", "pyarrow"),
 }
 FORMATS = tuple(LIBRARIES)
+#: Names of the map that is being written, and of the one that it replaces, in the folder of the map in progress.
+UNDER_WAY = ("new", "replaced")
 
 
 @dataclass(frozen=True)
@@ -52,7 +55,11 @@ class MapFile:
         if "\0" in str(out) or path.suffix.lower() not in FORMATS:
             what = f"expected a name that ends in {alternatives(FORMATS)}, found {where}"
             raise OutputError(what, "out", "for example: map.nc")
-        path = path.resolve() if path.is_symlink() else path
+        if path.is_symlink():
+            path = resolved(path, "out")
+            if path.suffix.lower() not in FORMATS:
+                what = f"expected a link to a name that ends in {alternatives(FORMATS)}, found {shown(str(path))}"
+                raise OutputError(what, where, "name that file as a map, or choose another name")
         if not path.parent.is_dir():
             raise OutputError(
                 f"the folder {path.parent} does not exist", where, "create it, or choose another place"
@@ -76,7 +83,7 @@ class MapFile:
             raise OutputError(
                 "cannot write: permission denied", where, "choose another place or make it writable"
             )
-        require(f"{path.suffix.lower()} files", "map", *LIBRARIES[path.suffix.lower()], "filelock")
+        require(f"{path.suffix.lower()} files", "map", *LIBRARIES[path.suffix.lower()])
         return cls(path)
 
     def write(self, dataset: xarray.Dataset, folder: Path) -> None:
@@ -88,7 +95,7 @@ class MapFile:
             If it cannot be written.
         """
         suffix = self.path.suffix.lower()
-        new, replaced = folder / f"new{suffix}", folder / f"replaced{suffix}"
+        new, replaced = (folder / f"{name}{suffix}" for name in UNDER_WAY)
         try:
             if replaced.exists() and not self.path.exists():  # the run before was ended between two renames
                 replaced.rename(self.path)
@@ -110,6 +117,7 @@ class MapFile:
                 if replaced.exists() and not self.path.exists():
                     replaced.rename(self.path)
                 raise
+            _remove(replaced)
         except (OSError, RuntimeError) as error:  # the NetCDF library raises RuntimeError
             reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
             remedy = "make room or choose another place; the same command continues"
@@ -143,7 +151,7 @@ def as_characters(dataset: xarray.Dataset) -> tuple[xarray.Dataset, dict[str, di
 
 
 def _remove(path: Path) -> None:
-    if path.is_dir():
+    if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path)
     else:
         path.unlink(missing_ok=True)

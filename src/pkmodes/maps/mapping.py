@@ -145,7 +145,7 @@ def map_of(
         return computed(_in_memory(plan, sizes))
     folder = file.path.with_name(file.path.name + SUFFIX)
     with locked(folder):
-        on_disk = OnDisk(folder, plan.record, plan.rows, plan.task_count, sizes)
+        on_disk = OnDisk(folder, plan.record, plan.rows, plan.task_count, sizes, plan.rows_of)
         try:
             dataset = computed(on_disk)
             file.write(dataset, folder)
@@ -177,7 +177,7 @@ def _fill(
             yield number, plan.task(number)
 
     def put(number: int, values: Mapping[str, Array]) -> None:
-        store.put(plan.rows_of(number).start, values)
+        store.put(number, plan.rows_of(number), values)
 
     def finish(number: int) -> None:
         nonlocal done

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.base.arguments import is_number
 from pkmodes.base.errors import PkmodesError, PoseError, listed, shown
 from pkmodes.dataset.variables import LIST
+from pkmodes.measured.pose_table import poses_by_name
 from pkmodes.mechanism.poses import given_poses
 from pkmodes.mechanism.registry import Mechanism
 
@@ -121,7 +122,7 @@ def places_of(mechanism: Mechanism, given: Mapping[str, ArrayLike] | ArrayLike |
     if isinstance(given, Grid | Poses):
         return given
     if not isinstance(given, Mapping):
-        points, _ = given_poses(given, mechanism, "raise")
+        points, _ = given_poses(poses_by_name(given, mechanism), mechanism, "raise")
         return Poses(points, tuple(component.name for component in mechanism.pose))
     names = [component.name for component in mechanism.pose]
     for name in given:

@@ -109,6 +109,6 @@ def _instead(folder: Path) -> str:
     try:
         name = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["mechanism"]
         within = (folder / name / "description.json").is_file()
-    except (OSError, ValueError, LookupError, TypeError):
+    except (OSError, ValueError, LookupError, TypeError, RecursionError):
         return ""
     return f"give the mechanism folder inside it: {folder / name}" if within else ""

@@ -50,9 +50,10 @@ class Model:
     """Evaluator of one robot.
 
     Every method takes one pose of shape (d,) or an array of shape (..., d), in SI units and with the mechanism's
-    pose components, and returns arrays with the same leading axes.  With ``on_error="raise"`` the first pose that
-    cannot be evaluated raises a `PoseError`; with ``"nan"`` it gives NaN.  An array that does not hold poses always
-    raises a `PoseError`.
+    pose components, and returns arrays with the same leading axes.  A table, as of pandas, is taken by the names of
+    its columns, which may have units (``x [mm]``).  With ``on_error="raise"`` the first pose that cannot be evaluated
+    raises a `PoseError`; with ``"nan"`` it gives NaN.  An array that does not hold poses always raises a
+    `PoseError`.
 
     Parameters
     ----------

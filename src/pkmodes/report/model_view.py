@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.measured.pose_table import poses_by_name
 from pkmodes.model.model import Model
 from pkmodes.robot.reading import robot_from_document
 from pkmodes.robot.robot import Robot
@@ -42,7 +43,7 @@ def view_of(model: Model, poses: ArrayLike | None = None, *, start: ArrayLike | 
         if poses is None:
             shown = poses_around(model, typical_pose(model) if start is None else start)
         else:
-            points = np.asarray(poses, dtype=float)
+            points = np.asarray(poses_by_name(poses, model.mechanism), dtype=float)
             points = points[model.check(points).valid][:MOST]
             if not len(points):
                 return None

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.base.errors import PkmodesError, listed, shown
 from pkmodes.compiled.lanes import Terms
 from pkmodes.linalg.eigen import has_stiff_joint, magnitude
+from pkmodes.measured.pose_table import poses_by_name
 from pkmodes.mechanism.poses import OnError, check_poses
 from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
@@ -158,7 +159,8 @@ def sensitivities(
         )
         checked, arrays = run(job, robot, max_condition, poses, on_error, out)
     else:
-        checked = check_poses(poses, robot.mechanism, robot.parameters, on_error, max_condition)
+        points = poses_by_name(poses, robot.mechanism)
+        checked = check_poses(points, robot.mechanism, robot.parameters, on_error, max_condition)
         aside = on_error == "raise" and len(system.coordinates) > system.first
         of_poses = FieldArrays(checked.batch, out, aside=aside, blank=bool(checked.codes.any()))
         # In parts of equal size: a single pose is evaluated differently, which gives repeated modes another basis.

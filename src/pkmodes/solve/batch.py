@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pkmodes.measured.pose_table import poses_by_name
 from pkmodes.mechanism.poses import CHUNK, CheckedPoses, OnError, codes_of, given_poses, pose_codes, refuse
 from pkmodes.robot.robot import Robot
 from pkmodes.solve.field_arrays import FieldArrays, Out
@@ -65,7 +66,7 @@ def run(
         As `pkmodes.Model.modes` does.
     """
     mechanism = robot.mechanism
-    points, batch = given_poses(poses, mechanism, on_error)
+    points, batch = given_poses(poses_by_name(poses, mechanism), mechanism, on_error)
     points, raises = np.ascontiguousarray(points), on_error == "raise"
     aside = raises and job.refusable and bool(out)
     codes = None

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.errors import PkmodesError, PoseError, shown
 from pkmodes.dataset.fields import condition_number
+from pkmodes.measured.pose_table import by_name, poses_by_name
 from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.poses import (
     CHUNK,
@@ -181,7 +182,9 @@ class Kinematics:
             )
         what = self.mechanism.independent_are
         size, names = len(self.mechanism.independent), ", ".join(self.mechanism.independent)
-        q, batch = as_points(positions, what, size, f"give {names} in SI units")
+        units = {q.name: q.unit for q in self.mechanism.coordinates}
+        given = by_name(positions, {name: units[name] for name in self.mechanism.independent}, what)
+        q, batch = as_points(given, what, size, f"give {names} in SI units")
         with np.errstate(all="ignore"):
             p: Array = function(q, assembly)
         bad = ~np.isfinite(p).all(axis=-1)
@@ -221,7 +224,8 @@ class Kinematics:
 
     def checked(self, poses: ArrayLike, on_error: OnError) -> CheckedPoses:
         """Check poses, and refuse those that cannot be evaluated with ``on_error="raise"``."""
-        return check_poses(poses, self.mechanism, self.robot.parameters, on_error, self.max_condition)
+        points = poses_by_name(poses, self.mechanism)
+        return check_poses(points, self.mechanism, self.robot.parameters, on_error, self.max_condition)
 
     def _function(self, name: str) -> Callable[..., Any]:
         """Return a function of the base model that not every mechanism has."""

@@ -9,6 +9,7 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import ArrayLike
 
+from pkmodes.measured.pose_table import poses_by_name
 from pkmodes.model.model import Model
 from pkmodes.view.page import page
 from pkmodes.view.robot_drawing import RobotDrawing, present
@@ -49,7 +50,8 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0) -> Scene:
         If a pose cannot be evaluated.
     """
     drawing, mechanism = RobotDrawing(model.robot), model.mechanism
-    modes = model.modes(np.atleast_2d(np.asarray(poses, dtype=float)))
+    points = poses_by_name(poses, mechanism)
+    modes = model.modes(np.atleast_2d(np.asarray(points, dtype=float)))
     springs, index = present(drawing.springs(modes.poses))
     strains = np.einsum("psn,pmn->pms", springs.strain, modes.shapes)
     return NotebookScene(

@@ -1,0 +1,22 @@
+"""Lines for a person: text from files and file names cannot control the terminal."""
+
+from __future__ import annotations
+
+import click
+
+from pkmodes.base.errors import printable
+
+
+def echo(text: object = "", *, err: bool = False) -> None:
+    """Print one line; characters that are not visible are written as escapes.
+
+    Parameters
+    ----------
+    text : object
+        A line break at its begin leaves a line empty.
+    err : bool
+        Whether it goes to stderr.
+    """
+    line = str(text)
+    rest = line.removeprefix("\n")
+    click.echo("\n" * (len(line) - len(rest)) + printable(rest), err=err)
