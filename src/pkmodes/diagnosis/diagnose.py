@@ -25,7 +25,7 @@ from pkmodes.diagnosis.matrices import slowness
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.search.search import Outcome, Search
-from pkmodes.diagnosis.verdict import reasons
+from pkmodes.diagnosis.verdict import limits, reasons
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
 from pkmodes.diagnosis.verdict.chosen_reason import reason_of
@@ -85,8 +85,10 @@ def diagnose(
     unit = other_unit(fitter)
     if unit:
         store = FitStore(fitter)
-        names = tuple(candidate.name for candidate in structure.candidates if candidate.claimable)
-        return builder.without_search(UNEXPLAINED, unit, store, None, names, (unit,), unchanged(UNEXPLAINED))
+        suspected = [candidate for candidate in structure.candidates if candidate.claimable]
+        names = tuple(candidate.name for candidate in suspected)
+        same, nothing = unchanged(UNEXPLAINED), limits.unknown(store, suspected)
+        return builder.without_search(UNEXPLAINED, unit, store, None, names, (unit,), same, nothing)
     if len(fitter.log) + int(fitter.shapes.count.sum()) < len(fitter.nuisances) + fitter.criteria.redundancy:
         return _insufficient(builder)
     search, outcome = _searched(fitter, structure, progress)
@@ -199,6 +201,9 @@ def _insufficient(builder: DiagnosisBuilder) -> Diagnosis:
     )
     names = tuple(candidate.name for candidate in candidates)
     about = () if fit is None else remarks(builder.setups, fit)
-    return builder.without_search(
-        INSUFFICIENT_DATA, reason, store, fit, names, about, unchanged(INSUFFICIENT_DATA)
-    )
+    if fit is None:
+        bounded = limits.unknown(store, candidates)
+    else:
+        bounded = limits.beside(store, [fit], candidates, noise=not contradicts)
+    same = unchanged(INSUFFICIENT_DATA)
+    return builder.without_search(INSUFFICIENT_DATA, reason, store, fit, names, about, same, bounded)
