@@ -137,17 +137,16 @@ def _table(result: Diagnosis) -> Table:
 
 def _limits(result: Diagnosis) -> list[Block]:
     """Return the limits alone, where no candidate was tested."""
-    rows = [
-        [Cell(clean(name)), _limit(result, name), Cell(unit(limit.unit))]
+    entries = [
+        (clean(name), [_limit(result, name), Cell(unit(limit.unit))])
         for name, limit in result.limits.items()
         if limit.value is not None
     ]
-    columns = [Column("parameter", False), Column("limit (95 %)"), Column("unit", False)]
-    caption = (
-        "Limits: how far a value of a candidate may be from the declared one at 95 %, if everything else is as "
-        "declared within its \u03c3. Nothing within its plausible range bounds the others."
+    about = (
+        "How far a value of a candidate may be from the declared one at 95 %, if everything else is as declared "
+        "within its \u03c3; nothing bounds the others within their plausible range:"
     )
-    return [Table(caption, columns, rows)] if rows else []
+    return [Paragraph(about), Facts(entries)] if entries else []
 
 
 def _sizes(result: Diagnosis, one: Examined) -> list[tuple[Value | None, str]]:

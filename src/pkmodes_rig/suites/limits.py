@@ -185,7 +185,7 @@ def page(outcomes: Sequence[Shown], seed: int, seconds: float, jobs: int) -> lis
         "| --- | --- | --- | --- | --- | --- |",
         *_table(outcomes),
         "",
-        f"Run in {seconds / 60:.0f} minutes with {jobs} processes.",
+        f"Run in {seconds / 60:.0f} minutes, {jobs} at a time.",
     ]
 
 
