@@ -80,6 +80,7 @@ figures: $(VENV)/.dev  ## the pictures of the README, and the pictures and the t
 suites: $(VENV)/.dev  ## error rates of the diagnosis on the virtual test rig, about an hour on two cores
 	$(BIN)/python -m pkmodes_rig.suites.diagnosis --seed 20261204 --out docs/diagnosis-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.mechanism_suites --seed 20261205 --out docs/mechanisms-measured.md
+	$(BIN)/python -m pkmodes_rig.suites.limits --seed 20261206 --out docs/limits-measured.md
 
 clean:
 	rm -rf $(VENV) build

@@ -105,11 +105,11 @@ def declared_value(robot: pkmodes.Robot, path: str) -> tuple[float, float | None
 
 def test_the_saved_robot_has_the_values_of_the_result(corrected: Saved) -> None:
     robot = pkmodes.read_robot(corrected.saved)
-    expected = {path: (v["after"], v["sigma"]) for path, v in corrected.result["refitted"].items()}
+    expected = {path: (v["after"], v["saved_sigma"]) for path, v in corrected.result["refitted"].items()}
     (effect,) = corrected.result["effects"]
     for name, value in effect["parameters"].items():
         path = name if corrected.candidate.startswith("parameter:") else f"effects.{effect['name']}.{name}"
-        expected[path] = value["value"], value["sigma"]
+        expected[path] = value["value"], value["saved_sigma"]
     assert len(expected) > len(corrected.result["refitted"])
     for path, (value, sigma) in expected.items():
         found, found_sigma = declared_value(robot, path)

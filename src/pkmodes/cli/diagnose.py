@@ -32,6 +32,8 @@ if TYPE_CHECKING:
     from pkmodes.diagnosis import Diagnosis
     from pkmodes.robot.robot import Robot
 
+#: Largest number of values listed whose standard deviations are larger in a saved file than in the fit.
+MOST_WIDENED = 3
 #: Seconds between progress lines if stderr is not a terminal.
 SECONDS = 5.0
 
@@ -132,11 +134,30 @@ def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) 
     command = f"pkmodes generate {option}{pasted(file)} --out DIR"
     return [
         f"\nwrote {file}{_chosen(result)}; next: {command}",
+        *_widened(result),
         *(
             f"{constant} is known from the measurements alone: add its value in operation to {file}"
             for constant in _set_only(robot, result)
         ),
     ]
+
+
+def _widened(result: Diagnosis) -> list[str]:
+    """Say which standard deviations are larger in the file than in the fit, and because of what."""
+    from pkmodes.updating.corrected_robot import widened
+
+    values = sorted(widened(result), key=lambda value: -value.saved_sigma / max(value.sigma, 1e-300))
+    shown = [
+        f"{value.name.removeprefix('effects.')} {value.saved_sigma:.2g} instead of {value.sigma:.2g} {value.unit}"
+        f" ({value.unseen.candidate})"
+        for value in values[:MOST_WIDENED]
+        if value.unseen is not None
+    ]
+    more = f", and {len(values) - MOST_WIDENED} more" if len(values) > MOST_WIDENED else ""
+    what = (
+        "the sigmas in it include what a candidate that these data do not show could have done to the values"
+    )
+    return [f"{what}: {', '.join(shown)}{more}"] if shown else []
 
 
 def _chosen(result: Diagnosis) -> str:

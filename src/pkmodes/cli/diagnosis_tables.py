@@ -17,6 +17,8 @@ from pkmodes.updating.load_cases import settable
 PLAIN = range(-3, 6)
 #: Largest number of measurement lines listed; the JSON has all of them.
 MOST_LISTED = 8
+#: Largest number of limits listed.
+MOST_LIMITS = 5
 
 
 def show(robot: Robot, result: Diagnosis) -> None:
@@ -131,6 +133,8 @@ def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
         remarks.append(f"error common to the modes of a pose: {100 * result.scatter:.2g} %")
     if result.undetectable:
         remarks.append(f"not detectable with these data: {', '.join(result.undetectable)}")
+    if limits := largest_limits(result):
+        remarks.append(f"not excluded at 95 %: {', '.join(limits)}; all limits: --json or --report")
     if result.next_measurement is not None:
         place = placed(robot.mechanism, result.next_measurement.pose, ".4f")
         a, b = result.next_measurement.separates
@@ -143,6 +147,21 @@ def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
     for remark in remarks:
         terminal.line()
         terminal.line(remark)
+
+
+def largest_limits(result: Diagnosis) -> list[str]:
+    """Return the limits of the absent effects that could change the frequencies most, once the residual is noise."""
+    if not result.settled:
+        return []
+    effects = {name: limit for name, limit in result.limits.items() if name.startswith(f"{limit.candidate}.")}
+    ranked = sorted((n for n in effects if effects[n].value is not None), key=lambda n: -effects[n].change)
+    first: dict[str, str] = {}  # of the parameters of an effect, the one that could change most
+    for name in ranked:
+        first.setdefault(effects[name].candidate, name)
+    return [
+        f"{name} up to {effects[name].value:.2g} {effects[name].unit}".removesuffix(" 1")
+        for name in list(first.values())[:MOST_LIMITS]
+    ]
 
 
 def setting(mechanism: Mechanism, load: Mapping[str, float]) -> str:

@@ -25,7 +25,7 @@ from pkmodes.diagnosis.matrices import slowness
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.search.search import Outcome, Search
-from pkmodes.diagnosis.verdict import reasons
+from pkmodes.diagnosis.verdict import limits, reasons
 from pkmodes.diagnosis.verdict.all_poses import HeldOut, tested
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
@@ -132,11 +132,11 @@ def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int],
 
 def _mistaken(builder: DiagnosisBuilder, mistake: str) -> Diagnosis:
     """Return the result for measurements with an obvious mistake: nothing is fitted or searched for."""
-    store, candidates = FitStore(builder.fitter), builder.fitter.structure.candidates
-    names = tuple(candidate.name for candidate in candidates if candidate.claimable)
-    return builder.without_search(
-        UNEXPLAINED, mistake, store, None, names, (mistake,), unchanged(UNEXPLAINED)
-    )
+    store = FitStore(builder.fitter)
+    suspected = [candidate for candidate in builder.fitter.structure.candidates if candidate.claimable]
+    names = tuple(candidate.name for candidate in suspected)
+    same, nothing = unchanged(UNEXPLAINED), limits.unknown(store, suspected)
+    return builder.without_search(UNEXPLAINED, mistake, store, None, names, (mistake,), same, nothing)
 
 
 def _searched(
@@ -228,6 +228,9 @@ def _insufficient(builder: DiagnosisBuilder) -> Diagnosis:
     )
     names = tuple(candidate.name for candidate in candidates)
     about = () if fit is None else remarks(builder.setups, fit)
-    return builder.without_search(
-        INSUFFICIENT_DATA, reason, store, fit, names, about, unchanged(INSUFFICIENT_DATA)
-    )
+    if fit is None:
+        bounded = limits.unknown(store, candidates)
+    else:
+        bounded = limits.beside(store, [fit], candidates, noise=not contradicts)
+    same = unchanged(INSUFFICIENT_DATA)
+    return builder.without_search(INSUFFICIENT_DATA, reason, store, fit, names, about, same, bounded)

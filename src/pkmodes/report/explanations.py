@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from pkmodes.diagnosis.verdict.result import Diagnosis, Finding, key
+from pkmodes.diagnosis.verdict.result import Diagnosis, Examined, Finding, Value, key
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Table
-from pkmodes.report.formatting import SENTENCE, clean, number, p_value, plural, pointer, unit
+from pkmodes.report.formatting import NOTHING, SENTENCE, clean, number, p_value, plural, pointer, unit
 
 #: Most candidates in the table; more than any robot has.
 MOST = 200
@@ -82,7 +82,7 @@ def candidates(result: Diagnosis) -> list[Block]:
     if not result.candidates:
         names = [clean(name) for name in result.undetectable]
         about: list[Block] = [Paragraph("Nothing is said about"), Listing(names, names=True)] if names else []
-        return [Paragraph("No candidate was tested."), *about]
+        return [Paragraph("No candidate was tested."), *_limits(result), *about]
     figure = scores.candidates(result)
     best = min(result.candidates, key=lambda one: one.p_value)
     blocks: list[Block] = []
@@ -104,36 +104,41 @@ def candidates(result: Diagnosis) -> list[Block]:
 
 def _table(result: Diagnosis) -> Table:
     order = sorted(range(len(result.candidates)), key=lambda k: result.candidates[k].p_value)
-    rows = []
+    rows, several = [], False
     for k in order[:MOST]:
         one = result.candidates[k]
         at = ("candidates", k)
-        sizes = one.visible_from or (None,)
-        for value in sizes:
-            seen = ("visible_from", key(value), "value") if value is not None else ()
+        sizes = _sizes(result, one)
+        several = several or len(sizes) > 1
+        for value, name in sizes:
             rows.append(
                 [
                     Cell(clean(one.name)),
                     Cell(_standing(result, one.name)),
                     p_value(one.p_value, pointer(*at, "p_value")),
-                    number(
-                        None if value is None else value.value, ".2g", pointer(*at, *seen) if seen else ""
-                    ),
-                    Cell("" if value is None else unit(value.unit)),
-                    Cell("" if value is None or len(sizes) == 1 else clean(key(value))),
+                    _visible(value, pointer(*at, "visible_from")),
+                    _limit(result, name),
+                    Cell(_unit(result, value, name)),
+                    Cell("" if len(sizes) == 1 else clean(name.removeprefix(f"{one.name}."))),
                     Cell("yes" if one.detectable else "no"),
                 ]
             )
-    several = any(len(one.visible_from) > 1 for one in result.candidates)
     columns = [Column("candidate", False), Column("standing", False), Column("p of its score")]
     columns += [
         Column("visible from"),
+        Column("limit (95 %)"),
         Column("unit", False),
         Column("of", False),
         Column("detectable", False),
     ]
     # Columns that would be the same for all: which parameter, if each has one; the standing, if nothing was found.
-    kept = [c for c in range(7) if (c != 5 or several) and (c != 1 or result.effects or result.survivors)]
+    kept = [
+        c
+        for c in range(8)
+        if (c != 6 or several)
+        and (c != 4 or result.limits)
+        and (c != 1 or result.effects or result.survivors)
+    ]
     rows, columns = [[row[c] for c in kept] for row in rows], [columns[c] for c in kept]
     left = len(result.candidates) - MOST
     note = (
@@ -143,9 +148,53 @@ def _table(result: Diagnosis) -> Table:
     )
     caption = (
         "Candidates, the most significant score first. Visible from: the smallest change that these data would "
-        "probably show (5 \u03c3)."
+        "probably show (5 \u03c3). Limit: how far the value may still be from the declared one at 95 %, beside what "
+        f"the diagnosis says; {NOTHING} where nothing bounds it within its plausible range. That nothing was found "
+        "is no proof that an effect is absent."
     )
     return Table(caption, columns, rows, note=note)
+
+
+def _limits(result: Diagnosis) -> list[Block]:
+    """Return the limits alone, where no candidate was tested."""
+    entries = [
+        (clean(name), [_limit(result, name), Cell(unit(limit.unit))])
+        for name, limit in result.limits.items()
+        if limit.value is not None
+    ]
+    about = (
+        "How far a value of a candidate may be from the declared one at 95 %, if everything else is as declared "
+        "within its \u03c3; nothing bounds the others within their plausible range:"
+    )
+    return [Paragraph(about), Facts(entries)] if entries else []
+
+
+def _sizes(result: Diagnosis, one: Examined) -> list[tuple[Value | None, str]]:
+    """Return the parameters of a candidate: the smallest visible size, and the name among the limits."""
+    visible = {value.name.removeprefix("effects."): value for value in one.visible_from}
+    names = [name for name, limit in result.limits.items() if limit.candidate == one.name]
+    return [(visible.get(name), name) for name in dict.fromkeys([*names, *visible])] or [(None, "")]
+
+
+def _visible(value: Value | None, at: str) -> Cell:
+    if value is None:
+        return Cell(NOTHING)
+    return number(value.value, ".2g", at + pointer(key(value), "value"))
+
+
+def _limit(result: Diagnosis, name: str) -> Cell:
+    limit = result.limits.get(name)
+    if limit is None:
+        return Cell("")
+    at = pointer("limits", name) if limit.value is None else pointer("limits", name, "value")
+    return number(limit.value, ".2g", at)
+
+
+def _unit(result: Diagnosis, value: Value | None, name: str) -> str:
+    limit = result.limits.get(name)
+    if value is not None:
+        return unit(value.unit)
+    return "" if limit is None or limit.value is None else unit(limit.unit)
 
 
 def _standing(result: Diagnosis, name: str) -> str:
@@ -167,8 +216,8 @@ def _undetectable(result: Diagnosis) -> list[Block]:
         return []
     return [
         Paragraph(
-            "Not detectable with these data, even if they moved a measured frequency by 10 %. Nothing is said about "
-            "them:"
+            "Not detectable with these data, even if they moved a measured frequency by 10 % or had their largest "
+            "plausible size. Nothing is said about them:"
         ),
         Listing([clean(name) for name in result.undetectable], names=True),
     ]

@@ -72,11 +72,15 @@ def values(result: Diagnosis) -> list[Block]:
     columns = [Column("value", False), Column("role", False), Column("before"), Column("after")]
     columns += [
         Column("\u03c3 after"),
+        Column("\u03c3 saved"),
         Column("unit", False),
         Column("prior \u03c3"),
         Column("moved [prior\u00a0\u03c3]"),
     ]
-    caption = "Fitted values: as declared, and after the fit with their standard deviations."
+    caption = (
+        "Fitted values: as declared, and after the fit with their standard deviations. \u03c3 saved, in the "
+        "corrected robot file, includes what a candidate that these data do not show could have done to the value."
+    )
     blocks: list[Block] = [Table(caption, columns, rows)]
     figure = scores.pulls(result.corrected)
     if figure is not None:
@@ -96,18 +100,18 @@ def values(result: Diagnosis) -> list[Block]:
 
 def _value(result: Diagnosis, value: Corrected) -> list[Cell]:
     """Return a row; its numbers are in the JSON under refitted, or with the cause."""
-    before, after, sigma = "", "", ""
+    before, after, sigma, saved = "", "", "", ""
     role = "fitted"
     if any(refitted.name == value.name for refitted in result.refitted):
         role = "uncertain"
-        before, after, sigma = (
-            pointer("refitted", value.name, name) for name in ("before", "after", "sigma")
+        before, after, sigma, saved = (
+            pointer("refitted", value.name, name) for name in ("before", "after", "sigma", "saved_sigma")
         )
     for i, effect in enumerate(result.effects):
         if any(own.name == value.name for own in effect.parameters):
             role = "cause"
             at = ("effects", i, "parameters", key(value))
-            after, sigma = pointer(*at, "value"), pointer(*at, "sigma")
+            after, sigma, saved = (pointer(*at, name) for name in ("value", "sigma", "saved_sigma"))
     prior = value.prior_sigma
     return [
         Cell(clean(value.name)),
@@ -115,6 +119,7 @@ def _value(result: Diagnosis, value: Corrected) -> list[Cell]:
         number(value.declared, ".6g", before),
         number(value.value, ".6g", after),
         number(value.sigma, ".2g", sigma),
+        number(value.saved_sigma, ".2g", saved),
         Cell(unit(value.unit)),
         number(prior, ".2g"),
         number((value.value - value.declared) / prior if prior else None, "+.1f"),

@@ -17,7 +17,7 @@ import numpy as np
 
 from pkmodes.base.errors import PkmodesError, nearest, shown
 from pkmodes.diagnosis.problem import Candidate, Parameter
-from pkmodes.robot.layout import GRAVITY, by_path, lent, takers
+from pkmodes.robot.layout import GRAVITY, Item, by_path, lent, takers
 from pkmodes.robot.parameter_groups import groups_by_path, items_of, weights_of
 from pkmodes.robot.paths import ParameterPath, paths, resolve
 from pkmodes.robot.robot import Robot
@@ -296,4 +296,14 @@ def _parameter(robot: Robot, move: ParameterPath) -> Parameter:
         lower = 0.0
         if sigma is None and move.value > 0.0:
             lower, upper = move.value / FACTOR, move.value * FACTOR
-    return Parameter(move.path, move.value, move.unit.replace(" ", "*"), sigma, lower, upper)
+    unit = move.unit.replace(" ", "*")
+    plausible = None if sigma else _plausible(robot, item)
+    return Parameter(move.path, move.value, unit, sigma, lower, upper, plausible=plausible)
+
+
+def _plausible(robot: Robot, item: Item | None) -> float | None:
+    """Return the largest plausible deviation of an element of a vector: that of a factor of three of the vector."""
+    if item is None or not item.key.signed:
+        return None
+    elements = [robot.quantities[n.path].value for n in item.numbers if n.path in robot.quantities]
+    return (FACTOR - 1.0) * max(map(abs, elements), default=0.0) or None

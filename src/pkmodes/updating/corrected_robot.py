@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis
 from pkmodes.model.model import Model
 from pkmodes.robot.paths import resolve
 from pkmodes.robot.robot import Robot
@@ -14,20 +14,42 @@ from pkmodes.robot.saving import Correction, corrected_text, save_corrected
 from pkmodes.updating import frame
 from pkmodes.updating.measured_robot import robot_of
 
+#: A saved standard deviation that is larger than that of the fit by this factor is explained in the file.
+NOTICEABLE = 1.05
+
 
 def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
-    """Return the changes of the robot file after a diagnosis: refitted values, causes, and their uncertainty."""
+    """Return the changes of the robot file after a diagnosis: refitted values, causes, and their uncertainty.
+
+    The standard deviations include what candidates that the data do not show could have done to the values.
+    """
+    explained = {value.name for value in widened(diagnosis)}
     causes = {v.name for finding in diagnosis.effects for v in finding.parameters}
     changes = {}
     for value in diagnosis.corrected:
         if value.name.startswith(frame.OF_MEASUREMENT):
             continue  # it concerns the measurements, not the robot
         note = "found by pkmodes diagnose" if value.name in causes else "refitted by pkmodes diagnose"
+        unit = "" if value.unit == "1" else f" {value.unit}"
+        if value.name in explained and value.unseen is not None:
+            cause = value.unseen.candidate
+            note += f"; sigma includes what an unseen {cause} could have done (fit alone: {value.sigma:.2g}{unit})"
         if value.name in robot.quantities or not value.name.startswith("effects."):
-            unit = "" if value.unit == "1" else f" {value.unit}"
             note = f"was {resolve(robot, value.name).value:.6g}{unit}: {note}"
-        changes[value.name] = Correction(value.value, value.sigma, note)
+        changes[value.name] = Correction(value.value, value.saved_sigma, note)
     return changes
+
+
+def widened(diagnosis: Diagnosis) -> list[Corrected]:
+    """Return the values whose saved standard deviation is noticeably larger than that of the fit.
+
+    Values of the measurement are left out: they are not in the robot file.
+    """
+    return [
+        value
+        for value in diagnosis.corrected
+        if value.saved_sigma > NOTICEABLE * value.sigma and not value.name.startswith(frame.OF_MEASUREMENT)
+    ]
 
 
 def corrected_robot(robot: Robot | Model, diagnosis: Diagnosis) -> str:

@@ -280,12 +280,17 @@ class Fitter:
         priors = self.priors.residual(a.values) - self.priors.residual(b.values)
         return float(between @ between + priors @ priors)
 
+    def whitening(self, fit: Fit) -> Whitening:
+        """Return the square root of the covariance of the data at a fit."""
+        used = self.used(fit.hypothesis)
+        return self.noise.whitening(self._motion(fit.values, fit.pairing, used), used, fit.scatter)
+
     def signatures(self, fit: Fit, by: Sequence[int]) -> tuple[Array, Array]:
         """Return the derivatives of ln f with respect to parameters, (R, T), and of all data, whitened."""
         prediction = self.structure.predict(fit.values, by, shape_rates=bool(self.shapes.size))
         used = self.used(fit.hypothesis)
         rates = self.rows.rates(prediction, fit.pairing, used)
-        whitening = self.noise.whitening(self._motion(fit.values, fit.pairing, used), used, fit.scatter)
+        whitening = self.whitening(fit)
         # A free parameter with a prior is pulled towards its declared value.
         return rates[self.frequency_rows], np.vstack(
             [whitening.whitened(rates), -self.priors.rates(fit.values, by)]

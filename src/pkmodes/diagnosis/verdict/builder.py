@@ -12,9 +12,10 @@ from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import reached_bounds
 from pkmodes.diagnosis.search.score import Scores
 from pkmodes.diagnosis.search.search import Outcome, Search
-from pkmodes.diagnosis.verdict import held_out
+from pkmodes.diagnosis.verdict import held_out, limits
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.judgement import Judgement
+from pkmodes.diagnosis.verdict.limits import Limits
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.result import (
@@ -54,9 +55,15 @@ class DiagnosisBuilder:
             contested = [(_name(fit), fit) for fit in grouped[0][0]]
         # Beside a claimed cause, the other members of its class are not detectable; they are listed with it.
         claimed = {name for finding in findings for name in finding.members}
-        undetectable = tuple(
-            c.name for c in self.examined(judged.last.scores) if not c.detectable and c.name not in claimed
-        )
+        unclaimed = [candidate for candidate in search.candidates if candidate.name not in claimed]
+        if verdict.settled:
+            bounded = limits.beside(search.store, [final], unclaimed, noise=True)
+        else:
+            open_fits = [fit for named in remaining for _, fit in named] or [outcome.nuisances]
+            bounded = limits.beside(search.store, open_fits, unclaimed, noise=False)
+        last = judged.last.scores if verdict.settled else outcome.first.scores
+        examined = self.examined(outcome.first.scores, last, bounded, verdict.settled)
+        undetectable = tuple(c.name for c in examined if not c.detectable and c.name not in claimed)
         diagnosis = self.without_search(
             verdict,
             reason,
@@ -65,6 +72,7 @@ class DiagnosisBuilder:
             undetectable,
             remarks,
             stability,
+            bounded,
             causes=final if verdict is EFFECT_FOUND else None,
         )
         stages = diagnosis.stages
@@ -83,7 +91,7 @@ class DiagnosisBuilder:
             effects=findings,
             survivors=tuple(tuple(name for name, _ in named) for named in remaining),
             next_measurement=next_measurement(self.fitter, contested),
-            candidates=self.examined(outcome.first.scores),
+            candidates=examined,
             notes=(*diagnosis.notes, *contradictions),
         )
 
@@ -96,6 +104,7 @@ class DiagnosisBuilder:
         undetectable: tuple[str, ...],
         remarks: Sequence[str],
         stability: tuple[Stability, ...],
+        bounded: Limits,
         causes: Fit | None = None,
     ) -> Diagnosis:
         """Return the result without what a search adds: for too few data, or an obvious mistake in these.
@@ -108,6 +117,8 @@ class DiagnosisBuilder:
             Names of candidates.
         remarks : sequence of str
             Notes on the data.
+        bounded : Limits
+            Of the candidates that are not claimed.
         causes : Fit, optional
             With the claimed causes.
         """
@@ -127,7 +138,7 @@ class DiagnosisBuilder:
             reason=reason,
             effects=(),
             survivors=(),
-            refitted=() if last is None else self.refitted(last),
+            refitted=() if last is None else self.refitted(last, bounded),
             before=setups.declared_error(declared, outlying),
             refit=errors[0],
             after=errors[1],
@@ -137,10 +148,11 @@ class DiagnosisBuilder:
             candidates=(),
             rows=setups.rows(declared, refit, after, outlying),
             scatter=0.0 if last is None else last.scatter,
-            corrected=() if last is None else self.corrected(last),
+            corrected=() if last is None else self.corrected(last, bounded),
             notes=(*remarks, *(() if last is None else notes(store, last, verdict.settled))),
             stability=stability,
             shape_scatter=None if last is None else store.shape_scatter(last),
+            limits=bounded.of,
             stages=Stages(
                 declared.predicted,
                 None if refit is None else refit.predicted,
@@ -182,8 +194,8 @@ class DiagnosisBuilder:
             values.append(Value(p.name, float(fit.values[i]), fit.sigma_of(i), p.unit))
         return tuple(values)
 
-    def corrected(self, fit: Fit) -> tuple[Corrected, ...]:
-        """Return all fitted parameters with their declared values and priors."""
+    def corrected(self, fit: Fit, bounded: Limits) -> tuple[Corrected, ...]:
+        """Return all fitted parameters with their declared values, priors, and what was not seen."""
         width, corrected = self.fitter.priors.width(fit.values), []
         for i, v in zip(fit.free, self.values(fit, fit.free), strict=True):
             p, row = self.fitter.parameters[i], self.fitter.priors.of(i)
@@ -196,33 +208,43 @@ class DiagnosisBuilder:
                     declared=p.value,
                     prior_sigma=None if row is None else float(width[row]),
                     at_bound=any(bound != p.value for bound in reached_bounds(p, v.value, p.sigma or 0.0)),
+                    unseen=bounded.unseen.get(i),
                 )
             )
         return tuple(corrected)
 
-    def refitted(self, fit: Fit) -> tuple[Refitted, ...]:
+    def refitted(self, fit: Fit, bounded: Limits) -> tuple[Refitted, ...]:
         """Return the nuisance parameters before and after the fit."""
-        before = self.fitter.declared
+        names = {self.fitter.parameters[i].name for i in self.fitter.nuisances}
         return tuple(
-            Refitted(v.name, float(before[i]), v.value, v.sigma, v.unit)
-            for i, v in zip(self.fitter.nuisances, self.values(fit, self.fitter.nuisances), strict=True)
+            Refitted(v.name, v.declared, v.value, v.sigma, v.saved_sigma, v.unit)
+            for v in self.corrected(fit, bounded)
+            if v.name in names
         )
 
-    def examined(self, scores: Scores) -> tuple[Examined, ...]:
-        """Return each candidate's p-value, and its smallest detectable size."""
+    def examined(self, first: Scores, last: Scores, bounded: Limits, settled: bool) -> tuple[Examined, ...]:
+        """Return each candidate's p-value before any claim, and its smallest detectable size beside the claims.
+
+        A candidate that the data do not bound is not detectable, and neither is a size that is not plausible.
+        """
+        beside = {one.candidate.name: one for one in last.each}
+        unbounded = bounded.unbounded if settled else frozenset[str]()
         candidates, criteria = [], self.fitter.criteria
-        for one in scores.each:
+        for tested in first.each:
+            name, index = tested.candidate.name, self.fitter.indices(tested.candidate)
+            one = beside[name] if name in beside and name in bounded.candidates else tested
             visible: tuple[Value, ...] = ()
             detectable = False
-            if one.visible and np.isfinite(one.sigma).all():
-                sizes = criteria.seen * one.sigma
-                parameters = [self.fitter.parameters[i] for i in self.fitter.indices(one.candidate)]
+            sizes = criteria.seen * one.sigma
+            most = np.array([bounded.plausible.get(i, np.inf) for i in index])
+            if one.visible and name not in unbounded and np.isfinite(sizes).all() and (sizes <= most).all():
+                parameters = [self.fitter.parameters[i] for i in index]
                 visible = tuple(
                     Value(p.name, float(size), float(size / criteria.seen), p.unit)
                     for p, size in zip(parameters, sizes, strict=True)
                 )
                 detectable = bool((sizes * one.largest <= criteria.noticeable).all())
-            candidates.append(Examined(one.candidate.name, one.p_value, visible, detectable))
+            candidates.append(Examined(name, tested.p_value, visible, detectable))
         return tuple(candidates)
 
 

@@ -11,7 +11,7 @@ from pkmodes.diagnosis.verdict.verdicts import Word
 
 
 class SizeDocument(Document):
-    """The smallest detectable change of a parameter."""
+    """A deviation of a parameter from its declared value: the smallest detectable one, or a limit."""
 
     value: Annotated[float, Meta(description="In SI units.")]
     unit: str
@@ -23,6 +23,18 @@ class ValueDocument(Document):
     value: float
     sigma: Annotated[float, Meta(description="Standard deviation.")]
     unit: str
+
+
+class FoundDocument(ValueDocument):
+    """A parameter of a claimed cause."""
+
+    saved_sigma: Annotated[
+        float,
+        Meta(
+            description="Standard deviation in the corrected robot file: it includes what a candidate that these "
+            "data do not show could have done to the value."
+        ),
+    ]
 
 
 #: Parameters by their names.
@@ -41,7 +53,7 @@ class CauseDocument(Document):
         ),
     ] = field(name="class")
     parameters: Annotated[
-        Values,
+        dict[str, FoundDocument],
         Meta(
             description="Its parameters: of an effect by the last part of their name, others by their path."
         ),
@@ -72,6 +84,13 @@ class RefittedDocument(Document):
     before: Annotated[float, Meta(description="As declared, SI units.")]
     after: Annotated[float, Meta(description="Refitted value.")]
     sigma: Annotated[float, Meta(description="Standard deviation after the refit.")]
+    saved_sigma: Annotated[
+        float,
+        Meta(
+            description="Standard deviation in a corrected robot file: it includes what a candidate that these data "
+            "do not show could have done to the value."
+        ),
+    ]
     unit: str
 
 
@@ -130,11 +149,15 @@ class CandidateDocument(Document):
         ),
     ]
     detectable: Annotated[
-        bool, Meta(description="Whether a change that moves a frequency by a tenth is detectable.")
+        bool,
+        Meta(description="Whether a plausible change that moves a frequency by a tenth is detectable."),
     ]
     visible_from: Annotated[
         dict[str, SizeDocument],
-        Meta(description="Smallest detectable change of each parameter; empty if there is none."),
+        Meta(
+            description="Smallest detectable change of each parameter, beside what is claimed; empty if no plausible "
+            "one is detectable."
+        ),
     ]
 
 
@@ -201,6 +224,14 @@ class DiagnoseDocument(Document):
     ]
     undetectable: Annotated[
         list[str], Meta(description="Candidates that are not detectable with these data.")
+    ]
+    limits: Annotated[
+        dict[str, SizeDocument | None],
+        Meta(
+            description="How far each parameter of each candidate that is not claimed may still deviate from its "
+            "declared value, at 95 %; of an absent effect, its largest size.  By effect.parameter, or by path; null "
+            "where nothing bounds it within its plausible range."
+        ),
     ]
     next_measurement: Annotated[
         NextMeasurementDocument | None,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
@@ -12,6 +13,7 @@ from pkmodes.diagnosis.verdict.document import (
     CauseDocument,
     DiagnoseDocument,
     ErrorDocument,
+    FoundDocument,
     NextMeasurementDocument,
     PlaceDocument,
     RefittedDocument,
@@ -22,6 +24,7 @@ from pkmodes.diagnosis.verdict.document import (
     ValueDocument,
 )
 from pkmodes.diagnosis.verdict.relative import relative_to_mean
+from pkmodes.diagnosis.verdict.unseen import Limit, Unseen
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS, Word
 
 
@@ -45,11 +48,27 @@ class Corrected(Value):
         Standard deviation of its declared value; None if it has none.
     at_bound : bool
         Whether the value is at a physical bound other than the declared value.
+    unseen : Unseen or None
+        What a candidate that these data do not show could have done to the value; None where none could.
     """
 
     declared: float
     prior_sigma: float | None
     at_bound: bool
+    unseen: Unseen | None = None
+
+    @property
+    def saved_sigma(self) -> float:
+        """Standard deviation including what an unseen candidate could have done.
+
+        What was declared still holds: it is at most the root mean square distance from the value under its prior.
+        """
+        if self.unseen is None:
+            return self.sigma
+        sigma = math.hypot(self.sigma, self.unseen.sigma)
+        if self.prior_sigma is None:
+            return sigma
+        return max(self.sigma, min(sigma, math.hypot(self.prior_sigma, self.value - self.declared)))
 
 
 @dataclass(frozen=True)
@@ -69,12 +88,13 @@ class Stages:
 
 @dataclass(frozen=True)
 class Refitted:
-    """A nuisance parameter before and after the fit, with its standard deviation after."""
+    """A nuisance parameter before and after the fit, with its standard deviation after, fitted and as saved."""
 
     name: str
     before: float
     after: float
     sigma: float
+    saved_sigma: float
     unit: str
 
 
@@ -205,9 +225,10 @@ class Examined:
     p_value : float
         p-value of its score at the refit of the nuisances, for this candidate alone.
     visible_from : tuple of Value
-        Smallest change of each parameter that these data would probably show, with its standard deviation.
+        Smallest change of each parameter that these data would probably show, with its standard deviation, beside
+        what is claimed; none if it would not be plausible.
     detectable : bool
-        Whether these data would show a change that moves a frequency by a tenth.
+        Whether these data would show a plausible change that moves a frequency by a tenth.
     """
 
     name: str
@@ -273,6 +294,9 @@ class Diagnosis:
     stability : tuple of Stability
     shape_scatter : float or None
         Estimated scatter of the shapes without a stated error, relative to the largest component.
+    limits : mapping of str to Limit
+        How large each candidate that is not claimed may still be, by parameter: ``"<effect>.<parameter>"``, or the
+        path of a declared value.
     stages : Stages or None
         Partners, differences and MAC of all measured modes, for figures; not part of the JSON.
     """
@@ -295,6 +319,7 @@ class Diagnosis:
     notes: tuple[str, ...] = ()
     stability: tuple[Stability, ...] = ()
     shape_scatter: float | None = None
+    limits: Mapping[str, Limit] = field(default_factory=dict)
     stages: Stages | None = field(default=None, compare=False, repr=False)
 
     def __str__(self) -> str:
@@ -348,7 +373,7 @@ class Diagnosis:
         """
         document = DiagnoseDocument.of(
             self,
-            effects=[_cause(cause) for cause in self.effects],
+            effects=[_cause(cause, self.corrected) for cause in self.effects],
             refitted={value.name: RefittedDocument.of(value) for value in self.refitted},
             error=StagesDocument.of(
                 self, before=_error(self.before), refit=_error(self.refit), after=_error(self.after)
@@ -361,6 +386,10 @@ class Diagnosis:
             outliers=list(map(PlaceDocument.of, self.outliers)),
             unpaired=list(map(PlaceDocument.of, self.unpaired)),
             stability=list(map(StabilityDocument.of, self.stability)),
+            limits={
+                name: None if limit.value is None else SizeDocument.of(limit)
+                for name, limit in self.limits.items()
+            },
             rows=list(map(RowDocument.of, self.rows)),
         )
         return document.as_json()
@@ -376,11 +405,16 @@ def key(v: Value) -> str:
     return v.name.split(".")[-1] if v.name.startswith("effects.") else v.name
 
 
-def _cause(cause: Finding) -> CauseDocument:
+def _cause(cause: Finding, corrected: tuple[Corrected, ...]) -> CauseDocument:
     alternatives = {name: _by_key(ValueDocument, values) for name, values in cause.alternatives.items()}
+    saved = {value.name: value.saved_sigma for value in corrected}
+    parameters = {
+        key(value): FoundDocument.of(value, saved_sigma=saved.get(value.name, value.sigma))
+        for value in cause.parameters
+    }
     return CauseDocument.of(
         cause,
-        parameters=_by_key(ValueDocument, cause.parameters),
+        parameters=parameters,
         covariance=[list(row) for row in cause.covariance],
         relative=_by_key(ValueDocument, cause.relative()),
         alternatives=alternatives,

@@ -1,0 +1,323 @@
+r"""Ends of profile-likelihood intervals of many parameters, found in lockstep.
+
+The profile of a parameter :math:`\theta` is :math:`p(\theta) = \min_\nu \chi^2(\theta, \nu)`, its nuisances
+:math:`\nu` refitted at each value.  An end of the interval is where it has risen from its least to a given sum of
+squares.  With the whitened residual r and its derivatives g and N linearised at a point, and A and B the components
+of r and g outside the span of N,
+
+.. math:: p(\theta + d) \approx |A + B d|^2 ,
+
+which is solved for d on the outer side, with the nuisances that belong to it: the step of Venzon and Moolgavkar (A
+method for computing profile-likelihood-based confidence intervals, Applied Statistics 37, 1988) with the Hessian of
+Gauss and Newton.  The model is evaluated there, until p is the wanted sum; a bracket catches steps of poor models.
+Evaluating all ends together takes little longer than evaluating one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.problem import Array
+
+#: Largest number of evaluations of an end.
+ROUNDS = 8
+#: An end is found if its sum of squares is wrong by less than this part of the rise, and the nuisances could lower it
+#: by no more than this: a tenth moves the end by a twentieth.
+PART = 0.1
+#: Largest step outwards, relative to the size reached.
+GROWTH = 8.0
+#: Relative singular value below which a combination of nuisances changes nothing.
+NOTHING = 1e-9
+
+
+class Asked(NamedTuple):
+    """Values at which a model is needed, its free parameters, and those without a prior, whatever the fitter has."""
+
+    values: Array
+    free: tuple[int, ...]
+    own: tuple[int, ...]
+
+
+class Point(NamedTuple):
+    """A model at some values: whitened residual (D,) and its derivatives (D, k) with respect to the free ones."""
+
+    values: Array
+    white: Array
+    jacobian: Array
+
+    @property
+    def squares(self) -> float:
+        """Sum of squares."""
+        return float(self.white @ self.white)
+
+
+@dataclass(frozen=True)
+class Side:
+    """One end of an interval to be found.
+
+    Attributes
+    ----------
+    index : int
+        The parameter, one of the free ones.
+    declared : float
+        Its declared value: sizes are distances from it.
+    sign : int
+        Side of the declared value.
+    free : tuple of int
+        Indices of all free parameters.
+    own : tuple of int
+        Parameters without a prior, whatever the fitter has.
+    most : float
+        Largest plausible size on this side.
+    least : Point
+        Where the sum of squares is least.
+    target : float
+        Sum of squares at the end.
+    """
+
+    index: int
+    declared: float
+    sign: int
+    free: tuple[int, ...]
+    own: tuple[int, ...]
+    most: float
+    least: Point
+    target: float
+
+    @property
+    def rise(self) -> float:
+        """By how much the sum of squares rises to the end."""
+        return self.target - self.least.squares
+
+    def size(self, values: Array) -> float:
+        """Return the size of the parameter on this side."""
+        return float(self.sign * (values[self.index] - self.declared))
+
+
+@dataclass(frozen=True)
+class End:
+    """An end that was found, or the largest plausible size if the sum of squares does not rise enough before it.
+
+    Attributes
+    ----------
+    values : ndarray, shape (P,)
+        All parameters there, the nuisances refitted.
+    size : float
+        Distance from the declared value.
+    bounded : bool
+        Whether the data bound the parameter within its plausible range.
+    """
+
+    values: Array
+    size: float
+    bounded: bool
+
+
+class Step(NamedTuple):
+    """The linear model of a profile at a point.
+
+    Attributes
+    ----------
+    profile : float
+        Least sum of squares with the parameter where it is.
+    unsettled : float
+        By how much the sum of squares there exceeds it.
+    slope, square : float
+        The profile changes by 2 slope d + square d^2.
+    at_rest, along : ndarray, shape (P,)
+        Change of all parameters that refits the nuisances, and its change per unit of the parameter.
+    """
+
+    profile: float
+    unsettled: float
+    slope: float
+    square: float
+    at_rest: Array
+    along: Array
+
+
+class Profiles:
+    """Profiles around one fit, with the covariance of the data as in that fit."""
+
+    def __init__(self, fitter: Fitter, fit: Fit) -> None:
+        self.fitter, self.fit = fitter, fit
+        self._used, self._whitening = fitter.used(fit.hypothesis), fitter.whitening(fit)
+
+    def points(self, asked: Sequence[Asked]) -> list[Point | None]:
+        """Evaluate the model at several values, each with its free parameters and those without a prior."""
+        found: list[Point | None] = [None] * len(asked)
+        if not asked:
+            return found
+        fitter, by = self.fitter, [one.free for one in asked]
+        values, shapes = np.array([one.values for one in asked]), bool(fitter.shapes.size)
+        for batch in fitter.structure.predict_many(values, by, shape_rates=shapes):
+            if not np.isfinite(batch.prediction.eigenvalues).all():
+                continue
+            rows, used = fitter.rows.tiled(len(batch.sets)), np.tile(self._used, len(batch.sets))
+            pairing = rows.pairer.pair(batch.prediction, used, compare=False)
+            residuals = rows.of_each(rows.residual(batch.prediction, pairing, used))
+            rates = rows.of_each(rows.rates(batch.prediction, pairing, used))
+            for k, residual, rate in zip(batch.sets, residuals, rates, strict=True):
+                found[k] = self._point(asked[k], residual, rate[:, : len(by[k])])
+        return found
+
+    def _point(self, asked: Asked, residual: Array, rates: Array) -> Point:
+        priors, whitened = self.fitter.priors, self._whitening.whitened
+        white = np.concatenate([whitened(residual), priors.residual(asked.values)])
+        jacobian = np.vstack([-whitened(rates), priors.rates(asked.values, asked.free)])
+        return Point(asked.values, *without_priors(self.fitter, white, jacobian, asked.own))
+
+    def linear(self, side: Side) -> End:
+        """Return an end of the model linearised at the least sum of squares."""
+        step = self._step(side, side.least)
+        size = min(_outward(side, side.least, step), side.most)
+        return End(self._moved(side, side.least, step, size), size, size < side.most)
+
+    def ends(self, sides: Sequence[Side]) -> list[End]:
+        """Return the ends of all sides."""
+        searches = [_Search.begun(side, self.linear(side)) for side in sides]
+        for _ in range(ROUNDS):
+            going = [one for one in searches if one.end is None]
+            if not going:
+                break
+            points = self.points([Asked(one.next, one.side.free, one.side.own) for one in going])
+            for one, point in zip(going, points, strict=True):
+                self._take(one, point)
+        return [one.end or one.given_up() for one in searches]
+
+    def _take(self, search: _Search, point: Point | None) -> None:
+        """Use the model at the proposed values, None if it cannot be evaluated there, and propose the next ones."""
+        side, size = search.side, search.size
+        if point is None:
+            search.outside = size
+            search.retreat()
+            return
+        step = self._step(side, point)
+        here = self._moved(side, point, step, size)
+        wrong = step.profile - side.target
+        if step.unsettled > PART * side.rise:
+            search.next = (
+                here  # the same size again: the linear model is poor so far from the refitted nuisances
+            )
+        elif abs(wrong) <= PART * side.rise:
+            search.end = End(here, size, True)
+        elif wrong < 0.0 and size >= side.most:
+            search.end = End(here, size, False)
+        else:
+            search.bracket(here, wrong < 0.0)
+            farthest = size + GROWTH * max(abs(size), abs(search.first))
+            there = min(_outward(side, point, step), side.most, farthest)
+            if not search.inside < there < search.outside:
+                there = 0.5 * (search.inside + search.outside)
+            search.next = self._moved(side, point, step, there)
+
+    def _step(self, side: Side, point: Point) -> Step:
+        """Return the linear model of a profile at a point."""
+        place = side.free.index(side.index)
+        others = [k for k in range(len(side.free)) if k != place]
+        index = [side.free[k] for k in others]
+        g, N = point.jacobian[:, place], point.jacobian[:, others]
+        at, lower, upper = point.values[index], self.fitter.lower[index], self.fitter.upper[index]
+        rest, along = np.zeros(len(others)), np.zeros(len(others))
+        moving = np.ones(len(others), dtype=bool)
+        for _ in range(2):  # again without those that would leave their bounds
+            columns = N[:, moving]
+            length = np.linalg.norm(columns, axis=0)
+            scale = 1.0 / np.where(length > 0.0, length, 1.0)
+            both = np.stack([point.white, g], axis=1)
+            solved = -np.linalg.lstsq(columns * scale, both, rcond=NOTHING)[0] * scale[:, None]
+            rest[:], along[:] = 0.0, 0.0
+            rest[moving], along[moving] = solved.T
+            held = moving & (((at <= lower) & (rest < 0.0)) | ((at >= upper) & (rest > 0.0)))
+            if not held.any():
+                break
+            moving &= ~held
+        a, b = point.white + N @ rest, g + N @ along
+        changes = np.zeros((2, len(point.values)))
+        changes[0, index], changes[1, index], changes[1, side.index] = rest, along, 1.0
+        profile = float(a @ a)
+        return Step(profile, point.squares - profile, float(a @ b), float(b @ b), *changes)
+
+    def _moved(self, side: Side, point: Point, step: Step, size: float) -> Array:
+        """Return the values at a size of the parameter, with the nuisances refitted in the linear model."""
+        there = side.declared + side.sign * size
+        values = point.values + step.at_rest + step.along * (there - point.values[side.index])
+        moved: Array = np.clip(values, self.fitter.lower, self.fitter.upper)
+        moved[side.index] = there
+        return moved
+
+
+@dataclass
+class _Search:
+    """The search for one end.
+
+    Attributes
+    ----------
+    next : ndarray, shape (P,)
+        Values to be evaluated next.
+    inside, outside : float
+        Largest size known to be in the interval, and smallest one known not to be.
+    within : ndarray, shape (P,)
+        Values at the former.
+    first : float
+        Size in the linear model.
+    """
+
+    side: Side
+    next: Array
+    inside: float
+    within: Array
+    first: float
+    outside: float = np.inf
+    end: End | None = None
+
+    @classmethod
+    def begun(cls, side: Side, linear: End) -> _Search:
+        """Begin at the end of the linear model."""
+        return cls(side, linear.values, side.size(side.least.values), side.least.values, linear.size)
+
+    @property
+    def size(self) -> float:
+        """Size to be evaluated next."""
+        return self.side.size(self.next)
+
+    def bracket(self, here: Array, is_inside: bool) -> None:
+        """Narrow the bracket at the size that was evaluated."""
+        if is_inside:
+            self.inside, self.within = self.size, here
+        else:
+            self.outside = min(self.outside, self.size)
+
+    def retreat(self) -> None:
+        """Propose values half-way to those known to be in the interval."""
+        self.next = 0.5 * (self.within + self.next)
+
+    def given_up(self) -> End:
+        """Return the end as far as it is known: rather too large than too small."""
+        known = np.isfinite(self.outside)
+        return End(self.next, self.outside if known else self.size, bool(known))
+
+
+def without_priors(fitter: Fitter, white: Array, jacobian: Array, own: Sequence[int]) -> tuple[Array, Array]:
+    """Return residual and derivatives without the priors of some parameters."""
+    rows = [row for i in own if (row := fitter.priors.of(i)) is not None]
+    if rows:
+        at = fitter.prior_rows.start + np.array(rows)
+        white, jacobian = white.copy(), jacobian.copy()
+        white[at], jacobian[at] = 0.0, 0.0
+    return white, jacobian
+
+
+def _outward(side: Side, point: Point, step: Step) -> float:
+    """Return the size at which the linear model reaches the wanted sum of squares on the outer side."""
+    size, slope, above = side.size(point.values), side.sign * step.slope, step.profile - side.target
+    if step.square <= 0.0:
+        return np.inf if above < 0.0 else size
+    root = slope**2 - step.square * above
+    return float(size + (-slope + np.sqrt(root)) / step.square) if root >= 0.0 else size

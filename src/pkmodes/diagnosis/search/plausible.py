@@ -1,0 +1,51 @@
+"""How large a candidate may plausibly be: beyond that, the model would describe another machine.
+
+A bound of the data beyond this range says nothing.  The range of a parameter ends
+
+* at its physical bounds, such as a third and three times the declared value of a robot;
+* at the largest deviation that its model declares plausible (`Parameter.plausible`);
+* at three standard deviations of its prior, if the candidate has one;
+* otherwise, above all for absent effects, at the size which in the linear model changes some frequency of the model,
+  measured or not, by as much as the largest size from which a search starts.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.problem import Array, Candidate, Prediction
+from pkmodes.diagnosis.search.starts import SIZES
+
+
+def largest_rates(prediction: Prediction) -> Array:
+    """Return the largest derivatives of ln f of any vibration mode with respect to the requested parameters, (T,)."""
+    rates = np.abs(prediction.log_rates[:, prediction.rigid :])
+    rates[~np.isfinite(rates)] = 0.0
+    return np.asarray(rates.max(axis=(0, 1), initial=0.0))
+
+
+def plausible_size(fitter: Fitter, candidate: Candidate, i: int, sign: int, rate: float) -> float:
+    """Return the largest plausible deviation of a parameter of a candidate from its declared value, on one side.
+
+    Parameters
+    ----------
+    i : int
+        The parameter.
+    sign : int
+        The side.
+    rate : float
+        Its `largest_rates`.
+    """
+    p = fitter.parameters[i]
+    room = p.upper - p.value if sign > 0 else p.value - p.lower
+    if candidate.sigma is not None:
+        sigma = candidate.sigma[candidate.parameters.index(p.name)]
+        plausible = fitter.criteria.far * sigma * (abs(p.value) if p.log else 1.0)
+    elif p.plausible is not None:
+        plausible = p.plausible
+    elif np.isfinite(p.lower) and np.isfinite(p.upper):
+        plausible = np.inf  # the bounds are the plausible range
+    else:
+        plausible = SIZES[-1] / rate if rate > 0.0 else np.inf
+    return float(min(room, plausible))

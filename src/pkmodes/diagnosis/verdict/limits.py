@@ -1,0 +1,113 @@
+"""Limits of the candidates that are not claimed, and what these unseen candidates could do to the saved values.
+
+A limit is that of a candidate beside what the diagnosis says: the declared model with its nuisances refitted, the
+claimed causes, or each of the explanations that remain.  If the residual is not explained, the errors count as large
+as what each candidate leaves.
+
+Saved values
+------------
+A refitted value makes up for whatever is missing from the model.  When an unseen candidate moves to its limit, or to
+its largest plausible size, a value moves by D; a normal deviate beyond which 5 % lie on that side has the standard
+deviation D / 1.645, which is what a joint fit of both would add to its variance (JCGM 100:2008, 5.1.2).  Of all
+candidates the one that moves the value most is counted, not their sum: like the diagnosis itself, this takes one
+cause to be missing, many candidates move the values in the same way, and a sum would count that several times (the
+envelope over alternative models; Dauncey, Kenzie, Wardle and Davies, Journal of Instrumentation 10, 2015, P04015).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.matrices import slowness
+from pkmodes.diagnosis.problem import Candidate, Parameter
+from pkmodes.diagnosis.search.limits import ONE_SIDED, Bound, bounds
+from pkmodes.diagnosis.verdict.unseen import Limit, Unseen
+
+#: Largest number of remaining explanations beside which limits are found.
+MOST = 4
+
+
+@dataclass(frozen=True)
+class Limits:
+    """The limits of all candidates that are not claimed.
+
+    Attributes
+    ----------
+    of : mapping of str to Limit
+        By the names of their parameters.
+    unseen : mapping of int to Unseen
+        What they could do to the fitted values, by parameter.
+    plausible : mapping of int to float
+        Largest plausible deviations, by parameter.
+    candidates, unbounded : frozenset of str
+        Names of the candidates, and of those with a parameter that the data do not bound.
+    """
+
+    of: Mapping[str, Limit]
+    unseen: Mapping[int, Unseen]
+    plausible: Mapping[int, float]
+    candidates: frozenset[str]
+    unbounded: frozenset[str]
+
+
+def unknown(store: FitStore, candidates: Iterable[Candidate]) -> Limits:
+    """Return the limits where the data say nothing, because of an obvious mistake in them."""
+    fitter = store.fitter
+    index = [(candidate, i) for candidate in candidates for i in fitter.indices(candidate)]
+    names = frozenset(candidate.name for candidate, _ in index)
+    limits = {name_of(p := fitter.parameters[i]): Limit(c.name, None, p.unit) for c, i in index}
+    return Limits(limits, {}, {}, names, names)
+
+
+def beside(store: FitStore, fits: Sequence[Fit], candidates: Iterable[Candidate], *, noise: bool) -> Limits:
+    """Return the limits of candidates beside fits that explain the measurements: the largest over all of them.
+
+    Parameters
+    ----------
+    candidates : iterable of Candidate
+        A candidate that is a cause of some of the fits is bounded in those alone.
+    noise : bool
+        Whether what the fits leave is noise.
+    """
+    fitter = store.fitter
+    linear = bool(slowness(fitter.structure))
+    found: list[Bound] = []
+    every, fits = list(candidates), fits[:MOST]
+    own = {cause for fit in fits for cause in fit.causes}
+    for fit in fits:
+        some = [c for c in every if c not in own or c in fit.causes]
+        found += bounds(store, fit, some, noise=noise, linear=linear)
+    by_name: dict[str, Limit] = {}
+    for bound in found:
+        p = fitter.parameters[bound.index]
+        name, limit = name_of(p), Limit(bound.candidate.name, bound.size, p.unit, bound.change)
+        by_name[name] = max(by_name.get(name, limit), limit, key=_size)
+    unseen = _unseen(fits[0], found) if noise and len(fits) == 1 else {}
+    ordered = (name_of(fitter.parameters[i]) for c in every for i in fitter.indices(c))
+    return Limits(
+        {name: by_name[name] for name in ordered if name in by_name},
+        unseen,
+        {bound.index: bound.plausible for bound in found},
+        frozenset(bound.candidate.name for bound in found),
+        frozenset(bound.candidate.name for bound in found if bound.size is None),
+    )
+
+
+def name_of(p: Parameter) -> str:
+    """Return the key of a parameter among the limits: of an effect its name and parameter, else the path."""
+    return p.name.removeprefix("effects.")
+
+
+def _size(limit: Limit) -> float:
+    return float("inf") if limit.value is None else limit.value
+
+
+def _unseen(fit: Fit, found: Collection[Bound]) -> dict[int, Unseen]:
+    """Return the largest movement of each fitted value as a standard deviation, and the candidate behind it."""
+    if not found:
+        return {}
+    worst = {i: max(found, key=lambda bound: bound.moved[i]) for i in fit.free}
+    return {i: Unseen(float(b.moved[i]) / ONE_SIDED, b.candidate.name) for i, b in worst.items()}
