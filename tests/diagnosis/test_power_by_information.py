@@ -5,6 +5,7 @@ Structures whose frequencies' logarithms are linear in the parameters, with data
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping
 
 import numpy as np
@@ -72,8 +73,8 @@ def test_it_falls_steadily_with_smaller_errors() -> None:
     sizes = [
         coincidence(plain(8), 3.0 * DIRECTIONS[0], errors=errors) for errors in np.geomspace(0.25, 1.3, 12)
     ]
-    assert all(a <= b + 0.01 for a, b in zip(sizes, sizes[1:], strict=False))
-    assert max(b - a for a, b in zip(sizes, sizes[1:], strict=False)) < 0.25  # without a step
+    assert all(a <= b + 0.01 for a, b in itertools.pairwise(sizes))
+    assert max(b - a for a, b in itertools.pairwise(sizes)) < 0.25  # without a step
     assert sizes[0] < 0.001
 
 

@@ -192,8 +192,8 @@ def _size(case: ClearCase, place: int, kind: str, alone: Callable[[float], Speci
             return size
         if value < target:
             low = size
-            # The signal grows in proportion to a small size.
-            size = size * min(max(target / max(value, 1e-9), 1.5), 100.0) if not high else (low * high) ** 0.5
+            # The signal grows in proportion to a small size, except where a mode is added.
+            size = size * min(max(target / max(value, 1e-9), 1.5), 10.0) if not high else (low * high) ** 0.5
         else:
             high = size
             size = (low * high) ** 0.5 if low else size / 10.0

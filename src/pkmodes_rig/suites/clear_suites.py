@@ -1,6 +1,6 @@
 """Suites of clear causes on all mechanisms alike: define the cases, run them and tabulate the outcomes.
 
-    python -m pkmodes_rig.suites.clear_suites --seed 20261206 --out docs/clear-causes-measured.md      # `make suites`
+    python -m pkmodes_rig.suites.clear_suites --seed 20261207 --out docs/clear-causes-measured.md      # `make suites`
 
 The requirements were fixed before any case was run.
 """

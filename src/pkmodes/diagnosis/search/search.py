@@ -98,6 +98,15 @@ class Search:
             return []
         return self.additions.causes(plain, score(self.store.fitter, plain, self.remote))
 
+    def in_one_joint(self, beside: Fit) -> list[Fit]:
+        """Return fits with a compliance in one joint in place of the cause of a fit, best first."""
+        own = set(beside.causes[0].parameters)
+        remote = [one for one in self.remote if not (one.nameable or own & set(one.parameters))]
+        plain = self.store.fit(replace(beside.hypothesis, causes=()))
+        if plain is None or not remote:
+            return []
+        return self.additions.causes(plain, score(self.store.fitter, plain, remote))
+
     def rivals(self, fit: Fit, place: int) -> tuple[Fit, ...]:
         """Return fits with other causes in one place, best first; that cause is the last one in all of them."""
         causes, store = fit.causes, self.store

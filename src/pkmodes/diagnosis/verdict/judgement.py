@@ -4,7 +4,7 @@ Causes are claimed unless
 
 * another explanation fits the shapes significantly better, or the residual points to a more general cause,
 * measurement errors explain the residual nearly as well,
-* a remote cause is needed, or one alone explains what two causes would be claimed for,
+* a remote cause is needed, or one in a single joint explains as much, or what two causes would be claimed for,
 * the improvement may be chance, or the data are too few to be specific, or
 * a value does not support the claim (`values`).
 """
@@ -129,6 +129,9 @@ def _doubt(
     remote = [cause for fit in (final, *others, *better) for cause in fit.causes if cause.remote]
     if remote:
         return reasons.remote(remote[0])
+    single = _in_one_joint(search, final)
+    if single is not None:
+        return reasons.in_one_joint(final.causes, single.causes)
     if shapes_disagree(store, final):
         return reasons.shapes(final.causes)
     rival = better_by_shape(store, final)
@@ -148,6 +151,18 @@ def _doubt(
     if coincidence > c.specific:
         return reasons.unspecific(final.causes, _also(search, final), coincidence)
     return doubt_of_values(search, final)
+
+
+def _in_one_joint(search: Search, final: Fit) -> Fit | None:
+    """Return the remote cause in one joint that these data cannot tell from one claimed for all joints, or None."""
+    store, c = search.store, search.criteria
+    if len(final.causes) != 1:
+        return None
+    limit = final.deviance + c.told_apart
+    return next(
+        (fit for fit in search.in_one_joint(final) if fit.deviance < limit and store.p_value(fit) > c.surely),
+        None,
+    )
 
 
 def _also(search: Search, final: Fit) -> list[str]:

@@ -79,6 +79,11 @@ def remote(cause: Candidate) -> str:
     return f"no candidate explains the residual alone, but {cause.name} would: look there{also}"
 
 
+def in_one_joint(causes: Sequence[Candidate], single: Sequence[Candidate]) -> str:
+    """Return the reason if a cause in one joint explains as much as one in all joints."""
+    return f"{_names(causes)} would explain the residual, and so would {_names(single)}: look there, and measure more"
+
+
 def unlike(cause: Candidate, general: Candidate) -> str:
     """Return the reason if the more general form of a cause is better."""
     return f"{cause.name} would explain the residual, but {general.name} would do so significantly better: look there"

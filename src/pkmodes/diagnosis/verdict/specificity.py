@@ -4,8 +4,8 @@ The residual of a cause outside the candidates may look like a candidate by chan
 probability is estimated by simulation: residuals as large as the measured one, drawn from changes of the structure
 that are not candidates, are compared with the linear signature of every candidate.  There are two kinds of draws:
 `arbitrary` changes, independent in all setups, and `plausible` ones, combinations of the candidates.  A draw has the
-size of what the claim explains and leaves, and of what noise would hide; it looks like a candidate if this explains as
-much as the claim does.
+size of what the claim explains and leaves, and of what noise would hide; it looks like a candidate that explains as
+much of it as the claim does of the residual.
 """
 
 from __future__ import annotations
