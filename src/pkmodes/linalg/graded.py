@@ -54,7 +54,8 @@ def graded_eigh(M: Array, K: Array, soft: int, shift: float = 0.0) -> tuple[Arra
     order = np.argsort(np.diagonal(K), kind="stable")
     M, K = M[np.ix_(order, order)], K[np.ix_(order, order)]
     # Exactly triangular, so that large numbers of later rows do not enter earlier ones.
-    inverse = solve_triangular(np.linalg.cholesky(M), np.eye(len(M)), lower=True)
+    unit = np.eye(len(M))
+    inverse = unit if np.array_equal(M, unit) else solve_triangular(np.linalg.cholesky(M), unit, lower=True)
     H = inverse @ K @ inverse.T
     H = 0.5 * (H + H.T)
     shift = max(shift, 2.0 * float(np.linalg.norm(H[:soft, :soft])))
