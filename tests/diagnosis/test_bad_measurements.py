@@ -43,11 +43,13 @@ def test_each_cause_each_row_set_aside_and_a_shared_error_take_a_degree_of_freed
     structure = frame(SIX)
     found = checked(structure, data)
     assert causes(found) == list(truth)
-    assert bool(found.scatter) == bool(common)
+    shared = bool(common and truth)
+    assert bool(found.scatter) == shared
+    assert ("the modes of a pose share" in found.reason) == bool(common)
     added = tuple(c for c in structure.candidates if c.name in truth)
-    fit = Fitter(structure, data).fit(Hypothesis(added, frozenset(excluded), bool(common)))
+    fit = Fitter(structure, data).fit(Hypothesis(added, frozenset(excluded), shared))
     assert fit is not None
-    degrees = 24 - len(excluded) - len(added) - bool(common)
+    degrees = 24 - len(excluded) - len(added) - shared
     assert (found.after or found.refit).chi2_per_dof == pytest.approx(fit.chi2 / degrees, rel=1e-4)
 
 

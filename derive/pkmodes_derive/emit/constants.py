@@ -49,7 +49,11 @@ def constants(model: Model, provenance: Provenance) -> list[Constant]:
     if any(margin.rule == "at_most_limit" for margin in model.conditions):
         largest = "largest condition number of a regular pose"
         listed.append(Constant("MAX_CONDITION", MAX_CONDITION, largest, MAX_CONDITION_SINGLE))
-    listed.append(Constant("UNSOLVED", -1, "status: the eigenproblem has no solution"))
+    listed.append(
+        Constant(
+            "UNSOLVED", -1, "status: the eigenproblem has no solution, or rounding leaves it too few digits"
+        )
+    )
     listed.append(Constant("NOT_FINITE", 1, f"status: {NOT_FINITE}"))
     for number, margin in enumerate(model.conditions, start=2):
         listed.append(Constant(status_name(model.conditions, number), number, f"status: {margin.meaning}"))

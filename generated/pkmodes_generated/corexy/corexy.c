@@ -15,6 +15,10 @@
  *   det_j [N^2]: determinant of the equilibrium equations of axis j
  *   theta_j_st [rad]: static rotation of motor pulley j, relative to the unstrained transmissions
  */
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, by which bad poses are found: compile without them"
+#endif
+
 #include "corexy.h"
 
 #include <math.h>
@@ -594,13 +598,17 @@ void corexy_modal_matrices(const pkmodes_real p[2], const corexy_parameters *par
 /* Coordinates, and the most iterations for one eigenvalue; two are usual. */
 enum { N = COREXY_COORDINATES, EIGEN_ITERATIONS = 60 };
 
-/* Rounding, and the relative difference up to which components of a shape count as equal. */
+/* Rounding, the relative difference up to which components of a shape count as equal, and the fraction of the
+ * largest eigenvalue that those of vibrations must have: below it, rounding leaves a frequency fewer than six
+ * digits, in single precision hardly two. */
 #ifdef PKMODES_FLOAT
 #define EIGEN_EPSILON 1.1920929e-07f
 #define EIGEN_TIE 1e-4f
+#define EIGEN_RESOLVED 1e-5f
 #else
 #define EIGEN_EPSILON 2.220446049250313e-16
 #define EIGEN_TIE 1e-6
+#define EIGEN_RESOLVED 1e-9
 #endif
 
 /* The symmetric eigenproblem K phi = lambda M phi: M is scaled and factored (Cholesky), K reduced to a
@@ -784,6 +792,16 @@ static void eigen_order(pkmodes_real d[N], pkmodes_real (*Z)[N], const pkmodes_r
     }
 }
 
+/* Find vibrations, the modes from the given one on, that are lost in the rounding of the largest eigenvalue. */
+static int eigen_lost(const pkmodes_real d[N], int vibration)
+{
+    int i;
+    for (i = vibration; i < N; ++i)
+        if (!(R(fabs)(d[i]) >= EIGEN_RESOLVED*R(fabs)(d[N - 1])))
+            return -1;
+    return 0;
+}
+
 /* Replace eigenvalues by natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz]. */
 static void eigen_frequencies(pkmodes_real d[N])
 {
@@ -825,6 +843,8 @@ int corexy_modes(
     if (eigen_ql(f, e, phi))
         return COREXY_UNSOLVED;
     eigen_order(f, phi, scale);
+    if (eigen_lost(f, COREXY_RIGID_MODES))
+        return COREXY_UNSOLVED;
     eigen_frequencies(f);
     return 0;
 }

@@ -72,14 +72,14 @@ extern "C" {
 /* version of the generator */
 #define COREXY_VERSION "0.1.0"
 /* SHA-256 of the C source, first digits: other code has another */
-#define COREXY_HASH "665fa1794241f007"
+#define COREXY_HASH "7579b8a080f38cd9"
 /* components of a pose */
 #define COREXY_POSE 2
 /* coordinates, and modes */
 #define COREXY_COORDINATES 4
 /* rigid-body modes, the first ones */
 #define COREXY_RIGID_MODES 2
-/* status: the eigenproblem has no solution */
+/* status: the eigenproblem has no solution, or rounding leaves it too few digits */
 #define COREXY_UNSOLVED (-1)
 /* status: the pose is not finite */
 #define COREXY_NOT_FINITE 1
@@ -393,6 +393,8 @@ int corexy_status(const pkmodes_real p[2], const corexy_parameters *parameters);
  *
  * The error of lambda is rounding of the largest one.  So the relative error of a frequency f is some 1e-15,
  * in single precision 1e-6, times the square of (highest frequency / f), and larger near singular poses.
+ * Where this leaves a vibration fewer than six digits, in single precision hardly two, the status is
+ * COREXY_UNSOLVED.
  */
 int corexy_natural_frequencies(
     const pkmodes_real p[2], const corexy_parameters *parameters, pkmodes_real f[4]);

@@ -13,6 +13,10 @@
  *   l_f_j_s [m]: free length of run s of belt j
  *   k_j_s [N/m]: stiffness of run s of belt j
  */
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, by which bad poses are found: compile without them"
+#endif
+
 #define LANES_POSE 2
 #define LANES_INDEPENDENT 2
 #define LANES_DIRECTIONS 2

@@ -28,6 +28,10 @@
  *   U_j_i_k [1]: derivative of linkage vector j, component i, with respect to x_k
  *   mu_j [N/m]: static force in linkage j divided by its length, positive in compression
  */
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, by which bad poses are found: compile without them"
+#endif
+
 #define LANES_POSE 3
 #define LANES_INDEPENDENT 3
 #define LANES_DIRECTIONS 3

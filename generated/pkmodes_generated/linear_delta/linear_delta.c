@@ -41,6 +41,10 @@
  *   det_j [N^2 m]: determinant of the equilibrium equations of axis j
  *   theta_j_k_st [rad]: static rotation of pulley k of axis j, relative to the unstrained transmissions
  */
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, by which bad poses are found: compile without them"
+#endif
+
 #include "linear_delta.h"
 
 #include <math.h>
@@ -3420,13 +3424,17 @@ void linear_delta_modal_matrices(const pkmodes_real p[3], const linear_delta_par
 /* Coordinates, and the most iterations for one eigenvalue; two are usual. */
 enum { N = LINEAR_DELTA_COORDINATES, EIGEN_ITERATIONS = 60 };
 
-/* Rounding, and the relative difference up to which components of a shape count as equal. */
+/* Rounding, the relative difference up to which components of a shape count as equal, and the fraction of the
+ * largest eigenvalue that those of vibrations must have: below it, rounding leaves a frequency fewer than six
+ * digits, in single precision hardly two. */
 #ifdef PKMODES_FLOAT
 #define EIGEN_EPSILON 1.1920929e-07f
 #define EIGEN_TIE 1e-4f
+#define EIGEN_RESOLVED 1e-5f
 #else
 #define EIGEN_EPSILON 2.220446049250313e-16
 #define EIGEN_TIE 1e-6
+#define EIGEN_RESOLVED 1e-9
 #endif
 
 /* The symmetric eigenproblem K phi = lambda M phi: M is scaled and factored (Cholesky), K reduced to a
@@ -3610,6 +3618,16 @@ static void eigen_order(pkmodes_real d[N], pkmodes_real (*Z)[N], const pkmodes_r
     }
 }
 
+/* Find vibrations, the modes from the given one on, that are lost in the rounding of the largest eigenvalue. */
+static int eigen_lost(const pkmodes_real d[N], int vibration)
+{
+    int i;
+    for (i = vibration; i < N; ++i)
+        if (!(R(fabs)(d[i]) >= EIGEN_RESOLVED*R(fabs)(d[N - 1])))
+            return -1;
+    return 0;
+}
+
 /* Replace eigenvalues by natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz]. */
 static void eigen_frequencies(pkmodes_real d[N])
 {
@@ -3665,6 +3683,8 @@ int linear_delta_modes(
     if (eigen_ql(f, e, phi))
         return LINEAR_DELTA_UNSOLVED;
     eigen_order(f, phi, scale);
+    if (eigen_lost(f, LINEAR_DELTA_RIGID_MODES))
+        return LINEAR_DELTA_UNSOLVED;
     eigen_frequencies(f);
     return 0;
 }

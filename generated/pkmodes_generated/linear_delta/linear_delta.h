@@ -80,7 +80,7 @@ extern "C" {
 /* version of the generator */
 #define LINEAR_DELTA_VERSION "0.1.0"
 /* SHA-256 of the C source, first digits: other code has another */
-#define LINEAR_DELTA_HASH "b3025a6f5be0b807"
+#define LINEAR_DELTA_HASH "6f451d2ca3c1650d"
 /* components of a pose */
 #define LINEAR_DELTA_POSE 3
 /* coordinates, and modes */
@@ -93,7 +93,7 @@ extern "C" {
 #else
 #define LINEAR_DELTA_MAX_CONDITION 1000000.0
 #endif
-/* status: the eigenproblem has no solution */
+/* status: the eigenproblem has no solution, or rounding leaves it too few digits */
 #define LINEAR_DELTA_UNSOLVED (-1)
 /* status: the pose is not finite */
 #define LINEAR_DELTA_NOT_FINITE 1
@@ -471,6 +471,8 @@ int linear_delta_status(const pkmodes_real p[3], const linear_delta_parameters *
  *
  * The error of lambda is rounding of the largest one.  So the relative error of a frequency f is some 1e-15,
  * in single precision 1e-6, times the square of (highest frequency / f), and larger near singular poses.
+ * Where this leaves a vibration fewer than six digits, in single precision hardly two, the status is
+ * LINEAR_DELTA_UNSOLVED.
  */
 int linear_delta_natural_frequencies(
     const pkmodes_real p[3], const linear_delta_parameters *parameters, pkmodes_real f[9]);

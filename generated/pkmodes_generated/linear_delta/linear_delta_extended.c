@@ -30,6 +30,10 @@
  *   det_j [N^2 m]: determinant of the equilibrium equations of axis j
  *   theta_j_k_st [rad]: static rotation of pulley k of axis j, relative to the unstrained transmissions
  */
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, by which bad poses are found: compile without them"
+#endif
+
 #include "linear_delta_extended.h"
 
 #include <math.h>

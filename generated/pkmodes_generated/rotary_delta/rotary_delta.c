@@ -44,6 +44,10 @@
  *   phi_j_st [rad]: static angle of motor j divided by the gear ratio, relative to the unstrained
  *     transmissions
  */
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, by which bad poses are found: compile without them"
+#endif
+
 #include "rotary_delta.h"
 
 #include <math.h>
@@ -3772,13 +3776,17 @@ void rotary_delta_modal_matrices(const pkmodes_real p[3], const rotary_delta_par
 /* Coordinates, and the most iterations for one eigenvalue; two are usual. */
 enum { N = ROTARY_DELTA_COORDINATES, EIGEN_ITERATIONS = 60 };
 
-/* Rounding, and the relative difference up to which components of a shape count as equal. */
+/* Rounding, the relative difference up to which components of a shape count as equal, and the fraction of the
+ * largest eigenvalue that those of vibrations must have: below it, rounding leaves a frequency fewer than six
+ * digits, in single precision hardly two. */
 #ifdef PKMODES_FLOAT
 #define EIGEN_EPSILON 1.1920929e-07f
 #define EIGEN_TIE 1e-4f
+#define EIGEN_RESOLVED 1e-5f
 #else
 #define EIGEN_EPSILON 2.220446049250313e-16
 #define EIGEN_TIE 1e-6
+#define EIGEN_RESOLVED 1e-9
 #endif
 
 /* The symmetric eigenproblem K phi = lambda M phi: M is scaled and factored (Cholesky), K reduced to a
@@ -3962,6 +3970,16 @@ static void eigen_order(pkmodes_real d[N], pkmodes_real (*Z)[N], const pkmodes_r
     }
 }
 
+/* Find vibrations, the modes from the given one on, that are lost in the rounding of the largest eigenvalue. */
+static int eigen_lost(const pkmodes_real d[N], int vibration)
+{
+    int i;
+    for (i = vibration; i < N; ++i)
+        if (!(R(fabs)(d[i]) >= EIGEN_RESOLVED*R(fabs)(d[N - 1])))
+            return -1;
+    return 0;
+}
+
 /* Replace eigenvalues by natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz]. */
 static void eigen_frequencies(pkmodes_real d[N])
 {
@@ -4017,6 +4035,8 @@ int rotary_delta_modes(
     if (eigen_ql(f, e, phi))
         return ROTARY_DELTA_UNSOLVED;
     eigen_order(f, phi, scale);
+    if (eigen_lost(f, ROTARY_DELTA_RIGID_MODES))
+        return ROTARY_DELTA_UNSOLVED;
     eigen_frequencies(f);
     return 0;
 }

@@ -77,7 +77,7 @@ extern "C" {
 /* version of the generator */
 #define ROTARY_DELTA_VERSION "0.1.0"
 /* SHA-256 of the C source, first digits: other code has another */
-#define ROTARY_DELTA_HASH "26827eabbc6dc30f"
+#define ROTARY_DELTA_HASH "8e52b9e2027a4be9"
 /* components of a pose */
 #define ROTARY_DELTA_POSE 3
 /* coordinates, and modes */
@@ -90,7 +90,7 @@ extern "C" {
 #else
 #define ROTARY_DELTA_MAX_CONDITION 1000000.0
 #endif
-/* status: the eigenproblem has no solution */
+/* status: the eigenproblem has no solution, or rounding leaves it too few digits */
 #define ROTARY_DELTA_UNSOLVED (-1)
 /* status: the pose is not finite */
 #define ROTARY_DELTA_NOT_FINITE 1
@@ -462,6 +462,8 @@ int rotary_delta_status(const pkmodes_real p[3], const rotary_delta_parameters *
  *
  * The error of lambda is rounding of the largest one.  So the relative error of a frequency f is some 1e-15,
  * in single precision 1e-6, times the square of (highest frequency / f), and larger near singular poses.
+ * Where this leaves a vibration fewer than six digits, in single precision hardly two, the status is
+ * ROTARY_DELTA_UNSOLVED.
  */
 int rotary_delta_natural_frequencies(
     const pkmodes_real p[3], const rotary_delta_parameters *parameters, pkmodes_real f[6]);

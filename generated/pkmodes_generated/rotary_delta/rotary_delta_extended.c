@@ -33,6 +33,10 @@
  *   phi_j_st [rad]: static angle of motor j divided by the gear ratio, relative to the unstrained
  *     transmissions
  */
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, by which bad poses are found: compile without them"
+#endif
+
 #include "rotary_delta_extended.h"
 
 #include <math.h>

@@ -22,6 +22,10 @@ TIE = 1e-6
 #: Ratio of the largest eigenvalue to the lowest vibration eigenvalue up to which the latter has eleven correct
 #: digits: the symmetric solver's error is 1e-15 of the largest.
 GRADED = 1e4
+#: Below this ratio of the lowest to the largest eigenvalue, motions that springs hold to ground have hardly nine
+#: digits: random robots with frames and links have errors of up to 2e-15 of the largest.  Their springs are solved
+#: apart from the others (`pkmodes.linalg.held`).
+HELD = 3e-6
 #: The ratio is attributed to a stiff joint if the largest eigenvalue exceeds those of the base coordinates this much.
 STIFFER = 10.0
 
@@ -95,8 +99,7 @@ def condensed_eigh(
         If M is not positive definite on the coordinates with inertia, or K is singular on the massless ones.
     """
     if massless is None:
-        none = (M == 0.0).all(axis=(0, 1)) if len(M) else np.zeros(M.shape[-1], dtype=bool)
-        massless = none & (np.arange(M.shape[-1]) >= first)
+        massless = without_inertia(M, first)
     if not massless.any():
         return _all_sizes(M, K, first, rigid)
     q, r = np.flatnonzero(~massless), np.flatnonzero(massless)
@@ -108,6 +111,12 @@ def condensed_eigh(
     shapes[:, :, q] = kept
     shapes[:, :, r] = kept @ np.swapaxes(follow, -1, -2)
     return eigenvalues, shapes
+
+
+def without_inertia(M: Array, first: int) -> NDArray[np.bool_]:
+    """Return which coordinates of released joints have rows of zeros in M, (n,); none for an empty batch."""
+    none = (M == 0.0).all(axis=(0, 1)) if len(M) else np.zeros(M.shape[-1], dtype=bool)
+    return np.asarray(none & (np.arange(M.shape[-1]) >= first))
 
 
 def _all_sizes(M: Array, K: Array, first: int, rigid: int) -> tuple[Array, Array]:
@@ -149,17 +158,41 @@ def has_stiff_joint(eigenvalues: Array, first: int, rigid: int) -> NDArray[np.bo
     return stiff
 
 
-def magnitude(eigenvalues: Array, first: int, rigid: int) -> Array:
-    """Return the magnitude to which the rounding of each eigenvalue from `condensed_eigh` is relative.
+def held_softly(eigenvalues: Array, motions: int) -> NDArray[np.bool_]:
+    """Return where springs to ground are too soft for the symmetric solver.
+
+    Parameters
+    ----------
+    eigenvalues : ndarray, shape (N, m)
+        Ascending, accurate to rounding of the largest or better.
+    motions : int
+        Number of motions that nothing else holds; 0 for a system that is not held.
+
+    Returns
+    -------
+    ndarray of bool, shape (N,)
+    """
+    if not motions:
+        return np.zeros(len(eigenvalues), dtype=bool)
+    size = np.abs(eigenvalues)
+    softly: NDArray[np.bool_] = size[:, :motions].min(axis=-1) < HELD * size[:, -1]
+    return softly
+
+
+def magnitude(eigenvalues: Array, first: int, rigid: int, motions: int = 0) -> Array:
+    """Return the magnitude to which the rounding of each eigenvalue of a robot is relative.
 
     This is the largest eigenvalue; where a joint is stiff, the larger of the eigenvalue itself and those of the
-    coordinates that are not stiff.
+    coordinates that are not stiff; where springs to ground are soft, for the motions that they hold the largest
+    of these.
 
     Parameters
     ----------
     eigenvalues : ndarray, shape (N, m)
     first, rigid : int
         As for `condensed_eigh`.
+    motions : int
+        As for `held_softly`.
 
     Returns
     -------
@@ -170,7 +203,23 @@ def magnitude(eigenvalues: Array, first: int, rigid: int) -> Array:
     magnitudes = np.repeat(size.max(axis=-1, keepdims=True), size.shape[-1], axis=-1)
     stiff = has_stiff_joint(eigenvalues, first, rigid)
     magnitudes[stiff] = np.maximum(size[stiff], size[stiff, first - 1 : first])
+    softly = held_softly(eigenvalues, motions)
+    magnitudes[softly, :motions] = size[softly, :motions].max(axis=-1, keepdims=True, initial=0.0)
     return magnitudes
+
+
+def base_level(M: Array, K: Array, first: int) -> Array:
+    """Return the largest K_ii / M_ii of the base coordinates, (N,): the order of their largest eigenvalue."""
+    level: Array = np.max(
+        np.diagonal(K, axis1=-2, axis2=-1)[:, :first] / np.diagonal(M, axis1=-2, axis2=-1)[:, :first], axis=1
+    )
+    return level
+
+
+def positive_components(shapes: Array, M: Array) -> Array:
+    """Return shapes, (N, m, n), with the signs of `generalised_eigh`."""
+    scale = np.sqrt(np.diagonal(M, axis1=-2, axis2=-1))[:, None, :]
+    return np.asarray(shapes * _sign(shapes * scale)[..., None])
 
 
 def _sign(shapes: Array) -> Array:

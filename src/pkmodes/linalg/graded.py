@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 STIFF = 1e4
 
 
-def graded_eigh(M: Array, K: Array, soft: int) -> tuple[Array, Array]:
+def graded_eigh(M: Array, K: Array, soft: int, shift: float = 0.0) -> tuple[Array, Array]:
     """Solve K phi = lambda M phi for one system with some very stiff coordinates.
 
     Parameters
@@ -35,6 +35,8 @@ def graded_eigh(M: Array, K: Array, soft: int) -> tuple[Array, Array]:
         Symmetric; M positive definite with a unit diagonal.  The diagonal of K may be arbitrarily large.
     soft : int
         At least this many coordinates are not stiff.
+    shift : float
+        A larger shift, if that of the soft coordinates does not make K + shift M positive definite.
 
     Returns
     -------
@@ -52,10 +54,11 @@ def graded_eigh(M: Array, K: Array, soft: int) -> tuple[Array, Array]:
     order = np.argsort(np.diagonal(K), kind="stable")
     M, K = M[np.ix_(order, order)], K[np.ix_(order, order)]
     # Exactly triangular, so that large numbers of later rows do not enter earlier ones.
-    inverse = solve_triangular(np.linalg.cholesky(M), np.eye(len(M)), lower=True)
+    unit = np.eye(len(M))
+    inverse = unit if np.array_equal(M, unit) else solve_triangular(np.linalg.cholesky(M), unit, lower=True)
     H = inverse @ K @ inverse.T
     H = 0.5 * (H + H.T)
-    shift = 2.0 * float(np.linalg.norm(H[:soft, :soft]))
+    shift = max(shift, 2.0 * float(np.linalg.norm(H[:soft, :soft])))
     H[np.diag_indices_from(H)] += shift
     # gejsv is designed for scaled columns.  U is not needed, but without it gejsv takes a path that may fail.
     sigma, _, V, scaled, _, info = dgejsv(np.linalg.cholesky(H).T, joba=0, jobu=0, jobv=1, jobt=1)

@@ -15,7 +15,7 @@ from pkmodes.sensitivity.terms import RATES
 from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.solve.batch import Job
 from pkmodes.solve.solver import EIGENVALUES, Codes, Solver
-from pkmodes.system.evaluation import Evaluation, number_of_modes
+from pkmodes.system.evaluation import Evaluation, may_be_refused, number_of_modes
 
 Array = NDArray[np.float64]
 
@@ -70,13 +70,13 @@ def rates_job(
         compute=compute,
         by_numpy=by_numpy,
         checks_poses=True,
-        refusable=len(system.coordinates) > system.first,
+        refusable=may_be_refused(system),
     )
 
 
 def _coincide(eigenvalues: Array, system: Evaluation, close: float, of_zero: bool) -> NDArray[np.bool_]:
     """Return where modes form a group; with `of_zero` also of those whose frequency is zero to rounding."""
-    sizes = magnitude(eigenvalues, system.first, system.rigid_modes)
+    sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.held_motions)
     together = ~separate(eigenvalues, close, sizes)
     if not of_zero:
         moving = np.abs(eigenvalues) > ROUNDING * sizes

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from pkmodes.dataset.fields import FIELDS
 from pkmodes.mechanism.generated import Generated
-from pkmodes.system.evaluation import Evaluation
+from pkmodes.system.evaluation import Evaluation, ExtendedSystem
+from pkmodes.system.stiffness_parts import StiffnessParts, stiffness_parts
 
 Array = NDArray[np.float64]
 
@@ -55,6 +56,12 @@ class RobotAtPoses:
     def stiffness_matrix(self) -> Array:
         """K, (N, n, n)."""
         return self.system.free_part(self.all_coordinates[1])
+
+    @cached_property
+    def stiffness_parts(self) -> StiffnessParts:
+        """K in parts, of an extended system."""
+        assert isinstance(self.system, ExtendedSystem)
+        return stiffness_parts(self.system, self.points)
 
     @cached_property
     def platform_motion(self) -> Array:

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.compiled.lanes import FIELDS, UNSOLVED, Terms
-from pkmodes.linalg.eigen import has_stiff_joint
+from pkmodes.linalg.eigen import has_stiff_joint, held_softly
+from pkmodes.mechanism.poses import CHUNK
 from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.solve.solver import EIGENVALUES, Codes, Solver, UnavailableError
 from pkmodes.system.evaluation import Evaluation
@@ -21,6 +22,8 @@ Array = NDArray[np.float64]
 #: Very soft and very stiff released joints cost digits: NumPy solves where the lowest eigenvalue of vibration is
 #: below this fraction, or the highest one above this multiple, of the highest one of the base coordinates.
 SOFT, STIFF = 1e-5, 1e3
+#: Without released joints, below this fraction; NumPy refuses a tenth of it.
+APART = 1e-6
 
 
 class CompiledSolver(Solver):
@@ -68,9 +71,10 @@ class CompiledSolver(Solver):
 
     def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
         """Fill arrays."""
-        if self._released and EIGENVALUES not in arrays and not self._of_modes.isdisjoint(arrays):
-            # They show joints that are too stiff or too soft for the kernel.
-            arrays = {**arrays, EIGENVALUES: np.empty((len(at.points), self.evaluator.modes))}
+        shown = EIGENVALUES if self._released or self._system.held_motions else "frequencies"
+        if not {shown, EIGENVALUES} & set(arrays) and not self._of_modes.isdisjoint(arrays):
+            # They show what the kernel cannot resolve.
+            arrays = {**arrays, shown: np.empty((len(at.points), self.evaluator.modes))}
         return self._marked(self.evaluator.run(at.points, arrays, threads), arrays)
 
     def rates(self, at: RobotAtPoses, arrays: Mapping[str, Array], terms: Terms, threads: int = 1) -> Codes:
@@ -78,11 +82,26 @@ class CompiledSolver(Solver):
         return self._marked(self.evaluator.run(at.points, arrays, threads, terms=terms), arrays)
 
     def _marked(self, codes: Codes, arrays: Mapping[str, Array]) -> Codes:
-        """Mark the poses at which joints are too soft or too stiff."""
-        if self._released and EIGENVALUES in arrays:
-            eigenvalues = arrays[EIGENVALUES]
-            first, rigid = self._system.first, self._system.rigid_modes
-            last = np.abs(eigenvalues[:, first - 1])
-            soft, stiff = np.abs(eigenvalues[:, rigid]) < SOFT * last, eigenvalues[:, -1] > STIFF * last
-            codes[(codes == 0) & (has_stiff_joint(eigenvalues, first, rigid) | soft | stiff)] = UNSOLVED
+        """Mark the poses at which the kernel cannot resolve a vibration."""
+        if not self._of_modes.isdisjoint(arrays):
+            for start in range(0, len(codes), CHUNK):
+                part = slice(start, start + CHUNK)
+                unresolved = self._unresolved({name: array[part] for name, array in arrays.items()})
+                if unresolved.any():
+                    codes[part][(codes[part] == 0) & unresolved] = UNSOLVED
         return codes
+
+    def _unresolved(self, arrays: Mapping[str, Array]) -> NDArray[np.bool_]:
+        """Return where joints are too soft or too stiff, springs to ground too soft, or magnitudes too different."""
+        system = self._system
+        first, rigid = system.first, system.rigid_modes
+        if EIGENVALUES not in arrays:
+            frequencies = arrays["frequencies"]
+            return np.asarray(np.abs(frequencies[:, rigid]) < APART**0.5 * np.abs(frequencies[:, first - 1]))
+        eigenvalues = arrays[EIGENVALUES]
+        last = np.abs(eigenvalues[:, first - 1])
+        unresolved = np.abs(eigenvalues[:, rigid]) < (SOFT if self._released else APART) * last
+        unresolved |= held_softly(eigenvalues, system.held_motions)
+        if self._released:
+            unresolved |= has_stiff_joint(eigenvalues, first, rigid) | (eigenvalues[:, -1] > STIFF * last)
+        return np.asarray(unresolved)

@@ -14,7 +14,7 @@ from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.solve.batch import Job, Rows
 from pkmodes.solve.numpy_solver import NumpySolver
 from pkmodes.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
-from pkmodes.system.evaluation import Evaluation, number_of_modes
+from pkmodes.system.evaluation import Evaluation, may_be_refused, number_of_modes
 
 Array = NDArray[np.float64]
 #: Poses for which quantities are kept that are not among the fields, for each thread.
@@ -52,7 +52,7 @@ class ModeFields:
         self._tails = {name: (tail(field, sizes), field.dtype) for name, field in fields.items()}
         self._tails[EIGENVALUES] = (modes,), "f8"
         of_modes = _needed(self._names, frozenset({EIGENVALUES, SHAPES}))
-        self._refusable = bool(of_modes) and len(system.coordinates) > system.first
+        self._refusable = bool(of_modes) and may_be_refused(system)
 
     def job(self, threads: int) -> Job:
         """Return the job that evaluates the fields."""

@@ -9,15 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import PoseError
-from pkmodes.linalg.eigen import condensed_eigh, natural_frequencies
+from pkmodes.linalg.eigen import base_level, condensed_eigh, has_stiff_joint
 from pkmodes.solve.at_poses import RobotAtPoses
+from pkmodes.solve.held_motions import RESOLVED, lost_in_rounding, refuse_unresolved, solve_held
 from pkmodes.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
 from pkmodes.system.evaluation import Evaluation
 
 Array = NDArray[np.float64]
-#: Eigenvalues have an error of some 1e-16 of the largest.  Below this fraction of the largest, a vibration frequency
-#: no longer has nine correct digits.
-RESOLVED = 1e-7
 
 
 class NumpySolver(Solver):
@@ -50,8 +48,8 @@ def checked_modes(at: RobotAtPoses) -> tuple[Array, Array]:
     Raises
     ------
     PoseError
-        If M is not positive definite, the eigenvalues are not finite, or a released joint is so soft that its
-        frequency is lost in rounding.
+        If M is not positive definite, the eigenvalues are not finite, or a frequency of vibration is lost in
+        rounding.
     """
     try:
         eigenvalues, shapes = modes_of(at)
@@ -59,7 +57,7 @@ def checked_modes(at: RobotAtPoses) -> tuple[Array, Array]:
         raise PoseError(
             "the mass matrix is not positive definite", at.source, "give every moving body a mass"
         ) from None
-    _check(eigenvalues, at)
+    _check(eigenvalues, shapes, at)
     return eigenvalues, shapes
 
 
@@ -73,24 +71,28 @@ def modes_of(at: RobotAtPoses) -> tuple[Array, Array]:
     """
     system = at.system
     massless = None if len(at.points) else system.massless()
-    return condensed_eigh(at.mass_matrix, at.stiffness_matrix, system.first, system.rigid_modes, massless)
+    eigenvalues, shapes = condensed_eigh(
+        at.mass_matrix, at.stiffness_matrix, system.first, system.rigid_modes, massless
+    )
+    solve_held(at, eigenvalues, shapes)
+    return eigenvalues, shapes
 
 
-def _check(eigenvalues: Array, at: RobotAtPoses) -> None:
-    """Reject eigenvalues that are no frequencies.
-
-    A robot with rigid-body modes has a vibration near zero frequency only if a joint is too soft.
-    """
+def _check(eigenvalues: Array, shapes: Array, at: RobotAtPoses) -> None:
+    """Reject eigenvalues that are no frequencies, or whose digits are lost."""
     if not np.isfinite(eigenvalues).all():
         raise PoseError("the eigenvalues are not finite", at.source, "check the robot's magnitudes")
-    first, rigid = at.system.first, at.system.rigid_modes
-    if not rigid or len(at.system.coordinates) <= first:
+    system = at.system
+    if not len(eigenvalues):
         return
-    lost = np.abs(eigenvalues[:, rigid]) < RESOLVED * eigenvalues[:, first - 1]
+    if system.held_motions:
+        refuse_unresolved(at, eigenvalues, shapes)
+        return
+    lowest, highest = eigenvalues[:, system.rigid_modes], eigenvalues[:, -1]
+    stiff = has_stiff_joint(eigenvalues, system.first, system.rigid_modes)
+    if stiff.any():
+        highest = np.where(stiff, base_level(at.mass_matrix, at.stiffness_matrix, system.first), highest)
+    lost = np.abs(lowest) < RESOLVED * highest
     if lost.any():
-        low, high = natural_frequencies(eigenvalues[int(np.argmax(lost)), [rigid, first - 1]])
-        raise PoseError(
-            f"a joint is so soft that its vibration at {abs(low):.2g} Hz is lost in rounding against {high:.4g} Hz",
-            at.source,
-            "check the compliances under [effects]: make the joint stiffer",
-        )
+        which = int(np.argmax(lost))
+        raise lost_in_rounding(at, lowest[which], highest[which])

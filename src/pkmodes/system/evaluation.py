@@ -40,6 +40,10 @@ class Evaluation(Protocol):
         Index of the first coordinate of a released joint, which is the number of coordinates without effects.
     rigid_modes : int
         Number of modes that strain nothing elastic.
+    held_motions : int
+        Number of motions that strain only springs to ground.
+    springs_to_ground : mapping of str to float
+        The springs that do so, by path without ``effects.``.
     """
 
     mechanism: Mechanism
@@ -47,6 +51,8 @@ class Evaluation(Protocol):
     coordinates: tuple[str, ...]
     first: int
     rigid_modes: int
+    held_motions: int
+    springs_to_ground: Mapping[str, float]
 
     def all_coordinates(self, p: Array) -> tuple[Array, Array]:
         """Return M and K including the coordinates of locked joints, if the model has any, each (N, e, e)."""
@@ -76,6 +82,8 @@ class BaseEvaluation:
         self.coordinates = tuple(q.name for q in mechanism.coordinates)
         self.first = len(self.coordinates)
         self.rigid_modes = mechanism.rigid_modes
+        self.held_motions = 0
+        self.springs_to_ground: Mapping[str, float] = {}
 
     def all_coordinates(self, p: Array) -> tuple[Array, Array]:
         """Return M and K, each (N, n, n)."""
@@ -129,7 +137,7 @@ class ExtendedSystem:
         Indices of the coordinates of the extended model that are not locked.
     coordinates : tuple of str, length n
         Their names.
-    first, rigid_modes : int
+    first, rigid_modes, held_motions, springs_to_ground
         See `Evaluation`.
     joints, joint_rates : ndarray, shape (e,)
         Stiffnesses of the released joints and their derivatives with respect to the compliances; zero for other
@@ -153,8 +161,12 @@ class ExtendedSystem:
         self.joints = np.concatenate([np.zeros(base), np.where(free, stiffness, 0.0)])
         self.joint_rates = np.concatenate([np.zeros(base), np.where(free, rates, 0.0)])
         self.coordinates: tuple[str, ...] = tuple(extended.COORDINATES[i] for i in self.free)
-        grounded = any(mechanism.effects[name].grounds for name in active_effects(mechanism, effects))
-        self.rigid_modes = 0 if grounded else mechanism.rigid_modes
+        grounding = [name for name in active_effects(mechanism, effects) if mechanism.effects[name].grounds]
+        self.rigid_modes = 0 if grounding else mechanism.rigid_modes
+        self.held_motions = mechanism.rigid_modes - self.rigid_modes
+        self.springs_to_ground: Mapping[str, float] = {
+            path: value for path, value in effects.items() if path.split(".")[0] in grounding and value != 0.0
+        }
 
     @classmethod
     def of(cls, robot: Robot) -> ExtendedSystem:
@@ -302,6 +314,14 @@ def matrices(system: Evaluation, p: Array) -> tuple[Array, Array]:
     """Return M and K of the free coordinates, each (N, n, n)."""
     M, K = (system.free_part(matrix) for matrix in system.all_coordinates(p))
     return M, K
+
+
+def may_be_refused(system: Evaluation) -> bool:
+    """Return whether the values of a robot's effects may be such that its modes have too few digits.
+
+    A robot without effects is refused only where its magnitudes are out of all proportion.
+    """
+    return len(system.coordinates) > system.first or system.held_motions > 0
 
 
 def active_effects(mechanism: Mechanism, effects: Mapping[str, float]) -> tuple[str, ...]:

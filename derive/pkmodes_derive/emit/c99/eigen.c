@@ -1,10 +1,14 @@
-/* Rounding, and the relative difference up to which components of a shape count as equal. */
+/* Rounding, the relative difference up to which components of a shape count as equal, and the fraction of the
+ * largest eigenvalue that those of vibrations must have: below it, rounding leaves a frequency fewer than six
+ * digits, in single precision hardly two. */
 #ifdef PKMODES_FLOAT
 #define EIGEN_EPSILON 1.1920929e-07f
 #define EIGEN_TIE 1e-4f
+#define EIGEN_RESOLVED 1e-5f
 #else
 #define EIGEN_EPSILON 2.220446049250313e-16
 #define EIGEN_TIE 1e-6
+#define EIGEN_RESOLVED 1e-9
 #endif
 
 /* The symmetric eigenproblem K phi = lambda M phi: M is scaled and factored (Cholesky), K reduced to a
@@ -186,6 +190,16 @@ static void eigen_order(pkmodes_real d[N], pkmodes_real (*Z)[N], const pkmodes_r
         for (k = 0; k < N; ++k)
             Z[i][k] *= R(copysign)(1, sign)*scale[k];
     }
+}
+
+/* Find vibrations, the modes from the given one on, that are lost in the rounding of the largest eigenvalue. */
+static int eigen_lost(const pkmodes_real d[N], int vibration)
+{
+    int i;
+    for (i = vibration; i < N; ++i)
+        if (!(R(fabs)(d[i]) >= EIGEN_RESOLVED*R(fabs)(d[N - 1])))
+            return -1;
+    return 0;
 }
 
 /* Replace eigenvalues by natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz]. */

@@ -59,6 +59,7 @@ def source(model: Model, name: str, groups: Sequence[FieldGroup]) -> str:
         name=name,
         upper=upper,
         n=len(model.coordinates),
+        vibration="0" if model.rigid_modes is None else f"{upper}_RIGID_MODES",
         arguments=arguments(model, groups),
         passed=", ".join(taken),
         solver=files(__package__).joinpath("eigen.c").read_text(encoding="utf-8").rstrip(),

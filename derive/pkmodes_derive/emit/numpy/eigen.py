@@ -7,6 +7,8 @@ import numpy as np
 
 #: Components of a shape that differ from the largest by less than this fraction count as equal to it.
 _TIE = 1e-6
+#: Below this fraction of the largest eigenvalue, rounding leaves the frequency of a vibration fewer than six digits.
+_RESOLVED = 1e-9
 
 
 def _first_violated(p, margins):
@@ -48,7 +50,7 @@ def _solved(M, K):
     return eigenvalues, shapes * signs * scale[..., None, :]
 
 
-def _modes(p, status, matrices):
+def _modes(p, status, matrices, vibration):
     """Return frequencies and shapes at poses; NaN where their status is not 0.
 
     Parameters
@@ -57,10 +59,16 @@ def _modes(p, status, matrices):
     status : array of int, shape (...)
     matrices : callable
         Mass and stiffness matrices at poses.
+    vibration : int
+        The first mode that is no rigid-body mode.
     """
     valid = status == 0
     eigenvalues, shapes = _solved(*matrices(p[valid]))
-    n = eigenvalues.shape[-1]
+    n, size = eigenvalues.shape[-1], np.abs(eigenvalues)
+    if (size[:, vibration:] < _RESOLVED * size[:, -1:]).any():
+        raise np.linalg.LinAlgError(
+            "a vibration is lost in rounding: the magnitudes of the robot differ too much"
+        )
     f, phi = np.full((*valid.shape, n), np.nan), np.full((*valid.shape, n, n), np.nan)
     f[valid] = np.copysign(np.sqrt(np.abs(eigenvalues)), eigenvalues) / (2.0 * np.pi)
     phi[valid] = shapes

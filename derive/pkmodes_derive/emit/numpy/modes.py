@@ -42,6 +42,7 @@ def source(model: Model) -> str:
         unit=argument.unit,
         description=f"{argument.description[0].upper()}{argument.description[1:]}.",
         n=len(model.coordinates),
+        vibration="0" if model.rigid_modes is None else "RIGID_MODES",
         margins=[
             f"({_call(margin.function, margin.output, by_name[margin.function].outputs)}, {RULES[margin.rule]}),"
             for margin in model.conditions
