@@ -1,4 +1,4 @@
-"""The compiled evaluator of one robot: modes at poses, written into arrays of the caller."""
+"""The compiled evaluator of one robot, or of several: modes at poses, written into arrays of the caller."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SHARE = 4800
 
 
 class Evaluator:
-    """The compiled evaluator of one robot.
+    """The compiled evaluator of one robot, or of several with the same free coordinates.
 
     Parameters
     ----------
@@ -38,7 +38,12 @@ class Evaluator:
         self.coordinates = coordinates
         self.modes = coordinates - int(lanes.massless.sum())
         self._library, self._lanes = library, lanes  # the arrays live as long as their addresses are used
+        self._robots = lanes.robots
         self._request = Request(
+            robots=self._robots,
+            parameter_count=lanes.parameters.shape[-1],
+            effect_count=lanes.effects.shape[-1],
+            joint_count=lanes.joints.shape[-1],
             parameters=lanes.parameters.ctypes.data,
             effects=lanes.effects.ctypes.data,
             largest_condition=largest_condition,
@@ -61,12 +66,12 @@ class Evaluator:
         Parameters
         ----------
         points : ndarray, shape (N, d)
-            Contiguous.
+            Contiguous; of several robots the same number for each, robot by robot.
         arrays : mapping of str to ndarray, (N, ...)
             Contiguous arrays to fill, by field of `pkmodes.compiled.lanes.FIELDS`, or of `RATES` with `terms`; NaN
             where a pose cannot be evaluated.
         threads : int
-            Number of threads; the results do not depend on it.
+            Number of threads for one robot; the results do not depend on it.
         width : int, optional
             Number of lanes, by default the largest that the processor has.
         terms : Terms, optional
@@ -80,7 +85,7 @@ class Evaluator:
         count = len(points)
         codes = np.empty(count, dtype=np.int8)
         request = self._with(terms)
-        helpers = min(threads, -(-count // SHARE)) - 1
+        helpers = min(threads, -(-count // SHARE)) - 1 if self._robots == 1 else 0
         if helpers < 1:
             self._part(request, points, arrays, codes, width)
             return codes

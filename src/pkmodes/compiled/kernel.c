@@ -197,11 +197,24 @@ INLINE void lanes_evaluate(const struct pkmodes_request *request, long long star
             request->codes[system[u].block.start + w] = (signed char)system[u].block.code[w];
 }
 
-void LANES_RUN(const struct pkmodes_request *request)
+/* Evaluate one robot at its poses, from `start` to before `request->count`. */
+static void lanes_robot(const struct pkmodes_request *request, long long start)
 {
-    long long start = 0;
     for (; request->count - start > (EIGEN_UNITS - 1) * LANES_WIDTH; start += EIGEN_UNITS * LANES_WIDTH)
         lanes_evaluate(request, start, EIGEN_UNITS);
     for (; start < request->count; start += LANES_WIDTH)
         lanes_evaluate(request, start, 1);
+}
+
+void LANES_RUN(const struct pkmodes_request *request)
+{
+    const long long each = request->count / request->robots;
+    for (long long r = 0; r < request->robots; r++) {
+        struct pkmodes_request robot = *request;
+        robot.count = (r + 1) * each;
+        robot.parameters += r * request->parameter_count;
+        robot.effects += r * request->effect_count;
+        robot.joints += r * request->joint_count;
+        lanes_robot(&robot, r * each);
+    }
 }

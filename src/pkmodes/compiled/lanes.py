@@ -25,14 +25,14 @@ UNSOLVED = -1
 
 
 class Lanes(NamedTuple):
-    """A robot as the kernel takes it.
+    """A robot as the kernel takes it, or several that differ only in numbers.
 
     Attributes
     ----------
     parameters, effects : ndarray
-        Flat, in the order of the generated fields.
+        Flat, in the order of the generated fields; a row for each of several robots.
     joints : ndarray, shape (e,)
-        Stiffnesses of the released joints, zero elsewhere.
+        Stiffnesses of the released joints, zero elsewhere; (B, e) for several robots.
     free : ndarray of int32, shape (n,)
         Which of all coordinates are not locked; none without effects.
     massless : ndarray of int8, shape (n,)
@@ -44,6 +44,11 @@ class Lanes(NamedTuple):
     joints: Array
     free: NDArray[np.int32]
     massless: NDArray[np.int8]
+
+    @property
+    def robots(self) -> int:
+        """Number of robots."""
+        return len(self.parameters) if self.parameters.ndim > 1 else 1
 
 
 class Terms(NamedTuple):
@@ -80,4 +85,4 @@ class Terms(NamedTuple):
 
 def flat(values: Any) -> Array:
     """The fields of a named tuple, one after the other."""
-    return np.concatenate([np.ravel(np.asarray(value, dtype=float)) for value in values])
+    return np.concatenate(values, axis=None, dtype=float)

@@ -21,7 +21,7 @@ from pkmodes.compiled import build
 SHIPPED = Path(__file__).parent / "libraries"
 #: Folder for libraries built at first use, instead of the user's cache.
 CACHE_VARIABLE = "PKMODES_CACHE"
-LAYOUT = 3
+LAYOUT = 4
 INSTALL = "install a C compiler (gcc or clang), or name one in the environment variable CC"
 
 
@@ -79,6 +79,10 @@ class Request(ctypes.Structure):
         ("free", ctypes.c_void_p),
         ("massless", ctypes.c_void_p),
         ("free_count", ctypes.c_longlong),
+        ("robots", ctypes.c_longlong),
+        ("parameter_count", ctypes.c_longlong),
+        ("effect_count", ctypes.c_longlong),
+        ("joint_count", ctypes.c_longlong),
         ("path_count", ctypes.c_longlong),
         ("first_term", ctypes.c_void_p),
         ("places", ctypes.c_void_p),

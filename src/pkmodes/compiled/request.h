@@ -3,7 +3,7 @@
 #define PKMODES_REQUEST_H
 
 /* Version of the layout below; a library with another version is not used. */
-#define PKMODES_LAYOUT 3
+#define PKMODES_LAYOUT 4
 
 struct pkmodes_request {
     /* N poses, row-major. */
@@ -19,6 +19,9 @@ struct pkmodes_request {
     const int *free;
     const signed char *massless;
     long long free_count;
+    /* Several robots with the same free coordinates: robot r has N / robots poses, from pose r N / robots on, and row r of
+     * the parameters, effects and joint stiffnesses, which are so long. */
+    long long robots, parameter_count, effect_count, joint_count;
     /* Derivatives along T paths: path t has the terms from `first_term[t]` to before `first_term[t + 1]`, each a place
      * in the gradient (parameters, effects, pose, joints) and its weight.  `all_coordinates`: the
      * model with effects is differentiated also if the robot has none; `locked_joints`: there are terms of such joints. */

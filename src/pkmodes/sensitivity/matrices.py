@@ -12,7 +12,7 @@ times that force.  The derivative is finite at c = 0, where the joint's stiffnes
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -126,8 +126,8 @@ class MatrixDerivatives:
 
     Attributes
     ----------
-    M, K : ndarray, shape (N, e, e)
-        In the base and all released coordinates; locked joints are free in them, without a spring.
+    size : int
+        e, the number of base and all released coordinates.
     free : ndarray of int, shape (n,)
         Indices of the coordinates that are not locked.
     locked : tuple of int
@@ -142,8 +142,8 @@ class MatrixDerivatives:
         matrices: tuple[Array, Array] | None = None,
     ) -> None:
         self._system, self._p = system, p
-        self.free = system.free
-        self.M, self.K = system.all_coordinates(p) if matrices is None else matrices
+        self.free, self.size = system.free, len(system.mechanism.extended.COORDINATES)
+        self._matrices = matrices
         self._locked = locked_joints(system, paths[0])
         self.locked = tuple(self._locked)
         if self.locked and len(paths) > 1:
@@ -153,7 +153,7 @@ class MatrixDerivatives:
         shape = len(paths), len(paths[0])
         each = len(p) // shape[0]
         rates = np.atleast_2d(system.joint_rates)[:: each or 1]
-        self._springs, self._each = np.zeros((*shape, self.M.shape[-1])), (shape[0], each)
+        self._springs, self._each = np.zeros((*shape, self.size)), (shape[0], each)
         slots, free = _slots(system.mechanism), set(system.free)
         along = np.zeros((shape[0], len(slots), shape[1]))
         self._shift = np.zeros((*shape, p.shape[-1]))
@@ -173,6 +173,25 @@ class MatrixDerivatives:
         self._values = system.derivatives(p, geometry=geometry)
         self._by_pose = system.by_pose(p) if self._shift.any() else None
 
+    @property
+    def mass(self) -> Array:
+        """M in all coordinates, (N, e, e); locked joints are free in it."""
+        return self._all_coordinates[0]
+
+    @property
+    def stiffness(self) -> Array:
+        """K in all coordinates, (N, e, e); locked joints are free in it, without a spring."""
+        return self._all_coordinates[1]
+
+    @cached_property
+    def _all_coordinates(self) -> tuple[Array, Array]:
+        return self._system.all_coordinates(self._p) if self._matrices is None else self._matrices
+
+    @property
+    def massless(self) -> NDArray[np.bool_]:
+        """Which of the free coordinates have no inertia, (n,)."""
+        return self._system.massless()
+
     def dense(self, poses: Index | slice = slice(None)) -> tuple[Array, Array]:
         """Evaluate dM and dK along each path, (N, T, n, n), in the free coordinates, at some or all poses.
 
@@ -183,7 +202,7 @@ class MatrixDerivatives:
         for matrix in (0, 1):
             entries = self._entries(matrix)
             values = self._values[matrix][poses]
-            full = np.zeros((len(values), self._springs.shape[1], *self.M.shape[1:]))
+            full = np.zeros((len(values), self._springs.shape[1], self.size, self.size))
             for t in range(full.shape[1]):
                 along = self._along[matrix][..., t]
                 some = np.flatnonzero(
@@ -239,13 +258,13 @@ class MatrixDerivatives:
         """Compute the forces B(lambda) phi that locked joints carry in each mode, (N, m, r)."""
         K, M = (
             (a[:, list(joints)][..., self.free] @ np.swapaxes(shapes, -1, -2)).swapaxes(-1, -2)
-            for a in (self.K, self.M)
+            for a in (self.stiffness, self.mass)
         )
         return np.asarray(K - eigenvalues[..., None] * M)
 
     def locked_motion(self, t: int, eigenvalues: Array, shapes: Array) -> Array:
         """Compute the deflection of locked joints under their forces, per unit of compliance, (N, m, e)."""
-        motion = np.zeros((*shapes.shape[:-1], self.M.shape[-1]))
+        motion = np.zeros((*shapes.shape[:-1], self.size))
         for joints, weight in self._locked[t]:
             motion[..., list(joints)] -= weight * self.joint_forces(eigenvalues, shapes, joints)
         return motion
@@ -263,7 +282,7 @@ class MatrixDerivatives:
         change, norm = self._springs[0, t, self.free] * shapes, np.zeros_like(eigenvalues)
         for joints, weight in self._locked[t]:
             force = self.joint_forces(eigenvalues, shapes, joints)
-            K, M = (a[:, list(joints)][..., self.free] for a in (self.K, self.M))
+            K, M = (a[:, list(joints)][..., self.free] for a in (self.stiffness, self.mass))
             change -= weight * (force @ K - eigenvalues[..., None] * (force @ M))
             norm -= weight * 2.0 * np.sum(force * (shapes @ np.swapaxes(M, -1, -2)), axis=-1)
         return change, norm
@@ -314,6 +333,6 @@ class MatrixDerivatives:
         return values.reshape(robots, poses * values.shape[1], values.shape[-1])
 
     def _embedded(self, shapes: Array) -> Array:
-        phi = np.zeros((*shapes.shape[:-1], self.M.shape[-1]))
+        phi = np.zeros((*shapes.shape[:-1], self.size))
         phi[..., self.free] = shapes
         return phi

@@ -24,7 +24,7 @@ SMALLEST_GAP = 1e-6
 ROUNDING = float(np.finfo(float).eps)
 
 
-def shape_derivatives(derivatives: MatrixDerivatives, eigenvalues: Array, shapes: Array, first: int) -> Array:
+def shape_derivatives(derivatives: MatrixDerivatives, eigenvalues: Array, shapes: Array) -> Array:
     """Compute derivatives of all mode shapes along parameter paths.
 
     Parameters
@@ -34,8 +34,6 @@ def shape_derivatives(derivatives: MatrixDerivatives, eigenvalues: Array, shapes
     eigenvalues : ndarray, shape (N, m)
     shapes : ndarray, shape (N, m, n)
         In the free coordinates, mass-normalised.
-    first : int
-        Index of the first coordinate that may have no inertia.
 
     Returns
     -------
@@ -57,13 +55,11 @@ def shape_derivatives(derivatives: MatrixDerivatives, eigenvalues: Array, shapes
     diagonal = np.arange(shapes.shape[1])
     share[..., diagonal, diagonal] = -0.5 * norm
     free = derivatives.free
-    rates = np.zeros((*share.shape[:3], derivatives.M.shape[-1]))
+    rates = np.zeros((*share.shape[:3], derivatives.size))
     rates[..., free] = share @ shapes[:, None]
-    M = derivatives.M[:, free[:, None], free]
-    massless = (M == 0.0).all(axis=(0, 1)) & (np.arange(len(free)) >= first)
-    if massless.any():
-        r = np.flatnonzero(massless)
-        K = derivatives.K[:, free[r][:, None], free[r]]
+    r = np.flatnonzero(derivatives.massless)
+    if len(r):
+        K = derivatives.stiffness[:, free[r][:, None], free[r]]
         rates[..., free[r]] -= np.swapaxes(
             np.linalg.solve(K[:, None], np.swapaxes(change[..., r], -1, -2)), -1, -2
         )

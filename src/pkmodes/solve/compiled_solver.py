@@ -29,13 +29,14 @@ class CompiledSolver(Solver):
     Parameters
     ----------
     system : Evaluation
-        Of the same robot.
+        Of the same robot or robots.
     """
 
     name = "compiled"
     fields: ClassVar[frozenset[str]] = frozenset(FIELDS)
     checks_poses = True
     differentiates = True
+    together = True
     #: The fields that need the eigenproblem.
     _of_modes = frozenset({"frequencies", EIGENVALUES, "shapes", "platform_shapes"})
 

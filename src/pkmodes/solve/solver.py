@@ -41,12 +41,15 @@ class Solver(ABC):
         at a time.
     differentiates : bool
         Whether it has `rates`.
+    together : bool
+        Whether `init` also takes several robots (`pkmodes.system.stacked`) with the same coordinates without inertia.
     """
 
     name: ClassVar[str]
     fields: ClassVar[frozenset[str]] = frozenset({EIGENVALUES, SHAPES})
     checks_poses: ClassVar[bool] = False
     differentiates: ClassVar[bool] = False
+    together: ClassVar[bool] = False
 
     @classmethod
     @abstractmethod
@@ -55,6 +58,8 @@ class Solver(ABC):
 
         Parameters
         ----------
+        system : Evaluation
+            The robot; if `together`, also several.
         largest_condition : float
             Poses with a larger condition number are singular; for back ends that check poses.
 

@@ -173,7 +173,7 @@ def _channel_rates(
     """Return the derivatives of the shapes at the channels along paths, (N, m, C, T)."""
     mechanism = at.system.mechanism
     directions, geometry = len(mechanism.directions), geometry_of(mechanism)
-    changes = shape_derivatives(derivatives, at.eigenvalues, at.shapes, at.system.first)
+    changes = shape_derivatives(derivatives, at.eigenvalues, at.shapes)
     motion = at.system.motion_of_all(at.points)
     rates = np.zeros((*at.channels.shape, len(paths[0])))
     rates[..., : changes.shape[-1], :] = np.moveaxis(changes, 1, -1)
