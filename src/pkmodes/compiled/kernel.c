@@ -7,6 +7,7 @@
 #include "lanes.h"
 
 #include "gradient.h"
+#include "tangent.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 #define LARGEST 1.7976931348623157e308
@@ -185,6 +186,8 @@ INLINE void lanes_evaluate(const struct pkmodes_request *request, long long star
         system[u].block = (struct lanes_block){request, first, left < LANES_WIDTH ? (int)left : LANES_WIDTH, code};
         if (request->joint_positions)
             lanes_put(&system[u].block, request->joint_positions, q, LANES_INDEPENDENT);
+        if (request->changes)
+            lanes_along_paths(&system[u].block, system[u].pose);
     }
     if (modes || matrices) {
         if (request->free_count)
@@ -215,6 +218,8 @@ void LANES_RUN(const struct pkmodes_request *request)
         robot.parameters += r * request->parameter_count;
         robot.effects += r * request->effect_count;
         robot.joints += r * request->joint_count;
+        if (request->term_count)
+            robot.first_term += r * request->term_count;
         lanes_robot(&robot, r * each);
     }
 }

@@ -61,7 +61,7 @@ class Terms(NamedTuple):
     Attributes
     ----------
     first : ndarray of int32, shape (T + 1,)
-        Where the terms of each path begin, and where the last ones end.
+        Where the terms of each path begin, and where the last ones end; (B, T + 1) for several robots.
     places : ndarray of int32
         Entry of each term.
     weights : ndarray
@@ -81,6 +81,27 @@ class Terms(NamedTuple):
     effects: Array
     all_coordinates: bool
     locked_joints: bool
+
+
+class Along(NamedTuple):
+    """Derivatives along T paths that the derivatives of m given modes need, at N poses.
+
+    Attributes
+    ----------
+    changes : ndarray, shape (N, T, m, n)
+        (dK - lambda dM) phi, without terms of locked joints.
+    mode_rates : ndarray, shape (N, T, m)
+        phi^T (dK - lambda dM) phi.
+    norms : ndarray, shape (N, T, m)
+        phi^T dM phi.
+    motions : ndarray, shape (N, T, m, directions)
+        dJ phi, J the motion of the platform.
+    """
+
+    changes: Array
+    mode_rates: Array
+    norms: Array
+    motions: Array
 
 
 def flat(values: Any) -> Array:

@@ -89,6 +89,10 @@ class Request(ctypes.Structure):
         ("weights", ctypes.c_void_p),
         ("all_coordinates", ctypes.c_longlong),
         ("locked_joints", ctypes.c_longlong),
+        ("term_count", ctypes.c_longlong),
+        ("given_eigenvalues", ctypes.c_void_p),
+        ("given_shapes", ctypes.c_void_p),
+        ("modes", ctypes.c_longlong),
         ("frequencies", ctypes.c_void_p),
         ("eigenvalues", ctypes.c_void_p),
         ("shapes", ctypes.c_void_p),
@@ -98,6 +102,10 @@ class Request(ctypes.Structure):
         ("stiffness_matrix", ctypes.c_void_p),
         ("eigenvalue_rates", ctypes.c_void_p),
         ("frequency_rates", ctypes.c_void_p),
+        ("changes", ctypes.c_void_p),
+        ("mode_rates", ctypes.c_void_p),
+        ("norms", ctypes.c_void_p),
+        ("motions", ctypes.c_void_p),
         ("codes", ctypes.c_void_p),
     )
 

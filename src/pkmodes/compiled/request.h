@@ -30,6 +30,11 @@ struct pkmodes_request {
     const int *places;
     const double *weights;
     long long all_coordinates, locked_joints;
+    /* Several robots: row r of `first_term`, so long, or 0 if all have the same paths. */
+    long long term_count;
+    /* Modes whose derivatives are wanted, m at each pose: with effects, the last four results together. */
+    const double *given_eigenvalues, *given_shapes; /* (N, m), (N, m, n) */
+    long long modes;
     /* Results, n coordinates and m of them with inertia; NULL where not wanted.  A pose that cannot be evaluated gives
      * NaN. */
     double *frequencies;      /* (N, m) [Hz] */
@@ -41,6 +46,10 @@ struct pkmodes_request {
     double *stiffness;        /* (N, n, n) */
     double *eigenvalue_rates; /* (N, T, m) [1/s^2 per unit] */
     double *frequency_rates;  /* (N, T, m) [Hz per unit]; NaN where the frequency is zero to rounding */
+    double *changes;          /* (N, T, m, n): (dK - lambda dM) phi, without terms of locked joints */
+    double *mode_rates;       /* (N, T, m): phi^T (dK - lambda dM) phi */
+    double *norms;            /* (N, T, m): phi^T dM phi */
+    double *motions;          /* (N, T, m, directions): dJ phi, J the motion of the platform */
     /* Always written: 0 where a pose was evaluated, 1 where it is not finite, from 2 on the violated margin, and -1
      * where the eigenproblem needs another solver. */
     signed char *codes; /* (N) */

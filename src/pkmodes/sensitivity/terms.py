@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 
 import numpy as np
 
 from pkmodes.compiled.lanes import Terms, flat
+from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.layout import Slot
 from pkmodes.robot.paths import ParameterPath
 from pkmodes.sensitivity.matrices import POSE, effect_fields, joints_of
@@ -25,19 +27,30 @@ def terms_of(system: ExtendedSystem, paths: Sequence[ParameterPath]) -> Terms:
         Of the robot, with or without effects.
     paths : sequence of ParameterPath
     """
-    values = _values(system)
-    parameters, pose = flat(system.parameters).size, len(values)
+    terms = terms_of_all([system], [paths])
+    return terms._replace(first=terms.first[0], effects=terms.effects[0])
+
+
+def terms_of_all(systems: Sequence[ExtendedSystem], paths: Sequence[Sequence[ParameterPath]]) -> Terms:
+    """Return the terms of several robots with the same free coordinates, each with equally many paths."""
+    system = systems[0]
+    values, parameters = _values(system), flat(system.parameters).size
+    pose = len(values)
     joints = pose + len(system.mechanism.pose)
-    terms_of_paths = [list(_terms(system, path, values)) for path in paths]
-    places = np.array([place for terms in terms_of_paths for place, _ in terms], dtype=np.int32)
-    weights = np.array([weight for terms in terms_of_paths for _, weight in terms], dtype=float)
+    of_paths = [
+        list(_terms(one, path, values)) for one, some in zip(systems, paths, strict=True) for path in some
+    ]
+    places = np.array([place for terms in of_paths for place, _ in terms], dtype=np.int32)
+    weights = np.array([weight for terms in of_paths for _, weight in terms], dtype=float)
     locked = np.setdiff1d(np.arange(len(system.mechanism.extended.COORDINATES)), system.free)
     of_effects = ((places >= parameters) & (places < pose)) | (places >= joints)
+    ends = np.cumsum([0, *map(len, of_paths)], dtype=np.int32)
+    count = len(paths[0])
     return Terms(
-        first=np.cumsum([0, *map(len, terms_of_paths)], dtype=np.int32),
+        first=ends[np.arange(len(systems))[:, None] * count + np.arange(count + 1)],
         places=places,
         weights=weights,
-        effects=flat(system.effects),
+        effects=np.array([flat(one.effects) for one in systems]),
         all_coordinates=bool(of_effects.any()),
         locked_joints=bool(np.isin(places - joints, locked).any()),
     )
@@ -48,11 +61,11 @@ def _terms(
 ) -> Iterator[tuple[int, float]]:
     """Yield place and weight of the terms of a path."""
     pose = len(values)
-    joints, free = pose + len(system.mechanism.pose), set(system.free.tolist())
+    joints, of_slot = pose + len(system.mechanism.pose), joints_of(system.mechanism)
     for slot, weight in path.weights.items():
-        if slot in joints_of(system.mechanism):
-            for joint in joints_of(system.mechanism)[slot]:
-                rate = float(system.joint_rates[joint]) if joint in free else 1.0
+        if slot in of_slot:
+            for joint in of_slot[slot]:
+                rate = float(system.joint_rates[joint]) if joint in system.free else 1.0
                 yield joints + joint, weight * rate
         elif slot[0] == POSE:
             yield pose + slot[1][0], weight
@@ -60,13 +73,18 @@ def _terms(
             yield values[slot], weight
 
 
-def _values(system: ExtendedSystem) -> dict[Slot, int]:
+def _values(system: ExtendedSystem) -> Mapping[Slot, int]:
     """Return the place of each number of the robot in a gradient."""
-    dotted = effect_fields(system.mechanism)
-    slots = [
-        (dotted.get(name, name), index)
+    shapes = tuple(
+        (name, np.shape(value))
         for numbers in (system.parameters, system.effects)
         for name, value in zip(numbers._fields, numbers, strict=True)
-        for index in np.ndindex(np.shape(value))
-    ]
+    )
+    return _places(system.mechanism, shapes)
+
+
+@cache
+def _places(mechanism: Mechanism, shapes: tuple[tuple[str, tuple[int, ...]], ...]) -> dict[Slot, int]:
+    dotted = effect_fields(mechanism)
+    slots = [(dotted.get(name, name), index) for name, shape in shapes for index in np.ndindex(shape)]
     return {slot: place for place, slot in enumerate(slots)}

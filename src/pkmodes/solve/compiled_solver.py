@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.compiled.lanes import FIELDS, UNSOLVED, Terms
+from pkmodes.compiled.lanes import FIELDS, UNSOLVED, Along, Terms
 from pkmodes.linalg.eigen import has_stiff_joint
 from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.solve.solver import EIGENVALUES, Codes, Solver, UnavailableError
@@ -65,7 +65,8 @@ class CompiledSolver(Solver):
             raise UnavailableError(
                 f"the compiled back end is not available: {error.why}", mechanism.name, error.remedy
             ) from None
-        return cls(Evaluator(library, lanes, len(system.coordinates), largest_condition), system)
+        directions = len(mechanism.directions)
+        return cls(Evaluator(library, lanes, len(system.coordinates), largest_condition, directions), system)
 
     def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
         """Fill arrays."""
@@ -77,6 +78,10 @@ class CompiledSolver(Solver):
     def rates(self, at: RobotAtPoses, arrays: Mapping[str, Array], terms: Terms, threads: int = 1) -> Codes:
         """Fill arrays, also with derivatives."""
         return self._marked(self.evaluator.run(at.points, arrays, threads, terms=terms), arrays)
+
+    def along(self, at: RobotAtPoses, eigenvalues: Array, shapes: Array, terms: Terms) -> Along | None:
+        """Return what the derivatives of given modes along paths need; None if a pose cannot be evaluated."""
+        return self.evaluator.along(at.points, eigenvalues, shapes, terms)
 
     def _marked(self, codes: Codes, arrays: Mapping[str, Array]) -> Codes:
         """Mark the poses at which joints are too soft or too stiff."""

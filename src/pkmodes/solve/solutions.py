@@ -68,6 +68,8 @@ class ModesOfSystems(NamedTuple):
         Of the platform.
     matrices : tuple of ndarray, or None
         M and K in all coordinates, if they were evaluated.
+    solver : Solver, or None
+        Of all robots together, if there is one.
     """
 
     system: ExtendedSystem
@@ -75,6 +77,7 @@ class ModesOfSystems(NamedTuple):
     shapes: Array
     motions: Array
     matrices: tuple[Array, Array] | None
+    solver: Solver | None
 
 
 def modes_of_systems(systems: Sequence[ExtendedSystem], points: Array) -> ModesOfSystems:
@@ -98,11 +101,17 @@ def modes_of_systems(systems: Sequence[ExtendedSystem], points: Array) -> ModesO
     except np.linalg.LinAlgError:  # a required inertia is missing: these values are not a machine
         eigenvalues = np.full((len(points), len(system.free)), np.nan)
         shapes = np.zeros((*eigenvalues.shape, len(system.free)))
-    return ModesOfSystems(system, eigenvalues, shapes, _motions(at, shapes), matrices)
+    return ModesOfSystems(system, eigenvalues, shapes, _motions(at, shapes), matrices, None)
+
+
+def modes_where_reached(systems: Sequence[ExtendedSystem], points: Array) -> ModesOfSystems | None:
+    """Evaluate the same at poses that may be out of reach; None if one is, or if no solver checks poses itself."""
+    system = stacked(systems, len(points) // len(systems))
+    return _by_solvers(systems, system, np.ascontiguousarray(points), checked=False)
 
 
 def _by_solvers(
-    systems: Sequence[ExtendedSystem], system: ExtendedSystem, points: Array
+    systems: Sequence[ExtendedSystem], system: ExtendedSystem, points: Array, *, checked: bool = True
 ) -> ModesOfSystems | None:
     """Evaluate all robots with one solver, or each with its own; None if NumPy has to evaluate them together."""
     backend = chosen(AUTO)
@@ -114,7 +123,7 @@ def _by_solvers(
         solvers = [] if solver.together else [solver_of(s, MAX_CONDITION, backend) for s in systems]
     except UnavailableError:
         return None
-    if isinstance(solver, NumpySolver):
+    if isinstance(solver, NumpySolver) or not (checked or solver.checks_poses):
         return None
     n, m, each = (
         len(system.coordinates),
@@ -146,7 +155,23 @@ def _by_solvers(
             return None
         arrays[EIGENVALUES][rows], arrays[SHAPES][rows] = eigenvalues, shapes
         arrays[MOTIONS][rows] = _motions(unsolved, shapes)
-    return ModesOfSystems(system, arrays[EIGENVALUES], arrays[SHAPES], arrays[MOTIONS], None)
+    return ModesOfSystems(
+        system,
+        arrays[EIGENVALUES],
+        arrays[SHAPES],
+        arrays[MOTIONS],
+        None,
+        solver if solver.together else None,
+    )
+
+
+def together(systems: Sequence[ExtendedSystem]) -> Solver | None:
+    """Return the solver of several robots together, if there is one."""
+    try:
+        solver = solver_of(stacked(systems, 1), MAX_CONDITION, chosen(AUTO))
+    except UnavailableError:
+        return None
+    return solver if solver.together else None
 
 
 def _motions(at: RobotAtPoses, shapes: Array) -> Array:

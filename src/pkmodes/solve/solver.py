@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import PkmodesError
-from pkmodes.compiled.lanes import UNSOLVED, Terms
+from pkmodes.compiled.lanes import UNSOLVED, Along, Terms
 from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.system.evaluation import Evaluation
 
@@ -91,3 +91,14 @@ class Solver(ABC):
     def rates(self, at: RobotAtPoses, arrays: Mapping[str, Array], terms: Terms, threads: int = 1) -> Codes:
         """Fill arrays as `compute` does, also with derivatives along paths, by the names of `Evaluator.run`."""
         raise NotImplementedError
+
+    def along(self, at: RobotAtPoses, eigenvalues: Array, shapes: Array, terms: Terms) -> Along | None:
+        """Return what the derivatives of given modes along paths need; None if NumPy has to evaluate it.
+
+        Parameters
+        ----------
+        eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
+        terms : Terms
+            Of each robot.
+        """
+        return None

@@ -7,7 +7,7 @@ effects is evaluated by the base model.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import cache, lru_cache
+from functools import cache, cached_property, lru_cache
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -188,6 +188,10 @@ class ExtendedSystem:
 
     def massless(self) -> NDArray[np.bool_]:
         """Return which released coordinates have no inertia."""
+        return self._without_inertia
+
+    @cached_property
+    def _without_inertia(self) -> NDArray[np.bool_]:
         if len(self.free) == self.first:
             return np.zeros(self.first, dtype=bool)
         values = (*self.effects, *(getattr(self.parameters, name) for name in _inertias(self.mechanism)))
@@ -247,12 +251,24 @@ class _Released(NamedTuple):
 
 @lru_cache(maxsize=256)
 def _released(mechanism: Mechanism, effects: tuple[tuple[str, float], ...]) -> _Released:
-    """Return which joints are released; a fit evaluates many robots with the same effects."""
+    """Return what follows from effects; a fit evaluates many robots with the same."""
+    shared, _ = _shared_and_single(dict(effects))
+    releasing = tuple((path, value) for path, value in effects if path.split(".")[0] in _releasing(mechanism))
+    grounded = any(mechanism.effects[name].grounds for name in active_effects(mechanism, dict(effects)))
+    free, joints, rates, coordinates = _joints(mechanism, releasing)
+    rigid = 0 if grounded else mechanism.rigid_modes
+    return _Released(mechanism.extended.Effects(**shared), free, joints, rates, coordinates, rigid)
+
+
+@lru_cache(maxsize=256)
+def _joints(
+    mechanism: Mechanism, effects: tuple[tuple[str, float], ...]
+) -> tuple[NDArray[np.intp], Array, Array, tuple[str, ...]]:
+    """Return the free coordinates, the joints' stiffnesses and their rates, and the names of the coordinates."""
     extended, base = mechanism.extended, len(mechanism.coordinates)
     shared, single = _shared_and_single(dict(effects))
-    of_all = extended.Effects(**shared)
     with np.errstate(divide="ignore"):
-        stiffness, rates = extended.joint_stiffness(of_all)
+        stiffness, rates = extended.joint_stiffness(extended.Effects(**shared))
         for coordinate, name, value in single:
             place = extended.COORDINATES.index(coordinate) - base
             beyond = extended.Effects(**{**shared, name: shared.get(name, 0.0) + value})
@@ -263,15 +279,13 @@ def _released(mechanism: Mechanism, effects: tuple[tuple[str, float], ...]) -> _
     joint_rates = np.concatenate([np.zeros(base), np.where(released, rates, 0.0)])
     for array in (free, joints, joint_rates):
         array.flags.writeable = False
-    grounded = any(mechanism.effects[name].grounds for name in active_effects(mechanism, dict(effects)))
-    return _Released(
-        of_all,
-        free,
-        joints,
-        joint_rates,
-        tuple(extended.COORDINATES[i] for i in free),
-        0 if grounded else mechanism.rigid_modes,
-    )
+    return free, joints, joint_rates, tuple(extended.COORDINATES[i] for i in free)
+
+
+@cache
+def _releasing(mechanism: Mechanism) -> frozenset[str]:
+    """Return the names of the effects that release joints, whose stiffnesses depend on nothing else."""
+    return frozenset(effect.name for effect in mechanism.effects.values() if effect.coordinates)
 
 
 @cache

@@ -40,13 +40,13 @@ class StackedSystems(ExtendedSystem):
         self._systems, self._count = tuple(systems), count
 
     @cached_property
-    def parameters(self) -> Any:  # type: ignore[override]
+    def parameters(self) -> Any:
         """The robots, as the generated model takes them."""
         sets = [s.parameters for s in self._systems]
         return sets[0]._replace(**_different(sets, self._count))
 
     @cached_property
-    def effects(self) -> Any:  # type: ignore[override]
+    def effects(self) -> Any:
         """Their effects."""
         sets = [s.effects for s in self._systems]
         return sets[0]._replace(**_different(sets, self._count))
@@ -63,13 +63,17 @@ class StackedSystems(ExtendedSystem):
 
     def massless(self) -> NDArray[np.bool_]:
         """Return which coordinates have inertia in none of the robots."""
-        return np.all([s.massless() for s in self._systems], axis=0)
+        return self._without_inertia
+
+    @cached_property
+    def _without_inertia(self) -> NDArray[np.bool_]:
+        return np.asarray(np.all([s.massless() for s in self._systems], axis=0))
 
     def lanes(self) -> Lanes:
         """The robots as the compiled evaluator takes them."""
         return Lanes(
-            np.array([flat(s.parameters) for s in self._systems]),
-            np.array([flat(s.effects) for s in self._systems]),
+            _flat_of_each([s.parameters for s in self._systems]),
+            _flat_of_each([s.effects for s in self._systems]),
             np.array([s.joints for s in self._systems]),
             self.free.astype(np.int32),
             self.massless().astype(np.int8),
@@ -89,3 +93,14 @@ def _different(sets: Sequence[tuple[Any, ...]], count: int) -> dict[str, Array]:
         if (values != values[0]).any():
             repeated[name] = np.repeat(values, count, axis=0)
     return repeated
+
+
+def _flat_of_each(sets: Sequence[tuple[Any, ...]]) -> Array:
+    """Return the fields of each named tuple in a row; most of them are the same objects."""
+    rows = np.tile(flat(sets[0]), (len(sets), 1))
+    ends = np.cumsum([np.size(value) for value in sets[0]]).tolist()
+    for row, one in zip(rows[1:], sets[1:], strict=True):
+        for value, first, end in zip(one, sets[0], ends, strict=True):
+            if value is not first:
+                row[end - np.size(value) : end] = np.ravel(value)
+    return rows
