@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 import pytest
 
-from helpers.robots.lane_samples import EFFECTS, NAMES, case, chosen, robot_of
+from helpers.robots.lane_samples import EFFECTS, NAMES, ROOT, case, chosen, robot_of
+from pkmodes.compiled import build
+from pkmodes.compiled.loader import UnavailableError, load
 from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.sensitivity.compiled import CompiledDerivatives, derivatives_of
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, locked_joints
@@ -114,3 +117,18 @@ def test_numpy_evaluates_poses_that_the_library_refuses() -> None:
         solver, given.systems, given.systems[0], far, [given.paths], (eigenvalues, shapes), None
     )
     assert type(found) is MatrixDerivatives
+
+
+def test_headers_of_an_earlier_version_are_to_be_generated_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "earlier_header").mkdir()
+    (tmp_path / "earlier_header" / "__init__.py").touch()
+    header = (ROOT / "generated/pkmodes_generated/corexy" / build.HEADER).read_text(encoding="utf-8")
+    earlier = header.replace("lanes_extended_tangent", "lanes_something_else")
+    (tmp_path / "earlier_header" / build.HEADER).write_text(earlier, encoding="utf-8")
+    monkeypatch.syspath_prepend(tmp_path)
+    with pytest.raises(UnavailableError) as error:
+        load("earlier_header", "corexy")
+    assert "by an earlier version" in error.value.why
+    assert "generate it again" in error.value.remedy
