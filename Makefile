@@ -67,6 +67,7 @@ benchmark: $(VENV)/.benchmark  ## tables of docs/compiled.md and docs/maps.md, a
 	$(BIN)/python benchmarks/evaluation.py
 	$(BIN)/python benchmarks/many_rows.py
 	$(BIN)/python benchmarks/large_models.py
+	$(BIN)/python benchmarks/diagnosis.py
 	$(BIN)/python benchmarks/map.py
 
 figures: $(VENV)/.dev  ## the pictures of the README, and the pictures and the table of docs/figures.md

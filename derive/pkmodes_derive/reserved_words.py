@@ -18,12 +18,13 @@ LIBRARY = frozenset(
     log1p log2 memset pow round sin sinh sqrt tan tanh trunc gamma tgamma lgamma j0 j1 jn y0 y1 yn
     np math arctan2 tuple list float int len range broadcast lane mask pose pick root parameters effects margin
     mode modes shape shapes eigenvalue eigenvalues gradient gradients
+    path paths direction derivatives mass_rate stiffness_rate motion_rate
     """.split()  # noqa: SIM905
 )
 #: Shared subexpressions: t1, t2, ...
 NUMBERED = re.compile(r"t\d+")
-#: Names that derivatives of eigenvalues consist of.
-OF_GRADIENTS = re.compile(r"(shape|forward|adjoint)_\w+")
+#: Names that derivatives of eigenvalues and of matrices consist of.
+OF_DERIVATIVES = re.compile(r"(shape|forward|adjoint|along|tangent)_\w+")
 
 
 def is_reserved(name: str) -> bool:
@@ -33,6 +34,6 @@ def is_reserved(name: str) -> bool:
         or name in C_KEYWORDS
         or name in LIBRARY
         or NUMBERED.fullmatch(name)
-        or OF_GRADIENTS.fullmatch(name)
+        or OF_DERIVATIVES.fullmatch(name)
         or not name.isascii()
     )

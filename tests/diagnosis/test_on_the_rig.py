@@ -6,6 +6,7 @@ each verdict is right is measured by the whole suites, in docs/diagnosis-measure
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import pytest

@@ -11,6 +11,7 @@ from helpers.references.numpy_modes import solve
 from helpers.robots.lane_samples import NAMES, case
 from pkmodes.solve.solutions import modes_of_systems
 from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.system.stacked import stacked
 
 pytestmark = pytest.mark.compiler
 
@@ -38,14 +39,14 @@ def assert_modes_of_numpy(systems: list[ExtendedSystem], points: np.ndarray) -> 
     modes = modes_of_systems(systems, points)
     assert modes.matrices is None  # not those of NumPy
     eigenvalues, shapes, motions = modes.eigenvalues, modes.shapes, modes.motions
-    stacked = ExtendedSystem.stacked(systems, EACH)
-    expected = solve(stacked, points)
+    stack = stacked(systems, EACH)
+    expected = solve(stack, points)
     rigid = systems[0].rigid_modes
     np.testing.assert_allclose(eigenvalues[:, rigid:], expected.eigenvalues[:, rigid:], rtol=FREQUENCY)
     sign = np.sign((shapes * expected.shapes).sum(axis=-1, keepdims=True))
     size = np.abs(expected.shapes).max(axis=-1, keepdims=True)
     assert (np.abs(shapes * sign - expected.shapes)[:, rigid:] <= SHAPE * size[:, rigid:]).all()
-    expected_motions = shapes @ np.swapaxes(stacked.platform_motion(points), -1, -2)
+    expected_motions = shapes @ np.swapaxes(stack.platform_motion(points), -1, -2)
     np.testing.assert_allclose(motions, expected_motions, rtol=0, atol=1e-12 * np.abs(expected_motions).max())
 
 

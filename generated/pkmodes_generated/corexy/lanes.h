@@ -662,3 +662,274 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         gradient[44] = LANES(adjoint_forward_t3*g_1_2 + adjoint_forward_t9*g_2_2);
     }
 }
+
+/* What is done with the derivatives along each path: the compiled evaluator defines it. */
+struct lanes_paths;
+static void lanes_direction(const struct lanes_paths *paths, int path, lane *restrict direction);
+static void lanes_take(const struct lanes_paths *paths, int path, const lane *restrict mass_rate,
+    const lane *restrict stiffness_rate, const lane *restrict motion_rate);
+
+/* Derivatives of the matrices and of the motion of the platform along a direction.
+ *
+ * Source: forward accumulation through extended.
+ * 346 operations; 8591 with every named value expanded.
+ */
+static __attribute__((noinline)) void lanes_extended_tangent(const lane *restrict pose,
+    const double *restrict parameters, const double *restrict effects, int count,
+    const struct lanes_paths *paths)
+{
+    (void)effects;
+    const lane x = pose[0];
+    const lane y = pose[1];
+    const double g_1_1 = parameters[5];
+    const double g_1_2 = parameters[6];
+    const double g_2_1 = parameters[7];
+    const double g_2_2 = parameters[8];
+    const double l_0_1_1 = parameters[9];
+    const double l_0_1_2 = parameters[10];
+    const double l_0_2_1 = parameters[11];
+    const double l_0_2_2 = parameters[12];
+    const double k_sp_1 = parameters[13];
+    const double k_sp_2 = parameters[14];
+    const double w_b_1 = parameters[15];
+    const double w_b_2 = parameters[16];
+    const double R_p_1 = parameters[17];
+    const double R_p_2 = parameters[18];
+    const double I_m_1 = parameters[21];
+    const double I_m_2 = parameters[22];
+    const double i_g_1 = parameters[23];
+    const double i_g_2 = parameters[24];
+    const double a_B_1 = effects[0];
+    const double a_B_2 = effects[1];
+    const double c_E = effects[2];
+    const double rho_b = effects[3];
+    const double c_T = effects[4];
+    const double F_T = effects[5];
+    const lane forward_t3 = g_1_1*x + g_1_2*y;
+    const lane l_f_1_1 = forward_t3 + l_0_1_1;
+    const double forward_t4 = F_T*c_T + 1.0;
+    const double forward_t5 = c_E*forward_t4;
+    const double t1 = a_B_1 + 1.0;
+    const double t2 = t1*w_b_1;
+    const double forward_t6 = k_sp_1*t2;
+    const double forward_t7 = forward_t5*forward_t6;
+    const double forward_t8 = forward_t4*forward_t6;
+    const lane t3 = forward_t7 + l_f_1_1;
+    const lane forward_0 = 1.0/t3;
+    const lane k_1_1 = forward_0*forward_t8;
+    const lane l_f_1_2 = -forward_t3 + l_0_1_2;
+    const lane t4 = forward_t7 + l_f_1_2;
+    const lane forward_1 = 1.0/t4;
+    const lane k_1_2 = forward_1*forward_t8;
+    const lane forward_t9 = g_2_1*x + g_2_2*y;
+    const lane l_f_2_1 = forward_t9 + l_0_2_1;
+    const double t5 = a_B_2 + 1.0;
+    const double t6 = t5*w_b_2;
+    const double forward_t10 = k_sp_2*t6;
+    const double forward_t11 = forward_t10*forward_t5;
+    const double forward_t12 = forward_t10*forward_t4;
+    const lane t7 = forward_t11 + l_f_2_1;
+    const lane forward_2 = 1.0/t7;
+    const lane k_2_1 = forward_2*forward_t12;
+    const lane l_f_2_2 = -forward_t9 + l_0_2_2;
+    const lane t8 = forward_t11 + l_f_2_2;
+    const lane forward_3 = 1.0/t8;
+    const lane k_2_2 = forward_3*forward_t12;
+    const double forward_t13 = (g_1_1*g_1_1);
+    const double forward_t14 = (1.0/3.0)*rho_b;
+    const lane forward_t15 = forward_t14*l_f_1_1;
+    const lane forward_t16 = forward_t14*l_f_1_2;
+    const double forward_t17 = (g_2_1*g_2_1);
+    const lane forward_t18 = forward_t14*l_f_2_1;
+    const lane forward_t19 = forward_t14*l_f_2_2;
+    const double forward_t25 = (1.0/6.0)*rho_b;
+    const double forward_t26 = R_p_1*forward_t25;
+    const double forward_t29 = R_p_2*forward_t25;
+    const double forward_t32 = (g_1_2*g_1_2);
+    const double forward_t33 = (g_2_2*g_2_2);
+    const double forward_t35 = (R_p_1*R_p_1);
+    const double forward_t36 = (R_p_2*R_p_2);
+    const lane forward_t38 = g_1_1*k_1_1;
+    const lane forward_t39 = g_1_1*k_1_2;
+    const lane forward_t40 = g_2_1*k_2_1;
+    const lane forward_t41 = g_2_1*k_2_2;
+    const lane forward_t42 = g_1_2*k_1_1;
+    const lane forward_t43 = g_1_2*k_1_2;
+    const lane forward_t44 = g_2_2*k_2_1;
+    const lane forward_t45 = g_2_2*k_2_2;
+    const lane t9 = 1.0/((t3*t3));
+    const lane t10 = 1.0/((t4*t4));
+    const lane t11 = 1.0/((t7*t7));
+    const lane t12 = 1.0/((t8*t8));
+    const lane t13 = k_1_1 + k_1_2;
+    const lane t14 = k_2_1 + k_2_2;
+    for (int path = 0; path < count; path++) {
+        lane direction[LANES_GRADIENT], motion_rate[LANES_DIRECTIONS * LANES_ALL];
+        lane mass_rate[LANES_ALL * LANES_ALL], stiffness_rate[LANES_ALL * LANES_ALL];
+        lanes_direction(paths, path, direction);
+        const lane along_1 = direction[0];
+        const lane along_2 = direction[1];
+        const lane along_10 = direction[9];
+        const lane along_11 = direction[10];
+        const lane along_12 = direction[11];
+        const lane along_13 = direction[12];
+        const lane along_14 = direction[13];
+        const lane along_15 = direction[14];
+        const lane along_16 = direction[15];
+        const lane along_17 = direction[16];
+        const lane along_18 = direction[17];
+        const lane along_19 = direction[18];
+        const lane along_20 = direction[19];
+        const lane along_21 = direction[20];
+        const lane along_22 = direction[21];
+        const lane along_23 = direction[22];
+        const lane along_24 = direction[23];
+        const lane along_25 = direction[24];
+        const lane along_30 = direction[29];
+        const lane along_31 = direction[30];
+        const lane along_32 = direction[31];
+        const lane along_33 = direction[32];
+        const lane along_34 = direction[33];
+        const lane along_35 = direction[34];
+        const lane along_36 = direction[35];
+        const lane along_37 = direction[36];
+        const lane along_38 = direction[37];
+        const lane along_39 = direction[38];
+        const lane along_43 = direction[42];
+        const lane along_44 = direction[43];
+        const lane along_45 = direction[44];
+        const lane tangent_forward_t1 = 2.0*I_m_1*along_24*i_g_1 + along_22*(i_g_1*i_g_1);
+        const lane tangent_I_1 = along_20 + along_37 + tangent_forward_t1;
+        const lane tangent_forward_t2 = 2.0*I_m_2*along_25*i_g_2 + along_23*(i_g_2*i_g_2);
+        const lane tangent_I_2 = along_21 + along_37 + tangent_forward_t2;
+        const lane tangent_forward_t3 = along_44*g_1_1 + along_45*g_1_2;
+        const lane tangent_l_f_1_1 = along_10 + tangent_forward_t3;
+        const lane tangent_forward_t4 = F_T*along_34 + along_35*c_T;
+        const lane tangent_forward_t5 = along_32*forward_t4 + c_E*tangent_forward_t4;
+        const lane tangent_forward_t6 = along_14*t2 + along_16*k_sp_1*t1 + along_30*k_sp_1*w_b_1;
+        const lane tangent_forward_t7 = forward_t5*tangent_forward_t6 + forward_t6*tangent_forward_t5;
+        const lane tangent_forward_t8 = forward_t4*tangent_forward_t6 + forward_t6*tangent_forward_t4;
+        const lane tangent_forward_0 = -t9*tangent_forward_t7 - t9*tangent_l_f_1_1;
+        const lane tangent_k_1_1 = forward_0*tangent_forward_t8 + forward_t8*tangent_forward_0;
+        const lane tangent_l_f_1_2 = along_11 - tangent_forward_t3;
+        const lane tangent_forward_1 = -t10*tangent_forward_t7 - t10*tangent_l_f_1_2;
+        const lane tangent_k_1_2 = forward_1*tangent_forward_t8 + forward_t8*tangent_forward_1;
+        const lane tangent_forward_t9 = along_44*g_2_1 + along_45*g_2_2;
+        const lane tangent_l_f_2_1 = along_12 + tangent_forward_t9;
+        const lane tangent_forward_t10 = along_15*t6 + along_17*k_sp_2*t5 + along_31*k_sp_2*w_b_2;
+        const lane tangent_forward_t11 = forward_t10*tangent_forward_t5 + forward_t5*tangent_forward_t10;
+        const lane tangent_forward_t12 = forward_t10*tangent_forward_t4 + forward_t4*tangent_forward_t10;
+        const lane tangent_forward_2 = -t11*tangent_forward_t11 - t11*tangent_l_f_2_1;
+        const lane tangent_k_2_1 = forward_2*tangent_forward_t12 + forward_t12*tangent_forward_2;
+        const lane tangent_l_f_2_2 = along_13 - tangent_forward_t9;
+        const lane tangent_forward_3 = -t12*tangent_forward_t11 - t12*tangent_l_f_2_2;
+        const lane tangent_k_2_2 = forward_3*tangent_forward_t12 + forward_t12*tangent_forward_3;
+        const lane tangent_forward_t14 = (1.0/3.0)*along_33;
+        const lane tangent_forward_t15 = forward_t14*tangent_l_f_1_1 + l_f_1_1*tangent_forward_t14;
+        const lane tangent_forward_t16 = forward_t14*tangent_l_f_1_2 + l_f_1_2*tangent_forward_t14;
+        const lane tangent_forward_t18 = forward_t14*tangent_l_f_2_1 + l_f_2_1*tangent_forward_t14;
+        const lane tangent_forward_t19 = forward_t14*tangent_l_f_2_2 + l_f_2_2*tangent_forward_t14;
+        const lane tangent_forward_t20 = along_1 + along_38;
+        const lane tangent_forward_t21 = g_1_1*tangent_forward_t15;
+        const lane tangent_forward_t22 = g_1_1*tangent_forward_t16;
+        const lane tangent_forward_t23 = g_2_1*tangent_forward_t18;
+        const lane tangent_forward_t24 = g_2_1*tangent_forward_t19;
+        const lane tangent_forward_t25 = (1.0/6.0)*along_33;
+        const lane tangent_forward_t26 = R_p_1*tangent_forward_t25 + along_18*forward_t25;
+        const lane tangent_forward_t27 = forward_t26*tangent_l_f_1_1 + l_f_1_1*tangent_forward_t26;
+        const lane tangent_forward_t28 = forward_t26*tangent_l_f_1_2 + l_f_1_2*tangent_forward_t26;
+        const lane tangent_forward_t29 = R_p_2*tangent_forward_t25 + along_19*forward_t25;
+        const lane tangent_forward_t30 = forward_t29*tangent_l_f_2_1 + l_f_2_1*tangent_forward_t29;
+        const lane tangent_forward_t31 = forward_t29*tangent_l_f_2_2 + l_f_2_2*tangent_forward_t29;
+        const lane tangent_forward_t34 = along_2 + tangent_forward_t20;
+        const lane tangent_forward_t35 = 2.0*R_p_1*along_18;
+        const lane tangent_forward_t36 = 2.0*R_p_2*along_19;
+        const lane tangent_forward_t37 = along_43 + tangent_forward_t34;
+        const lane tangent_forward_t38 = g_1_1*tangent_k_1_1;
+        const lane tangent_forward_t39 = g_1_1*tangent_k_1_2;
+        const lane tangent_forward_t40 = g_2_1*tangent_k_2_1;
+        const lane tangent_forward_t41 = g_2_1*tangent_k_2_2;
+        const lane tangent_forward_t42 = g_1_2*tangent_k_1_1;
+        const lane tangent_forward_t43 = g_1_2*tangent_k_1_2;
+        const lane tangent_forward_t44 = g_2_2*tangent_k_2_1;
+        const lane tangent_forward_t45 = g_2_2*tangent_k_2_2;
+        lanes_clear(mass_rate, 100);
+        mass_rate[0] =
+            LANES(forward_t13*tangent_forward_t15 + forward_t13*tangent_forward_t16
+            + forward_t17*tangent_forward_t18 + forward_t17*tangent_forward_t19 + tangent_forward_t20);
+        mass_rate[1] = mass_rate[10] =
+            LANES(g_1_2*tangent_forward_t21 + g_1_2*tangent_forward_t22 + g_2_2*tangent_forward_t23
+            + g_2_2*tangent_forward_t24);
+        mass_rate[2] = mass_rate[20] = LANES(-g_1_1*tangent_forward_t27 - g_1_1*tangent_forward_t28);
+        mass_rate[3] = mass_rate[30] = LANES(-g_2_1*tangent_forward_t30 - g_2_1*tangent_forward_t31);
+        mass_rate[6] = mass_rate[60] = LANES(tangent_forward_t21 + tangent_forward_t22);
+        mass_rate[7] = mass_rate[70] = LANES(tangent_forward_t23 + tangent_forward_t24);
+        mass_rate[8] = mass_rate[80] = LANES(tangent_forward_t20);
+        mass_rate[11] =
+            LANES(forward_t32*tangent_forward_t15 + forward_t32*tangent_forward_t16
+            + forward_t33*tangent_forward_t18 + forward_t33*tangent_forward_t19 + tangent_forward_t34);
+        mass_rate[12] = mass_rate[21] = LANES(-g_1_2*tangent_forward_t27 - g_1_2*tangent_forward_t28);
+        mass_rate[13] = mass_rate[31] = LANES(-g_2_2*tangent_forward_t30 - g_2_2*tangent_forward_t31);
+        mass_rate[16] = mass_rate[61] = LANES(g_1_2*tangent_forward_t15 + g_1_2*tangent_forward_t16);
+        mass_rate[17] = mass_rate[71] = LANES(g_2_2*tangent_forward_t18 + g_2_2*tangent_forward_t19);
+        mass_rate[19] = mass_rate[91] = LANES(tangent_forward_t34);
+        mass_rate[22] =
+            LANES(forward_t35*tangent_forward_t15 + forward_t35*tangent_forward_t16 + tangent_I_1
+            + tangent_forward_t35*(forward_t15 + forward_t16));
+        mass_rate[24] = mass_rate[42] = LANES(tangent_forward_t1);
+        mass_rate[26] = mass_rate[62] = LANES(-tangent_forward_t27 - tangent_forward_t28);
+        mass_rate[33] =
+            LANES(forward_t36*tangent_forward_t18 + forward_t36*tangent_forward_t19 + tangent_I_2
+            + tangent_forward_t36*(forward_t18 + forward_t19));
+        mass_rate[35] = mass_rate[53] = LANES(tangent_forward_t2);
+        mass_rate[37] = mass_rate[73] = LANES(-tangent_forward_t30 - tangent_forward_t31);
+        mass_rate[44] = LANES(tangent_forward_t1);
+        mass_rate[55] = LANES(tangent_forward_t2);
+        mass_rate[66] = LANES(tangent_forward_t15 + tangent_forward_t16);
+        mass_rate[77] = LANES(tangent_forward_t18 + tangent_forward_t19);
+        mass_rate[88] = LANES(tangent_forward_t37);
+        mass_rate[99] = LANES(tangent_forward_t37);
+        lanes_clear(stiffness_rate, 100);
+        stiffness_rate[0] =
+            LANES(along_36 + forward_t13*tangent_k_1_1 + forward_t13*tangent_k_1_2
+            + forward_t17*tangent_k_2_1 + forward_t17*tangent_k_2_2);
+        stiffness_rate[1] = stiffness_rate[10] =
+            LANES(g_1_2*tangent_forward_t38 + g_1_2*tangent_forward_t39 + g_2_2*tangent_forward_t40
+            + g_2_2*tangent_forward_t41);
+        stiffness_rate[2] = stiffness_rate[20] =
+            LANES(R_p_1*tangent_forward_t38 + R_p_1*tangent_forward_t39 + along_18*(forward_t38
+            + forward_t39));
+        stiffness_rate[3] = stiffness_rate[30] =
+            LANES(R_p_2*tangent_forward_t40 + R_p_2*tangent_forward_t41 + along_19*(forward_t40
+            + forward_t41));
+        stiffness_rate[6] = stiffness_rate[60] = LANES(tangent_forward_t38 + tangent_forward_t39);
+        stiffness_rate[7] = stiffness_rate[70] = LANES(tangent_forward_t40 + tangent_forward_t41);
+        stiffness_rate[8] = stiffness_rate[80] = LANES(along_36);
+        stiffness_rate[11] =
+            LANES(along_36 + forward_t32*tangent_k_1_1 + forward_t32*tangent_k_1_2
+            + forward_t33*tangent_k_2_1 + forward_t33*tangent_k_2_2);
+        stiffness_rate[12] = stiffness_rate[21] =
+            LANES(R_p_1*tangent_forward_t42 + R_p_1*tangent_forward_t43 + along_18*(forward_t42
+            + forward_t43));
+        stiffness_rate[13] = stiffness_rate[31] =
+            LANES(R_p_2*tangent_forward_t44 + R_p_2*tangent_forward_t45 + along_19*(forward_t44
+            + forward_t45));
+        stiffness_rate[16] = stiffness_rate[61] = LANES(tangent_forward_t42 + tangent_forward_t43);
+        stiffness_rate[17] = stiffness_rate[71] = LANES(tangent_forward_t44 + tangent_forward_t45);
+        stiffness_rate[19] = stiffness_rate[91] = LANES(along_36);
+        stiffness_rate[22] =
+            LANES(along_39 + forward_t35*tangent_k_1_1 + forward_t35*tangent_k_1_2 + t13*tangent_forward_t35);
+        stiffness_rate[26] = stiffness_rate[62] =
+            LANES(R_p_1*tangent_k_1_1 + R_p_1*tangent_k_1_2 + along_18*t13);
+        stiffness_rate[33] =
+            LANES(along_39 + forward_t36*tangent_k_2_1 + forward_t36*tangent_k_2_2 + t14*tangent_forward_t36);
+        stiffness_rate[37] = stiffness_rate[73] =
+            LANES(R_p_2*tangent_k_2_1 + R_p_2*tangent_k_2_2 + along_19*t14);
+        stiffness_rate[66] = LANES(tangent_k_1_1 + tangent_k_1_2);
+        stiffness_rate[77] = LANES(tangent_k_2_1 + tangent_k_2_2);
+        stiffness_rate[88] = LANES(along_36);
+        stiffness_rate[99] = LANES(along_36);
+        lanes_clear(motion_rate, 20);
+        lanes_take(paths, path, mass_rate, stiffness_rate, motion_rate);
+    }
+}

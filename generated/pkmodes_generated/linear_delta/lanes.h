@@ -2985,3 +2985,1266 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         gradient[94] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
     }
 }
+
+/* What is done with the derivatives along each path: the compiled evaluator defines it. */
+struct lanes_paths;
+static void lanes_direction(const struct lanes_paths *paths, int path, lane *restrict direction);
+static void lanes_take(const struct lanes_paths *paths, int path, const lane *restrict mass_rate,
+    const lane *restrict stiffness_rate, const lane *restrict motion_rate);
+
+/* Derivatives of the matrices and of the motion of the platform along a direction.
+ *
+ * Source: forward accumulation through extended.
+ * 2554 operations; 16804752 with every named value expanded.
+ */
+static __attribute__((noinline)) void lanes_extended_tangent(const lane *restrict pose,
+    const double *restrict parameters, const double *restrict effects, int count,
+    const struct lanes_paths *paths)
+{
+    (void)effects;
+    const lane p_x = pose[0];
+    const lane p_y = pose[1];
+    const lane p_z = pose[2];
+    const double m_p = parameters[0];
+    const double g_x = parameters[1];
+    const double g_y = parameters[2];
+    const double g_z = parameters[3];
+    const double o_1_x = parameters[4];
+    const double o_1_y = parameters[5];
+    const double o_1_z = parameters[6];
+    const double o_2_x = parameters[7];
+    const double o_2_y = parameters[8];
+    const double o_2_z = parameters[9];
+    const double o_3_x = parameters[10];
+    const double o_3_y = parameters[11];
+    const double o_3_z = parameters[12];
+    const double n_1_x = parameters[13];
+    const double n_1_y = parameters[14];
+    const double n_1_z = parameters[15];
+    const double n_2_x = parameters[16];
+    const double n_2_y = parameters[17];
+    const double n_2_z = parameters[18];
+    const double n_3_x = parameters[19];
+    const double n_3_y = parameters[20];
+    const double n_3_z = parameters[21];
+    const double b_1_x = parameters[22];
+    const double b_1_y = parameters[23];
+    const double b_1_z = parameters[24];
+    const double b_2_x = parameters[25];
+    const double b_2_y = parameters[26];
+    const double b_2_z = parameters[27];
+    const double b_3_x = parameters[28];
+    const double b_3_y = parameters[29];
+    const double b_3_z = parameters[30];
+    const double l_d_1 = parameters[31];
+    const double l_d_2 = parameters[32];
+    const double l_d_3 = parameters[33];
+    const double m_d_1 = parameters[34];
+    const double m_d_2 = parameters[35];
+    const double m_d_3 = parameters[36];
+    const double l_t_1 = parameters[40];
+    const double l_t_2 = parameters[41];
+    const double l_t_3 = parameters[42];
+    const double k_sp_1 = parameters[43];
+    const double k_sp_2 = parameters[44];
+    const double k_sp_3 = parameters[45];
+    const double w_b_1 = parameters[46];
+    const double w_b_2 = parameters[47];
+    const double w_b_3 = parameters[48];
+    const double R_p_1 = parameters[49];
+    const double R_p_2 = parameters[50];
+    const double R_p_3 = parameters[51];
+    const double I_m_1 = parameters[55];
+    const double I_m_2 = parameters[56];
+    const double I_m_3 = parameters[57];
+    const double i_g_1 = parameters[58];
+    const double i_g_2 = parameters[59];
+    const double i_g_3 = parameters[60];
+    const double d_1_1 = parameters[61];
+    const double d_1_2 = parameters[62];
+    const double d_2_1 = parameters[63];
+    const double d_2_2 = parameters[64];
+    const double d_3_1 = parameters[65];
+    const double d_3_2 = parameters[66];
+    const double x_min_1 = parameters[67];
+    const double x_max_1 = parameters[68];
+    const double x_min_2 = parameters[69];
+    const double x_max_2 = parameters[70];
+    const double x_min_3 = parameters[71];
+    const double x_max_3 = parameters[72];
+    const double sigma_1 = parameters[73];
+    const double sigma_2 = parameters[74];
+    const double sigma_3 = parameters[75];
+    const double a_B_1 = effects[0];
+    const double a_B_2 = effects[1];
+    const double a_B_3 = effects[2];
+    const double c_E = effects[3];
+    const double rho_b = effects[4];
+    const double c_T = effects[5];
+    const double F_T = effects[6];
+    const double k_C = effects[7];
+    const double m_L = effects[9];
+    const lane r_1_x = b_1_x - o_1_x + p_x;
+    const lane r_1_y = b_1_y - o_1_y + p_y;
+    const lane r_1_z = b_1_z - o_1_z + p_z;
+    const lane r_2_x = b_2_x - o_2_x + p_x;
+    const lane r_2_y = b_2_y - o_2_y + p_y;
+    const lane r_2_z = b_2_z - o_2_z + p_z;
+    const lane r_3_x = b_3_x - o_3_x + p_x;
+    const lane r_3_y = b_3_y - o_3_y + p_y;
+    const lane r_3_z = b_3_z - o_3_z + p_z;
+    const lane a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z;
+    const lane w_1_x = -a_1*n_1_x + r_1_x;
+    const lane w_1_y = -a_1*n_1_y + r_1_y;
+    const lane w_1_z = -a_1*n_1_z + r_1_z;
+    const lane w2_1 = (w_1_x*w_1_x) + (w_1_y*w_1_y) + (w_1_z*w_1_z);
+    const lane forward_0 = lanes_sqrt((l_d_1*l_d_1) - w2_1);
+    const lane x_1 = a_1 + forward_0*sigma_1;
+    const lane a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z;
+    const lane w_2_x = -a_2*n_2_x + r_2_x;
+    const lane w_2_y = -a_2*n_2_y + r_2_y;
+    const lane w_2_z = -a_2*n_2_z + r_2_z;
+    const lane w2_2 = (w_2_x*w_2_x) + (w_2_y*w_2_y) + (w_2_z*w_2_z);
+    const lane forward_1 = lanes_sqrt((l_d_2*l_d_2) - w2_2);
+    const lane x_2 = a_2 + forward_1*sigma_2;
+    const lane a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z;
+    const lane w_3_x = -a_3*n_3_x + r_3_x;
+    const lane w_3_y = -a_3*n_3_y + r_3_y;
+    const lane w_3_z = -a_3*n_3_z + r_3_z;
+    const lane w2_3 = (w_3_x*w_3_x) + (w_3_y*w_3_y) + (w_3_z*w_3_z);
+    const lane forward_2 = lanes_sqrt((l_d_3*l_d_3) - w2_3);
+    const lane x_3 = a_3 + forward_2*sigma_3;
+    const lane s_1_x = -n_1_x*x_1 + r_1_x;
+    const lane s_1_y = -n_1_y*x_1 + r_1_y;
+    const lane s_1_z = -n_1_z*x_1 + r_1_z;
+    const lane s_2_x = -n_2_x*x_2 + r_2_x;
+    const lane s_2_y = -n_2_y*x_2 + r_2_y;
+    const lane s_2_z = -n_2_z*x_2 + r_2_z;
+    const lane s_3_x = -n_3_x*x_3 + r_3_x;
+    const lane s_3_y = -n_3_y*x_3 + r_3_y;
+    const lane s_3_z = -n_3_z*x_3 + r_3_z;
+    const lane D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z;
+    const lane D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z;
+    const lane D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z;
+    const lane A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y;
+    const lane A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x;
+    const lane A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x;
+    const lane A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y;
+    const lane A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x;
+    const lane A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x;
+    const lane A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y;
+    const lane A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x;
+    const lane A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x;
+    const lane det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z;
+    const lane forward_3 = 1.0/det_D_l;
+    const lane forward_t2 = A_x_1*forward_3;
+    const lane D_p_x_1 = D_r_1*forward_t2;
+    const lane forward_t3 = A_x_2*forward_3;
+    const lane D_p_x_2 = D_r_2*forward_t3;
+    const lane forward_t4 = A_x_3*forward_3;
+    const lane D_p_x_3 = D_r_3*forward_t4;
+    const lane D_delta_x_1 = forward_t2*l_d_1;
+    const lane D_delta_x_2 = forward_t3*l_d_2;
+    const lane D_delta_x_3 = forward_t4*l_d_3;
+    const lane forward_t5 = A_y_1*forward_3;
+    const lane D_p_y_1 = D_r_1*forward_t5;
+    const lane forward_t6 = A_y_2*forward_3;
+    const lane D_p_y_2 = D_r_2*forward_t6;
+    const lane forward_t7 = A_y_3*forward_3;
+    const lane D_p_y_3 = D_r_3*forward_t7;
+    const lane D_delta_y_1 = forward_t5*l_d_1;
+    const lane D_delta_y_2 = forward_t6*l_d_2;
+    const lane D_delta_y_3 = forward_t7*l_d_3;
+    const lane forward_t8 = A_z_1*forward_3;
+    const lane D_p_z_1 = D_r_1*forward_t8;
+    const lane forward_t9 = A_z_2*forward_3;
+    const lane D_p_z_2 = D_r_2*forward_t9;
+    const lane forward_t10 = A_z_3*forward_3;
+    const lane D_p_z_3 = D_r_3*forward_t10;
+    const lane D_delta_z_1 = forward_t8*l_d_1;
+    const lane D_delta_z_2 = forward_t9*l_d_2;
+    const lane D_delta_z_3 = forward_t10*l_d_3;
+    const lane U_1_x_1 = D_p_x_1 - n_1_x;
+    const lane U_1_y_1 = D_p_y_1 - n_1_y;
+    const lane U_1_z_1 = D_p_z_1 - n_1_z;
+    const lane U_2_x_2 = D_p_x_2 - n_2_x;
+    const lane U_2_y_2 = D_p_y_2 - n_2_y;
+    const lane U_2_z_2 = D_p_z_2 - n_2_z;
+    const lane U_3_x_3 = D_p_x_3 - n_3_x;
+    const lane U_3_y_3 = D_p_y_3 - n_3_y;
+    const lane U_3_z_3 = D_p_z_3 - n_3_z;
+    const double l_f_1_1 = x_max_1 - x_min_1;
+    const double forward_t17 = F_T*c_T + 1.0;
+    const double forward_t18 = c_E*forward_t17;
+    const double t1 = a_B_1 + 1.0;
+    const double t2 = t1*w_b_1;
+    const double forward_t19 = k_sp_1*t2;
+    const double forward_t20 = forward_t18*forward_t19;
+    const double forward_t21 = forward_t17*forward_t19;
+    const double t3 = forward_t20 + l_f_1_1;
+    const double forward_4 = 1.0/t3;
+    const double k_1_1 = forward_4*forward_t21;
+    const double forward_t22 = (1.0/2.0)*l_t_1;
+    const lane l_f_1_2 = -forward_t22 + x_1 - x_min_1;
+    const lane t4 = forward_t20 + l_f_1_2;
+    const lane forward_5 = 1.0/t4;
+    const lane k_1_2 = forward_5*forward_t21;
+    const lane l_f_1_3 = -forward_t22 - x_1 + x_max_1;
+    const lane t5 = forward_t20 + l_f_1_3;
+    const lane forward_6 = 1.0/t5;
+    const lane k_1_3 = forward_6*forward_t21;
+    const double l_f_2_1 = x_max_2 - x_min_2;
+    const double t6 = a_B_2 + 1.0;
+    const double t7 = t6*w_b_2;
+    const double forward_t23 = k_sp_2*t7;
+    const double forward_t24 = forward_t18*forward_t23;
+    const double forward_t25 = forward_t17*forward_t23;
+    const double t8 = forward_t24 + l_f_2_1;
+    const double forward_7 = 1.0/t8;
+    const double k_2_1 = forward_7*forward_t25;
+    const double forward_t26 = (1.0/2.0)*l_t_2;
+    const lane l_f_2_2 = -forward_t26 + x_2 - x_min_2;
+    const lane t9 = forward_t24 + l_f_2_2;
+    const lane forward_8 = 1.0/t9;
+    const lane k_2_2 = forward_8*forward_t25;
+    const lane l_f_2_3 = -forward_t26 - x_2 + x_max_2;
+    const lane t10 = forward_t24 + l_f_2_3;
+    const lane forward_9 = 1.0/t10;
+    const lane k_2_3 = forward_9*forward_t25;
+    const double l_f_3_1 = x_max_3 - x_min_3;
+    const double t11 = a_B_3 + 1.0;
+    const double t12 = t11*w_b_3;
+    const double forward_t27 = k_sp_3*t12;
+    const double forward_t28 = forward_t18*forward_t27;
+    const double forward_t29 = forward_t17*forward_t27;
+    const double t13 = forward_t28 + l_f_3_1;
+    const double forward_10 = 1.0/t13;
+    const double k_3_1 = forward_10*forward_t29;
+    const double forward_t30 = (1.0/2.0)*l_t_3;
+    const lane l_f_3_2 = -forward_t30 + x_3 - x_min_3;
+    const lane t14 = forward_t28 + l_f_3_2;
+    const lane forward_11 = 1.0/t14;
+    const lane k_3_2 = forward_11*forward_t29;
+    const lane l_f_3_3 = -forward_t30 - x_3 + x_max_3;
+    const lane t15 = forward_t28 + l_f_3_3;
+    const lane forward_12 = 1.0/t15;
+    const lane k_3_3 = forward_12*forward_t29;
+    const double forward_t31 = (1.0/2.0)*m_d_1;
+    const double forward_t32 = (1.0/2.0)*m_d_2;
+    const double forward_t33 = (1.0/2.0)*m_d_3;
+    const double forward_t34 = m_L + m_p;
+    const double forward_t35 = forward_t31 + forward_t32 + forward_t33 + forward_t34;
+    const double forward_t36 = forward_t35*g_x;
+    const double forward_t37 = forward_t35*g_y;
+    const double forward_t38 = forward_t35*g_z;
+    const lane t16 = -A_x_1*forward_t36 - A_y_1*forward_t37 - A_z_1*forward_t38;
+    const lane mu_1 = forward_3*t16;
+    const lane t17 = -A_x_2*forward_t36 - A_y_2*forward_t37 - A_z_2*forward_t38;
+    const lane mu_2 = forward_3*t17;
+    const lane t18 = -A_x_3*forward_t36 - A_y_3*forward_t37 - A_z_3*forward_t38;
+    const lane mu_3 = forward_3*t18;
+    const double forward_t39 = (1.0/3.0)*m_d_1;
+    const double forward_t40 = (1.0/6.0)*m_d_1;
+    const double forward_t41 = forward_t40*n_1_x;
+    const double forward_t42 = (1.0/3.0)*m_d_2;
+    const double forward_t43 = (1.0/3.0)*m_d_3;
+    const double forward_t44 = forward_t34 + forward_t39 + forward_t42 + forward_t43;
+    const lane forward_t45 = D_p_x_1*forward_t44;
+    const lane forward_t46 = forward_t41 + forward_t45;
+    const double forward_t47 = forward_t40*n_1_y;
+    const lane forward_t48 = D_p_y_1*forward_t44;
+    const lane forward_t49 = forward_t47 + forward_t48;
+    const double forward_t50 = forward_t40*n_1_z;
+    const lane forward_t51 = D_p_z_1*forward_t44;
+    const lane forward_t52 = forward_t50 + forward_t51;
+    const double forward_t53 = (1.0/3.0)*rho_b;
+    const lane forward_t54 = forward_t53*l_f_1_2;
+    const lane forward_t55 = forward_t53*l_f_1_3;
+    const double forward_t57 = (1.0/6.0)*m_d_2;
+    const double forward_t58 = forward_t57*n_2_x;
+    const double forward_t59 = forward_t57*n_2_y;
+    const double forward_t60 = forward_t57*n_2_z;
+    const double forward_t61 = (1.0/6.0)*m_d_3;
+    const double forward_t62 = forward_t61*n_3_x;
+    const double forward_t63 = forward_t61*n_3_y;
+    const double forward_t64 = forward_t61*n_3_z;
+    const double forward_t65 = (1.0/6.0)*rho_b;
+    const double forward_t66 = R_p_1*forward_t65;
+    const double forward_t69 = forward_t40 + forward_t57 + forward_t61;
+    const lane forward_t70 = D_p_x_2*forward_t44;
+    const lane forward_t71 = forward_t58 + forward_t70;
+    const lane forward_t72 = D_p_y_2*forward_t44;
+    const lane forward_t73 = forward_t59 + forward_t72;
+    const lane forward_t74 = D_p_z_2*forward_t44;
+    const lane forward_t75 = forward_t60 + forward_t74;
+    const lane forward_t76 = forward_t53*l_f_2_2;
+    const lane forward_t77 = forward_t53*l_f_2_3;
+    const double forward_t79 = R_p_2*forward_t65;
+    const lane forward_t82 = D_p_x_3*forward_t44;
+    const lane forward_t83 = forward_t62 + forward_t82;
+    const lane forward_t84 = D_p_y_3*forward_t44;
+    const lane forward_t85 = forward_t63 + forward_t84;
+    const lane forward_t86 = D_p_z_3*forward_t44;
+    const lane forward_t87 = forward_t64 + forward_t86;
+    const lane forward_t88 = forward_t53*l_f_3_2;
+    const lane forward_t89 = forward_t53*l_f_3_3;
+    const double forward_t91 = R_p_3*forward_t65;
+    const double forward_t94 = (R_p_1*R_p_1);
+    const double forward_t95 = forward_t94*l_f_1_1;
+    const double forward_t98 = (R_p_2*R_p_2);
+    const double forward_t99 = forward_t98*l_f_2_1;
+    const double forward_t102 = (R_p_3*R_p_3);
+    const double forward_t103 = forward_t102*l_f_3_1;
+    const lane forward_t109 = (D_delta_x_1*D_delta_x_1);
+    const lane forward_t110 = (D_delta_y_1*D_delta_y_1);
+    const lane forward_t111 = (D_delta_z_1*D_delta_z_1);
+    const lane forward_t112 = D_delta_x_1*forward_t44;
+    const lane forward_t113 = D_delta_y_1*forward_t44;
+    const lane forward_t114 = D_delta_z_1*forward_t44;
+    const lane forward_t115 = (D_delta_x_2*D_delta_x_2);
+    const lane forward_t116 = (D_delta_y_2*D_delta_y_2);
+    const lane forward_t117 = (D_delta_z_2*D_delta_z_2);
+    const lane forward_t118 = D_delta_x_2*forward_t44;
+    const lane forward_t119 = D_delta_y_2*forward_t44;
+    const lane forward_t120 = D_delta_z_2*forward_t44;
+    const lane forward_t121 = (D_delta_x_3*D_delta_x_3);
+    const lane forward_t122 = (D_delta_y_3*D_delta_y_3);
+    const lane forward_t123 = (D_delta_z_3*D_delta_z_3);
+    const lane forward_t125 = (D_p_x_1*D_p_x_1);
+    const lane forward_t126 = (D_p_y_1*D_p_y_1);
+    const lane forward_t127 = (D_p_z_1*D_p_z_1);
+    const lane forward_t128 = D_p_x_1*mu_3;
+    const lane forward_t129 = D_p_x_1*mu_2;
+    const lane forward_t130 = U_1_x_1*mu_1;
+    const lane forward_t131 = D_p_y_1*mu_3;
+    const lane forward_t132 = D_p_y_1*mu_2;
+    const lane forward_t133 = U_1_y_1*mu_1;
+    const lane forward_t134 = D_p_z_1*mu_3;
+    const lane forward_t135 = D_p_z_1*mu_2;
+    const lane forward_t136 = U_1_z_1*mu_1;
+    const lane forward_t140 = (D_p_x_2*D_p_x_2);
+    const lane forward_t141 = (D_p_y_2*D_p_y_2);
+    const lane forward_t142 = (D_p_z_2*D_p_z_2);
+    const lane forward_t143 = D_p_x_2*mu_1;
+    const lane forward_t144 = D_p_x_2*mu_3;
+    const lane forward_t145 = U_2_x_2*mu_2;
+    const lane forward_t146 = D_p_y_2*mu_1;
+    const lane forward_t147 = D_p_y_2*mu_3;
+    const lane forward_t148 = U_2_y_2*mu_2;
+    const lane forward_t149 = D_p_z_2*mu_1;
+    const lane forward_t150 = D_p_z_2*mu_3;
+    const lane forward_t151 = U_2_z_2*mu_2;
+    const lane forward_t155 = (D_p_x_3*D_p_x_3);
+    const lane forward_t156 = (D_p_y_3*D_p_y_3);
+    const lane forward_t157 = (D_p_z_3*D_p_z_3);
+    const lane forward_t160 = D_delta_x_1*D_p_x_3;
+    const lane forward_t161 = U_3_x_3*mu_3;
+    const lane forward_t162 = D_delta_y_1*D_p_y_3;
+    const lane forward_t163 = U_3_y_3*mu_3;
+    const lane forward_t164 = D_delta_z_1*D_p_z_3;
+    const lane forward_t165 = U_3_z_3*mu_3;
+    const lane forward_t166 = D_delta_x_2*D_p_x_3;
+    const lane forward_t167 = D_delta_y_2*D_p_y_3;
+    const lane forward_t168 = D_delta_z_2*D_p_z_3;
+    const lane forward_t169 = D_delta_x_3*D_p_x_3;
+    const lane forward_t170 = D_delta_y_3*D_p_y_3;
+    const lane forward_t171 = D_delta_z_3*D_p_z_3;
+    const lane forward_t176 = D_delta_x_1*D_delta_x_2;
+    const lane forward_t177 = D_delta_y_1*D_delta_y_2;
+    const lane forward_t178 = D_delta_z_1*D_delta_z_2;
+    const lane forward_t179 = D_delta_x_1*D_delta_x_3;
+    const lane forward_t180 = D_delta_y_1*D_delta_y_3;
+    const lane forward_t181 = D_delta_z_1*D_delta_z_3;
+    const lane forward_t182 = D_delta_x_2*D_delta_x_3;
+    const lane forward_t183 = D_delta_y_2*D_delta_y_3;
+    const lane forward_t184 = D_delta_z_2*D_delta_z_3;
+    const lane t19 = 1.0/forward_0;
+    const lane t20 = 1.0/forward_1;
+    const lane t21 = 1.0/forward_2;
+    const double t31 = 1.0/((t3*t3));
+    const lane t32 = 1.0/((t4*t4));
+    const lane t33 = 1.0/((t5*t5));
+    const double t34 = 1.0/((t8*t8));
+    const lane t35 = 1.0/((t9*t9));
+    const lane t36 = 1.0/((t10*t10));
+    const double t37 = 1.0/((t13*t13));
+    const lane t38 = 1.0/((t14*t14));
+    const lane t39 = 1.0/((t15*t15));
+    const lane t76 = forward_t109 + forward_t110 + forward_t111;
+    const lane t77 = forward_t115 + forward_t116 + forward_t117;
+    const lane t78 = forward_t121 + forward_t122 + forward_t123;
+    const double t79 = forward_t44 + forward_t69;
+    const lane t80 = forward_t125 + forward_t126 + forward_t127;
+    const lane t81 = -k_C + mu_3;
+    const lane t82 = -mu_2 - t81;
+    const lane t83 = -D_p_x_1*k_C + forward_t130;
+    const lane t84 = forward_t128 + t83;
+    const lane t85 = -D_p_y_1*k_C + forward_t133;
+    const lane t86 = forward_t131 + t85;
+    const lane t87 = -D_p_z_1*k_C + forward_t136;
+    const lane t88 = forward_t134 + t87;
+    const lane t89 = -forward_t129 - t84;
+    const lane t90 = -forward_t132 - t86;
+    const lane t91 = -forward_t135 - t88;
+    const lane t92 = forward_t140 + forward_t141 + forward_t142;
+    const lane t93 = -mu_1 - t81;
+    const lane t94 = -D_p_x_2*k_C + forward_t143 + forward_t145;
+    const lane t95 = -D_p_y_2*k_C + forward_t146 + forward_t148;
+    const lane t96 = -D_p_z_2*k_C + forward_t149 + forward_t151;
+    const lane t97 = -forward_t144 - t94;
+    const lane t98 = -forward_t147 - t95;
+    const lane t99 = -forward_t150 - t96;
+    const lane t100 = forward_t155 + forward_t156 + forward_t157;
+    const lane t101 = mu_1 + mu_2;
+    const lane t102 = k_C - t101;
+    const lane t103 = D_p_x_3*k_C - forward_t161;
+    const lane t104 = D_p_y_3*k_C - forward_t163;
+    const lane t105 = D_p_z_3*k_C - forward_t165;
+    const lane t106 = -forward_t160 - forward_t162 - forward_t164;
+    const lane t107 = -forward_t166 - forward_t167 - forward_t168;
+    const lane t108 = -forward_t169 - forward_t170 - forward_t171;
+    const lane t109 = -t101 - t81;
+    const lane t110 = -mu_3 - t101;
+    const lane t111 = -forward_t176 - forward_t177 - forward_t178;
+    const lane t112 = -forward_t179 - forward_t180 - forward_t181;
+    const lane t113 = -forward_t182 - forward_t183 - forward_t184;
+    for (int path = 0; path < count; path++) {
+        lane direction[LANES_GRADIENT], motion_rate[LANES_DIRECTIONS * LANES_ALL];
+        lane mass_rate[LANES_ALL * LANES_ALL], stiffness_rate[LANES_ALL * LANES_ALL];
+        lanes_direction(paths, path, direction);
+        const lane along_1 = direction[0];
+        const lane along_2 = direction[1];
+        const lane along_3 = direction[2];
+        const lane along_4 = direction[3];
+        const lane along_5 = direction[4];
+        const lane along_6 = direction[5];
+        const lane along_7 = direction[6];
+        const lane along_8 = direction[7];
+        const lane along_9 = direction[8];
+        const lane along_10 = direction[9];
+        const lane along_11 = direction[10];
+        const lane along_12 = direction[11];
+        const lane along_13 = direction[12];
+        const lane along_23 = direction[22];
+        const lane along_24 = direction[23];
+        const lane along_25 = direction[24];
+        const lane along_26 = direction[25];
+        const lane along_27 = direction[26];
+        const lane along_28 = direction[27];
+        const lane along_29 = direction[28];
+        const lane along_30 = direction[29];
+        const lane along_31 = direction[30];
+        const lane along_32 = direction[31];
+        const lane along_33 = direction[32];
+        const lane along_34 = direction[33];
+        const lane along_35 = direction[34];
+        const lane along_36 = direction[35];
+        const lane along_37 = direction[36];
+        const lane along_38 = direction[37];
+        const lane along_39 = direction[38];
+        const lane along_40 = direction[39];
+        const lane along_41 = direction[40];
+        const lane along_42 = direction[41];
+        const lane along_43 = direction[42];
+        const lane along_44 = direction[43];
+        const lane along_45 = direction[44];
+        const lane along_46 = direction[45];
+        const lane along_47 = direction[46];
+        const lane along_48 = direction[47];
+        const lane along_49 = direction[48];
+        const lane along_50 = direction[49];
+        const lane along_51 = direction[50];
+        const lane along_52 = direction[51];
+        const lane along_53 = direction[52];
+        const lane along_54 = direction[53];
+        const lane along_55 = direction[54];
+        const lane along_56 = direction[55];
+        const lane along_57 = direction[56];
+        const lane along_58 = direction[57];
+        const lane along_59 = direction[58];
+        const lane along_60 = direction[59];
+        const lane along_61 = direction[60];
+        const lane along_68 = direction[67];
+        const lane along_69 = direction[68];
+        const lane along_70 = direction[69];
+        const lane along_71 = direction[70];
+        const lane along_72 = direction[71];
+        const lane along_73 = direction[72];
+        const lane along_77 = direction[76];
+        const lane along_78 = direction[77];
+        const lane along_79 = direction[78];
+        const lane along_80 = direction[79];
+        const lane along_81 = direction[80];
+        const lane along_82 = direction[81];
+        const lane along_83 = direction[82];
+        const lane along_84 = direction[83];
+        const lane along_85 = direction[84];
+        const lane along_86 = direction[85];
+        const lane along_87 = direction[86];
+        const lane along_92 = direction[91];
+        const lane along_93 = direction[92];
+        const lane along_94 = direction[93];
+        const lane along_95 = direction[94];
+        const lane tangent_r_1_x = along_23 - along_5 + along_93;
+        const lane tangent_r_1_y = along_24 - along_6 + along_94;
+        const lane tangent_r_1_z = along_25 - along_7 + along_95;
+        const lane tangent_r_2_x = along_26 - along_8 + along_93;
+        const lane tangent_r_2_y = along_27 - along_9 + along_94;
+        const lane tangent_r_2_z = -along_10 + along_28 + along_95;
+        const lane tangent_r_3_x = -along_11 + along_29 + along_93;
+        const lane tangent_r_3_y = -along_12 + along_30 + along_94;
+        const lane tangent_r_3_z = -along_13 + along_31 + along_95;
+        const lane tangent_a_1 = n_1_x*tangent_r_1_x + n_1_y*tangent_r_1_y + n_1_z*tangent_r_1_z;
+        const lane tangent_w_1_x = -n_1_x*tangent_a_1 + tangent_r_1_x;
+        const lane tangent_w_1_y = -n_1_y*tangent_a_1 + tangent_r_1_y;
+        const lane tangent_w_1_z = -n_1_z*tangent_a_1 + tangent_r_1_z;
+        const lane tangent_w2_1 = 2.0*tangent_w_1_x*w_1_x + 2.0*tangent_w_1_y*w_1_y + 2.0*tangent_w_1_z*w_1_z;
+        const lane tangent_forward_0 = along_32*l_d_1*t19 - 1.0/2.0*t19*tangent_w2_1;
+        const lane tangent_x_1 = sigma_1*tangent_forward_0 + tangent_a_1;
+        const lane tangent_a_2 = n_2_x*tangent_r_2_x + n_2_y*tangent_r_2_y + n_2_z*tangent_r_2_z;
+        const lane tangent_w_2_x = -n_2_x*tangent_a_2 + tangent_r_2_x;
+        const lane tangent_w_2_y = -n_2_y*tangent_a_2 + tangent_r_2_y;
+        const lane tangent_w_2_z = -n_2_z*tangent_a_2 + tangent_r_2_z;
+        const lane tangent_w2_2 = 2.0*tangent_w_2_x*w_2_x + 2.0*tangent_w_2_y*w_2_y + 2.0*tangent_w_2_z*w_2_z;
+        const lane tangent_forward_1 = along_33*l_d_2*t20 - 1.0/2.0*t20*tangent_w2_2;
+        const lane tangent_x_2 = sigma_2*tangent_forward_1 + tangent_a_2;
+        const lane tangent_a_3 = n_3_x*tangent_r_3_x + n_3_y*tangent_r_3_y + n_3_z*tangent_r_3_z;
+        const lane tangent_w_3_x = -n_3_x*tangent_a_3 + tangent_r_3_x;
+        const lane tangent_w_3_y = -n_3_y*tangent_a_3 + tangent_r_3_y;
+        const lane tangent_w_3_z = -n_3_z*tangent_a_3 + tangent_r_3_z;
+        const lane tangent_w2_3 = 2.0*tangent_w_3_x*w_3_x + 2.0*tangent_w_3_y*w_3_y + 2.0*tangent_w_3_z*w_3_z;
+        const lane tangent_forward_2 = along_34*l_d_3*t21 - 1.0/2.0*t21*tangent_w2_3;
+        const lane tangent_x_3 = sigma_3*tangent_forward_2 + tangent_a_3;
+        const lane tangent_s_1_x = -n_1_x*tangent_x_1 + tangent_r_1_x;
+        const lane tangent_s_1_y = -n_1_y*tangent_x_1 + tangent_r_1_y;
+        const lane tangent_s_1_z = -n_1_z*tangent_x_1 + tangent_r_1_z;
+        const lane tangent_s_2_x = -n_2_x*tangent_x_2 + tangent_r_2_x;
+        const lane tangent_s_2_y = -n_2_y*tangent_x_2 + tangent_r_2_y;
+        const lane tangent_s_2_z = -n_2_z*tangent_x_2 + tangent_r_2_z;
+        const lane tangent_s_3_x = -n_3_x*tangent_x_3 + tangent_r_3_x;
+        const lane tangent_s_3_y = -n_3_y*tangent_x_3 + tangent_r_3_y;
+        const lane tangent_s_3_z = -n_3_z*tangent_x_3 + tangent_r_3_z;
+        const lane tangent_D_r_1 = n_1_x*tangent_s_1_x + n_1_y*tangent_s_1_y + n_1_z*tangent_s_1_z;
+        const lane tangent_D_r_2 = n_2_x*tangent_s_2_x + n_2_y*tangent_s_2_y + n_2_z*tangent_s_2_z;
+        const lane tangent_D_r_3 = n_3_x*tangent_s_3_x + n_3_y*tangent_s_3_y + n_3_z*tangent_s_3_z;
+        const lane tangent_A_x_1 =
+            s_2_y*tangent_s_3_z - s_2_z*tangent_s_3_y - s_3_y*tangent_s_2_z + s_3_z*tangent_s_2_y;
+        const lane tangent_A_y_1 =
+            -s_2_x*tangent_s_3_z + s_2_z*tangent_s_3_x + s_3_x*tangent_s_2_z - s_3_z*tangent_s_2_x;
+        const lane tangent_A_z_1 =
+            s_2_x*tangent_s_3_y - s_2_y*tangent_s_3_x - s_3_x*tangent_s_2_y + s_3_y*tangent_s_2_x;
+        const lane tangent_A_x_2 =
+            -s_1_y*tangent_s_3_z + s_1_z*tangent_s_3_y + s_3_y*tangent_s_1_z - s_3_z*tangent_s_1_y;
+        const lane tangent_A_y_2 =
+            s_1_x*tangent_s_3_z - s_1_z*tangent_s_3_x - s_3_x*tangent_s_1_z + s_3_z*tangent_s_1_x;
+        const lane tangent_A_z_2 =
+            -s_1_x*tangent_s_3_y + s_1_y*tangent_s_3_x + s_3_x*tangent_s_1_y - s_3_y*tangent_s_1_x;
+        const lane tangent_A_x_3 =
+            s_1_y*tangent_s_2_z - s_1_z*tangent_s_2_y - s_2_y*tangent_s_1_z + s_2_z*tangent_s_1_y;
+        const lane tangent_A_y_3 =
+            -s_1_x*tangent_s_2_z + s_1_z*tangent_s_2_x + s_2_x*tangent_s_1_z - s_2_z*tangent_s_1_x;
+        const lane tangent_A_z_3 =
+            s_1_x*tangent_s_2_y - s_1_y*tangent_s_2_x - s_2_x*tangent_s_1_y + s_2_y*tangent_s_1_x;
+        const lane tangent_det_D_l =
+            A_x_1*tangent_s_1_x + A_y_1*tangent_s_1_y + A_z_1*tangent_s_1_z + s_1_x*tangent_A_x_1
+            + s_1_y*tangent_A_y_1 + s_1_z*tangent_A_z_1;
+        const lane tangent_forward_3 = -(forward_3*forward_3)*tangent_det_D_l;
+        const lane t22 = forward_3*tangent_A_x_1;
+        const lane tangent_forward_t2 = A_x_1*tangent_forward_3 + t22;
+        const lane tangent_D_p_x_1 = D_r_1*tangent_forward_t2 + forward_t2*tangent_D_r_1;
+        const lane t23 = forward_3*tangent_A_x_2;
+        const lane tangent_forward_t3 = A_x_2*tangent_forward_3 + t23;
+        const lane tangent_D_p_x_2 = D_r_2*tangent_forward_t3 + forward_t3*tangent_D_r_2;
+        const lane t24 = forward_3*tangent_A_x_3;
+        const lane tangent_forward_t4 = A_x_3*tangent_forward_3 + t24;
+        const lane tangent_D_p_x_3 = D_r_3*tangent_forward_t4 + forward_t4*tangent_D_r_3;
+        const lane tangent_D_delta_x_1 = along_32*forward_t2 + l_d_1*tangent_forward_t2;
+        const lane tangent_D_delta_x_2 = along_33*forward_t3 + l_d_2*tangent_forward_t3;
+        const lane tangent_D_delta_x_3 = along_34*forward_t4 + l_d_3*tangent_forward_t4;
+        const lane t25 = forward_3*tangent_A_y_1;
+        const lane tangent_forward_t5 = A_y_1*tangent_forward_3 + t25;
+        const lane tangent_D_p_y_1 = D_r_1*tangent_forward_t5 + forward_t5*tangent_D_r_1;
+        const lane t26 = forward_3*tangent_A_y_2;
+        const lane tangent_forward_t6 = A_y_2*tangent_forward_3 + t26;
+        const lane tangent_D_p_y_2 = D_r_2*tangent_forward_t6 + forward_t6*tangent_D_r_2;
+        const lane t27 = forward_3*tangent_A_y_3;
+        const lane tangent_forward_t7 = A_y_3*tangent_forward_3 + t27;
+        const lane tangent_D_p_y_3 = D_r_3*tangent_forward_t7 + forward_t7*tangent_D_r_3;
+        const lane tangent_D_delta_y_1 = along_32*forward_t5 + l_d_1*tangent_forward_t5;
+        const lane tangent_D_delta_y_2 = along_33*forward_t6 + l_d_2*tangent_forward_t6;
+        const lane tangent_D_delta_y_3 = along_34*forward_t7 + l_d_3*tangent_forward_t7;
+        const lane t28 = forward_3*tangent_A_z_1;
+        const lane tangent_forward_t8 = A_z_1*tangent_forward_3 + t28;
+        const lane tangent_D_p_z_1 = D_r_1*tangent_forward_t8 + forward_t8*tangent_D_r_1;
+        const lane t29 = forward_3*tangent_A_z_2;
+        const lane tangent_forward_t9 = A_z_2*tangent_forward_3 + t29;
+        const lane tangent_D_p_z_2 = D_r_2*tangent_forward_t9 + forward_t9*tangent_D_r_2;
+        const lane t30 = forward_3*tangent_A_z_3;
+        const lane tangent_forward_t10 = A_z_3*tangent_forward_3 + t30;
+        const lane tangent_D_p_z_3 = D_r_3*tangent_forward_t10 + forward_t10*tangent_D_r_3;
+        const lane tangent_D_delta_z_1 = along_32*forward_t8 + l_d_1*tangent_forward_t8;
+        const lane tangent_D_delta_z_2 = along_33*forward_t9 + l_d_2*tangent_forward_t9;
+        const lane tangent_D_delta_z_3 = along_34*forward_t10 + l_d_3*tangent_forward_t10;
+        const lane tangent_forward_t11 = 2.0*I_m_1*along_59*i_g_1 + along_56*(i_g_1*i_g_1);
+        const lane tangent_forward_t12 = along_85 + tangent_forward_t11;
+        const lane tangent_I_1_1 = along_53 + d_1_1*tangent_forward_t12;
+        const lane tangent_I_1_2 = along_53 + d_1_2*tangent_forward_t12;
+        const lane tangent_forward_t13 = 2.0*I_m_2*along_60*i_g_2 + along_57*(i_g_2*i_g_2);
+        const lane tangent_forward_t14 = along_85 + tangent_forward_t13;
+        const lane tangent_I_2_1 = along_54 + d_2_1*tangent_forward_t14;
+        const lane tangent_I_2_2 = along_54 + d_2_2*tangent_forward_t14;
+        const lane tangent_forward_t15 = 2.0*I_m_3*along_61*i_g_3 + along_58*(i_g_3*i_g_3);
+        const lane tangent_forward_t16 = along_85 + tangent_forward_t15;
+        const lane tangent_I_3_1 = along_55 + d_3_1*tangent_forward_t16;
+        const lane tangent_I_3_2 = along_55 + d_3_2*tangent_forward_t16;
+        const lane tangent_l_f_1_1 = -along_68 + along_69;
+        const lane tangent_forward_t17 = F_T*along_82 + along_83*c_T;
+        const lane tangent_forward_t18 = along_80*forward_t17 + c_E*tangent_forward_t17;
+        const lane tangent_forward_t19 = along_44*t2 + along_47*k_sp_1*t1 + along_77*k_sp_1*w_b_1;
+        const lane tangent_forward_t20 = forward_t18*tangent_forward_t19 + forward_t19*tangent_forward_t18;
+        const lane tangent_forward_t21 = forward_t17*tangent_forward_t19 + forward_t19*tangent_forward_t17;
+        const lane tangent_forward_4 = -t31*tangent_forward_t20 - t31*tangent_l_f_1_1;
+        const lane tangent_k_1_1 = forward_4*tangent_forward_t21 + forward_t21*tangent_forward_4;
+        const lane tangent_forward_t22 = (1.0/2.0)*along_41;
+        const lane tangent_l_f_1_2 = -along_68 - tangent_forward_t22 + tangent_x_1;
+        const lane tangent_forward_5 = -t32*tangent_forward_t20 - t32*tangent_l_f_1_2;
+        const lane tangent_k_1_2 = forward_5*tangent_forward_t21 + forward_t21*tangent_forward_5;
+        const lane tangent_l_f_1_3 = along_69 - tangent_forward_t22 - tangent_x_1;
+        const lane tangent_forward_6 = -t33*tangent_forward_t20 - t33*tangent_l_f_1_3;
+        const lane tangent_k_1_3 = forward_6*tangent_forward_t21 + forward_t21*tangent_forward_6;
+        const lane tangent_l_f_2_1 = -along_70 + along_71;
+        const lane tangent_forward_t23 = along_45*t7 + along_48*k_sp_2*t6 + along_78*k_sp_2*w_b_2;
+        const lane tangent_forward_t24 = forward_t18*tangent_forward_t23 + forward_t23*tangent_forward_t18;
+        const lane tangent_forward_t25 = forward_t17*tangent_forward_t23 + forward_t23*tangent_forward_t17;
+        const lane tangent_forward_7 = -t34*tangent_forward_t24 - t34*tangent_l_f_2_1;
+        const lane tangent_k_2_1 = forward_7*tangent_forward_t25 + forward_t25*tangent_forward_7;
+        const lane tangent_forward_t26 = (1.0/2.0)*along_42;
+        const lane tangent_l_f_2_2 = -along_70 - tangent_forward_t26 + tangent_x_2;
+        const lane tangent_forward_8 = -t35*tangent_forward_t24 - t35*tangent_l_f_2_2;
+        const lane tangent_k_2_2 = forward_8*tangent_forward_t25 + forward_t25*tangent_forward_8;
+        const lane tangent_l_f_2_3 = along_71 - tangent_forward_t26 - tangent_x_2;
+        const lane tangent_forward_9 = -t36*tangent_forward_t24 - t36*tangent_l_f_2_3;
+        const lane tangent_k_2_3 = forward_9*tangent_forward_t25 + forward_t25*tangent_forward_9;
+        const lane tangent_l_f_3_1 = -along_72 + along_73;
+        const lane tangent_forward_t27 = along_46*t12 + along_49*k_sp_3*t11 + along_79*k_sp_3*w_b_3;
+        const lane tangent_forward_t28 = forward_t18*tangent_forward_t27 + forward_t27*tangent_forward_t18;
+        const lane tangent_forward_t29 = forward_t17*tangent_forward_t27 + forward_t27*tangent_forward_t17;
+        const lane tangent_forward_10 = -t37*tangent_forward_t28 - t37*tangent_l_f_3_1;
+        const lane tangent_k_3_1 = forward_10*tangent_forward_t29 + forward_t29*tangent_forward_10;
+        const lane tangent_forward_t30 = (1.0/2.0)*along_43;
+        const lane tangent_l_f_3_2 = -along_72 - tangent_forward_t30 + tangent_x_3;
+        const lane tangent_forward_11 = -t38*tangent_forward_t28 - t38*tangent_l_f_3_2;
+        const lane tangent_k_3_2 = forward_11*tangent_forward_t29 + forward_t29*tangent_forward_11;
+        const lane tangent_l_f_3_3 = along_73 - tangent_forward_t30 - tangent_x_3;
+        const lane tangent_forward_12 = -t39*tangent_forward_t28 - t39*tangent_l_f_3_3;
+        const lane tangent_k_3_3 = forward_12*tangent_forward_t29 + forward_t29*tangent_forward_12;
+        const lane tangent_forward_t31 = (1.0/2.0)*along_35;
+        const lane tangent_forward_t32 = (1.0/2.0)*along_36;
+        const lane tangent_forward_t33 = (1.0/2.0)*along_37;
+        const lane tangent_forward_t34 = along_1 + along_86;
+        const lane tangent_forward_t35 =
+            tangent_forward_t31 + tangent_forward_t32 + tangent_forward_t33 + tangent_forward_t34;
+        const lane tangent_forward_t36 = along_2*forward_t35 + g_x*tangent_forward_t35;
+        const lane tangent_forward_t37 = along_3*forward_t35 + g_y*tangent_forward_t35;
+        const lane tangent_forward_t38 = along_4*forward_t35 + g_z*tangent_forward_t35;
+        const lane tangent_mu_1 =
+            -forward_t2*tangent_forward_t36 - forward_t36*t22 - forward_t37*t25 - forward_t38*t28
+            - forward_t5*tangent_forward_t37 - forward_t8*tangent_forward_t38 + t16*tangent_forward_3;
+        const lane tangent_mu_2 =
+            -forward_t3*tangent_forward_t36 - forward_t36*t23 - forward_t37*t26 - forward_t38*t29
+            - forward_t6*tangent_forward_t37 - forward_t9*tangent_forward_t38 + t17*tangent_forward_3;
+        const lane tangent_mu_3 =
+            -forward_t10*tangent_forward_t38 - forward_t36*t24 - forward_t37*t27 - forward_t38*t30
+            - forward_t4*tangent_forward_t36 - forward_t7*tangent_forward_t37 + t18*tangent_forward_3;
+        const lane tangent_forward_t39 = (1.0/3.0)*along_35;
+        const lane tangent_forward_t40 = (1.0/6.0)*along_35;
+        const lane tangent_forward_t41 = n_1_x*tangent_forward_t40;
+        const lane tangent_forward_t42 = (1.0/3.0)*along_36;
+        const lane tangent_forward_t43 = (1.0/3.0)*along_37;
+        const lane tangent_forward_t44 =
+            tangent_forward_t34 + tangent_forward_t39 + tangent_forward_t42 + tangent_forward_t43;
+        const lane tangent_forward_t45 = D_p_x_1*tangent_forward_t44 + forward_t44*tangent_D_p_x_1;
+        const lane tangent_forward_t46 = tangent_forward_t41 + tangent_forward_t45;
+        const lane tangent_forward_t47 = n_1_y*tangent_forward_t40;
+        const lane tangent_forward_t48 = D_p_y_1*tangent_forward_t44 + forward_t44*tangent_D_p_y_1;
+        const lane tangent_forward_t49 = tangent_forward_t47 + tangent_forward_t48;
+        const lane tangent_forward_t50 = n_1_z*tangent_forward_t40;
+        const lane tangent_forward_t51 = D_p_z_1*tangent_forward_t44 + forward_t44*tangent_D_p_z_1;
+        const lane tangent_forward_t52 = tangent_forward_t50 + tangent_forward_t51;
+        const lane tangent_forward_t53 = (1.0/3.0)*along_81;
+        const lane tangent_forward_t54 = forward_t53*tangent_l_f_1_2 + l_f_1_2*tangent_forward_t53;
+        const lane tangent_forward_t55 = forward_t53*tangent_l_f_1_3 + l_f_1_3*tangent_forward_t53;
+        const lane tangent_forward_t56 = tangent_forward_t54 + tangent_forward_t55;
+        const lane tangent_forward_t57 = (1.0/6.0)*along_36;
+        const lane tangent_forward_t58 = n_2_x*tangent_forward_t57;
+        const lane tangent_forward_t59 = n_2_y*tangent_forward_t57;
+        const lane tangent_forward_t60 = n_2_z*tangent_forward_t57;
+        const lane tangent_forward_t61 = (1.0/6.0)*along_37;
+        const lane tangent_forward_t62 = n_3_x*tangent_forward_t61;
+        const lane tangent_forward_t63 = n_3_y*tangent_forward_t61;
+        const lane tangent_forward_t64 = n_3_z*tangent_forward_t61;
+        const lane tangent_forward_t65 = (1.0/6.0)*along_81;
+        const lane tangent_forward_t66 = R_p_1*tangent_forward_t65 + along_50*forward_t65;
+        const lane tangent_forward_t67 = forward_t66*tangent_l_f_1_3 + l_f_1_3*tangent_forward_t66;
+        const lane tangent_forward_t68 = forward_t66*tangent_l_f_1_2 + l_f_1_2*tangent_forward_t66;
+        const lane tangent_forward_t69 = tangent_forward_t40 + tangent_forward_t57 + tangent_forward_t61;
+        const lane tangent_forward_t70 = D_p_x_2*tangent_forward_t44 + forward_t44*tangent_D_p_x_2;
+        const lane tangent_forward_t71 = tangent_forward_t58 + tangent_forward_t70;
+        const lane tangent_forward_t72 = D_p_y_2*tangent_forward_t44 + forward_t44*tangent_D_p_y_2;
+        const lane tangent_forward_t73 = tangent_forward_t59 + tangent_forward_t72;
+        const lane tangent_forward_t74 = D_p_z_2*tangent_forward_t44 + forward_t44*tangent_D_p_z_2;
+        const lane tangent_forward_t75 = tangent_forward_t60 + tangent_forward_t74;
+        const lane tangent_forward_t76 = forward_t53*tangent_l_f_2_2 + l_f_2_2*tangent_forward_t53;
+        const lane tangent_forward_t77 = forward_t53*tangent_l_f_2_3 + l_f_2_3*tangent_forward_t53;
+        const lane tangent_forward_t78 = tangent_forward_t76 + tangent_forward_t77;
+        const lane tangent_forward_t79 = R_p_2*tangent_forward_t65 + along_51*forward_t65;
+        const lane tangent_forward_t80 = forward_t79*tangent_l_f_2_3 + l_f_2_3*tangent_forward_t79;
+        const lane tangent_forward_t81 = forward_t79*tangent_l_f_2_2 + l_f_2_2*tangent_forward_t79;
+        const lane tangent_forward_t82 = D_p_x_3*tangent_forward_t44 + forward_t44*tangent_D_p_x_3;
+        const lane tangent_forward_t83 = tangent_forward_t62 + tangent_forward_t82;
+        const lane tangent_forward_t84 = D_p_y_3*tangent_forward_t44 + forward_t44*tangent_D_p_y_3;
+        const lane tangent_forward_t85 = tangent_forward_t63 + tangent_forward_t84;
+        const lane tangent_forward_t86 = D_p_z_3*tangent_forward_t44 + forward_t44*tangent_D_p_z_3;
+        const lane tangent_forward_t87 = tangent_forward_t64 + tangent_forward_t86;
+        const lane tangent_forward_t88 = forward_t53*tangent_l_f_3_2 + l_f_3_2*tangent_forward_t53;
+        const lane tangent_forward_t89 = forward_t53*tangent_l_f_3_3 + l_f_3_3*tangent_forward_t53;
+        const lane tangent_forward_t90 = tangent_forward_t88 + tangent_forward_t89;
+        const lane tangent_forward_t91 = R_p_3*tangent_forward_t65 + along_52*forward_t65;
+        const lane tangent_forward_t92 = forward_t91*tangent_l_f_3_3 + l_f_3_3*tangent_forward_t91;
+        const lane tangent_forward_t93 = forward_t91*tangent_l_f_3_2 + l_f_3_2*tangent_forward_t91;
+        const lane tangent_forward_t94 = 2.0*R_p_1*along_50;
+        const lane tangent_forward_t95 = forward_t94*tangent_l_f_1_1 + l_f_1_1*tangent_forward_t94;
+        const lane tangent_forward_t96 = forward_t53*tangent_forward_t95 + forward_t95*tangent_forward_t53;
+        const lane tangent_forward_t97 = d_1_1*tangent_forward_t11;
+        const lane tangent_forward_t98 = 2.0*R_p_2*along_51;
+        const lane tangent_forward_t99 = forward_t98*tangent_l_f_2_1 + l_f_2_1*tangent_forward_t98;
+        const lane tangent_forward_t100 = forward_t53*tangent_forward_t99 + forward_t99*tangent_forward_t53;
+        const lane tangent_forward_t101 = d_2_1*tangent_forward_t13;
+        const lane tangent_forward_t102 = 2.0*R_p_3*along_52;
+        const lane tangent_forward_t103 = forward_t102*tangent_l_f_3_1 + l_f_3_1*tangent_forward_t102;
+        const lane tangent_forward_t104 = forward_t103*tangent_forward_t53 + forward_t53*tangent_forward_t103;
+        const lane tangent_forward_t105 = d_3_1*tangent_forward_t15;
+        const lane tangent_forward_t106 = d_1_2*tangent_forward_t11;
+        const lane tangent_forward_t107 = d_2_2*tangent_forward_t13;
+        const lane tangent_forward_t108 = d_3_2*tangent_forward_t15;
+        const lane tangent_forward_t109 = 2.0*D_delta_x_1*tangent_D_delta_x_1;
+        const lane tangent_forward_t110 = 2.0*D_delta_y_1*tangent_D_delta_y_1;
+        const lane tangent_forward_t111 = 2.0*D_delta_z_1*tangent_D_delta_z_1;
+        const lane tangent_forward_t112 = D_delta_x_1*tangent_forward_t44 + forward_t44*tangent_D_delta_x_1;
+        const lane tangent_forward_t113 = D_delta_y_1*tangent_forward_t44 + forward_t44*tangent_D_delta_y_1;
+        const lane tangent_forward_t114 = D_delta_z_1*tangent_forward_t44 + forward_t44*tangent_D_delta_z_1;
+        const lane tangent_forward_t115 = 2.0*D_delta_x_2*tangent_D_delta_x_2;
+        const lane tangent_forward_t116 = 2.0*D_delta_y_2*tangent_D_delta_y_2;
+        const lane tangent_forward_t117 = 2.0*D_delta_z_2*tangent_D_delta_z_2;
+        const lane tangent_forward_t118 = D_delta_x_2*tangent_forward_t44 + forward_t44*tangent_D_delta_x_2;
+        const lane tangent_forward_t119 = D_delta_y_2*tangent_forward_t44 + forward_t44*tangent_D_delta_y_2;
+        const lane tangent_forward_t120 = D_delta_z_2*tangent_forward_t44 + forward_t44*tangent_D_delta_z_2;
+        const lane tangent_forward_t121 = 2.0*D_delta_x_3*tangent_D_delta_x_3;
+        const lane tangent_forward_t122 = 2.0*D_delta_y_3*tangent_D_delta_y_3;
+        const lane tangent_forward_t123 = 2.0*D_delta_z_3*tangent_D_delta_z_3;
+        const lane tangent_forward_t124 =
+            along_35 + along_36 + along_37 + along_38 + along_39 + along_40 + along_92 + tangent_forward_t34;
+        const lane t40 = 2.0*tangent_D_p_x_1;
+        const lane tangent_forward_t125 = D_p_x_1*t40;
+        const lane t41 = 2.0*tangent_D_p_y_1;
+        const lane tangent_forward_t126 = D_p_y_1*t41;
+        const lane t42 = 2.0*tangent_D_p_z_1;
+        const lane tangent_forward_t127 = D_p_z_1*t42;
+        const lane tangent_forward_t128 = D_p_x_1*tangent_mu_3 + mu_3*tangent_D_p_x_1;
+        const lane tangent_forward_t129 = D_p_x_1*tangent_mu_2 + mu_2*tangent_D_p_x_1;
+        const lane tangent_forward_t130 = U_1_x_1*tangent_mu_1 + mu_1*tangent_D_p_x_1;
+        const lane tangent_forward_t131 = D_p_y_1*tangent_mu_3 + mu_3*tangent_D_p_y_1;
+        const lane tangent_forward_t132 = D_p_y_1*tangent_mu_2 + mu_2*tangent_D_p_y_1;
+        const lane tangent_forward_t133 = U_1_y_1*tangent_mu_1 + mu_1*tangent_D_p_y_1;
+        const lane tangent_forward_t134 = D_p_z_1*tangent_mu_3 + mu_3*tangent_D_p_z_1;
+        const lane tangent_forward_t135 = D_p_z_1*tangent_mu_2 + mu_2*tangent_D_p_z_1;
+        const lane tangent_forward_t136 = U_1_z_1*tangent_mu_1 + mu_1*tangent_D_p_z_1;
+        const lane tangent_forward_t137 = -R_p_1*tangent_k_1_3 - along_50*k_1_3;
+        const lane tangent_forward_t138 = -R_p_1*tangent_k_1_2 - along_50*k_1_2;
+        const lane tangent_forward_t139 = tangent_k_1_2 + tangent_k_1_3;
+        const lane t43 = 2.0*tangent_D_p_x_2;
+        const lane tangent_forward_t140 = D_p_x_2*t43;
+        const lane t44 = 2.0*tangent_D_p_y_2;
+        const lane tangent_forward_t141 = D_p_y_2*t44;
+        const lane t45 = 2.0*tangent_D_p_z_2;
+        const lane tangent_forward_t142 = D_p_z_2*t45;
+        const lane tangent_forward_t143 = D_p_x_2*tangent_mu_1 + mu_1*tangent_D_p_x_2;
+        const lane tangent_forward_t144 = D_p_x_2*tangent_mu_3 + mu_3*tangent_D_p_x_2;
+        const lane tangent_forward_t145 = U_2_x_2*tangent_mu_2 + mu_2*tangent_D_p_x_2;
+        const lane tangent_forward_t146 = D_p_y_2*tangent_mu_1 + mu_1*tangent_D_p_y_2;
+        const lane tangent_forward_t147 = D_p_y_2*tangent_mu_3 + mu_3*tangent_D_p_y_2;
+        const lane tangent_forward_t148 = U_2_y_2*tangent_mu_2 + mu_2*tangent_D_p_y_2;
+        const lane tangent_forward_t149 = D_p_z_2*tangent_mu_1 + mu_1*tangent_D_p_z_2;
+        const lane tangent_forward_t150 = D_p_z_2*tangent_mu_3 + mu_3*tangent_D_p_z_2;
+        const lane tangent_forward_t151 = U_2_z_2*tangent_mu_2 + mu_2*tangent_D_p_z_2;
+        const lane tangent_forward_t152 = -R_p_2*tangent_k_2_3 - along_51*k_2_3;
+        const lane tangent_forward_t153 = -R_p_2*tangent_k_2_2 - along_51*k_2_2;
+        const lane tangent_forward_t154 = tangent_k_2_2 + tangent_k_2_3;
+        const lane t46 = 2.0*tangent_D_p_x_3;
+        const lane tangent_forward_t155 = D_p_x_3*t46;
+        const lane t47 = 2.0*tangent_D_p_y_3;
+        const lane tangent_forward_t156 = D_p_y_3*t47;
+        const lane t48 = 2.0*tangent_D_p_z_3;
+        const lane tangent_forward_t157 = D_p_z_3*t48;
+        const lane tangent_forward_t158 = -R_p_3*tangent_k_3_3 - along_52*k_3_3;
+        const lane tangent_forward_t159 = -R_p_3*tangent_k_3_2 - along_52*k_3_2;
+        const lane t49 = D_delta_x_1*tangent_D_p_x_3;
+        const lane tangent_forward_t160 = D_p_x_3*tangent_D_delta_x_1 + t49;
+        const lane tangent_forward_t161 = U_3_x_3*tangent_mu_3 + mu_3*tangent_D_p_x_3;
+        const lane t50 = D_delta_y_1*tangent_D_p_y_3;
+        const lane tangent_forward_t162 = D_p_y_3*tangent_D_delta_y_1 + t50;
+        const lane tangent_forward_t163 = U_3_y_3*tangent_mu_3 + mu_3*tangent_D_p_y_3;
+        const lane t51 = D_delta_z_1*tangent_D_p_z_3;
+        const lane tangent_forward_t164 = D_p_z_3*tangent_D_delta_z_1 + t51;
+        const lane tangent_forward_t165 = U_3_z_3*tangent_mu_3 + mu_3*tangent_D_p_z_3;
+        const lane t52 = D_delta_x_2*tangent_D_p_x_3;
+        const lane tangent_forward_t166 = D_p_x_3*tangent_D_delta_x_2 + t52;
+        const lane t53 = D_delta_y_2*tangent_D_p_y_3;
+        const lane tangent_forward_t167 = D_p_y_3*tangent_D_delta_y_2 + t53;
+        const lane t54 = D_delta_z_2*tangent_D_p_z_3;
+        const lane tangent_forward_t168 = D_p_z_3*tangent_D_delta_z_2 + t54;
+        const lane t55 = D_delta_x_3*tangent_D_p_x_3;
+        const lane tangent_forward_t169 = D_p_x_3*tangent_D_delta_x_3 + t55;
+        const lane t56 = D_delta_y_3*tangent_D_p_y_3;
+        const lane tangent_forward_t170 = D_p_y_3*tangent_D_delta_y_3 + t56;
+        const lane t57 = D_delta_z_3*tangent_D_p_z_3;
+        const lane tangent_forward_t171 = D_p_z_3*tangent_D_delta_z_3 + t57;
+        const lane tangent_forward_t172 = tangent_k_3_2 + tangent_k_3_3;
+        const lane tangent_forward_t173 = forward_t94*tangent_k_1_1 + k_1_1*tangent_forward_t94;
+        const lane tangent_forward_t174 = forward_t98*tangent_k_2_1 + k_2_1*tangent_forward_t98;
+        const lane tangent_forward_t175 = forward_t102*tangent_k_3_1 + k_3_1*tangent_forward_t102;
+        const lane t58 = D_delta_x_1*tangent_D_delta_x_2;
+        const lane t59 = D_delta_x_2*tangent_D_delta_x_1;
+        const lane tangent_forward_t176 = t58 + t59;
+        const lane t60 = D_delta_y_1*tangent_D_delta_y_2;
+        const lane t61 = D_delta_y_2*tangent_D_delta_y_1;
+        const lane tangent_forward_t177 = t60 + t61;
+        const lane t62 = D_delta_z_1*tangent_D_delta_z_2;
+        const lane t63 = D_delta_z_2*tangent_D_delta_z_1;
+        const lane tangent_forward_t178 = t62 + t63;
+        const lane t64 = D_delta_x_1*tangent_D_delta_x_3;
+        const lane t65 = D_delta_x_3*tangent_D_delta_x_1;
+        const lane tangent_forward_t179 = t64 + t65;
+        const lane t66 = D_delta_y_1*tangent_D_delta_y_3;
+        const lane t67 = D_delta_y_3*tangent_D_delta_y_1;
+        const lane tangent_forward_t180 = t66 + t67;
+        const lane t68 = D_delta_z_1*tangent_D_delta_z_3;
+        const lane t69 = D_delta_z_3*tangent_D_delta_z_1;
+        const lane tangent_forward_t181 = t68 + t69;
+        const lane t70 = D_delta_x_2*tangent_D_delta_x_3;
+        const lane t71 = D_delta_x_3*tangent_D_delta_x_2;
+        const lane tangent_forward_t182 = t70 + t71;
+        const lane t72 = D_delta_y_2*tangent_D_delta_y_3;
+        const lane t73 = D_delta_y_3*tangent_D_delta_y_2;
+        const lane tangent_forward_t183 = t72 + t73;
+        const lane t74 = D_delta_z_2*tangent_D_delta_z_3;
+        const lane t75 = D_delta_z_3*tangent_D_delta_z_2;
+        const lane tangent_forward_t184 = t74 + t75;
+        lanes_clear(mass_rate, 441);
+        mass_rate[0] =
+            LANES(D_p_x_1*tangent_forward_t41 + D_p_x_1*tangent_forward_t46 + D_p_y_1*tangent_forward_t47
+            + D_p_y_1*tangent_forward_t49 + D_p_z_1*tangent_forward_t50 + D_p_z_1*tangent_forward_t52
+            + along_38 + tangent_D_p_x_1*(forward_t41 + forward_t46) + tangent_D_p_y_1*(forward_t47
+            + forward_t49) + tangent_D_p_z_1*(forward_t50 + forward_t52) + tangent_forward_t39
+            + tangent_forward_t56);
+        mass_rate[1] = mass_rate[21] =
+            LANES(D_p_x_1*tangent_forward_t58 + D_p_x_2*tangent_forward_t46 + D_p_y_1*tangent_forward_t59
+            + D_p_y_2*tangent_forward_t49 + D_p_z_1*tangent_forward_t60 + D_p_z_2*tangent_forward_t52
+            + forward_t46*tangent_D_p_x_2 + forward_t49*tangent_D_p_y_2 + forward_t52*tangent_D_p_z_2
+            + forward_t58*tangent_D_p_x_1 + forward_t59*tangent_D_p_y_1 + forward_t60*tangent_D_p_z_1);
+        mass_rate[2] = mass_rate[42] =
+            LANES(D_p_x_1*tangent_forward_t62 + D_p_x_3*tangent_forward_t46 + D_p_y_1*tangent_forward_t63
+            + D_p_y_3*tangent_forward_t49 + D_p_z_1*tangent_forward_t64 + D_p_z_3*tangent_forward_t52
+            + forward_t46*tangent_D_p_x_3 + forward_t49*tangent_D_p_y_3 + forward_t52*tangent_D_p_z_3
+            + forward_t62*tangent_D_p_x_1 + forward_t63*tangent_D_p_y_1 + forward_t64*tangent_D_p_z_1);
+        mass_rate[3] = mass_rate[63] = LANES(tangent_forward_t67);
+        mass_rate[6] = mass_rate[126] = LANES(tangent_forward_t68);
+        mass_rate[12] = mass_rate[252] =
+            LANES(D_delta_x_1*tangent_forward_t46 + D_delta_y_1*tangent_forward_t49
+            + D_delta_z_1*tangent_forward_t52 + forward_t46*tangent_D_delta_x_1
+            + forward_t49*tangent_D_delta_y_1 + forward_t52*tangent_D_delta_z_1);
+        mass_rate[13] = mass_rate[273] =
+            LANES(D_delta_x_2*tangent_forward_t46 + D_delta_y_2*tangent_forward_t49
+            + D_delta_z_2*tangent_forward_t52 + forward_t46*tangent_D_delta_x_2
+            + forward_t49*tangent_D_delta_y_2 + forward_t52*tangent_D_delta_z_2);
+        mass_rate[14] = mass_rate[294] =
+            LANES(D_delta_x_3*tangent_forward_t46 + D_delta_y_3*tangent_forward_t49
+            + D_delta_z_3*tangent_forward_t52 + forward_t46*tangent_D_delta_x_3
+            + forward_t49*tangent_D_delta_y_3 + forward_t52*tangent_D_delta_z_3);
+        mass_rate[15] = mass_rate[315] = LANES(tangent_forward_t56);
+        mass_rate[18] = mass_rate[378] =
+            LANES(D_p_x_1*tangent_forward_t69 + along_38*n_1_x + forward_t69*tangent_D_p_x_1
+            + n_1_x*tangent_forward_t31 + tangent_forward_t45);
+        mass_rate[19] = mass_rate[399] =
+            LANES(D_p_y_1*tangent_forward_t69 + along_38*n_1_y + forward_t69*tangent_D_p_y_1
+            + n_1_y*tangent_forward_t31 + tangent_forward_t48);
+        mass_rate[20] = mass_rate[420] =
+            LANES(D_p_z_1*tangent_forward_t69 + along_38*n_1_z + forward_t69*tangent_D_p_z_1
+            + n_1_z*tangent_forward_t31 + tangent_forward_t51);
+        mass_rate[22] =
+            LANES(D_p_x_2*tangent_forward_t58 + D_p_x_2*tangent_forward_t71 + D_p_y_2*tangent_forward_t59
+            + D_p_y_2*tangent_forward_t73 + D_p_z_2*tangent_forward_t60 + D_p_z_2*tangent_forward_t75
+            + along_39 + tangent_D_p_x_2*(forward_t58 + forward_t71) + tangent_D_p_y_2*(forward_t59
+            + forward_t73) + tangent_D_p_z_2*(forward_t60 + forward_t75) + tangent_forward_t42
+            + tangent_forward_t78);
+        mass_rate[23] = mass_rate[43] =
+            LANES(D_p_x_2*tangent_forward_t62 + D_p_x_3*tangent_forward_t71 + D_p_y_2*tangent_forward_t63
+            + D_p_y_3*tangent_forward_t73 + D_p_z_2*tangent_forward_t64 + D_p_z_3*tangent_forward_t75
+            + forward_t62*tangent_D_p_x_2 + forward_t63*tangent_D_p_y_2 + forward_t64*tangent_D_p_z_2
+            + forward_t71*tangent_D_p_x_3 + forward_t73*tangent_D_p_y_3 + forward_t75*tangent_D_p_z_3);
+        mass_rate[25] = mass_rate[85] = LANES(tangent_forward_t80);
+        mass_rate[28] = mass_rate[148] = LANES(tangent_forward_t81);
+        mass_rate[33] = mass_rate[253] =
+            LANES(D_delta_x_1*tangent_forward_t71 + D_delta_y_1*tangent_forward_t73
+            + D_delta_z_1*tangent_forward_t75 + forward_t71*tangent_D_delta_x_1
+            + forward_t73*tangent_D_delta_y_1 + forward_t75*tangent_D_delta_z_1);
+        mass_rate[34] = mass_rate[274] =
+            LANES(D_delta_x_2*tangent_forward_t71 + D_delta_y_2*tangent_forward_t73
+            + D_delta_z_2*tangent_forward_t75 + forward_t71*tangent_D_delta_x_2
+            + forward_t73*tangent_D_delta_y_2 + forward_t75*tangent_D_delta_z_2);
+        mass_rate[35] = mass_rate[295] =
+            LANES(D_delta_x_3*tangent_forward_t71 + D_delta_y_3*tangent_forward_t73
+            + D_delta_z_3*tangent_forward_t75 + forward_t71*tangent_D_delta_x_3
+            + forward_t73*tangent_D_delta_y_3 + forward_t75*tangent_D_delta_z_3);
+        mass_rate[37] = mass_rate[337] = LANES(tangent_forward_t78);
+        mass_rate[39] = mass_rate[379] =
+            LANES(D_p_x_2*tangent_forward_t69 + along_39*n_2_x + forward_t69*tangent_D_p_x_2
+            + n_2_x*tangent_forward_t32 + tangent_forward_t70);
+        mass_rate[40] = mass_rate[400] =
+            LANES(D_p_y_2*tangent_forward_t69 + along_39*n_2_y + forward_t69*tangent_D_p_y_2
+            + n_2_y*tangent_forward_t32 + tangent_forward_t72);
+        mass_rate[41] = mass_rate[421] =
+            LANES(D_p_z_2*tangent_forward_t69 + along_39*n_2_z + forward_t69*tangent_D_p_z_2
+            + n_2_z*tangent_forward_t32 + tangent_forward_t74);
+        mass_rate[44] =
+            LANES(D_p_x_3*tangent_forward_t62 + D_p_x_3*tangent_forward_t83 + D_p_y_3*tangent_forward_t63
+            + D_p_y_3*tangent_forward_t85 + D_p_z_3*tangent_forward_t64 + D_p_z_3*tangent_forward_t87
+            + along_40 + tangent_D_p_x_3*(forward_t62 + forward_t83) + tangent_D_p_y_3*(forward_t63
+            + forward_t85) + tangent_D_p_z_3*(forward_t64 + forward_t87) + tangent_forward_t43
+            + tangent_forward_t90);
+        mass_rate[47] = mass_rate[107] = LANES(tangent_forward_t92);
+        mass_rate[50] = mass_rate[170] = LANES(tangent_forward_t93);
+        mass_rate[54] = mass_rate[254] =
+            LANES(D_delta_x_1*tangent_forward_t83 + D_delta_y_1*tangent_forward_t85
+            + D_delta_z_1*tangent_forward_t87 + forward_t83*tangent_D_delta_x_1
+            + forward_t85*tangent_D_delta_y_1 + forward_t87*tangent_D_delta_z_1);
+        mass_rate[55] = mass_rate[275] =
+            LANES(D_delta_x_2*tangent_forward_t83 + D_delta_y_2*tangent_forward_t85
+            + D_delta_z_2*tangent_forward_t87 + forward_t83*tangent_D_delta_x_2
+            + forward_t85*tangent_D_delta_y_2 + forward_t87*tangent_D_delta_z_2);
+        mass_rate[56] = mass_rate[296] =
+            LANES(D_delta_x_3*tangent_forward_t83 + D_delta_y_3*tangent_forward_t85
+            + D_delta_z_3*tangent_forward_t87 + forward_t83*tangent_D_delta_x_3
+            + forward_t85*tangent_D_delta_y_3 + forward_t87*tangent_D_delta_z_3);
+        mass_rate[59] = mass_rate[359] = LANES(tangent_forward_t90);
+        mass_rate[60] = mass_rate[380] =
+            LANES(D_p_x_3*tangent_forward_t69 + along_40*n_3_x + forward_t69*tangent_D_p_x_3
+            + n_3_x*tangent_forward_t33 + tangent_forward_t82);
+        mass_rate[61] = mass_rate[401] =
+            LANES(D_p_y_3*tangent_forward_t69 + along_40*n_3_y + forward_t69*tangent_D_p_y_3
+            + n_3_y*tangent_forward_t33 + tangent_forward_t84);
+        mass_rate[62] = mass_rate[422] =
+            LANES(D_p_z_3*tangent_forward_t69 + along_40*n_3_z + forward_t69*tangent_D_p_z_3
+            + n_3_z*tangent_forward_t33 + tangent_forward_t86);
+        mass_rate[66] =
+            LANES(forward_t55*tangent_forward_t94 + forward_t94*tangent_forward_t55 + tangent_I_1_1
+            + tangent_forward_t96);
+        mass_rate[69] = mass_rate[129] =
+            LANES(forward_t65*tangent_forward_t95 + forward_t95*tangent_forward_t65);
+        mass_rate[72] = mass_rate[192] = LANES(tangent_forward_t97);
+        mass_rate[78] = mass_rate[318] = LANES(tangent_forward_t67);
+        mass_rate[88] =
+            LANES(forward_t77*tangent_forward_t98 + forward_t98*tangent_forward_t77 + tangent_I_2_1
+            + tangent_forward_t100);
+        mass_rate[91] = mass_rate[151] =
+            LANES(forward_t65*tangent_forward_t99 + forward_t99*tangent_forward_t65);
+        mass_rate[94] = mass_rate[214] = LANES(tangent_forward_t101);
+        mass_rate[100] = mass_rate[340] = LANES(tangent_forward_t80);
+        mass_rate[110] =
+            LANES(forward_t102*tangent_forward_t89 + forward_t89*tangent_forward_t102 + tangent_I_3_1
+            + tangent_forward_t104);
+        mass_rate[113] = mass_rate[173] =
+            LANES(forward_t103*tangent_forward_t65 + forward_t65*tangent_forward_t103);
+        mass_rate[116] = mass_rate[236] = LANES(tangent_forward_t105);
+        mass_rate[122] = mass_rate[362] = LANES(tangent_forward_t92);
+        mass_rate[132] =
+            LANES(forward_t54*tangent_forward_t94 + forward_t94*tangent_forward_t54 + tangent_I_1_2
+            + tangent_forward_t96);
+        mass_rate[135] = mass_rate[195] = LANES(tangent_forward_t106);
+        mass_rate[141] = mass_rate[321] = LANES(tangent_forward_t68);
+        mass_rate[154] =
+            LANES(forward_t76*tangent_forward_t98 + forward_t98*tangent_forward_t76 + tangent_I_2_2
+            + tangent_forward_t100);
+        mass_rate[157] = mass_rate[217] = LANES(tangent_forward_t107);
+        mass_rate[163] = mass_rate[343] = LANES(tangent_forward_t81);
+        mass_rate[176] =
+            LANES(forward_t102*tangent_forward_t88 + forward_t88*tangent_forward_t102 + tangent_I_3_2
+            + tangent_forward_t104);
+        mass_rate[179] = mass_rate[239] = LANES(tangent_forward_t108);
+        mass_rate[185] = mass_rate[365] = LANES(tangent_forward_t93);
+        mass_rate[198] = LANES(tangent_forward_t106 + tangent_forward_t97);
+        mass_rate[220] = LANES(tangent_forward_t101 + tangent_forward_t107);
+        mass_rate[242] = LANES(tangent_forward_t105 + tangent_forward_t108);
+        mass_rate[264] =
+            LANES(forward_t44*tangent_forward_t109 + forward_t44*tangent_forward_t110
+            + forward_t44*tangent_forward_t111 + t76*tangent_forward_t44);
+        mass_rate[265] = mass_rate[285] =
+            LANES(D_delta_x_2*tangent_forward_t112 + D_delta_y_2*tangent_forward_t113
+            + D_delta_z_2*tangent_forward_t114 + forward_t112*tangent_D_delta_x_2
+            + forward_t113*tangent_D_delta_y_2 + forward_t114*tangent_D_delta_z_2);
+        mass_rate[266] = mass_rate[306] =
+            LANES(D_delta_x_3*tangent_forward_t112 + D_delta_y_3*tangent_forward_t113
+            + D_delta_z_3*tangent_forward_t114 + forward_t112*tangent_D_delta_x_3
+            + forward_t113*tangent_D_delta_y_3 + forward_t114*tangent_D_delta_z_3);
+        mass_rate[270] = mass_rate[390] =
+            LANES(D_delta_x_1*tangent_forward_t69 + forward_t69*tangent_D_delta_x_1 + tangent_forward_t112);
+        mass_rate[271] = mass_rate[411] =
+            LANES(D_delta_y_1*tangent_forward_t69 + forward_t69*tangent_D_delta_y_1 + tangent_forward_t113);
+        mass_rate[272] = mass_rate[432] =
+            LANES(D_delta_z_1*tangent_forward_t69 + forward_t69*tangent_D_delta_z_1 + tangent_forward_t114);
+        mass_rate[286] =
+            LANES(forward_t44*tangent_forward_t115 + forward_t44*tangent_forward_t116
+            + forward_t44*tangent_forward_t117 + t77*tangent_forward_t44);
+        mass_rate[287] = mass_rate[307] =
+            LANES(D_delta_x_3*tangent_forward_t118 + D_delta_y_3*tangent_forward_t119
+            + D_delta_z_3*tangent_forward_t120 + forward_t118*tangent_D_delta_x_3
+            + forward_t119*tangent_D_delta_y_3 + forward_t120*tangent_D_delta_z_3);
+        mass_rate[291] = mass_rate[391] =
+            LANES(D_delta_x_2*tangent_forward_t69 + forward_t69*tangent_D_delta_x_2 + tangent_forward_t118);
+        mass_rate[292] = mass_rate[412] =
+            LANES(D_delta_y_2*tangent_forward_t69 + forward_t69*tangent_D_delta_y_2 + tangent_forward_t119);
+        mass_rate[293] = mass_rate[433] =
+            LANES(D_delta_z_2*tangent_forward_t69 + forward_t69*tangent_D_delta_z_2 + tangent_forward_t120);
+        mass_rate[308] =
+            LANES(forward_t44*tangent_forward_t121 + forward_t44*tangent_forward_t122
+            + forward_t44*tangent_forward_t123 + t78*tangent_forward_t44);
+        mass_rate[312] = mass_rate[392] =
+            LANES(D_delta_x_3*tangent_forward_t44 + D_delta_x_3*tangent_forward_t69
+            + t79*tangent_D_delta_x_3);
+        mass_rate[313] = mass_rate[413] =
+            LANES(D_delta_y_3*tangent_forward_t44 + D_delta_y_3*tangent_forward_t69
+            + t79*tangent_D_delta_y_3);
+        mass_rate[314] = mass_rate[434] =
+            LANES(D_delta_z_3*tangent_forward_t44 + D_delta_z_3*tangent_forward_t69
+            + t79*tangent_D_delta_z_3);
+        mass_rate[330] = LANES(tangent_forward_t56);
+        mass_rate[352] = LANES(tangent_forward_t78);
+        mass_rate[374] = LANES(tangent_forward_t90);
+        mass_rate[396] = LANES(tangent_forward_t124);
+        mass_rate[418] = LANES(tangent_forward_t124);
+        mass_rate[440] = LANES(tangent_forward_t124);
+        lanes_clear(stiffness_rate, 441);
+        stiffness_rate[0] =
+            LANES(along_84*t80 - forward_t130*t40 - forward_t133*t41 - forward_t136*t42 - t80*tangent_mu_2
+            - t80*tangent_mu_3 + t82*tangent_forward_t125 + t82*tangent_forward_t126
+            + t82*tangent_forward_t127 + tangent_forward_t139 + tangent_mu_1*(-(U_1_x_1*U_1_x_1)
+            - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1)));
+        stiffness_rate[1] = stiffness_rate[21] =
+            LANES(D_p_x_2*k_C*tangent_D_p_x_1 - D_p_x_2*tangent_forward_t128 - D_p_x_2*tangent_forward_t130
+            + D_p_y_2*k_C*tangent_D_p_y_1 - D_p_y_2*tangent_forward_t131 - D_p_y_2*tangent_forward_t133
+            + D_p_z_2*k_C*tangent_D_p_z_1 - D_p_z_2*tangent_forward_t134 - D_p_z_2*tangent_forward_t136
+            - U_2_x_2*tangent_forward_t129 - U_2_y_2*tangent_forward_t132 - U_2_z_2*tangent_forward_t135
+            + along_84*(D_p_x_1*D_p_x_2 + D_p_y_1*D_p_y_2 + D_p_z_1*D_p_z_2) - forward_t129*tangent_D_p_x_2
+            - forward_t132*tangent_D_p_y_2 - forward_t135*tangent_D_p_z_2 - t84*tangent_D_p_x_2
+            - t86*tangent_D_p_y_2 - t88*tangent_D_p_z_2);
+        stiffness_rate[2] = stiffness_rate[42] =
+            LANES(D_p_x_3*k_C*tangent_D_p_x_1 - D_p_x_3*tangent_forward_t129 - D_p_x_3*tangent_forward_t130
+            + D_p_y_3*k_C*tangent_D_p_y_1 - D_p_y_3*tangent_forward_t132 - D_p_y_3*tangent_forward_t133
+            + D_p_z_3*k_C*tangent_D_p_z_1 - D_p_z_3*tangent_forward_t135 - D_p_z_3*tangent_forward_t136
+            - U_3_x_3*tangent_forward_t128 - U_3_y_3*tangent_forward_t131 - U_3_z_3*tangent_forward_t134
+            + along_84*(D_p_x_1*D_p_x_3 + D_p_y_1*D_p_y_3 + D_p_z_1*D_p_z_3) - forward_t128*tangent_D_p_x_3
+            - forward_t131*tangent_D_p_y_3 - forward_t134*tangent_D_p_z_3 + tangent_D_p_x_3*(-forward_t129
+            - t83) + tangent_D_p_y_3*(-forward_t132 - t85) + tangent_D_p_z_3*(-forward_t135 - t87));
+        stiffness_rate[3] = stiffness_rate[63] = LANES(tangent_forward_t137);
+        stiffness_rate[6] = stiffness_rate[126] = LANES(tangent_forward_t138);
+        stiffness_rate[12] = stiffness_rate[252] =
+            LANES(D_delta_x_1*k_C*tangent_D_p_x_1 - D_delta_x_1*tangent_forward_t128
+            - D_delta_x_1*tangent_forward_t129 - D_delta_x_1*tangent_forward_t130
+            + D_delta_y_1*k_C*tangent_D_p_y_1 - D_delta_y_1*tangent_forward_t131
+            - D_delta_y_1*tangent_forward_t132 - D_delta_y_1*tangent_forward_t133
+            + D_delta_z_1*k_C*tangent_D_p_z_1 - D_delta_z_1*tangent_forward_t134
+            - D_delta_z_1*tangent_forward_t135 - D_delta_z_1*tangent_forward_t136
+            + along_84*(D_delta_x_1*D_p_x_1 + D_delta_y_1*D_p_y_1 + D_delta_z_1*D_p_z_1)
+            + t89*tangent_D_delta_x_1 + t90*tangent_D_delta_y_1 + t91*tangent_D_delta_z_1);
+        stiffness_rate[13] = stiffness_rate[273] =
+            LANES(D_delta_x_2*k_C*tangent_D_p_x_1 - D_delta_x_2*tangent_forward_t128
+            - D_delta_x_2*tangent_forward_t129 - D_delta_x_2*tangent_forward_t130
+            + D_delta_y_2*k_C*tangent_D_p_y_1 - D_delta_y_2*tangent_forward_t131
+            - D_delta_y_2*tangent_forward_t132 - D_delta_y_2*tangent_forward_t133
+            + D_delta_z_2*k_C*tangent_D_p_z_1 - D_delta_z_2*tangent_forward_t134
+            - D_delta_z_2*tangent_forward_t135 - D_delta_z_2*tangent_forward_t136
+            + along_84*(D_delta_x_2*D_p_x_1 + D_delta_y_2*D_p_y_1 + D_delta_z_2*D_p_z_1)
+            + t89*tangent_D_delta_x_2 + t90*tangent_D_delta_y_2 + t91*tangent_D_delta_z_2);
+        stiffness_rate[14] = stiffness_rate[294] =
+            LANES(D_delta_x_3*k_C*tangent_D_p_x_1 - D_delta_x_3*tangent_forward_t128
+            - D_delta_x_3*tangent_forward_t129 - D_delta_x_3*tangent_forward_t130
+            + D_delta_y_3*k_C*tangent_D_p_y_1 - D_delta_y_3*tangent_forward_t131
+            - D_delta_y_3*tangent_forward_t132 - D_delta_y_3*tangent_forward_t133
+            + D_delta_z_3*k_C*tangent_D_p_z_1 - D_delta_z_3*tangent_forward_t134
+            - D_delta_z_3*tangent_forward_t135 - D_delta_z_3*tangent_forward_t136
+            + along_84*(D_delta_x_3*D_p_x_1 + D_delta_y_3*D_p_y_1 + D_delta_z_3*D_p_z_1)
+            + t89*tangent_D_delta_x_3 + t90*tangent_D_delta_y_3 + t91*tangent_D_delta_z_3);
+        stiffness_rate[15] = stiffness_rate[315] = LANES(tangent_forward_t139);
+        stiffness_rate[18] = stiffness_rate[378] = LANES(D_p_x_1*along_84 + k_C*tangent_D_p_x_1);
+        stiffness_rate[19] = stiffness_rate[399] = LANES(D_p_y_1*along_84 + k_C*tangent_D_p_y_1);
+        stiffness_rate[20] = stiffness_rate[420] = LANES(D_p_z_1*along_84 + k_C*tangent_D_p_z_1);
+        stiffness_rate[22] =
+            LANES(along_84*t92 - forward_t145*t43 - forward_t148*t44 - forward_t151*t45 - t92*tangent_mu_1
+            - t92*tangent_mu_3 + t93*tangent_forward_t140 + t93*tangent_forward_t141
+            + t93*tangent_forward_t142 + tangent_forward_t154 + tangent_mu_2*(-(U_2_x_2*U_2_x_2)
+            - (U_2_y_2*U_2_y_2) - (U_2_z_2*U_2_z_2)));
+        stiffness_rate[23] = stiffness_rate[43] =
+            LANES(D_p_x_3*k_C*tangent_D_p_x_2 - D_p_x_3*tangent_forward_t143 - D_p_x_3*tangent_forward_t145
+            + D_p_y_3*k_C*tangent_D_p_y_2 - D_p_y_3*tangent_forward_t146 - D_p_y_3*tangent_forward_t148
+            + D_p_z_3*k_C*tangent_D_p_z_2 - D_p_z_3*tangent_forward_t149 - D_p_z_3*tangent_forward_t151
+            - U_3_x_3*tangent_forward_t144 - U_3_y_3*tangent_forward_t147 - U_3_z_3*tangent_forward_t150
+            + along_84*(D_p_x_2*D_p_x_3 + D_p_y_2*D_p_y_3 + D_p_z_2*D_p_z_3) - forward_t144*tangent_D_p_x_3
+            - forward_t147*tangent_D_p_y_3 - forward_t150*tangent_D_p_z_3 - t94*tangent_D_p_x_3
+            - t95*tangent_D_p_y_3 - t96*tangent_D_p_z_3);
+        stiffness_rate[25] = stiffness_rate[85] = LANES(tangent_forward_t152);
+        stiffness_rate[28] = stiffness_rate[148] = LANES(tangent_forward_t153);
+        stiffness_rate[33] = stiffness_rate[253] =
+            LANES(D_delta_x_1*k_C*tangent_D_p_x_2 - D_delta_x_1*tangent_forward_t143
+            - D_delta_x_1*tangent_forward_t144 - D_delta_x_1*tangent_forward_t145
+            + D_delta_y_1*k_C*tangent_D_p_y_2 - D_delta_y_1*tangent_forward_t146
+            - D_delta_y_1*tangent_forward_t147 - D_delta_y_1*tangent_forward_t148
+            + D_delta_z_1*k_C*tangent_D_p_z_2 - D_delta_z_1*tangent_forward_t149
+            - D_delta_z_1*tangent_forward_t150 - D_delta_z_1*tangent_forward_t151
+            + along_84*(D_delta_x_1*D_p_x_2 + D_delta_y_1*D_p_y_2 + D_delta_z_1*D_p_z_2)
+            + t97*tangent_D_delta_x_1 + t98*tangent_D_delta_y_1 + t99*tangent_D_delta_z_1);
+        stiffness_rate[34] = stiffness_rate[274] =
+            LANES(D_delta_x_2*k_C*tangent_D_p_x_2 - D_delta_x_2*tangent_forward_t143
+            - D_delta_x_2*tangent_forward_t144 - D_delta_x_2*tangent_forward_t145
+            + D_delta_y_2*k_C*tangent_D_p_y_2 - D_delta_y_2*tangent_forward_t146
+            - D_delta_y_2*tangent_forward_t147 - D_delta_y_2*tangent_forward_t148
+            + D_delta_z_2*k_C*tangent_D_p_z_2 - D_delta_z_2*tangent_forward_t149
+            - D_delta_z_2*tangent_forward_t150 - D_delta_z_2*tangent_forward_t151
+            + along_84*(D_delta_x_2*D_p_x_2 + D_delta_y_2*D_p_y_2 + D_delta_z_2*D_p_z_2)
+            + t97*tangent_D_delta_x_2 + t98*tangent_D_delta_y_2 + t99*tangent_D_delta_z_2);
+        stiffness_rate[35] = stiffness_rate[295] =
+            LANES(D_delta_x_3*k_C*tangent_D_p_x_2 - D_delta_x_3*tangent_forward_t143
+            - D_delta_x_3*tangent_forward_t144 - D_delta_x_3*tangent_forward_t145
+            + D_delta_y_3*k_C*tangent_D_p_y_2 - D_delta_y_3*tangent_forward_t146
+            - D_delta_y_3*tangent_forward_t147 - D_delta_y_3*tangent_forward_t148
+            + D_delta_z_3*k_C*tangent_D_p_z_2 - D_delta_z_3*tangent_forward_t149
+            - D_delta_z_3*tangent_forward_t150 - D_delta_z_3*tangent_forward_t151
+            + along_84*(D_delta_x_3*D_p_x_2 + D_delta_y_3*D_p_y_2 + D_delta_z_3*D_p_z_2)
+            + t97*tangent_D_delta_x_3 + t98*tangent_D_delta_y_3 + t99*tangent_D_delta_z_3);
+        stiffness_rate[37] = stiffness_rate[337] = LANES(tangent_forward_t154);
+        stiffness_rate[39] = stiffness_rate[379] = LANES(D_p_x_2*along_84 + k_C*tangent_D_p_x_2);
+        stiffness_rate[40] = stiffness_rate[400] = LANES(D_p_y_2*along_84 + k_C*tangent_D_p_y_2);
+        stiffness_rate[41] = stiffness_rate[421] = LANES(D_p_z_2*along_84 + k_C*tangent_D_p_z_2);
+        stiffness_rate[44] =
+            LANES(along_84*t100 - forward_t161*t46 - forward_t163*t47 - forward_t165*t48 - t100*tangent_mu_1
+            - t100*tangent_mu_2 + t102*tangent_forward_t155 + t102*tangent_forward_t156
+            + t102*tangent_forward_t157 + tangent_forward_t172 + tangent_mu_3*(-(U_3_x_3*U_3_x_3)
+            - (U_3_y_3*U_3_y_3) - (U_3_z_3*U_3_z_3)));
+        stiffness_rate[47] = stiffness_rate[107] = LANES(tangent_forward_t158);
+        stiffness_rate[50] = stiffness_rate[170] = LANES(tangent_forward_t159);
+        stiffness_rate[54] = stiffness_rate[254] =
+            LANES(-D_delta_x_1*tangent_forward_t161 - D_delta_y_1*tangent_forward_t163
+            - D_delta_z_1*tangent_forward_t165 + along_84*(forward_t160 + forward_t162 + forward_t164)
+            + k_C*t49 + k_C*t50 + k_C*t51 - t101*tangent_forward_t160 - t101*tangent_forward_t162
+            - t101*tangent_forward_t164 + t103*tangent_D_delta_x_1 + t104*tangent_D_delta_y_1
+            + t105*tangent_D_delta_z_1 + t106*tangent_mu_1 + t106*tangent_mu_2);
+        stiffness_rate[55] = stiffness_rate[275] =
+            LANES(-D_delta_x_2*tangent_forward_t161 - D_delta_y_2*tangent_forward_t163
+            - D_delta_z_2*tangent_forward_t165 + along_84*(forward_t166 + forward_t167 + forward_t168)
+            + k_C*t52 + k_C*t53 + k_C*t54 - t101*tangent_forward_t166 - t101*tangent_forward_t167
+            - t101*tangent_forward_t168 + t103*tangent_D_delta_x_2 + t104*tangent_D_delta_y_2
+            + t105*tangent_D_delta_z_2 + t107*tangent_mu_1 + t107*tangent_mu_2);
+        stiffness_rate[56] = stiffness_rate[296] =
+            LANES(-D_delta_x_3*tangent_forward_t161 - D_delta_y_3*tangent_forward_t163
+            - D_delta_z_3*tangent_forward_t165 + along_84*(forward_t169 + forward_t170 + forward_t171)
+            + k_C*t55 + k_C*t56 + k_C*t57 - t101*tangent_forward_t169 - t101*tangent_forward_t170
+            - t101*tangent_forward_t171 + t103*tangent_D_delta_x_3 + t104*tangent_D_delta_y_3
+            + t105*tangent_D_delta_z_3 + t108*tangent_mu_1 + t108*tangent_mu_2);
+        stiffness_rate[59] = stiffness_rate[359] = LANES(tangent_forward_t172);
+        stiffness_rate[60] = stiffness_rate[380] = LANES(D_p_x_3*along_84 + k_C*tangent_D_p_x_3);
+        stiffness_rate[61] = stiffness_rate[401] = LANES(D_p_y_3*along_84 + k_C*tangent_D_p_y_3);
+        stiffness_rate[62] = stiffness_rate[422] = LANES(D_p_z_3*along_84 + k_C*tangent_D_p_z_3);
+        stiffness_rate[66] =
+            LANES(along_87*d_1_1 + forward_t94*tangent_k_1_3 + k_1_3*tangent_forward_t94
+            + tangent_forward_t173);
+        stiffness_rate[69] = stiffness_rate[129] = LANES(-tangent_forward_t173);
+        stiffness_rate[78] = stiffness_rate[318] = LANES(tangent_forward_t137);
+        stiffness_rate[88] =
+            LANES(along_87*d_2_1 + forward_t98*tangent_k_2_3 + k_2_3*tangent_forward_t98
+            + tangent_forward_t174);
+        stiffness_rate[91] = stiffness_rate[151] = LANES(-tangent_forward_t174);
+        stiffness_rate[100] = stiffness_rate[340] = LANES(tangent_forward_t152);
+        stiffness_rate[110] =
+            LANES(along_87*d_3_1 + forward_t102*tangent_k_3_3 + k_3_3*tangent_forward_t102
+            + tangent_forward_t175);
+        stiffness_rate[113] = stiffness_rate[173] = LANES(-tangent_forward_t175);
+        stiffness_rate[122] = stiffness_rate[362] = LANES(tangent_forward_t158);
+        stiffness_rate[132] =
+            LANES(along_87*d_1_2 + forward_t94*tangent_k_1_2 + k_1_2*tangent_forward_t94
+            + tangent_forward_t173);
+        stiffness_rate[141] = stiffness_rate[321] = LANES(tangent_forward_t138);
+        stiffness_rate[154] =
+            LANES(along_87*d_2_2 + forward_t98*tangent_k_2_2 + k_2_2*tangent_forward_t98
+            + tangent_forward_t174);
+        stiffness_rate[163] = stiffness_rate[343] = LANES(tangent_forward_t153);
+        stiffness_rate[176] =
+            LANES(along_87*d_3_2 + forward_t102*tangent_k_3_2 + k_3_2*tangent_forward_t102
+            + tangent_forward_t175);
+        stiffness_rate[185] = stiffness_rate[365] = LANES(tangent_forward_t159);
+        stiffness_rate[264] =
+            LANES(along_84*t76 + t109*tangent_forward_t109 + t109*tangent_forward_t110
+            + t109*tangent_forward_t111 - t76*tangent_mu_2 - t76*tangent_mu_3 + tangent_mu_1*(1.0 - t76));
+        stiffness_rate[265] = stiffness_rate[285] =
+            LANES(along_84*(forward_t176 + forward_t177 + forward_t178) + k_C*t58 + k_C*t59 + k_C*t60
+            + k_C*t61 + k_C*t62 + k_C*t63 + t110*tangent_forward_t176 + t110*tangent_forward_t177
+            + t110*tangent_forward_t178 + t111*tangent_mu_1 + t111*tangent_mu_2 + t111*tangent_mu_3);
+        stiffness_rate[266] = stiffness_rate[306] =
+            LANES(along_84*(forward_t179 + forward_t180 + forward_t181) + k_C*t64 + k_C*t65 + k_C*t66
+            + k_C*t67 + k_C*t68 + k_C*t69 + t110*tangent_forward_t179 + t110*tangent_forward_t180
+            + t110*tangent_forward_t181 + t112*tangent_mu_1 + t112*tangent_mu_2 + t112*tangent_mu_3);
+        stiffness_rate[270] = stiffness_rate[390] = LANES(D_delta_x_1*along_84 + k_C*tangent_D_delta_x_1);
+        stiffness_rate[271] = stiffness_rate[411] = LANES(D_delta_y_1*along_84 + k_C*tangent_D_delta_y_1);
+        stiffness_rate[272] = stiffness_rate[432] = LANES(D_delta_z_1*along_84 + k_C*tangent_D_delta_z_1);
+        stiffness_rate[286] =
+            LANES(along_84*t77 + t109*tangent_forward_t115 + t109*tangent_forward_t116
+            + t109*tangent_forward_t117 - t77*tangent_mu_1 - t77*tangent_mu_3 + tangent_mu_2*(1.0 - t77));
+        stiffness_rate[287] = stiffness_rate[307] =
+            LANES(along_84*(forward_t182 + forward_t183 + forward_t184) + k_C*t70 + k_C*t71 + k_C*t72
+            + k_C*t73 + k_C*t74 + k_C*t75 + t110*tangent_forward_t182 + t110*tangent_forward_t183
+            + t110*tangent_forward_t184 + t113*tangent_mu_1 + t113*tangent_mu_2 + t113*tangent_mu_3);
+        stiffness_rate[291] = stiffness_rate[391] = LANES(D_delta_x_2*along_84 + k_C*tangent_D_delta_x_2);
+        stiffness_rate[292] = stiffness_rate[412] = LANES(D_delta_y_2*along_84 + k_C*tangent_D_delta_y_2);
+        stiffness_rate[293] = stiffness_rate[433] = LANES(D_delta_z_2*along_84 + k_C*tangent_D_delta_z_2);
+        stiffness_rate[308] =
+            LANES(along_84*t78 + t109*tangent_forward_t121 + t109*tangent_forward_t122
+            + t109*tangent_forward_t123 - t78*tangent_mu_1 - t78*tangent_mu_2 + tangent_mu_3*(1.0 - t78));
+        stiffness_rate[312] = stiffness_rate[392] = LANES(D_delta_x_3*along_84 + k_C*tangent_D_delta_x_3);
+        stiffness_rate[313] = stiffness_rate[413] = LANES(D_delta_y_3*along_84 + k_C*tangent_D_delta_y_3);
+        stiffness_rate[314] = stiffness_rate[434] = LANES(D_delta_z_3*along_84 + k_C*tangent_D_delta_z_3);
+        stiffness_rate[330] = LANES(tangent_forward_t139);
+        stiffness_rate[352] = LANES(tangent_forward_t154);
+        stiffness_rate[374] = LANES(tangent_forward_t172);
+        stiffness_rate[396] = LANES(along_84);
+        stiffness_rate[418] = LANES(along_84);
+        stiffness_rate[440] = LANES(along_84);
+        lanes_clear(motion_rate, 63);
+        motion_rate[0] = LANES(tangent_D_p_x_1);
+        motion_rate[1] = LANES(tangent_D_p_x_2);
+        motion_rate[2] = LANES(tangent_D_p_x_3);
+        motion_rate[12] = LANES(tangent_D_delta_x_1);
+        motion_rate[13] = LANES(tangent_D_delta_x_2);
+        motion_rate[14] = LANES(tangent_D_delta_x_3);
+        motion_rate[21] = LANES(tangent_D_p_y_1);
+        motion_rate[22] = LANES(tangent_D_p_y_2);
+        motion_rate[23] = LANES(tangent_D_p_y_3);
+        motion_rate[33] = LANES(tangent_D_delta_y_1);
+        motion_rate[34] = LANES(tangent_D_delta_y_2);
+        motion_rate[35] = LANES(tangent_D_delta_y_3);
+        motion_rate[42] = LANES(tangent_D_p_z_1);
+        motion_rate[43] = LANES(tangent_D_p_z_2);
+        motion_rate[44] = LANES(tangent_D_p_z_3);
+        motion_rate[54] = LANES(tangent_D_delta_z_1);
+        motion_rate[55] = LANES(tangent_D_delta_z_2);
+        motion_rate[56] = LANES(tangent_D_delta_z_3);
+        lanes_take(paths, path, mass_rate, stiffness_rate, motion_rate);
+    }
+}

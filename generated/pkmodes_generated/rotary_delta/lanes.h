@@ -2931,3 +2931,1197 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         gradient[88] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
     }
 }
+
+/* What is done with the derivatives along each path: the compiled evaluator defines it. */
+struct lanes_paths;
+static void lanes_direction(const struct lanes_paths *paths, int path, lane *restrict direction);
+static void lanes_take(const struct lanes_paths *paths, int path, const lane *restrict mass_rate,
+    const lane *restrict stiffness_rate, const lane *restrict motion_rate);
+
+/* Derivatives of the matrices and of the motion of the platform along a direction.
+ *
+ * Source: forward accumulation through extended.
+ * 2799 operations; 99273177 with every named value expanded.
+ */
+static __attribute__((noinline)) void lanes_extended_tangent(const lane *restrict pose,
+    const double *restrict parameters, const double *restrict effects, int count,
+    const struct lanes_paths *paths)
+{
+    (void)effects;
+    const lane p_x = pose[0];
+    const lane p_y = pose[1];
+    const lane p_z = pose[2];
+    const double m_p = parameters[0];
+    const double g_x = parameters[1];
+    const double g_y = parameters[2];
+    const double g_z = parameters[3];
+    const double o_1_x = parameters[4];
+    const double o_1_y = parameters[5];
+    const double o_1_z = parameters[6];
+    const double o_2_x = parameters[7];
+    const double o_2_y = parameters[8];
+    const double o_2_z = parameters[9];
+    const double o_3_x = parameters[10];
+    const double o_3_y = parameters[11];
+    const double o_3_z = parameters[12];
+    const double a_1_x = parameters[13];
+    const double a_1_y = parameters[14];
+    const double a_1_z = parameters[15];
+    const double a_2_x = parameters[16];
+    const double a_2_y = parameters[17];
+    const double a_2_z = parameters[18];
+    const double a_3_x = parameters[19];
+    const double a_3_y = parameters[20];
+    const double a_3_z = parameters[21];
+    const double z_1_x = parameters[22];
+    const double z_1_y = parameters[23];
+    const double z_1_z = parameters[24];
+    const double z_2_x = parameters[25];
+    const double z_2_y = parameters[26];
+    const double z_2_z = parameters[27];
+    const double z_3_x = parameters[28];
+    const double z_3_y = parameters[29];
+    const double z_3_z = parameters[30];
+    const double b_1_x = parameters[31];
+    const double b_1_y = parameters[32];
+    const double b_1_z = parameters[33];
+    const double b_2_x = parameters[34];
+    const double b_2_y = parameters[35];
+    const double b_2_z = parameters[36];
+    const double b_3_x = parameters[37];
+    const double b_3_y = parameters[38];
+    const double b_3_z = parameters[39];
+    const double L_a_1 = parameters[40];
+    const double L_a_2 = parameters[41];
+    const double L_a_3 = parameters[42];
+    const double m_a_1 = parameters[43];
+    const double m_a_2 = parameters[44];
+    const double m_a_3 = parameters[45];
+    const double r_a_1 = parameters[46];
+    const double r_a_2 = parameters[47];
+    const double r_a_3 = parameters[48];
+    const double l_d_1 = parameters[52];
+    const double l_d_2 = parameters[53];
+    const double l_d_3 = parameters[54];
+    const double m_d_1 = parameters[55];
+    const double m_d_2 = parameters[56];
+    const double m_d_3 = parameters[57];
+    const double k_r_1 = parameters[58];
+    const double k_r_2 = parameters[59];
+    const double k_r_3 = parameters[60];
+    const double I_m_1 = parameters[61];
+    const double I_m_2 = parameters[62];
+    const double I_m_3 = parameters[63];
+    const double i_g_1 = parameters[64];
+    const double i_g_2 = parameters[65];
+    const double i_g_3 = parameters[66];
+    const double sigma_1 = parameters[73];
+    const double sigma_2 = parameters[74];
+    const double sigma_3 = parameters[75];
+    const double a_R_1 = effects[0];
+    const double a_R_2 = effects[1];
+    const double a_R_3 = effects[2];
+    const double k_C = effects[3];
+    const double m_L = effects[5];
+    const double y_1_x = a_1_y*z_1_z - a_1_z*z_1_y;
+    const double y_1_y = -a_1_x*z_1_z + a_1_z*z_1_x;
+    const double y_1_z = a_1_x*z_1_y - a_1_y*z_1_x;
+    const double y_2_x = a_2_y*z_2_z - a_2_z*z_2_y;
+    const double y_2_y = -a_2_x*z_2_z + a_2_z*z_2_x;
+    const double y_2_z = a_2_x*z_2_y - a_2_y*z_2_x;
+    const double y_3_x = a_3_y*z_3_z - a_3_z*z_3_y;
+    const double y_3_y = -a_3_x*z_3_z + a_3_z*z_3_x;
+    const double y_3_z = a_3_x*z_3_y - a_3_y*z_3_x;
+    const lane r_1_x = b_1_x - o_1_x + p_x;
+    const lane r_1_y = b_1_y - o_1_y + p_y;
+    const lane r_1_z = b_1_z - o_1_z + p_z;
+    const lane r_2_x = b_2_x - o_2_x + p_x;
+    const lane r_2_y = b_2_y - o_2_y + p_y;
+    const lane r_2_z = b_2_z - o_2_z + p_z;
+    const lane r_3_x = b_3_x - o_3_x + p_x;
+    const lane r_3_y = b_3_y - o_3_y + p_y;
+    const lane r_3_z = b_3_z - o_3_z + p_z;
+    const lane A_1 = r_1_x*z_1_x + r_1_y*z_1_y + r_1_z*z_1_z;
+    const lane B_1 = r_1_x*y_1_x + r_1_y*y_1_y + r_1_z*y_1_z;
+    const lane rho2_1 = (A_1*A_1) + (B_1*B_1);
+    const double forward_t1 = (L_a_1*L_a_1);
+    const double forward_0 = 1.0/L_a_1;
+    const lane t1 = (r_1_x*r_1_x);
+    const lane t2 = (r_1_y*r_1_y);
+    const lane t3 = (r_1_z*r_1_z);
+    const double t4 = (l_d_1*l_d_1);
+    const double t5 = (1.0/2.0)*forward_0;
+    const lane C_1 = t5*(forward_t1 + t1 + t2 + t3 - t4);
+    const lane forward_1 = lanes_sqrt(-(C_1*C_1) + rho2_1);
+    const lane S_1 = forward_1*sigma_1;
+    const lane forward_2 = 1.0/rho2_1;
+    const lane t6 = A_1*C_1 - B_1*S_1;
+    const lane c_1 = forward_2*t6;
+    const lane t7 = A_1*S_1 + B_1*C_1;
+    const lane sn_1 = forward_2*t7;
+    const lane A_2 = r_2_x*z_2_x + r_2_y*z_2_y + r_2_z*z_2_z;
+    const lane B_2 = r_2_x*y_2_x + r_2_y*y_2_y + r_2_z*y_2_z;
+    const lane rho2_2 = (A_2*A_2) + (B_2*B_2);
+    const double forward_t3 = (L_a_2*L_a_2);
+    const double forward_3 = 1.0/L_a_2;
+    const lane t8 = (r_2_z*r_2_z);
+    const double t9 = (l_d_2*l_d_2);
+    const double t10 = (1.0/2.0)*forward_3;
+    const lane t11 = (r_2_x*r_2_x);
+    const lane t12 = (r_2_y*r_2_y);
+    const lane C_2 = t10*(forward_t3 + t11 + t12 + t8 - t9);
+    const lane forward_4 = lanes_sqrt(-(C_2*C_2) + rho2_2);
+    const lane S_2 = forward_4*sigma_2;
+    const lane forward_5 = 1.0/rho2_2;
+    const lane t13 = A_2*C_2 - B_2*S_2;
+    const lane c_2 = forward_5*t13;
+    const lane t14 = A_2*S_2 + B_2*C_2;
+    const lane sn_2 = forward_5*t14;
+    const lane A_3 = r_3_x*z_3_x + r_3_y*z_3_y + r_3_z*z_3_z;
+    const lane B_3 = r_3_x*y_3_x + r_3_y*y_3_y + r_3_z*y_3_z;
+    const lane rho2_3 = (A_3*A_3) + (B_3*B_3);
+    const double forward_t5 = (L_a_3*L_a_3);
+    const double forward_6 = 1.0/L_a_3;
+    const lane t15 = (r_3_x*r_3_x);
+    const lane t16 = (r_3_y*r_3_y);
+    const lane t17 = (r_3_z*r_3_z);
+    const double t18 = (l_d_3*l_d_3);
+    const double t19 = (1.0/2.0)*forward_6;
+    const lane C_3 = t19*(forward_t5 + t15 + t16 + t17 - t18);
+    const lane forward_7 = lanes_sqrt(-(C_3*C_3) + rho2_3);
+    const lane S_3 = forward_7*sigma_3;
+    const lane forward_8 = 1.0/rho2_3;
+    const lane t20 = A_3*C_3 - B_3*S_3;
+    const lane c_3 = forward_8*t20;
+    const lane t21 = A_3*S_3 + B_3*C_3;
+    const lane sn_3 = forward_8*t21;
+    const lane d_1_x = c_1*z_1_x + sn_1*y_1_x;
+    const lane d_1_y = c_1*z_1_y + sn_1*y_1_y;
+    const lane d_1_z = c_1*z_1_z + sn_1*y_1_z;
+    const lane t_1_x = c_1*y_1_x - sn_1*z_1_x;
+    const lane t_1_y = c_1*y_1_y - sn_1*z_1_y;
+    const lane t_1_z = c_1*y_1_z - sn_1*z_1_z;
+    const lane d_2_x = c_2*z_2_x + sn_2*y_2_x;
+    const lane d_2_y = c_2*z_2_y + sn_2*y_2_y;
+    const lane d_2_z = c_2*z_2_z + sn_2*y_2_z;
+    const lane t_2_x = c_2*y_2_x - sn_2*z_2_x;
+    const lane t_2_y = c_2*y_2_y - sn_2*z_2_y;
+    const lane t_2_z = c_2*y_2_z - sn_2*z_2_z;
+    const lane d_3_x = c_3*z_3_x + sn_3*y_3_x;
+    const lane d_3_y = c_3*z_3_y + sn_3*y_3_y;
+    const lane d_3_z = c_3*z_3_z + sn_3*y_3_z;
+    const lane t_3_x = c_3*y_3_x - sn_3*z_3_x;
+    const lane t_3_y = c_3*y_3_y - sn_3*z_3_y;
+    const lane t_3_z = c_3*y_3_z - sn_3*z_3_z;
+    const lane forward_t7 = L_a_1*d_1_x;
+    const lane s_1_x = -forward_t7 + r_1_x;
+    const lane forward_t8 = L_a_1*d_1_y;
+    const lane s_1_y = -forward_t8 + r_1_y;
+    const lane forward_t9 = L_a_1*d_1_z;
+    const lane s_1_z = -forward_t9 + r_1_z;
+    const lane forward_t10 = L_a_2*d_2_x;
+    const lane s_2_x = -forward_t10 + r_2_x;
+    const lane forward_t11 = L_a_2*d_2_y;
+    const lane s_2_y = -forward_t11 + r_2_y;
+    const lane forward_t12 = L_a_2*d_2_z;
+    const lane s_2_z = -forward_t12 + r_2_z;
+    const lane forward_t13 = L_a_3*d_3_x;
+    const lane s_3_x = -forward_t13 + r_3_x;
+    const lane forward_t14 = L_a_3*d_3_y;
+    const lane s_3_y = -forward_t14 + r_3_y;
+    const lane forward_t15 = L_a_3*d_3_z;
+    const lane s_3_z = -forward_t15 + r_3_z;
+    const lane forward_t16 = L_a_1*t_1_x;
+    const lane forward_t17 = L_a_1*t_1_y;
+    const lane forward_t18 = L_a_1*t_1_z;
+    const lane D_r_1 = forward_t16*s_1_x + forward_t17*s_1_y + forward_t18*s_1_z;
+    const lane forward_t19 = L_a_2*t_2_x;
+    const lane forward_t20 = L_a_2*t_2_y;
+    const lane forward_t21 = L_a_2*t_2_z;
+    const lane D_r_2 = forward_t19*s_2_x + forward_t20*s_2_y + forward_t21*s_2_z;
+    const lane forward_t22 = L_a_3*t_3_x;
+    const lane forward_t23 = L_a_3*t_3_y;
+    const lane forward_t24 = L_a_3*t_3_z;
+    const lane D_r_3 = forward_t22*s_3_x + forward_t23*s_3_y + forward_t24*s_3_z;
+    const lane A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y;
+    const lane A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x;
+    const lane A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x;
+    const lane A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y;
+    const lane A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x;
+    const lane A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x;
+    const lane A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y;
+    const lane A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x;
+    const lane A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x;
+    const lane det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z;
+    const lane forward_9 = 1.0/det_D_l;
+    const lane forward_t26 = A_x_1*forward_9;
+    const lane D_p_x_1 = D_r_1*forward_t26;
+    const lane forward_t27 = A_x_2*forward_9;
+    const lane D_p_x_2 = D_r_2*forward_t27;
+    const lane forward_t28 = A_x_3*forward_9;
+    const lane D_p_x_3 = D_r_3*forward_t28;
+    const lane D_delta_x_1 = forward_t26*l_d_1;
+    const lane D_delta_x_2 = forward_t27*l_d_2;
+    const lane D_delta_x_3 = forward_t28*l_d_3;
+    const lane forward_t29 = A_y_1*forward_9;
+    const lane D_p_y_1 = D_r_1*forward_t29;
+    const lane forward_t30 = A_y_2*forward_9;
+    const lane D_p_y_2 = D_r_2*forward_t30;
+    const lane forward_t31 = A_y_3*forward_9;
+    const lane D_p_y_3 = D_r_3*forward_t31;
+    const lane D_delta_y_1 = forward_t29*l_d_1;
+    const lane D_delta_y_2 = forward_t30*l_d_2;
+    const lane D_delta_y_3 = forward_t31*l_d_3;
+    const lane forward_t32 = A_z_1*forward_9;
+    const lane D_p_z_1 = D_r_1*forward_t32;
+    const lane forward_t33 = A_z_2*forward_9;
+    const lane D_p_z_2 = D_r_2*forward_t33;
+    const lane forward_t34 = A_z_3*forward_9;
+    const lane D_p_z_3 = D_r_3*forward_t34;
+    const lane D_delta_z_1 = forward_t32*l_d_1;
+    const lane D_delta_z_2 = forward_t33*l_d_2;
+    const lane D_delta_z_3 = forward_t34*l_d_3;
+    const lane U_1_x_1 = D_p_x_1 - forward_t16;
+    const lane U_1_y_1 = D_p_y_1 - forward_t17;
+    const lane U_1_z_1 = D_p_z_1 - forward_t18;
+    const lane U_2_x_2 = D_p_x_2 - forward_t19;
+    const lane U_2_y_2 = D_p_y_2 - forward_t20;
+    const lane U_2_z_2 = D_p_z_2 - forward_t21;
+    const lane U_3_x_3 = D_p_x_3 - forward_t22;
+    const lane U_3_y_3 = D_p_y_3 - forward_t23;
+    const lane U_3_z_3 = D_p_z_3 - forward_t24;
+    const double forward_t35 = (1.0/2.0)*m_d_1;
+    const double forward_t36 = (1.0/2.0)*m_d_2;
+    const double forward_t37 = (1.0/2.0)*m_d_3;
+    const double forward_t38 = m_L + m_p;
+    const double forward_t39 = forward_t35 + forward_t36 + forward_t37 + forward_t38;
+    const double forward_t40 = forward_t39*g_x;
+    const double forward_t41 = forward_t39*g_y;
+    const double forward_t42 = forward_t39*g_z;
+    const lane t22 = -A_x_1*forward_t40 - A_y_1*forward_t41 - A_z_1*forward_t42;
+    const lane mu_1 = forward_9*t22;
+    const lane t23 = -A_x_2*forward_t40 - A_y_2*forward_t41 - A_z_2*forward_t42;
+    const lane mu_2 = forward_9*t23;
+    const lane t24 = -A_x_3*forward_t40 - A_y_3*forward_t41 - A_z_3*forward_t42;
+    const lane mu_3 = forward_9*t24;
+    const double forward_t43 = (1.0/3.0)*m_d_1;
+    const double forward_t44 = (1.0/6.0)*m_d_1;
+    const lane forward_t45 = forward_t16*forward_t44;
+    const lane forward_t46 = forward_t17*forward_t44;
+    const lane forward_t47 = forward_t18*forward_t44;
+    const double forward_t48 = (1.0/3.0)*m_d_2;
+    const double forward_t49 = (1.0/3.0)*m_d_3;
+    const double forward_t50 = forward_t38 + forward_t43 + forward_t48 + forward_t49;
+    const lane forward_t51 = D_p_x_1*forward_t50;
+    const lane forward_t52 = forward_t45 + forward_t51;
+    const lane forward_t53 = D_p_y_1*forward_t50;
+    const lane forward_t54 = forward_t46 + forward_t53;
+    const lane forward_t55 = D_p_z_1*forward_t50;
+    const lane forward_t56 = forward_t47 + forward_t55;
+    const double forward_t57 = (1.0/6.0)*m_d_2;
+    const lane forward_t58 = forward_t19*forward_t57;
+    const lane forward_t59 = forward_t20*forward_t57;
+    const lane forward_t60 = forward_t21*forward_t57;
+    const double forward_t61 = (1.0/6.0)*m_d_3;
+    const lane forward_t62 = forward_t22*forward_t61;
+    const lane forward_t63 = forward_t23*forward_t61;
+    const lane forward_t64 = forward_t24*forward_t61;
+    const double forward_t65 = m_a_1*r_a_1;
+    const double forward_t66 = forward_t44 + forward_t57 + forward_t61;
+    const lane forward_t67 = D_p_x_2*forward_t50;
+    const lane forward_t68 = forward_t58 + forward_t67;
+    const lane forward_t69 = D_p_y_2*forward_t50;
+    const lane forward_t70 = forward_t59 + forward_t69;
+    const lane forward_t71 = D_p_z_2*forward_t50;
+    const lane forward_t72 = forward_t60 + forward_t71;
+    const double forward_t73 = m_a_2*r_a_2;
+    const lane forward_t74 = D_p_x_3*forward_t50;
+    const lane forward_t75 = forward_t62 + forward_t74;
+    const lane forward_t76 = D_p_y_3*forward_t50;
+    const lane forward_t77 = forward_t63 + forward_t76;
+    const lane forward_t78 = D_p_z_3*forward_t50;
+    const lane forward_t79 = forward_t64 + forward_t78;
+    const double forward_t80 = m_a_3*r_a_3;
+    const lane forward_t81 = (D_delta_x_1*D_delta_x_1);
+    const lane forward_t82 = (D_delta_y_1*D_delta_y_1);
+    const lane forward_t83 = (D_delta_z_1*D_delta_z_1);
+    const lane forward_t84 = D_delta_x_1*forward_t50;
+    const lane forward_t85 = D_delta_y_1*forward_t50;
+    const lane forward_t86 = D_delta_z_1*forward_t50;
+    const lane forward_t87 = (D_delta_x_2*D_delta_x_2);
+    const lane forward_t88 = (D_delta_y_2*D_delta_y_2);
+    const lane forward_t89 = (D_delta_z_2*D_delta_z_2);
+    const lane forward_t90 = D_delta_x_2*forward_t50;
+    const lane forward_t91 = D_delta_y_2*forward_t50;
+    const lane forward_t92 = D_delta_z_2*forward_t50;
+    const lane forward_t93 = (D_delta_x_3*D_delta_x_3);
+    const lane forward_t94 = (D_delta_y_3*D_delta_y_3);
+    const lane forward_t95 = (D_delta_z_3*D_delta_z_3);
+    const double forward_t97 = L_a_1*forward_t35 + forward_t65;
+    const lane forward_t98 = (D_p_x_1*D_p_x_1);
+    const lane forward_t99 = (D_p_y_1*D_p_y_1);
+    const lane forward_t100 = (D_p_z_1*D_p_z_1);
+    const lane forward_t101 = D_p_x_1*mu_3;
+    const lane forward_t102 = D_p_x_1*mu_2;
+    const lane forward_t103 = U_1_x_1*mu_1;
+    const lane forward_t104 = D_p_y_1*mu_3;
+    const lane forward_t105 = D_p_y_1*mu_2;
+    const lane forward_t106 = U_1_y_1*mu_1;
+    const lane forward_t107 = D_p_z_1*mu_3;
+    const lane forward_t108 = D_p_z_1*mu_2;
+    const lane forward_t109 = U_1_z_1*mu_1;
+    const lane forward_t110 = (D_p_x_2*D_p_x_2);
+    const lane forward_t111 = (D_p_y_2*D_p_y_2);
+    const lane forward_t112 = (D_p_z_2*D_p_z_2);
+    const double forward_t113 = L_a_2*forward_t36 + forward_t73;
+    const lane forward_t114 = D_p_x_2*mu_1;
+    const lane forward_t115 = D_p_x_2*mu_3;
+    const lane forward_t116 = U_2_x_2*mu_2;
+    const lane forward_t117 = D_p_y_2*mu_1;
+    const lane forward_t118 = D_p_y_2*mu_3;
+    const lane forward_t119 = U_2_y_2*mu_2;
+    const lane forward_t120 = D_p_z_2*mu_1;
+    const lane forward_t121 = D_p_z_2*mu_3;
+    const lane forward_t122 = U_2_z_2*mu_2;
+    const lane forward_t123 = (D_p_x_3*D_p_x_3);
+    const lane forward_t124 = (D_p_y_3*D_p_y_3);
+    const lane forward_t125 = (D_p_z_3*D_p_z_3);
+    const double forward_t126 = L_a_3*forward_t37 + forward_t80;
+    const lane forward_t127 = D_delta_x_1*D_p_x_3;
+    const lane forward_t128 = U_3_x_3*mu_3;
+    const lane forward_t129 = D_delta_y_1*D_p_y_3;
+    const lane forward_t130 = U_3_y_3*mu_3;
+    const lane forward_t131 = D_delta_z_1*D_p_z_3;
+    const lane forward_t132 = U_3_z_3*mu_3;
+    const lane forward_t133 = D_delta_x_2*D_p_x_3;
+    const lane forward_t134 = D_delta_y_2*D_p_y_3;
+    const lane forward_t135 = D_delta_z_2*D_p_z_3;
+    const lane forward_t136 = D_delta_x_3*D_p_x_3;
+    const lane forward_t137 = D_delta_y_3*D_p_y_3;
+    const lane forward_t138 = D_delta_z_3*D_p_z_3;
+    const lane forward_t139 = D_delta_x_1*D_delta_x_2;
+    const lane forward_t140 = D_delta_y_1*D_delta_y_2;
+    const lane forward_t141 = D_delta_z_1*D_delta_z_2;
+    const lane forward_t142 = D_delta_x_1*D_delta_x_3;
+    const lane forward_t143 = D_delta_y_1*D_delta_y_3;
+    const lane forward_t144 = D_delta_z_1*D_delta_z_3;
+    const lane forward_t145 = D_delta_x_2*D_delta_x_3;
+    const lane forward_t146 = D_delta_y_2*D_delta_y_3;
+    const lane forward_t147 = D_delta_z_2*D_delta_z_3;
+    const lane t25 = 1.0/forward_1;
+    const lane t26 = A_1*forward_2;
+    const lane t27 = C_1*forward_2;
+    const lane t28 = B_1*forward_2;
+    const lane t29 = S_1*forward_2;
+    const lane t30 = 1.0/forward_4;
+    const lane t31 = A_2*forward_5;
+    const lane t32 = C_2*forward_5;
+    const lane t33 = B_2*forward_5;
+    const lane t34 = S_2*forward_5;
+    const lane t35 = 1.0/forward_7;
+    const lane t36 = A_3*forward_8;
+    const lane t37 = C_3*forward_8;
+    const lane t38 = B_3*forward_8;
+    const lane t39 = S_3*forward_8;
+    const lane t76 = forward_t81 + forward_t82 + forward_t83;
+    const lane t77 = forward_t87 + forward_t88 + forward_t89;
+    const lane t78 = forward_t93 + forward_t94 + forward_t95;
+    const double t79 = forward_t50 + forward_t66;
+    const lane t80 = forward_t100 + forward_t98 + forward_t99;
+    const lane t81 = -k_C + mu_3;
+    const lane t82 = -mu_2 - t81;
+    const lane t83 = -D_p_x_1*k_C + forward_t103;
+    const lane t84 = forward_t101 + t83;
+    const lane t85 = -D_p_y_1*k_C + forward_t106;
+    const lane t86 = forward_t104 + t85;
+    const lane t87 = -D_p_z_1*k_C + forward_t109;
+    const lane t88 = forward_t107 + t87;
+    const lane t89 = -forward_t102 - t84;
+    const lane t90 = -forward_t105 - t86;
+    const lane t91 = -forward_t108 - t88;
+    const lane t92 = forward_t110 + forward_t111 + forward_t112;
+    const lane t93 = -mu_1 - t81;
+    const lane t94 = -D_p_x_2*k_C + forward_t114 + forward_t116;
+    const lane t95 = -D_p_y_2*k_C + forward_t117 + forward_t119;
+    const lane t96 = -D_p_z_2*k_C + forward_t120 + forward_t122;
+    const lane t97 = -forward_t115 - t94;
+    const lane t98 = -forward_t118 - t95;
+    const lane t99 = -forward_t121 - t96;
+    const lane t100 = forward_t123 + forward_t124 + forward_t125;
+    const lane t101 = mu_1 + mu_2;
+    const lane t102 = k_C - t101;
+    const lane t103 = D_p_x_3*k_C - forward_t128;
+    const lane t104 = D_p_y_3*k_C - forward_t130;
+    const lane t105 = D_p_z_3*k_C - forward_t132;
+    const lane t106 = -forward_t127 - forward_t129 - forward_t131;
+    const lane t107 = -forward_t133 - forward_t134 - forward_t135;
+    const lane t108 = -forward_t136 - forward_t137 - forward_t138;
+    const lane t109 = -t101 - t81;
+    const lane t110 = -mu_3 - t101;
+    const lane t111 = -forward_t139 - forward_t140 - forward_t141;
+    const lane t112 = -forward_t142 - forward_t143 - forward_t144;
+    const lane t113 = -forward_t145 - forward_t146 - forward_t147;
+    for (int path = 0; path < count; path++) {
+        lane direction[LANES_GRADIENT], motion_rate[LANES_DIRECTIONS * LANES_ALL];
+        lane mass_rate[LANES_ALL * LANES_ALL], stiffness_rate[LANES_ALL * LANES_ALL];
+        lanes_direction(paths, path, direction);
+        const lane along_1 = direction[0];
+        const lane along_2 = direction[1];
+        const lane along_3 = direction[2];
+        const lane along_4 = direction[3];
+        const lane along_5 = direction[4];
+        const lane along_6 = direction[5];
+        const lane along_7 = direction[6];
+        const lane along_8 = direction[7];
+        const lane along_9 = direction[8];
+        const lane along_10 = direction[9];
+        const lane along_11 = direction[10];
+        const lane along_12 = direction[11];
+        const lane along_13 = direction[12];
+        const lane along_32 = direction[31];
+        const lane along_33 = direction[32];
+        const lane along_34 = direction[33];
+        const lane along_35 = direction[34];
+        const lane along_36 = direction[35];
+        const lane along_37 = direction[36];
+        const lane along_38 = direction[37];
+        const lane along_39 = direction[38];
+        const lane along_40 = direction[39];
+        const lane along_41 = direction[40];
+        const lane along_42 = direction[41];
+        const lane along_43 = direction[42];
+        const lane along_44 = direction[43];
+        const lane along_45 = direction[44];
+        const lane along_46 = direction[45];
+        const lane along_47 = direction[46];
+        const lane along_48 = direction[47];
+        const lane along_49 = direction[48];
+        const lane along_50 = direction[49];
+        const lane along_51 = direction[50];
+        const lane along_52 = direction[51];
+        const lane along_53 = direction[52];
+        const lane along_54 = direction[53];
+        const lane along_55 = direction[54];
+        const lane along_56 = direction[55];
+        const lane along_57 = direction[56];
+        const lane along_58 = direction[57];
+        const lane along_59 = direction[58];
+        const lane along_60 = direction[59];
+        const lane along_61 = direction[60];
+        const lane along_62 = direction[61];
+        const lane along_63 = direction[62];
+        const lane along_64 = direction[63];
+        const lane along_65 = direction[64];
+        const lane along_66 = direction[65];
+        const lane along_67 = direction[66];
+        const lane along_77 = direction[76];
+        const lane along_78 = direction[77];
+        const lane along_79 = direction[78];
+        const lane along_80 = direction[79];
+        const lane along_81 = direction[80];
+        const lane along_82 = direction[81];
+        const lane along_83 = direction[82];
+        const lane along_86 = direction[85];
+        const lane along_87 = direction[86];
+        const lane along_88 = direction[87];
+        const lane along_89 = direction[88];
+        const lane tangent_r_1_x = along_32 - along_5 + along_87;
+        const lane tangent_r_1_y = along_33 - along_6 + along_88;
+        const lane tangent_r_1_z = along_34 - along_7 + along_89;
+        const lane tangent_r_2_x = along_35 - along_8 + along_87;
+        const lane tangent_r_2_y = along_36 + along_88 - along_9;
+        const lane tangent_r_2_z = -along_10 + along_37 + along_89;
+        const lane tangent_r_3_x = -along_11 + along_38 + along_87;
+        const lane tangent_r_3_y = -along_12 + along_39 + along_88;
+        const lane tangent_r_3_z = -along_13 + along_40 + along_89;
+        const lane tangent_A_1 = tangent_r_1_x*z_1_x + tangent_r_1_y*z_1_y + tangent_r_1_z*z_1_z;
+        const lane tangent_B_1 = tangent_r_1_x*y_1_x + tangent_r_1_y*y_1_y + tangent_r_1_z*y_1_z;
+        const lane tangent_rho2_1 = 2.0*A_1*tangent_A_1 + 2.0*B_1*tangent_B_1;
+        const lane tangent_forward_t1 = 2.0*L_a_1*along_41;
+        const lane tangent_forward_0 = -along_41*(forward_0*forward_0);
+        const lane tangent_C_1 =
+            -along_53*forward_0*l_d_1 + forward_0*r_1_x*tangent_r_1_x + forward_0*r_1_y*tangent_r_1_y
+            + forward_0*r_1_z*tangent_r_1_z + t5*tangent_forward_t1 + tangent_forward_0*((1.0/2.0)*forward_t1
+            + (1.0/2.0)*t1 + (1.0/2.0)*t2 + (1.0/2.0)*t3 - 1.0/2.0*t4);
+        const lane tangent_forward_1 = -C_1*t25*tangent_C_1 + (1.0/2.0)*t25*tangent_rho2_1;
+        const lane tangent_S_1 = sigma_1*tangent_forward_1;
+        const lane tangent_forward_2 = -(forward_2*forward_2)*tangent_rho2_1;
+        const lane tangent_c_1 =
+            t26*tangent_C_1 + t27*tangent_A_1 - t28*tangent_S_1 - t29*tangent_B_1 + t6*tangent_forward_2;
+        const lane tangent_sn_1 =
+            t26*tangent_S_1 + t27*tangent_B_1 + t28*tangent_C_1 + t29*tangent_A_1 + t7*tangent_forward_2;
+        const lane tangent_A_2 = tangent_r_2_x*z_2_x + tangent_r_2_y*z_2_y + tangent_r_2_z*z_2_z;
+        const lane tangent_B_2 = tangent_r_2_x*y_2_x + tangent_r_2_y*y_2_y + tangent_r_2_z*y_2_z;
+        const lane tangent_rho2_2 = 2.0*A_2*tangent_A_2 + 2.0*B_2*tangent_B_2;
+        const lane tangent_forward_t3 = 2.0*L_a_2*along_42;
+        const lane tangent_forward_3 = -along_42*(forward_3*forward_3);
+        const lane tangent_C_2 =
+            -along_54*forward_3*l_d_2 + forward_3*r_2_x*tangent_r_2_x + forward_3*r_2_y*tangent_r_2_y
+            + forward_3*r_2_z*tangent_r_2_z + t10*tangent_forward_t3
+            + tangent_forward_3*((1.0/2.0)*forward_t3 + (1.0/2.0)*t11 + (1.0/2.0)*t12 + (1.0/2.0)*t8
+            - 1.0/2.0*t9);
+        const lane tangent_forward_4 = -C_2*t30*tangent_C_2 + (1.0/2.0)*t30*tangent_rho2_2;
+        const lane tangent_S_2 = sigma_2*tangent_forward_4;
+        const lane tangent_forward_5 = -(forward_5*forward_5)*tangent_rho2_2;
+        const lane tangent_c_2 =
+            t13*tangent_forward_5 + t31*tangent_C_2 + t32*tangent_A_2 - t33*tangent_S_2 - t34*tangent_B_2;
+        const lane tangent_sn_2 =
+            t14*tangent_forward_5 + t31*tangent_S_2 + t32*tangent_B_2 + t33*tangent_C_2 + t34*tangent_A_2;
+        const lane tangent_A_3 = tangent_r_3_x*z_3_x + tangent_r_3_y*z_3_y + tangent_r_3_z*z_3_z;
+        const lane tangent_B_3 = tangent_r_3_x*y_3_x + tangent_r_3_y*y_3_y + tangent_r_3_z*y_3_z;
+        const lane tangent_rho2_3 = 2.0*A_3*tangent_A_3 + 2.0*B_3*tangent_B_3;
+        const lane tangent_forward_t5 = 2.0*L_a_3*along_43;
+        const lane tangent_forward_6 = -along_43*(forward_6*forward_6);
+        const lane tangent_C_3 =
+            -along_55*forward_6*l_d_3 + forward_6*r_3_x*tangent_r_3_x + forward_6*r_3_y*tangent_r_3_y
+            + forward_6*r_3_z*tangent_r_3_z + t19*tangent_forward_t5
+            + tangent_forward_6*((1.0/2.0)*forward_t5 + (1.0/2.0)*t15 + (1.0/2.0)*t16 + (1.0/2.0)*t17
+            - 1.0/2.0*t18);
+        const lane tangent_forward_7 = -C_3*t35*tangent_C_3 + (1.0/2.0)*t35*tangent_rho2_3;
+        const lane tangent_S_3 = sigma_3*tangent_forward_7;
+        const lane tangent_forward_8 = -(forward_8*forward_8)*tangent_rho2_3;
+        const lane tangent_c_3 =
+            t20*tangent_forward_8 + t36*tangent_C_3 + t37*tangent_A_3 - t38*tangent_S_3 - t39*tangent_B_3;
+        const lane tangent_sn_3 =
+            t21*tangent_forward_8 + t36*tangent_S_3 + t37*tangent_B_3 + t38*tangent_C_3 + t39*tangent_A_3;
+        const lane tangent_d_1_x = tangent_c_1*z_1_x + tangent_sn_1*y_1_x;
+        const lane tangent_d_1_y = tangent_c_1*z_1_y + tangent_sn_1*y_1_y;
+        const lane tangent_d_1_z = tangent_c_1*z_1_z + tangent_sn_1*y_1_z;
+        const lane tangent_t_1_x = tangent_c_1*y_1_x - tangent_sn_1*z_1_x;
+        const lane tangent_t_1_y = tangent_c_1*y_1_y - tangent_sn_1*z_1_y;
+        const lane tangent_t_1_z = tangent_c_1*y_1_z - tangent_sn_1*z_1_z;
+        const lane tangent_d_2_x = tangent_c_2*z_2_x + tangent_sn_2*y_2_x;
+        const lane tangent_d_2_y = tangent_c_2*z_2_y + tangent_sn_2*y_2_y;
+        const lane tangent_d_2_z = tangent_c_2*z_2_z + tangent_sn_2*y_2_z;
+        const lane tangent_t_2_x = tangent_c_2*y_2_x - tangent_sn_2*z_2_x;
+        const lane tangent_t_2_y = tangent_c_2*y_2_y - tangent_sn_2*z_2_y;
+        const lane tangent_t_2_z = tangent_c_2*y_2_z - tangent_sn_2*z_2_z;
+        const lane tangent_d_3_x = tangent_c_3*z_3_x + tangent_sn_3*y_3_x;
+        const lane tangent_d_3_y = tangent_c_3*z_3_y + tangent_sn_3*y_3_y;
+        const lane tangent_d_3_z = tangent_c_3*z_3_z + tangent_sn_3*y_3_z;
+        const lane tangent_t_3_x = tangent_c_3*y_3_x - tangent_sn_3*z_3_x;
+        const lane tangent_t_3_y = tangent_c_3*y_3_y - tangent_sn_3*z_3_y;
+        const lane tangent_t_3_z = tangent_c_3*y_3_z - tangent_sn_3*z_3_z;
+        const lane tangent_forward_t7 = L_a_1*tangent_d_1_x + along_41*d_1_x;
+        const lane tangent_s_1_x = -tangent_forward_t7 + tangent_r_1_x;
+        const lane tangent_forward_t8 = L_a_1*tangent_d_1_y + along_41*d_1_y;
+        const lane tangent_s_1_y = -tangent_forward_t8 + tangent_r_1_y;
+        const lane tangent_forward_t9 = L_a_1*tangent_d_1_z + along_41*d_1_z;
+        const lane tangent_s_1_z = -tangent_forward_t9 + tangent_r_1_z;
+        const lane tangent_forward_t10 = L_a_2*tangent_d_2_x + along_42*d_2_x;
+        const lane tangent_s_2_x = -tangent_forward_t10 + tangent_r_2_x;
+        const lane tangent_forward_t11 = L_a_2*tangent_d_2_y + along_42*d_2_y;
+        const lane tangent_s_2_y = -tangent_forward_t11 + tangent_r_2_y;
+        const lane tangent_forward_t12 = L_a_2*tangent_d_2_z + along_42*d_2_z;
+        const lane tangent_s_2_z = -tangent_forward_t12 + tangent_r_2_z;
+        const lane tangent_forward_t13 = L_a_3*tangent_d_3_x + along_43*d_3_x;
+        const lane tangent_s_3_x = -tangent_forward_t13 + tangent_r_3_x;
+        const lane tangent_forward_t14 = L_a_3*tangent_d_3_y + along_43*d_3_y;
+        const lane tangent_s_3_y = -tangent_forward_t14 + tangent_r_3_y;
+        const lane tangent_forward_t15 = L_a_3*tangent_d_3_z + along_43*d_3_z;
+        const lane tangent_s_3_z = -tangent_forward_t15 + tangent_r_3_z;
+        const lane tangent_forward_t16 = L_a_1*tangent_t_1_x + along_41*t_1_x;
+        const lane tangent_forward_t17 = L_a_1*tangent_t_1_y + along_41*t_1_y;
+        const lane tangent_forward_t18 = L_a_1*tangent_t_1_z + along_41*t_1_z;
+        const lane tangent_D_r_1 =
+            forward_t16*tangent_s_1_x + forward_t17*tangent_s_1_y + forward_t18*tangent_s_1_z
+            + s_1_x*tangent_forward_t16 + s_1_y*tangent_forward_t17 + s_1_z*tangent_forward_t18;
+        const lane tangent_forward_t19 = L_a_2*tangent_t_2_x + along_42*t_2_x;
+        const lane tangent_forward_t20 = L_a_2*tangent_t_2_y + along_42*t_2_y;
+        const lane tangent_forward_t21 = L_a_2*tangent_t_2_z + along_42*t_2_z;
+        const lane tangent_D_r_2 =
+            forward_t19*tangent_s_2_x + forward_t20*tangent_s_2_y + forward_t21*tangent_s_2_z
+            + s_2_x*tangent_forward_t19 + s_2_y*tangent_forward_t20 + s_2_z*tangent_forward_t21;
+        const lane tangent_forward_t22 = L_a_3*tangent_t_3_x + along_43*t_3_x;
+        const lane tangent_forward_t23 = L_a_3*tangent_t_3_y + along_43*t_3_y;
+        const lane tangent_forward_t24 = L_a_3*tangent_t_3_z + along_43*t_3_z;
+        const lane tangent_D_r_3 =
+            forward_t22*tangent_s_3_x + forward_t23*tangent_s_3_y + forward_t24*tangent_s_3_z
+            + s_3_x*tangent_forward_t22 + s_3_y*tangent_forward_t23 + s_3_z*tangent_forward_t24;
+        const lane tangent_A_x_1 =
+            s_2_y*tangent_s_3_z - s_2_z*tangent_s_3_y - s_3_y*tangent_s_2_z + s_3_z*tangent_s_2_y;
+        const lane tangent_A_y_1 =
+            -s_2_x*tangent_s_3_z + s_2_z*tangent_s_3_x + s_3_x*tangent_s_2_z - s_3_z*tangent_s_2_x;
+        const lane tangent_A_z_1 =
+            s_2_x*tangent_s_3_y - s_2_y*tangent_s_3_x - s_3_x*tangent_s_2_y + s_3_y*tangent_s_2_x;
+        const lane tangent_A_x_2 =
+            -s_1_y*tangent_s_3_z + s_1_z*tangent_s_3_y + s_3_y*tangent_s_1_z - s_3_z*tangent_s_1_y;
+        const lane tangent_A_y_2 =
+            s_1_x*tangent_s_3_z - s_1_z*tangent_s_3_x - s_3_x*tangent_s_1_z + s_3_z*tangent_s_1_x;
+        const lane tangent_A_z_2 =
+            -s_1_x*tangent_s_3_y + s_1_y*tangent_s_3_x + s_3_x*tangent_s_1_y - s_3_y*tangent_s_1_x;
+        const lane tangent_A_x_3 =
+            s_1_y*tangent_s_2_z - s_1_z*tangent_s_2_y - s_2_y*tangent_s_1_z + s_2_z*tangent_s_1_y;
+        const lane tangent_A_y_3 =
+            -s_1_x*tangent_s_2_z + s_1_z*tangent_s_2_x + s_2_x*tangent_s_1_z - s_2_z*tangent_s_1_x;
+        const lane tangent_A_z_3 =
+            s_1_x*tangent_s_2_y - s_1_y*tangent_s_2_x - s_2_x*tangent_s_1_y + s_2_y*tangent_s_1_x;
+        const lane tangent_det_D_l =
+            A_x_1*tangent_s_1_x + A_y_1*tangent_s_1_y + A_z_1*tangent_s_1_z + s_1_x*tangent_A_x_1
+            + s_1_y*tangent_A_y_1 + s_1_z*tangent_A_z_1;
+        const lane tangent_forward_9 = -(forward_9*forward_9)*tangent_det_D_l;
+        const lane t40 = forward_9*tangent_A_x_1;
+        const lane tangent_forward_t26 = A_x_1*tangent_forward_9 + t40;
+        const lane tangent_D_p_x_1 = D_r_1*tangent_forward_t26 + forward_t26*tangent_D_r_1;
+        const lane t41 = forward_9*tangent_A_x_2;
+        const lane tangent_forward_t27 = A_x_2*tangent_forward_9 + t41;
+        const lane tangent_D_p_x_2 = D_r_2*tangent_forward_t27 + forward_t27*tangent_D_r_2;
+        const lane t42 = forward_9*tangent_A_x_3;
+        const lane tangent_forward_t28 = A_x_3*tangent_forward_9 + t42;
+        const lane tangent_D_p_x_3 = D_r_3*tangent_forward_t28 + forward_t28*tangent_D_r_3;
+        const lane tangent_D_delta_x_1 = along_53*forward_t26 + l_d_1*tangent_forward_t26;
+        const lane tangent_D_delta_x_2 = along_54*forward_t27 + l_d_2*tangent_forward_t27;
+        const lane tangent_D_delta_x_3 = along_55*forward_t28 + l_d_3*tangent_forward_t28;
+        const lane t43 = forward_9*tangent_A_y_1;
+        const lane tangent_forward_t29 = A_y_1*tangent_forward_9 + t43;
+        const lane tangent_D_p_y_1 = D_r_1*tangent_forward_t29 + forward_t29*tangent_D_r_1;
+        const lane t44 = forward_9*tangent_A_y_2;
+        const lane tangent_forward_t30 = A_y_2*tangent_forward_9 + t44;
+        const lane tangent_D_p_y_2 = D_r_2*tangent_forward_t30 + forward_t30*tangent_D_r_2;
+        const lane t45 = forward_9*tangent_A_y_3;
+        const lane tangent_forward_t31 = A_y_3*tangent_forward_9 + t45;
+        const lane tangent_D_p_y_3 = D_r_3*tangent_forward_t31 + forward_t31*tangent_D_r_3;
+        const lane tangent_D_delta_y_1 = along_53*forward_t29 + l_d_1*tangent_forward_t29;
+        const lane tangent_D_delta_y_2 = along_54*forward_t30 + l_d_2*tangent_forward_t30;
+        const lane tangent_D_delta_y_3 = along_55*forward_t31 + l_d_3*tangent_forward_t31;
+        const lane t46 = forward_9*tangent_A_z_1;
+        const lane tangent_forward_t32 = A_z_1*tangent_forward_9 + t46;
+        const lane tangent_D_p_z_1 = D_r_1*tangent_forward_t32 + forward_t32*tangent_D_r_1;
+        const lane t47 = forward_9*tangent_A_z_2;
+        const lane tangent_forward_t33 = A_z_2*tangent_forward_9 + t47;
+        const lane tangent_D_p_z_2 = D_r_2*tangent_forward_t33 + forward_t33*tangent_D_r_2;
+        const lane t48 = forward_9*tangent_A_z_3;
+        const lane tangent_forward_t34 = A_z_3*tangent_forward_9 + t48;
+        const lane tangent_D_p_z_3 = D_r_3*tangent_forward_t34 + forward_t34*tangent_D_r_3;
+        const lane tangent_D_delta_z_1 = along_53*forward_t32 + l_d_1*tangent_forward_t32;
+        const lane tangent_D_delta_z_2 = along_54*forward_t33 + l_d_2*tangent_forward_t33;
+        const lane tangent_D_delta_z_3 = along_55*forward_t34 + l_d_3*tangent_forward_t34;
+        const lane tangent_U_1_x_1 = tangent_D_p_x_1 - tangent_forward_t16;
+        const lane tangent_U_1_y_1 = tangent_D_p_y_1 - tangent_forward_t17;
+        const lane tangent_U_1_z_1 = tangent_D_p_z_1 - tangent_forward_t18;
+        const lane tangent_U_2_x_2 = tangent_D_p_x_2 - tangent_forward_t19;
+        const lane tangent_U_2_y_2 = tangent_D_p_y_2 - tangent_forward_t20;
+        const lane tangent_U_2_z_2 = tangent_D_p_z_2 - tangent_forward_t21;
+        const lane tangent_U_3_x_3 = tangent_D_p_x_3 - tangent_forward_t22;
+        const lane tangent_U_3_y_3 = tangent_D_p_y_3 - tangent_forward_t23;
+        const lane tangent_U_3_z_3 = tangent_D_p_z_3 - tangent_forward_t24;
+        const lane tangent_I_1 = 2.0*I_m_1*along_65*i_g_1 + along_62*(i_g_1*i_g_1) + along_81;
+        const lane tangent_I_2 = 2.0*I_m_2*along_66*i_g_2 + along_63*(i_g_2*i_g_2) + along_81;
+        const lane tangent_I_3 = 2.0*I_m_3*along_67*i_g_3 + along_64*(i_g_3*i_g_3) + along_81;
+        const lane tangent_k_1 = along_59*(a_R_1 + 1.0) + along_77*k_r_1;
+        const lane tangent_k_2 = along_60*(a_R_2 + 1.0) + along_78*k_r_2;
+        const lane tangent_k_3 = along_61*(a_R_3 + 1.0) + along_79*k_r_3;
+        const lane tangent_forward_t35 = (1.0/2.0)*along_56;
+        const lane tangent_forward_t36 = (1.0/2.0)*along_57;
+        const lane tangent_forward_t37 = (1.0/2.0)*along_58;
+        const lane tangent_forward_t38 = along_1 + along_82;
+        const lane tangent_forward_t39 =
+            tangent_forward_t35 + tangent_forward_t36 + tangent_forward_t37 + tangent_forward_t38;
+        const lane tangent_forward_t40 = along_2*forward_t39 + g_x*tangent_forward_t39;
+        const lane tangent_forward_t41 = along_3*forward_t39 + g_y*tangent_forward_t39;
+        const lane tangent_forward_t42 = along_4*forward_t39 + g_z*tangent_forward_t39;
+        const lane tangent_mu_1 =
+            -forward_t26*tangent_forward_t40 - forward_t29*tangent_forward_t41
+            - forward_t32*tangent_forward_t42 - forward_t40*t40 - forward_t41*t43 - forward_t42*t46
+            + t22*tangent_forward_9;
+        const lane tangent_mu_2 =
+            -forward_t27*tangent_forward_t40 - forward_t30*tangent_forward_t41
+            - forward_t33*tangent_forward_t42 - forward_t40*t41 - forward_t41*t44 - forward_t42*t47
+            + t23*tangent_forward_9;
+        const lane tangent_mu_3 =
+            -forward_t28*tangent_forward_t40 - forward_t31*tangent_forward_t41
+            - forward_t34*tangent_forward_t42 - forward_t40*t42 - forward_t41*t45 - forward_t42*t48
+            + t24*tangent_forward_9;
+        const lane tangent_forward_t43 = (1.0/3.0)*along_56;
+        const lane tangent_forward_t44 = (1.0/6.0)*along_56;
+        const lane tangent_forward_t45 = forward_t16*tangent_forward_t44 + forward_t44*tangent_forward_t16;
+        const lane tangent_forward_t46 = forward_t17*tangent_forward_t44 + forward_t44*tangent_forward_t17;
+        const lane tangent_forward_t47 = forward_t18*tangent_forward_t44 + forward_t44*tangent_forward_t18;
+        const lane tangent_forward_t48 = (1.0/3.0)*along_57;
+        const lane tangent_forward_t49 = (1.0/3.0)*along_58;
+        const lane tangent_forward_t50 =
+            tangent_forward_t38 + tangent_forward_t43 + tangent_forward_t48 + tangent_forward_t49;
+        const lane tangent_forward_t51 = D_p_x_1*tangent_forward_t50 + forward_t50*tangent_D_p_x_1;
+        const lane tangent_forward_t52 = tangent_forward_t45 + tangent_forward_t51;
+        const lane tangent_forward_t53 = D_p_y_1*tangent_forward_t50 + forward_t50*tangent_D_p_y_1;
+        const lane tangent_forward_t54 = tangent_forward_t46 + tangent_forward_t53;
+        const lane tangent_forward_t55 = D_p_z_1*tangent_forward_t50 + forward_t50*tangent_D_p_z_1;
+        const lane tangent_forward_t56 = tangent_forward_t47 + tangent_forward_t55;
+        const lane tangent_forward_t57 = (1.0/6.0)*along_57;
+        const lane tangent_forward_t58 = forward_t19*tangent_forward_t57 + forward_t57*tangent_forward_t19;
+        const lane tangent_forward_t59 = forward_t20*tangent_forward_t57 + forward_t57*tangent_forward_t20;
+        const lane tangent_forward_t60 = forward_t21*tangent_forward_t57 + forward_t57*tangent_forward_t21;
+        const lane tangent_forward_t61 = (1.0/6.0)*along_58;
+        const lane tangent_forward_t62 = forward_t22*tangent_forward_t61 + forward_t61*tangent_forward_t22;
+        const lane tangent_forward_t63 = forward_t23*tangent_forward_t61 + forward_t61*tangent_forward_t23;
+        const lane tangent_forward_t64 = forward_t24*tangent_forward_t61 + forward_t61*tangent_forward_t24;
+        const lane tangent_forward_t65 = along_44*r_a_1 + along_47*m_a_1;
+        const lane tangent_forward_t66 = tangent_forward_t44 + tangent_forward_t57 + tangent_forward_t61;
+        const lane tangent_forward_t67 = D_p_x_2*tangent_forward_t50 + forward_t50*tangent_D_p_x_2;
+        const lane tangent_forward_t68 = tangent_forward_t58 + tangent_forward_t67;
+        const lane tangent_forward_t69 = D_p_y_2*tangent_forward_t50 + forward_t50*tangent_D_p_y_2;
+        const lane tangent_forward_t70 = tangent_forward_t59 + tangent_forward_t69;
+        const lane tangent_forward_t71 = D_p_z_2*tangent_forward_t50 + forward_t50*tangent_D_p_z_2;
+        const lane tangent_forward_t72 = tangent_forward_t60 + tangent_forward_t71;
+        const lane tangent_forward_t73 = along_45*r_a_2 + along_48*m_a_2;
+        const lane tangent_forward_t74 = D_p_x_3*tangent_forward_t50 + forward_t50*tangent_D_p_x_3;
+        const lane tangent_forward_t75 = tangent_forward_t62 + tangent_forward_t74;
+        const lane tangent_forward_t76 = D_p_y_3*tangent_forward_t50 + forward_t50*tangent_D_p_y_3;
+        const lane tangent_forward_t77 = tangent_forward_t63 + tangent_forward_t76;
+        const lane tangent_forward_t78 = D_p_z_3*tangent_forward_t50 + forward_t50*tangent_D_p_z_3;
+        const lane tangent_forward_t79 = tangent_forward_t64 + tangent_forward_t78;
+        const lane tangent_forward_t80 = along_46*r_a_3 + along_49*m_a_3;
+        const lane tangent_forward_t81 = 2.0*D_delta_x_1*tangent_D_delta_x_1;
+        const lane tangent_forward_t82 = 2.0*D_delta_y_1*tangent_D_delta_y_1;
+        const lane tangent_forward_t83 = 2.0*D_delta_z_1*tangent_D_delta_z_1;
+        const lane tangent_forward_t84 = D_delta_x_1*tangent_forward_t50 + forward_t50*tangent_D_delta_x_1;
+        const lane tangent_forward_t85 = D_delta_y_1*tangent_forward_t50 + forward_t50*tangent_D_delta_y_1;
+        const lane tangent_forward_t86 = D_delta_z_1*tangent_forward_t50 + forward_t50*tangent_D_delta_z_1;
+        const lane tangent_forward_t87 = 2.0*D_delta_x_2*tangent_D_delta_x_2;
+        const lane tangent_forward_t88 = 2.0*D_delta_y_2*tangent_D_delta_y_2;
+        const lane tangent_forward_t89 = 2.0*D_delta_z_2*tangent_D_delta_z_2;
+        const lane tangent_forward_t90 = D_delta_x_2*tangent_forward_t50 + forward_t50*tangent_D_delta_x_2;
+        const lane tangent_forward_t91 = D_delta_y_2*tangent_forward_t50 + forward_t50*tangent_D_delta_y_2;
+        const lane tangent_forward_t92 = D_delta_z_2*tangent_forward_t50 + forward_t50*tangent_D_delta_z_2;
+        const lane tangent_forward_t93 = 2.0*D_delta_x_3*tangent_D_delta_x_3;
+        const lane tangent_forward_t94 = 2.0*D_delta_y_3*tangent_D_delta_y_3;
+        const lane tangent_forward_t95 = 2.0*D_delta_z_3*tangent_D_delta_z_3;
+        const lane tangent_forward_t96 =
+            along_44 + along_45 + along_46 + along_56 + along_57 + along_58 + along_86 + tangent_forward_t38;
+        const lane tangent_forward_t97 =
+            L_a_1*tangent_forward_t35 + along_41*forward_t35 + tangent_forward_t65;
+        const lane tangent_forward_t98 = 2.0*D_p_x_1*tangent_D_p_x_1;
+        const lane tangent_forward_t99 = 2.0*D_p_y_1*tangent_D_p_y_1;
+        const lane tangent_forward_t100 = 2.0*D_p_z_1*tangent_D_p_z_1;
+        const lane tangent_forward_t101 = D_p_x_1*tangent_mu_3 + mu_3*tangent_D_p_x_1;
+        const lane tangent_forward_t102 = D_p_x_1*tangent_mu_2 + mu_2*tangent_D_p_x_1;
+        const lane tangent_forward_t103 = U_1_x_1*tangent_mu_1 + mu_1*tangent_U_1_x_1;
+        const lane tangent_forward_t104 = D_p_y_1*tangent_mu_3 + mu_3*tangent_D_p_y_1;
+        const lane tangent_forward_t105 = D_p_y_1*tangent_mu_2 + mu_2*tangent_D_p_y_1;
+        const lane tangent_forward_t106 = U_1_y_1*tangent_mu_1 + mu_1*tangent_U_1_y_1;
+        const lane tangent_forward_t107 = D_p_z_1*tangent_mu_3 + mu_3*tangent_D_p_z_1;
+        const lane tangent_forward_t108 = D_p_z_1*tangent_mu_2 + mu_2*tangent_D_p_z_1;
+        const lane tangent_forward_t109 = U_1_z_1*tangent_mu_1 + mu_1*tangent_U_1_z_1;
+        const lane tangent_forward_t110 = 2.0*D_p_x_2*tangent_D_p_x_2;
+        const lane tangent_forward_t111 = 2.0*D_p_y_2*tangent_D_p_y_2;
+        const lane tangent_forward_t112 = 2.0*D_p_z_2*tangent_D_p_z_2;
+        const lane tangent_forward_t113 =
+            L_a_2*tangent_forward_t36 + along_42*forward_t36 + tangent_forward_t73;
+        const lane tangent_forward_t114 = D_p_x_2*tangent_mu_1 + mu_1*tangent_D_p_x_2;
+        const lane tangent_forward_t115 = D_p_x_2*tangent_mu_3 + mu_3*tangent_D_p_x_2;
+        const lane tangent_forward_t116 = U_2_x_2*tangent_mu_2 + mu_2*tangent_U_2_x_2;
+        const lane tangent_forward_t117 = D_p_y_2*tangent_mu_1 + mu_1*tangent_D_p_y_2;
+        const lane tangent_forward_t118 = D_p_y_2*tangent_mu_3 + mu_3*tangent_D_p_y_2;
+        const lane tangent_forward_t119 = U_2_y_2*tangent_mu_2 + mu_2*tangent_U_2_y_2;
+        const lane tangent_forward_t120 = D_p_z_2*tangent_mu_1 + mu_1*tangent_D_p_z_2;
+        const lane tangent_forward_t121 = D_p_z_2*tangent_mu_3 + mu_3*tangent_D_p_z_2;
+        const lane tangent_forward_t122 = U_2_z_2*tangent_mu_2 + mu_2*tangent_U_2_z_2;
+        const lane tangent_forward_t123 = 2.0*D_p_x_3*tangent_D_p_x_3;
+        const lane tangent_forward_t124 = 2.0*D_p_y_3*tangent_D_p_y_3;
+        const lane tangent_forward_t125 = 2.0*D_p_z_3*tangent_D_p_z_3;
+        const lane tangent_forward_t126 =
+            L_a_3*tangent_forward_t37 + along_43*forward_t37 + tangent_forward_t80;
+        const lane t49 = D_delta_x_1*tangent_D_p_x_3;
+        const lane tangent_forward_t127 = D_p_x_3*tangent_D_delta_x_1 + t49;
+        const lane tangent_forward_t128 = U_3_x_3*tangent_mu_3 + mu_3*tangent_U_3_x_3;
+        const lane t50 = D_delta_y_1*tangent_D_p_y_3;
+        const lane tangent_forward_t129 = D_p_y_3*tangent_D_delta_y_1 + t50;
+        const lane tangent_forward_t130 = U_3_y_3*tangent_mu_3 + mu_3*tangent_U_3_y_3;
+        const lane t51 = D_delta_z_1*tangent_D_p_z_3;
+        const lane tangent_forward_t131 = D_p_z_3*tangent_D_delta_z_1 + t51;
+        const lane tangent_forward_t132 = U_3_z_3*tangent_mu_3 + mu_3*tangent_U_3_z_3;
+        const lane t52 = D_delta_x_2*tangent_D_p_x_3;
+        const lane tangent_forward_t133 = D_p_x_3*tangent_D_delta_x_2 + t52;
+        const lane t53 = D_delta_y_2*tangent_D_p_y_3;
+        const lane tangent_forward_t134 = D_p_y_3*tangent_D_delta_y_2 + t53;
+        const lane t54 = D_delta_z_2*tangent_D_p_z_3;
+        const lane tangent_forward_t135 = D_p_z_3*tangent_D_delta_z_2 + t54;
+        const lane t55 = D_delta_x_3*tangent_D_p_x_3;
+        const lane tangent_forward_t136 = D_p_x_3*tangent_D_delta_x_3 + t55;
+        const lane t56 = D_delta_y_3*tangent_D_p_y_3;
+        const lane tangent_forward_t137 = D_p_y_3*tangent_D_delta_y_3 + t56;
+        const lane t57 = D_delta_z_3*tangent_D_p_z_3;
+        const lane tangent_forward_t138 = D_p_z_3*tangent_D_delta_z_3 + t57;
+        const lane t58 = D_delta_x_1*tangent_D_delta_x_2;
+        const lane t59 = D_delta_x_2*tangent_D_delta_x_1;
+        const lane tangent_forward_t139 = t58 + t59;
+        const lane t60 = D_delta_y_1*tangent_D_delta_y_2;
+        const lane t61 = D_delta_y_2*tangent_D_delta_y_1;
+        const lane tangent_forward_t140 = t60 + t61;
+        const lane t62 = D_delta_z_1*tangent_D_delta_z_2;
+        const lane t63 = D_delta_z_2*tangent_D_delta_z_1;
+        const lane tangent_forward_t141 = t62 + t63;
+        const lane t64 = D_delta_x_1*tangent_D_delta_x_3;
+        const lane t65 = D_delta_x_3*tangent_D_delta_x_1;
+        const lane tangent_forward_t142 = t64 + t65;
+        const lane t66 = D_delta_y_1*tangent_D_delta_y_3;
+        const lane t67 = D_delta_y_3*tangent_D_delta_y_1;
+        const lane tangent_forward_t143 = t66 + t67;
+        const lane t68 = D_delta_z_1*tangent_D_delta_z_3;
+        const lane t69 = D_delta_z_3*tangent_D_delta_z_1;
+        const lane tangent_forward_t144 = t68 + t69;
+        const lane t70 = D_delta_x_2*tangent_D_delta_x_3;
+        const lane t71 = D_delta_x_3*tangent_D_delta_x_2;
+        const lane tangent_forward_t145 = t70 + t71;
+        const lane t72 = D_delta_y_2*tangent_D_delta_y_3;
+        const lane t73 = D_delta_y_3*tangent_D_delta_y_2;
+        const lane tangent_forward_t146 = t72 + t73;
+        const lane t74 = D_delta_z_2*tangent_D_delta_z_3;
+        const lane t75 = D_delta_z_3*tangent_D_delta_z_2;
+        const lane tangent_forward_t147 = t74 + t75;
+        lanes_clear(mass_rate, 144);
+        mass_rate[0] =
+            LANES(D_p_x_1*tangent_forward_t45 + D_p_x_1*tangent_forward_t52 + D_p_y_1*tangent_forward_t46
+            + D_p_y_1*tangent_forward_t54 + D_p_z_1*tangent_forward_t47 + D_p_z_1*tangent_forward_t56
+            + along_50 + forward_t1*tangent_forward_t43 + forward_t43*tangent_forward_t1
+            + tangent_D_p_x_1*(forward_t45 + forward_t52) + tangent_D_p_y_1*(forward_t46 + forward_t54)
+            + tangent_D_p_z_1*(forward_t47 + forward_t56));
+        mass_rate[1] = mass_rate[12] =
+            LANES(D_p_x_1*tangent_forward_t58 + D_p_x_2*tangent_forward_t52 + D_p_y_1*tangent_forward_t59
+            + D_p_y_2*tangent_forward_t54 + D_p_z_1*tangent_forward_t60 + D_p_z_2*tangent_forward_t56
+            + forward_t52*tangent_D_p_x_2 + forward_t54*tangent_D_p_y_2 + forward_t56*tangent_D_p_z_2
+            + forward_t58*tangent_D_p_x_1 + forward_t59*tangent_D_p_y_1 + forward_t60*tangent_D_p_z_1);
+        mass_rate[2] = mass_rate[24] =
+            LANES(D_p_x_1*tangent_forward_t62 + D_p_x_3*tangent_forward_t52 + D_p_y_1*tangent_forward_t63
+            + D_p_y_3*tangent_forward_t54 + D_p_z_1*tangent_forward_t64 + D_p_z_3*tangent_forward_t56
+            + forward_t52*tangent_D_p_x_3 + forward_t54*tangent_D_p_y_3 + forward_t56*tangent_D_p_z_3
+            + forward_t62*tangent_D_p_x_1 + forward_t63*tangent_D_p_y_1 + forward_t64*tangent_D_p_z_1);
+        mass_rate[6] = mass_rate[72] =
+            LANES(D_delta_x_1*tangent_forward_t52 + D_delta_y_1*tangent_forward_t54
+            + D_delta_z_1*tangent_forward_t56 + forward_t52*tangent_D_delta_x_1
+            + forward_t54*tangent_D_delta_y_1 + forward_t56*tangent_D_delta_z_1);
+        mass_rate[7] = mass_rate[84] =
+            LANES(D_delta_x_2*tangent_forward_t52 + D_delta_y_2*tangent_forward_t54
+            + D_delta_z_2*tangent_forward_t56 + forward_t52*tangent_D_delta_x_2
+            + forward_t54*tangent_D_delta_y_2 + forward_t56*tangent_D_delta_z_2);
+        mass_rate[8] = mass_rate[96] =
+            LANES(D_delta_x_3*tangent_forward_t52 + D_delta_y_3*tangent_forward_t54
+            + D_delta_z_3*tangent_forward_t56 + forward_t52*tangent_D_delta_x_3
+            + forward_t54*tangent_D_delta_y_3 + forward_t56*tangent_D_delta_z_3);
+        mass_rate[9] = mass_rate[108] =
+            LANES(D_p_x_1*tangent_forward_t66 + forward_t16*tangent_forward_t35
+            + forward_t35*tangent_forward_t16 + forward_t65*tangent_t_1_x + forward_t66*tangent_D_p_x_1
+            + t_1_x*tangent_forward_t65 + tangent_forward_t51);
+        mass_rate[10] = mass_rate[120] =
+            LANES(D_p_y_1*tangent_forward_t66 + forward_t17*tangent_forward_t35
+            + forward_t35*tangent_forward_t17 + forward_t65*tangent_t_1_y + forward_t66*tangent_D_p_y_1
+            + t_1_y*tangent_forward_t65 + tangent_forward_t53);
+        mass_rate[11] = mass_rate[132] =
+            LANES(D_p_z_1*tangent_forward_t66 + forward_t18*tangent_forward_t35
+            + forward_t35*tangent_forward_t18 + forward_t65*tangent_t_1_z + forward_t66*tangent_D_p_z_1
+            + t_1_z*tangent_forward_t65 + tangent_forward_t55);
+        mass_rate[13] =
+            LANES(D_p_x_2*tangent_forward_t58 + D_p_x_2*tangent_forward_t68 + D_p_y_2*tangent_forward_t59
+            + D_p_y_2*tangent_forward_t70 + D_p_z_2*tangent_forward_t60 + D_p_z_2*tangent_forward_t72
+            + along_51 + forward_t3*tangent_forward_t48 + forward_t48*tangent_forward_t3
+            + tangent_D_p_x_2*(forward_t58 + forward_t68) + tangent_D_p_y_2*(forward_t59 + forward_t70)
+            + tangent_D_p_z_2*(forward_t60 + forward_t72));
+        mass_rate[14] = mass_rate[25] =
+            LANES(D_p_x_2*tangent_forward_t62 + D_p_x_3*tangent_forward_t68 + D_p_y_2*tangent_forward_t63
+            + D_p_y_3*tangent_forward_t70 + D_p_z_2*tangent_forward_t64 + D_p_z_3*tangent_forward_t72
+            + forward_t62*tangent_D_p_x_2 + forward_t63*tangent_D_p_y_2 + forward_t64*tangent_D_p_z_2
+            + forward_t68*tangent_D_p_x_3 + forward_t70*tangent_D_p_y_3 + forward_t72*tangent_D_p_z_3);
+        mass_rate[18] = mass_rate[73] =
+            LANES(D_delta_x_1*tangent_forward_t68 + D_delta_y_1*tangent_forward_t70
+            + D_delta_z_1*tangent_forward_t72 + forward_t68*tangent_D_delta_x_1
+            + forward_t70*tangent_D_delta_y_1 + forward_t72*tangent_D_delta_z_1);
+        mass_rate[19] = mass_rate[85] =
+            LANES(D_delta_x_2*tangent_forward_t68 + D_delta_y_2*tangent_forward_t70
+            + D_delta_z_2*tangent_forward_t72 + forward_t68*tangent_D_delta_x_2
+            + forward_t70*tangent_D_delta_y_2 + forward_t72*tangent_D_delta_z_2);
+        mass_rate[20] = mass_rate[97] =
+            LANES(D_delta_x_3*tangent_forward_t68 + D_delta_y_3*tangent_forward_t70
+            + D_delta_z_3*tangent_forward_t72 + forward_t68*tangent_D_delta_x_3
+            + forward_t70*tangent_D_delta_y_3 + forward_t72*tangent_D_delta_z_3);
+        mass_rate[21] = mass_rate[109] =
+            LANES(D_p_x_2*tangent_forward_t66 + forward_t19*tangent_forward_t36
+            + forward_t36*tangent_forward_t19 + forward_t66*tangent_D_p_x_2 + forward_t73*tangent_t_2_x
+            + t_2_x*tangent_forward_t73 + tangent_forward_t67);
+        mass_rate[22] = mass_rate[121] =
+            LANES(D_p_y_2*tangent_forward_t66 + forward_t20*tangent_forward_t36
+            + forward_t36*tangent_forward_t20 + forward_t66*tangent_D_p_y_2 + forward_t73*tangent_t_2_y
+            + t_2_y*tangent_forward_t73 + tangent_forward_t69);
+        mass_rate[23] = mass_rate[133] =
+            LANES(D_p_z_2*tangent_forward_t66 + forward_t21*tangent_forward_t36
+            + forward_t36*tangent_forward_t21 + forward_t66*tangent_D_p_z_2 + forward_t73*tangent_t_2_z
+            + t_2_z*tangent_forward_t73 + tangent_forward_t71);
+        mass_rate[26] =
+            LANES(D_p_x_3*tangent_forward_t62 + D_p_x_3*tangent_forward_t75 + D_p_y_3*tangent_forward_t63
+            + D_p_y_3*tangent_forward_t77 + D_p_z_3*tangent_forward_t64 + D_p_z_3*tangent_forward_t79
+            + along_52 + forward_t49*tangent_forward_t5 + forward_t5*tangent_forward_t49
+            + tangent_D_p_x_3*(forward_t62 + forward_t75) + tangent_D_p_y_3*(forward_t63 + forward_t77)
+            + tangent_D_p_z_3*(forward_t64 + forward_t79));
+        mass_rate[30] = mass_rate[74] =
+            LANES(D_delta_x_1*tangent_forward_t75 + D_delta_y_1*tangent_forward_t77
+            + D_delta_z_1*tangent_forward_t79 + forward_t75*tangent_D_delta_x_1
+            + forward_t77*tangent_D_delta_y_1 + forward_t79*tangent_D_delta_z_1);
+        mass_rate[31] = mass_rate[86] =
+            LANES(D_delta_x_2*tangent_forward_t75 + D_delta_y_2*tangent_forward_t77
+            + D_delta_z_2*tangent_forward_t79 + forward_t75*tangent_D_delta_x_2
+            + forward_t77*tangent_D_delta_y_2 + forward_t79*tangent_D_delta_z_2);
+        mass_rate[32] = mass_rate[98] =
+            LANES(D_delta_x_3*tangent_forward_t75 + D_delta_y_3*tangent_forward_t77
+            + D_delta_z_3*tangent_forward_t79 + forward_t75*tangent_D_delta_x_3
+            + forward_t77*tangent_D_delta_y_3 + forward_t79*tangent_D_delta_z_3);
+        mass_rate[33] = mass_rate[110] =
+            LANES(D_p_x_3*tangent_forward_t66 + forward_t22*tangent_forward_t37
+            + forward_t37*tangent_forward_t22 + forward_t66*tangent_D_p_x_3 + forward_t80*tangent_t_3_x
+            + t_3_x*tangent_forward_t80 + tangent_forward_t74);
+        mass_rate[34] = mass_rate[122] =
+            LANES(D_p_y_3*tangent_forward_t66 + forward_t23*tangent_forward_t37
+            + forward_t37*tangent_forward_t23 + forward_t66*tangent_D_p_y_3 + forward_t80*tangent_t_3_y
+            + t_3_y*tangent_forward_t80 + tangent_forward_t76);
+        mass_rate[35] = mass_rate[134] =
+            LANES(D_p_z_3*tangent_forward_t66 + forward_t24*tangent_forward_t37
+            + forward_t37*tangent_forward_t24 + forward_t66*tangent_D_p_z_3 + forward_t80*tangent_t_3_z
+            + t_3_z*tangent_forward_t80 + tangent_forward_t78);
+        mass_rate[39] = LANES(tangent_I_1);
+        mass_rate[52] = LANES(tangent_I_2);
+        mass_rate[65] = LANES(tangent_I_3);
+        mass_rate[78] =
+            LANES(forward_t50*tangent_forward_t81 + forward_t50*tangent_forward_t82
+            + forward_t50*tangent_forward_t83 + t76*tangent_forward_t50);
+        mass_rate[79] = mass_rate[90] =
+            LANES(D_delta_x_2*tangent_forward_t84 + D_delta_y_2*tangent_forward_t85
+            + D_delta_z_2*tangent_forward_t86 + forward_t84*tangent_D_delta_x_2
+            + forward_t85*tangent_D_delta_y_2 + forward_t86*tangent_D_delta_z_2);
+        mass_rate[80] = mass_rate[102] =
+            LANES(D_delta_x_3*tangent_forward_t84 + D_delta_y_3*tangent_forward_t85
+            + D_delta_z_3*tangent_forward_t86 + forward_t84*tangent_D_delta_x_3
+            + forward_t85*tangent_D_delta_y_3 + forward_t86*tangent_D_delta_z_3);
+        mass_rate[81] = mass_rate[114] =
+            LANES(D_delta_x_1*tangent_forward_t66 + forward_t66*tangent_D_delta_x_1 + tangent_forward_t84);
+        mass_rate[82] = mass_rate[126] =
+            LANES(D_delta_y_1*tangent_forward_t66 + forward_t66*tangent_D_delta_y_1 + tangent_forward_t85);
+        mass_rate[83] = mass_rate[138] =
+            LANES(D_delta_z_1*tangent_forward_t66 + forward_t66*tangent_D_delta_z_1 + tangent_forward_t86);
+        mass_rate[91] =
+            LANES(forward_t50*tangent_forward_t87 + forward_t50*tangent_forward_t88
+            + forward_t50*tangent_forward_t89 + t77*tangent_forward_t50);
+        mass_rate[92] = mass_rate[103] =
+            LANES(D_delta_x_3*tangent_forward_t90 + D_delta_y_3*tangent_forward_t91
+            + D_delta_z_3*tangent_forward_t92 + forward_t90*tangent_D_delta_x_3
+            + forward_t91*tangent_D_delta_y_3 + forward_t92*tangent_D_delta_z_3);
+        mass_rate[93] = mass_rate[115] =
+            LANES(D_delta_x_2*tangent_forward_t66 + forward_t66*tangent_D_delta_x_2 + tangent_forward_t90);
+        mass_rate[94] = mass_rate[127] =
+            LANES(D_delta_y_2*tangent_forward_t66 + forward_t66*tangent_D_delta_y_2 + tangent_forward_t91);
+        mass_rate[95] = mass_rate[139] =
+            LANES(D_delta_z_2*tangent_forward_t66 + forward_t66*tangent_D_delta_z_2 + tangent_forward_t92);
+        mass_rate[104] =
+            LANES(forward_t50*tangent_forward_t93 + forward_t50*tangent_forward_t94
+            + forward_t50*tangent_forward_t95 + t78*tangent_forward_t50);
+        mass_rate[105] = mass_rate[116] =
+            LANES(D_delta_x_3*tangent_forward_t50 + D_delta_x_3*tangent_forward_t66
+            + t79*tangent_D_delta_x_3);
+        mass_rate[106] = mass_rate[128] =
+            LANES(D_delta_y_3*tangent_forward_t50 + D_delta_y_3*tangent_forward_t66
+            + t79*tangent_D_delta_y_3);
+        mass_rate[107] = mass_rate[140] =
+            LANES(D_delta_z_3*tangent_forward_t50 + D_delta_z_3*tangent_forward_t66
+            + t79*tangent_D_delta_z_3);
+        mass_rate[117] = LANES(tangent_forward_t96);
+        mass_rate[130] = LANES(tangent_forward_t96);
+        mass_rate[143] = LANES(tangent_forward_t96);
+        lanes_clear(stiffness_rate, 144);
+        stiffness_rate[0] =
+            LANES(along_2*d_1_x*forward_t97 + along_3*d_1_y*forward_t97 + along_4*d_1_z*forward_t97
+            + along_80*t80 - 2.0*forward_t103*tangent_U_1_x_1 - 2.0*forward_t106*tangent_U_1_y_1
+            - 2.0*forward_t109*tangent_U_1_z_1 - forward_t7*mu_1*tangent_s_1_x
+            - forward_t8*mu_1*tangent_s_1_y - forward_t9*mu_1*tangent_s_1_z + forward_t97*g_x*tangent_d_1_x
+            + forward_t97*g_y*tangent_d_1_y + forward_t97*g_z*tangent_d_1_z - mu_1*s_1_x*tangent_forward_t7
+            - mu_1*s_1_y*tangent_forward_t8 - mu_1*s_1_z*tangent_forward_t9 - t80*tangent_mu_2
+            - t80*tangent_mu_3 + t82*tangent_forward_t100 + t82*tangent_forward_t98 + t82*tangent_forward_t99
+            + tangent_forward_t97*(d_1_x*g_x + d_1_y*g_y + d_1_z*g_z) + tangent_k_1
+            + tangent_mu_1*(-(U_1_x_1*U_1_x_1) - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1) - forward_t7*s_1_x
+            - forward_t8*s_1_y - forward_t9*s_1_z));
+        stiffness_rate[1] = stiffness_rate[12] =
+            LANES(D_p_x_2*k_C*tangent_D_p_x_1 - D_p_x_2*tangent_forward_t101 - D_p_x_2*tangent_forward_t103
+            + D_p_y_2*k_C*tangent_D_p_y_1 - D_p_y_2*tangent_forward_t104 - D_p_y_2*tangent_forward_t106
+            + D_p_z_2*k_C*tangent_D_p_z_1 - D_p_z_2*tangent_forward_t107 - D_p_z_2*tangent_forward_t109
+            - U_2_x_2*tangent_forward_t102 - U_2_y_2*tangent_forward_t105 - U_2_z_2*tangent_forward_t108
+            + along_80*(D_p_x_1*D_p_x_2 + D_p_y_1*D_p_y_2 + D_p_z_1*D_p_z_2) - forward_t102*tangent_U_2_x_2
+            - forward_t105*tangent_U_2_y_2 - forward_t108*tangent_U_2_z_2 - t84*tangent_D_p_x_2
+            - t86*tangent_D_p_y_2 - t88*tangent_D_p_z_2);
+        stiffness_rate[2] = stiffness_rate[24] =
+            LANES(D_p_x_3*k_C*tangent_D_p_x_1 - D_p_x_3*tangent_forward_t102 - D_p_x_3*tangent_forward_t103
+            + D_p_y_3*k_C*tangent_D_p_y_1 - D_p_y_3*tangent_forward_t105 - D_p_y_3*tangent_forward_t106
+            + D_p_z_3*k_C*tangent_D_p_z_1 - D_p_z_3*tangent_forward_t108 - D_p_z_3*tangent_forward_t109
+            - U_3_x_3*tangent_forward_t101 - U_3_y_3*tangent_forward_t104 - U_3_z_3*tangent_forward_t107
+            + along_80*(D_p_x_1*D_p_x_3 + D_p_y_1*D_p_y_3 + D_p_z_1*D_p_z_3) - forward_t101*tangent_U_3_x_3
+            - forward_t104*tangent_U_3_y_3 - forward_t107*tangent_U_3_z_3 + tangent_D_p_x_3*(-forward_t102
+            - t83) + tangent_D_p_y_3*(-forward_t105 - t85) + tangent_D_p_z_3*(-forward_t108 - t87));
+        stiffness_rate[3] = stiffness_rate[36] = LANES(-tangent_k_1);
+        stiffness_rate[6] = stiffness_rate[72] =
+            LANES(D_delta_x_1*k_C*tangent_D_p_x_1 - D_delta_x_1*tangent_forward_t101
+            - D_delta_x_1*tangent_forward_t102 - D_delta_x_1*tangent_forward_t103
+            + D_delta_y_1*k_C*tangent_D_p_y_1 - D_delta_y_1*tangent_forward_t104
+            - D_delta_y_1*tangent_forward_t105 - D_delta_y_1*tangent_forward_t106
+            + D_delta_z_1*k_C*tangent_D_p_z_1 - D_delta_z_1*tangent_forward_t107
+            - D_delta_z_1*tangent_forward_t108 - D_delta_z_1*tangent_forward_t109
+            + along_80*(D_delta_x_1*D_p_x_1 + D_delta_y_1*D_p_y_1 + D_delta_z_1*D_p_z_1)
+            + t89*tangent_D_delta_x_1 + t90*tangent_D_delta_y_1 + t91*tangent_D_delta_z_1);
+        stiffness_rate[7] = stiffness_rate[84] =
+            LANES(D_delta_x_2*k_C*tangent_D_p_x_1 - D_delta_x_2*tangent_forward_t101
+            - D_delta_x_2*tangent_forward_t102 - D_delta_x_2*tangent_forward_t103
+            + D_delta_y_2*k_C*tangent_D_p_y_1 - D_delta_y_2*tangent_forward_t104
+            - D_delta_y_2*tangent_forward_t105 - D_delta_y_2*tangent_forward_t106
+            + D_delta_z_2*k_C*tangent_D_p_z_1 - D_delta_z_2*tangent_forward_t107
+            - D_delta_z_2*tangent_forward_t108 - D_delta_z_2*tangent_forward_t109
+            + along_80*(D_delta_x_2*D_p_x_1 + D_delta_y_2*D_p_y_1 + D_delta_z_2*D_p_z_1)
+            + t89*tangent_D_delta_x_2 + t90*tangent_D_delta_y_2 + t91*tangent_D_delta_z_2);
+        stiffness_rate[8] = stiffness_rate[96] =
+            LANES(D_delta_x_3*k_C*tangent_D_p_x_1 - D_delta_x_3*tangent_forward_t101
+            - D_delta_x_3*tangent_forward_t102 - D_delta_x_3*tangent_forward_t103
+            + D_delta_y_3*k_C*tangent_D_p_y_1 - D_delta_y_3*tangent_forward_t104
+            - D_delta_y_3*tangent_forward_t105 - D_delta_y_3*tangent_forward_t106
+            + D_delta_z_3*k_C*tangent_D_p_z_1 - D_delta_z_3*tangent_forward_t107
+            - D_delta_z_3*tangent_forward_t108 - D_delta_z_3*tangent_forward_t109
+            + along_80*(D_delta_x_3*D_p_x_1 + D_delta_y_3*D_p_y_1 + D_delta_z_3*D_p_z_1)
+            + t89*tangent_D_delta_x_3 + t90*tangent_D_delta_y_3 + t91*tangent_D_delta_z_3);
+        stiffness_rate[9] = stiffness_rate[108] = LANES(D_p_x_1*along_80 + k_C*tangent_D_p_x_1);
+        stiffness_rate[10] = stiffness_rate[120] = LANES(D_p_y_1*along_80 + k_C*tangent_D_p_y_1);
+        stiffness_rate[11] = stiffness_rate[132] = LANES(D_p_z_1*along_80 + k_C*tangent_D_p_z_1);
+        stiffness_rate[13] =
+            LANES(along_2*d_2_x*forward_t113 + along_3*d_2_y*forward_t113 + along_4*d_2_z*forward_t113
+            + along_80*t92 - forward_t10*mu_2*tangent_s_2_x - forward_t11*mu_2*tangent_s_2_y
+            + forward_t113*g_x*tangent_d_2_x + forward_t113*g_y*tangent_d_2_y
+            + forward_t113*g_z*tangent_d_2_z - 2.0*forward_t116*tangent_U_2_x_2
+            - 2.0*forward_t119*tangent_U_2_y_2 - forward_t12*mu_2*tangent_s_2_z
+            - 2.0*forward_t122*tangent_U_2_z_2 - mu_2*s_2_x*tangent_forward_t10
+            - mu_2*s_2_y*tangent_forward_t11 - mu_2*s_2_z*tangent_forward_t12 - t92*tangent_mu_1
+            - t92*tangent_mu_3 + t93*tangent_forward_t110 + t93*tangent_forward_t111
+            + t93*tangent_forward_t112 + tangent_forward_t113*(d_2_x*g_x + d_2_y*g_y + d_2_z*g_z)
+            + tangent_k_2 + tangent_mu_2*(-(U_2_x_2*U_2_x_2) - (U_2_y_2*U_2_y_2) - (U_2_z_2*U_2_z_2)
+            - forward_t10*s_2_x - forward_t11*s_2_y - forward_t12*s_2_z));
+        stiffness_rate[14] = stiffness_rate[25] =
+            LANES(D_p_x_3*k_C*tangent_D_p_x_2 - D_p_x_3*tangent_forward_t114 - D_p_x_3*tangent_forward_t116
+            + D_p_y_3*k_C*tangent_D_p_y_2 - D_p_y_3*tangent_forward_t117 - D_p_y_3*tangent_forward_t119
+            + D_p_z_3*k_C*tangent_D_p_z_2 - D_p_z_3*tangent_forward_t120 - D_p_z_3*tangent_forward_t122
+            - U_3_x_3*tangent_forward_t115 - U_3_y_3*tangent_forward_t118 - U_3_z_3*tangent_forward_t121
+            + along_80*(D_p_x_2*D_p_x_3 + D_p_y_2*D_p_y_3 + D_p_z_2*D_p_z_3) - forward_t115*tangent_U_3_x_3
+            - forward_t118*tangent_U_3_y_3 - forward_t121*tangent_U_3_z_3 - t94*tangent_D_p_x_3
+            - t95*tangent_D_p_y_3 - t96*tangent_D_p_z_3);
+        stiffness_rate[16] = stiffness_rate[49] = LANES(-tangent_k_2);
+        stiffness_rate[18] = stiffness_rate[73] =
+            LANES(D_delta_x_1*k_C*tangent_D_p_x_2 - D_delta_x_1*tangent_forward_t114
+            - D_delta_x_1*tangent_forward_t115 - D_delta_x_1*tangent_forward_t116
+            + D_delta_y_1*k_C*tangent_D_p_y_2 - D_delta_y_1*tangent_forward_t117
+            - D_delta_y_1*tangent_forward_t118 - D_delta_y_1*tangent_forward_t119
+            + D_delta_z_1*k_C*tangent_D_p_z_2 - D_delta_z_1*tangent_forward_t120
+            - D_delta_z_1*tangent_forward_t121 - D_delta_z_1*tangent_forward_t122
+            + along_80*(D_delta_x_1*D_p_x_2 + D_delta_y_1*D_p_y_2 + D_delta_z_1*D_p_z_2)
+            + t97*tangent_D_delta_x_1 + t98*tangent_D_delta_y_1 + t99*tangent_D_delta_z_1);
+        stiffness_rate[19] = stiffness_rate[85] =
+            LANES(D_delta_x_2*k_C*tangent_D_p_x_2 - D_delta_x_2*tangent_forward_t114
+            - D_delta_x_2*tangent_forward_t115 - D_delta_x_2*tangent_forward_t116
+            + D_delta_y_2*k_C*tangent_D_p_y_2 - D_delta_y_2*tangent_forward_t117
+            - D_delta_y_2*tangent_forward_t118 - D_delta_y_2*tangent_forward_t119
+            + D_delta_z_2*k_C*tangent_D_p_z_2 - D_delta_z_2*tangent_forward_t120
+            - D_delta_z_2*tangent_forward_t121 - D_delta_z_2*tangent_forward_t122
+            + along_80*(D_delta_x_2*D_p_x_2 + D_delta_y_2*D_p_y_2 + D_delta_z_2*D_p_z_2)
+            + t97*tangent_D_delta_x_2 + t98*tangent_D_delta_y_2 + t99*tangent_D_delta_z_2);
+        stiffness_rate[20] = stiffness_rate[97] =
+            LANES(D_delta_x_3*k_C*tangent_D_p_x_2 - D_delta_x_3*tangent_forward_t114
+            - D_delta_x_3*tangent_forward_t115 - D_delta_x_3*tangent_forward_t116
+            + D_delta_y_3*k_C*tangent_D_p_y_2 - D_delta_y_3*tangent_forward_t117
+            - D_delta_y_3*tangent_forward_t118 - D_delta_y_3*tangent_forward_t119
+            + D_delta_z_3*k_C*tangent_D_p_z_2 - D_delta_z_3*tangent_forward_t120
+            - D_delta_z_3*tangent_forward_t121 - D_delta_z_3*tangent_forward_t122
+            + along_80*(D_delta_x_3*D_p_x_2 + D_delta_y_3*D_p_y_2 + D_delta_z_3*D_p_z_2)
+            + t97*tangent_D_delta_x_3 + t98*tangent_D_delta_y_3 + t99*tangent_D_delta_z_3);
+        stiffness_rate[21] = stiffness_rate[109] = LANES(D_p_x_2*along_80 + k_C*tangent_D_p_x_2);
+        stiffness_rate[22] = stiffness_rate[121] = LANES(D_p_y_2*along_80 + k_C*tangent_D_p_y_2);
+        stiffness_rate[23] = stiffness_rate[133] = LANES(D_p_z_2*along_80 + k_C*tangent_D_p_z_2);
+        stiffness_rate[26] =
+            LANES(along_2*d_3_x*forward_t126 + along_3*d_3_y*forward_t126 + along_4*d_3_z*forward_t126
+            + along_80*t100 + forward_t126*g_x*tangent_d_3_x + forward_t126*g_y*tangent_d_3_y
+            + forward_t126*g_z*tangent_d_3_z - 2.0*forward_t128*tangent_U_3_x_3
+            - forward_t13*mu_3*tangent_s_3_x - 2.0*forward_t130*tangent_U_3_y_3
+            - 2.0*forward_t132*tangent_U_3_z_3 - forward_t14*mu_3*tangent_s_3_y
+            - forward_t15*mu_3*tangent_s_3_z - mu_3*s_3_x*tangent_forward_t13
+            - mu_3*s_3_y*tangent_forward_t14 - mu_3*s_3_z*tangent_forward_t15 - t100*tangent_mu_1
+            - t100*tangent_mu_2 + t102*tangent_forward_t123 + t102*tangent_forward_t124
+            + t102*tangent_forward_t125 + tangent_forward_t126*(d_3_x*g_x + d_3_y*g_y + d_3_z*g_z)
+            + tangent_k_3 + tangent_mu_3*(-(U_3_x_3*U_3_x_3) - (U_3_y_3*U_3_y_3) - (U_3_z_3*U_3_z_3)
+            - forward_t13*s_3_x - forward_t14*s_3_y - forward_t15*s_3_z));
+        stiffness_rate[29] = stiffness_rate[62] = LANES(-tangent_k_3);
+        stiffness_rate[30] = stiffness_rate[74] =
+            LANES(-D_delta_x_1*tangent_forward_t128 - D_delta_y_1*tangent_forward_t130
+            - D_delta_z_1*tangent_forward_t132 + along_80*(forward_t127 + forward_t129 + forward_t131)
+            + k_C*t49 + k_C*t50 + k_C*t51 - t101*tangent_forward_t127 - t101*tangent_forward_t129
+            - t101*tangent_forward_t131 + t103*tangent_D_delta_x_1 + t104*tangent_D_delta_y_1
+            + t105*tangent_D_delta_z_1 + t106*tangent_mu_1 + t106*tangent_mu_2);
+        stiffness_rate[31] = stiffness_rate[86] =
+            LANES(-D_delta_x_2*tangent_forward_t128 - D_delta_y_2*tangent_forward_t130
+            - D_delta_z_2*tangent_forward_t132 + along_80*(forward_t133 + forward_t134 + forward_t135)
+            + k_C*t52 + k_C*t53 + k_C*t54 - t101*tangent_forward_t133 - t101*tangent_forward_t134
+            - t101*tangent_forward_t135 + t103*tangent_D_delta_x_2 + t104*tangent_D_delta_y_2
+            + t105*tangent_D_delta_z_2 + t107*tangent_mu_1 + t107*tangent_mu_2);
+        stiffness_rate[32] = stiffness_rate[98] =
+            LANES(-D_delta_x_3*tangent_forward_t128 - D_delta_y_3*tangent_forward_t130
+            - D_delta_z_3*tangent_forward_t132 + along_80*(forward_t136 + forward_t137 + forward_t138)
+            + k_C*t55 + k_C*t56 + k_C*t57 - t101*tangent_forward_t136 - t101*tangent_forward_t137
+            - t101*tangent_forward_t138 + t103*tangent_D_delta_x_3 + t104*tangent_D_delta_y_3
+            + t105*tangent_D_delta_z_3 + t108*tangent_mu_1 + t108*tangent_mu_2);
+        stiffness_rate[33] = stiffness_rate[110] = LANES(D_p_x_3*along_80 + k_C*tangent_D_p_x_3);
+        stiffness_rate[34] = stiffness_rate[122] = LANES(D_p_y_3*along_80 + k_C*tangent_D_p_y_3);
+        stiffness_rate[35] = stiffness_rate[134] = LANES(D_p_z_3*along_80 + k_C*tangent_D_p_z_3);
+        stiffness_rate[39] = LANES(along_83 + tangent_k_1);
+        stiffness_rate[52] = LANES(along_83 + tangent_k_2);
+        stiffness_rate[65] = LANES(along_83 + tangent_k_3);
+        stiffness_rate[78] =
+            LANES(along_80*t76 + t109*tangent_forward_t81 + t109*tangent_forward_t82
+            + t109*tangent_forward_t83 - t76*tangent_mu_2 - t76*tangent_mu_3 + tangent_mu_1*(1.0 - t76));
+        stiffness_rate[79] = stiffness_rate[90] =
+            LANES(along_80*(forward_t139 + forward_t140 + forward_t141) + k_C*t58 + k_C*t59 + k_C*t60
+            + k_C*t61 + k_C*t62 + k_C*t63 + t110*tangent_forward_t139 + t110*tangent_forward_t140
+            + t110*tangent_forward_t141 + t111*tangent_mu_1 + t111*tangent_mu_2 + t111*tangent_mu_3);
+        stiffness_rate[80] = stiffness_rate[102] =
+            LANES(along_80*(forward_t142 + forward_t143 + forward_t144) + k_C*t64 + k_C*t65 + k_C*t66
+            + k_C*t67 + k_C*t68 + k_C*t69 + t110*tangent_forward_t142 + t110*tangent_forward_t143
+            + t110*tangent_forward_t144 + t112*tangent_mu_1 + t112*tangent_mu_2 + t112*tangent_mu_3);
+        stiffness_rate[81] = stiffness_rate[114] = LANES(D_delta_x_1*along_80 + k_C*tangent_D_delta_x_1);
+        stiffness_rate[82] = stiffness_rate[126] = LANES(D_delta_y_1*along_80 + k_C*tangent_D_delta_y_1);
+        stiffness_rate[83] = stiffness_rate[138] = LANES(D_delta_z_1*along_80 + k_C*tangent_D_delta_z_1);
+        stiffness_rate[91] =
+            LANES(along_80*t77 + t109*tangent_forward_t87 + t109*tangent_forward_t88
+            + t109*tangent_forward_t89 - t77*tangent_mu_1 - t77*tangent_mu_3 + tangent_mu_2*(1.0 - t77));
+        stiffness_rate[92] = stiffness_rate[103] =
+            LANES(along_80*(forward_t145 + forward_t146 + forward_t147) + k_C*t70 + k_C*t71 + k_C*t72
+            + k_C*t73 + k_C*t74 + k_C*t75 + t110*tangent_forward_t145 + t110*tangent_forward_t146
+            + t110*tangent_forward_t147 + t113*tangent_mu_1 + t113*tangent_mu_2 + t113*tangent_mu_3);
+        stiffness_rate[93] = stiffness_rate[115] = LANES(D_delta_x_2*along_80 + k_C*tangent_D_delta_x_2);
+        stiffness_rate[94] = stiffness_rate[127] = LANES(D_delta_y_2*along_80 + k_C*tangent_D_delta_y_2);
+        stiffness_rate[95] = stiffness_rate[139] = LANES(D_delta_z_2*along_80 + k_C*tangent_D_delta_z_2);
+        stiffness_rate[104] =
+            LANES(along_80*t78 + t109*tangent_forward_t93 + t109*tangent_forward_t94
+            + t109*tangent_forward_t95 - t78*tangent_mu_1 - t78*tangent_mu_2 + tangent_mu_3*(1.0 - t78));
+        stiffness_rate[105] = stiffness_rate[116] = LANES(D_delta_x_3*along_80 + k_C*tangent_D_delta_x_3);
+        stiffness_rate[106] = stiffness_rate[128] = LANES(D_delta_y_3*along_80 + k_C*tangent_D_delta_y_3);
+        stiffness_rate[107] = stiffness_rate[140] = LANES(D_delta_z_3*along_80 + k_C*tangent_D_delta_z_3);
+        stiffness_rate[117] = LANES(along_80);
+        stiffness_rate[130] = LANES(along_80);
+        stiffness_rate[143] = LANES(along_80);
+        lanes_clear(motion_rate, 36);
+        motion_rate[0] = LANES(tangent_D_p_x_1);
+        motion_rate[1] = LANES(tangent_D_p_x_2);
+        motion_rate[2] = LANES(tangent_D_p_x_3);
+        motion_rate[6] = LANES(tangent_D_delta_x_1);
+        motion_rate[7] = LANES(tangent_D_delta_x_2);
+        motion_rate[8] = LANES(tangent_D_delta_x_3);
+        motion_rate[12] = LANES(tangent_D_p_y_1);
+        motion_rate[13] = LANES(tangent_D_p_y_2);
+        motion_rate[14] = LANES(tangent_D_p_y_3);
+        motion_rate[18] = LANES(tangent_D_delta_y_1);
+        motion_rate[19] = LANES(tangent_D_delta_y_2);
+        motion_rate[20] = LANES(tangent_D_delta_y_3);
+        motion_rate[24] = LANES(tangent_D_p_z_1);
+        motion_rate[25] = LANES(tangent_D_p_z_2);
+        motion_rate[26] = LANES(tangent_D_p_z_3);
+        motion_rate[30] = LANES(tangent_D_delta_z_1);
+        motion_rate[31] = LANES(tangent_D_delta_z_2);
+        motion_rate[32] = LANES(tangent_D_delta_z_3);
+        lanes_take(paths, path, mass_rate, stiffness_rate, motion_rate);
+    }
+}

@@ -27,6 +27,7 @@ SOURCES = (
     "request.h",
     "rows.h",
     "system.h",
+    "tangent.h",
 )
 #: No contraction: every processor computes the same digits.  The loops over poses are vectors already, and the others
 #: are too short to be made into vectors.

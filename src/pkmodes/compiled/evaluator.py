@@ -1,4 +1,4 @@
-"""The compiled evaluator of one robot: modes at poses, written into arrays of the caller."""
+"""The compiled evaluator of one robot, or of several: modes at poses, written into arrays of the caller."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from threading import Lock
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.compiled.lanes import Lanes, Terms
+from pkmodes.compiled.lanes import Along, Lanes, Terms
 from pkmodes.compiled.loader import Library, Request
 
 Array = NDArray[np.float64]
@@ -19,7 +19,7 @@ SHARE = 4800
 
 
 class Evaluator:
-    """The compiled evaluator of one robot.
+    """The compiled evaluator of one robot, or of several with the same free coordinates.
 
     Parameters
     ----------
@@ -27,6 +27,8 @@ class Evaluator:
         Without effects; with them `lanes` says how many there are.
     largest_condition : float
         Poses with a larger condition number are singular.
+    directions : int
+        Directions of the platform's motion, for `along`.
 
     Attributes
     ----------
@@ -34,11 +36,18 @@ class Evaluator:
         n, and m of them with inertia.
     """
 
-    def __init__(self, library: Library, lanes: Lanes, coordinates: int, largest_condition: float) -> None:
+    def __init__(
+        self, library: Library, lanes: Lanes, coordinates: int, largest_condition: float, directions: int = 0
+    ) -> None:
         self.coordinates = coordinates
         self.modes = coordinates - int(lanes.massless.sum())
         self._library, self._lanes = library, lanes  # the arrays live as long as their addresses are used
+        self._robots, self._directions = lanes.robots, directions
         self._request = Request(
+            robots=self._robots,
+            parameter_count=lanes.parameters.shape[-1],
+            effect_count=lanes.effects.shape[-1],
+            joint_count=lanes.joints.shape[-1],
             parameters=lanes.parameters.ctypes.data,
             effects=lanes.effects.ctypes.data,
             largest_condition=largest_condition,
@@ -61,12 +70,12 @@ class Evaluator:
         Parameters
         ----------
         points : ndarray, shape (N, d)
-            Contiguous.
+            Contiguous; of several robots the same number for each, robot by robot.
         arrays : mapping of str to ndarray, (N, ...)
             Contiguous arrays to fill, by field of `pkmodes.compiled.lanes.FIELDS`, or of `RATES` with `terms`; NaN
             where a pose cannot be evaluated.
         threads : int
-            Number of threads; the results do not depend on it.
+            Number of threads for one robot; the results do not depend on it.
         width : int, optional
             Number of lanes, by default the largest that the processor has.
         terms : Terms, optional
@@ -80,7 +89,7 @@ class Evaluator:
         count = len(points)
         codes = np.empty(count, dtype=np.int8)
         request = self._with(terms)
-        helpers = min(threads, -(-count // SHARE)) - 1
+        helpers = min(threads, -(-count // SHARE)) - 1 if self._robots == 1 else 0
         if helpers < 1:
             self._part(request, points, arrays, codes, width)
             return codes
@@ -103,6 +112,36 @@ class Evaluator:
             for other in others:
                 other.result()
         return codes
+
+    def along(self, points: Array, eigenvalues: Array, shapes: Array, terms: Terms) -> Along | None:
+        """Evaluate the derivatives along paths that the derivatives of given modes need.
+
+        Parameters
+        ----------
+        points : ndarray, shape (N, d)
+            As for `run`.
+        eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
+            The modes, with n coordinates that are not locked.
+        terms : Terms
+            Of T paths; for several robots those of each.
+
+        Returns
+        -------
+        Along or None
+            None if a pose cannot be evaluated.
+        """
+        count, m, n = shapes.shape
+        request = Request.from_buffer_copy(self._with(terms))
+        request.effects = self._request.effects
+        given = np.ascontiguousarray(eigenvalues), np.ascontiguousarray(shapes)
+        request.given_eigenvalues, request.given_shapes = (array.ctypes.data for array in given)
+        request.modes, request.path_count = m, terms.first.shape[-1] - 1
+        request.term_count = terms.first.shape[-1] if terms.first.ndim > 1 else 0
+        tails = {"changes": (m, n), "mode_rates": (m,), "norms": (m,), "motions": (m, self._directions)}
+        arrays = {name: np.empty((count, request.path_count, *tail)) for name, tail in tails.items()}
+        codes = np.empty(count, dtype=np.int8)
+        self._part(request, points, arrays, codes, None)
+        return None if codes.any() else Along(**arrays)
 
     def _with(self, terms: Terms | None) -> Request:
         """Return the request with paths."""

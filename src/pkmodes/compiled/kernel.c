@@ -11,6 +11,7 @@
 #endif
 
 #include "gradient.h"
+#include "tangent.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 #define LARGEST 1.7976931348623157e308
@@ -189,6 +190,8 @@ INLINE void lanes_evaluate(const struct pkmodes_request *request, long long star
         system[u].block = (struct lanes_block){request, first, left < LANES_WIDTH ? (int)left : LANES_WIDTH, code};
         if (request->joint_positions)
             lanes_put(&system[u].block, request->joint_positions, q, LANES_INDEPENDENT);
+        if (request->changes)
+            lanes_along_paths(&system[u].block, system[u].pose);
     }
     if (modes || matrices) {
         if (request->free_count)
@@ -201,11 +204,26 @@ INLINE void lanes_evaluate(const struct pkmodes_request *request, long long star
             request->codes[system[u].block.start + w] = (signed char)system[u].block.code[w];
 }
 
-void LANES_RUN(const struct pkmodes_request *request)
+/* Evaluate one robot at its poses, from `start` to before `request->count`. */
+static void lanes_robot(const struct pkmodes_request *request, long long start)
 {
-    long long start = 0;
     for (; request->count - start > (EIGEN_UNITS - 1) * LANES_WIDTH; start += EIGEN_UNITS * LANES_WIDTH)
         lanes_evaluate(request, start, EIGEN_UNITS);
     for (; start < request->count; start += LANES_WIDTH)
         lanes_evaluate(request, start, 1);
+}
+
+void LANES_RUN(const struct pkmodes_request *request)
+{
+    const long long each = request->count / request->robots;
+    for (long long r = 0; r < request->robots; r++) {
+        struct pkmodes_request robot = *request;
+        robot.count = (r + 1) * each;
+        robot.parameters += r * request->parameter_count;
+        robot.effects += r * request->effect_count;
+        robot.joints += r * request->joint_count;
+        if (request->term_count)
+            robot.first_term += r * request->term_count;
+        lanes_robot(&robot, r * each);
+    }
 }

@@ -25,14 +25,14 @@ UNSOLVED = -1
 
 
 class Lanes(NamedTuple):
-    """A robot as the kernel takes it.
+    """A robot as the kernel takes it, or several that differ only in numbers.
 
     Attributes
     ----------
     parameters, effects : ndarray
-        Flat, in the order of the generated fields.
+        Flat, in the order of the generated fields; a row for each of several robots.
     joints : ndarray, shape (e,)
-        Stiffnesses of the released joints, zero elsewhere.
+        Stiffnesses of the released joints, zero elsewhere; (B, e) for several robots.
     free : ndarray of int32, shape (n,)
         Which of all coordinates are not locked; none without effects.
     massless : ndarray of int8, shape (n,)
@@ -45,6 +45,11 @@ class Lanes(NamedTuple):
     free: NDArray[np.int32]
     massless: NDArray[np.int8]
 
+    @property
+    def robots(self) -> int:
+        """Number of robots."""
+        return len(self.parameters) if self.parameters.ndim > 1 else 1
+
 
 class Terms(NamedTuple):
     """T parameter paths, along each of which the derivative is a weighted sum of entries of the gradient.
@@ -56,7 +61,7 @@ class Terms(NamedTuple):
     Attributes
     ----------
     first : ndarray of int32, shape (T + 1,)
-        Where the terms of each path begin, and where the last ones end.
+        Where the terms of each path begin, and where the last ones end; (B, T + 1) for several robots.
     places : ndarray of int32
         Entry of each term.
     weights : ndarray
@@ -78,6 +83,27 @@ class Terms(NamedTuple):
     locked_joints: bool
 
 
+class Along(NamedTuple):
+    """Derivatives along T paths that the derivatives of m given modes need, at N poses.
+
+    Attributes
+    ----------
+    changes : ndarray, shape (N, T, m, n)
+        (dK - lambda dM) phi, without terms of locked joints.
+    mode_rates : ndarray, shape (N, T, m)
+        phi^T (dK - lambda dM) phi.
+    norms : ndarray, shape (N, T, m)
+        phi^T dM phi.
+    motions : ndarray, shape (N, T, m, directions)
+        dJ phi, J the motion of the platform.
+    """
+
+    changes: Array
+    mode_rates: Array
+    norms: Array
+    motions: Array
+
+
 def flat(values: Any) -> Array:
     """The fields of a named tuple, one after the other."""
-    return np.concatenate([np.ravel(np.asarray(value, dtype=float)) for value in values])
+    return np.concatenate(values, axis=None, dtype=float)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
@@ -133,7 +134,7 @@ class Prediction:
     rigid: int = 0
     shape_rates: ShapeRates | None = None
 
-    @property
+    @cached_property
     def log_frequencies(self) -> Array:
         """Natural logarithm of the frequencies in Hz, (S, m)."""
         with np.errstate(divide="ignore", invalid="ignore"):

@@ -16,22 +16,28 @@ Array = NDArray[np.float64]
 ALIKE = 1e-6
 
 
+def normalised(shapes: Array) -> Array:
+    """Return measured shapes (..., C), NaN where not measured, relative to the largest component and without NaN."""
+    values = np.where(np.isfinite(shapes), shapes, 0.0)
+    largest = np.abs(values).max(axis=-1, initial=0.0, keepdims=True)
+    return np.asarray(values / np.where(largest > 0.0, largest, 1.0))
+
+
 def weighted(shapes: Array, model: Array, moves: Array) -> tuple[Array, Array]:
-    """Return measured shapes, zero where not measured, and the model's, in units of each channel's motion.
+    """Return measured shapes and the model's, in units of each channel's motion.
 
     Parameters
     ----------
     shapes : ndarray, shape (..., r, C)
-        NaN where not measured.
+        From `normalised`.
     model : ndarray, shape (..., m, C)
     moves : ndarray, shape (..., C)
         See `channel_motion`; for channels that do not move in the reference, this model's motion is used.
     """
-    moves = np.where(moves > 0.0, moves, channel_motion(model))
+    if not (moves > 0.0).all():
+        moves = np.where(moves > 0.0, moves, channel_motion(model))
     weights = np.where(moves > 0.0, 1.0 / np.where(moves > 0.0, moves, 1.0), 0.0)[..., None, :]
-    values = np.where(np.isfinite(shapes), shapes, 0.0)
-    largest = np.abs(values).max(axis=-1, initial=0.0, keepdims=True)
-    return values / np.where(largest > 0.0, largest, 1.0) * weights, model * weights
+    return shapes * weights, model * weights
 
 
 def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:

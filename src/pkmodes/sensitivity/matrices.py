@@ -12,7 +12,7 @@ times that force.  The derivative is finite at c = 0, where the joint's stiffnes
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -126,8 +126,8 @@ class MatrixDerivatives:
 
     Attributes
     ----------
-    M, K : ndarray, shape (N, e, e)
-        In the base and all released coordinates; locked joints are free in them, without a spring.
+    size : int
+        e, the number of base and all released coordinates.
     free : ndarray of int, shape (n,)
         Indices of the coordinates that are not locked.
     locked : tuple of int
@@ -142,36 +142,78 @@ class MatrixDerivatives:
         matrices: tuple[Array, Array] | None = None,
     ) -> None:
         self._system, self._p = system, p
-        self.free = system.free
-        self.M, self.K = system.all_coordinates(p) if matrices is None else matrices
+        self.free, self.size = system.free, len(system.mechanism.extended.COORDINATES)
+        self._matrices = matrices
         self._locked = locked_joints(system, paths[0])
         self.locked = tuple(self._locked)
         if self.locked and len(paths) > 1:
             raise ValueError(
                 "robots with derivatives with respect to locked joints must be evaluated one by one"
             )
-        shape = len(paths), len(paths[0])
-        each = len(p) // shape[0]
+        self._paths, self._each = paths, (len(paths), len(p) // len(paths))
+
+    @cached_property
+    def _directions(self) -> tuple[Array, Array, Array]:
+        """Stiffness of springs, numbers with derivatives, and pose along each path of each robot."""
+        system, paths = self._system, self._paths
+        shape, each = (len(paths), len(paths[0])), self._each[1]
         rates = np.atleast_2d(system.joint_rates)[:: each or 1]
-        self._springs, self._each = np.zeros((*shape, self.M.shape[-1])), (shape[0], each)
+        springs, shift = np.zeros((*shape, self.size)), np.zeros((*shape, self._p.shape[-1]))
         slots, free = _slots(system.mechanism), set(system.free)
         along = np.zeros((shape[0], len(slots), shape[1]))
-        self._shift = np.zeros((*shape, p.shape[-1]))
         for b, t in np.ndindex(shape):
             for slot, weight in paths[b][t].weights.items():
                 if slot in joints_of(system.mechanism):
                     place = [q for q in joints_of(system.mechanism)[slot] if q in free]
-                    self._springs[b, t, place] += weight * rates[b, place]
+                    springs[b, t, place] += weight * rates[b, place]
                 elif slot[0] == POSE:
-                    self._shift[b, t, slot[1]] += weight
+                    shift[b, t, slot[1]] += weight
                 elif slot in slots:
                     along[b, slots[slot], t] += weight
                 else:  # the field enters only as the difference from another field
                     along[b, slots[system.mechanism.differences[slot[0]], slot[1]], t] -= weight
-        self._along = tuple(along[:, self._entries(matrix).slot] for matrix in (0, 1))
-        geometry = bool(along[:, len(system.mechanism.extended.VALUE_SENSITIVITIES) :].any())
-        self._values = system.derivatives(p, geometry=geometry)
-        self._by_pose = system.by_pose(p) if self._shift.any() else None
+        return springs, along, shift
+
+    @property
+    def _springs(self) -> Array:
+        return self._directions[0]
+
+    @property
+    def _shift(self) -> Array:
+        return self._directions[2]
+
+    @cached_property
+    def _along(self) -> tuple[Array, Array]:
+        along = self._directions[1]
+        return along[:, self._entries(0).slot], along[:, self._entries(1).slot]
+
+    @cached_property
+    def _values(self) -> tuple[Array, Array]:
+        values = len(self._system.mechanism.extended.VALUE_SENSITIVITIES)
+        return self._system.derivatives(self._p, geometry=bool(self._directions[1][:, values:].any()))
+
+    @cached_property
+    def _by_pose(self) -> tuple[Array, Array] | None:
+        return self._system.by_pose(self._p) if self._shift.any() else None
+
+    @property
+    def mass(self) -> Array:
+        """M in all coordinates, (N, e, e); locked joints are free in it."""
+        return self._all_coordinates[0]
+
+    @property
+    def stiffness(self) -> Array:
+        """K in all coordinates, (N, e, e); locked joints are free in it, without a spring."""
+        return self._all_coordinates[1]
+
+    @cached_property
+    def _all_coordinates(self) -> tuple[Array, Array]:
+        return self._system.all_coordinates(self._p) if self._matrices is None else self._matrices
+
+    @property
+    def massless(self) -> NDArray[np.bool_]:
+        """Which of the free coordinates have no inertia, (n,)."""
+        return self._system.massless()
 
     def dense(self, poses: Index | slice = slice(None)) -> tuple[Array, Array]:
         """Evaluate dM and dK along each path, (N, T, n, n), in the free coordinates, at some or all poses.
@@ -183,7 +225,7 @@ class MatrixDerivatives:
         for matrix in (0, 1):
             entries = self._entries(matrix)
             values = self._values[matrix][poses]
-            full = np.zeros((len(values), self._springs.shape[1], *self.M.shape[1:]))
+            full = np.zeros((len(values), self._springs.shape[1], self.size, self.size))
             for t in range(full.shape[1]):
                 along = self._along[matrix][..., t]
                 some = np.flatnonzero(
@@ -229,23 +271,42 @@ class MatrixDerivatives:
         strained = self._of_each(phi**2) @ np.swapaxes(self._springs, 1, 2)
         rates = (parts[1] + strained).reshape(*shapes.shape[:2], self._springs.shape[1])
         rates -= eigenvalues[..., None] * parts[0].reshape(rates.shape)
+        self._add_locked(rates, eigenvalues, shapes)
+        return np.asarray(rates)
+
+    def _add_locked(self, rates: Array, eigenvalues: Array, shapes: Array) -> None:
+        """Add the derivatives of eigenvalues with respect to the compliances of locked joints, (N, m, T)."""
         for t in self.locked:
             for joints, weight in self._locked[t]:
                 force = self.joint_forces(eigenvalues, shapes, joints)
                 rates[..., t] -= weight * np.sum(force**2, axis=-1)
-        return np.asarray(rates)
+
+    def changes(self, eigenvalues: Array, shapes: Array) -> tuple[Array, Array]:
+        """Evaluate (dK - lambda dM) phi, (N, T, m, n), and phi^T dM phi, (N, T, m), along each path."""
+        dM, dK = self.dense()
+        modes = np.swapaxes(shapes, -1, -2)[:, None]
+        inertia = dM @ modes
+        change = np.swapaxes(dK @ modes - inertia * eigenvalues[:, None, None], -1, -2)
+        norm = np.einsum("nia,ntai->nti", shapes, inertia)
+        for t in self.locked:
+            change[:, t], norm[:, t] = self.locked_change(t, eigenvalues, shapes)
+        return change, norm
+
+    def motions(self, shapes: Array) -> Array | None:
+        """Return the derivatives of the platform's motion in fixed shapes, (N, T, m, directions), if known."""
+        return None
 
     def joint_forces(self, eigenvalues: Array, shapes: Array, joints: Sequence[int]) -> Array:
         """Compute the forces B(lambda) phi that locked joints carry in each mode, (N, m, r)."""
         K, M = (
             (a[:, list(joints)][..., self.free] @ np.swapaxes(shapes, -1, -2)).swapaxes(-1, -2)
-            for a in (self.K, self.M)
+            for a in (self.stiffness, self.mass)
         )
         return np.asarray(K - eigenvalues[..., None] * M)
 
     def locked_motion(self, t: int, eigenvalues: Array, shapes: Array) -> Array:
         """Compute the deflection of locked joints under their forces, per unit of compliance, (N, m, e)."""
-        motion = np.zeros((*shapes.shape[:-1], self.M.shape[-1]))
+        motion = np.zeros((*shapes.shape[:-1], self.size))
         for joints, weight in self._locked[t]:
             motion[..., list(joints)] -= weight * self.joint_forces(eigenvalues, shapes, joints)
         return motion
@@ -263,7 +324,7 @@ class MatrixDerivatives:
         change, norm = self._springs[0, t, self.free] * shapes, np.zeros_like(eigenvalues)
         for joints, weight in self._locked[t]:
             force = self.joint_forces(eigenvalues, shapes, joints)
-            K, M = (a[:, list(joints)][..., self.free] for a in (self.K, self.M))
+            K, M = (a[:, list(joints)][..., self.free] for a in (self.stiffness, self.mass))
             change -= weight * (force @ K - eigenvalues[..., None] * (force @ M))
             norm -= weight * 2.0 * np.sum(force * (shapes @ np.swapaxes(M, -1, -2)), axis=-1)
         return change, norm
@@ -314,6 +375,6 @@ class MatrixDerivatives:
         return values.reshape(robots, poses * values.shape[1], values.shape[-1])
 
     def _embedded(self, shapes: Array) -> Array:
-        phi = np.zeros((*shapes.shape[:-1], self.M.shape[-1]))
+        phi = np.zeros((*shapes.shape[:-1], self.size))
         phi[..., self.free] = shapes
         return phi

@@ -12,6 +12,8 @@ same from one linear system for each mode: slower, but accurate to the last digi
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -24,7 +26,13 @@ SMALLEST_GAP = 1e-6
 ROUNDING = float(np.finfo(float).eps)
 
 
-def shape_derivatives(derivatives: MatrixDerivatives, eigenvalues: Array, shapes: Array, first: int) -> Array:
+def shape_derivatives(
+    derivatives: MatrixDerivatives,
+    eigenvalues: Array,
+    shapes: Array,
+    motions: Array | None = None,
+    motion: Callable[[], Array] | None = None,
+) -> Array:
     """Compute derivatives of all mode shapes along parameter paths.
 
     Parameters
@@ -34,21 +42,19 @@ def shape_derivatives(derivatives: MatrixDerivatives, eigenvalues: Array, shapes
     eigenvalues : ndarray, shape (N, m)
     shapes : ndarray, shape (N, m, n)
         In the free coordinates, mass-normalised.
-    first : int
-        Index of the first coordinate that may have no inertia.
+    motions : ndarray, shape (N, m, d), optional
+        Motions in each mode that are linear in the coordinates, such as those of the platform.
+    motion : callable, optional
+        Returns these motions per unit of all coordinates, (N, d, e); called only if there are coordinates without
+        inertia, or locked joints.
 
     Returns
     -------
-    ndarray, shape (N, T, m, e)
-        In all coordinates, including those of locked joints, which deflect.
+    ndarray, shape (N, T, m, e + d)
+        In all coordinates, including those of locked joints, which deflect; then the motions, per unit of the
+        coordinates as they are.
     """
-    dM, dK = derivatives.dense()
-    modes = np.swapaxes(shapes, -1, -2)[:, None]
-    inertia = dM @ modes
-    change = np.swapaxes(dK @ modes - inertia * eigenvalues[:, None, None], -1, -2)
-    norm = np.einsum("nia,ntai->nti", shapes, inertia)
-    for t in derivatives.locked:
-        change[:, t], norm[:, t] = derivatives.locked_change(t, eigenvalues, shapes)
+    change, norm = derivatives.changes(eigenvalues, shapes)
     gap = eigenvalues[:, :, None] - eigenvalues[:, None, :]
     least = SMALLEST_GAP * np.maximum(np.abs(eigenvalues[:, :, None]), np.abs(eigenvalues[:, None, :]))
     least = np.maximum(least, ROUNDING * np.abs(eigenvalues).max(axis=1)[:, None, None])
@@ -56,17 +62,24 @@ def shape_derivatives(derivatives: MatrixDerivatives, eigenvalues: Array, shapes
     share = change @ np.swapaxes(shapes, -1, -2)[:, None] / gap[:, None]  # (N, T, i, j)
     diagonal = np.arange(shapes.shape[1])
     share[..., diagonal, diagonal] = -0.5 * norm
-    free = derivatives.free
-    rates = np.zeros((*share.shape[:3], derivatives.M.shape[-1]))
-    rates[..., free] = share @ shapes[:, None]
-    M = derivatives.M[:, free[:, None], free]
-    massless = (M == 0.0).all(axis=(0, 1)) & (np.arange(len(free)) >= first)
-    if massless.any():
-        r = np.flatnonzero(massless)
-        K = derivatives.K[:, free[r][:, None], free[r]]
-        rates[..., free[r]] -= np.swapaxes(
+    free, size = derivatives.free, derivatives.size
+    channels = np.zeros((*shapes.shape[:2], size + (0 if motions is None else motions.shape[-1])))
+    channels[..., free] = shapes
+    if motions is not None:
+        channels[..., size:] = motions
+    rates: Array = share @ channels[:, None]
+    r = np.flatnonzero(derivatives.massless)
+    if not (len(r) or derivatives.locked):
+        return rates
+    beyond = np.zeros((*share.shape[:3], size))
+    if len(r):
+        K = derivatives.stiffness[:, free[r][:, None], free[r]]
+        beyond[..., free[r]] -= np.swapaxes(
             np.linalg.solve(K[:, None], np.swapaxes(change[..., r], -1, -2)), -1, -2
         )
     for t in derivatives.locked:
-        rates[:, t] += derivatives.locked_motion(t, eigenvalues, shapes)
+        beyond[:, t] += derivatives.locked_motion(t, eigenvalues, shapes)
+    rates[..., :size] += beyond
+    if motion is not None:
+        rates[..., size:] += beyond @ np.swapaxes(motion(), -1, -2)[:, None]
     return rates

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.compiled.lanes import FIELDS, UNSOLVED, Terms
+from pkmodes.compiled.lanes import FIELDS, UNSOLVED, Along, Terms
 from pkmodes.linalg.eigen import has_stiff_joint, held_softly
 from pkmodes.mechanism.poses import CHUNK
 from pkmodes.solve.at_poses import RobotAtPoses
@@ -32,13 +32,14 @@ class CompiledSolver(Solver):
     Parameters
     ----------
     system : Evaluation
-        Of the same robot.
+        Of the same robot or robots.
     """
 
     name = "compiled"
     fields: ClassVar[frozenset[str]] = frozenset(FIELDS)
     checks_poses = True
     differentiates = True
+    together = True
     #: The fields that need the eigenproblem.
     _of_modes = frozenset({"frequencies", EIGENVALUES, "shapes", "platform_shapes"})
 
@@ -67,7 +68,8 @@ class CompiledSolver(Solver):
             raise UnavailableError(
                 f"the compiled back end is not available: {error.why}", mechanism.name, error.remedy
             ) from None
-        return cls(Evaluator(library, lanes, len(system.coordinates), largest_condition), system)
+        directions = len(mechanism.directions)
+        return cls(Evaluator(library, lanes, len(system.coordinates), largest_condition, directions), system)
 
     def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
         """Fill arrays."""
@@ -80,6 +82,10 @@ class CompiledSolver(Solver):
     def rates(self, at: RobotAtPoses, arrays: Mapping[str, Array], terms: Terms, threads: int = 1) -> Codes:
         """Fill arrays, also with derivatives."""
         return self._marked(self.evaluator.run(at.points, arrays, threads, terms=terms), arrays)
+
+    def along(self, at: RobotAtPoses, eigenvalues: Array, shapes: Array, terms: Terms) -> Along | None:
+        """Return what the derivatives of given modes along paths need; None if a pose cannot be evaluated."""
+        return self.evaluator.along(at.points, eigenvalues, shapes, terms)
 
     def _marked(self, codes: Codes, arrays: Mapping[str, Array]) -> Codes:
         """Mark the poses at which the kernel cannot resolve a vibration."""

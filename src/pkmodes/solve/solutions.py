@@ -14,6 +14,7 @@ from pkmodes.solve.backends import AUTO, chosen, solver_of
 from pkmodes.solve.numpy_solver import NumpySolver, checked_modes, modes_of
 from pkmodes.solve.solver import EIGENVALUES, SHAPES, UNSOLVED, Solver, UnavailableError
 from pkmodes.system.evaluation import Evaluation, ExtendedSystem, number_of_modes
+from pkmodes.system.stacked import stacked
 
 Array = NDArray[np.float64]
 MOTIONS = "platform_shapes"
@@ -67,6 +68,8 @@ class ModesOfSystems(NamedTuple):
         Of the platform.
     matrices : tuple of ndarray, or None
         M and K in all coordinates, if they were evaluated.
+    solver : Solver, or None
+        Of all robots together, if there is one.
     """
 
     system: ExtendedSystem
@@ -74,6 +77,7 @@ class ModesOfSystems(NamedTuple):
     shapes: Array
     motions: Array
     matrices: tuple[Array, Array] | None
+    solver: Solver | None
 
 
 def modes_of_systems(systems: Sequence[ExtendedSystem], points: Array) -> ModesOfSystems:
@@ -85,61 +89,89 @@ def modes_of_systems(systems: Sequence[ExtendedSystem], points: Array) -> ModesO
     points : ndarray, shape (B n, d)
         n poses of each robot, robot by robot.
     """
-    stacked = ExtendedSystem.stacked(systems, len(points) // len(systems))
-    modes = _by_solvers(systems, stacked, points)
+    system = stacked(systems, len(points) // len(systems))
+    modes = _by_solvers(systems, system, np.ascontiguousarray(points))
     if modes is not None:
         return modes
-    at = RobotAtPoses(stacked, points, "", {})
+    at = RobotAtPoses(system, points, "", {})
     matrices = None
     try:
         eigenvalues, shapes = modes_of(at)
         matrices = at.all_coordinates
     except np.linalg.LinAlgError:  # a required inertia is missing: these values are not a machine
-        eigenvalues = np.full((len(points), len(stacked.free)), np.nan)
-        shapes = np.zeros((*eigenvalues.shape, len(stacked.free)))
-    return ModesOfSystems(stacked, eigenvalues, shapes, _motions(at, shapes), matrices)
+        eigenvalues = np.full((len(points), len(system.free)), np.nan)
+        shapes = np.zeros((*eigenvalues.shape, len(system.free)))
+    return ModesOfSystems(system, eigenvalues, shapes, _motions(at, shapes), matrices, None)
+
+
+def modes_where_reached(systems: Sequence[ExtendedSystem], points: Array) -> ModesOfSystems | None:
+    """Evaluate the same at poses that may be out of reach; None if one is, or if no solver checks poses itself."""
+    system = stacked(systems, len(points) // len(systems))
+    return _by_solvers(systems, system, np.ascontiguousarray(points), checked=False)
 
 
 def _by_solvers(
-    systems: Sequence[ExtendedSystem], stacked: ExtendedSystem, points: Array
+    systems: Sequence[ExtendedSystem], system: ExtendedSystem, points: Array, *, checked: bool = True
 ) -> ModesOfSystems | None:
-    """Evaluate each robot with its own solver; None if NumPy has to evaluate them together."""
-    each = len(points) // len(systems)
-    points = np.ascontiguousarray(points)
-    arrays: dict[str, Array] = {}
-    codes = np.empty(len(points), dtype=np.int8)
+    """Evaluate all robots with one solver, or each with its own; None if NumPy has to evaluate them together."""
     backend = chosen(AUTO)
-    for b, system in enumerate(systems):
-        try:
-            solver = solver_of(system, MAX_CONDITION, backend)
-        except UnavailableError:
-            return None
-        if isinstance(solver, NumpySolver):
-            return None
-        n, m = len(system.coordinates), number_of_modes(system)
-        if not arrays:
-            tails = {EIGENVALUES: (m,), SHAPES: (m, n), MOTIONS: (m, len(system.mechanism.directions))}
-            arrays = {name: np.empty((len(points), *tail)) for name, tail in tails.items()}
-        if m != arrays[EIGENVALUES].shape[1]:
-            return None
-        part = slice(b * each, (b + 1) * each)
-        filled = {name: array[part] for name, array in arrays.items() if name in solver.fields}
-        codes[part] = solver.compute(RobotAtPoses(system, points[part], "", {}), filled)
+    massless = system.massless()
+    if any((one.massless() != massless).any() for one in systems):
+        return None
+    try:
+        solver = solver_of(system, MAX_CONDITION, backend)
+        solvers = [] if solver.together else [solver_of(s, MAX_CONDITION, backend) for s in systems]
+    except UnavailableError:
+        return None
+    if isinstance(solver, NumpySolver) or not (checked or solver.checks_poses):
+        return None
+    n, m, each = (
+        len(system.coordinates),
+        len(massless) - int(np.count_nonzero(massless)),
+        len(points) // len(systems),
+    )
+    tails = {EIGENVALUES: (m,), SHAPES: (m, n), MOTIONS: (m, len(system.mechanism.directions))}
+    arrays = {name: np.empty((len(points), *tail)) for name, tail in tails.items()}
+    codes = np.empty(len(points), dtype=np.int8)
+    filled = {name: array for name, array in arrays.items() if name in solver.fields}
+    if solver.together:
+        codes[:] = solver.compute(RobotAtPoses(system, points, "", {}), filled)
+    else:
+        for b, (one, own) in enumerate(zip(systems, solvers, strict=True)):
+            part = slice(b * each, (b + 1) * each)
+            some = {name: array[part] for name, array in filled.items()}
+            codes[part] = own.compute(RobotAtPoses(one, points[part], "", {}), some)
     if (codes > 0).any():
         return None
     if MOTIONS not in filled:
-        arrays[MOTIONS] = _motions(RobotAtPoses(stacked, points, "", {}), arrays[SHAPES])
+        arrays[MOTIONS] = _motions(RobotAtPoses(system, points, "", {}), arrays[SHAPES])
     left = np.unique(np.flatnonzero(codes == UNSOLVED) // each)
     if len(left):  # all poses of these robots
         rows = (left[:, None] * each + np.arange(each)).ravel()
-        some = RobotAtPoses(ExtendedSystem.stacked([systems[b] for b in left], each), points[rows], "", {})
+        unsolved = RobotAtPoses(stacked([systems[b] for b in left], each), points[rows], "", {})
         try:
-            eigenvalues, shapes = modes_of(some)
+            eigenvalues, shapes = modes_of(unsolved)
         except np.linalg.LinAlgError:
             return None
         arrays[EIGENVALUES][rows], arrays[SHAPES][rows] = eigenvalues, shapes
-        arrays[MOTIONS][rows] = _motions(some, shapes)
-    return ModesOfSystems(stacked, arrays[EIGENVALUES], arrays[SHAPES], arrays[MOTIONS], None)
+        arrays[MOTIONS][rows] = _motions(unsolved, shapes)
+    return ModesOfSystems(
+        system,
+        arrays[EIGENVALUES],
+        arrays[SHAPES],
+        arrays[MOTIONS],
+        None,
+        solver if solver.together else None,
+    )
+
+
+def together(systems: Sequence[ExtendedSystem]) -> Solver | None:
+    """Return the solver of several robots together, if there is one."""
+    try:
+        solver = solver_of(stacked(systems, 1), MAX_CONDITION, chosen(AUTO))
+    except UnavailableError:
+        return None
+    return solver if solver.together else None
 
 
 def _motions(at: RobotAtPoses, shapes: Array) -> Array:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import PkmodesError
-from pkmodes.compiled.lanes import UNSOLVED, Terms
+from pkmodes.compiled.lanes import UNSOLVED, Along, Terms
 from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.system.evaluation import Evaluation
 
@@ -41,12 +41,15 @@ class Solver(ABC):
         at a time.
     differentiates : bool
         Whether it has `rates`.
+    together : bool
+        Whether `init` also takes several robots (`pkmodes.system.stacked`) with the same coordinates without inertia.
     """
 
     name: ClassVar[str]
     fields: ClassVar[frozenset[str]] = frozenset({EIGENVALUES, SHAPES})
     checks_poses: ClassVar[bool] = False
     differentiates: ClassVar[bool] = False
+    together: ClassVar[bool] = False
 
     @classmethod
     @abstractmethod
@@ -55,6 +58,8 @@ class Solver(ABC):
 
         Parameters
         ----------
+        system : Evaluation
+            The robot; if `together`, also several.
         largest_condition : float
             Poses with a larger condition number are singular; for back ends that check poses.
 
@@ -86,3 +91,14 @@ class Solver(ABC):
     def rates(self, at: RobotAtPoses, arrays: Mapping[str, Array], terms: Terms, threads: int = 1) -> Codes:
         """Fill arrays as `compute` does, also with derivatives along paths, by the names of `Evaluator.run`."""
         raise NotImplementedError
+
+    def along(self, at: RobotAtPoses, eigenvalues: Array, shapes: Array, terms: Terms) -> Along | None:
+        """Return what the derivatives of given modes along paths need; None if NumPy has to evaluate it.
+
+        Parameters
+        ----------
+        eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
+        terms : Terms
+            Of each robot.
+        """
+        return None

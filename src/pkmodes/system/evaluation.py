@@ -6,10 +6,10 @@ effects is evaluated by the base model.
 
 from __future__ import annotations
 
-import copy
-from collections.abc import Callable, Mapping, Sequence
-from functools import cache
-from typing import Any, Protocol
+from collections.abc import Callable, Mapping
+from functools import cache, cached_property, lru_cache
+from types import MappingProxyType
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -141,58 +141,23 @@ class ExtendedSystem:
         See `Evaluation`.
     joints, joint_rates : ndarray, shape (e,)
         Stiffnesses of the released joints and their derivatives with respect to the compliances; zero for other
-        coordinates.  For several robots (`stacked`), (N, e) for their N poses.
+        coordinates.
     """
 
     def __init__(self, mechanism: Mechanism, parameters: Any, effects: Mapping[str, float]) -> None:
         self.mechanism, self.parameters = mechanism, parameters
-        extended = mechanism.extended
-        shared, single = _shared_and_single(effects)
-        self.effects = extended.Effects(**shared)
-        base = self.first = len(mechanism.coordinates)
-        with np.errstate(divide="ignore"):
-            stiffness, rates = extended.joint_stiffness(self.effects)
-            for coordinate, name, value in single:
-                place = extended.COORDINATES.index(coordinate) - base
-                beyond = extended.Effects(**{**shared, name: shared.get(name, 0.0) + value})
-                stiffness[place], rates[place] = (a[place] for a in extended.joint_stiffness(beyond))
-        free = np.isfinite(stiffness)  # a joint without compliance is infinitely stiff: locked
-        self.free = np.concatenate([np.arange(base), base + np.flatnonzero(free)])
-        self.joints = np.concatenate([np.zeros(base), np.where(free, stiffness, 0.0)])
-        self.joint_rates = np.concatenate([np.zeros(base), np.where(free, rates, 0.0)])
-        self.coordinates: tuple[str, ...] = tuple(extended.COORDINATES[i] for i in self.free)
-        grounding = [name for name in active_effects(mechanism, effects) if mechanism.effects[name].grounds]
-        self.rigid_modes = 0 if grounding else mechanism.rigid_modes
+        self.first = len(mechanism.coordinates)
+        released = _released(mechanism, tuple(effects.items()))
+        self.effects, self.free, self.coordinates = released.effects, released.free, released.coordinates
+        self.joints, self.joint_rates = released.joints, released.joint_rates
+        self.rigid_modes = released.rigid_modes
         self.held_motions = mechanism.rigid_modes - self.rigid_modes
-        self.springs_to_ground: Mapping[str, float] = {
-            path: value for path, value in effects.items() if path.split(".")[0] in grounding and value != 0.0
-        }
+        self.springs_to_ground: Mapping[str, float] = released.springs_to_ground
 
     @classmethod
     def of(cls, robot: Robot) -> ExtendedSystem:
         """Return the system of a robot, with or without effects."""
         return cls(robot.mechanism, robot.parameters, robot.effects)
-
-    @classmethod
-    def stacked(cls, systems: Sequence[ExtendedSystem], count: int) -> ExtendedSystem:
-        """Combine several robots into one system that is evaluated at `count` poses of each, robot by robot.
-
-        Parameters
-        ----------
-        systems : sequence of ExtendedSystem
-            With the same free coordinates and rigid-body modes.
-        count : int
-            Number of poses per robot.
-        """
-        first = systems[0]
-        if len(systems) == 1:
-            return first
-        stack = copy.copy(first)
-        stack.parameters = first.parameters._replace(**_different([s.parameters for s in systems], count))
-        stack.effects = first.effects._replace(**_different([s.effects for s in systems], count))
-        stack.joints = np.repeat([s.joints for s in systems], count, axis=0)
-        stack.joint_rates = np.repeat([s.joint_rates for s in systems], count, axis=0)
-        return stack
 
     def all_coordinates(self, p: Array) -> tuple[Array, Array]:
         """Return M and K in all coordinates, each (N, e, e); here locked joints are free and have no spring."""
@@ -235,6 +200,12 @@ class ExtendedSystem:
 
     def massless(self) -> NDArray[np.bool_]:
         """Return which released coordinates have no inertia."""
+        return self._without_inertia
+
+    @cached_property
+    def _without_inertia(self) -> NDArray[np.bool_]:
+        if len(self.free) == self.first:
+            return np.zeros(self.first, dtype=bool)
         values = (*self.effects, *(getattr(self.parameters, name) for name in _inertias(self.mechanism)))
         zeros = b"".join((np.asarray(value) == 0.0).tobytes() for value in values)
         massless: NDArray[np.bool_] = _massless(self.mechanism, zeros)[self.free]
@@ -260,7 +231,7 @@ class ExtendedSystem:
         return Lanes(
             flat(self.parameters),
             flat(self.effects),
-            np.ascontiguousarray(self.joints),
+            self.joints,
             self.free.astype(np.int32),
             self.massless().astype(np.int8),
         )
@@ -277,6 +248,59 @@ class ExtendedSystem:
         """Evaluate a generated function; a single pose uses scalars, several times faster than arrays of length 1."""
         function: Callable[[Array], tuple[Array, ...]] = getattr(self._generated, name)
         return tuple(values[None] for values in function(p[0])) if len(p) == 1 else function(p)
+
+
+class _Released(NamedTuple):
+    """What follows from the effects alone: see `ExtendedSystem`."""
+
+    effects: Any
+    free: NDArray[np.intp]
+    joints: Array
+    joint_rates: Array
+    coordinates: tuple[str, ...]
+    rigid_modes: int
+    springs_to_ground: Mapping[str, float]
+
+
+@lru_cache(maxsize=256)
+def _released(mechanism: Mechanism, effects: tuple[tuple[str, float], ...]) -> _Released:
+    """Return what follows from effects; a fit evaluates many robots with the same."""
+    shared, _ = _shared_and_single(dict(effects))
+    releasing = tuple((path, value) for path, value in effects if path.split(".")[0] in _releasing(mechanism))
+    grounding = [name for name in active_effects(mechanism, dict(effects)) if mechanism.effects[name].grounds]
+    springs = {path: value for path, value in effects if path.split(".")[0] in grounding and value != 0.0}
+    free, joints, rates, coordinates = _joints(mechanism, releasing)
+    rigid = 0 if grounding else mechanism.rigid_modes
+    values = mechanism.extended.Effects(**shared)
+    return _Released(values, free, joints, rates, coordinates, rigid, MappingProxyType(springs))
+
+
+@lru_cache(maxsize=256)
+def _joints(
+    mechanism: Mechanism, effects: tuple[tuple[str, float], ...]
+) -> tuple[NDArray[np.intp], Array, Array, tuple[str, ...]]:
+    """Return the free coordinates, the joints' stiffnesses and their rates, and the names of the coordinates."""
+    extended, base = mechanism.extended, len(mechanism.coordinates)
+    shared, single = _shared_and_single(dict(effects))
+    with np.errstate(divide="ignore"):
+        stiffness, rates = extended.joint_stiffness(extended.Effects(**shared))
+        for coordinate, name, value in single:
+            place = extended.COORDINATES.index(coordinate) - base
+            beyond = extended.Effects(**{**shared, name: shared.get(name, 0.0) + value})
+            stiffness[place], rates[place] = (a[place] for a in extended.joint_stiffness(beyond))
+    released = np.isfinite(stiffness)  # a joint without compliance is infinitely stiff: locked
+    free = np.concatenate([np.arange(base), base + np.flatnonzero(released)])
+    joints = np.concatenate([np.zeros(base), np.where(released, stiffness, 0.0)])
+    joint_rates = np.concatenate([np.zeros(base), np.where(released, rates, 0.0)])
+    for array in (free, joints, joint_rates):
+        array.flags.writeable = False
+    return free, joints, joint_rates, tuple(extended.COORDINATES[i] for i in free)
+
+
+@cache
+def _releasing(mechanism: Mechanism) -> frozenset[str]:
+    """Return the names of the effects that release joints, whose stiffnesses depend on nothing else."""
+    return frozenset(effect.name for effect in mechanism.effects.values() if effect.coordinates)
 
 
 @cache
@@ -332,16 +356,6 @@ def active_effects(mechanism: Mechanism, effects: Mapping[str, float]) -> tuple[
         for effect in mechanism.effects.values()
         if any(f"{effect.name}.{parameter.name}" in present for parameter in effect.fitted)
     )
-
-
-def _different(sets: Sequence[tuple[Any, ...]], count: int) -> dict[str, Array]:
-    """Return the fields in which the named tuples differ, each value repeated `count` times along a leading axis."""
-    repeated = {}
-    for name in sets[0]._fields:  # type: ignore[attr-defined]
-        values = np.array([getattr(one, name) for one in sets], dtype=float)
-        if (values != values[0]).any():
-            repeated[name] = np.repeat(values, count, axis=0)
-    return repeated
 
 
 def _shared_and_single(effects: Mapping[str, float]) -> tuple[dict[str, float], list[tuple[str, str, float]]]:

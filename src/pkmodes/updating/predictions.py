@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from functools import partial
+from typing import NamedTuple, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,9 +16,11 @@ from numpy.typing import NDArray
 from pkmodes.diagnosis.problem import Prediction
 from pkmodes.robot.paths import ParameterPath
 from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.compiled import derivatives_of
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, geometry_of, locked_joints
 from pkmodes.sensitivity.shapes import shape_derivatives
-from pkmodes.solve.solutions import modes_of_systems
+from pkmodes.solve.solutions import modes_of_systems, modes_where_reached, together
+from pkmodes.solve.solver import Solver
 from pkmodes.system.evaluation import STEP, ExtendedSystem
 
 Array = NDArray[np.float64]
@@ -38,7 +41,8 @@ class Moves(NamedTuple):
 class Solved(NamedTuple):
     """Modes of B robots that can be evaluated together, at n reachable poses each, the first robot first.
 
-    The matrices, in all coordinates, are None where the modes were found without them.
+    The matrices, in all coordinates, are None where the modes were found without them.  The solver is that of all
+    robots together, if there is one.
     """
 
     robots: tuple[Robot, ...]
@@ -49,6 +53,7 @@ class Solved(NamedTuple):
     eigenvalues: Array
     shapes: Array
     channels: Array
+    solver: Solver | None
 
     def of(self, robot: int) -> Solved:
         """Return the modes of one robot."""
@@ -64,16 +69,33 @@ class Solved(NamedTuple):
             self.eigenvalues[part],
             self.shapes[part],
             self.channels[part],
+            None if self.solver is None else together(self.systems[robot : robot + 1]),
         )
 
 
-def solved(robots: Sequence[Robot], systems: Sequence[ExtendedSystem], points: Array) -> Solved:
-    """Solve robots with the same free coordinates together, at (B n, d) poses."""
-    system, eigenvalues, shapes, motions, matrices = modes_of_systems(systems, points)
+@overload
+def solved(robots: Sequence[Robot], systems: Sequence[ExtendedSystem], points: Array) -> Solved: ...
+@overload
+def solved(
+    robots: Sequence[Robot], systems: Sequence[ExtendedSystem], points: Array, *, checked: bool
+) -> Solved | None: ...
+def solved(
+    robots: Sequence[Robot], systems: Sequence[ExtendedSystem], points: Array, *, checked: bool = True
+) -> Solved | None:
+    """Solve robots with the same free coordinates together, at (B n, d) poses.
+
+    Poses that were not checked are only solved by a solver that does; the result is None if there is no such
+    solver, or it refuses a pose.
+    """
+    modes = modes_of_systems(systems, points) if checked else modes_where_reached(systems, points)
+    if modes is None:
+        return None
+    system, eigenvalues, shapes, motions, matrices, solver = modes
     channels = np.zeros((*shapes.shape[:2], system.joints.shape[-1] + motions.shape[-1]))
     channels[..., system.free] = shapes
     channels[..., -motions.shape[-1] :] = motions
-    return Solved(tuple(robots), tuple(systems), system, points, matrices, eigenvalues, shapes, channels)
+    given = tuple(robots), tuple(systems), system, points, matrices, eigenvalues, shapes, channels, solver
+    return Solved(*given)
 
 
 def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction:
@@ -87,7 +109,8 @@ def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction
     rates = np.zeros((*at.eigenvalues.shape, most))
     along = np.zeros((*at.channels.shape, most)) if shape_rates else None
     if most and np.isfinite(at.eigenvalues).all():
-        derivatives = MatrixDerivatives(at.system, at.points, paths, at.matrices)
+        modes = at.eigenvalues, at.shapes
+        derivatives = derivatives_of(at.solver, at.systems, at.system, at.points, paths, modes, at.matrices)
         rates = derivatives.eigenvalues(at.eigenvalues, at.shapes)
         if along is not None:
             along = _channel_rates(at, derivatives, paths)
@@ -173,11 +196,15 @@ def _channel_rates(
     """Return the derivatives of the shapes at the channels along paths, (N, m, C, T)."""
     mechanism = at.system.mechanism
     directions, geometry = len(mechanism.directions), geometry_of(mechanism)
-    changes = shape_derivatives(derivatives, at.eigenvalues, at.shapes, at.system.first)
-    motion = at.system.motion_of_all(at.points)
-    rates = np.zeros((*at.channels.shape, len(paths[0])))
-    rates[..., : changes.shape[-1], :] = np.moveaxis(changes, 1, -1)
-    rates[..., -directions:, :] = np.moveaxis(changes @ np.swapaxes(motion, -1, -2)[:, None], 1, -1)
+    motion = partial(at.system.motion_of_all, at.points)
+    changes = shape_derivatives(
+        derivatives, at.eigenvalues, at.shapes, at.channels[..., -directions:], motion
+    )
+    rates = np.ascontiguousarray(np.moveaxis(changes, 1, -1))
+    moved = derivatives.motions(at.shapes)
+    if moved is not None:
+        rates[..., -directions:, :] += np.moveaxis(moved, 1, -1)
+        return rates
     for robot, some, part in _alike(at, paths):
         for t, path in enumerate(some):
             # The Jacobian of the platform also changes with the geometry and the pose.

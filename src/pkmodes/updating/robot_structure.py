@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from typing import NamedTuple
 
@@ -88,6 +88,10 @@ class RobotStructure:
         self._last: tuple[bytes, list[_Part]] | None = None
         self._latest: tuple[object, Prediction] | None = None
 
+    def __getstate__(self) -> dict[str, object]:
+        # The last modes hold their solver, which cannot be pickled.
+        return {**self.__dict__, "_last": None, "_latest": None}
+
     @property
     def sensors(self) -> tuple[Sensor, ...]:
         """Channels that are axes of one sensor."""
@@ -147,20 +151,29 @@ class RobotStructure:
         groups: dict[object, list[int]] = {}
         for k, each in enumerate(systems):
             alike = {self._key(system) for system in each}
-            apart = len(alike) > 1 or not self._reachable(robots[k], where[k]).all()
-            apart = apart or any(
+            apart = len(alike) > 1 or any(
                 locked_joints(each[c], m.paths) for c, m in zip(owners, moves[k], strict=True)
             )
             groups.setdefault(k if apart else alike.pop(), []).append(k)
-        batches = []
+
+        def of_all(some: Sequence[int]) -> tuple[list[Robot], list[ExtendedSystem], Array]:
+            return (
+                [robots[k][c] for k in some for c in owners],
+                [systems[k][c] for k in some for c in owners],
+                np.concatenate([where[k][rows] for k in some]),
+            )
+
+        parts: list[tuple[list[int], Solved | None]] = []
         for some in groups.values():
-            together = None
-            if len(some) > 1:
-                together = solved(
-                    [robots[k][c] for k in some for c in owners],
-                    [systems[k][c] for k in some for c in owners],
-                    np.concatenate([where[k][rows] for k in some]),
-                )
+            together = solved(*of_all(some), checked=False) if len(some) > 1 else None
+            if len(some) > 1 and together is None:
+                reached = [k for k in some if self._reachable(robots[k], where[k]).all()]
+                parts += [([k], None) for k in some if k not in reached]
+                some = reached
+                together = solved(*of_all(some)) if len(some) > 1 else None
+            parts.append((some, together))
+        batches = []
+        for some, together in parts:
             if together is None or not np.isfinite(together.eigenvalues).all():
                 batches += [
                     Batch(np.array([k]), self.predict(values[k], by[k], shape_rates=shape_rates))
@@ -246,18 +259,39 @@ class RobotStructure:
             self._last is None or self._last[0] != key
         ):  # derivatives are mostly requested where the modes are known
             robots, where = self._robots(values), self._where(values)
-            valid = self._reachable(robots, where)
             systems = [ExtendedSystem.of(robot) for robot in robots]
             groups: dict[object, list[int]] = {}
             for c, system in enumerate(systems):
                 groups.setdefault(self._key(system), []).append(c)
-            parts = []
-            for cases in groups.values():
-                rows, owners = self._loads.arranged(cases, valid)
-                at = solved([robots[c] for c in owners], [systems[c] for c in owners], where[rows])
-                parts.append(_Part(rows, owners, at))
+            everywhere = np.ones(len(where), dtype=bool)
+            parts = self._parts(groups.values(), robots, systems, where, everywhere, checked=False)
+            if parts is None:
+                valid = self._reachable(robots, where)
+                parts = self._parts(groups.values(), robots, systems, where, valid, checked=True)
+            assert parts is not None
             self._last = key, parts
         return self._last[1]
+
+    def _parts(
+        self,
+        groups: Iterable[Sequence[int]],
+        robots: Sequence[Robot],
+        systems: Sequence[ExtendedSystem],
+        where: Array,
+        valid: NDArray[np.bool_],
+        *,
+        checked: bool,
+    ) -> list[_Part] | None:
+        """Return the modes of groups of cases at valid poses; None if these were not checked, and one is not."""
+        parts = []
+        for cases in groups:
+            rows, owners = self._loads.arranged(cases, valid)
+            some = [robots[c] for c in owners], [systems[c] for c in owners], where[rows]
+            at = solved(*some, checked=checked)
+            if at is None:
+                return None
+            parts.append(_Part(rows, owners, at))
+        return parts
 
     def _joined(self, parts: Sequence[tuple[Index, Prediction]]) -> Prediction:
         return joined(parts, len(self.points))

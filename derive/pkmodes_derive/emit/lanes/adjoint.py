@@ -13,15 +13,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
-from sympy import Add, Expr, Integer, Pow, Rational, Symbol, diff
-from sympy.core.function import AppliedUndef
-from sympy.core.function import Function as Applied
+from sympy import Add, Expr, Integer, Symbol
 
-from pkmodes_derive.emit.program import Program, Result, arrange
+from pkmodes_derive.emit.lanes.steps import Step, elementary, named, partial
+from pkmodes_derive.emit.program import Result, arrange
 from pkmodes_derive.functions import Argument, Function, Output
-from pkmodes_derive.reserved_words import NUMBERED
-
-Step = tuple[Symbol, Expr]
 
 
 def gradient(function: Function, inputs: Sequence[Symbol], differentiated: Collection[Symbol]) -> Function:
@@ -42,9 +38,9 @@ def gradient(function: Function, inputs: Sequence[Symbol], differentiated: Colle
         Of the pose, and then of the mode: ``shape``, n components, and ``eigenvalue``.
     """
     program = arrange(function)
-    shape = tuple(_symbol(f"shape_{i}") for i in range(1, function.outputs[0].shape[0] + 1))
-    eigenvalue = _symbol("eigenvalue")
-    steps, values = _elementary(program)
+    shape = tuple(named(f"shape_{i}") for i in range(1, function.outputs[0].shape[0] + 1))
+    eigenvalue = named("eigenvalue")
+    steps, values = elementary(program, 2)
     weighted = _weights(program.results[:2], shape, (-eigenvalue, Integer(1)))
     back, derivatives = _backwards(steps, list(zip(values, weighted, strict=False)))
     entries = tuple(derivatives.get(s, Integer(0)) if s in differentiated else Integer(0) for s in inputs)
@@ -62,40 +58,6 @@ def gradient(function: Function, inputs: Sequence[Symbol], differentiated: Colle
     )
 
 
-def _symbol(name: str) -> Symbol:
-    return Symbol(name, real=True)
-
-
-def _elementary(program: Program) -> tuple[list[Step], list[Expr]]:
-    """Give each root, quotient and function a step of its own: its derivative is written in terms of its value."""
-    steps: list[Step] = []
-    known: dict[Expr, Symbol] = {}
-    # The numbers are given again when the whole is arranged.
-    renamed = {s: _symbol(f"forward_{s.name}") for s, _ in program.steps if NUMBERED.fullmatch(s.name)}
-
-    def split(expression: Expr) -> Expr:
-        if not expression.args:
-            return expression
-        rebuilt = expression.func(*map(split, expression.args))
-        if not _is_elementary(rebuilt):
-            return rebuilt
-        if rebuilt not in known:
-            known[rebuilt] = _symbol(f"forward_{len(known)}")
-            steps.append((known[rebuilt], rebuilt))
-        return known[rebuilt]
-
-    for symbol, value in program.steps:
-        steps.append((renamed.get(symbol, symbol), split(value.xreplace(renamed))))
-    values = [split(entry.value.xreplace(renamed)) for r in program.results[:2] for entry in r.entries]
-    return steps, values
-
-
-def _is_elementary(expression: Expr) -> bool:
-    if isinstance(expression, Pow):
-        return not (expression.exp.is_Integer and expression.exp.is_positive)
-    return isinstance(expression, Applied) and not isinstance(expression, AppliedUndef)
-
-
 def _weights(results: Sequence[Result], shape: Sequence[Symbol], factors: Sequence[Expr]) -> Iterator[Expr]:
     """Yield the weight of each entry of the matrices in the derivative of the eigenvalue."""
     for result, factor in zip(results, factors, strict=True):
@@ -111,24 +73,14 @@ def _backwards(
 
     def spread(value: Expr, adjoint: Expr, symbol: Symbol | None = None) -> None:
         for variable in value.free_symbols:
-            terms.setdefault(variable, []).append(adjoint * _partial(value, variable, symbol))
+            terms.setdefault(variable, []).append(adjoint * partial(value, variable, symbol))
 
     for value, weight in weighted:
         spread(value, weight)
     back: list[Step] = []
     for symbol, value in reversed(steps):
         if symbol in terms:
-            adjoint = _symbol(f"adjoint_{symbol.name}")
+            adjoint = named(f"adjoint_{symbol.name}")
             back.append((adjoint, Add(*terms.pop(symbol))))
             spread(value, adjoint, symbol)
     return back, {symbol: Add(*parts) for symbol, parts in terms.items()}
-
-
-def _partial(value: Expr, variable: Symbol, symbol: Symbol | None) -> Expr:
-    """Differentiate a step; a power in terms of its own value, which needs no further root."""
-    if symbol is not None and isinstance(value, Pow) and value.base == variable and value.exp.is_number:
-        if value.exp == -1:
-            return -(symbol**2)
-        if value.exp == Rational(1, 2):
-            return 1 / (2 * symbol)
-    return diff(value, variable)

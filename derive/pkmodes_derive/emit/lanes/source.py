@@ -13,6 +13,7 @@ from pkmodes_derive.emit import commentary, layout
 from pkmodes_derive.emit.lanes import functions
 from pkmodes_derive.emit.lanes.adjoint import gradient
 from pkmodes_derive.emit.lanes.printer import expression
+from pkmodes_derive.emit.lanes.tangent import tangent
 from pkmodes_derive.emit.program import Entry, Program, Result, arrange
 from pkmodes_derive.emit.provenance import Provenance
 from pkmodes_derive.emit.templating import render
@@ -31,7 +32,7 @@ INDENT = "    "
 
 @dataclass(frozen=True)
 class _Block:
-    """One function as the template sees it: text only; a gradient evaluates `each` for every mode."""
+    """One function as the template sees it: text only; `each` is evaluated for every mode or path."""
 
     comment: list[str]
     name: str
@@ -52,7 +53,8 @@ def files(
     varied = set(inputs) - functions.choices(base, description)
     gradients = [gradient(f, inputs, varied) for f in matrices]
     of_pose = functions.position(base, description), *matrices
-    programs = {f"lanes_{f.name}": arrange(f) for f in (*of_pose, *gradients)}
+    tangents = [tangent(matrices[1], inputs, varied)]
+    programs = {f"lanes_{f.name}": arrange(f) for f in (*of_pose, *gradients, *tangents)}
     margins = functions.margins_of(base, description)
     text = render(
         __package__,
@@ -77,6 +79,7 @@ def files(
         rules=layout.listing((f"{{{count}, {RULES[rule]}}}" for count, rule in margins), "    "),
         functions=[_function(f, programs[f"lanes_{f.name}"], groups) for f in of_pose],
         gradients=[_function(f, programs[f"lanes_{f.name}"], groups) for f in gradients],
+        tangents=[_function(f, programs[f"lanes_{f.name}"], groups) for f in tangents],
     )
     return {FILE_NAME: text}, programs
 
@@ -98,7 +101,7 @@ def _function(function: Function, program: Program, groups: Sequence[FieldGroup]
 def _statements(
     function: Function, program: Program, groups: Sequence[FieldGroup]
 ) -> tuple[list[str], list[str]]:
-    """Return the statements for a pose, and those for each of its modes, of which the later arguments are."""
+    """Return the statements for a pose, and those for each mode or path, of which the later arguments are."""
     pose, *of_mode = function.arguments
     inputs, body, each = set(program.inputs), [], []
     for i, symbol in enumerate(pose.symbols):

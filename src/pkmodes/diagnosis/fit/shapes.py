@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +24,15 @@ from pkmodes.diagnosis.match.pairing import Pairing, neighbours, tiled, unmeasur
 from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.linalg.mac import space
 from pkmodes.measured.measurements import Measurements
+
+
+class _Spaces(NamedTuple):
+    """The rows compared with several modes, the modes' bases and amplitudes in the row, and the modes."""
+
+    rows: NDArray[np.intp]
+    basis: Array
+    share: Array
+    modes: NDArray[np.intp]
 
 
 class ShapeRows:
@@ -105,19 +115,20 @@ class ShapeRows:
 
     def residual(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
         """Return the residuals with respect to the shapes of the partners, (R, C)."""
+        if not self._shapes.size:
+            return self._shapes
         return self._projected(prediction, pairing, used)[0]
 
     def rates(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
         """Return the derivatives of the residuals with respect to the requested parameters, (R, C, T)."""
         if prediction.shape_rates is None or not self._shapes.size:
             return np.zeros((*self._shapes.shape, prediction.rates.shape[-1]))
-        _, phi, along = self._projected(prediction, pairing, used)
+        _, phi, along, (i, basis, share, modes) = self._projected(prediction, pairing, used)
         take = self._pose, np.maximum(pairing.partner, 0)
         changes = prediction.shape_rates[take][:, self._columns] * self._weights[..., None]
         size = np.maximum((phi**2).sum(axis=1), 1e-300)
         inside = np.einsum("rc,rct->rt", phi, changes) / size[:, None]
         derivatives = -along[:, None, None] * (changes - phi[..., None] * inside[:, None])
-        i, basis, share, modes = self._spaces(prediction, pairing, used)
         if len(i):
             moved = prediction.shape_rates[self._pose[i][:, None], modes][:, :, self._columns]
             change = np.einsum("bg,bgct->bct", share, moved) * self._weights[i][..., None]
@@ -132,25 +143,21 @@ class ShapeRows:
 
     def _projected(
         self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]
-    ) -> tuple[Array, Array, Array]:
-        """Return residuals, shapes of the partners in the rows' weighting, and their amplitude in each row."""
-        if not self._shapes.size:
-            return self._shapes, self._shapes, np.zeros(len(self._shapes))
+    ) -> tuple[Array, Array, Array, _Spaces]:
+        """Return residuals, the partners' shapes in the rows' weighting, their amplitude in each row, and spaces."""
         partner = np.maximum(pairing.partner, 0)
         phi = prediction.shapes[self._pose, partner][:, self._columns] * self._weights
         phi = np.where((pairing.partner >= 0)[:, None], phi, 0.0)
         along = (phi * self._shapes).sum(axis=1) / np.maximum((phi**2).sum(axis=1), 1e-300)
         residual = self._shapes - phi * along[:, None]
-        i, basis, _, _ = self._spaces(prediction, pairing, used)
+        spaces = self._spaces(prediction, pairing, used)
+        i, basis = spaces.rows, spaces.basis
         if len(i):
             inside = (np.swapaxes(basis, -1, -2) @ (basis @ self._shapes[i][..., None]))[..., 0]
             residual[i] = self._shapes[i] - inside
-        return np.where((self.known & used)[:, None], residual, 0.0), phi, along
+        return np.where((self.known & used)[:, None], residual, 0.0), phi, along, spaces
 
-    def _spaces(
-        self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]
-    ) -> tuple[NDArray[np.intp], Array, Array, NDArray[np.intp]]:
-        """Return the rows compared with several modes, the modes' bases and amplitudes in the row, and the modes."""
+    def _spaces(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> _Spaces:
         partner = np.where(used, pairing.partner, -1)
         beside = unmeasured_neighbours(prediction, partner, self._pose, self._close)
         several = ((self._mates[:, 1:] >= 0).any(axis=1) | (beside >= 0).any(axis=1)) & self.known
@@ -162,7 +169,7 @@ class ShapeRows:
         shapes = prediction.shapes[self._pose[i][:, None], modes][..., self._columns]
         basis, back = space(shapes * self._weights[i][:, None] * present[..., None])
         share = ((basis @ self._shapes[i][..., None])[..., 0, None] * back).sum(axis=1)
-        return i, basis, share, modes
+        return _Spaces(i, basis, share, modes)
 
 
 def _scales(units: Sequence[str], moves: Array) -> Array:

@@ -18,7 +18,7 @@ from scipy.optimize import linear_sum_assignment
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.problem import Array, Index, Prediction
-from pkmodes.linalg.mac import channel_motion, mac, subspace_mac, weighted
+from pkmodes.linalg.mac import channel_motion, mac, normalised, subspace_mac, weighted
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.quantities import FREQUENCY
 
@@ -80,7 +80,7 @@ class Pairer:
         criteria: Criteria | None = None,
     ) -> None:
         self._criteria = criteria or Criteria()
-        self._shape, self._log, self.pose = data.shapes, FREQUENCY.transformed(data), data.pose
+        self._log, self.pose = FREQUENCY.transformed(data), data.pose
         self.columns = _columns(data, channels)
         setups = len(data.labels)
         self.moves = np.zeros((setups, len(self.columns)))
@@ -94,12 +94,17 @@ class Pairer:
         self._row = np.full((setups, int(place.max(initial=-1)) + 1), -1, dtype=np.intp)
         self._row[data.pose, place] = np.arange(len(order))
         self._place = place
+        padded = np.where((self._row >= 0)[..., None], data.shapes[self._row], np.nan)
+        self._normalised, self._measured = normalised(padded), np.isfinite(padded)
         self._mates = neighbours(data, self._criteria)
 
     def tiled(self, count: int) -> Pairer:
         """Return a pairer for predictions of `count` times the setups, each paired with the same rows."""
         copies, (setups, rows) = copy.copy(self), (len(self._row), len(self._log))
-        copies._shape, copies._log = np.tile(self._shape, (count, 1)), np.tile(self._log, count)
+        copies._log = np.tile(self._log, count)
+        copies._normalised, copies._measured = (
+            np.tile(whole, (count, 1, 1)) for whole in (self._normalised, self._measured)
+        )
         copies._place, copies.moves = np.tile(self._place, count), np.tile(self.moves, (count, 1))
         copies.pose, copies._row = tiled(self.pose, count, setups), tiled(self._row, count, rows)
         copies._mates = tiled(self._mates, count, rows)
@@ -161,11 +166,8 @@ class Pairer:
 
     def _shapes(self, prediction: Prediction) -> _Shapes:
         """Return the shapes of the rows and modes of each setup, in units of each channel's motion."""
-        row = self._row
-        padded = np.where((row >= 0)[..., None], self._shape[row], np.nan)
-        model = prediction.shapes[..., self.columns]
-        shapes, model = weighted(padded, model, self.moves)
-        return _Shapes(shapes, model[:, prediction.rigid :], np.isfinite(padded))
+        shapes, model = weighted(self._normalised, prediction.shapes[..., self.columns], self.moves)
+        return _Shapes(shapes, model[:, prediction.rigid :], self._measured)
 
     def _grouped(self, alone: Array, shapes: _Shapes, logs: Array, close: NDArray[np.bool_]) -> Array:
         """Return the MAC of each row with each mode of the model, or with the subspace of the modes close to it."""

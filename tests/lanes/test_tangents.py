@@ -1,0 +1,134 @@
+"""Derivatives of matrices along paths by forward accumulation in lanes: against the generated NumPy derivatives."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from helpers.robots.lane_samples import EFFECTS, NAMES, ROOT, case, chosen, robot_of
+from pkmodes.compiled import build
+from pkmodes.compiled.loader import UnavailableError, load
+from pkmodes.robot.paths import ParameterPath, paths, resolve_all
+from pkmodes.sensitivity.compiled import CompiledDerivatives, derivatives_of
+from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, locked_joints
+from pkmodes.sensitivity.shapes import shape_derivatives
+from pkmodes.solve.solutions import ModesOfSystems, modes_of_systems
+from pkmodes.system.evaluation import STEP, ExtendedSystem
+
+pytestmark = pytest.mark.compiler
+
+#: Poses of each robot: a full block of lanes, and some more.
+EACH = 11
+#: Of the largest derivative along the same path.
+EXACT = 1e-11
+
+
+class Robots(NamedTuple):
+    """Robots with different masses at the same poses, with their modes."""
+
+    systems: list[ExtendedSystem]
+    points: np.ndarray
+    paths: list[ParameterPath]
+    modes: ModesOfSystems
+
+    def derivatives(self) -> tuple[MatrixDerivatives, MatrixDerivatives]:
+        """From the library, and from NumPy."""
+        of_each, (system, eigenvalues, shapes, _, _, solver) = [self.paths] * len(self.systems), self.modes
+        found = derivatives_of(
+            solver, self.systems, system, self.points, of_each, (eigenvalues, shapes), None
+        )
+        assert isinstance(found, CompiledDerivatives)
+        return found, MatrixDerivatives(system, self.points, of_each)
+
+
+def robots(name: str, effects: str, count: int) -> Robots:
+    given = case(name, 3, effects, count=EACH + 1)
+    mass = "platform_mass" if "platform_mass" in given.parameters._fields else "toolhead_mass"
+    values = chosen(given.mechanism, EFFECTS[effects])
+    systems = []
+    for b in range(count):
+        parameters = given.parameters._replace(**{mass: getattr(given.parameters, mass) * (1 + b / 7)})
+        systems.append(ExtendedSystem(given.mechanism, parameters, values))
+    robot = robot_of(given)
+    moves = resolve_all(robot, [path for path in paths(robot) if path != "axis.joint_radius"])
+    moves += [
+        ParameterPath(f"{POSE}.{component.name}", 0.0, component.unit, {(POSE, (i,)): 1.0})
+        for i, component in enumerate(given.mechanism.pose)
+    ]
+    if count > 1:  # locked joints are differentiated for one robot only
+        locked = locked_joints(systems[0], moves)
+        moves = [move for t, move in enumerate(moves) if t not in locked]
+    points = np.tile(given.poses[-EACH:], (count, 1))
+    return Robots(systems, points, moves, modes_of_systems(systems, points))
+
+
+def assert_near(found: np.ndarray, expected: np.ndarray, *over: int) -> None:
+    """Compare with the largest of each path."""
+    largest = np.abs(expected).max(axis=over, keepdims=True)
+    assert (np.abs(found - expected) <= EXACT * largest).all()
+    assert largest.any()
+
+
+@pytest.mark.parametrize("count", [1, 3])
+@pytest.mark.parametrize("effects", EFFECTS)
+@pytest.mark.parametrize("name", NAMES)
+def test_derivatives_are_those_of_the_generated_code(name: str, effects: str, count: int) -> None:
+    given = robots(name, effects, count)
+    found, expected = given.derivatives()
+    eigenvalues, shapes, rigid = given.modes.eigenvalues, given.modes.shapes, given.systems[0].rigid_modes
+    assert_near(found.eigenvalues(eigenvalues, shapes), expected.eigenvalues(eigenvalues, shapes), 0, 1)
+    for one, other in zip(
+        found.changes(eigenvalues, shapes), expected.changes(eigenvalues, shapes), strict=True
+    ):
+        assert_near(one, other, 0, *range(2, one.ndim))
+    turned, wanted = (shape_derivatives(one, eigenvalues, shapes) for one in (found, expected))
+    if eigenvalues.shape[1] > rigid:  # single rigid modes are arbitrary
+        assert_near(turned[:, :, rigid:], wanted[:, :, rigid:], 0, 2, 3)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_motion_of_the_platform_by_complex_step(name: str) -> None:
+    given = robots(name, "nothing", 2)
+    found, _ = given.derivatives()
+    motions = found.motions(given.modes.shapes)
+    assert motions is not None
+    for i in range(given.points.shape[1]):
+        step = STEP * 1j * np.eye(given.points.shape[1])[i]
+        system = given.modes.system
+        J = system.motion_of_all(given.points + step).imag[..., system.free] / STEP
+        expected = given.modes.shapes @ np.swapaxes(J, -1, -2)
+        pose = len(given.paths) - given.points.shape[1] + i
+        np.testing.assert_allclose(
+            motions[:, pose], expected, rtol=0, atol=EXACT * max(np.abs(expected).max(), 1.0)
+        )
+    masses = [t for t, path in enumerate(given.paths) if path.path == "platform.mass"]
+    assert not motions[:, masses].any()
+
+
+def test_numpy_evaluates_poses_that_the_library_refuses() -> None:
+    given = robots("linear_delta", "none", 1)
+    _, eigenvalues, shapes, _, _, solver = given.modes
+    assert solver is not None
+    far = given.points + 5.0
+    found = derivatives_of(
+        solver, given.systems, given.systems[0], far, [given.paths], (eigenvalues, shapes), None
+    )
+    assert type(found) is MatrixDerivatives
+
+
+def test_headers_of_an_earlier_version_are_to_be_generated_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "earlier_header").mkdir()
+    (tmp_path / "earlier_header" / "__init__.py").touch()
+    header = (ROOT / "generated/pkmodes_generated/corexy" / build.HEADER).read_text(encoding="utf-8")
+    earlier = header.replace("lanes_extended_tangent", "lanes_something_else")
+    (tmp_path / "earlier_header" / build.HEADER).write_text(earlier, encoding="utf-8")
+    monkeypatch.syspath_prepend(tmp_path)
+    with pytest.raises(UnavailableError) as error:
+        load("earlier_header", "corexy")
+    assert "by an earlier version" in error.value.why
+    assert "generate it again" in error.value.remedy
