@@ -37,6 +37,7 @@ class StackedSystems(ExtendedSystem):
         first = systems[0]
         self.mechanism, self.first, self.rigid_modes = first.mechanism, first.first, first.rigid_modes
         self.free, self.coordinates = first.free, first.coordinates
+        self.held_motions, self.springs_to_ground = first.held_motions, first.springs_to_ground
         self._systems, self._count = tuple(systems), count
 
     @cached_property

@@ -167,6 +167,14 @@ def held_out(causes: Sequence[Candidate], p_value: float, instead: Sequence[Cand
     return f"{who} the fitted poses, but not the held-out ones ({p_in_words(p_value)}){other}"
 
 
+def together(causes: Sequence[Candidate], p_value: float, instead: Sequence[Candidate]) -> str:
+    """Return the reason if all poses together contradict a result, or another cause explains them better."""
+    who = f"{_names(causes)} would explain" if causes else "the declared model explains"
+    if instead:
+        return f"{who} the fitted poses, but {_names(instead)} explains all poses, also the held-out ones: look there"
+    return f"{who} the fitted poses, but not these and the held-out ones together ({p_in_words(p_value)})"
+
+
 def not_everywhere(causes: Sequence[Candidate]) -> str:
     """Return the reason if the held-out poses cannot be evaluated with a result."""
     who = f"{_names(causes)} would explain" if causes else "the declared model explains"
