@@ -36,8 +36,8 @@ TYING = (
 MODES = {"linear_delta": (4, 8), "rotary_delta": (2, 6), "corexy": (2, 4)}
 #: Fewest rows of a file, and how many laboratories are drawn to get them.
 LEAST, TRIALS = 12, 50
-#: Steps of the search for a size; the first size is the declared start times a power of ten.
-STEPS = 40
+#: Steps of the search for a size, and the factor beyond the size at which an added mode is first seen.
+STEPS, SEEN = 40, 1.5
 
 
 @dataclass(frozen=True)
@@ -173,7 +173,7 @@ def _size(case: ClearCase, place: int, kind: str, alone: Callable[[float], Speci
     """Find a size whose predicted signal is a value drawn from the range asked for.
 
     The modes found change with the size, so the signal may jump beyond the range: an added mode is seen or not.  The
-    smallest size above its lower end is then taken.
+    size at which it is first seen is then exceeded by a factor, because a mode that is seen once shows no cause.
     """
     rng = np.random.default_rng([case.seed, _key(case), case.number, place])
     target = float(np.exp(rng.uniform(*np.log(case.targets))))
@@ -199,7 +199,7 @@ def _size(case: ClearCase, place: int, kind: str, alone: Callable[[float], Speci
             size = (low * high) ** 0.5 if low else size / 10.0
         if high and low and high / low < 1.02:
             break
-    return high or size
+    return SEEN * high if high else size
 
 
 def _found(case: ClearCase, specimen: Specimen) -> tuple[list[Identified], str]:

@@ -153,7 +153,7 @@ def _page(
         "parameters are drawn from their priors. Each cause is sized so that the modes found have the signal: one",
         f"effect {_range('one effect')}, each of two {_range('two effects')}, outside the catalogue",
         f"{_range('outside the catalogue')} sigma. Causes that tie the robot to ground are sized without the modes",
-        "that only then can be measured, and a cause that adds a mode is as small as the added mode allows.",
+        "that only then can be measured; a cause that adds a mode is 1.5 times as large as where that mode is first seen.",
         "",
         f"Seed {outcomes[0].case.seed}. The diagnosis was developed with the seeds {SEEN}.",
         "",

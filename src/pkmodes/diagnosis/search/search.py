@@ -100,8 +100,7 @@ class Search:
 
     def in_one_joint(self, beside: Fit) -> list[Fit]:
         """Return fits with a compliance in one joint in place of the cause of a fit, best first."""
-        own = set(beside.causes[0].parameters)
-        remote = [one for one in self.remote if not (one.nameable or own & set(one.parameters))]
+        remote = [one for one in self.remote if not one.nameable and len(one.parameters) == 1]
         plain = self.store.fit(replace(beside.hypothesis, causes=()))
         if plain is None or not remote:
             return []

@@ -165,9 +165,9 @@ def _better(every: Search, again: Fit) -> Fit | None:
     if not again.causes or (plain and every.gate(again).above(c.plainly)):
         return None
     limit = store.criterion(again) - c.survives
-    return next(
-        (fit for fit in every.alone() if store.criterion(fit) < limit and every.gate(fit).passed), None
-    )
+    # One with the same predictions is listed in the class of the cause.
+    others = (fit for fit in every.alone() if store.fitter.difference(again, fit) >= c.told_apart)
+    return next((fit for fit in others if store.criterion(fit) < limit and every.gate(fit).passed), None)
 
 
 def _explaining(every: Search, again: Fit) -> Fit | None:
