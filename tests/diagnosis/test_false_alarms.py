@@ -46,7 +46,8 @@ def test_false_alarms_are_rare_where_shapes_vote_and_shared_errors_are_recognise
             model,
             Measurements.from_rows([data.labels[i] for i in data.pose], data.frequency * common, data.sigma),
         )
-        assert not (found.effects or found.survivors)
+        assert not found.effects
+        assert not found.survivors
         error = re.search(r"only with an error of ([\d.]+) % that the modes of a pose share", found.reason)
         recognised += found.verdict == "unexplained" and error is not None
         assert error is None or float(error[1]) == pytest.approx(1.0, rel=0.8)
