@@ -64,3 +64,19 @@ def test_a_measured_mode_that_the_model_lacks_is_not_taken_for_a_cause() -> None
         assert [row.line for row in found.outliers] == [25]
     else:
         assert [row.line for row in found.unpaired] == [25]
+
+
+def test_a_row_is_not_set_aside_where_the_model_has_no_mode_left_for_it() -> None:
+    """All modes of the pose were measured: a further one is no error of a row, and the model is not adequate."""
+    data = drawn(SIX, 10)
+    labels, between = [data.labels[i] for i in data.pose], np.sqrt(data.frequency[0] * data.frequency[1])
+    f = np.append(data.frequency, between)
+    found = checked(frame(SIX), Measurements.from_rows([*labels, labels[0]], f, SIGMA * f))
+    assert found.verdict == "unexplained"
+    assert not found.effects
+    # In place of a mode, the same row may be a gross error of that mode.
+    replaced = data.frequency.copy()
+    replaced[1] = between
+    other = checked(frame(SIX), Measurements.from_rows(labels, replaced, SIGMA * replaced))
+    assert other.verdict == "adequate"
+    assert [row.line for row in other.outliers] == [2]

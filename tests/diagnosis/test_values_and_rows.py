@@ -23,7 +23,9 @@ from helpers.robots.small_structures import (
 from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Structure
+from pkmodes.diagnosis.verdict import limits
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
 
@@ -59,7 +61,9 @@ def test_a_corrected_value_is_at_a_bound_only_where_it_was_not_declared_there(
     nuisance = parameter.sigma is not None
     fit = setups.fitter.fit(Hypothesis(() if nuisance else model.candidates))
     assert fit is not None
-    (corrected,) = DiagnosisBuilder(setups).corrected(replace(fit, values=np.array([value])))
+    (corrected,) = DiagnosisBuilder(setups).corrected(
+        replace(fit, values=np.array([value])), limits.unknown(FitStore(setups.fitter), model.candidates)
+    )
     assert (corrected.value, corrected.declared) == (value, parameter.value)
     assert corrected.at_bound is reached
 

@@ -205,6 +205,8 @@ class Criteria:
     #: half of the modes or more.
     same_place: tuple[float, float] = (6.0, 0.01)
     #: Another unit is reported if it reduces the median difference of the frequencies by this factor, to less than
-    #: this difference.
+    #: this difference, and if this part of the rows then has a mode: a robot tied to ground has modes far below those
+    #: of the model, which a factor brings there, and the others far above them.
     unit_gain: float = 4.0
     unit_difference: float = 0.15
+    unit_paired: float = 0.75

@@ -56,7 +56,10 @@ def held_eigh(M: Array, stiff: Array, soft: Array, first: int, motions: int) -> 
     eigenvalues, shapes = np.empty_like(levels), np.empty_like(modes)
     for i, matrix in enumerate(H):
         across = matrix[:motions, motions:]
-        bent = np.linalg.norm(across / levels[i, motions:] @ across.T)
+        elastic = levels[i, motions:]
+        bent = np.linalg.norm(
+            np.divide(across, elastic, out=np.zeros_like(across), where=elastic > 0.0) @ across.T
+        )
         shift = 2.0 * float(np.linalg.norm(matrix[:motions, :motions]) + bent)
         eigenvalues[i], turned = graded_eigh(np.eye(len(matrix)), matrix, motions, shift)
         shapes[i] = turned @ modes[i]

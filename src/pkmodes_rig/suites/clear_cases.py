@@ -192,14 +192,17 @@ def _size(case: ClearCase, place: int, kind: str, alone: Callable[[float], Speci
             return size
         if value < target:
             low = size
-            # The signal grows in proportion to a small size, except where a mode is added.
-            size = size * min(max(target / max(value, 1e-9), 1.5), 10.0) if not high else (low * high) ** 0.5
+            # The signal grows in proportion to a small size, until a mode is added.
+            most = 10.0 if value < 1e-3 * target else 3.0
+            size = size * min(max(target / max(value, 1e-9), 1.5), most) if not high else (low * high) ** 0.5
         else:
             high = size
             size = (low * high) ** 0.5 if low else size / 10.0
         if high and low and high / low < 1.02:
             break
-    return SEEN * high if high else size
+    if not high:
+        raise ValueError(f"{case.label}: no size of {kind} has a signal of {target:.3g}")
+    return SEEN * high
 
 
 def _found(case: ClearCase, specimen: Specimen) -> tuple[list[Identified], str]:

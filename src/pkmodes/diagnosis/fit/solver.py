@@ -66,16 +66,17 @@ def bounded_least_squares(
     def jacobian(u: Array) -> Array:
         return np.asarray(rates(at(u)) * unit)
 
-    solution = least_squares(
-        scaled,
-        (first - origin) / unit,
-        jacobian,
-        ((lower - origin) / unit, (upper - origin) / unit),
-        ftol=1e-6,
-        xtol=1e-8,
-        gtol=1e-8,
-        max_nfev=steps,
-    )
+    with np.errstate(over="ignore", invalid="ignore"):  # a fit may try values that are no machine
+        solution = least_squares(
+            scaled,
+            (first - origin) / unit,
+            jacobian,
+            ((lower - origin) / unit, (upper - origin) / unit),
+            ftol=1e-6,
+            xtol=1e-8,
+            gtol=1e-8,
+            max_nfev=steps,
+        )
     return at(solution.x), bool(solution.status > 0)
 
 

@@ -99,8 +99,10 @@ class Search:
         return self.additions.causes(plain, score(self.store.fitter, plain, self.remote))
 
     def in_one_joint(self, beside: Fit) -> list[Fit]:
-        """Return fits with a compliance in one joint in place of the cause of a fit, best first."""
-        remote = [one for one in self.remote if not one.nameable and len(one.parameters) == 1]
+        """Return fits with the cause of a fit in one of its joints alone, best first."""
+        name = beside.causes[0].name
+        joints = {p for general in self.general if general.general_of == name for p in general.parameters}
+        remote = [one for one in self.remote if joints.issuperset(one.parameters)]
         plain = self.store.fit(replace(beside.hypothesis, causes=()))
         if plain is None or not remote:
             return []

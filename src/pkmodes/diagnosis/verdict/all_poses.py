@@ -6,8 +6,7 @@ their frequencies, and of shapes with stated errors, have the predictive covaria
 .. math:: V_h + J_h C J_h^T
 
 with the covariance :math:`V_h` of these data, their derivatives :math:`J_h` and the covariance :math:`C` of the
-fitted parameters.  The last gate is repeated on all setups, remote causes included: with more data, one of these may
-be better.
+fitted parameters.  Remote causes are tried again on all setups: with more data, one of these may be better.
 """
 
 from __future__ import annotations
@@ -61,16 +60,13 @@ def tested(setups: AllSetups, search: Search, final: Fit) -> HeldOut:
     p_value = p_held_out(setups, every.store.fitter, again, final, aside)
     if p_value <= c.surely:
         again, aside, p_value = _without_one_row(setups, every.store, again, final, p_value)
-    gate, better = every.gate(again), _better(every, again)
-    # Modes that a cause adds are not counted again: in one held-out pose many may be missed together.
-    p_all = 0.0 if gate.unpaired else min(gate.p_value, gate.p_candidates)
-    if min(p_value, p_all) > c.surely and better is None:
+    better = _better(every, again)
+    if p_value > c.surely:
+        if better is not None:
+            return HeldOut(reasons.together(final.causes, better.causes))
         return HeldOut(notes=tuple(_check(setups, row) for row in sorted(aside)))
     instead = better or _explaining(every, again)
-    causes = instead.causes if instead else ()
-    if p_value > c.surely:
-        return HeldOut(reasons.together(final.causes, p_all, causes))
-    return HeldOut(reasons.held_out(final.causes, p_value, causes))
+    return HeldOut(reasons.held_out(final.causes, p_value, instead.causes if instead else ()))
 
 
 def p_held_out(setups: AllSetups, every: Fitter, again: Fit, final: Fit, aside: frozenset[int]) -> float:

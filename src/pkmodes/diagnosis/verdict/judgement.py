@@ -14,6 +14,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import comb
 
+import numpy as np
 from scipy import stats
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
@@ -103,11 +104,28 @@ def _doubt_of_adequacy(search: Search, final: Fit) -> str:
     """Return why the declared model is not adequate although its residual passes the gate; empty if it is."""
     if shapes_disagree(search.store, final):
         return reasons.shapes(())
-    if (
-        final.hypothesis.scatter
-    ):  # an error that nobody stated may just as well be an effect that the model lacks
+    lines = _extra_modes(search, final)
+    if lines:
+        return reasons.extra(lines)
+    # An error that nobody stated may just as well be an effect that the model lacks.
+    if final.hypothesis.scatter:
         return reasons.shared(final.scatter, drift(search.store.fitter, final))
     return ""
+
+
+def _extra_modes(search: Search, final: Fit) -> list[int]:
+    """Return the lines of rows set aside where the model has no mode left near them: no error moved one there."""
+    fitter, c = search.store.fitter, search.criteria
+    lines = []
+    for row in sorted(final.hypothesis.excluded):
+        setup = fitter.data.pose[row]
+        near = np.abs(final.prediction.log_frequencies[setup] - fitter.log[row]) < c.reach
+        near[: final.prediction.rigid] = False
+        partner = final.pairing.partner[fitter.noise.rows[setup]]
+        near[partner[partner >= 0]] = False
+        if not near.any():
+            lines.append(int(fitter.data.lines[row]))
+    return lines
 
 
 def _too_many(search: Search, grouped: tuple[list[list[Fit]], ...]) -> bool:
@@ -154,15 +172,16 @@ def _doubt(
 
 
 def _in_one_joint(search: Search, final: Fit) -> Fit | None:
-    """Return the remote cause in one joint that these data cannot tell from one claimed for all joints, or None."""
+    """Return the fit with a claimed cause in one of its joints alone that explains as much, or None.
+
+    A claim for all joints needs the same evidence against each joint alone as against another class.
+    """
     store, c = search.store, search.criteria
     if len(final.causes) != 1:
         return None
+    fits = search.in_one_joint(final)
     limit = final.deviance + c.told_apart
-    return next(
-        (fit for fit in search.in_one_joint(final) if fit.deviance < limit and store.p_value(fit) > c.surely),
-        None,
-    )
+    return next((fit for fit in fits if fit.deviance < limit and store.p_value(fit) > c.surely), None)
 
 
 def _also(search: Search, final: Fit) -> list[str]:

@@ -69,20 +69,24 @@ def other_unit(fitter: Fitter) -> str:
     if not np.isfinite(declared.eigenvalues).all():
         return ""
     c = fitter.criteria
-    here = _usual(fitter, declared, data)
-    others = [(_usual(fitter, declared, reading.of(data)), reading) for reading in readings(data.unit)]
-    least, reading = min(others, key=lambda other: other[0])
-    if least > c.unit_difference or least * c.unit_gain > here:
+    here, _ = _usual(fitter, declared, data)
+    others = [(*_usual(fitter, declared, reading.of(data)), reading) for reading in readings(data.unit)]
+    least, paired, reading = min(others, key=lambda other: other[0])
+    if least > c.unit_difference or least * c.unit_gain > here or paired < c.unit_paired:
         return ""
     claim = f"the header says {data.unit}, but the numbers" if data.unit else "the frequencies"
     return f"{claim} fit the declared model as {reading.what} ({100 * least:.2g} %): {reading.remedy}"
 
 
-def _usual(fitter: Fitter, prediction: Prediction, data: Measurements) -> float:
-    """Return the median difference between measured and model frequencies; the model may lack some modes."""
+def _usual(fitter: Fitter, prediction: Prediction, data: Measurements) -> tuple[float, float]:
+    """Return the median difference between measured and model frequencies, and the part of the rows with a partner.
+
+    The model may lack some modes.
+    """
     pairer = Pairer(data, fitter.structure.channels, prediction, fitter.criteria)
     pairing = pairer.pair(prediction, np.ones(len(data.frequency), dtype=bool), compare=False)
-    return float(np.median(np.abs(pairer.differences(prediction, pairing))))
+    usual = float(np.median(np.abs(pairer.differences(prediction, pairing))))
+    return usual, float((pairing.partner >= 0).mean())
 
 
 def other_wiring(fitter: Fitter, fit: Fit) -> str:

@@ -151,6 +151,17 @@ def rests_on(cause: Candidate, line: int, label: str, frequency: float, value: f
     )
 
 
+def extra(lines: Sequence[int]) -> str:
+    """Return the reason if rows could only be set aside that are modes which the model lacks."""
+    which = (
+        f"line {lines[0]} is a mode" if len(lines) == 1 else f"lines {', '.join(map(str, lines))} are modes"
+    )
+    return (
+        f"the declared model explains all other rows, but {which} that it does not have: all its modes near there "
+        "were measured as well"
+    )
+
+
 def shared(error: float, drift: str) -> str:
     """Return the reason if only an unstated error that the modes of a pose share makes the model adequate."""
     also = f"; {drift}" if drift else ""
@@ -167,12 +178,9 @@ def held_out(causes: Sequence[Candidate], p_value: float, instead: Sequence[Cand
     return f"{who} the fitted poses, but not the held-out ones ({p_in_words(p_value)}){other}"
 
 
-def together(causes: Sequence[Candidate], p_value: float, instead: Sequence[Candidate]) -> str:
-    """Return the reason if all poses together contradict a result, or another cause explains them better."""
-    who = f"{_names(causes)} would explain" if causes else "the declared model explains"
-    if instead:
-        return f"{who} the fitted poses, but {_names(instead)} explains all poses, also the held-out ones: look there"
-    return f"{who} the fitted poses, but not these and the held-out ones together ({p_in_words(p_value)})"
+def together(causes: Sequence[Candidate], instead: Sequence[Candidate]) -> str:
+    """Return the reason if another cause explains all poses better."""
+    return f"{_names(causes)} would explain all poses, but {_names(instead)} explains them better: look there"
 
 
 def not_everywhere(causes: Sequence[Candidate]) -> str:
