@@ -17,7 +17,7 @@ from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.held_out import remarks
-from pkmodes.diagnosis.verdict.result import Error
+from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.values import p_absent
 
 SETUPS, MODES, STOREYS = 10, 5, 4

@@ -7,7 +7,8 @@ from collections.abc import Mapping, Sequence
 
 from pkmodes.cli.stability_text import stability_sentence
 from pkmodes.cli.terminal import Terminal
-from pkmodes.diagnosis.verdict.result import Diagnosis, Error, Finding, Row, Value, p_in_words
+from pkmodes.diagnosis.verdict.result import Diagnosis, Finding, Value, p_in_words
+from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.mechanism.poses import placed
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.robot import Robot

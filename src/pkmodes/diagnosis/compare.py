@@ -13,7 +13,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.verdict.mistakes import other_unit
-from pkmodes.diagnosis.verdict.result import MeasuredMode
+from pkmodes.diagnosis.verdict.rows import MeasuredMode
 from pkmodes.measured.measurements import Measurements
 
 

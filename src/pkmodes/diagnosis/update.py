@@ -26,7 +26,7 @@ from pkmodes.diagnosis.verdict import whole_data
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.mistakes import other_unit, other_wiring
 from pkmodes.diagnosis.verdict.notes import notes
-from pkmodes.diagnosis.verdict.result import Error, Row
+from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.measured.measurements import Measurements
 
 #: Largest number of rounds to estimate the scatter of shapes without a stated one.

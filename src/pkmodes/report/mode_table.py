@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from pkmodes.diagnosis.compare import ComparedRow, Comparison
-from pkmodes.diagnosis.verdict.result import Diagnosis, Row
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.diagnosis.verdict.rows import Row
 from pkmodes.measured.quantities import FREQUENCY
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report.blocks import Cell, Column, Table

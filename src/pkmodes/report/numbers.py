@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis, Error, key
+from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis, key
+from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Paragraph, Picture, Table

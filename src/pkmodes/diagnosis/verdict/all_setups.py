@@ -12,7 +12,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.problem import Array, Prediction, Structure
-from pkmodes.diagnosis.verdict.result import Error, Row
+from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.measured.measurements import Measurements
 
 

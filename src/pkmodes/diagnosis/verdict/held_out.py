@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.diagnosis.problem import Array
-from pkmodes.diagnosis.verdict.result import Error
+from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.measured.measurements import Measurements
 
 

@@ -24,6 +24,7 @@ from pkmodes.diagnosis.verdict.document import (
     ValueDocument,
 )
 from pkmodes.diagnosis.verdict.relative import relative_to_mean
+from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.diagnosis.verdict.unseen import Limit, Unseen
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS, Word
 
@@ -155,65 +156,6 @@ class Finding:
             replace(value, value=float(d), sigma=float(sigma))
             for value, d, sigma in zip(values, *found, strict=True)
         )
-
-
-@dataclass(frozen=True)
-class Error:
-    """Errors of one stage.
-
-    Attributes
-    ----------
-    rms_relative, held_out_rms_relative : float or None
-        Root mean square of f_model / f_measured - 1 over the fitted and the held-out rows; None if there are none.
-    chi2_per_dof : float
-        Chi-square per degree of freedom of the fitted rows and the priors.
-    """
-
-    rms_relative: float | None
-    held_out_rms_relative: float | None
-    chi2_per_dof: float
-
-
-@dataclass(frozen=True)
-class MeasuredMode:
-    """One measured mode.
-
-    Attributes
-    ----------
-    pose, line, mode : str, int, str
-        Pose, line in the file, and label.
-    measured, sigma : float
-        Frequency and its standard deviation [Hz].
-    """
-
-    pose: str
-    line: int
-    mode: str
-    measured: float
-    sigma: float
-
-
-@dataclass(frozen=True)
-class Row(MeasuredMode):
-    """One measured mode and its predictions; None if the model has no partner for it.
-
-    Attributes
-    ----------
-    before, refit, after : float or None
-        Predicted frequency of the model as declared, with nuisances refitted, and with the causes [Hz].
-    mac : float or None
-        MAC at the last stage, if a shape was measured.
-    load : mapping of str to float
-        Values set at its pose, by name.
-    """
-
-    before: float | None
-    refit: float | None
-    after: float | None
-    mac: float | None
-    held_out: bool
-    outlier: bool
-    load: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

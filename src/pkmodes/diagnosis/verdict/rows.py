@@ -1,0 +1,65 @@
+"""Measured modes beside their predictions, and the errors of one stage over all of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Error:
+    """Errors of one stage.
+
+    Attributes
+    ----------
+    rms_relative, held_out_rms_relative : float or None
+        Root mean square of f_model / f_measured - 1 over the fitted and the held-out rows; None if there are none.
+    chi2_per_dof : float
+        Chi-square per degree of freedom of the fitted rows and the priors.
+    """
+
+    rms_relative: float | None
+    held_out_rms_relative: float | None
+    chi2_per_dof: float
+
+
+@dataclass(frozen=True)
+class MeasuredMode:
+    """One measured mode.
+
+    Attributes
+    ----------
+    pose, line, mode : str, int, str
+        Pose, line in the file, and label.
+    measured, sigma : float
+        Frequency and its standard deviation [Hz].
+    """
+
+    pose: str
+    line: int
+    mode: str
+    measured: float
+    sigma: float
+
+
+@dataclass(frozen=True)
+class Row(MeasuredMode):
+    """One measured mode and its predictions; None if the model has no partner for it.
+
+    Attributes
+    ----------
+    before, refit, after : float or None
+        Predicted frequency of the model as declared, with nuisances refitted, and with the causes [Hz].
+    mac : float or None
+        MAC at the last stage, if a shape was measured.
+    load : mapping of str to float
+        Values set at its pose, by name.
+    """
+
+    before: float | None
+    refit: float | None
+    after: float | None
+    mac: float | None
+    held_out: bool
+    outlier: bool
+    load: Mapping[str, float] = field(default_factory=dict)
