@@ -118,6 +118,7 @@ class RobotStructure:
             for load in payloads(self.robot, self.points)
         ]
 
+    @np.errstate(over="ignore", invalid="ignore", divide="ignore")  # a fit may try what is no machine
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         """Return the modes at all poses, with derivatives with respect to some of the parameters."""
         asked = values.tobytes(), tuple(by), shape_rates
@@ -135,6 +136,7 @@ class RobotStructure:
             self._latest = asked, prediction
         return prediction
 
+    @np.errstate(over="ignore", invalid="ignore", divide="ignore")  # a fit may try what is no machine
     def predict_many(
         self, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
     ) -> list[Batch]:
