@@ -84,6 +84,15 @@ def test_bare_numbers_are_si(tmp_path: Path) -> None:
     assert read(tmp_path, edited('"400 mm"', "0.4")).parameters.link_length.tolist() == [0.4] * 3
 
 
+@pytest.mark.parametrize(
+    ("old", "new"), [('"400 mm"', "400"), ('"1.2 m"', '"1.2 km"'), ('"35 mm"', "11900.0")]
+)
+def test_a_length_that_no_robot_has_is_one_in_another_unit(tmp_path: Path, old: str, new: str) -> None:
+    found = problems(tmp_path, edited(old, new))
+    assert any(f"expected a length of at most 100 m, found {new}" in line for line in found)
+    assert any("a number without a unit is in metres" in line for line in found)
+
+
 def test_directions_are_normalised(tmp_path: Path) -> None:
     robot = read(tmp_path, edited("direction = [1, 0, 0]", "direction = [0.7071, 0, 0.7071]"))
     np.testing.assert_allclose(robot.parameters.direction[0], [0.5**0.5, 0, 0.5**0.5], rtol=1e-15)

@@ -11,6 +11,7 @@ from pkmodes.robot.layout import XYZ
 from pkmodes.robot.units import (
     DIMENSIONS,
     LARGEST,
+    LARGEST_LENGTH,
     SMALLEST,
     Quantity,
     QuantityError,
@@ -149,6 +150,11 @@ def _number(raw: Any, dimension: str) -> float:
             f"expected {article(dimension)} with a magnitude between {SMALLEST:g} and {LARGEST:g} in SI units, "
             f"found {shown(raw)}",
             "check the number and its unit",
+        )
+    if dimension == "length" and abs(value) > LARGEST_LENGTH:
+        raise RefusedError(
+            f"expected a length of at most {LARGEST_LENGTH:g} m, found {shown(raw)}",
+            "check the number and its unit: a number without a unit is in metres",
         )
     return value
 
