@@ -309,7 +309,7 @@ def test_options_with_which_no_nan_is_seen_are_refused(fresh: Path, monkeypatch:
     found = build.compiler()
     assert found is not None
     monkeypatch.setenv("CC", f"{found[0]} -ffast-math")
-    with pytest.raises(PkmodesError, match="a pose that cannot be evaluated shows as NaN"):
+    with pytest.raises(PkmodesError, match="hide NaN, the mark of bad poses: compile without them"):
         frequencies("compiled")
 
 

@@ -77,7 +77,7 @@ def test_the_table_of_two_causes_and_of_causes_that_look_alike(tmp_path: Path) -
     assert out.count("\ncause: ") == 2
     assert "\nafter: with the causes " in out
     alike = {"gearbox_compliance.compliance": 1.5e-4}
-    inputs = files(tmp_path, PUBLISHED, measured(poses=3, effects=alike, shapes=()))
+    inputs = files(tmp_path, PUBLISHED, measured(poses=6, effects=alike, shapes=()))
     options = ("--candidates", "gearbox_compliance,clamp_compliance,belt_end_compliance")
     saved = tmp_path / "saved.toml"
     out, found = (

@@ -16,7 +16,7 @@
  *   theta_j_st [rad]: static rotation of motor pulley j, relative to the unstrained transmissions
  */
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, by which bad poses are found: compile without them"
+#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, the mark of bad poses: compile without them"
 #endif
 
 #include "corexy_extended.h"

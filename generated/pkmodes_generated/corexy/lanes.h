@@ -14,7 +14,7 @@
  *   k_j_s [N/m]: stiffness of run s of belt j
  */
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, by which bad poses are found: compile without them"
+#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, the mark of bad poses: compile without them"
 #endif
 
 #define LANES_POSE 2

@@ -29,7 +29,7 @@
  *   mu_j [N/m]: static force in linkage j divided by its length, positive in compression
  */
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, by which bad poses are found: compile without them"
+#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, the mark of bad poses: compile without them"
 #endif
 
 #define LANES_POSE 3

@@ -31,7 +31,7 @@
  *   theta_j_k_st [rad]: static rotation of pulley k of axis j, relative to the unstrained transmissions
  */
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, by which bad poses are found: compile without them"
+#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, the mark of bad poses: compile without them"
 #endif
 
 #include "linear_delta_extended.h"

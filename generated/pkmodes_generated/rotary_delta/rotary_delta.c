@@ -45,7 +45,7 @@
  *     transmissions
  */
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, by which bad poses are found: compile without them"
+#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, the mark of bad poses: compile without them"
 #endif
 
 #include "rotary_delta.h"
@@ -3970,7 +3970,7 @@ static void eigen_order(pkmodes_real d[N], pkmodes_real (*Z)[N], const pkmodes_r
     }
 }
 
-/* Find vibrations, the modes from the given one on, that are lost in the rounding of the largest eigenvalue. */
+/* Find vibrations, from the given mode on, that are lost in the rounding of the largest eigenvalue. */
 static int eigen_lost(const pkmodes_real d[N], int vibration)
 {
     int i;

@@ -34,7 +34,7 @@
  *     transmissions
  */
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, by which bad poses are found: compile without them"
+#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, the mark of bad poses: compile without them"
 #endif
 
 #include "rotary_delta_extended.h"

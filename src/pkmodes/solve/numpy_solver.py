@@ -15,6 +15,9 @@ from pkmodes.solve.held_motions import RESOLVED, lost_in_rounding, refuse_unreso
 from pkmodes.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
 from pkmodes.system.evaluation import Evaluation
 
+#: Condition number of the platform's motion from which a lost vibration is the pose's, not the robot's.
+SINGULAR = 1e4
+
 Array = NDArray[np.float64]
 
 
@@ -93,6 +96,10 @@ def _check(eigenvalues: Array, shapes: Array, at: RobotAtPoses) -> None:
     if stiff.any():
         highest = np.where(stiff, base_level(at.mass_matrix, at.stiffness_matrix, system.first), highest)
     lost = np.abs(lowest) < RESOLVED * highest
+    if lost.any() and system.first == len(system.coordinates):
+        # Near a singular pose a vibration of any robot grows beyond all bounds.
+        motion = system.platform_motion(at.points[lost])
+        lost[lost] = np.linalg.cond(motion) < SINGULAR
     if lost.any():
         which = int(np.argmax(lost))
         raise lost_in_rounding(at, lowest[which], highest[which])

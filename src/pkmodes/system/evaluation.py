@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import cache, cached_property, lru_cache
-from types import MappingProxyType
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -272,7 +271,7 @@ def _released(mechanism: Mechanism, effects: tuple[tuple[str, float], ...]) -> _
     free, joints, rates, coordinates = _joints(mechanism, releasing)
     rigid = 0 if grounding else mechanism.rigid_modes
     values = mechanism.extended.Effects(**shared)
-    return _Released(values, free, joints, rates, coordinates, rigid, MappingProxyType(springs))
+    return _Released(values, free, joints, rates, coordinates, rigid, springs)
 
 
 @lru_cache(maxsize=256)

@@ -192,7 +192,7 @@ static void eigen_order(pkmodes_real d[N], pkmodes_real (*Z)[N], const pkmodes_r
     }
 }
 
-/* Find vibrations, the modes from the given one on, that are lost in the rounding of the largest eigenvalue. */
+/* Find vibrations, from the given mode on, that are lost in the rounding of the largest eigenvalue. */
 static int eigen_lost(const pkmodes_real d[N], int vibration)
 {
     int i;
