@@ -10,13 +10,12 @@ from numpy.typing import NDArray
 
 from pkmodes.base.errors import PoseError
 from pkmodes.linalg.eigen import base_level, condensed_eigh, has_stiff_joint
+from pkmodes.mechanism.generated import Generated
+from pkmodes.mechanism.regular import regular_poses
 from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.solve.held_motions import RESOLVED, lost_in_rounding, refuse_unresolved, solve_held
 from pkmodes.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
 from pkmodes.system.evaluation import Evaluation
-
-#: Condition number of the platform's motion from which a lost vibration is the pose's, not the robot's.
-SINGULAR = 1e4
 
 Array = NDArray[np.float64]
 
@@ -96,10 +95,20 @@ def _check(eigenvalues: Array, shapes: Array, at: RobotAtPoses) -> None:
     if stiff.any():
         highest = np.where(stiff, base_level(at.mass_matrix, at.stiffness_matrix, system.first), highest)
     lost = np.abs(lowest) < RESOLVED * highest
-    if lost.any() and system.first == len(system.coordinates):
-        # Near a singular pose a vibration of any robot grows beyond all bounds.
-        motion = system.platform_motion(at.points[lost])
-        lost[lost] = np.linalg.cond(motion) < SINGULAR
-    if lost.any():
+    if lost.any() and (system.first < len(system.coordinates) or _loses_everywhere(system)):
         which = int(np.argmax(lost))
         raise lost_in_rounding(at, lowest[which], highest[which])
+
+
+def _loses_everywhere(system: Evaluation) -> bool:
+    """Return whether a robot without effects loses vibrations well inside its workspace, too.
+
+    Where a belt span is short, or near a singular pose, a vibration of any robot grows beyond all bounds.
+    """
+    mechanism, parameters = system.mechanism, system.parameters
+    points = regular_poses(Generated(mechanism.model, parameters), mechanism, parameters)
+    if not len(points):
+        return True
+    eigenvalues, _ = condensed_eigh(*system.all_coordinates(points), system.first, system.rigid_modes)
+    lowest, highest = eigenvalues[:, system.rigid_modes], eigenvalues[:, -1]
+    return bool((np.abs(lowest) < RESOLVED * highest).all())
