@@ -85,11 +85,11 @@ def test_bare_numbers_are_si(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("old", "new"), [('"400 mm"', "400"), ('"1.2 m"', '"1.2 km"'), ('"35 mm"', "11900.0")]
+    ("old", "new"), [('"400 mm"', "4000"), ('"1.2 m"', '"1.2 km"'), ('"35 mm"', "11900.0")]
 )
 def test_a_length_that_no_robot_has_is_one_in_another_unit(tmp_path: Path, old: str, new: str) -> None:
     found = problems(tmp_path, edited(old, new))
-    assert any(f"expected a length of at most 100 m, found {new}" in line for line in found)
+    assert any(f"expected a length of at most 1000 m, found {new}" in line for line in found)
     assert any("a number without a unit is in metres" in line for line in found)
 
 

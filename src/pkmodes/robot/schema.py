@@ -94,6 +94,11 @@ def quantity(
             )
         raw, sigma_raw = raw["value"], raw.get("sigma")
     value = _number(raw, dimension)
+    if dimension == "length" and abs(value) > LARGEST_LENGTH:
+        raise RefusedError(
+            f"expected a length of at most {LARGEST_LENGTH:g} m, found {shown(raw)}",
+            "check the number and its unit: a number without a unit is in metres",
+        )
     bound = None
     if at_least is not None and value < at_least:
         bound = f"of at least {at_least:g}"
@@ -150,11 +155,6 @@ def _number(raw: Any, dimension: str) -> float:
             f"expected {article(dimension)} with a magnitude between {SMALLEST:g} and {LARGEST:g} in SI units, "
             f"found {shown(raw)}",
             "check the number and its unit",
-        )
-    if dimension == "length" and abs(value) > LARGEST_LENGTH:
-        raise RefusedError(
-            f"expected a length of at most {LARGEST_LENGTH:g} m, found {shown(raw)}",
-            "check the number and its unit: a number without a unit is in metres",
         )
     return value
 

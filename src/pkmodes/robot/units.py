@@ -26,7 +26,7 @@ LONGEST = 60
 #: Magnitudes outside these limits are mistakes, and their products would overflow.
 SMALLEST, LARGEST = 1e-30, 1e30
 #: No robot is larger [m]: a longer length is one in another unit, and rigid-body modes would lose their digits.
-LARGEST_LENGTH = 100.0
+LARGEST_LENGTH = 1000.0
 
 #: An example of each dimension for error messages.
 EXAMPLES = {
