@@ -72,7 +72,7 @@ class Criteria:
     #: A cause is not claimed if some candidate would fit an arbitrary residual of that size as well with more than
     #: this probability: the data are too few to tell it from something outside the candidates.
     specific: float = 0.01
-    #: It fits such a residual if it leaves no more than the claim does, plus this many standard deviations of noise.
+    #: Such a residual is as large as what the claim explains and leaves, plus this many standard deviations of noise.
     #: Combinations of candidates are drawn too if there are at least this many for each cause.
     spread: float = 2.0
     many: int = 6

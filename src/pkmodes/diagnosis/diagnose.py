@@ -26,10 +26,10 @@ from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import limits, reasons
-from pkmodes.diagnosis.verdict.all_poses import HeldOut, tested
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
 from pkmodes.diagnosis.verdict.chosen_reason import reason_of
+from pkmodes.diagnosis.verdict.held_out import HeldOut, predicted
 from pkmodes.diagnosis.verdict.judgement import Judgement, judge
 from pkmodes.diagnosis.verdict.mistakes import certain_wiring, other_unit, other_wiring
 from pkmodes.diagnosis.verdict.result import Diagnosis
@@ -177,7 +177,7 @@ def _judged(builder: DiagnosisBuilder, search: Search, outcome: Outcome) -> Diag
         judged = _stable(judged, changes)
     held = HeldOut()
     if judged.verdict in (ADEQUATE, EFFECT_FOUND):
-        held = tested(builder.setups, search, judged.final)
+        held = predicted(builder.setups, search, judged.final)
         if held.doubt:
             judged = replace(judged, verdict=UNEXPLAINED, doubt=held.doubt)
     wiring = other_wiring(store.fitter, judged.final)

@@ -98,6 +98,11 @@ class Search:
             return []
         return self.additions.causes(plain, score(self.store.fitter, plain, self.remote))
 
+    def better_alone(self, fit: Fit) -> list[Fit]:
+        """Return fits with one remote cause that explain significantly more than a fit, down to noise; best first."""
+        limit = self.store.criterion(fit) - self.criteria.survives
+        return [one for one in self.alone() if self.store.criterion(one) < limit and self.gate(one).passed]
+
     def in_one_joint(self, beside: Fit) -> list[Fit]:
         """Return fits with the cause of a fit in one of its joints alone, best first."""
         name = beside.causes[0].name

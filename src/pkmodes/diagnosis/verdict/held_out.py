@@ -1,15 +1,169 @@
-"""Notes on held-out measurements: rows without a mode, and errors that grow with a claim."""
+r"""What held-out setups say about a result: a test of its predictions, and notes on their rows.
+
+Held-out setups take no part in any choice or fit, so they can refuse a result.  The prediction errors :math:`r_h` of
+their frequencies, and of shapes with stated errors, have the predictive covariance
+
+.. math:: V_h + J_h C J_h^T
+
+with the covariance :math:`V_h` of these data, their derivatives :math:`J_h` and the covariance :math:`C` of the
+fitted parameters.  Remote causes are tried again on all setups: with more data, one of these may be better.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import stats
 
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.search.search import Search
+from pkmodes.diagnosis.verdict import reasons
+from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.measured.measurements import Measurements
+
+
+@dataclass(frozen=True)
+class HeldOut:
+    """What held-out setups say about a result.
+
+    Attributes
+    ----------
+    doubt : str
+        Why they contradict it; empty if they do not.
+    notes : tuple of str
+        Sentences about their rows.
+    """
+
+    doubt: str = ""
+    notes: tuple[str, ...] = ()
+
+
+def predicted(setups: AllSetups, search: Search, final: Fit) -> HeldOut:
+    """Test whether a result predicts the held-out setups.
+
+    Parameters
+    ----------
+    search : Search
+        Of the fitted setups.
+    final : Fit
+        Its result, with or without causes.
+    """
+    if not setups.is_held.any():
+        return HeldOut()
+    c = search.criteria
+    every, again = _fitted_to_all(setups, search, final)
+    if again is None:
+        return HeldOut(reasons.not_everywhere(final.causes))
+    p_value = p_held_out(setups, every.store.fitter, again.hypothesis, final)
+    if p_value <= c.surely:
+        again, p_value = _without_one_row(setups, every.store, again, final, p_value)
+    better = _better(every, again)
+    if p_value > c.surely:
+        if better is not None:
+            return HeldOut(reasons.together(final.causes, better.causes))
+        aside = (row for row in sorted(again.hypothesis.excluded) if setups.is_held[row])
+        return HeldOut(notes=tuple(_check(setups.data, row) for row in aside))
+    instead = better or _explaining(every, again)
+    return HeldOut(reasons.held_out(final.causes, p_value, instead.causes if instead else ()))
+
+
+def p_held_out(setups: AllSetups, every: Fitter, hypothesis: Hypothesis, final: Fit) -> float:
+    """Return the p-value of the prediction errors of the held-out setups, without excluded rows.
+
+    Parameters
+    ----------
+    every : Fitter
+        At all setups.
+    hypothesis : Hypothesis
+        About all setups; the causes are those of the fit.
+    final : Fit
+        To the setups that are not held out.
+    """
+    held = setups.is_held & every.used(hypothesis)
+    stated = every.shapes.known & every.shapes.stated & held
+    rows = np.concatenate([held, np.repeat(stated, every.shapes.sigma.shape[1])])
+    there = every.evaluated(hypothesis, final.values, final.scatter)
+    if there is None:
+        return 0.0
+    data = slice(0, len(rows))
+    white, rates = there.white[data][rows], there.jacobian[data][rows]
+    # (1 + J C J^T)^-1 = 1 - J (C^-1 + J^T J)^-1 J^T
+    inside = np.linalg.pinv(final.covariance, hermitian=True) + rates.T @ rates
+    squares = float(white @ white - (rates.T @ white) @ np.linalg.lstsq(inside, rates.T @ white)[0])
+    count = int(held.sum()) + int(every.shapes.count[stated].sum())
+    return float(stats.chi2.sf(max(squares, 0.0), max(count, 1)))
+
+
+def _fitted_to_all(setups: AllSetups, search: Search, final: Fit) -> tuple[Search, Fit | None]:
+    """Return a search with the same candidates at all setups, and the same hypothesis fitted to them.
+
+    The scatter of shapes without stated errors may be larger at the held-out setups.
+    """
+    fitter = search.store.fitter
+    hypothesis = _in_all(setups, fitter, final.hypothesis)
+
+    def fitted(scatter: float) -> tuple[FitStore, Fit | None]:
+        store = FitStore(Fitter(setups.structure, setups.data, fitter.criteria, scatter))
+        return store, store.fit(hypothesis, final.values)
+
+    store, again = fitted(fitter.shape_scatter)
+    scatter = None if again is None else store.shape_scatter(again)
+    if scatter is not None and scatter > fitter.shape_scatter:
+        store, again = fitted(scatter)
+    return Search(store, setups.structure.candidates), again
+
+
+def _in_all(setups: AllSetups, fitter: Fitter, hypothesis: Hypothesis) -> Hypothesis:
+    """Return a hypothesis with the indices of its excluded rows among all rows."""
+    lines = fitter.data.lines[sorted(hypothesis.excluded)]
+    return replace(hypothesis, excluded=frozenset(np.flatnonzero(np.isin(setups.data.lines, lines)).tolist()))
+
+
+def _without_one_row(
+    setups: AllSetups, store: FitStore, again: Fit, final: Fit, p_value: float
+) -> tuple[Fit, float]:
+    """Return the fit and the p-value without the worst held-out row, if that row alone contradicts the fit.
+
+    A gross error in a held-out row is set aside on the same terms as in a fitted one: there are enough rows, and the
+    others predict it.
+    """
+    fitter, c, h = store.fitter, store.fitter.criteria, again.hypothesis
+    worst, sigmas = fitter.worst_rows(again)
+    row = next(int(r) for r in worst if setups.is_held[r])
+    enough = len(fitter.log) >= c.rows_to_set_aside
+    if not enough or sigmas[row] <= c.far or again.leverage[row] >= c.redundant:
+        return again, p_value
+    without = store.fit(replace(h, excluded=h.excluded | {row}), again.values)
+    left = 0.0 if without is None else p_held_out(setups, fitter, without.hypothesis, final)
+    return (without, left) if without is not None and left > c.surely else (again, p_value)
+
+
+def _check(data: Measurements, row: int) -> str:
+    return f"{_row(data, row)} does not agree with the other held-out rows: check it"
+
+
+def _better(every: Search, again: Fit) -> Fit | None:
+    """Return the remote cause that explains all setups better than the claimed causes do; None if none does."""
+    c = every.criteria
+    plain = len(again.causes) == 1 and not again.hypothesis.excluded
+    if not again.causes or (plain and every.gate(again).above(c.plainly)):
+        return None
+    # One with the same predictions is listed in the class of the cause.
+    difference = every.store.fitter.difference
+    return next((fit for fit in every.better_alone(again) if difference(again, fit) >= c.told_apart), None)
+
+
+def _explaining(every: Search, again: Fit) -> Fit | None:
+    """Return the best single cause, remote ones included, that explains all setups; None if none does."""
+    fits = sorted([*every.additions.singles(), *every.alone()], key=every.store.criterion)
+    return next((fit for fit in fits if fit.causes != again.causes and every.gate(fit).passed), None)
 
 
 def remarks(
@@ -20,7 +174,7 @@ def remarks(
     after: Error | None,
     worse: float,
 ) -> Iterator[str]:
-    """Yield sentences about the held-out rows.
+    """Yield sentences about the held-out rows of a result that they do not contradict.
 
     Parameters
     ----------
@@ -40,7 +194,7 @@ def remarks(
     if after.held_out_rms_relative > worse * before.held_out_rms_relative:
         apart = np.where(held, np.nan_to_num(np.abs(np.log(predicted / data.frequency))), 0.0)
         yield (
-            "the held-out poses contradict the claim: their error grows from "
+            "the error of the held-out poses grows from "
             f"{100 * before.held_out_rms_relative:.2g} to {100 * after.held_out_rms_relative:.2g} %; "
             f"the worst is {_row(data, int(apart.argmax()))}"
         )

@@ -139,11 +139,7 @@ def _doubt(
     """Return why the causes of a fit are not claimed; empty if nothing contradicts them."""
     store, c = search.store, search.criteria
     doubtful = len(final.causes) == 1 and not last.above(c.plainly)
-    better = [
-        fit
-        for fit in (search.alone() if doubtful else [])
-        if store.criterion(fit) < store.criterion(final) - c.survives and search.gate(fit).passed
-    ]
+    better = search.better_alone(final) if doubtful else []
     remote = [cause for fit in (final, *others, *better) for cause in fit.causes if cause.remote]
     if remote:
         return reasons.remote(remote[0])
