@@ -9,14 +9,11 @@ from __future__ import annotations
 
 import argparse
 import itertools
-import multiprocessing
-import os
 import statistics
 import sys
 import time
 import traceback
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 
@@ -27,6 +24,8 @@ from pkmodes_rig import ROBOTS
 from pkmodes_rig.suites import mechanism_suites, sizes
 from pkmodes_rig.suites.clear_cases import ClearCase, ClearOutcome, run, splits
 from pkmodes_rig.suites.requirements import INTERVAL, RIGHT, line
+from pkmodes_rig.suites.running import JOBS, processes, publish
+from pkmodes_rig.suites.tables import confusion, grouped, in_words, listed
 
 #: Robots of each mechanism.
 MACHINES = {"linear_delta": tuple(ROBOTS), "rotary_delta": ("rotary_delta",), "corexy": ("corexy",)}
@@ -46,7 +45,6 @@ LEAST = {
     "outside the catalogue": ("abstained", 0.92),
 }
 WRONG = 0.01
-STATES = ("named", "partly", "wrong", "abstained", "adequate", "failed")
 SEEN = "1 to 9"
 
 
@@ -89,22 +87,16 @@ def main() -> None:
     parser.add_argument("--every", type=int, default=1, help="run one case in this many")
     parser.add_argument("--seed", type=int, default=1, help="seed of the random draws")
     parser.add_argument("--no-splits", action="store_true", help="leave out the splits")
-    parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1), help="processes; default 2")
+    parser.add_argument("--jobs", type=int, default=JOBS, help="processes; default 2")
     arguments = parser.parse_args()
-    os.environ.setdefault("OMP_NUM_THREADS", "1")  # one process per core is faster than threads
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     start = time.perf_counter()
     chosen = [replace(c, seed=arguments.seed) for c in cases() if arguments.only in c.label]
     again = [replace(c, seed=arguments.seed) for c in split_cases() if arguments.only in c.label]
-    with ProcessPoolExecutor(arguments.jobs, mp_context=multiprocessing.get_context("spawn")) as pool:
+    with processes(arguments.jobs) as pool:
         outcomes = _printed(pool.map(_one, chosen[:: arguments.every]))
         jobs = () if arguments.no_splits else again[:: arguments.every]
         split = [_printed(some) for some in pool.map(_splits, jobs)]
-    page = "\n".join(_page(outcomes, split, time.perf_counter() - start, arguments.jobs)) + "\n"
-    if arguments.out:
-        arguments.out.write_text(page, encoding="utf-8")
-    else:
-        print(page)
+    publish(_page(outcomes, split, time.perf_counter() - start, arguments.jobs), arguments.out)
 
 
 def _one(case: ClearCase) -> ClearOutcome:
@@ -126,7 +118,7 @@ def _printed(outcomes: Iterator[ClearOutcome] | list[ClearOutcome]) -> list[Clea
     every = []
     for o in outcomes:
         every.append(o)
-        what = f"{o.case.label} ({' + '.join(o.case.kinds)}), {o.signal:.3g}: {o.state} {_classes(o)}"
+        what = f"{o.case.label} ({_causes(o)}), {o.signal:.3g}: {o.state} {in_words(o)}"
         print(f"{what} [{o.seconds:.1f} s] {o.reason}", file=sys.stderr, flush=True)
     return every
 
@@ -167,13 +159,13 @@ def _page(
         "",
         "## Outcomes by suite",
         "",
-        *_confusion(outcomes),
+        *confusion(grouped(outcomes, _suite), "suite"),
         "",
         "## Leave-one-out splits",
         "",
         "Each case is diagnosed once for each pose, with that pose alone held out.",
         "",
-        *_table_of_splits(split),
+        *confusion({f"{some[0].case.label}: {_causes(some[0])}": some for some in split}, "case"),
         "",
         "## Confident and wrong",
         "",
@@ -236,39 +228,21 @@ def _contradict(outcomes: Sequence[ClearOutcome]) -> bool:
     )
 
 
-def _confusion(outcomes: Sequence[ClearOutcome]) -> list[str]:
-    states = [s for s in STATES if s != "failed" or any(o.state == s for o in outcomes)]
-    lines = [f"| group | cases | {' | '.join(states)} |", f"|---|{'---|' * (len(states) + 1)}"]
-    for name, suite in itertools.product(MACHINES, TARGETS):
-        group = [o for o in outcomes if o.case.mechanism == name and o.case.suite == suite]
-        counts = [str(sum(o.state == state for o in group) or "") for state in states]
-        lines.append(f"| {name}, {suite} | {len(group)} | {' | '.join(counts)} |")
-    return lines
+def _suite(o: ClearOutcome) -> str:
+    return f"{o.case.mechanism}, {o.case.suite}"
 
 
-def _table_of_splits(split: Sequence[Sequence[ClearOutcome]]) -> list[str]:
-    states = [s for s in STATES if s != "failed" or any(o.state == s for some in split for o in some)]
-    lines = [f"| case | truth | {' | '.join(states)} |", f"|---|---|{'---|' * len(states)}"]
-    for some in split:
-        counts = [str(sum(o.state == state for o in some) or "") for state in states]
-        case = some[0].case
-        lines.append(f"| {case.label} | {' + '.join(case.kinds)} | {' | '.join(counts)} |")
-    return lines
+def _causes(o: ClearOutcome) -> str:
+    return " + ".join(o.case.kinds)
 
 
 def _listed(outcomes: Sequence[ClearOutcome]) -> list[str]:
-    if not outcomes:
-        return ["None."]
-    lines = ["| case | truth | signal | rows | verdict | classes |", "|---|---|---|---|---|---|"]
-    for o in outcomes:
-        truth = " + ".join(o.case.kinds)
-        verdict = o.verdict or o.state
-        lines.append(f"| {o.case.label} | {truth} | {o.signal:.3g} | {o.rows} | {verdict} | {_classes(o)} |")
-    return lines
-
-
-def _classes(o: ClearOutcome) -> str:
-    return "; ".join(" or ".join(members) for members in o.classes)
+    head = ("case", "truth", "signal", "rows", "verdict", "classes")
+    rows = [
+        (o.case.label, _causes(o), f"{o.signal:.3g}", str(o.rows), o.verdict or o.state, in_words(o))
+        for o in outcomes
+    ]
+    return listed(head, rows)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,6 @@ from __future__ import annotations
 import argparse
 import itertools
 import json
-import multiprocessing
 import os
 import platform
 import statistics
@@ -19,7 +18,7 @@ import sys
 import time
 import traceback
 from collections.abc import Iterable, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures import as_completed
 from dataclasses import asdict, replace
 from pathlib import Path
 
@@ -27,13 +26,14 @@ from pkmodes_rig.suites import hard_suites
 from pkmodes_rig.suites.buildings import Building
 from pkmodes_rig.suites.judging import MEASUREMENT
 from pkmodes_rig.suites.requirements import CLEAR, count, requirements
+from pkmodes_rig.suites.running import JOBS, processes, publish
 from pkmodes_rig.suites.sizes import KINDS
 from pkmodes_rig.suites.strengths import SEED
 from pkmodes_rig.suites.suites import SUITES, Case, Outcome, failed, run
+from pkmodes_rig.suites.tables import confusion, grouped, in_words, listed, table
 
 #: Seeds used during the development of the diagnosis.
 SEEN = f"{SEED}, 101 to 120, 7001, 7002, 7011 to 7013, 20261121, 20261122, 20261130, 20261201, 20261202 and 20261203"
-STATES = ("named", "partly", "wrong", "abstained", "adequate", "failed")
 #: Suites with single causes and realistic measurements, and suites of difficult measurements.
 REALISTIC = ("one effect, realistic", "wrong parameter, realistic", "modes missed")
 HARD = tuple(hard_suites.SUITES)
@@ -44,19 +44,13 @@ BINS = (0.0, 2.0, 4.0, 6.0, 10.0, 20.0, float("inf"))
 def main() -> None:
     """Run the chosen suites, and write their page."""
     arguments = _arguments()
-    os.environ.setdefault("OMP_NUM_THREADS", "1")  # one process per core is faster than threads
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     start = time.perf_counter()
     cases = [replace(case, seed=arguments.seed) for case in _chosen(arguments.only, arguments.limit)]
     outcomes = _run(cases, arguments.jobs)
     if arguments.cases:
         text = json.dumps([asdict(outcome) for outcome in outcomes], indent=1)
         arguments.cases.write_text(text + "\n", encoding="utf-8")
-    page = "\n".join(_page(outcomes, time.perf_counter() - start, arguments.jobs))
-    if arguments.out:
-        arguments.out.write_text(page + "\n", encoding="utf-8")
-    else:
-        print(page)
+    publish(_page(outcomes, time.perf_counter() - start, arguments.jobs), arguments.out)
 
 
 def _arguments() -> argparse.Namespace:
@@ -68,7 +62,7 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument(
         "--seed", type=int, default=SEED, help="seed of the random draws (noise, true values)"
     )
-    parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1), help="processes; default 2")
+    parser.add_argument("--jobs", type=int, default=JOBS, help="processes; default 2")
     return parser.parse_args()
 
 
@@ -84,12 +78,12 @@ def _chosen(only: Sequence[str] | None, limit: int | None) -> Iterable[Case]:
 
 def _run(cases: list[Case], jobs: int) -> list[Outcome]:
     outcomes: dict[str, Outcome] = {}
-    with ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("spawn")) as pool:
+    with processes(jobs) as pool:
         futures = [pool.submit(_safely, case) for case in cases]
         for done, future in enumerate(as_completed(futures), start=1):
             outcome = future.result()
             outcomes[outcome.case.label] = outcome
-            what = f"{outcome.case.label} ({outcome.case.kind}): {outcome.state} {_classes(outcome)}"
+            what = f"{outcome.case.label} ({outcome.case.kind}): {outcome.state} {in_words(outcome)}"
             print(f"{done}/{len(cases)} {what} [{outcome.seconds:.1f} s]", file=sys.stderr, flush=True)
     return [outcomes[case.label] for case in cases]
 
@@ -154,15 +148,15 @@ def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
         "",
         "## Outcomes by suite",
         "",
-        *_confusion(shown, "suite"),
+        *confusion(shown, "suite"),
         "",
         "## Outcomes by cause",
         "",
-        *_confusion(_grouped(single + by_suite["outside the catalogue"]), "cause"),
+        *confusion(grouped(single + by_suite["outside the catalogue"], _cause), "cause"),
         "",
         "The same with missed modes.",
         "",
-        *_confusion(_grouped(real + by_suite["outside the catalogue, realistic"]), "cause"),
+        *confusion(grouped(real + by_suite["outside the catalogue, realistic"], _cause), "cause"),
         "",
         "## Power against predicted signal",
         "",
@@ -187,7 +181,7 @@ def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
         "",
         "## Few rows, shapes, outliers, mistakes",
         "",
-        *_confusion(_kinds(hard), "case"),
+        *confusion(grouped(hard, _kind), "case"),
         "",
         "## Special cases",
         "",
@@ -209,36 +203,25 @@ def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
     ]
 
 
-def _confusion(groups: dict[str, list[Outcome]], title: str) -> list[str]:
-    states = [s for s in STATES if s != "failed" or any(o.state == s for g in groups.values() for o in g)]
-    lines = [f"| {title} | cases | {' | '.join(states)} |", f"|---|{'---|' * (len(states) + 1)}"]
-    for name, group in groups.items():
-        counts = [str(count(group, state) or "") for state in states]
-        lines.append(f"| {name} | {len(group)} | {' | '.join(counts)} |")
-    return lines
+def _cause(o: Outcome) -> str:
+    return f"(outside) {o.case.kind}" if o.case.kind in KINDS else o.case.kind
 
 
-def _grouped(outcomes: list[Outcome]) -> dict[str, list[Outcome]]:
-    groups: dict[str, list[Outcome]] = {}
-    for o in outcomes:
-        name = f"(outside) {o.case.kind}" if o.case.kind in KINDS else o.case.kind
-        groups.setdefault(name, []).append(o)
-    return groups
+def _kind(o: Outcome) -> str:
+    """Return the kind of case of an outcome of the hard suites."""
+    case = o.case
+    frames = isinstance(case.truth, Building)
+    kind = f"{case.kind}; {case.plan}" if case.suite == "shapes decide" else _lacking(case)
+    if case.suite in ("few rows", "outliers among few"):
+        kind = f"{'frames' if frames else 'robots'}; {kind}"
+    elif case.suite == "units and wiring":
+        kind = f"{case.kind}; {kind}"
+    return f"{case.suite}: {kind}"
 
 
-def _kinds(outcomes: list[Outcome]) -> dict[str, list[Outcome]]:
-    """Group the outcomes of the hard suites by kind of case."""
-    groups: dict[str, list[Outcome]] = {}
-    for o in outcomes:
-        case = o.case
-        frames = isinstance(case.truth, Building)
-        kind = f"{case.kind}; {case.plan}" if case.suite == "shapes decide" else _lacking(case)
-        if case.suite in ("few rows", "outliers among few"):
-            kind = f"{'frames' if frames else 'robots'}; {kind}"
-        elif case.suite == "units and wiring":
-            kind = f"{case.kind}; {kind}"
-        groups.setdefault(f"{case.suite}: {kind}", []).append(o)
-    return groups
+def _special_kind(o: Outcome) -> str:
+    lacking = ("nothing missing", "one effect", "two causes")[len(o.case.names)]
+    return f"{o.case.kind}; {lacking}"
 
 
 def _lacking(case: Case) -> str:
@@ -262,24 +245,19 @@ def _power(outcomes: list[Outcome]) -> list[str]:
 
 
 def _pairs(outcomes: list[Outcome]) -> list[str]:
-    lines = [
-        "| case | robot, plan | effects | each beyond the other | state | classes |",
-        "|---|---|---|---|---|---|",
-    ]
-    for o in outcomes:
-        beyond = ", ".join(f"{b:.3g}" for b in o.beyond)
-        lines.append(
-            f"| {o.case.number} | {_where(o)} | {o.case.kind} | {beyond} | {o.state} | {_classes(o)} |"
+    rows = [
+        (
+            *(str(o.case.number), _where(o), o.case.kind, ", ".join(f"{b:.3g}" for b in o.beyond)),
+            *(o.state, in_words(o)),
         )
-    return lines
+        for o in outcomes
+    ]
+    return table(("case", "robot, plan", "effects", "each beyond the other", "state", "classes"), rows)
 
 
 def _special(outcomes: list[Outcome]) -> list[str]:
-    groups: dict[str, list[Outcome]] = {}
-    for o in outcomes:
-        lacking = ("nothing missing", "one effect", "two causes")[len(o.case.names)]
-        groups.setdefault(f"{o.case.kind}; {lacking}", []).append(o)
-    lines = _confusion(groups, "case")
+    groups = grouped(outcomes, _special_kind)
+    lines = confusion(groups, "case")
     remarks = [" set aside, shared error |", "---|"]
     for group in groups.values():
         scatter = statistics.median(o.scatter for o in group)
@@ -296,25 +274,16 @@ def _missed(outcomes: list[Outcome]) -> list[str]:
 
 
 def _listed(outcomes: list[Outcome]) -> list[str]:
-    if not outcomes:
-        return ["None."]
-    lines = ["| case | robot, plan | truth | signal | verdict | classes |", "|---|---|---|---|---|---|"]
-    for o in outcomes:
-        signal = f"{o.signal:.3g}"
-        lines.append(
-            f"| {o.case.label} | {_where(o)} | {o.case.kind} | {signal} | {o.verdict} | {_classes(o)} |"
-        )
-    return lines
+    rows = [
+        (o.case.label, _where(o), o.case.kind, f"{o.signal:.3g}", o.verdict, in_words(o)) for o in outcomes
+    ]
+    return listed(("case", "robot, plan", "truth", "signal", "verdict", "classes"), rows)
 
 
 def _where(outcome: Outcome) -> str:
     case = outcome.case
     shapes = outcome.laboratory.shapes if outcome.laboratory else case.shapes
     return f"{case.truth.robot}, {case.plan}{'' if shapes else ', no shapes'}"
-
-
-def _classes(outcome: Outcome) -> str:
-    return "; ".join(" or ".join(members) for members in outcome.classes)
 
 
 def _times(by_suite: dict[str, list[Outcome]]) -> list[str]:

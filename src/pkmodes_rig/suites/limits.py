@@ -11,13 +11,10 @@ it; an interval covers if it contains the true value.
 from __future__ import annotations
 
 import argparse
-import multiprocessing
-import os
 import sys
 import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -28,6 +25,7 @@ from pkmodes.updating.candidates import PREFIX
 from pkmodes_rig import read
 from pkmodes_rig.suites.cases import ROBOT_NAMES, Case, tried
 from pkmodes_rig.suites.requirements import INTERVAL, line
+from pkmodes_rig.suites.running import JOBS, processes, publish
 from pkmodes_rig.suites.sizes import EFFECT_SIZES, TARGETS, WRONG_SIZES, WRONG_TARGETS
 from pkmodes_rig.suites.strengths import (
     CATALOGUE,
@@ -206,21 +204,15 @@ def main() -> None:
     parser.add_argument("--out", type=Path, help="file for the page; by default it is printed")
     parser.add_argument("--seed", type=int, default=1, help="seed of the random draws")
     parser.add_argument("--every", type=int, default=1, help="one case in this many; default all")
-    parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1), help="processes; default 2")
+    parser.add_argument("--jobs", type=int, default=JOBS, help="processes; default 2")
     arguments = parser.parse_args()
-    os.environ.setdefault("OMP_NUM_THREADS", "1")  # one process per core is faster than threads
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     start, chosen, outcomes = time.perf_counter(), list(cases(arguments.seed))[:: arguments.every], []
-    with ProcessPoolExecutor(arguments.jobs, mp_context=multiprocessing.get_context("spawn")) as pool:
+    with processes(arguments.jobs) as pool:
         for o in pool.map(run, chosen):
             outcomes.append(o)
             said = f"{o.robot} {o.kind}: {o.verdict} {o.limits} [{o.seconds:.1f} s]"
             print(f"{len(outcomes)}/{len(chosen)} {said}", file=sys.stderr, flush=True)
-    text = "\n".join(page(outcomes, arguments.seed, time.perf_counter() - start, arguments.jobs)) + "\n"
-    if arguments.out:
-        arguments.out.write_text(text, encoding="utf-8")
-    else:
-        print(text)
+    publish(page(outcomes, arguments.seed, time.perf_counter() - start, arguments.jobs), arguments.out)
 
 
 if __name__ == "__main__":

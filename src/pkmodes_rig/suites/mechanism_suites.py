@@ -10,14 +10,11 @@ from __future__ import annotations
 
 import argparse
 import itertools
-import multiprocessing
-import os
 import statistics
 import sys
 import time
 import traceback
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from pprint import pformat
@@ -36,6 +33,8 @@ from pkmodes_rig.suites.mechanism_cases import (
 )
 from pkmodes_rig.suites.mechanism_sizes import SIZES
 from pkmodes_rig.suites.requirements import CLEAR, INTERVAL, RIGHT, line
+from pkmodes_rig.suites.running import JOBS, processes, publish
+from pkmodes_rig.suites.tables import confusion, grouped, in_words, listed
 
 #: Number of complete models; every second case of a suite is realistic, every fifth has no shapes.
 NOTHING_MISSING = 40
@@ -97,7 +96,6 @@ STARTS = {
     "one_servo": 1e-4,
     "servo_stiffness": 1e-4,
 }
-STATES = ("named", "partly", "wrong", "abstained", "adequate", "failed")
 SUITES = ("nothing missing", "one effect", "wrong parameter", "outside the catalogue")
 
 
@@ -202,23 +200,17 @@ def _size(name: str, suite: str, kind: str, target: float, sign: float = 1.0) ->
 def main() -> None:
     """Run the suites of all mechanisms, and write their page."""
     arguments = _arguments()
-    os.environ.setdefault("OMP_NUM_THREADS", "1")  # one process per core is faster than threads
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     if arguments.sizes:
         print(pformat(sizes(), width=110, sort_dicts=False))
         return
     start = time.perf_counter()
     chosen = [replace(case, seed=arguments.seed) for case in cases() if arguments.only in case.label]
-    with ProcessPoolExecutor(arguments.jobs, mp_context=multiprocessing.get_context("spawn")) as pool:
+    with processes(arguments.jobs) as pool:
         outcomes = []
         for o in pool.map(_safely, chosen):
             outcomes.append(o)
             print(f"{_short(o)} [{o.seconds:.1f} s] {o.reason}", file=sys.stderr, flush=True)
-    page = "\n".join(_page(outcomes, time.perf_counter() - start, arguments.jobs)) + "\n"
-    if arguments.out:
-        arguments.out.write_text(page, encoding="utf-8")
-    else:
-        print(page)
+    publish(_page(outcomes, time.perf_counter() - start, arguments.jobs), arguments.out)
 
 
 def _arguments() -> argparse.Namespace:
@@ -226,7 +218,7 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--out", type=Path, help="file for the tables; by default they are printed")
     parser.add_argument("--only", default="", help="part of the label of the cases to run")
     parser.add_argument("--seed", type=int, default=1, help="seed of the random draws (noise, true values)")
-    parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1), help="processes; default 2")
+    parser.add_argument("--jobs", type=int, default=JOBS, help="processes; default 2")
     parser.add_argument("--sizes", action="store_true", help="find the sizes of the causes and print them")
     return parser.parse_args()
 
@@ -272,14 +264,11 @@ def _page(outcomes: list[MechanismOutcome], seconds: float, jobs: int) -> list[s
         "",
         "## Outcomes by suite",
         "",
-        *_confusion(outcomes, lambda o: f"{o.case.specimen.mechanism}, {o.case.suite}{_real(o)}"),
+        *confusion(grouped(outcomes, _suite), "group"),
         "",
         "## Outcomes by cause",
         "",
-        *_confusion(
-            [o for o in outcomes if o.case.suite != "nothing missing"],
-            lambda o: f"{o.case.specimen.mechanism}, {o.case.suite}: {o.case.kind}",
-        ),
+        *confusion(grouped((o for o in outcomes if o.case.suite != "nothing missing"), _cause), "group"),
         "",
         "## Confident and wrong",
         "",
@@ -345,38 +334,31 @@ def _count(outcomes: Sequence[MechanismOutcome], state: str) -> int:
     return sum(o.state == state for o in outcomes)
 
 
+def _suite(o: MechanismOutcome) -> str:
+    return f"{o.case.specimen.mechanism}, {o.case.suite}{_real(o)}"
+
+
+def _cause(o: MechanismOutcome) -> str:
+    return f"{o.case.specimen.mechanism}, {o.case.suite}: {o.case.kind}"
+
+
 def _real(o: MechanismOutcome) -> str:
     return ", realistic" if o.case.realistic else ""
 
 
-def _confusion(outcomes: Sequence[MechanismOutcome], key: Callable[[MechanismOutcome], str]) -> list[str]:
-    states = [s for s in STATES if s != "failed" or any(o.state == s for o in outcomes)]
-    groups: dict[str, list[MechanismOutcome]] = {}
-    for o in outcomes:
-        groups.setdefault(key(o), []).append(o)
-    lines = [f"| group | cases | {' | '.join(states)} |", f"|---|{'---|' * (len(states) + 1)}"]
-    for name, group in groups.items():
-        counts = [str(_count(group, state) or "") for state in states]
-        lines.append(f"| {name} | {len(group)} | {' | '.join(counts)} |")
-    return lines
-
-
 def _listed(outcomes: Sequence[MechanismOutcome]) -> list[str]:
-    if not outcomes:
-        return ["None."]
-    lines = ["| case | truth | signal | verdict | classes |", "|---|---|---|---|---|"]
-    for o in outcomes:
-        where = f"{o.case.label}{_real(o)}{'' if o.case.shapes else ', no shapes'}"
-        lines.append(f"| {where} | {o.case.kind} | {o.signal:.3g} | {o.verdict or o.state} | {_classes(o)} |")
-    return lines
-
-
-def _classes(o: MechanismOutcome) -> str:
-    return "; ".join(" or ".join(members) for members in o.classes)
+    rows = [
+        (
+            f"{o.case.label}{_real(o)}{'' if o.case.shapes else ', no shapes'}",
+            *(o.case.kind, f"{o.signal:.3g}", o.verdict or o.state, in_words(o)),
+        )
+        for o in outcomes
+    ]
+    return listed(("case", "truth", "signal", "verdict", "classes"), rows)
 
 
 def _short(o: MechanismOutcome) -> str:
-    return f"{o.case.label}{_real(o)} ({o.case.kind}), {o.signal:.3g}: {o.state} {_classes(o)}"
+    return f"{o.case.label}{_real(o)} ({o.case.kind}), {o.signal:.3g}: {o.state} {in_words(o)}"
 
 
 if __name__ == "__main__":
