@@ -7,7 +7,7 @@ from pkmodes_rig.engine import TrueModes, true_modes
 from pkmodes_rig.laboratory import SENSORS, Laboratory
 from pkmodes_rig.measurements import BASE_RIGID, Identified, exact, identified, measure_modes, written
 from pkmodes_rig.mistakes import ASKEW, MISTAKES, ORDERS, followed, joined, mistaken, parsed
-from pkmodes_rig.robots import POSES, ROBOTS, read
+from pkmodes_rig.robots import POSES, ROBOTS, drawn_values, read
 from pkmodes_rig.rotary_delta import rotary_delta
 from pkmodes_rig.storeys import channels, storey_modes
 
@@ -24,6 +24,7 @@ __all__ = [
     "TrueModes",
     "channels",
     "corexy",
+    "drawn_values",
     "exact",
     "followed",
     "identified",

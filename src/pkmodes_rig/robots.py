@@ -198,3 +198,9 @@ def _poses(name: str) -> dict[str, tuple[np.ndarray, ...]]:
 
 #: Poses [m] by robot and plan.
 POSES: dict[str, dict[str, tuple[np.ndarray, ...]]] = {name: _poses(name) for name in ROBOTS}
+
+
+def drawn_values(robot: Robot, rng: np.random.Generator) -> dict[str, float]:
+    """Draw the true values of the uncertain parameters of a robot from their priors, by path."""
+    uncertain = {path: q for path, q in robot.quantities.items() if q.sigma}
+    return {path: q.value + (q.sigma or 0.0) * rng.standard_normal() for path, q in uncertain.items()}

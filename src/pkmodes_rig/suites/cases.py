@@ -21,6 +21,7 @@ from pkmodes_rig import (
     Identified,
     Laboratory,
     TrueModes,
+    drawn_values,
     identified,
     joined,
     mistaken,
@@ -181,8 +182,7 @@ def _key(suite: str) -> int:
 def _true(case: Case, rng: np.random.Generator) -> list[TrueModes]:
     if isinstance(case.truth, Building):
         return case.truth.modes(rng)
-    uncertain = {path: q for path, q in read(case.truth.robot).quantities.items() if q.sigma}
-    drawn = {path: q.value + (q.sigma or 0.0) * rng.standard_normal() for path, q in uncertain.items()}
+    drawn = drawn_values(read(case.truth.robot), rng)
     return replace(case.truth, values={**drawn, **case.truth.values}).modes(case.points)
 
 

@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import time
 import zlib
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
 
 from pkmodes import updating
 from pkmodes.mechanism.registry import mechanism
-from pkmodes_rig import Identified, Laboratory, identified, written
+from pkmodes_rig import Identified, Laboratory, drawn_values, identified, written
 from pkmodes_rig.suites.judging import judged
 from pkmodes_rig.suites.mechanism_cases import (
     MACHINES,
@@ -36,8 +36,9 @@ TYING = (
 MODES = {"linear_delta": (4, 8), "rotary_delta": (2, 6), "corexy": (2, 4)}
 #: Fewest rows of a file, and how many laboratories are drawn to get them.
 LEAST, TRIALS = 12, 50
-#: Steps of the search for a size, and the factor beyond the size at which an added mode is first seen.
-STEPS, SEEN = 40, 1.5
+#: First size of the search for one in SI units, far below any result, and its largest number of steps; the factor
+#: beyond the size at which an added mode is first seen.
+START, STEPS, BEYOND = 1e-12, 40, 1.5
 
 
 @dataclass(frozen=True)
@@ -84,13 +85,7 @@ class ClearCase:
 
 @dataclass(frozen=True)
 class ClearOutcome:
-    """Outcome of a case with some poses held out; attributes as in `judging.Outcome`.
-
-    Attributes
-    ----------
-    held_out : tuple of str
-        Poses held out.
-    """
+    """Outcome of a case with some poses held out; attributes as in `judging.Outcome`."""
 
     case: ClearCase
     state: str
@@ -101,7 +96,6 @@ class ClearOutcome:
     rows: int = 0
     seconds: float = 0.0
     reason: str = ""
-    held_out: tuple[str, ...] = ()
 
 
 def run(case: ClearCase) -> ClearOutcome:
@@ -127,6 +121,7 @@ def _diagnosed(
     robot, kind = robot_of(case.machine), MACHINES[case.machine]
     start = time.perf_counter()
     diagnosis = updating.diagnose(robot, measurements_of(text, robot), holdout=holdout)
+    seconds = time.perf_counter() - start
     return ClearOutcome(
         case=case,
         state=judged(case.names, diagnosis, same=kind.same),
@@ -135,57 +130,48 @@ def _diagnosed(
         values=tuple(values_of(specimen, case.names, diagnosis)),
         signal=signal(specimen, holdout=diagnosis.held_out_poses, rows=rows),
         rows=len(rows),
-        seconds=time.perf_counter() - start,
+        seconds=seconds,
         reason=diagnosis.reason,
-        held_out=diagnosis.held_out_poses,
     )
 
 
 def measured(case: ClearCase) -> tuple[Specimen, list[Identified], str]:
     """Return the specimen with its causes sized, the modes found and the text of their file."""
-    effects: dict[str, float] = {}
-    outside: dict[str, float] = {}
-    for place, kind in enumerate(case.kinds):
-
-        def alone(size: float, kind: str = kind) -> Specimen:
-            return (
-                Specimen(case.machine, outside={kind: size})
-                if case.outside
-                else with_effect(case, kind, size)
-            )
-
-        specimen = alone(_size(case, place, kind, alone))
-        effects |= specimen.effects
-        outside |= specimen.outside
-    both = Specimen(case.machine, effects, outside=outside)
+    each = [_alone(case, kind, _size(case, place)) for place, kind in enumerate(case.kinds)]
+    both = Specimen(
+        case.machine,
+        {name: size for one in each for name, size in one.effects.items()},
+        outside={name: size for one in each for name, size in one.outside.items()},
+    )
     rows, text = _found(case, both)
     return both, rows, text
 
 
-def with_effect(case: ClearCase, effect: str, size: float) -> Specimen:
-    """Return a machine with one effect of the catalogue; the factors of a group are all different."""
-    fitted = [p.name for p in mechanism(case.mechanism).effects[effect].parameters if p.fitted]
+def _alone(case: ClearCase, kind: str, size: float) -> Specimen:
+    """Return a machine with one cause; the factors of a group are all different."""
+    if case.outside:
+        return Specimen(case.machine, outside={kind: size})
+    fitted = [p.name for p in mechanism(case.mechanism).effects[kind].parameters if p.fitted]
     parts = (1.0,) if len(fitted) == 1 else UNEQUAL
-    return Specimen(case.machine, {f"{effect}.{p}": size * q for p, q in zip(fitted, parts, strict=False)})
+    return Specimen(case.machine, {f"{kind}.{p}": size * q for p, q in zip(fitted, parts, strict=False)})
 
 
-def _size(case: ClearCase, place: int, kind: str, alone: Callable[[float], Specimen]) -> float:
-    """Find a size whose predicted signal is a value drawn from the range asked for.
+def _size(case: ClearCase, place: int) -> float:
+    """Find a size of one of the causes whose predicted signal is a value drawn from the range asked for.
 
     The modes found change with the size, so the signal may jump beyond the range: an added mode is seen or not.  The
     size at which it is first seen is then exceeded by a factor, because a mode that is seen once shows no cause.
     """
-    rng = np.random.default_rng([case.seed, _key(case), case.number, place])
+    kind, rng = case.kinds[place], np.random.default_rng([case.seed, _key(case), case.number, place])
     target = float(np.exp(rng.uniform(*np.log(case.targets))))
 
     def measured_signal(size: float) -> float:
-        specimen = alone(size)
+        specimen = _alone(case, kind, size)
         if kind in TYING:
             return signal(specimen, tied=False)
         return signal(specimen, rows=_found(case, specimen)[0])
 
-    low, high = 0.0, 0.0
-    size = 1e-12
+    low, high, size = 0.0, 0.0, START
     for _ in range(STEPS):
         value = measured_signal(size)
         if target / 1.05 <= value <= target * 1.05:
@@ -202,7 +188,7 @@ def _size(case: ClearCase, place: int, kind: str, alone: Callable[[float], Speci
             break
     if not high:
         raise ValueError(f"{case.label}: no size of {kind} has a signal of {target:.3g}")
-    return SEEN * high
+    return BEYOND * high
 
 
 def _found(case: ClearCase, specimen: Specimen) -> tuple[list[Identified], str]:
@@ -210,11 +196,9 @@ def _found(case: ClearCase, specimen: Specimen) -> tuple[list[Identified], str]:
 
     The true uncertain values are drawn from their priors.
     """
-    kind, robot = MACHINES[case.machine], robot_of(case.machine)
-    rng = np.random.default_rng([case.seed, _key(case), case.number])
-    uncertain = {path: q for path, q in robot.quantities.items() if q.sigma}
-    drawn = {path: q.value + (q.sigma or 0.0) * rng.standard_normal() for path, q in uncertain.items()}
-    true = Specimen(case.machine, specimen.effects, {**drawn, **specimen.values}, specimen.outside)
+    kind, rng = MACHINES[case.machine], np.random.default_rng([case.seed, _key(case), case.number])
+    drawn = drawn_values(robot_of(case.machine), rng)
+    true = replace(specimen, values={**drawn, **specimen.values})
     modes = true.modes(kind.points)
     for _ in range(TRIALS):
         laboratory = Laboratory.drawn(rng, _span(case.machine), kind.shapes, modes=MODES[case.mechanism])

@@ -22,7 +22,7 @@ import numpy as np
 
 from pkmodes import updating
 from pkmodes.updating.candidates import PREFIX
-from pkmodes_rig import read
+from pkmodes_rig import drawn_values, read
 from pkmodes_rig.suites.cases import ROBOT_NAMES, Case, tried
 from pkmodes_rig.suites.requirements import INTERVAL, line
 from pkmodes_rig.suites.running import JOBS, processes, publish
@@ -105,9 +105,7 @@ def cases(seed: int) -> Iterator[Hidden]:
 def _hidden(robot: str, kind: str, unit: float, is_effect: bool, n: int, seed: int) -> Hidden:
     rng = np.random.default_rng([seed, 77, n])
     size = float(rng.uniform(0.0, LARGEST) * unit)
-    declared = read(robot)
-    uncertain = {path: q for path, q in declared.quantities.items() if q.sigma}
-    values = {path: q.value + (q.sigma or 0.0) * rng.standard_normal() for path, q in uncertain.items()}
+    values = drawn_values(read(robot), rng)
     if is_effect:
         truth = with_effect(robot, kind, size)
         sizes = {name: abs(value) for name, value in truth.effects.items()}

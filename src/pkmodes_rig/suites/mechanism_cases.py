@@ -33,6 +33,7 @@ from pkmodes_rig import (
     Identified,
     TrueModes,
     corexy,
+    drawn_values,
     exact,
     identified,
     read,
@@ -221,8 +222,7 @@ def measured(case: MechanismCase) -> tuple[list[Identified], str]:
     rng = np.random.default_rng(
         [case.seed, zlib.crc32(f"{specimen.mechanism} {case.suite}".encode()), case.number]
     )
-    uncertain = {path: q for path, q in robot.quantities.items() if q.sigma}
-    drawn = {path: q.value + (q.sigma or 0.0) * rng.standard_normal() for path, q in uncertain.items()}
+    drawn = drawn_values(robot, rng)
     points = kind.points[: case.poses]
     shapes, limits = kind.shapes if case.shapes else (), band(specimen.mechanism)
     rows = identified(
