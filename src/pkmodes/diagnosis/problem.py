@@ -42,7 +42,7 @@ class Parameter:
         then relative.
     plausible : float or None
         Largest plausible deviation from the declared value, for limits of what was not found; it does not bound a
-        fit.  None: see ``pkmodes.diagnosis.search.plausible``.
+        fit.  None: see ``pkmodes.diagnosis.search.ranges``.
     """
 
     name: str

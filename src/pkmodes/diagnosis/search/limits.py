@@ -23,7 +23,7 @@ from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.profile import NOTHING, Asked, End, Point, Profiles, Side, without_priors
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array, Candidate
-from pkmodes.diagnosis.search.plausible import largest_rates, plausible_size
+from pkmodes.diagnosis.search.ranges import largest_rates, plausible_size
 
 #: Standard deviations of a one-sided bound at 95 %.
 ONE_SIDED = float(stats.norm.ppf(0.95))

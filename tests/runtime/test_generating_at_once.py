@@ -1,0 +1,66 @@
+"""Two processes that generate into one folder."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from helpers.commands.generating import refused
+from helpers.robots.robot_text import PUBLISHED, published
+from pkmodes.base.errors import OutputError
+from pkmodes.cli import run
+from pkmodes.codegen import alone, generation
+
+
+@pytest.fixture
+def other(tmp_path: Path) -> Path:
+    """A robot file of another name."""
+    file = tmp_path / "other.toml"
+    file.write_text(published().replace('name = "linear-delta-2022"', 'name = "other"'), encoding="utf-8")
+    return file
+
+
+def while_deriving(monkeypatch: pytest.MonkeyPatch, happens: Callable[[], object]) -> None:
+    """Let something happen once, while the next model is derived."""
+    real = generation.specialised
+
+    def specialised(specification: object) -> dict[str, str]:
+        monkeypatch.setattr(generation, "specialised", real)
+        happens()
+        return real(specification)
+
+    monkeypatch.setattr(generation, "specialised", specialised)
+
+
+def test_two_robots_generated_at_once_are_not_mixed(
+    tmp_path: Path, other: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "new" / "model"
+    while_deriving(monkeypatch, lambda: generation.generate(other, out))
+    error = refused(PUBLISHED, out, capsys)
+    assert "another process has generated into the folder meanwhile" in error
+    assert json.loads((out / "manifest.json").read_text(encoding="utf-8"))["robot"]["name"] == "other"
+    assert {file.stem.removesuffix("_without_effects") for file in out.iterdir()} == {"manifest", "other"}
+    assert run(["check", str(out)]) == 0
+
+
+def test_one_robot_generated_twice_at_once_is_welcome(
+    tmp_path: Path, other: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = tmp_path / "new" / "model"
+    while_deriving(monkeypatch, lambda: generation.generate(other, out))
+    assert run(["generate", str(other), "--out", str(out)]) == 0
+
+
+def test_a_folder_into_which_another_process_writes_is_waited_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(alone, "PATIENCE", 0.1)
+    with alone.alone(tmp_path / "model"):
+        with pytest.raises(OutputError) as error, alone.alone(tmp_path / "model"):
+            pytest.fail("two at once")
+        assert "another process has been generating into the folder" in error.value.what
+    assert not (tmp_path / "model").exists(), "nothing was written"
