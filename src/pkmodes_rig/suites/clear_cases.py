@@ -9,6 +9,7 @@ from __future__ import annotations
 import time
 import zlib
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache
 
@@ -34,8 +35,8 @@ TYING = (
 )
 #: Numbers of modes at a pose, by the number of vibration modes of the mechanism.
 MODES = {"linear_delta": (4, 8), "rotary_delta": (2, 6), "corexy": (2, 4)}
-#: Fewest rows of a file, and how many laboratories are drawn to get them.
-LEAST, TRIALS = 12, 50
+#: Fewest rows of a file, and how many laboratories are drawn to get them, and to see a cause.
+LEAST, TRIALS, LABORATORIES = 12, 50, 10
 #: First size of the search for one in SI units, far below any result, and its largest number of steps; the factor
 #: beyond the size at which an added mode is first seen.
 START, STEPS, BEYOND = 1e-12, 40, 1.5
@@ -57,6 +58,8 @@ class ClearCase:
         Range of the predicted signal of each cause alone.
     outside : bool
         Whether the cause is outside the catalogue.
+    laboratory : int
+        Number of the laboratory; earlier ones cannot see a cause, of whatever size.
     """
 
     suite: str
@@ -66,6 +69,7 @@ class ClearCase:
     targets: tuple[float, float]
     outside: bool = False
     seed: int = 1
+    laboratory: int = 0
 
     @property
     def label(self) -> str:
@@ -135,8 +139,25 @@ def _diagnosed(
     )
 
 
+class UnseenError(Exception):
+    """No size of a cause has the wanted signal among the modes that a laboratory finds."""
+
+
 def measured(case: ClearCase) -> tuple[Specimen, list[Identified], str]:
-    """Return the specimen with its causes sized, the modes found and the text of their file."""
+    """Return the specimen with its causes sized, the modes found and the text of their file.
+
+    Raises
+    ------
+    UnseenError
+        If several laboratories cannot see a cause.
+    """
+    for number in range(LABORATORIES - 1):
+        with suppress(UnseenError):
+            return _measured(replace(case, laboratory=number))
+    return _measured(replace(case, laboratory=LABORATORIES - 1))
+
+
+def _measured(case: ClearCase) -> tuple[Specimen, list[Identified], str]:
     each = [_alone(case, kind, _size(case, place)) for place, kind in enumerate(case.kinds)]
     both = Specimen(
         case.machine,
@@ -162,14 +183,14 @@ def _size(case: ClearCase, place: int) -> float:
     The modes found change with the size, so the signal may jump beyond the range: an added mode is seen or not.  The
     size at which it is first seen is then exceeded by a factor, because a mode that is seen once shows no cause.
     """
-    kind, rng = case.kinds[place], np.random.default_rng([case.seed, _key(case), case.number, place])
+    kind, rng = case.kinds[place], np.random.default_rng([*_seeds(case), place])
     target = float(np.exp(rng.uniform(*np.log(case.targets))))
 
     def measured_signal(size: float) -> float:
         specimen = _alone(case, kind, size)
-        if kind in TYING:
-            return signal(specimen, tied=False)
-        return signal(specimen, rows=_found(case, specimen)[0])
+        least = MACHINES[case.machine].rigid if kind in TYING else 0
+        rows = [row for row in _found(case, specimen)[0] if row.mode >= least]
+        return signal(specimen, rows=rows) if rows else 0.0
 
     low, high, size = 0.0, 0.0, START
     for _ in range(STEPS):
@@ -187,7 +208,7 @@ def _size(case: ClearCase, place: int) -> float:
         if high and low and high / low < 1.02:
             break
     if not high:
-        raise ValueError(f"{case.label}: no size of {kind} has a signal of {target:.3g}")
+        raise UnseenError(f"{case.label}: no size of {kind} has a signal of {target:.3g}")
     return BEYOND * high
 
 
@@ -196,7 +217,7 @@ def _found(case: ClearCase, specimen: Specimen) -> tuple[list[Identified], str]:
 
     The true uncertain values are drawn from their priors.
     """
-    kind, rng = MACHINES[case.machine], np.random.default_rng([case.seed, _key(case), case.number])
+    kind, rng = MACHINES[case.machine], np.random.default_rng(_seeds(case))
     drawn = drawn_values(robot_of(case.machine), rng)
     true = replace(specimen, values={**drawn, **specimen.values})
     modes = true.modes(kind.points)
@@ -226,5 +247,6 @@ def _span(machine: str) -> tuple[float, float]:
     return float(vibrations[0]), float(vibrations[-1])
 
 
-def _key(case: ClearCase) -> int:
-    return zlib.crc32(f"{case.machine} {case.suite}".encode())
+def _seeds(case: ClearCase) -> list[int]:
+    key = zlib.crc32(f"{case.machine} {case.suite}".encode())
+    return [case.seed, key, case.number + 1000 * case.laboratory]
