@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+import pkmodes
 from helpers.references.textbook_fits import (
     CAUSES,
     DECLARED,
@@ -19,6 +22,9 @@ from helpers.references.textbook_fits import (
 from helpers.robots.small_structures import LogLinear, logs_measured
 from pkmodes.diagnosis import Parameter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.updating.candidates import suspects
+
+ROBOT = Path(__file__).parents[2] / "robots/clavel-delta.toml"
 
 
 def bounded(lower: float, upper: float, value: float) -> tuple[LogLinear, Hypothesis]:
@@ -72,3 +78,14 @@ def test_a_single_cause_is_found_starting_from_its_absence() -> None:
     held = G[:, [0, 1, 3]] @ [0.3, -1.0, 0.5]
     values, covariance, _ = least_squares(G[:, [2]], left - held, SIGMA**2 * np.eye(20), np.zeros(1), [None])
     assert found.values[2] == pytest.approx(values[0], abs=1e-3 * np.sqrt(covariance[0, 0]))
+
+
+def test_a_declared_value_is_sought_within_a_factor_of_three_and_an_element_of_a_vector_as_far() -> None:
+    """A cause at its bound is not claimed: no gravity but nearly that of the Earth is."""
+    robot = pkmodes.read_robot(ROBOT)
+    by_name = {p.name: p for p in suspects(robot)[0]}
+    gravity, mass = by_name["gravity.z"], by_name["link.mass"]
+    assert (gravity.lower, gravity.upper) == pytest.approx((-3.0 * 9.81, 9.81), rel=1e-3)
+    assert (mass.lower, mass.upper) == pytest.approx((mass.value / 3.0, 3.0 * mass.value))
+    middle = by_name["axis.1.origin.y"]
+    assert middle.upper - middle.value == pytest.approx(2.0 * 0.11)

@@ -139,7 +139,7 @@ def test_what_the_data_do_not_bound_has_no_limit() -> None:
     G[..., 1] = G[..., 0]
     parameters = [
         Parameter("a", 0.0, sigma=10.0),
-        Parameter("same", 0.0, plausible=5.0),
+        Parameter("same", 0.0, lower=-5.0, upper=5.0),
         Parameter("paint", 0.0),
     ]
     candidates = [Candidate("same", ("same",)), Candidate("paint", ("paint",))]

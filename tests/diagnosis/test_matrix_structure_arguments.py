@@ -67,11 +67,7 @@ def constant(M: Any, K: Any) -> Callable:
         ({"parameters": [Parameter("c", np.nan)]}, "expected lower <= value <= upper"),
         ({"parameters": [Parameter("c", 0.0, lower=0.0, upper=0.0)]}, "expected lower <= value <= upper"),
         ({"parameters": [Parameter("c", 0.0, sigma=-1.0)]}, "expected a standard deviation of at least 0"),
-        (
-            {"parameters": [Parameter("c", 0.0, plausible=0.0)]},
-            "expected a plausible deviation above 0, found 0",
-        ),
-        ({"parameters": [Parameter("c", 0.0, plausible="1 mm")]}, "expected a number"),
+        ({"parameters": [Parameter("c", 0.0, sigma="1 mm")]}, "expected a number"),
     ],
 )
 def test_contradictory_arguments_are_refused(changes: dict[str, Any], message: str) -> None:

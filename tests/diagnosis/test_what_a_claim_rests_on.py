@@ -280,6 +280,18 @@ def test_a_cause_that_leaves_more_than_the_stated_errors_is_named_in_the_reason(
     assert "nearly all" not in found(linear({"a": a, "b": b}), 300.0 * a + 200.0 * DIRECTIONS[5]).reason
 
 
+def test_two_causes_are_named_in_the_reason_if_the_data_clearly_ask_for_the_second() -> None:
+    """One leaves errors 1.6 times as large as stated, two 1.35 times."""
+    a, b, c = DIRECTIONS[:3]
+    errors = 0.35 * np.random.default_rng(3).standard_normal(SETUPS * MODES)
+    model = linear({"a": a, "b": b, "c": c})
+    result = found(model, 300.0 * a + 8.0 * b + errors)
+    assert result.verdict == "unexplained"
+    assert result.reason.startswith("a and b explain nearly all of the residual")
+    weak = found(model, 300.0 * a + 3.0 * b + errors)
+    assert weak.reason.startswith("a explains nearly all of the residual")
+
+
 @pytest.mark.parametrize(("away", "verdict"), [(0.0, "effect_found"), (10.0, "unexplained")])
 def test_a_value_that_compensates_for_an_uncertain_one_is_not_claimed(away: float, verdict: str) -> None:
     """A declared value is 10 sigma off, which the data hardly show: the cause compensates for it."""

@@ -40,9 +40,6 @@ class Parameter:
     log : bool
         Whether the prior is log-normal, for a positive scale.  The standard deviation, here or in a candidate, is
         then relative.
-    plausible : float or None
-        Largest plausible deviation from the declared value, for limits of what was not found; it does not bound a
-        fit.  None: see ``pkmodes.diagnosis.search.ranges``.
     """
 
     name: str
@@ -52,7 +49,6 @@ class Parameter:
     lower: float = -np.inf
     upper: float = np.inf
     log: bool = False
-    plausible: float | None = None
 
 
 @dataclass(frozen=True)

@@ -296,14 +296,14 @@ def _parameter(robot: Robot, move: ParameterPath) -> Parameter:
         lower = 0.0
         if sigma is None and move.value > 0.0:
             lower, upper = move.value / FACTOR, move.value * FACTOR
+    elif sigma is None:
+        farthest = _farthest(robot, item)
+        lower, upper = move.value - farthest, move.value + farthest
     unit = move.unit.replace(" ", "*")
-    plausible = None if sigma else _plausible(robot, item)
-    return Parameter(move.path, move.value, unit, sigma, lower, upper, plausible=plausible)
+    return Parameter(move.path, move.value, unit, sigma, lower, upper)
 
 
-def _plausible(robot: Robot, item: Item | None) -> float | None:
+def _farthest(robot: Robot, item: Item) -> float:
     """Return the largest plausible deviation of an element of a vector: that of a factor of three of the vector."""
-    if item is None or not item.key.signed:
-        return None
     elements = [robot.quantities[n.path].value for n in item.numbers if n.path in robot.quantities]
-    return (FACTOR - 1.0) * max(map(abs, elements), default=0.0) or None
+    return (FACTOR - 1.0) * max(map(abs, elements), default=0.0) or np.inf

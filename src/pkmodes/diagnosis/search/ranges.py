@@ -2,8 +2,7 @@
 
 A bound of the data beyond this range says nothing.  The range of a parameter ends
 
-* at its physical bounds, such as a third and three times the declared value of a robot;
-* at the largest deviation that its model declares plausible (`Parameter.plausible`);
+* at its bounds, such as a third and three times the declared value of a robot;
 * at three standard deviations of its prior, if the candidate has one;
 * otherwise, above all for absent effects, at the size which in the linear model changes some frequency of the model,
   measured or not, by as much as the largest size from which a search starts.
@@ -42,8 +41,6 @@ def plausible_size(fitter: Fitter, candidate: Candidate, i: int, sign: int, rate
     if candidate.sigma is not None:
         sigma = candidate.sigma[candidate.parameters.index(p.name)]
         plausible = fitter.criteria.far * sigma * (abs(p.value) if p.log else 1.0)
-    elif p.plausible is not None:
-        plausible = p.plausible
     elif np.isfinite(p.lower) and np.isfinite(p.upper):
         plausible = np.inf  # the bounds are the plausible range
     else:

@@ -30,17 +30,13 @@ def check_parameter(p: Parameter) -> None:
     where = f"parameter {shown(p.name)}"
     if not isinstance(p.name, str):
         raise PkmodesError(f"expected a name, found {shown(p.name)}", "parameters", "give text")
-    given = [number for number in (p.sigma, p.plausible) if number is not None]
-    for number in (p.lower, p.value, p.upper, *given):
+    for number in (p.lower, p.value, p.upper, *([] if p.sigma is None else [p.sigma])):
         whole = isinstance(number, np.integer) or (type(number) is int and number.bit_length() < 1000)
         if not (whole or isinstance(number, float | np.floating)):
             raise PkmodesError(f"expected a number, found {shown(number)}", where, "give a number")
     if not p.lower < p.upper or not p.lower <= p.value <= p.upper or not np.isfinite(p.value):
         what = f"expected lower <= value <= upper, found {p.lower:g}, {p.value:g}, {p.upper:g}"
         raise PkmodesError(what, where, "widen the bounds or correct the value")
-    if p.plausible is not None and not p.plausible > 0.0:
-        what = f"expected a plausible deviation above 0, found {p.plausible:g}"
-        raise PkmodesError(what, where, "give the largest plausible deviation, or leave it out")
     if p.sigma is not None and not 0.0 <= p.sigma < np.inf:
         what = f"expected a standard deviation of at least 0, found {p.sigma:g}"
         raise PkmodesError(what, where, "leave it out if unknown")

@@ -74,7 +74,10 @@ def _beyond_prior(search: Search) -> str:
 
 
 def _nearly(search: Search, first: Fit) -> str:
-    """Return a reason if one cause, or else two, would explain nearly all of the residual but not all."""
+    """Return a reason if one cause, or else two, would explain nearly all of the residual but not all.
+
+    A second cause is named if the data clearly ask for it.
+    """
     store, (part, most) = search.store, search.criteria.nearly_all
     before = _larger(store, first)
     explanations = []
@@ -87,7 +90,8 @@ def _nearly(search: Search, first: Fit) -> str:
             explanations.append((fit, after))
     if not explanations:
         return ""
-    best, after = min(explanations, key=lambda one: (len(one[0].causes), store.criterion(one[0])))
+    price = search.criteria.told_apart
+    best, after = min(explanations, key=lambda one: store.criterion(one[0]) + price * len(one[0].causes))
     return reasons.nearly(best.causes, before, after, store.p_value(best))
 
 
