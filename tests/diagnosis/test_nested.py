@@ -148,3 +148,18 @@ def test_every_compliance_that_joints_share_has_a_form_with_one_value_for_each()
     assert all(name in moves for parameters in general.values() for name in parameters)
     chosen = suspects(read("published"), ["payload", "frame_compliance"])[1]
     assert [c.general_of for c in chosen if c.general_of] == ["frame_compliance"]
+
+
+@pytest.mark.parametrize(("apart", "verdict"), [(0.0, "effect_found"), (0.05, "ambiguous")])
+def test_members_that_are_the_same_to_any_measurement_count_once(apart: float, verdict: str) -> None:
+    """Seven causes with one signature are one explanation; with a twentieth of their own, they are seven."""
+    names = "abcdefg"
+    columns = [SHARED + apart * DIRECTIONS[k] for k in range(1, 1 + len(names))]
+    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
+    G = np.stack([(column / np.linalg.norm(column)).reshape(SETUPS, MODES) for column in columns], axis=-1)
+    parameters = [Parameter(name, 0.0) for name in names]
+    model = LogLinear(base, G * SIGMA, parameters, [Candidate(name, (name,)) for name in names])
+    diagnosis = found(model, 20.0 * SHARED)
+    assert diagnosis.verdict == verdict
+    (members,) = [effect.members for effect in diagnosis.effects] or diagnosis.survivors
+    assert sorted(members) == list(names)

@@ -73,7 +73,7 @@ class Criteria:
     #: this probability: the data are too few to tell it from something outside the candidates.
     specific: float = 0.01
     #: Such a residual is as large as what the claim explains and leaves, plus this many standard deviations of noise.
-    #: Combinations of candidates are drawn too if there are at least this many for each cause.
+    #: Combinations of candidates are drawn too if at least this many, for each cause, are different.
     spread: float = 2.0
     many: int = 6
     #: A claim that increases the held-out error by this factor is contradicted by it.
@@ -142,7 +142,7 @@ class Criteria:
     #: difference derivatives are this accurate, and a random direction in a space with two more dimensions than the
     #: span is this close to it once in a million.
     nested: float = 1e-3
-    #: A larger class is not a finding, and neither is a pair in a larger class of pairs.
+    #: A class with more distinct members is not a finding, and neither is a pair in a larger class of pairs.
     most_members: int = 5
     most_pairs: int = 4
     #: A setup with more leverage than this alone determines some parameter: the others do not predict it.

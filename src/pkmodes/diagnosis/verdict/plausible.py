@@ -22,6 +22,9 @@ import numpy as np
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.search.score import Directions
 
+#: Relative singular value below which signatures differ by their numerical errors only.
+SAME = 1e-3
+
 
 @dataclass(frozen=True)
 class Plausible:
@@ -33,10 +36,13 @@ class Plausible:
         Orthonormal directions in the whitened data.
     weights : ndarray, shape (k,)
         Their variances in the draws, between 0 and 1.
+    different : int
+        Number of directions in which the candidates differ, whatever the errors of the data.
     """
 
     axes: Array
     weights: Array
+    different: int
 
     @classmethod
     def of(cls, directions: Directions, size: float) -> Plausible:
@@ -50,7 +56,7 @@ class Plausible:
         signatures = np.hstack([axes for axes, _ in directions])
         axes, s, _ = np.linalg.svd(signatures, full_matrices=False)
         variance = (size * s) ** 2 / signatures.shape[1]
-        return cls(axes, variance / (1.0 + variance))
+        return cls(axes, variance / (1.0 + variance), int((s > SAME * s.max(initial=0.0)).sum()))
 
     @property
     def resolved(self) -> float:
