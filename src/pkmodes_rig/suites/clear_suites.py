@@ -173,6 +173,9 @@ def _page(
         "",
         "## Causes that were not named",
         "",
+        f"In {sum(map(_remains, missed))} of these {len(missed)} cases, the true explanation is among several that"
+        " remain.",
+        "",
         *_listed(missed),
         "",
         "## Causes outside the catalogue that were missed",
@@ -226,6 +229,12 @@ def _contradict(outcomes: Sequence[ClearOutcome]) -> bool:
         not all(any(set(a) & set(b) for b in other) for a in one)
         for one, other in itertools.permutations(claims, 2)
     )
+
+
+def _remains(o: ClearOutcome) -> bool:
+    """Return whether the true causes, and no others, are one of several explanations that remain."""
+    members = itertools.chain.from_iterable(o.classes)
+    return o.verdict == "ambiguous" and any(set(m.split(" + ")) == set(o.case.names) for m in members)
 
 
 def _suite(o: ClearOutcome) -> str:
