@@ -14,7 +14,6 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.search.unmeasured import p_unmeasured
-from pkmodes.diagnosis.verdict.nested import distinct
 
 
 def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
@@ -60,7 +59,7 @@ def other_pairs(
         return []
     store, c = search.store, search.criteria
     members = [{fit.causes[-1].name for fit in groups[0]} for groups in grouped if groups]
-    many = int(np.prod([distinct(store.fitter, groups[0]) for groups in grouped if groups])) > c.most_pairs
+    many = int(np.prod([len(names) for names in members])) > c.most_pairs
     others = []
     for pair in survivors(search, sorted(pairs, key=store.criterion)):
         a, b = (cause.name for cause in pair.causes)

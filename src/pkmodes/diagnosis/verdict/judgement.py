@@ -24,7 +24,7 @@ from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.classes import classes, other_pairs, survivors
 from pkmodes.diagnosis.verdict.measurement_errors import explained_by_errors
-from pkmodes.diagnosis.verdict.nested import distinct, more_general
+from pkmodes.diagnosis.verdict.nested import more_general
 from pkmodes.diagnosis.verdict.notes import drift
 from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.diagnosis.verdict.specificity import p_coincidence
@@ -130,9 +130,7 @@ def _extra_modes(search: Search, final: Fit) -> list[int]:
 
 def _too_many(search: Search, grouped: tuple[list[list[Fit]], ...]) -> bool:
     """Return whether a class has too many members to be informative."""
-    fitter, most = search.store.fitter, search.criteria.most_members
-    some = [groups[0] for groups in grouped if groups and len(groups[0]) > most]
-    return any(distinct(fitter, fits) > most for fits in some)
+    return any(len(groups[0]) > search.criteria.most_members for groups in grouped if groups)
 
 
 def _doubt(

@@ -7,8 +7,6 @@ additional parameters would by chance.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from pkmodes.diagnosis.fit.fitter import Fitter
@@ -28,19 +26,6 @@ def nested(fitter: Fitter, a: Fit, b: Fit) -> bool:
     return any(
         all(_is_special(fitter, fit, special, general) for fit in (a, b)) for special, general in pairs
     )
-
-
-def distinct(fitter: Fitter, fits: Sequence[Fit]) -> int:
-    """Return the number of fits of which none is a special case of another one, or the same.
-
-    The inertia of a motor and that of its gearbox are the same to any measurement of a robot with free motors: naming
-    both says no less than naming one.
-    """
-    first: list[Fit] = []
-    for fit in fits:
-        if not any(nested(fitter, fit, other) for other in first):
-            first.append(fit)
-    return len(first)
 
 
 def more_general(search: Search, final: Fit) -> tuple[Candidate, Candidate] | None:
