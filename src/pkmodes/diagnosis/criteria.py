@@ -142,8 +142,8 @@ class Criteria:
     #: difference derivatives are this accurate, and a random direction in a space with two more dimensions than the
     #: span is this close to it once in a million.
     nested: float = 1e-3
-    #: A larger class is not a finding, and neither is a pair in a larger class of pairs.  Members that are the same to
-    #: any measurement count too: where they did not, one cause outside the catalogue in ten was claimed (CoreXY).
+    #: A larger class is not a finding, and neither is a pair in a larger class of pairs.  Members that are the same
+    #: to any measurement count too: where they did not, one cause outside the catalogue in ten was claimed (CoreXY).
     most_members: int = 5
     most_pairs: int = 4
     #: A setup with more leverage than this alone determines some parameter: the others do not predict it.
