@@ -129,16 +129,24 @@ def diagnose(
 
 
 def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) -> list[str]:
-    """Say what the saved robot has, how to generate its code, and what is missing in it."""
+    """Say how to generate the code of the saved robot, what it has, and what is missing in it."""
+    from pkmodes.cli.terminal import Terminal
+
+    terminal = Terminal()
     option = f"--mechanism {pasted(mechanism)} " if mechanism else ""
     command = f"pkmodes generate {option}{pasted(file)} --out DIR"
-    return [
-        f"\nwrote {file}{_chosen(result)}; next: {command}",
+    sentences = [
+        *_chosen(result),
         *_widened(result),
         *(
             f"{constant} is known from the measurements alone: add its value in operation to {file}"
             for constant in _set_only(robot, result)
         ),
+    ]
+    # The command is not wrapped, so that it can be copied.
+    return [
+        f"\nwrote {file}; next: {command}",
+        *(line for text in sentences for line in terminal.wrapped(text)),
     ]
 
 
@@ -160,14 +168,14 @@ def _widened(result: Diagnosis) -> list[str]:
     return [f"{what}: {', '.join(shown)}{more}"] if shown else []
 
 
-def _chosen(result: Diagnosis) -> str:
+def _chosen(result: Diagnosis) -> list[str]:
     """Say which of several indistinguishable causes the saved robot has, and how to save it with another."""
-    return "".join(
-        f" with {effect.name}; the data cannot tell it from {' or '.join(effect.members[1:])}: to save that instead, "
-        f"add --candidates {effect.members[1]}"
+    return [
+        f"it has {effect.name}; the data cannot tell it from {' or '.join(effect.members[1:])}: "
+        f"to save that instead, add --candidates {effect.members[1]}"
         for effect in result.effects
         if len(effect.members) > 1
-    )
+    ]
 
 
 def _set_only(robot: Robot, result: Diagnosis) -> list[str]:

@@ -34,7 +34,12 @@ class Terminal:
 
     def line(self, text: str = "", indent: str = "") -> None:
         """Print a sentence; every line starts with `indent`."""
-        lines = textwrap.wrap(
+        for part in self.wrapped(text, indent) or [""]:
+            self._console.print(part, soft_wrap=True)
+
+    def wrapped(self, text: str, indent: str = "") -> list[str]:
+        """Return the lines of a sentence."""
+        return textwrap.wrap(
             printable(text),
             self._width,
             initial_indent=indent,
@@ -42,8 +47,6 @@ class Terminal:
             break_long_words=False,
             break_on_hyphens=False,
         )
-        for part in lines or [""]:
-            self._console.print(part, soft_wrap=True)
 
     def table(self, titles: Sequence[str], rows: Sequence[Sequence[str]], left: Sequence[str] = ()) -> None:
         """Print a table; columns named in `left` hold text, the others numbers."""
