@@ -122,13 +122,13 @@ def test_the_error_names_the_smallest_spring_that_is_resolved() -> None:
     model = linear_delta(robot, 1e-6, 0.0)
     with pytest.raises(PoseError) as caught:
         model.modes(robot.pose)
-    assert "give effects.cable_stiffness.stiffness at least 0.00032 N/m, or leave it out" in str(caught.value)
+    assert "give effects.cable_stiffness.stiffness at least 0.0013 N/m, or leave it out" in str(caught.value)
     out = {"frequencies": np.full((2, 9), 7.0)}
     with pytest.raises(PoseError, match="cable_stiffness"):
         model.modes([robot.pose, robot.pose], out=out)
     assert (out["frequencies"] == 7.0).all()
-    found = linear_delta(robot, 0.00032, 0.0).modes(robot.pose).frequencies
-    assert_nine_digits(found, modes_of("published", 1.0, 0.00032, 0.0))
+    found = linear_delta(robot, 0.0013, 0.0).modes(robot.pose).frequencies
+    assert_nine_digits(found, modes_of("published", 1.0, 0.0013, 0.0))
 
 
 def test_a_motion_near_balance_between_spring_and_gravity_is_not_refused() -> None:

@@ -20,8 +20,9 @@ Array = NDArray[np.float64]
 #: no longer has nine correct digits.
 RESOLVED = 1e-7
 #: Likewise for a spring to ground beside gravity: where gravity leaves a motion alone, its part of K is a
-#: cancellation of rounded numbers, with an error of up to 1e-15 of its largest entries.
-BESIDE_GRAVITY = 1e-6
+#: cancellation of rounded numbers, with an error of 1e-15 to 2e-15 of its largest entries, as the processor's
+#: instructions have it.
+BESIDE_GRAVITY = 4e-6
 #: Below this [1/s^2], numbers have fewer digits.
 SMALLEST = 1e-290
 
@@ -124,7 +125,7 @@ def _too_soft(at: RobotAtPoses, eigenvalue: float, share: float) -> PoseError:
     springs = at.system.springs_to_ground
     low = natural_frequencies(np.array([eigenvalue]))[0]
     what = f"springs to ground are so soft that their vibration at {abs(low):.2g} Hz is lost in rounding"
-    if len(springs) > 1 or not 0.0 < share < 1.0:
+    if len(springs) > 1 or not 0.0 < share < 1.0 or min(springs.values()) < SMALLEST:
         return PoseError(
             what, at.source, f"make them stiffer or leave them out: {', '.join(map(in_effects, springs))}"
         )
