@@ -16,7 +16,12 @@ BELTS = (0, 1)
 
 
 def corexy(
-    q: Any, p: np.ndarray, effects: Mapping[str, float] = {}, outside: Mapping[str, float] = {}
+    q: Any,
+    p: np.ndarray,
+    effects: Mapping[str, float] = {},
+    outside: Mapping[str, float] = {},
+    *,
+    held: bool = False,
 ) -> TrueModes:
     """Compute the modes of a CoreXY at one pose.
 
@@ -29,6 +34,8 @@ def corexy(
         Parameters of effects in SI units, by ``"<effect>.<parameter>"``.
     outside : mapping
         Strengths of causes in `rows.OUTSIDE`.
+    held : bool
+        Whether the rotors of the motors are locked.
     """
     released = {
         "psi": effects.get("gearbox_compliance.compliance", 0.0),
@@ -76,4 +83,5 @@ def corexy(
         locked.append("rack")
     if not frame:
         locked += ["u_x", "u_y"]
-    return completed(rows, "theta", effects, outside).modes([*locked, *without(outside)], 4)
+    completed(rows, "theta", effects, outside)
+    return rows.modes([*locked, *without(outside)], rows.motors("theta") if held else ())

@@ -89,6 +89,8 @@ class Description:
         MJCF, assembled at the pose with every joint at zero.
     coordinates : dict of str to str
         Joint of each generalised coordinate, in order.
+    motors : dict of str to str
+        Joint of the motor that turns the rotor of a coordinate.
     points : list of str
         Bodies that are point masses, without rotational inertia.
     massless : list of str
@@ -101,6 +103,7 @@ class Description:
 
     xml: str = ""
     coordinates: dict[str, str] = field(default_factory=dict)
+    motors: dict[str, str] = field(default_factory=dict)
     points: list[str] = field(default_factory=list)
     massless: list[str] = field(default_factory=list)
     ties: list[str] = field(default_factory=list)
@@ -219,9 +222,10 @@ class _Builder:
             pulley = f"pulley_{j}_{k}"
             body = self._wheel(self.world, pulley, self.parameters.pulley_inertia[j])
             driven = bool(self.parameters.drive[j, k - 1])
-            held = self.s["servo_stiffness.stiffness"] + (self.s["one_servo"] if j == 1 else 0.0)
-            self._hinge(body, pulley, stiffness=held if driven else 0.0)
+            own = self.s["one_servo"] if driven and j == 1 else 0.0
+            self._hinge(body, pulley, stiffness=own)
             if driven:
+                self.description.motors[f"theta_{j + 1}_{k}"] = f"motor_{j}"
                 if self.s["gearbox_inertia.inertia"]:
                     self._wheel(body, f"gear_{j}", self.s["gearbox_inertia.inertia"])
                 self._motor(j, body, pulley)
@@ -234,7 +238,7 @@ class _Builder:
     def _motor(self, j: int, body: ET.Element, pulley: str) -> None:
         ratio = float(self.parameters.gear_ratio[j])
         rotor = self._wheel(self.world, f"motor_{j}", self.parameters.motor_inertia[j])
-        self._hinge(rotor, f"motor_{j}")
+        self._hinge(rotor, f"motor_{j}", stiffness=self.s["servo_stiffness.stiffness"] / ratio**2)
         follows = {f"motor_{j}": 1.0, pulley: -ratio}
         compliance = self._wind_up(j)
         if compliance:

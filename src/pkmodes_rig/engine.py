@@ -50,7 +50,7 @@ class TrueModes:
     mass_matrix, stiffness_matrix : ndarray, shape (n, n)
         In the order of `coordinates`, including coordinates without inertia.
     coordinates : tuple of str, length n
-        The coordinates of the software, then those that exist only on the rig.
+        The coordinates of the software, then those that exist only on the rig; without rotors that follow others.
     """
 
     frequencies: np.ndarray
@@ -66,6 +66,8 @@ def true_modes(
     p: np.ndarray,
     effects: Mapping[str, float] = {},
     outside: Mapping[str, float] = {},
+    *,
+    held: bool = False,
 ) -> TrueModes:
     """Compute the modes of one robot at one pose.
 
@@ -79,8 +81,10 @@ def true_modes(
         Parameters of effects in SI units, by ``"<effect>.<parameter>"``.
     outside : mapping
         Strengths of causes in `OUTSIDE`; ``thermal_drift`` affects the measurement only and is ignored here.
+    held : bool
+        Whether the rotors of the motors are locked.
     """
-    return Rig(parameters, p, effects, outside).modes()
+    return Rig(parameters, p, effects, outside, held=held).modes()
 
 
 class Rig:
@@ -92,6 +96,8 @@ class Rig:
         p: np.ndarray,
         effects: Mapping[str, float] = {},
         outside: Mapping[str, float] = {},
+        *,
+        held: bool = False,
     ) -> None:
         self.gravity = np.asarray(parameters.gravity, dtype=float)
         self._description = describe(parameters, p, effects, outside)
@@ -101,8 +107,12 @@ class Rig:
         for name in self._description.massless:
             self.model.body_mass[self._id(BODY, name)] = 0
         self.data = mujoco.MjData(self.model)
-        self.coordinates = tuple(self._description.coordinates)
-        self._dofs = [self._dof(joint) for joint in self._description.coordinates.values()]
+        # A locked rotor takes the place of the pulley that it turns, and then has no motion.
+        joints, locked = self._description.coordinates, self._description.motors if held else {}
+        self._dofs = [self._dof(locked.get(name, joint)) for name, joint in joints.items()]
+        self._free = [i for i, name in enumerate(joints) if name not in locked]
+        self.coordinates = tuple(name for name in joints if name not in locked)
+        self._followers = {name: self._dof(joints[name]) for name in locked}
         self._platform = [self._dof(f"platform_{i}") for i in "xyz"]
         self._ends = [self._id(SITE, f"rod_end_{j}") for j in AXES]
         self._joints = [self._id(SITE, f"platform_joint_{j}") for j in AXES]
@@ -178,7 +188,7 @@ class Rig:
     @cached_property
     def motions(self) -> np.ndarray:
         """Joint velocities that loops and gears allow, per rate of each coordinate."""
-        return self._solved[:, -len(self.coordinates) :]
+        return self._solved[:, -len(self._dofs) :][:, self._free]
 
     def mass_matrix(self) -> np.ndarray:
         """Compute the mass matrix in the coordinates: bodies and lumps of belt."""
@@ -246,8 +256,9 @@ class Rig:
         eigenvalues, vectors = np.linalg.eigh(basis.T @ K @ basis)
         strains = np.linalg.eigvalsh(basis.T @ elastic @ basis)
         shapes = basis @ vectors
-        named = dict(zip(self.coordinates, shapes, strict=True))
-        named |= dict(zip(("p_x", "p_y", "p_z"), (self.motions @ shapes)[self._platform], strict=True))
+        named, moved = dict(zip(self.coordinates, shapes, strict=True)), self.motions @ shapes
+        named |= {name: moved[dof] for name, dof in self._followers.items()}
+        named |= dict(zip(("p_x", "p_y", "p_z"), moved[self._platform], strict=True))
         return TrueModes(
             frequencies=np.sign(eigenvalues) * np.sqrt(np.abs(eigenvalues)) / (2 * np.pi),
             rigid=int(np.sum(strains < RIGID * strains[-1])),

@@ -30,7 +30,12 @@ ROD = ((0.0, 1 / 6), (0.5, 2 / 3), (1.0, 1 / 6))
 
 
 def rotary_delta(
-    q: Any, p: np.ndarray, effects: Mapping[str, float] = {}, outside: Mapping[str, float] = {}
+    q: Any,
+    p: np.ndarray,
+    effects: Mapping[str, float] = {},
+    outside: Mapping[str, float] = {},
+    *,
+    held: bool = False,
 ) -> TrueModes:
     """Compute the modes of a rotary delta at one pose; the arguments are those of `corexy`."""
     links = effects.get("link_compliance.compliance", 0.0)
@@ -56,7 +61,8 @@ def rotary_delta(
             rows.spring(rows.row(rock=1.0), 1.0 / rocking)
         else:
             locked.append("rock")
-    return completed(rows, "phi", effects, outside).modes([*locked, *without(outside)], 6)
+    completed(rows, "phi", effects, outside)
+    return rows.modes([*locked, *without(outside)], rows.motors("phi") if held else ())
 
 
 def by_engine(q: Any, p: np.ndarray, payload: float = 0.0, hanging: float = 0.0) -> Rows:

@@ -62,11 +62,29 @@ class Rows:
         """Add a mass or inertia that moves with a row, or with each of several rows."""
         self.M += amount * np.atleast_2d(row).T @ np.atleast_2d(row)
 
-    def modes(self, locked: Sequence[str], base: int) -> TrueModes:
-        """Compute the modes with some coordinates locked; the first `base` ones are those of the base model."""
-        kept = np.array([name not in locked for name in self.names])
-        M, elastic = self.M[np.ix_(kept, kept)], self.springs[np.ix_(kept, kept)]
-        K = elastic + self.weights[np.ix_(kept, kept)]
+    def motors(self, drive: str) -> list[dict[str, float]]:
+        """Return the angle of each motor: that of the rotor it drives, and of the gearbox if it can wind up."""
+        rotors = [name for name in self.names if name.startswith(f"{drive}_")]
+        return [{q: 1.0 for q in (name, name.replace(drive, "psi")) if q in self.names} for name in rotors]
+
+    def modes(self, locked: Sequence[str], held: Sequence[Mapping[str, float]] = ()) -> TrueModes:
+        """Compute the modes with some coordinates locked, and with some motors locked.
+
+        Parameters
+        ----------
+        held : sequence of mapping
+            From `motors`.
+        """
+        rotors = [next(iter(motor)) for motor in held]
+        kept = np.array([name not in (*locked, *rotors) for name in self.names])
+        of_kept = np.eye(len(self.names))
+        for rotor, motor in zip(rotors, held, strict=True):
+            of_kept[self.names.index(rotor)] = self.row(**{rotor: 1.0}) - self.row(**motor)
+        of_kept = of_kept[:, kept]
+        M, elastic, weights = (
+            of_kept.T @ matrix @ of_kept for matrix in (self.M, self.springs, self.weights)
+        )
+        K = elastic + weights
         heavy = np.diag(M) > 0
         follow = np.eye(len(M))[:, heavy]
         if not heavy.all():  # coordinates without inertia follow statically
@@ -74,8 +92,7 @@ class Rows:
         M, K, elastic = (follow.T @ matrix @ follow for matrix in (M, K, elastic))
         eigenvalues, vectors = eigh(K, M)
         strains = eigh(elastic, M, eigvals_only=True)
-        shapes = np.zeros((len(self.names), len(eigenvalues)))
-        shapes[kept] = follow @ vectors
+        shapes = of_kept @ follow @ vectors
         named = dict(zip(self.names, shapes, strict=True))
         named |= dict(zip(("p_x", "p_y", "p_z"), self.platform @ shapes, strict=False))
         return TrueModes(
@@ -91,9 +108,9 @@ class Rows:
 def completed(rows: Rows, drive: str, effects: Mapping[str, float], outside: Mapping[str, float]) -> Rows:
     """Add the effects and causes common to all mechanisms: at the drives, the platform and the frame."""
     count = len(rows.platform)
-    for name in [name for name in rows.names if name.startswith(f"{drive}_")]:
-        rows.inertia(rows.row(**{name: 1.0}), effects.get("gearbox_inertia.inertia", 0.0))
-        rows.spring(rows.row(**{name: 1.0}), effects.get("servo_stiffness.stiffness", 0.0))
+    for motor in rows.motors(drive):
+        rows.inertia(rows.row(**{next(iter(motor)): 1.0}), effects.get("gearbox_inertia.inertia", 0.0))
+        rows.spring(rows.row(**motor), effects.get("servo_stiffness.stiffness", 0.0))
     rows.spring(rows.row(**{f"{drive}_1": 1.0}), outside.get("one_servo", 0.0))
     rows.spring(rows.platform, effects.get("cable_stiffness.stiffness", 0.0))
     along = ALONG[count] @ rows.platform

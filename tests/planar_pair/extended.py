@@ -49,6 +49,10 @@ def extended_platform_motion(p, parameters):
     return planar_pair.filled(np.shape(p)[:-1], np.eye(2, 6))
 
 
+def motor_motion():
+    return np.eye(2, 6, 2)
+
+
 def joint_stiffness(effects):
     c = np.full(2, effects.clamp_compliance_compliance, dtype=float)
     return 1.0 / c, -1.0 / c**2

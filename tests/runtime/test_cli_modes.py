@@ -34,6 +34,7 @@ KEYS = {
     "static_torques",
     "rigid_modes",
     "backend",
+    "drives",
 }
 
 
@@ -59,6 +60,33 @@ def test_json_holds_exactly_the_promised_keys(tmp_path: Path) -> None:
     assert content["joint_positions"] == dict(
         zip(("x_1", "x_2", "x_3"), content["carriage_positions"], strict=True)
     )
+
+
+def test_motors_are_held_if_asked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "modes.json"
+    assert run(["modes", ROBOT, "--pose", POSE, "--drives", "held", "--json", str(out)]) == 0
+    content = json.loads(out.read_text(encoding="utf-8"))
+    expected = pkmodes.load(ROBOT).modes([0.6, 0.03, -0.245], drives="held")
+    assert (content["drives"], content["rigid_modes"], len(content["frequencies_hz"])) == ("held", 0, 6)
+    np.testing.assert_array_equal(content["frequencies_hz"], expected.frequencies)
+    assert np.shape(content["shapes"]) == (6, 9)
+    assert np.shape(content["mass_matrix"]) == (9, 9)
+    printed = capsys.readouterr().out
+    assert printed.startswith("linear-delta-2022 at [0.6, 0.03, -0.245] m, motors held\n")
+    assert "rigid" not in printed
+    assert run(["modes", ROBOT, "--pose", POSE]) == 0
+    assert capsys.readouterr().out.startswith("linear-delta-2022 at [0.6, 0.03, -0.245] m, motors free\n")
+    assert run(["modes", ROBOT, "--pose", POSE, "--drives", "off"]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "--drives" in line
+    assert "'free', 'held'" in line
+
+
+def test_a_dataset_of_modes_says_what_the_motors_do() -> None:
+    modes = pkmodes.load(ROBOT).modes([0.6, 0.03, -0.245], drives="held")
+    dataset = modes.to_dataset()
+    assert dataset.attrs["drives"] == "held"
+    assert dataset.sizes["mode"] == 6
 
 
 def test_json_to_standard_output_is_nothing_but_json(capsys: pytest.CaptureFixture[str]) -> None:

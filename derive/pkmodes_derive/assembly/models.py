@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence, Set
 
-from sympy import Expr, Symbol, diff
+from sympy import Add, Expr, Symbol, diff
 
 from pkmodes_derive.assembly import chapters, sensitivity
 from pkmodes_derive.assembly.condensed import Condensed
@@ -132,6 +132,7 @@ def extended(machine: Machine) -> Model:
         functions=(
             _matrices(d),
             _motion(d),
+            _motors(d),
             _joints(d),
             _static_equilibrium(d),
             *_needs(machine),
@@ -175,6 +176,26 @@ def _motion(d: Derived) -> Function:
         (d.pose,),
         (Output("J_p", shape, flat(rows), "1, m", "dp_i/dq_k, base frame"),),
         d.kin.definitions,
+    )
+
+
+def _motors(d: Derived) -> Function:
+    """Return the function for the angles of the motors."""
+    machine = d.machine
+    rates = dict(zip(machine.coordinates, machine.velocities, strict=True))
+    angles = [
+        Add(*(driven * rates[r.coordinate] for r, driven in drive.rotors), *(c.rate for c in drive.wind_up))
+        for drive in machine.drives
+    ]
+    rows = [tuple(diff(angle, rate) for rate in machine.rates) for angle in angles]
+    return Function(
+        "motor_motion",
+        "Jacobian of the angles of the motors, seen at the rotors that they drive.",
+        "the drives that the mechanism declares; a gearbox winds up by psi_j on its output side",
+        (),
+        (Output("J_m", (len(rows), len(machine.rates)), flat(rows), "1", "d(motor angle)/dq_k"),),
+        {},
+        in_c=False,
     )
 
 

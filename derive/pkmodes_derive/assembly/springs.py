@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sympy import Add, Expr, Symbol, default_sort_key, diff
+from sympy import Add, Expr, Symbol, diff
 
 from pkmodes_derive.assembly.derived import Derived
 from pkmodes_derive.machine import SMALL, Machine
@@ -79,8 +79,8 @@ def _of_effect(d: Derived, energy: Expr, effect: str) -> list[Spring]:
 
 
 def _displaced(machine: Machine, energy: Expr) -> list[Symbol]:
-    known = {*machine.small, *machine.delta_p}
-    return sorted(energy.free_symbols & known, key=default_sort_key)
+    """Return the displacements in an energy: one of a pair of rotors may turn, their common wind-up comes last."""
+    return [symbol for symbol in (*machine.small, *machine.delta_p) if symbol in energy.free_symbols]
 
 
 def _squares(energy: Expr, symbols: Sequence[Symbol]) -> list[tuple[Symbol, Expr, Expr]]:

@@ -1,28 +1,29 @@
-"""Servo stiffness: the position loop holds every driven pulley to ground like a torsional spring."""
+"""Servo stiffness: a position loop, or a stepper motor, holds every motor to ground like a torsional spring."""
 
 from collections.abc import Mapping, Sequence
 
-from sympy import Rational, Symbol
+from sympy import Add, Rational, Symbol
 
 from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
 from pkmodes_derive.machine import Machine
 
 
 def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
-    """Add a spring on the driven pulley of each axis, relaxed at the pose."""
+    """Add a spring on the motor of each drive, relaxed at the pose."""
     for drive in machine.drives:
+        wind_up = Add(*(c.position for c in drive.wind_up))
         for rotor, selected in drive.rotors:
-            energy = Rational(1, 2) * parameters["stiffness"] * selected * machine.rotation(rotor) ** 2
-            machine.add_elastic(energy)
+            angle = machine.rotation(rotor) + wind_up
+            machine.add_elastic(Rational(1, 2) * parameters["stiffness"] * selected * angle**2)
 
 
 EFFECT = Effect(
     name="servo_stiffness",
-    sentence="the position loops hold the driven pulleys",
+    sentence="the position loops hold the motors",
     parts=lambda machine: machine.drives,
     parameters=(
         EffectParameter(
-            "stiffness", "N m/rad", "torsional stiffness to ground at every driven pulley", "k_S", "k_S"
+            "stiffness", "N m/rad", "torsional stiffness to ground at every motor, seen at the driven rotor", "k_S", "k_S"
         ),
     ),
     apply=apply,

@@ -166,9 +166,13 @@ void corexy_extended_extended_matrices(const pkmodes_real p[2], const corexy_par
     K_el[1][7] = K_el[7][1] = t44 + t45;
     K_el[1][9] = K_el[9][1] = k_C;
     K_el[2][2] = k_1_1*t35 + k_1_2*t35 + k_S;
+    K_el[2][4] = K_el[4][2] = k_S;
     K_el[2][6] = K_el[6][2] = R_p_1*k_1_1 + R_p_1*k_1_2;
     K_el[3][3] = k_2_1*t36 + k_2_2*t36 + k_S;
+    K_el[3][5] = K_el[5][3] = k_S;
     K_el[3][7] = K_el[7][3] = R_p_2*k_2_1 + R_p_2*k_2_2;
+    K_el[4][4] = k_S;
+    K_el[5][5] = k_S;
     K_el[6][6] = k_1_1 + k_1_2;
     K_el[7][7] = k_2_1 + k_2_2;
     K_el[8][8] = k_C;

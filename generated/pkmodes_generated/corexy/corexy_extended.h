@@ -66,7 +66,7 @@ typedef struct {
     pkmodes_real gearbox_inertia_inertia;
     /* [kg] point mass at the platform centre */
     pkmodes_real payload_mass;
-    /* [N m/rad] torsional stiffness to ground at every driven pulley */
+    /* [N m/rad] torsional stiffness to ground at every motor, seen at the driven rotor */
     pkmodes_real servo_stiffness_stiffness;
     /* [rad/(N m)] compliance of every gearbox, output side */
     pkmodes_real gearbox_compliance_compliance;

@@ -424,7 +424,9 @@ def springs(p, parameters, effects):
     g_out[..., 5, 1] = 1
     g_out[..., 5, 9] = 1
     g_out[..., 6, 2] = 1
+    g_out[..., 6, 4] = 1
     g_out[..., 7, 3] = 1
+    g_out[..., 7, 5] = 1
     return k_out, g_out
 
 

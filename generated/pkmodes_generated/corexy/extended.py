@@ -36,6 +36,7 @@ __all__ = [
     "extended_static_equilibrium",
     "geometry_sensitivities",
     "joint_stiffness",
+    "motor_motion",
     "value_sensitivities",
 ]
 
@@ -125,7 +126,7 @@ VALUE_SENSITIVITIES = (
     ('cable_stiffness_stiffness', (), (), ((0, 0), (0, 8), (1, 1), (1, 9), (8, 8), (9, 9))),
     ('gearbox_inertia_inertia', (), ((2, 2), (3, 3)), ()),
     ('payload_mass', (), ((0, 0), (0, 8), (1, 1), (1, 9), (8, 8), (9, 9)), ()),
-    ('servo_stiffness_stiffness', (), (), ((2, 2), (3, 3))),
+    ('servo_stiffness_stiffness', (), (), ((2, 2), (2, 4), (3, 3), (3, 5), (4, 4), (5, 5))),
     ('frame_compliance_mass', (), ((8, 8), (9, 9)), ()),
 )
 
@@ -158,7 +159,7 @@ class Effects(NamedTuple):
     payload_mass : float or array, shape (...) [kg]
         Point mass at the platform centre.
     servo_stiffness_stiffness : float or array, shape (...) [N m/rad]
-        Torsional stiffness to ground at every driven pulley.
+        Torsional stiffness to ground at every motor, seen at the driven rotor.
     gearbox_compliance_compliance : float or array, shape (...) [rad/(N m)]
         Compliance of every gearbox, output side.
     clamp_compliance_compliance : float or array, shape (...) [m/N]
@@ -359,9 +360,13 @@ def extended_matrices(p, parameters, effects):
     K_el_out[..., 1, 7] = K_el_out[..., 7, 1] = t44 + t45
     K_el_out[..., 1, 9] = K_el_out[..., 9, 1] = k_C
     K_el_out[..., 2, 2] = k_1_1*t35 + k_1_2*t35 + k_S
+    K_el_out[..., 2, 4] = K_el_out[..., 4, 2] = k_S
     K_el_out[..., 2, 6] = K_el_out[..., 6, 2] = R_p_1*k_1_1 + R_p_1*k_1_2
     K_el_out[..., 3, 3] = k_2_1*t36 + k_2_2*t36 + k_S
+    K_el_out[..., 3, 5] = K_el_out[..., 5, 3] = k_S
     K_el_out[..., 3, 7] = K_el_out[..., 7, 3] = R_p_2*k_2_1 + R_p_2*k_2_2
+    K_el_out[..., 4, 4] = k_S
+    K_el_out[..., 5, 5] = k_S
     K_el_out[..., 6, 6] = k_1_1 + k_1_2
     K_el_out[..., 7, 7] = k_2_1 + k_2_2
     K_el_out[..., 8, 8] = k_C
@@ -398,6 +403,31 @@ def extended_platform_motion(p, parameters):
     J_p_out[..., 1, 1] = 1
     J_p_out[..., 1, 9] = 1
     return J_p_out
+
+
+def motor_motion():
+    """Jacobian of the angles of the motors, seen at the rotors that they drive.
+
+    Parameters
+    ----------
+
+    Returns
+    -------
+    J_m : array, shape (..., 2, 10) [1]
+        d(motor angle)/dq_k.
+
+    Notes
+    -----
+    The drives that the mechanism declares; a gearbox winds up by psi_j on its output side.
+    0 operations; 0 with every named value expanded.
+    """
+    batch, dtype = _batch()
+    J_m_out = np.zeros((*batch, 2, 10), dtype)
+    J_m_out[..., 0, 2] = 1
+    J_m_out[..., 0, 4] = 1
+    J_m_out[..., 1, 3] = 1
+    J_m_out[..., 1, 5] = 1
+    return J_m_out
 
 
 def joint_stiffness(effects):
@@ -580,7 +610,7 @@ def value_sensitivities(p, parameters, effects):
     -------
     M_theta : array, shape (..., 99) [unit of M / unit of the parameter]
         dM/dtheta.
-    K_theta : array, shape (..., 167) [unit of K / unit of the parameter]
+    K_theta : array, shape (..., 171) [unit of K / unit of the parameter]
         dK/dtheta.
 
     Notes
@@ -853,7 +883,7 @@ def value_sensitivities(p, parameters, effects):
         R_p_1*t188 + R_p_1*t189, R_p_2*t190 + R_p_2*t191, t188 + t189, t190 + t191,
         -t183*t28 - t184*t28 - t186*t40 - t187*t40, R_p_1*t192 + R_p_1*t193, R_p_2*t194 + R_p_2*t195,
         t192 + t193, t194 + t195, -t183*t32 - t184*t32, -R_p_1*t183 - R_p_1*t184, -t186*t44 - t187*t44,
-        -R_p_2*t186 - R_p_2*t187, -t183 - t184, -t186 - t187, 1, 1, 1, 1, 1, 1, 1, 1,
+        -R_p_2*t186 - R_p_2*t187, -t183 - t184, -t186 - t187, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
     ))
     return M_theta_out, K_theta_out
 

@@ -278,9 +278,13 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     K[17] = K[71] = LANES(t44 + t45);
     K[19] = K[91] = LANES(k_C);
     K[22] = LANES(k_1_1*t35 + k_1_2*t35 + k_S);
+    K[24] = K[42] = LANES(k_S);
     K[26] = K[62] = LANES(R_p_1*k_1_1 + R_p_1*k_1_2);
     K[33] = LANES(k_2_1*t36 + k_2_2*t36 + k_S);
+    K[35] = K[53] = LANES(k_S);
     K[37] = K[73] = LANES(R_p_2*k_2_1 + R_p_2*k_2_2);
+    K[44] = LANES(k_S);
+    K[55] = LANES(k_S);
     K[66] = LANES(k_1_1 + k_1_2);
     K[77] = LANES(k_2_1 + k_2_2);
     K[88] = LANES(k_C);
@@ -425,7 +429,7 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
 /* Derivatives of the eigenvalue of a mode with respect to all quantities.
  *
  * Source: reverse accumulation through extended.
- * 346 operations; 4761 with every named value expanded.
+ * 351 operations; 4771 with every named value expanded.
  */
 static __attribute__((noinline)) void lanes_extended_gradient(const lane *restrict pose,
     const double *restrict parameters, const double *restrict effects, int modes, const lane *restrict shapes,
@@ -512,8 +516,8 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
     const lane forward_t45 = g_2_2*k_2_2;
     const lane t23 = k_2_1 + k_2_2;
     const lane t26 = k_1_1 + k_1_2;
-    const double t49 = 2.0*R_p_2;
-    const double t53 = 2.0*R_p_1;
+    const double t50 = 2.0*R_p_2;
+    const double t54 = 2.0*R_p_1;
     for (int mode = 0; mode < modes; mode++) {
         const lane *restrict shape = shapes + mode * 10;
         const lane eigenvalue = eigenvalues[mode];
@@ -556,74 +560,79 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane t29 = eigenvalue*t28;
         const lane t30 = shape_10*t10;
         const lane adjoint_forward_t34 = adjoint_forward_t37 - eigenvalue*t30 - t29;
-        const lane t31 = 2.0*eigenvalue;
-        const lane t32 = shape_4*shape_8;
+        const lane t31 = 2.0*shape_4;
+        const lane t32 = shape_8*t31;
         const lane t33 = shape_4*t14;
         const lane t34 = shape_4*t10;
         const lane t35 = eigenvalue*g_2_2;
-        const lane adjoint_forward_t31 = eigenvalue*g_2_1*t33 + t31*t32 + t34*t35;
+        const lane adjoint_forward_t31 = eigenvalue*g_2_1*t33 + eigenvalue*t32 + t34*t35;
         const lane adjoint_forward_t29 = adjoint_forward_t31*l_f_2_1 + adjoint_forward_t31*l_f_2_2;
-        const lane t36 = shape_3*shape_7;
-        const lane t37 = shape_3*t14;
-        const lane t38 = shape_3*t10;
-        const lane t39 = eigenvalue*g_1_2;
-        const lane adjoint_forward_t28 = eigenvalue*g_1_1*t37 + t31*t36 + t38*t39;
+        const lane t36 = 2.0*shape_3;
+        const lane t37 = shape_7*t36;
+        const lane t38 = shape_3*t14;
+        const lane t39 = shape_3*t10;
+        const lane t40 = eigenvalue*g_1_2;
+        const lane adjoint_forward_t28 = eigenvalue*g_1_1*t38 + eigenvalue*t37 + t39*t40;
         const lane adjoint_forward_t26 = adjoint_forward_t28*l_f_1_1 + adjoint_forward_t28*l_f_1_2;
         const lane adjoint_forward_t25 = R_p_1*adjoint_forward_t26 + R_p_2*adjoint_forward_t29;
         const lane adjoint_forward_t24 = -eigenvalue*t15 - eigenvalue*t17;
         const lane adjoint_forward_t22 = -eigenvalue*t18 - eigenvalue*t19;
-        const lane t40 = (shape_1*shape_1);
-        const lane t41 = eigenvalue*t40;
-        const lane t42 = shape_9*t14;
-        const lane adjoint_forward_t20 = adjoint_forward_t34 - eigenvalue*t42 - t41;
-        const lane t43 = (shape_8*shape_8);
-        const lane t44 = forward_t36*t22;
-        const lane t45 = eigenvalue*t43 + eigenvalue*t44 + forward_t17*t41 + forward_t33*t29 + t11*t35;
-        const lane adjoint_forward_t19 = adjoint_forward_t24*g_2_1 - t45;
-        const lane adjoint_forward_t18 = adjoint_forward_t24*g_2_1 - t45;
-        const lane t46 = (shape_7*shape_7);
-        const lane t47 = forward_t35*t25;
-        const lane t48 = eigenvalue*t46 + eigenvalue*t47 + forward_t13*t41 + forward_t32*t29 + t12*t39;
-        const lane adjoint_forward_t16 = adjoint_forward_t22*g_1_1 - t48;
-        const lane adjoint_forward_t15 = adjoint_forward_t22*g_1_1 - t48;
+        const lane t41 = (shape_1*shape_1);
+        const lane t42 = eigenvalue*t41;
+        const lane t43 = shape_9*t14;
+        const lane adjoint_forward_t20 = adjoint_forward_t34 - eigenvalue*t43 - t42;
+        const lane t44 = (shape_8*shape_8);
+        const lane t45 = forward_t36*t22;
+        const lane t46 = eigenvalue*t44 + eigenvalue*t45 + forward_t17*t42 + forward_t33*t29 + t11*t35;
+        const lane adjoint_forward_t19 = adjoint_forward_t24*g_2_1 - t46;
+        const lane adjoint_forward_t18 = adjoint_forward_t24*g_2_1 - t46;
+        const lane t47 = (shape_7*shape_7);
+        const lane t48 = forward_t35*t25;
+        const lane t49 = eigenvalue*t47 + eigenvalue*t48 + forward_t13*t42 + forward_t32*t29 + t12*t40;
+        const lane adjoint_forward_t16 = adjoint_forward_t22*g_1_1 - t49;
+        const lane adjoint_forward_t15 = adjoint_forward_t22*g_1_1 - t49;
         const lane adjoint_forward_t14 =
             adjoint_forward_t15*l_f_1_1 + adjoint_forward_t16*l_f_1_2 + adjoint_forward_t18*l_f_2_1
             + adjoint_forward_t19*l_f_2_2;
-        const lane t50 = forward_t17*t40 + forward_t33*t28 + t32*t49 + t43 + t44;
-        const lane adjoint_k_2_2 = adjoint_forward_t41*g_2_1 + adjoint_forward_t45*g_2_2 + t50;
+        const lane t51 = forward_t17*t41 + forward_t33*t28 + shape_4*shape_8*t50 + t44 + t45;
+        const lane adjoint_k_2_2 = adjoint_forward_t41*g_2_1 + adjoint_forward_t45*g_2_2 + t51;
         const lane adjoint_forward_3 = adjoint_k_2_2*forward_t12;
-        const lane t51 = adjoint_forward_3/(t8*t8);
-        const lane adjoint_l_f_2_2 = adjoint_forward_t19*forward_t14 + adjoint_forward_t31*forward_t29 - t51;
-        const lane adjoint_k_2_1 = adjoint_forward_t41*g_2_1 + adjoint_forward_t45*g_2_2 + t50;
+        const lane t52 = adjoint_forward_3/(t8*t8);
+        const lane adjoint_l_f_2_2 = adjoint_forward_t19*forward_t14 + adjoint_forward_t31*forward_t29 - t52;
+        const lane adjoint_k_2_1 = adjoint_forward_t41*g_2_1 + adjoint_forward_t45*g_2_2 + t51;
         const lane adjoint_forward_2 = adjoint_k_2_1*forward_t12;
         const lane adjoint_forward_t12 = adjoint_k_2_1*forward_2 + adjoint_k_2_2*forward_3;
-        const lane t52 = adjoint_forward_2/(t7*t7);
-        const lane adjoint_forward_t11 = -t51 - t52;
+        const lane t53 = adjoint_forward_2/(t7*t7);
+        const lane adjoint_forward_t11 = -t52 - t53;
         const lane adjoint_forward_t10 = adjoint_forward_t11*forward_t5 + adjoint_forward_t12*forward_t4;
-        const lane adjoint_l_f_2_1 = adjoint_forward_t18*forward_t14 + adjoint_forward_t31*forward_t29 - t52;
+        const lane adjoint_l_f_2_1 = adjoint_forward_t18*forward_t14 + adjoint_forward_t31*forward_t29 - t53;
         const lane adjoint_forward_t9 = adjoint_l_f_2_1 - adjoint_l_f_2_2;
-        const lane t54 = forward_t13*t40 + forward_t32*t28 + t36*t53 + t46 + t47;
-        const lane adjoint_k_1_2 = adjoint_forward_t39*g_1_1 + adjoint_forward_t43*g_1_2 + t54;
+        const lane t55 = forward_t13*t41 + forward_t32*t28 + shape_3*shape_7*t54 + t47 + t48;
+        const lane adjoint_k_1_2 = adjoint_forward_t39*g_1_1 + adjoint_forward_t43*g_1_2 + t55;
         const lane adjoint_forward_1 = adjoint_k_1_2*forward_t8;
-        const lane t55 = adjoint_forward_1/(t4*t4);
-        const lane adjoint_l_f_1_2 = adjoint_forward_t16*forward_t14 + adjoint_forward_t28*forward_t26 - t55;
-        const lane adjoint_k_1_1 = adjoint_forward_t39*g_1_1 + adjoint_forward_t43*g_1_2 + t54;
+        const lane t56 = adjoint_forward_1/(t4*t4);
+        const lane adjoint_l_f_1_2 = adjoint_forward_t16*forward_t14 + adjoint_forward_t28*forward_t26 - t56;
+        const lane adjoint_k_1_1 = adjoint_forward_t39*g_1_1 + adjoint_forward_t43*g_1_2 + t55;
         const lane adjoint_forward_0 = adjoint_k_1_1*forward_t8;
         const lane adjoint_forward_t8 = adjoint_k_1_1*forward_0 + adjoint_k_1_2*forward_1;
-        const lane t56 = adjoint_forward_0/(t3*t3);
-        const lane adjoint_forward_t7 = -t55 - t56;
+        const lane t57 = adjoint_forward_0/(t3*t3);
+        const lane adjoint_forward_t7 = -t56 - t57;
         const lane adjoint_forward_t6 = adjoint_forward_t7*forward_t5 + adjoint_forward_t8*forward_t4;
         const lane adjoint_forward_t5 = adjoint_forward_t11*forward_t10 + adjoint_forward_t7*forward_t6;
         const lane adjoint_forward_t4 =
             adjoint_forward_t12*forward_t10 + adjoint_forward_t5*c_E + adjoint_forward_t8*forward_t6;
-        const lane adjoint_l_f_1_1 = adjoint_forward_t15*forward_t14 + adjoint_forward_t28*forward_t26 - t56;
+        const lane adjoint_l_f_1_1 = adjoint_forward_t15*forward_t14 + adjoint_forward_t28*forward_t26 - t57;
         const lane adjoint_forward_t3 = adjoint_l_f_1_1 - adjoint_l_f_1_2;
         const lane adjoint_I_2 = -t24;
-        const lane adjoint_forward_t2 = adjoint_I_2 - eigenvalue*(shape_6*shape_6) - shape_4*shape_6*t31;
+        const lane t58 = (shape_6*shape_6);
+        const lane t59 = shape_6*t31;
+        const lane adjoint_forward_t2 = adjoint_I_2 - eigenvalue*t58 - eigenvalue*t59;
         const lane adjoint_I_1 = -t27;
-        const lane adjoint_forward_t1 = adjoint_I_1 - eigenvalue*(shape_5*shape_5) - shape_3*shape_5*t31;
-        const lane t57 = adjoint_forward_t6*k_sp_1;
-        const lane t58 = adjoint_forward_t10*k_sp_2;
+        const lane t60 = (shape_5*shape_5);
+        const lane t61 = shape_5*t36;
+        const lane adjoint_forward_t1 = adjoint_I_1 - eigenvalue*t60 - eigenvalue*t61;
+        const lane t62 = adjoint_forward_t6*k_sp_1;
+        const lane t63 = adjoint_forward_t10*k_sp_2;
         lanes_clear(gradient, 45);
         gradient[0] = LANES(adjoint_forward_t20);
         gradient[1] = LANES(adjoint_forward_t34);
@@ -633,13 +642,13 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         gradient[12] = LANES(adjoint_l_f_2_2);
         gradient[13] = LANES(adjoint_forward_t6*t2);
         gradient[14] = LANES(adjoint_forward_t10*t6);
-        gradient[15] = LANES(t1*t57);
-        gradient[16] = LANES(t5*t58);
+        gradient[15] = LANES(t1*t62);
+        gradient[16] = LANES(t5*t63);
         gradient[17] =
-            LANES(adjoint_forward_t26*forward_t25 + adjoint_forward_t35*t53 + 2.0*t26*t36 + t37*(forward_t38
-            + forward_t39) + t38*(forward_t42 + forward_t43));
+            LANES(adjoint_forward_t26*forward_t25 + adjoint_forward_t35*t54 + t26*t37 + t38*(forward_t38
+            + forward_t39) + t39*(forward_t42 + forward_t43));
         gradient[18] =
-            LANES(adjoint_forward_t29*forward_t25 + adjoint_forward_t36*t49 + 2.0*t23*t32 + t33*(forward_t40
+            LANES(adjoint_forward_t29*forward_t25 + adjoint_forward_t36*t50 + t23*t32 + t33*(forward_t40
             + forward_t41) + t34*(forward_t44 + forward_t45));
         gradient[19] = LANES(adjoint_I_1);
         gradient[20] = LANES(adjoint_I_2);
@@ -647,16 +656,16 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         gradient[22] = LANES(adjoint_forward_t2*(i_g_2*i_g_2));
         gradient[23] = LANES(2.0*I_m_1*adjoint_forward_t1*i_g_1);
         gradient[24] = LANES(2.0*I_m_2*adjoint_forward_t2*i_g_2);
-        gradient[29] = LANES(t57*w_b_1);
-        gradient[30] = LANES(t58*w_b_2);
+        gradient[29] = LANES(t62*w_b_1);
+        gradient[30] = LANES(t63*w_b_2);
         gradient[31] = LANES(adjoint_forward_t5*forward_t4);
         gradient[32] = LANES((1.0/3.0)*adjoint_forward_t14 + (1.0/6.0)*adjoint_forward_t25);
         gradient[33] = LANES(F_T*adjoint_forward_t4);
         gradient[34] = LANES(adjoint_forward_t4*c_T);
-        gradient[35] = LANES(t20 + t21 + t28 + t30 + t40 + t42);
+        gradient[35] = LANES(t20 + t21 + t28 + t30 + t41 + t43);
         gradient[36] = LANES(adjoint_I_1 + adjoint_I_2);
         gradient[37] = LANES(adjoint_forward_t20);
-        gradient[38] = LANES(t22 + t25);
+        gradient[38] = LANES(t22 + t25 + t58 + t59 + t60 + t61);
         gradient[42] = LANES(adjoint_forward_t37);
         gradient[43] = LANES(adjoint_forward_t3*g_1_1 + adjoint_forward_t9*g_2_1);
         gradient[44] = LANES(adjoint_forward_t3*g_1_2 + adjoint_forward_t9*g_2_2);
@@ -919,12 +928,16 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         stiffness_rate[19] = stiffness_rate[91] = LANES(along_36);
         stiffness_rate[22] =
             LANES(along_39 + forward_t35*tangent_k_1_1 + forward_t35*tangent_k_1_2 + t13*tangent_forward_t35);
+        stiffness_rate[24] = stiffness_rate[42] = LANES(along_39);
         stiffness_rate[26] = stiffness_rate[62] =
             LANES(R_p_1*tangent_k_1_1 + R_p_1*tangent_k_1_2 + along_18*t13);
         stiffness_rate[33] =
             LANES(along_39 + forward_t36*tangent_k_2_1 + forward_t36*tangent_k_2_2 + t14*tangent_forward_t36);
+        stiffness_rate[35] = stiffness_rate[53] = LANES(along_39);
         stiffness_rate[37] = stiffness_rate[73] =
             LANES(R_p_2*tangent_k_2_1 + R_p_2*tangent_k_2_2 + along_19*t14);
+        stiffness_rate[44] = LANES(along_39);
+        stiffness_rate[55] = LANES(along_39);
         stiffness_rate[66] = LANES(tangent_k_1_1 + tangent_k_1_2);
         stiffness_rate[77] = LANES(tangent_k_2_1 + tangent_k_2_2);
         stiffness_rate[88] = LANES(along_36);

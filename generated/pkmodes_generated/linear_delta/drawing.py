@@ -789,11 +789,17 @@ def springs(p, parameters, effects):
     g_out[..., 11, 14] = D_delta_z_3
     g_out[..., 11, 20] = 1
     g_out[..., 12, 3] = 1
+    g_out[..., 12, 9] = 1
     g_out[..., 13, 6] = 1
+    g_out[..., 13, 9] = 1
     g_out[..., 14, 4] = 1
+    g_out[..., 14, 10] = 1
     g_out[..., 15, 7] = 1
+    g_out[..., 15, 10] = 1
     g_out[..., 16, 5] = 1
+    g_out[..., 16, 11] = 1
     g_out[..., 17, 8] = 1
+    g_out[..., 17, 11] = 1
     return k_out, g_out
 
 

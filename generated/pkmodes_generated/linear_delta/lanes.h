@@ -498,7 +498,7 @@ static inline void lanes_base(const lane *restrict pose, const double *restrict 
 /* Mass and stiffness matrices with all released joints free, and the motion of the platform.
  *
  * Source: extended_matrices and extended_platform_motion.
- * 1293 operations; 2362404 with every named value expanded.
+ * 1296 operations; 2362425 with every named value expanded.
  */
 static inline void lanes_extended(const lane *restrict pose, const double *restrict parameters,
     const double *restrict effects, lane *restrict M, lane *restrict K, lane *restrict J_p)
@@ -872,18 +872,24 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     const lane t170 = D_delta_y_3*D_p_y_3;
     const lane t171 = D_delta_z_3*D_p_z_3;
     const lane t172 = k_3_2 + k_3_3;
-    const double t173 = k_1_1*t94;
-    const double t174 = k_2_1*t98;
-    const double t175 = k_3_1*t102;
-    const lane t176 = D_delta_x_1*D_delta_x_2;
-    const lane t177 = D_delta_y_1*D_delta_y_2;
-    const lane t178 = D_delta_z_1*D_delta_z_2;
-    const lane t179 = D_delta_x_1*D_delta_x_3;
-    const lane t180 = D_delta_y_1*D_delta_y_3;
-    const lane t181 = D_delta_z_1*D_delta_z_3;
-    const lane t182 = D_delta_x_2*D_delta_x_3;
-    const lane t183 = D_delta_y_2*D_delta_y_3;
-    const lane t184 = D_delta_z_2*D_delta_z_3;
+    const double t173 = d_1_1*k_S;
+    const double t174 = k_1_1*t94;
+    const double t175 = d_2_1*k_S;
+    const double t176 = k_2_1*t98;
+    const double t177 = d_3_1*k_S;
+    const double t178 = k_3_1*t102;
+    const double t179 = d_1_2*k_S;
+    const double t180 = d_2_2*k_S;
+    const double t181 = d_3_2*k_S;
+    const lane t182 = D_delta_x_1*D_delta_x_2;
+    const lane t183 = D_delta_y_1*D_delta_y_2;
+    const lane t184 = D_delta_z_1*D_delta_z_2;
+    const lane t185 = D_delta_x_1*D_delta_x_3;
+    const lane t186 = D_delta_y_1*D_delta_y_3;
+    const lane t187 = D_delta_z_1*D_delta_z_3;
+    const lane t188 = D_delta_x_2*D_delta_x_3;
+    const lane t189 = D_delta_y_2*D_delta_y_3;
+    const lane t190 = D_delta_z_2*D_delta_z_3;
     lanes_clear(M, 441);
     M[0] =
         LANES(D_p_x_1*t41 + D_p_x_1*t46 + D_p_y_1*t47 + D_p_y_1*t49 + D_p_z_1*t50 + D_p_z_1*t52 + m_t_1 + t39
@@ -1048,32 +1054,41 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     K[60] = K[380] = LANES(D_p_x_3*k_C);
     K[61] = K[401] = LANES(D_p_y_3*k_C);
     K[62] = K[422] = LANES(D_p_z_3*k_C);
-    K[66] = LANES(d_1_1*k_S + k_1_3*t94 + t173);
-    K[69] = K[129] = LANES(-t173);
+    K[66] = LANES(k_1_3*t94 + t173 + t174);
+    K[69] = K[129] = LANES(-t174);
+    K[72] = K[192] = LANES(t173);
     K[78] = K[318] = LANES(t137);
-    K[88] = LANES(d_2_1*k_S + k_2_3*t98 + t174);
-    K[91] = K[151] = LANES(-t174);
+    K[88] = LANES(k_2_3*t98 + t175 + t176);
+    K[91] = K[151] = LANES(-t176);
+    K[94] = K[214] = LANES(t175);
     K[100] = K[340] = LANES(t152);
-    K[110] = LANES(d_3_1*k_S + k_3_3*t102 + t175);
-    K[113] = K[173] = LANES(-t175);
+    K[110] = LANES(k_3_3*t102 + t177 + t178);
+    K[113] = K[173] = LANES(-t178);
+    K[116] = K[236] = LANES(t177);
     K[122] = K[362] = LANES(t158);
-    K[132] = LANES(d_1_2*k_S + k_1_2*t94 + t173);
+    K[132] = LANES(k_1_2*t94 + t174 + t179);
+    K[135] = K[195] = LANES(t179);
     K[141] = K[321] = LANES(t138);
-    K[154] = LANES(d_2_2*k_S + k_2_2*t98 + t174);
+    K[154] = LANES(k_2_2*t98 + t176 + t180);
+    K[157] = K[217] = LANES(t180);
     K[163] = K[343] = LANES(t153);
-    K[176] = LANES(d_3_2*k_S + k_3_2*t102 + t175);
+    K[176] = LANES(k_3_2*t102 + t178 + t181);
+    K[179] = K[239] = LANES(t181);
     K[185] = K[365] = LANES(t159);
+    K[198] = LANES(t173 + t179);
+    K[220] = LANES(t175 + t180);
+    K[242] = LANES(t177 + t181);
     K[264] =
         LANES(k_C*t109 + k_C*t110 + k_C*t111 - mu_1*t109 - mu_1*t110 - mu_1*t111 + mu_1 - mu_2*t109
         - mu_2*t110 - mu_2*t111 - mu_3*t109 - mu_3*t110 - mu_3*t111);
     K[265] = K[285] =
         LANES(D_delta_x_1*D_delta_x_2*k_C + D_delta_y_1*D_delta_y_2*k_C + D_delta_z_1*D_delta_z_2*k_C
-        - mu_1*t176 - mu_1*t177 - mu_1*t178 - mu_2*t176 - mu_2*t177 - mu_2*t178 - mu_3*t176 - mu_3*t177
-        - mu_3*t178);
+        - mu_1*t182 - mu_1*t183 - mu_1*t184 - mu_2*t182 - mu_2*t183 - mu_2*t184 - mu_3*t182 - mu_3*t183
+        - mu_3*t184);
     K[266] = K[306] =
         LANES(D_delta_x_1*D_delta_x_3*k_C + D_delta_y_1*D_delta_y_3*k_C + D_delta_z_1*D_delta_z_3*k_C
-        - mu_1*t179 - mu_1*t180 - mu_1*t181 - mu_2*t179 - mu_2*t180 - mu_2*t181 - mu_3*t179 - mu_3*t180
-        - mu_3*t181);
+        - mu_1*t185 - mu_1*t186 - mu_1*t187 - mu_2*t185 - mu_2*t186 - mu_2*t187 - mu_3*t185 - mu_3*t186
+        - mu_3*t187);
     K[270] = K[390] = LANES(D_delta_x_1*k_C);
     K[271] = K[411] = LANES(D_delta_y_1*k_C);
     K[272] = K[432] = LANES(D_delta_z_1*k_C);
@@ -1082,8 +1097,8 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
         - mu_2*t117 + mu_2 - mu_3*t115 - mu_3*t116 - mu_3*t117);
     K[287] = K[307] =
         LANES(D_delta_x_2*D_delta_x_3*k_C + D_delta_y_2*D_delta_y_3*k_C + D_delta_z_2*D_delta_z_3*k_C
-        - mu_1*t182 - mu_1*t183 - mu_1*t184 - mu_2*t182 - mu_2*t183 - mu_2*t184 - mu_3*t182 - mu_3*t183
-        - mu_3*t184);
+        - mu_1*t188 - mu_1*t189 - mu_1*t190 - mu_2*t188 - mu_2*t189 - mu_2*t190 - mu_3*t188 - mu_3*t189
+        - mu_3*t190);
     K[291] = K[391] = LANES(D_delta_x_2*k_C);
     K[292] = K[412] = LANES(D_delta_y_2*k_C);
     K[293] = K[433] = LANES(D_delta_z_2*k_C);
@@ -1764,7 +1779,7 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
 /* Derivatives of the eigenvalue of a mode with respect to all quantities.
  *
  * Source: reverse accumulation through extended.
- * 2668 operations; 1676809847 with every named value expanded.
+ * 2681 operations; 1676809877 with every named value expanded.
  */
 static __attribute__((noinline)) void lanes_extended_gradient(const lane *restrict pose,
     const double *restrict parameters, const double *restrict effects, int modes, const lane *restrict shapes,
@@ -2118,55 +2133,55 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
     const lane forward_t169 = D_delta_x_3*D_p_x_3;
     const lane forward_t170 = D_delta_y_3*D_p_y_3;
     const lane forward_t171 = D_delta_z_3*D_p_z_3;
-    const lane forward_t176 = D_delta_x_1*D_delta_x_2;
-    const lane forward_t177 = D_delta_y_1*D_delta_y_2;
-    const lane forward_t178 = D_delta_z_1*D_delta_z_2;
-    const lane forward_t179 = D_delta_x_1*D_delta_x_3;
-    const lane forward_t180 = D_delta_y_1*D_delta_y_3;
-    const lane forward_t181 = D_delta_z_1*D_delta_z_3;
-    const lane forward_t182 = D_delta_x_2*D_delta_x_3;
-    const lane forward_t183 = D_delta_y_2*D_delta_y_3;
-    const lane forward_t184 = D_delta_z_2*D_delta_z_3;
+    const lane forward_t182 = D_delta_x_1*D_delta_x_2;
+    const lane forward_t183 = D_delta_y_1*D_delta_y_2;
+    const lane forward_t184 = D_delta_z_1*D_delta_z_2;
+    const lane forward_t185 = D_delta_x_1*D_delta_x_3;
+    const lane forward_t186 = D_delta_y_1*D_delta_y_3;
+    const lane forward_t187 = D_delta_z_1*D_delta_z_3;
+    const lane forward_t188 = D_delta_x_2*D_delta_x_3;
+    const lane forward_t189 = D_delta_y_2*D_delta_y_3;
+    const lane forward_t190 = D_delta_z_2*D_delta_z_3;
     const lane t20 = mu_1 + mu_2;
     const lane t21 = mu_3 + t20;
-    const lane t87 = -k_C + mu_3;
-    const lane t125 = k_C - t21;
-    const lane t128 = 2.0*D_delta_z_3;
-    const lane t132 = 2.0*D_delta_y_3;
-    const lane t135 = 2.0*D_delta_x_3;
-    const lane t140 = 2.0*D_delta_z_2;
-    const lane t144 = 2.0*D_delta_y_2;
-    const lane t147 = 2.0*D_delta_x_2;
-    const lane t179 = 2.0*D_delta_x_1;
-    const lane t185 = 2.0*D_delta_y_1;
-    const lane t191 = 2.0*D_delta_z_1;
-    const lane t208 = forward_t109 + forward_t110 + forward_t111;
-    const lane t210 = forward_t115 + forward_t116 + forward_t117;
-    const lane t212 = forward_t121 + forward_t122 + forward_t123;
-    const lane t214 = forward_t125 + forward_t126 + forward_t127;
-    const lane t221 = forward_t140 + forward_t141 + forward_t142;
-    const lane t223 = forward_t155 + forward_t156 + forward_t157;
-    const lane t252 = D_p_z_3*k_C;
-    const lane t253 = -forward_t165 + t252;
-    const lane t254 = -D_p_z_1*k_C + forward_t136;
-    const lane t255 = forward_t135 + t254;
-    const lane t256 = -forward_t134 - t255;
-    const lane t257 = -D_p_z_2*k_C + forward_t149 + forward_t151;
-    const lane t258 = -forward_t150 - t257;
-    const lane t266 = D_p_y_3*k_C;
-    const lane t267 = -forward_t163 + t266;
-    const lane t268 = -D_p_y_1*k_C + forward_t133;
-    const lane t269 = forward_t132 + t268;
-    const lane t270 = -forward_t131 - t269;
-    const lane t271 = -D_p_y_2*k_C + forward_t146 + forward_t148;
-    const lane t272 = -forward_t147 - t271;
-    const lane t277 = D_p_x_3*k_C;
-    const lane t278 = -forward_t161 + t277;
-    const lane t279 = -D_p_x_1*k_C + forward_t130;
-    const lane t280 = forward_t129 + t279;
-    const lane t281 = -forward_t128 - t280;
-    const lane t282 = -D_p_x_2*k_C + forward_t143 + forward_t145;
-    const lane t283 = -forward_t144 - t282;
+    const lane t97 = -k_C + mu_3;
+    const lane t134 = k_C - t21;
+    const lane t137 = 2.0*D_delta_z_3;
+    const lane t141 = 2.0*D_delta_y_3;
+    const lane t144 = 2.0*D_delta_x_3;
+    const lane t149 = 2.0*D_delta_z_2;
+    const lane t153 = 2.0*D_delta_y_2;
+    const lane t156 = 2.0*D_delta_x_2;
+    const lane t185 = 2.0*D_delta_x_1;
+    const lane t191 = 2.0*D_delta_y_1;
+    const lane t197 = 2.0*D_delta_z_1;
+    const lane t214 = forward_t109 + forward_t110 + forward_t111;
+    const lane t216 = forward_t115 + forward_t116 + forward_t117;
+    const lane t218 = forward_t121 + forward_t122 + forward_t123;
+    const lane t220 = forward_t125 + forward_t126 + forward_t127;
+    const lane t227 = forward_t140 + forward_t141 + forward_t142;
+    const lane t229 = forward_t155 + forward_t156 + forward_t157;
+    const lane t258 = D_p_z_3*k_C;
+    const lane t259 = -forward_t165 + t258;
+    const lane t260 = -D_p_z_1*k_C + forward_t136;
+    const lane t261 = forward_t135 + t260;
+    const lane t262 = -forward_t134 - t261;
+    const lane t263 = -D_p_z_2*k_C + forward_t149 + forward_t151;
+    const lane t264 = -forward_t150 - t263;
+    const lane t272 = D_p_y_3*k_C;
+    const lane t273 = -forward_t163 + t272;
+    const lane t274 = -D_p_y_1*k_C + forward_t133;
+    const lane t275 = forward_t132 + t274;
+    const lane t276 = -forward_t131 - t275;
+    const lane t277 = -D_p_y_2*k_C + forward_t146 + forward_t148;
+    const lane t278 = -forward_t147 - t277;
+    const lane t283 = D_p_x_3*k_C;
+    const lane t284 = -forward_t161 + t283;
+    const lane t285 = -D_p_x_1*k_C + forward_t130;
+    const lane t286 = forward_t129 + t285;
+    const lane t287 = -forward_t128 - t286;
+    const lane t288 = -D_p_x_2*k_C + forward_t143 + forward_t145;
+    const lane t289 = -forward_t144 - t288;
     for (int mode = 0; mode < modes; mode++) {
         const lane *restrict shape = shapes + mode * 21;
         const lane eigenvalue = eigenvalues[mode];
@@ -2194,321 +2209,333 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane shape_21 = shape[20];
         const lane t19 = 2.0*shape_14;
         const lane t22 = -shape_15*t21;
-        const lane adjoint_forward_t184 = t19*t22;
+        const lane adjoint_forward_t190 = t19*t22;
         const lane t23 = 2.0*shape_13;
-        const lane adjoint_forward_t181 = t22*t23;
+        const lane adjoint_forward_t187 = t22*t23;
         const lane t24 = shape_13*t19;
-        const lane adjoint_forward_t178 = -t21*t24;
-        const lane t25 = (shape_6*shape_6);
+        const lane adjoint_forward_t184 = -t21*t24;
+        const lane t25 = (shape_12*shape_12);
         const lane t26 = (shape_9*shape_9);
         const lane t27 = 2.0*shape_9;
-        const lane t28 = shape_6*t27;
-        const lane adjoint_forward_t175 = t25 + t26 - t28;
-        const lane t29 = (shape_5*shape_5);
+        const lane t28 = shape_12*t27;
+        const lane adjoint_forward_t181 = t25 + t26 + t28;
+        const lane t29 = (shape_11*shape_11);
         const lane t30 = (shape_8*shape_8);
         const lane t31 = 2.0*shape_8;
-        const lane t32 = shape_5*t31;
-        const lane adjoint_forward_t174 = t29 + t30 - t32;
-        const lane t33 = (shape_4*shape_4);
+        const lane t32 = shape_11*t31;
+        const lane adjoint_forward_t180 = t29 + t30 + t32;
+        const lane t33 = (shape_10*shape_10);
         const lane t34 = (shape_7*shape_7);
         const lane t35 = 2.0*shape_7;
-        const lane t36 = shape_4*t35;
-        const lane adjoint_forward_t173 = t33 + t34 - t36;
-        const lane t37 = (shape_18*shape_18);
-        const lane t38 = 2.0*shape_18;
-        const lane t39 = shape_3*t38;
-        const lane adjoint_forward_t172 = t37 + t39;
-        const lane t40 = 2.0*shape_3;
-        const lane t41 = -t20*t40;
-        const lane adjoint_forward_t171 = shape_15*t41;
-        const lane adjoint_forward_t168 = shape_14*t41;
-        const lane t42 = shape_15*t40;
-        const lane t43 = D_delta_z_3*t42;
-        const lane t44 = shape_13*t40;
-        const lane t45 = D_delta_z_1*t44;
-        const lane t46 = shape_14*t40;
-        const lane t47 = D_delta_z_2*t46;
-        const lane adjoint_forward_t165 = -t43 - t45 - t47;
-        const lane adjoint_forward_t164 = shape_13*t41;
-        const lane t48 = D_delta_y_1*t44;
-        const lane t49 = D_delta_y_2*t46;
-        const lane t50 = D_delta_y_3*t42;
-        const lane adjoint_forward_t163 = -t48 - t49 - t50;
-        const lane t51 = D_delta_x_1*t44;
-        const lane t52 = D_delta_x_2*t46;
-        const lane t53 = D_delta_x_3*t42;
-        const lane adjoint_forward_t161 = -t51 - t52 - t53;
-        const lane t54 = shape_18*t27;
-        const lane t55 = shape_3*t27;
-        const lane adjoint_forward_t159 = t54 + t55;
-        const lane t56 = shape_6*t38;
-        const lane t57 = shape_6*t40;
-        const lane adjoint_forward_t158 = t56 + t57;
-        const lane t58 = (shape_3*shape_3);
-        const lane adjoint_forward_t157 = t58*(k_C - t20);
-        const lane t59 = (shape_17*shape_17);
-        const lane t60 = 2.0*shape_17;
-        const lane t61 = shape_2*t60;
-        const lane adjoint_forward_t154 = t59 + t61;
-        const lane t62 = shape_17*t31;
-        const lane t63 = shape_2*t31;
-        const lane adjoint_forward_t153 = t62 + t63;
-        const lane t64 = shape_5*t60;
-        const lane t65 = 2.0*shape_2;
-        const lane t66 = shape_5*t65;
-        const lane adjoint_forward_t152 = t64 + t66;
-        const lane t67 = shape_2*t40;
-        const lane t68 = D_p_z_3*t67;
-        const lane t69 = shape_13*t65;
-        const lane t70 = D_delta_z_1*t69;
-        const lane t71 = shape_14*t65;
-        const lane t72 = D_delta_z_2*t71;
-        const lane t73 = shape_15*t65;
-        const lane t74 = D_delta_z_3*t73;
-        const lane t75 = t70 + t72 + t74;
-        const lane adjoint_forward_t151 = -t68 - t75;
-        const lane adjoint_forward_t150 = -U_3_z_3*t67 - t75;
-        const lane t76 = D_p_y_3*t67;
-        const lane t77 = D_delta_y_1*t69;
-        const lane t78 = D_delta_y_2*t71;
-        const lane t79 = D_delta_y_3*t73;
-        const lane t80 = t77 + t78 + t79;
-        const lane adjoint_forward_t148 = -t76 - t80;
-        const lane adjoint_forward_t147 = -U_3_y_3*t67 - t80;
-        const lane t81 = D_p_x_3*t67;
-        const lane t82 = D_delta_x_1*t69;
-        const lane t83 = D_delta_x_2*t71;
-        const lane t84 = D_delta_x_3*t73;
-        const lane t85 = t82 + t83 + t84;
-        const lane adjoint_forward_t145 = -t81 - t85;
-        const lane adjoint_forward_t144 = -U_3_x_3*t67 - t85;
-        const lane t86 = (shape_2*shape_2);
-        const lane adjoint_forward_t142 = t86*(-mu_1 - t87);
-        const lane t88 = (shape_16*shape_16);
-        const lane t89 = 2.0*shape_1;
-        const lane t90 = shape_16*t89;
-        const lane adjoint_forward_t139 = t88 + t90;
-        const lane t91 = shape_1*t35;
-        const lane t92 = shape_16*t35;
-        const lane adjoint_forward_t138 = t91 + t92;
-        const lane t93 = shape_4*t89;
-        const lane t94 = 2.0*shape_4;
-        const lane t95 = shape_16*t94;
-        const lane adjoint_forward_t137 = t93 + t95;
-        const lane t96 = shape_1*t65;
-        const lane t97 = D_p_z_2*t96;
-        const lane t98 = shape_13*t89;
-        const lane t99 = D_delta_z_1*t98;
-        const lane t100 = shape_14*t89;
-        const lane t101 = D_delta_z_2*t100;
-        const lane t102 = shape_15*t89;
-        const lane t103 = D_delta_z_3*t102;
-        const lane t104 = shape_1*t40;
-        const lane t105 = D_p_z_3*t104;
-        const lane t106 = t101 + t103 + t105 + t99;
-        const lane adjoint_forward_t136 = -t106 - t97;
-        const lane adjoint_forward_t135 = -U_2_z_2*t96 - t106;
-        const lane adjoint_forward_t134 = -U_3_z_3*t104 - t101 - t103 - t97 - t99;
-        const lane t107 = D_p_y_2*t96;
-        const lane t108 = D_delta_y_1*t98;
-        const lane t109 = D_delta_y_2*t100;
-        const lane t110 = D_delta_y_3*t102;
-        const lane t111 = D_p_y_3*t104;
-        const lane t112 = t108 + t109 + t110 + t111;
-        const lane adjoint_forward_t133 = -t107 - t112;
-        const lane adjoint_forward_t132 = -U_2_y_2*t96 - t112;
-        const lane adjoint_forward_t131 = -U_3_y_3*t104 - t107 - t108 - t109 - t110;
-        const lane t113 = D_p_x_2*t96;
-        const lane t114 = D_delta_x_1*t98;
-        const lane t115 = D_delta_x_2*t100;
-        const lane t116 = D_delta_x_3*t102;
-        const lane t117 = D_p_x_3*t104;
-        const lane t118 = t114 + t115 + t116 + t117;
-        const lane adjoint_forward_t130 = -t113 - t118;
-        const lane adjoint_forward_t129 = -U_2_x_2*t96 - t118;
-        const lane adjoint_forward_t128 = -U_3_x_3*t104 - t113 - t114 - t115 - t116;
-        const lane t119 = (shape_1*shape_1);
-        const lane adjoint_forward_t127 = t119*(-mu_2 - t87);
-        const lane t120 = (shape_19*shape_19);
-        const lane t121 = (shape_20*shape_20);
-        const lane t122 = (shape_21*shape_21);
-        const lane adjoint_forward_t124 = -eigenvalue*t120 - eigenvalue*t121 - eigenvalue*t122;
-        const lane t123 = (shape_15*shape_15);
-        const lane t124 = eigenvalue*forward_t44;
-        const lane adjoint_forward_t123 = -t123*t124 + t123*t125;
-        const lane t126 = eigenvalue*t19;
-        const lane t127 = shape_21*t126;
-        const lane t129 = shape_15*t128;
-        const lane t130 = eigenvalue*shape_14;
-        const lane adjoint_forward_t120 = -t127 - t129*t130;
-        const lane t131 = shape_20*t126;
-        const lane t133 = shape_15*t132;
-        const lane adjoint_forward_t119 = -t130*t133 - t131;
-        const lane t134 = shape_19*t126;
-        const lane t136 = shape_15*t135;
-        const lane adjoint_forward_t118 = -t130*t136 - t134;
-        const lane t137 = (shape_14*shape_14);
-        const lane adjoint_forward_t117 = -t124*t137 + t125*t137;
-        const lane t138 = eigenvalue*t23;
-        const lane t139 = shape_21*t138;
-        const lane t141 = shape_14*t140;
-        const lane t142 = eigenvalue*shape_13;
-        const lane adjoint_forward_t114 = -t129*t142 - t139 - t141*t142;
-        const lane t143 = shape_20*t138;
-        const lane t145 = shape_14*t144;
-        const lane adjoint_forward_t113 = -t133*t142 - t142*t145 - t143;
-        const lane t146 = shape_19*t138;
-        const lane t148 = shape_14*t147;
-        const lane adjoint_forward_t112 = -t136*t142 - t142*t148 - t146;
-        const lane t149 = (shape_13*shape_13);
-        const lane adjoint_forward_t111 = -t124*t149 + t125*t149;
-        const lane t150 = eigenvalue*(shape_12*shape_12);
-        const lane t151 = eigenvalue*shape_12;
-        const lane adjoint_forward_t108 = -t150 - t151*t27;
-        const lane t152 = eigenvalue*(shape_11*shape_11);
-        const lane t153 = eigenvalue*shape_11;
-        const lane adjoint_forward_t107 = -t152 - t153*t31;
-        const lane t154 = eigenvalue*(shape_10*shape_10);
-        const lane t155 = eigenvalue*shape_10;
-        const lane adjoint_forward_t106 = -t154 - t155*t35;
-        const lane adjoint_forward_t105 = -2.0*shape_6*t151 - t150;
-        const lane t156 = eigenvalue*t25;
-        const lane t157 = eigenvalue*t26;
-        const lane adjoint_forward_t104 = -t156 - t157;
-        const lane t158 = eigenvalue*forward_t65;
-        const lane adjoint_forward_t103 = adjoint_forward_t104*forward_t53 - t158*t28;
-        const lane adjoint_forward_t102 =
-            adjoint_forward_t103*l_f_3_1 + adjoint_forward_t175*k_3_1 - forward_t88*t157 - forward_t89*t156
-            + k_3_2*t26 + k_3_3*t25;
-        const lane adjoint_forward_t101 = -2.0*shape_5*t153 - t152;
-        const lane t159 = eigenvalue*t29;
-        const lane t160 = eigenvalue*t30;
-        const lane adjoint_forward_t100 = -t159 - t160;
-        const lane adjoint_forward_t99 = adjoint_forward_t100*forward_t53 - t158*t32;
-        const lane adjoint_forward_t98 =
-            adjoint_forward_t174*k_2_1 + adjoint_forward_t99*l_f_2_1 - forward_t76*t160 - forward_t77*t159
-            + k_2_2*t30 + k_2_3*t29;
-        const lane adjoint_forward_t97 = -t154 - t155*t94;
+        const lane t36 = shape_10*t35;
+        const lane adjoint_forward_t179 = t33 + t34 + t36;
+        const lane t37 = (shape_6*shape_6);
+        const lane t38 = shape_6*t27;
+        const lane adjoint_forward_t178 = t26 + t37 - t38;
+        const lane t39 = 2.0*shape_6;
+        const lane t40 = shape_12*t39;
+        const lane adjoint_forward_t177 = t25 + t37 + t40;
+        const lane t41 = (shape_5*shape_5);
+        const lane t42 = shape_5*t31;
+        const lane adjoint_forward_t176 = t30 + t41 - t42;
+        const lane t43 = 2.0*shape_5;
+        const lane t44 = shape_11*t43;
+        const lane adjoint_forward_t175 = t29 + t41 + t44;
+        const lane t45 = (shape_4*shape_4);
+        const lane t46 = shape_4*t35;
+        const lane adjoint_forward_t174 = t34 + t45 - t46;
+        const lane t47 = 2.0*shape_4;
+        const lane t48 = shape_10*t47;
+        const lane adjoint_forward_t173 = t33 + t45 + t48;
+        const lane t49 = (shape_18*shape_18);
+        const lane t50 = 2.0*shape_3;
+        const lane t51 = shape_18*t50;
+        const lane adjoint_forward_t172 = t49 + t51;
+        const lane t52 = -t20*t50;
+        const lane adjoint_forward_t171 = shape_15*t52;
+        const lane adjoint_forward_t168 = shape_14*t52;
+        const lane t53 = shape_13*t50;
+        const lane t54 = D_delta_z_1*t53;
+        const lane t55 = shape_14*t50;
+        const lane t56 = D_delta_z_2*t55;
+        const lane t57 = shape_15*t50;
+        const lane t58 = D_delta_z_3*t57;
+        const lane adjoint_forward_t165 = -t54 - t56 - t58;
+        const lane adjoint_forward_t164 = shape_13*t52;
+        const lane t59 = D_delta_y_1*t53;
+        const lane t60 = D_delta_y_2*t55;
+        const lane t61 = D_delta_y_3*t57;
+        const lane adjoint_forward_t163 = -t59 - t60 - t61;
+        const lane t62 = D_delta_x_1*t53;
+        const lane t63 = D_delta_x_2*t55;
+        const lane t64 = D_delta_x_3*t57;
+        const lane adjoint_forward_t161 = -t62 - t63 - t64;
+        const lane t65 = shape_18*t27;
+        const lane t66 = shape_3*t27;
+        const lane adjoint_forward_t159 = t65 + t66;
+        const lane t67 = shape_18*t39;
+        const lane t68 = shape_3*t39;
+        const lane adjoint_forward_t158 = t67 + t68;
+        const lane t69 = (shape_3*shape_3);
+        const lane adjoint_forward_t157 = t69*(k_C - t20);
+        const lane t70 = (shape_17*shape_17);
+        const lane t71 = 2.0*shape_2;
+        const lane t72 = shape_17*t71;
+        const lane adjoint_forward_t154 = t70 + t72;
+        const lane t73 = shape_17*t31;
+        const lane t74 = shape_2*t31;
+        const lane adjoint_forward_t153 = t73 + t74;
+        const lane t75 = shape_17*t43;
+        const lane t76 = shape_2*t43;
+        const lane adjoint_forward_t152 = t75 + t76;
+        const lane t77 = shape_2*t50;
+        const lane t78 = D_p_z_3*t77;
+        const lane t79 = shape_13*t71;
+        const lane t80 = D_delta_z_1*t79;
+        const lane t81 = shape_14*t71;
+        const lane t82 = D_delta_z_2*t81;
+        const lane t83 = shape_15*t71;
+        const lane t84 = D_delta_z_3*t83;
+        const lane t85 = t80 + t82 + t84;
+        const lane adjoint_forward_t151 = -t78 - t85;
+        const lane adjoint_forward_t150 = -U_3_z_3*t77 - t85;
+        const lane t86 = D_p_y_3*t77;
+        const lane t87 = D_delta_y_1*t79;
+        const lane t88 = D_delta_y_2*t81;
+        const lane t89 = D_delta_y_3*t83;
+        const lane t90 = t87 + t88 + t89;
+        const lane adjoint_forward_t148 = -t86 - t90;
+        const lane adjoint_forward_t147 = -U_3_y_3*t77 - t90;
+        const lane t91 = D_p_x_3*t77;
+        const lane t92 = D_delta_x_1*t79;
+        const lane t93 = D_delta_x_2*t81;
+        const lane t94 = D_delta_x_3*t83;
+        const lane t95 = t92 + t93 + t94;
+        const lane adjoint_forward_t145 = -t91 - t95;
+        const lane adjoint_forward_t144 = -U_3_x_3*t77 - t95;
+        const lane t96 = (shape_2*shape_2);
+        const lane adjoint_forward_t142 = t96*(-mu_1 - t97);
+        const lane t98 = (shape_16*shape_16);
+        const lane t99 = 2.0*shape_1;
+        const lane t100 = shape_16*t99;
+        const lane adjoint_forward_t139 = t100 + t98;
+        const lane t101 = shape_1*t35;
+        const lane t102 = shape_16*t35;
+        const lane adjoint_forward_t138 = t101 + t102;
+        const lane t103 = shape_1*t47;
+        const lane t104 = shape_16*t47;
+        const lane adjoint_forward_t137 = t103 + t104;
+        const lane t105 = shape_1*t71;
+        const lane t106 = D_p_z_2*t105;
+        const lane t107 = shape_13*t99;
+        const lane t108 = D_delta_z_1*t107;
+        const lane t109 = shape_14*t99;
+        const lane t110 = D_delta_z_2*t109;
+        const lane t111 = shape_15*t99;
+        const lane t112 = D_delta_z_3*t111;
+        const lane t113 = shape_1*t50;
+        const lane t114 = D_p_z_3*t113;
+        const lane t115 = t108 + t110 + t112 + t114;
+        const lane adjoint_forward_t136 = -t106 - t115;
+        const lane adjoint_forward_t135 = -U_2_z_2*t105 - t115;
+        const lane adjoint_forward_t134 = -U_3_z_3*t113 - t106 - t108 - t110 - t112;
+        const lane t116 = D_p_y_2*t105;
+        const lane t117 = D_delta_y_1*t107;
+        const lane t118 = D_delta_y_2*t109;
+        const lane t119 = D_delta_y_3*t111;
+        const lane t120 = D_p_y_3*t113;
+        const lane t121 = t117 + t118 + t119 + t120;
+        const lane adjoint_forward_t133 = -t116 - t121;
+        const lane adjoint_forward_t132 = -U_2_y_2*t105 - t121;
+        const lane adjoint_forward_t131 = -U_3_y_3*t113 - t116 - t117 - t118 - t119;
+        const lane t122 = D_p_x_2*t105;
+        const lane t123 = D_delta_x_1*t107;
+        const lane t124 = D_delta_x_2*t109;
+        const lane t125 = D_delta_x_3*t111;
+        const lane t126 = D_p_x_3*t113;
+        const lane t127 = t123 + t124 + t125 + t126;
+        const lane adjoint_forward_t130 = -t122 - t127;
+        const lane adjoint_forward_t129 = -U_2_x_2*t105 - t127;
+        const lane adjoint_forward_t128 = -U_3_x_3*t113 - t122 - t123 - t124 - t125;
+        const lane t128 = (shape_1*shape_1);
+        const lane adjoint_forward_t127 = t128*(-mu_2 - t97);
+        const lane t129 = (shape_19*shape_19);
+        const lane t130 = (shape_20*shape_20);
+        const lane t131 = (shape_21*shape_21);
+        const lane adjoint_forward_t124 = -eigenvalue*t129 - eigenvalue*t130 - eigenvalue*t131;
+        const lane t132 = (shape_15*shape_15);
+        const lane t133 = eigenvalue*forward_t44;
+        const lane adjoint_forward_t123 = -t132*t133 + t132*t134;
+        const lane t135 = eigenvalue*t19;
+        const lane t136 = shape_21*t135;
+        const lane t138 = shape_15*t137;
+        const lane t139 = eigenvalue*shape_14;
+        const lane adjoint_forward_t120 = -t136 - t138*t139;
+        const lane t140 = shape_20*t135;
+        const lane t142 = shape_15*t141;
+        const lane adjoint_forward_t119 = -t139*t142 - t140;
+        const lane t143 = shape_19*t135;
+        const lane t145 = shape_15*t144;
+        const lane adjoint_forward_t118 = -t139*t145 - t143;
+        const lane t146 = (shape_14*shape_14);
+        const lane adjoint_forward_t117 = -t133*t146 + t134*t146;
+        const lane t147 = eigenvalue*t23;
+        const lane t148 = shape_21*t147;
+        const lane t150 = shape_14*t149;
+        const lane t151 = eigenvalue*shape_13;
+        const lane adjoint_forward_t114 = -t138*t151 - t148 - t150*t151;
+        const lane t152 = shape_20*t147;
+        const lane t154 = shape_14*t153;
+        const lane adjoint_forward_t113 = -t142*t151 - t151*t154 - t152;
+        const lane t155 = shape_19*t147;
+        const lane t157 = shape_14*t156;
+        const lane adjoint_forward_t112 = -t145*t151 - t151*t157 - t155;
+        const lane t158 = (shape_13*shape_13);
+        const lane adjoint_forward_t111 = -t133*t158 + t134*t158;
+        const lane t159 = eigenvalue*t25;
+        const lane adjoint_forward_t108 = -eigenvalue*t28 - t159;
+        const lane t160 = eigenvalue*t29;
+        const lane adjoint_forward_t107 = -eigenvalue*t32 - t160;
         const lane t161 = eigenvalue*t33;
-        const lane t162 = eigenvalue*t34;
-        const lane adjoint_forward_t96 = -t161 - t162;
-        const lane adjoint_forward_t95 = adjoint_forward_t96*forward_t53 - t158*t36;
+        const lane adjoint_forward_t106 = -eigenvalue*t36 - t161;
+        const lane adjoint_forward_t105 = -eigenvalue*t40 - t159;
+        const lane t162 = eigenvalue*t37;
+        const lane t163 = eigenvalue*t26;
+        const lane adjoint_forward_t104 = -t162 - t163;
+        const lane t164 = eigenvalue*forward_t65;
+        const lane adjoint_forward_t103 = adjoint_forward_t104*forward_t53 - t164*t38;
+        const lane adjoint_forward_t102 =
+            adjoint_forward_t103*l_f_3_1 + adjoint_forward_t178*k_3_1 - forward_t88*t163 - forward_t89*t162
+            + k_3_2*t26 + k_3_3*t37;
+        const lane adjoint_forward_t101 = -eigenvalue*t44 - t160;
+        const lane t165 = eigenvalue*t41;
+        const lane t166 = eigenvalue*t30;
+        const lane adjoint_forward_t100 = -t165 - t166;
+        const lane adjoint_forward_t99 = adjoint_forward_t100*forward_t53 - t164*t42;
+        const lane adjoint_forward_t98 =
+            adjoint_forward_t176*k_2_1 + adjoint_forward_t99*l_f_2_1 - forward_t76*t166 - forward_t77*t165
+            + k_2_2*t30 + k_2_3*t41;
+        const lane adjoint_forward_t97 = -eigenvalue*t48 - t161;
+        const lane t167 = eigenvalue*t45;
+        const lane t168 = eigenvalue*t34;
+        const lane adjoint_forward_t96 = -t167 - t168;
+        const lane adjoint_forward_t95 = adjoint_forward_t96*forward_t53 - t164*t46;
         const lane adjoint_forward_t94 =
-            adjoint_forward_t173*k_1_1 + adjoint_forward_t95*l_f_1_1 - forward_t54*t162 - forward_t55*t161
-            + k_1_2*t34 + k_1_3*t33;
-        const lane adjoint_forward_t93 = -eigenvalue*t54 - eigenvalue*t55;
-        const lane adjoint_forward_t92 = -eigenvalue*t56 - eigenvalue*t57;
+            adjoint_forward_t174*k_1_1 + adjoint_forward_t95*l_f_1_1 - forward_t54*t168 - forward_t55*t167
+            + k_1_2*t34 + k_1_3*t45;
+        const lane adjoint_forward_t93 = -eigenvalue*t65 - eigenvalue*t66;
+        const lane adjoint_forward_t92 = -eigenvalue*t67 - eigenvalue*t68;
         const lane adjoint_forward_t91 = adjoint_forward_t92*l_f_3_3 + adjoint_forward_t93*l_f_3_2;
-        const lane t163 = eigenvalue*t58;
-        const lane adjoint_forward_t90 = -eigenvalue*t37 - eigenvalue*t39 - t163;
-        const lane adjoint_forward_t89 = adjoint_forward_t90 - forward_t102*t156;
-        const lane adjoint_forward_t88 = adjoint_forward_t90 - forward_t102*t157;
-        const lane t164 = D_p_z_3*t163;
-        const lane adjoint_forward_t87 = -eigenvalue*t43 - eigenvalue*t45 - eigenvalue*t47 - t164;
-        const lane t165 = eigenvalue*t40;
-        const lane t166 = shape_21*t165;
-        const lane adjoint_forward_t86 = adjoint_forward_t87 - t166;
-        const lane t167 = D_p_y_3*t163;
-        const lane adjoint_forward_t85 = -eigenvalue*t48 - eigenvalue*t49 - eigenvalue*t50 - t167;
-        const lane t168 = shape_20*t165;
-        const lane adjoint_forward_t84 = adjoint_forward_t85 - t168;
-        const lane t169 = D_p_x_3*t163;
-        const lane adjoint_forward_t83 = -eigenvalue*t51 - eigenvalue*t52 - eigenvalue*t53 - t169;
-        const lane t170 = shape_19*t165;
-        const lane adjoint_forward_t82 = adjoint_forward_t83 - t170;
-        const lane adjoint_forward_t81 = -eigenvalue*t62 - eigenvalue*t63;
-        const lane adjoint_forward_t80 = -eigenvalue*t64 - eigenvalue*t66;
+        const lane t169 = eigenvalue*t69;
+        const lane adjoint_forward_t90 = -eigenvalue*t49 - eigenvalue*t51 - t169;
+        const lane adjoint_forward_t89 = adjoint_forward_t90 - forward_t102*t162;
+        const lane adjoint_forward_t88 = adjoint_forward_t90 - forward_t102*t163;
+        const lane t170 = D_p_z_3*t169;
+        const lane adjoint_forward_t87 = -eigenvalue*t54 - eigenvalue*t56 - eigenvalue*t58 - t170;
+        const lane t171 = eigenvalue*t50;
+        const lane t172 = shape_21*t171;
+        const lane adjoint_forward_t86 = adjoint_forward_t87 - t172;
+        const lane t173 = D_p_y_3*t169;
+        const lane adjoint_forward_t85 = -eigenvalue*t59 - eigenvalue*t60 - eigenvalue*t61 - t173;
+        const lane t174 = shape_20*t171;
+        const lane adjoint_forward_t84 = adjoint_forward_t85 - t174;
+        const lane t175 = D_p_x_3*t169;
+        const lane adjoint_forward_t83 = -eigenvalue*t62 - eigenvalue*t63 - eigenvalue*t64 - t175;
+        const lane t176 = shape_19*t171;
+        const lane adjoint_forward_t82 = adjoint_forward_t83 - t176;
+        const lane adjoint_forward_t81 = -eigenvalue*t73 - eigenvalue*t74;
+        const lane adjoint_forward_t80 = -eigenvalue*t75 - eigenvalue*t76;
         const lane adjoint_forward_t79 = adjoint_forward_t80*l_f_2_3 + adjoint_forward_t81*l_f_2_2;
-        const lane t171 = eigenvalue*t86;
-        const lane adjoint_forward_t78 = -eigenvalue*t59 - eigenvalue*t61 - t171;
-        const lane adjoint_forward_t77 = adjoint_forward_t78 - forward_t98*t159;
-        const lane adjoint_forward_t76 = adjoint_forward_t78 - forward_t98*t160;
-        const lane t172 = D_p_z_2*t171;
+        const lane t177 = eigenvalue*t96;
+        const lane adjoint_forward_t78 = -eigenvalue*t70 - eigenvalue*t72 - t177;
+        const lane adjoint_forward_t77 = adjoint_forward_t78 - forward_t98*t165;
+        const lane adjoint_forward_t76 = adjoint_forward_t78 - forward_t98*t166;
+        const lane t178 = D_p_z_2*t177;
         const lane adjoint_forward_t75 =
-            -eigenvalue*t68 - eigenvalue*t70 - eigenvalue*t72 - eigenvalue*t74 - t172;
-        const lane t173 = eigenvalue*t65;
-        const lane t174 = shape_21*t173;
-        const lane adjoint_forward_t74 = adjoint_forward_t75 - t174;
-        const lane t175 = D_p_y_2*t171;
+            -eigenvalue*t78 - eigenvalue*t80 - eigenvalue*t82 - eigenvalue*t84 - t178;
+        const lane t179 = eigenvalue*t71;
+        const lane t180 = shape_21*t179;
+        const lane adjoint_forward_t74 = adjoint_forward_t75 - t180;
+        const lane t181 = D_p_y_2*t177;
         const lane adjoint_forward_t73 =
-            -eigenvalue*t76 - eigenvalue*t77 - eigenvalue*t78 - eigenvalue*t79 - t175;
-        const lane t176 = shape_20*t173;
-        const lane adjoint_forward_t72 = adjoint_forward_t73 - t176;
-        const lane t177 = D_p_x_2*t171;
+            -eigenvalue*t86 - eigenvalue*t87 - eigenvalue*t88 - eigenvalue*t89 - t181;
+        const lane t182 = shape_20*t179;
+        const lane adjoint_forward_t72 = adjoint_forward_t73 - t182;
+        const lane t183 = D_p_x_2*t177;
         const lane adjoint_forward_t71 =
-            -eigenvalue*t81 - eigenvalue*t82 - eigenvalue*t83 - eigenvalue*t84 - t177;
-        const lane t178 = shape_19*t173;
-        const lane adjoint_forward_t70 = adjoint_forward_t71 - t178;
-        const lane t180 = shape_13*t179;
-        const lane t181 = shape_19*t180;
-        const lane t182 = shape_19*t148;
-        const lane t183 = shape_19*t136;
-        const lane t184 = eigenvalue*t183;
+            -eigenvalue*t91 - eigenvalue*t92 - eigenvalue*t93 - eigenvalue*t94 - t183;
+        const lane t184 = shape_19*t179;
+        const lane adjoint_forward_t70 = adjoint_forward_t71 - t184;
         const lane t186 = shape_13*t185;
-        const lane t187 = shape_20*t186;
-        const lane t188 = shape_20*t145;
-        const lane t189 = shape_20*t133;
+        const lane t187 = shape_19*t186;
+        const lane t188 = shape_19*t157;
+        const lane t189 = shape_19*t145;
         const lane t190 = eigenvalue*t189;
         const lane t192 = shape_13*t191;
-        const lane t193 = shape_21*t192;
-        const lane t194 = shape_21*t141;
-        const lane t195 = shape_21*t129;
+        const lane t193 = shape_20*t192;
+        const lane t194 = shape_20*t154;
+        const lane t195 = shape_20*t142;
         const lane t196 = eigenvalue*t195;
-        const lane t197 = eigenvalue*t89;
-        const lane t198 = shape_19*t197;
-        const lane t199 = shape_20*t197;
-        const lane t200 = shape_21*t197;
+        const lane t198 = shape_13*t197;
+        const lane t199 = shape_21*t198;
+        const lane t200 = shape_21*t150;
+        const lane t201 = shape_21*t138;
+        const lane t202 = eigenvalue*t201;
+        const lane t203 = eigenvalue*t99;
+        const lane t204 = shape_19*t203;
+        const lane t205 = shape_20*t203;
+        const lane t206 = shape_21*t203;
         const lane adjoint_forward_t69 =
-            -D_p_x_1*t198 - D_p_x_2*t178 - D_p_x_3*t170 - D_p_y_1*t199 - D_p_y_2*t176 - D_p_y_3*t168
-            - D_p_z_1*t200 - D_p_z_2*t174 - D_p_z_3*t166 - eigenvalue*t181 - eigenvalue*t182
-            - eigenvalue*t187 - eigenvalue*t188 - eigenvalue*t193 - eigenvalue*t194 - t184 - t190 - t196;
-        const lane adjoint_forward_t68 = -eigenvalue*t91 - eigenvalue*t92;
-        const lane adjoint_forward_t67 = -eigenvalue*t93 - eigenvalue*t95;
+            -D_p_x_1*t204 - D_p_x_2*t184 - D_p_x_3*t176 - D_p_y_1*t205 - D_p_y_2*t182 - D_p_y_3*t174
+            - D_p_z_1*t206 - D_p_z_2*t180 - D_p_z_3*t172 - eigenvalue*t187 - eigenvalue*t188
+            - eigenvalue*t193 - eigenvalue*t194 - eigenvalue*t199 - eigenvalue*t200 - t190 - t196 - t202;
+        const lane adjoint_forward_t68 = -eigenvalue*t101 - eigenvalue*t102;
+        const lane adjoint_forward_t67 = -eigenvalue*t103 - eigenvalue*t104;
         const lane adjoint_forward_t66 = adjoint_forward_t67*l_f_1_3 + adjoint_forward_t68*l_f_1_2;
         const lane adjoint_forward_t65 =
             R_p_1*adjoint_forward_t66 + R_p_2*adjoint_forward_t79 + R_p_3*adjoint_forward_t91
-            - eigenvalue*forward_t103*t28 - eigenvalue*forward_t95*t36 - eigenvalue*forward_t99*t32;
-        const lane t201 = eigenvalue*t104;
-        const lane t202 = eigenvalue*t67;
-        const lane adjoint_forward_t64 = -D_p_z_1*t201 - D_p_z_2*t202 + adjoint_forward_t87 - t164;
-        const lane adjoint_forward_t63 = -D_p_y_1*t201 - D_p_y_2*t202 + adjoint_forward_t85 - t167;
-        const lane adjoint_forward_t62 = -D_p_x_1*t201 - D_p_x_2*t202 + adjoint_forward_t83 - t169;
+            - eigenvalue*forward_t103*t38 - eigenvalue*forward_t95*t46 - eigenvalue*forward_t99*t42;
+        const lane t207 = eigenvalue*t113;
+        const lane t208 = eigenvalue*t77;
+        const lane adjoint_forward_t64 = -D_p_z_1*t207 - D_p_z_2*t208 + adjoint_forward_t87 - t170;
+        const lane adjoint_forward_t63 = -D_p_y_1*t207 - D_p_y_2*t208 + adjoint_forward_t85 - t173;
+        const lane adjoint_forward_t62 = -D_p_x_1*t207 - D_p_x_2*t208 + adjoint_forward_t83 - t175;
         const lane adjoint_forward_t61 =
             adjoint_forward_t62*n_3_x + adjoint_forward_t63*n_3_y + adjoint_forward_t64*n_3_z
             + adjoint_forward_t69;
-        const lane t203 = eigenvalue*t96;
-        const lane adjoint_forward_t60 = -D_p_z_1*t203 + adjoint_forward_t75 - t172;
-        const lane adjoint_forward_t59 = -D_p_y_1*t203 + adjoint_forward_t73 - t175;
-        const lane adjoint_forward_t58 = -D_p_x_1*t203 + adjoint_forward_t71 - t177;
+        const lane t209 = eigenvalue*t105;
+        const lane adjoint_forward_t60 = -D_p_z_1*t209 + adjoint_forward_t75 - t178;
+        const lane adjoint_forward_t59 = -D_p_y_1*t209 + adjoint_forward_t73 - t181;
+        const lane adjoint_forward_t58 = -D_p_x_1*t209 + adjoint_forward_t71 - t183;
         const lane adjoint_forward_t57 =
             adjoint_forward_t58*n_2_x + adjoint_forward_t59*n_2_y + adjoint_forward_t60*n_2_z
             + adjoint_forward_t69;
-        const lane t204 = eigenvalue*t119;
-        const lane adjoint_forward_t56 = -eigenvalue*t88 - eigenvalue*t90 - t204;
-        const lane adjoint_forward_t55 = adjoint_forward_t56 - forward_t94*t161;
-        const lane adjoint_forward_t54 = adjoint_forward_t56 - forward_t94*t162;
+        const lane t210 = eigenvalue*t128;
+        const lane adjoint_forward_t56 = -eigenvalue*t100 - eigenvalue*t98 - t210;
+        const lane adjoint_forward_t55 = adjoint_forward_t56 - forward_t94*t167;
+        const lane adjoint_forward_t54 = adjoint_forward_t56 - forward_t94*t168;
         const lane adjoint_forward_t53 =
             adjoint_forward_t100*forward_t99 + adjoint_forward_t104*forward_t103
             + adjoint_forward_t54*l_f_1_2 + adjoint_forward_t55*l_f_1_3 + adjoint_forward_t76*l_f_2_2
             + adjoint_forward_t77*l_f_2_3 + adjoint_forward_t88*l_f_3_2 + adjoint_forward_t89*l_f_3_3
             + adjoint_forward_t96*forward_t95;
-        const lane t205 = D_p_z_1*t204;
+        const lane t211 = D_p_z_1*t210;
         const lane adjoint_forward_t52 =
-            -eigenvalue*t101 - eigenvalue*t103 - eigenvalue*t105 - eigenvalue*t97 - eigenvalue*t99 - t205;
-        const lane adjoint_forward_t51 = adjoint_forward_t52 - t200;
-        const lane adjoint_forward_t50 = adjoint_forward_t52 - t205;
-        const lane t206 = D_p_y_1*t204;
+            -eigenvalue*t106 - eigenvalue*t108 - eigenvalue*t110 - eigenvalue*t112 - eigenvalue*t114 - t211;
+        const lane adjoint_forward_t51 = adjoint_forward_t52 - t206;
+        const lane adjoint_forward_t50 = adjoint_forward_t52 - t211;
+        const lane t212 = D_p_y_1*t210;
         const lane adjoint_forward_t49 =
-            -eigenvalue*t107 - eigenvalue*t108 - eigenvalue*t109 - eigenvalue*t110 - eigenvalue*t111 - t206;
-        const lane adjoint_forward_t48 = adjoint_forward_t49 - t199;
-        const lane adjoint_forward_t47 = adjoint_forward_t49 - t206;
-        const lane t207 = D_p_x_1*t204;
+            -eigenvalue*t116 - eigenvalue*t117 - eigenvalue*t118 - eigenvalue*t119 - eigenvalue*t120 - t212;
+        const lane adjoint_forward_t48 = adjoint_forward_t49 - t205;
+        const lane adjoint_forward_t47 = adjoint_forward_t49 - t212;
+        const lane t213 = D_p_x_1*t210;
         const lane adjoint_forward_t46 =
-            -eigenvalue*t113 - eigenvalue*t114 - eigenvalue*t115 - eigenvalue*t116 - eigenvalue*t117 - t207;
-        const lane adjoint_forward_t45 = adjoint_forward_t46 - t198;
-        const lane t209 = t149*t208;
-        const lane t211 = t137*t210;
-        const lane t213 = t123*t212;
+            -eigenvalue*t122 - eigenvalue*t123 - eigenvalue*t124 - eigenvalue*t125 - eigenvalue*t126 - t213;
+        const lane adjoint_forward_t45 = adjoint_forward_t46 - t204;
+        const lane t215 = t158*t214;
+        const lane t217 = t146*t216;
+        const lane t219 = t132*t218;
         const lane adjoint_forward_t44 =
             D_delta_x_1*adjoint_forward_t112 + D_delta_x_2*adjoint_forward_t118
             + D_delta_y_1*adjoint_forward_t113 + D_delta_y_2*adjoint_forward_t119
@@ -2516,40 +2543,40 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + D_p_x_1*adjoint_forward_t45 + D_p_x_2*adjoint_forward_t70 + D_p_x_3*adjoint_forward_t82
             + D_p_y_1*adjoint_forward_t48 + D_p_y_2*adjoint_forward_t72 + D_p_y_3*adjoint_forward_t84
             + D_p_z_1*adjoint_forward_t51 + D_p_z_2*adjoint_forward_t74 + D_p_z_3*adjoint_forward_t86
-            - eigenvalue*t209 - eigenvalue*t211 - eigenvalue*t213 - t184 - t190 - t196;
-        const lane adjoint_forward_t43 = adjoint_forward_t44 - t163;
-        const lane adjoint_forward_t42 = adjoint_forward_t44 - t171;
-        const lane adjoint_forward_t41 = adjoint_forward_t46 - t207;
+            - eigenvalue*t215 - eigenvalue*t217 - eigenvalue*t219 - t190 - t196 - t202;
+        const lane adjoint_forward_t43 = adjoint_forward_t44 - t169;
+        const lane adjoint_forward_t42 = adjoint_forward_t44 - t177;
+        const lane adjoint_forward_t41 = adjoint_forward_t46 - t213;
         const lane adjoint_forward_t40 =
             adjoint_forward_t41*n_1_x + adjoint_forward_t47*n_1_y + adjoint_forward_t50*n_1_z
             + adjoint_forward_t69;
-        const lane adjoint_forward_t39 = adjoint_forward_t44 - t204;
-        const lane t215 = t24*(-forward_t176 - forward_t177 - forward_t178);
-        const lane t216 = shape_15*t23;
-        const lane t217 = t216*(-forward_t179 - forward_t180 - forward_t181);
-        const lane t218 = shape_15*t19;
-        const lane t219 = t218*(-forward_t182 - forward_t183 - forward_t184);
-        const lane t220 = -t119*t214 - t149*t208 + t215 + t217 + t219;
-        const lane t222 = -t137*t210 - t221*t86;
+        const lane adjoint_forward_t39 = adjoint_forward_t44 - t210;
+        const lane t221 = t24*(-forward_t182 - forward_t183 - forward_t184);
+        const lane t222 = shape_15*t23;
+        const lane t223 = t222*(-forward_t185 - forward_t186 - forward_t187);
+        const lane t224 = shape_15*t19;
+        const lane t225 = t224*(-forward_t188 - forward_t189 - forward_t190);
+        const lane t226 = -t128*t220 - t158*t214 + t221 + t223 + t225;
+        const lane t228 = -t146*t216 - t227*t96;
         const lane adjoint_mu_3 =
             D_p_x_1*adjoint_forward_t128 + D_p_x_2*adjoint_forward_t144 + D_p_y_1*adjoint_forward_t131
             + D_p_y_2*adjoint_forward_t147 + D_p_z_1*adjoint_forward_t134 + D_p_z_2*adjoint_forward_t150
             + U_3_x_3*adjoint_forward_t161 + U_3_y_3*adjoint_forward_t163 + U_3_z_3*adjoint_forward_t165
-            + t123*(1.0 - t212) + t220 + t222 + t58*(-(U_3_x_3*U_3_x_3) - (U_3_y_3*U_3_y_3)
+            + t132*(1.0 - t218) + t226 + t228 + t69*(-(U_3_x_3*U_3_x_3) - (U_3_y_3*U_3_y_3)
             - (U_3_z_3*U_3_z_3));
-        const lane t224 =
-            -t123*t212 - t223*t58 + t42*(-forward_t169 - forward_t170 - forward_t171) + t44*(-forward_t160
-            - forward_t162 - forward_t164) + t46*(-forward_t166 - forward_t167 - forward_t168);
+        const lane t230 =
+            -t132*t218 - t229*t69 + t53*(-forward_t160 - forward_t162 - forward_t164) + t55*(-forward_t166
+            - forward_t167 - forward_t168) + t57*(-forward_t169 - forward_t170 - forward_t171);
         const lane adjoint_mu_2 =
             D_p_x_1*adjoint_forward_t129 + D_p_y_1*adjoint_forward_t132 + D_p_z_1*adjoint_forward_t135
             + U_2_x_2*adjoint_forward_t145 + U_2_y_2*adjoint_forward_t148 + U_2_z_2*adjoint_forward_t151
-            + t137*(1.0 - t210) + t220 + t224 + t86*(-(U_2_x_2*U_2_x_2) - (U_2_y_2*U_2_y_2)
+            + t146*(1.0 - t216) + t226 + t230 + t96*(-(U_2_x_2*U_2_x_2) - (U_2_y_2*U_2_y_2)
             - (U_2_z_2*U_2_z_2));
         const lane adjoint_mu_1 =
             D_p_x_2*adjoint_forward_t145 + D_p_y_2*adjoint_forward_t148 + D_p_z_2*adjoint_forward_t151
             + U_1_x_1*adjoint_forward_t130 + U_1_y_1*adjoint_forward_t133 + U_1_z_1*adjoint_forward_t136
-            + t119*(-(U_1_x_1*U_1_x_1) - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1)) + t149*(1.0 - t208) + t215
-            + t217 + t219 + t222 + t224;
+            + t128*(-(U_1_x_1*U_1_x_1) - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1)) + t158*(1.0 - t214) + t221
+            + t223 + t225 + t228 + t230;
         const lane adjoint_forward_t38 =
             -adjoint_mu_1*forward_t8 - adjoint_mu_2*forward_t9 - adjoint_mu_3*forward_t10;
         const lane adjoint_forward_t37 =
@@ -2559,64 +2586,64 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_forward_t35 =
             adjoint_forward_t36*g_x + adjoint_forward_t37*g_y + adjoint_forward_t38*g_z;
         const lane adjoint_forward_t34 = adjoint_forward_t124 + adjoint_forward_t35 + adjoint_forward_t44;
-        const lane t225 = n_3_x*t170 + n_3_y*t168 + n_3_z*t166;
-        const lane adjoint_forward_t33 = adjoint_forward_t35 - t225;
-        const lane t226 = n_2_x*t178 + n_2_y*t176 + n_2_z*t174;
-        const lane adjoint_forward_t32 = adjoint_forward_t35 - t226;
-        const lane t227 = n_1_x*t198 + n_1_y*t199 + n_1_z*t200;
-        const lane adjoint_forward_t31 = adjoint_forward_t35 - t227;
-        const lane t228 = adjoint_forward_t172 + t58;
-        const lane adjoint_k_3_3 = -R_p_3*adjoint_forward_t158 + forward_t102*t25 + t228;
+        const lane t231 = n_3_x*t176 + n_3_y*t174 + n_3_z*t172;
+        const lane adjoint_forward_t33 = adjoint_forward_t35 - t231;
+        const lane t232 = n_2_x*t184 + n_2_y*t182 + n_2_z*t180;
+        const lane adjoint_forward_t32 = adjoint_forward_t35 - t232;
+        const lane t233 = n_1_x*t204 + n_1_y*t205 + n_1_z*t206;
+        const lane adjoint_forward_t31 = adjoint_forward_t35 - t233;
+        const lane t234 = adjoint_forward_t172 + t69;
+        const lane adjoint_k_3_3 = -R_p_3*adjoint_forward_t158 + forward_t102*t37 + t234;
         const lane adjoint_forward_12 = adjoint_k_3_3*forward_t29;
-        const lane t229 = adjoint_forward_12/(t15*t15);
-        const lane adjoint_l_f_3_3 = adjoint_forward_t89*forward_t53 + adjoint_forward_t92*forward_t91 - t229;
-        const lane adjoint_k_3_2 = -R_p_3*adjoint_forward_t159 + forward_t102*t26 + t228;
+        const lane t235 = adjoint_forward_12/(t15*t15);
+        const lane adjoint_l_f_3_3 = adjoint_forward_t89*forward_t53 + adjoint_forward_t92*forward_t91 - t235;
+        const lane adjoint_k_3_2 = -R_p_3*adjoint_forward_t159 + forward_t102*t26 + t234;
         const lane adjoint_forward_11 = adjoint_k_3_2*forward_t29;
-        const lane t230 = adjoint_forward_11/(t14*t14);
-        const lane adjoint_l_f_3_2 = adjoint_forward_t88*forward_t53 + adjoint_forward_t93*forward_t91 - t230;
+        const lane t236 = adjoint_forward_11/(t14*t14);
+        const lane adjoint_l_f_3_2 = adjoint_forward_t88*forward_t53 + adjoint_forward_t93*forward_t91 - t236;
         const lane adjoint_forward_t30 = -adjoint_l_f_3_2 - adjoint_l_f_3_3;
-        const lane adjoint_k_3_1 = adjoint_forward_t175*forward_t102;
+        const lane adjoint_k_3_1 = adjoint_forward_t178*forward_t102;
         const lane adjoint_forward_10 = adjoint_k_3_1*forward_t29;
         const lane adjoint_forward_t29 =
             adjoint_k_3_1*forward_10 + adjoint_k_3_2*forward_11 + adjoint_k_3_3*forward_12;
-        const lane t231 = adjoint_forward_10/(t13*t13);
-        const lane adjoint_forward_t28 = -t229 - t230 - t231;
+        const lane t237 = adjoint_forward_10/(t13*t13);
+        const lane adjoint_forward_t28 = -t235 - t236 - t237;
         const lane adjoint_forward_t27 = adjoint_forward_t28*forward_t18 + adjoint_forward_t29*forward_t17;
-        const lane adjoint_l_f_3_1 = adjoint_forward_t103*forward_t102 - t231;
-        const lane t232 = adjoint_forward_t154 + t86;
-        const lane adjoint_k_2_3 = -R_p_2*adjoint_forward_t152 + forward_t98*t29 + t232;
+        const lane adjoint_l_f_3_1 = adjoint_forward_t103*forward_t102 - t237;
+        const lane t238 = adjoint_forward_t154 + t96;
+        const lane adjoint_k_2_3 = -R_p_2*adjoint_forward_t152 + forward_t98*t41 + t238;
         const lane adjoint_forward_9 = adjoint_k_2_3*forward_t25;
-        const lane t233 = adjoint_forward_9/(t10*t10);
-        const lane adjoint_l_f_2_3 = adjoint_forward_t77*forward_t53 + adjoint_forward_t80*forward_t79 - t233;
-        const lane adjoint_k_2_2 = -R_p_2*adjoint_forward_t153 + forward_t98*t30 + t232;
+        const lane t239 = adjoint_forward_9/(t10*t10);
+        const lane adjoint_l_f_2_3 = adjoint_forward_t77*forward_t53 + adjoint_forward_t80*forward_t79 - t239;
+        const lane adjoint_k_2_2 = -R_p_2*adjoint_forward_t153 + forward_t98*t30 + t238;
         const lane adjoint_forward_8 = adjoint_k_2_2*forward_t25;
-        const lane t234 = adjoint_forward_8/(t9*t9);
-        const lane adjoint_l_f_2_2 = adjoint_forward_t76*forward_t53 + adjoint_forward_t81*forward_t79 - t234;
+        const lane t240 = adjoint_forward_8/(t9*t9);
+        const lane adjoint_l_f_2_2 = adjoint_forward_t76*forward_t53 + adjoint_forward_t81*forward_t79 - t240;
         const lane adjoint_forward_t26 = -adjoint_l_f_2_2 - adjoint_l_f_2_3;
-        const lane adjoint_k_2_1 = adjoint_forward_t174*forward_t98;
+        const lane adjoint_k_2_1 = adjoint_forward_t176*forward_t98;
         const lane adjoint_forward_7 = adjoint_k_2_1*forward_t25;
         const lane adjoint_forward_t25 =
             adjoint_k_2_1*forward_7 + adjoint_k_2_2*forward_8 + adjoint_k_2_3*forward_9;
-        const lane t235 = adjoint_forward_7/(t8*t8);
-        const lane adjoint_forward_t24 = -t233 - t234 - t235;
+        const lane t241 = adjoint_forward_7/(t8*t8);
+        const lane adjoint_forward_t24 = -t239 - t240 - t241;
         const lane adjoint_forward_t23 = adjoint_forward_t24*forward_t18 + adjoint_forward_t25*forward_t17;
-        const lane adjoint_l_f_2_1 = adjoint_forward_t99*forward_t98 - t235;
-        const lane t236 = adjoint_forward_t139 + t119;
-        const lane adjoint_k_1_3 = -R_p_1*adjoint_forward_t137 + forward_t94*t33 + t236;
+        const lane adjoint_l_f_2_1 = adjoint_forward_t99*forward_t98 - t241;
+        const lane t242 = adjoint_forward_t139 + t128;
+        const lane adjoint_k_1_3 = -R_p_1*adjoint_forward_t137 + forward_t94*t45 + t242;
         const lane adjoint_forward_6 = adjoint_k_1_3*forward_t21;
-        const lane t237 = adjoint_forward_6/(t5*t5);
-        const lane adjoint_l_f_1_3 = adjoint_forward_t55*forward_t53 + adjoint_forward_t67*forward_t66 - t237;
-        const lane adjoint_k_1_2 = -R_p_1*adjoint_forward_t138 + forward_t94*t34 + t236;
+        const lane t243 = adjoint_forward_6/(t5*t5);
+        const lane adjoint_l_f_1_3 = adjoint_forward_t55*forward_t53 + adjoint_forward_t67*forward_t66 - t243;
+        const lane adjoint_k_1_2 = -R_p_1*adjoint_forward_t138 + forward_t94*t34 + t242;
         const lane adjoint_forward_5 = adjoint_k_1_2*forward_t21;
-        const lane t238 = adjoint_forward_5/(t4*t4);
-        const lane adjoint_l_f_1_2 = adjoint_forward_t54*forward_t53 + adjoint_forward_t68*forward_t66 - t238;
+        const lane t244 = adjoint_forward_5/(t4*t4);
+        const lane adjoint_l_f_1_2 = adjoint_forward_t54*forward_t53 + adjoint_forward_t68*forward_t66 - t244;
         const lane adjoint_forward_t22 = -adjoint_l_f_1_2 - adjoint_l_f_1_3;
-        const lane adjoint_k_1_1 = adjoint_forward_t173*forward_t94;
+        const lane adjoint_k_1_1 = adjoint_forward_t174*forward_t94;
         const lane adjoint_forward_4 = adjoint_k_1_1*forward_t21;
         const lane adjoint_forward_t21 =
             adjoint_k_1_1*forward_4 + adjoint_k_1_2*forward_5 + adjoint_k_1_3*forward_6;
-        const lane t239 = adjoint_forward_4/(t3*t3);
-        const lane adjoint_forward_t20 = -t237 - t238 - t239;
+        const lane t245 = adjoint_forward_4/(t3*t3);
+        const lane adjoint_forward_t20 = -t243 - t244 - t245;
         const lane adjoint_forward_t19 = adjoint_forward_t20*forward_t18 + adjoint_forward_t21*forward_t17;
         const lane adjoint_forward_t18 =
             adjoint_forward_t20*forward_t19 + adjoint_forward_t24*forward_t23
@@ -2624,158 +2651,158 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_forward_t17 =
             adjoint_forward_t18*c_E + adjoint_forward_t21*forward_t19 + adjoint_forward_t25*forward_t23
             + adjoint_forward_t29*forward_t27;
-        const lane adjoint_l_f_1_1 = adjoint_forward_t95*forward_t94 - t239;
-        const lane adjoint_I_3_2 = -t157;
-        const lane adjoint_I_3_1 = -t156;
+        const lane adjoint_l_f_1_1 = adjoint_forward_t95*forward_t94 - t245;
+        const lane adjoint_I_3_2 = -t163;
+        const lane adjoint_I_3_1 = -t162;
         const lane adjoint_forward_t16 = adjoint_I_3_1*d_3_1 + adjoint_I_3_2*d_3_2;
         const lane adjoint_forward_t15 =
             adjoint_forward_t105*d_3_1 + adjoint_forward_t108*d_3_2 + adjoint_forward_t16;
-        const lane adjoint_I_2_2 = -t160;
-        const lane adjoint_I_2_1 = -t159;
+        const lane adjoint_I_2_2 = -t166;
+        const lane adjoint_I_2_1 = -t165;
         const lane adjoint_forward_t14 = adjoint_I_2_1*d_2_1 + adjoint_I_2_2*d_2_2;
         const lane adjoint_forward_t13 =
             adjoint_forward_t101*d_2_1 + adjoint_forward_t107*d_2_2 + adjoint_forward_t14;
-        const lane adjoint_I_1_2 = -t162;
-        const lane adjoint_I_1_1 = -t161;
+        const lane adjoint_I_1_2 = -t168;
+        const lane adjoint_I_1_1 = -t167;
         const lane adjoint_forward_t12 = adjoint_I_1_1*d_1_1 + adjoint_I_1_2*d_1_2;
         const lane adjoint_forward_t11 =
             adjoint_forward_t106*d_1_2 + adjoint_forward_t12 + adjoint_forward_t97*d_1_1;
-        const lane t240 = 2.0*t58;
+        const lane t246 = 2.0*t69;
         const lane adjoint_U_3_z_3 =
-            adjoint_forward_t165*mu_3 - forward_t134*t104 - forward_t150*t67 - forward_t165*t240;
+            adjoint_forward_t165*mu_3 - forward_t134*t113 - forward_t150*t77 - forward_t165*t246;
         const lane adjoint_U_3_y_3 =
-            adjoint_forward_t163*mu_3 - forward_t131*t104 - forward_t147*t67 - forward_t163*t240;
+            adjoint_forward_t163*mu_3 - forward_t131*t113 - forward_t147*t77 - forward_t163*t246;
         const lane adjoint_U_3_x_3 =
-            adjoint_forward_t161*mu_3 - forward_t128*t104 - forward_t144*t67 - forward_t161*t240;
-        const lane t241 = 2.0*t86;
-        const lane adjoint_U_2_z_2 = adjoint_forward_t151*mu_2 - forward_t135*t96 - forward_t151*t241;
-        const lane adjoint_U_2_y_2 = adjoint_forward_t148*mu_2 - forward_t132*t96 - forward_t148*t241;
-        const lane adjoint_U_2_x_2 = adjoint_forward_t145*mu_2 - forward_t129*t96 - forward_t145*t241;
-        const lane t242 = 2.0*t119;
-        const lane adjoint_U_1_z_1 = adjoint_forward_t136*mu_1 - forward_t136*t242;
-        const lane adjoint_U_1_y_1 = adjoint_forward_t133*mu_1 - forward_t133*t242;
-        const lane adjoint_U_1_x_1 = adjoint_forward_t130*mu_1 - forward_t130*t242;
-        const lane t243 = k_C*shape_21;
-        const lane t244 = 2.0*shape_15;
-        const lane t245 = k_C*shape_15;
-        const lane t246 = shape_15*t138;
-        const lane t247 = shape_15*t126;
-        const lane t248 = eigenvalue*forward_t52;
-        const lane t249 = eigenvalue*forward_t75;
-        const lane t250 = eigenvalue*forward_t87;
-        const lane t251 = eigenvalue*t244*(forward_t44 + forward_t69);
+            adjoint_forward_t161*mu_3 - forward_t128*t113 - forward_t144*t77 - forward_t161*t246;
+        const lane t247 = 2.0*t96;
+        const lane adjoint_U_2_z_2 = adjoint_forward_t151*mu_2 - forward_t135*t105 - forward_t151*t247;
+        const lane adjoint_U_2_y_2 = adjoint_forward_t148*mu_2 - forward_t132*t105 - forward_t148*t247;
+        const lane adjoint_U_2_x_2 = adjoint_forward_t145*mu_2 - forward_t129*t105 - forward_t145*t247;
+        const lane t248 = 2.0*t128;
+        const lane adjoint_U_1_z_1 = adjoint_forward_t136*mu_1 - forward_t136*t248;
+        const lane adjoint_U_1_y_1 = adjoint_forward_t133*mu_1 - forward_t133*t248;
+        const lane adjoint_U_1_x_1 = adjoint_forward_t130*mu_1 - forward_t130*t248;
+        const lane t249 = k_C*shape_21;
+        const lane t250 = 2.0*shape_15;
+        const lane t251 = k_C*shape_15;
+        const lane t252 = shape_15*t147;
+        const lane t253 = shape_15*t135;
+        const lane t254 = eigenvalue*forward_t52;
+        const lane t255 = eigenvalue*forward_t75;
+        const lane t256 = eigenvalue*forward_t87;
+        const lane t257 = eigenvalue*t250*(forward_t44 + forward_t69);
         const lane adjoint_D_delta_z_3 =
-            D_delta_z_1*adjoint_forward_t181 + D_delta_z_2*adjoint_forward_t184
-            + D_p_z_3*adjoint_forward_t171 + adjoint_forward_t123*t128 - forward_t114*t246
-            - forward_t120*t247 - shape_21*t251 - t102*t248 + t102*t256 + t141*t245 + t192*t245 + t243*t244
-            - t249*t73 - t250*t42 + t253*t42 + t258*t73;
-        const lane t259 = k_C*shape_14;
-        const lane t260 = eigenvalue*t24;
+            D_delta_z_1*adjoint_forward_t187 + D_delta_z_2*adjoint_forward_t190
+            + D_p_z_3*adjoint_forward_t171 + adjoint_forward_t123*t137 - forward_t114*t252
+            - forward_t120*t253 - shape_21*t257 - t111*t254 + t111*t262 + t150*t251 + t198*t251 + t249*t250
+            - t255*t83 - t256*t57 + t259*t57 + t264*t83;
+        const lane t265 = k_C*shape_14;
+        const lane t266 = eigenvalue*t24;
         const lane adjoint_D_delta_z_2 =
-            D_delta_z_1*adjoint_forward_t178 + D_delta_z_3*adjoint_forward_t184
-            + D_p_z_3*adjoint_forward_t168 + adjoint_forward_t117*t140 + adjoint_forward_t120*forward_t44
-            - forward_t114*t260 - forward_t69*t127 - t100*t248 + t100*t256 + t129*t259 + t19*t243 + t192*t259
-            - t249*t71 - t250*t46 + t253*t46 + t258*t71;
-        const lane t261 = k_C*shape_13;
+            D_delta_z_1*adjoint_forward_t184 + D_delta_z_3*adjoint_forward_t190
+            + D_p_z_3*adjoint_forward_t168 + adjoint_forward_t117*t149 + adjoint_forward_t120*forward_t44
+            - forward_t114*t266 - forward_t69*t136 - t109*t254 + t109*t262 + t138*t265 + t19*t249 + t198*t265
+            - t255*t81 - t256*t55 + t259*t55 + t264*t81;
+        const lane t267 = k_C*shape_13;
         const lane adjoint_D_delta_z_1 =
-            D_delta_z_2*adjoint_forward_t178 + D_delta_z_3*adjoint_forward_t181
-            + D_p_z_3*adjoint_forward_t164 + adjoint_forward_t111*t191 + adjoint_forward_t114*forward_t44
-            - forward_t69*t139 + t129*t261 + t141*t261 + t23*t243 - t248*t98 - t249*t69 - t250*t44 + t253*t44
-            + t256*t98 + t258*t69;
+            D_delta_z_2*adjoint_forward_t184 + D_delta_z_3*adjoint_forward_t187
+            + D_p_z_3*adjoint_forward_t164 + adjoint_forward_t111*t197 + adjoint_forward_t114*forward_t44
+            - forward_t69*t148 - t107*t254 + t107*t262 + t138*t267 + t150*t267 + t23*t249 - t255*t79
+            - t256*t53 + t259*t53 + t264*t79;
         const lane adjoint_D_p_z_3 =
             D_delta_z_1*adjoint_forward_t164 + D_delta_z_2*adjoint_forward_t168
             + D_delta_z_3*adjoint_forward_t171 + 2.0*D_p_z_3*adjoint_forward_t157 + adjoint_U_3_z_3
-            + adjoint_forward_t86*forward_t44 - forward_t52*t201 - forward_t69*t166 - forward_t75*t202
-            + k_C*t43 + k_C*t45 + k_C*t47 - t104*t255 - t163*(forward_t64 + forward_t87) + t243*t40
-            - t257*t67;
+            + adjoint_forward_t86*forward_t44 - forward_t52*t207 - forward_t69*t172 - forward_t75*t208
+            + k_C*t54 + k_C*t56 + k_C*t58 - t113*t261 - t169*(forward_t64 + forward_t87) + t249*t50
+            - t263*t77;
         const lane adjoint_forward_t10 = D_r_3*adjoint_D_p_z_3 + adjoint_D_delta_z_3*l_d_3;
         const lane adjoint_D_p_z_2 =
             2.0*D_p_z_2*adjoint_forward_t142 + adjoint_U_2_z_2 + adjoint_forward_t150*mu_3
-            + adjoint_forward_t151*mu_1 + adjoint_forward_t74*forward_t44 - forward_t52*t203
-            - forward_t64*t202 - forward_t69*t174 + k_C*t70 + k_C*t72 + k_C*t74 - t171*(forward_t60
-            + forward_t75) + t243*t65 + t252*t67 + t96*(-forward_t134 - t254);
+            + adjoint_forward_t151*mu_1 + adjoint_forward_t74*forward_t44 - forward_t52*t209
+            - forward_t64*t208 - forward_t69*t180 + k_C*t80 + k_C*t82 + k_C*t84 + t105*(-forward_t134 - t260)
+            - t177*(forward_t60 + forward_t75) + t249*t71 + t258*t77;
         const lane adjoint_forward_t9 = D_r_2*adjoint_D_p_z_2 + adjoint_D_delta_z_2*l_d_2;
         const lane adjoint_D_p_z_1 =
-            2.0*D_p_z_1*adjoint_forward_t127 + D_p_z_2*k_C*t96 + adjoint_U_1_z_1 + adjoint_forward_t134*mu_3
-            + adjoint_forward_t135*mu_2 + adjoint_forward_t51*forward_t44 - forward_t60*t203
-            - forward_t64*t201 - forward_t69*t200 + k_C*t101 + k_C*t103 + k_C*t99 + t104*t252
-            - t204*(forward_t50 + forward_t52) + t243*t89;
+            2.0*D_p_z_1*adjoint_forward_t127 + D_p_z_2*k_C*t105 + adjoint_U_1_z_1 + adjoint_forward_t134*mu_3
+            + adjoint_forward_t135*mu_2 + adjoint_forward_t51*forward_t44 - forward_t60*t209
+            - forward_t64*t207 - forward_t69*t206 + k_C*t108 + k_C*t110 + k_C*t112 + t113*t258
+            - t210*(forward_t50 + forward_t52) + t249*t99;
         const lane adjoint_forward_t8 = D_r_1*adjoint_D_p_z_1 + adjoint_D_delta_z_1*l_d_1;
-        const lane t262 = k_C*shape_20;
-        const lane t263 = eigenvalue*forward_t49;
-        const lane t264 = eigenvalue*forward_t73;
-        const lane t265 = eigenvalue*forward_t85;
+        const lane t268 = k_C*shape_20;
+        const lane t269 = eigenvalue*forward_t49;
+        const lane t270 = eigenvalue*forward_t73;
+        const lane t271 = eigenvalue*forward_t85;
         const lane adjoint_D_delta_y_3 =
-            D_delta_y_1*adjoint_forward_t181 + D_delta_y_2*adjoint_forward_t184
-            + D_p_y_3*adjoint_forward_t171 + adjoint_forward_t123*t132 - forward_t113*t246
-            - forward_t119*t247 - shape_20*t251 - t102*t263 + t102*t270 + t145*t245 + t186*t245 + t244*t262
-            - t264*t73 - t265*t42 + t267*t42 + t272*t73;
+            D_delta_y_1*adjoint_forward_t187 + D_delta_y_2*adjoint_forward_t190
+            + D_p_y_3*adjoint_forward_t171 + adjoint_forward_t123*t141 - forward_t113*t252
+            - forward_t119*t253 - shape_20*t257 - t111*t269 + t111*t276 + t154*t251 + t192*t251 + t250*t268
+            - t270*t83 - t271*t57 + t273*t57 + t278*t83;
         const lane adjoint_D_delta_y_2 =
-            D_delta_y_1*adjoint_forward_t178 + D_delta_y_3*adjoint_forward_t184
-            + D_p_y_3*adjoint_forward_t168 + adjoint_forward_t117*t144 + adjoint_forward_t119*forward_t44
-            - forward_t113*t260 - forward_t69*t131 - t100*t263 + t100*t270 + t133*t259 + t186*t259 + t19*t262
-            - t264*t71 - t265*t46 + t267*t46 + t272*t71;
+            D_delta_y_1*adjoint_forward_t184 + D_delta_y_3*adjoint_forward_t190
+            + D_p_y_3*adjoint_forward_t168 + adjoint_forward_t117*t153 + adjoint_forward_t119*forward_t44
+            - forward_t113*t266 - forward_t69*t140 - t109*t269 + t109*t276 + t142*t265 + t19*t268 + t192*t265
+            - t270*t81 - t271*t55 + t273*t55 + t278*t81;
         const lane adjoint_D_delta_y_1 =
-            D_delta_y_2*adjoint_forward_t178 + D_delta_y_3*adjoint_forward_t181
-            + D_p_y_3*adjoint_forward_t164 + adjoint_forward_t111*t185 + adjoint_forward_t113*forward_t44
-            - forward_t69*t143 + t133*t261 + t145*t261 + t23*t262 - t263*t98 - t264*t69 - t265*t44 + t267*t44
-            + t270*t98 + t272*t69;
+            D_delta_y_2*adjoint_forward_t184 + D_delta_y_3*adjoint_forward_t187
+            + D_p_y_3*adjoint_forward_t164 + adjoint_forward_t111*t191 + adjoint_forward_t113*forward_t44
+            - forward_t69*t152 - t107*t269 + t107*t276 + t142*t267 + t154*t267 + t23*t268 - t270*t79
+            - t271*t53 + t273*t53 + t278*t79;
         const lane adjoint_D_p_y_3 =
             D_delta_y_1*adjoint_forward_t164 + D_delta_y_2*adjoint_forward_t168
             + D_delta_y_3*adjoint_forward_t171 + 2.0*D_p_y_3*adjoint_forward_t157 + adjoint_U_3_y_3
-            + adjoint_forward_t84*forward_t44 - forward_t49*t201 - forward_t69*t168 - forward_t73*t202
-            + k_C*t48 + k_C*t49 + k_C*t50 - t104*t269 - t163*(forward_t63 + forward_t85) + t262*t40
-            - t271*t67;
+            + adjoint_forward_t84*forward_t44 - forward_t49*t207 - forward_t69*t174 - forward_t73*t208
+            + k_C*t59 + k_C*t60 + k_C*t61 - t113*t275 - t169*(forward_t63 + forward_t85) + t268*t50
+            - t277*t77;
         const lane adjoint_forward_t7 = D_r_3*adjoint_D_p_y_3 + adjoint_D_delta_y_3*l_d_3;
         const lane adjoint_D_p_y_2 =
             2.0*D_p_y_2*adjoint_forward_t142 + adjoint_U_2_y_2 + adjoint_forward_t147*mu_3
-            + adjoint_forward_t148*mu_1 + adjoint_forward_t72*forward_t44 - forward_t49*t203
-            - forward_t63*t202 - forward_t69*t176 + k_C*t77 + k_C*t78 + k_C*t79 - t171*(forward_t59
-            + forward_t73) + t262*t65 + t266*t67 + t96*(-forward_t131 - t268);
+            + adjoint_forward_t148*mu_1 + adjoint_forward_t72*forward_t44 - forward_t49*t209
+            - forward_t63*t208 - forward_t69*t182 + k_C*t87 + k_C*t88 + k_C*t89 + t105*(-forward_t131 - t274)
+            - t177*(forward_t59 + forward_t73) + t268*t71 + t272*t77;
         const lane adjoint_forward_t6 = D_r_2*adjoint_D_p_y_2 + adjoint_D_delta_y_2*l_d_2;
         const lane adjoint_D_p_y_1 =
-            2.0*D_p_y_1*adjoint_forward_t127 + D_p_y_2*k_C*t96 + adjoint_U_1_y_1 + adjoint_forward_t131*mu_3
-            + adjoint_forward_t132*mu_2 + adjoint_forward_t48*forward_t44 - forward_t59*t203
-            - forward_t63*t201 - forward_t69*t199 + k_C*t108 + k_C*t109 + k_C*t110 + t104*t266
-            - t204*(forward_t47 + forward_t49) + t262*t89;
+            2.0*D_p_y_1*adjoint_forward_t127 + D_p_y_2*k_C*t105 + adjoint_U_1_y_1 + adjoint_forward_t131*mu_3
+            + adjoint_forward_t132*mu_2 + adjoint_forward_t48*forward_t44 - forward_t59*t209
+            - forward_t63*t207 - forward_t69*t205 + k_C*t117 + k_C*t118 + k_C*t119 + t113*t272
+            - t210*(forward_t47 + forward_t49) + t268*t99;
         const lane adjoint_forward_t5 = D_r_1*adjoint_D_p_y_1 + adjoint_D_delta_y_1*l_d_1;
-        const lane t273 = k_C*shape_19;
-        const lane t274 = eigenvalue*forward_t46;
-        const lane t275 = eigenvalue*forward_t71;
-        const lane t276 = eigenvalue*forward_t83;
+        const lane t279 = k_C*shape_19;
+        const lane t280 = eigenvalue*forward_t46;
+        const lane t281 = eigenvalue*forward_t71;
+        const lane t282 = eigenvalue*forward_t83;
         const lane adjoint_D_delta_x_3 =
-            D_delta_x_1*adjoint_forward_t181 + D_delta_x_2*adjoint_forward_t184
-            + D_p_x_3*adjoint_forward_t171 + adjoint_forward_t123*t135 - forward_t112*t246
-            - forward_t118*t247 - shape_19*t251 - t102*t274 + t102*t281 + t148*t245 + t180*t245 + t244*t273
-            - t275*t73 - t276*t42 + t278*t42 + t283*t73;
+            D_delta_x_1*adjoint_forward_t187 + D_delta_x_2*adjoint_forward_t190
+            + D_p_x_3*adjoint_forward_t171 + adjoint_forward_t123*t144 - forward_t112*t252
+            - forward_t118*t253 - shape_19*t257 - t111*t280 + t111*t287 + t157*t251 + t186*t251 + t250*t279
+            - t281*t83 - t282*t57 + t284*t57 + t289*t83;
         const lane adjoint_D_delta_x_2 =
-            D_delta_x_1*adjoint_forward_t178 + D_delta_x_3*adjoint_forward_t184
-            + D_p_x_3*adjoint_forward_t168 + adjoint_forward_t117*t147 + adjoint_forward_t118*forward_t44
-            - forward_t112*t260 - forward_t69*t134 - t100*t274 + t100*t281 + t136*t259 + t180*t259 + t19*t273
-            - t275*t71 - t276*t46 + t278*t46 + t283*t71;
+            D_delta_x_1*adjoint_forward_t184 + D_delta_x_3*adjoint_forward_t190
+            + D_p_x_3*adjoint_forward_t168 + adjoint_forward_t117*t156 + adjoint_forward_t118*forward_t44
+            - forward_t112*t266 - forward_t69*t143 - t109*t280 + t109*t287 + t145*t265 + t186*t265 + t19*t279
+            - t281*t81 - t282*t55 + t284*t55 + t289*t81;
         const lane adjoint_D_delta_x_1 =
-            D_delta_x_2*adjoint_forward_t178 + D_delta_x_3*adjoint_forward_t181
-            + D_p_x_3*adjoint_forward_t164 + adjoint_forward_t111*t179 + adjoint_forward_t112*forward_t44
-            - forward_t69*t146 + t136*t261 + t148*t261 + t23*t273 - t274*t98 - t275*t69 - t276*t44 + t278*t44
-            + t281*t98 + t283*t69;
+            D_delta_x_2*adjoint_forward_t184 + D_delta_x_3*adjoint_forward_t187
+            + D_p_x_3*adjoint_forward_t164 + adjoint_forward_t111*t185 + adjoint_forward_t112*forward_t44
+            - forward_t69*t155 - t107*t280 + t107*t287 + t145*t267 + t157*t267 + t23*t279 - t281*t79
+            - t282*t53 + t284*t53 + t289*t79;
         const lane adjoint_D_p_x_3 =
             D_delta_x_1*adjoint_forward_t164 + D_delta_x_2*adjoint_forward_t168
             + D_delta_x_3*adjoint_forward_t171 + 2.0*D_p_x_3*adjoint_forward_t157 + adjoint_U_3_x_3
-            + adjoint_forward_t82*forward_t44 - forward_t46*t201 - forward_t69*t170 - forward_t71*t202
-            + k_C*t51 + k_C*t52 + k_C*t53 - t104*t280 - t163*(forward_t62 + forward_t83) + t273*t40
-            - t282*t67;
+            + adjoint_forward_t82*forward_t44 - forward_t46*t207 - forward_t69*t176 - forward_t71*t208
+            + k_C*t62 + k_C*t63 + k_C*t64 - t113*t286 - t169*(forward_t62 + forward_t83) + t279*t50
+            - t288*t77;
         const lane adjoint_forward_t4 = D_r_3*adjoint_D_p_x_3 + adjoint_D_delta_x_3*l_d_3;
         const lane adjoint_D_p_x_2 =
             2.0*D_p_x_2*adjoint_forward_t142 + adjoint_U_2_x_2 + adjoint_forward_t144*mu_3
-            + adjoint_forward_t145*mu_1 + adjoint_forward_t70*forward_t44 - forward_t46*t203
-            - forward_t62*t202 - forward_t69*t178 + k_C*t82 + k_C*t83 + k_C*t84 - t171*(forward_t58
-            + forward_t71) + t273*t65 + t277*t67 + t96*(-forward_t128 - t279);
+            + adjoint_forward_t145*mu_1 + adjoint_forward_t70*forward_t44 - forward_t46*t209
+            - forward_t62*t208 - forward_t69*t184 + k_C*t92 + k_C*t93 + k_C*t94 + t105*(-forward_t128 - t285)
+            - t177*(forward_t58 + forward_t71) + t279*t71 + t283*t77;
         const lane adjoint_forward_t3 = D_r_2*adjoint_D_p_x_2 + adjoint_D_delta_x_2*l_d_2;
         const lane adjoint_D_p_x_1 =
-            2.0*D_p_x_1*adjoint_forward_t127 + D_p_x_2*k_C*t96 + adjoint_U_1_x_1 + adjoint_forward_t128*mu_3
-            + adjoint_forward_t129*mu_2 + adjoint_forward_t45*forward_t44 - forward_t58*t203
-            - forward_t62*t201 - forward_t69*t198 + k_C*t114 + k_C*t115 + k_C*t116 + t104*t277
-            - t204*(forward_t41 + forward_t46) + t273*t89;
+            2.0*D_p_x_1*adjoint_forward_t127 + D_p_x_2*k_C*t105 + adjoint_U_1_x_1 + adjoint_forward_t128*mu_3
+            + adjoint_forward_t129*mu_2 + adjoint_forward_t45*forward_t44 - forward_t58*t209
+            - forward_t62*t207 - forward_t69*t204 + k_C*t123 + k_C*t124 + k_C*t125 + t113*t283
+            - t210*(forward_t41 + forward_t46) + t279*t99;
         const lane adjoint_forward_t2 = D_r_1*adjoint_D_p_x_1 + adjoint_D_delta_x_1*l_d_1;
         const lane adjoint_forward_t1 =
             A_x_1*adjoint_forward_t2 + A_x_2*adjoint_forward_t3 + A_x_3*adjoint_forward_t4
@@ -2783,18 +2810,18 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + A_z_1*adjoint_forward_t8 + A_z_2*adjoint_forward_t9 + A_z_3*adjoint_forward_t10
             + adjoint_mu_1*t16 + adjoint_mu_2*t17 + adjoint_mu_3*t18;
         const lane adjoint_det_D_l = -adjoint_forward_t1*(forward_3*forward_3);
-        const lane t284 = adjoint_mu_3*forward_3;
-        const lane adjoint_A_z_3 = adjoint_forward_t10*forward_3 - forward_t38*t284;
-        const lane adjoint_A_y_3 = adjoint_forward_t7*forward_3 - forward_t37*t284;
-        const lane adjoint_A_x_3 = adjoint_forward_t4*forward_3 - forward_t36*t284;
-        const lane t285 = adjoint_mu_2*forward_3;
-        const lane adjoint_A_z_2 = adjoint_forward_t9*forward_3 - forward_t38*t285;
-        const lane adjoint_A_y_2 = adjoint_forward_t6*forward_3 - forward_t37*t285;
-        const lane adjoint_A_x_2 = adjoint_forward_t3*forward_3 - forward_t36*t285;
-        const lane t286 = adjoint_mu_1*forward_3;
-        const lane adjoint_A_z_1 = adjoint_det_D_l*s_1_z + adjoint_forward_t8*forward_3 - forward_t38*t286;
-        const lane adjoint_A_y_1 = adjoint_det_D_l*s_1_y + adjoint_forward_t5*forward_3 - forward_t37*t286;
-        const lane adjoint_A_x_1 = adjoint_det_D_l*s_1_x + adjoint_forward_t2*forward_3 - forward_t36*t286;
+        const lane t290 = adjoint_mu_3*forward_3;
+        const lane adjoint_A_z_3 = adjoint_forward_t10*forward_3 - forward_t38*t290;
+        const lane adjoint_A_y_3 = adjoint_forward_t7*forward_3 - forward_t37*t290;
+        const lane adjoint_A_x_3 = adjoint_forward_t4*forward_3 - forward_t36*t290;
+        const lane t291 = adjoint_mu_2*forward_3;
+        const lane adjoint_A_z_2 = adjoint_forward_t9*forward_3 - forward_t38*t291;
+        const lane adjoint_A_y_2 = adjoint_forward_t6*forward_3 - forward_t37*t291;
+        const lane adjoint_A_x_2 = adjoint_forward_t3*forward_3 - forward_t36*t291;
+        const lane t292 = adjoint_mu_1*forward_3;
+        const lane adjoint_A_z_1 = adjoint_det_D_l*s_1_z + adjoint_forward_t8*forward_3 - forward_t38*t292;
+        const lane adjoint_A_y_1 = adjoint_det_D_l*s_1_y + adjoint_forward_t5*forward_3 - forward_t37*t292;
+        const lane adjoint_A_x_1 = adjoint_det_D_l*s_1_x + adjoint_forward_t2*forward_3 - forward_t36*t292;
         const lane adjoint_D_r_3 =
             adjoint_D_p_x_3*forward_t4 + adjoint_D_p_y_3*forward_t7 + adjoint_D_p_z_3*forward_t10;
         const lane adjoint_D_r_2 =
@@ -2832,36 +2859,36 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             adjoint_l_f_3_2 - adjoint_l_f_3_3 - adjoint_s_3_x*n_3_x - adjoint_s_3_y*n_3_y
             - adjoint_s_3_z*n_3_z;
         const lane adjoint_forward_2 = adjoint_x_3*sigma_3;
-        const lane t287 = adjoint_forward_2/forward_2;
-        const lane adjoint_w2_3 = -1.0/2.0*t287;
-        const lane t288 = 2.0*adjoint_w2_3;
-        const lane adjoint_w_3_z = t288*w_3_z;
-        const lane adjoint_w_3_y = t288*w_3_y;
-        const lane adjoint_w_3_x = t288*w_3_x;
+        const lane t293 = adjoint_forward_2/forward_2;
+        const lane adjoint_w2_3 = -1.0/2.0*t293;
+        const lane t294 = 2.0*adjoint_w2_3;
+        const lane adjoint_w_3_z = t294*w_3_z;
+        const lane adjoint_w_3_y = t294*w_3_y;
+        const lane adjoint_w_3_x = t294*w_3_x;
         const lane adjoint_a_3 =
             -adjoint_w_3_x*n_3_x - adjoint_w_3_y*n_3_y - adjoint_w_3_z*n_3_z + adjoint_x_3;
         const lane adjoint_x_2 =
             adjoint_l_f_2_2 - adjoint_l_f_2_3 - adjoint_s_2_x*n_2_x - adjoint_s_2_y*n_2_y
             - adjoint_s_2_z*n_2_z;
         const lane adjoint_forward_1 = adjoint_x_2*sigma_2;
-        const lane t289 = adjoint_forward_1/forward_1;
-        const lane adjoint_w2_2 = -1.0/2.0*t289;
-        const lane t290 = 2.0*adjoint_w2_2;
-        const lane adjoint_w_2_z = t290*w_2_z;
-        const lane adjoint_w_2_y = t290*w_2_y;
-        const lane adjoint_w_2_x = t290*w_2_x;
+        const lane t295 = adjoint_forward_1/forward_1;
+        const lane adjoint_w2_2 = -1.0/2.0*t295;
+        const lane t296 = 2.0*adjoint_w2_2;
+        const lane adjoint_w_2_z = t296*w_2_z;
+        const lane adjoint_w_2_y = t296*w_2_y;
+        const lane adjoint_w_2_x = t296*w_2_x;
         const lane adjoint_a_2 =
             -adjoint_w_2_x*n_2_x - adjoint_w_2_y*n_2_y - adjoint_w_2_z*n_2_z + adjoint_x_2;
         const lane adjoint_x_1 =
             adjoint_l_f_1_2 - adjoint_l_f_1_3 - adjoint_s_1_x*n_1_x - adjoint_s_1_y*n_1_y
             - adjoint_s_1_z*n_1_z;
         const lane adjoint_forward_0 = adjoint_x_1*sigma_1;
-        const lane t291 = adjoint_forward_0/forward_0;
-        const lane adjoint_w2_1 = -1.0/2.0*t291;
-        const lane t292 = 2.0*adjoint_w2_1;
-        const lane adjoint_w_1_z = t292*w_1_z;
-        const lane adjoint_w_1_y = t292*w_1_y;
-        const lane adjoint_w_1_x = t292*w_1_x;
+        const lane t297 = adjoint_forward_0/forward_0;
+        const lane adjoint_w2_1 = -1.0/2.0*t297;
+        const lane t298 = 2.0*adjoint_w2_1;
+        const lane adjoint_w_1_z = t298*w_1_z;
+        const lane adjoint_w_1_y = t298*w_1_y;
+        const lane adjoint_w_1_x = t298*w_1_x;
         const lane adjoint_a_1 =
             -adjoint_w_1_x*n_1_x - adjoint_w_1_y*n_1_y - adjoint_w_1_z*n_1_z + adjoint_x_1;
         const lane adjoint_r_3_z = adjoint_a_3*n_3_z + adjoint_s_3_z + adjoint_w_3_z;
@@ -2873,9 +2900,9 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_r_1_z = adjoint_a_1*n_1_z + adjoint_s_1_z + adjoint_w_1_z;
         const lane adjoint_r_1_y = adjoint_a_1*n_1_y + adjoint_s_1_y + adjoint_w_1_y;
         const lane adjoint_r_1_x = adjoint_a_1*n_1_x + adjoint_s_1_x + adjoint_w_1_x;
-        const lane t293 = adjoint_forward_t19*k_sp_1;
-        const lane t294 = adjoint_forward_t23*k_sp_2;
-        const lane t295 = adjoint_forward_t27*k_sp_3;
+        const lane t299 = adjoint_forward_t19*k_sp_1;
+        const lane t300 = adjoint_forward_t23*k_sp_2;
+        const lane t301 = adjoint_forward_t27*k_sp_3;
         lanes_clear(gradient, 95);
         gradient[0] = LANES(adjoint_forward_t34);
         gradient[1] = LANES(adjoint_forward_t36*forward_t35);
@@ -2901,13 +2928,13 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         gradient[30] = LANES(adjoint_r_3_z);
         gradient[31] =
             LANES(adjoint_D_delta_x_1*forward_t2 + adjoint_D_delta_y_1*forward_t5
-            + adjoint_D_delta_z_1*forward_t8 + l_d_1*t291);
+            + adjoint_D_delta_z_1*forward_t8 + l_d_1*t297);
         gradient[32] =
             LANES(adjoint_D_delta_x_2*forward_t3 + adjoint_D_delta_y_2*forward_t6
-            + adjoint_D_delta_z_2*forward_t9 + l_d_2*t289);
+            + adjoint_D_delta_z_2*forward_t9 + l_d_2*t295);
         gradient[33] =
             LANES(adjoint_D_delta_x_3*forward_t4 + adjoint_D_delta_y_3*forward_t7
-            + adjoint_D_delta_z_3*forward_t10 + l_d_3*t287);
+            + adjoint_D_delta_z_3*forward_t10 + l_d_3*t293);
         gradient[34] =
             LANES(adjoint_forward_t124 + (1.0/2.0)*adjoint_forward_t31 + (1.0/3.0)*adjoint_forward_t39
             + (1.0/6.0)*adjoint_forward_t40);
@@ -2917,18 +2944,18 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         gradient[36] =
             LANES(adjoint_forward_t124 + (1.0/2.0)*adjoint_forward_t33 + (1.0/3.0)*adjoint_forward_t43
             + (1.0/6.0)*adjoint_forward_t61);
-        gradient[37] = LANES(adjoint_forward_t124 - t204 - t227);
-        gradient[38] = LANES(adjoint_forward_t124 - t171 - t226);
-        gradient[39] = LANES(adjoint_forward_t124 - t163 - t225);
+        gradient[37] = LANES(adjoint_forward_t124 - t210 - t233);
+        gradient[38] = LANES(adjoint_forward_t124 - t177 - t232);
+        gradient[39] = LANES(adjoint_forward_t124 - t169 - t231);
         gradient[40] = LANES((1.0/2.0)*adjoint_forward_t22);
         gradient[41] = LANES((1.0/2.0)*adjoint_forward_t26);
         gradient[42] = LANES((1.0/2.0)*adjoint_forward_t30);
         gradient[43] = LANES(adjoint_forward_t19*t2);
         gradient[44] = LANES(adjoint_forward_t23*t7);
         gradient[45] = LANES(adjoint_forward_t27*t12);
-        gradient[46] = LANES(t1*t293);
-        gradient[47] = LANES(t294*t6);
-        gradient[48] = LANES(t11*t295);
+        gradient[46] = LANES(t1*t299);
+        gradient[47] = LANES(t300*t6);
+        gradient[48] = LANES(t11*t301);
         gradient[49] =
             LANES(2.0*R_p_1*adjoint_forward_t94 - adjoint_forward_t137*k_1_3 - adjoint_forward_t138*k_1_2
             + adjoint_forward_t66*forward_t65);
@@ -2953,32 +2980,34 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         gradient[70] = LANES(adjoint_l_f_2_1 + adjoint_l_f_2_3);
         gradient[71] = LANES(-adjoint_l_f_3_1 - adjoint_l_f_3_2);
         gradient[72] = LANES(adjoint_l_f_3_1 + adjoint_l_f_3_3);
-        gradient[76] = LANES(t293*w_b_1);
-        gradient[77] = LANES(t294*w_b_2);
-        gradient[78] = LANES(t295*w_b_3);
+        gradient[76] = LANES(t299*w_b_1);
+        gradient[77] = LANES(t300*w_b_2);
+        gradient[78] = LANES(t301*w_b_3);
         gradient[79] = LANES(adjoint_forward_t18*forward_t17);
         gradient[80] = LANES((1.0/3.0)*adjoint_forward_t53 + (1.0/6.0)*adjoint_forward_t65);
         gradient[81] = LANES(F_T*adjoint_forward_t17);
         gradient[82] = LANES(adjoint_forward_t17*c_T);
         gradient[83] =
-            LANES(D_p_x_1*shape_19*t89 + D_p_x_2*shape_19*t65 + D_p_x_3*shape_19*t40 + D_p_y_1*shape_20*t89
-            + D_p_y_2*shape_20*t65 + D_p_y_3*shape_20*t40 + D_p_z_1*shape_21*t89 + D_p_z_2*shape_21*t65
-            + D_p_z_3*shape_21*t40 + t100*(D_delta_x_2*D_p_x_1 + D_delta_y_2*D_p_y_1 + D_delta_z_2*D_p_z_1)
-            + t102*(D_delta_x_3*D_p_x_1 + D_delta_y_3*D_p_y_1 + D_delta_z_3*D_p_z_1) + t104*(D_p_x_1*D_p_x_3
-            + D_p_y_1*D_p_y_3 + D_p_z_1*D_p_z_3) + t119*t214 + t120 + t121 + t122 + t181 + t182 + t183 + t187
-            + t188 + t189 + t193 + t194 + t195 + t209 + t211 + t213 + t216*(forward_t179 + forward_t180
-            + forward_t181) + t218*(forward_t182 + forward_t183 + forward_t184) + t221*t86 + t223*t58
-            + t24*(forward_t176 + forward_t177 + forward_t178) + t42*(forward_t169 + forward_t170
-            + forward_t171) + t44*(forward_t160 + forward_t162 + forward_t164) + t46*(forward_t166
-            + forward_t167 + forward_t168) + t67*(D_p_x_2*D_p_x_3 + D_p_y_2*D_p_y_3 + D_p_z_2*D_p_z_3)
-            + t69*(D_delta_x_1*D_p_x_2 + D_delta_y_1*D_p_y_2 + D_delta_z_1*D_p_z_2)
-            + t71*(D_delta_x_2*D_p_x_2 + D_delta_y_2*D_p_y_2 + D_delta_z_2*D_p_z_2)
-            + t73*(D_delta_x_3*D_p_x_2 + D_delta_y_3*D_p_y_2 + D_delta_z_3*D_p_z_2) + t96*(D_p_x_1*D_p_x_2
-            + D_p_y_1*D_p_y_2 + D_p_z_1*D_p_z_2) + t98*(D_delta_x_1*D_p_x_1 + D_delta_y_1*D_p_y_1
-            + D_delta_z_1*D_p_z_1));
+            LANES(D_p_x_1*shape_19*t99 + D_p_x_2*shape_19*t71 + D_p_x_3*shape_19*t50 + D_p_y_1*shape_20*t99
+            + D_p_y_2*shape_20*t71 + D_p_y_3*shape_20*t50 + D_p_z_1*shape_21*t99 + D_p_z_2*shape_21*t71
+            + D_p_z_3*shape_21*t50 + t105*(D_p_x_1*D_p_x_2 + D_p_y_1*D_p_y_2 + D_p_z_1*D_p_z_2)
+            + t107*(D_delta_x_1*D_p_x_1 + D_delta_y_1*D_p_y_1 + D_delta_z_1*D_p_z_1)
+            + t109*(D_delta_x_2*D_p_x_1 + D_delta_y_2*D_p_y_1 + D_delta_z_2*D_p_z_1)
+            + t111*(D_delta_x_3*D_p_x_1 + D_delta_y_3*D_p_y_1 + D_delta_z_3*D_p_z_1) + t113*(D_p_x_1*D_p_x_3
+            + D_p_y_1*D_p_y_3 + D_p_z_1*D_p_z_3) + t128*t220 + t129 + t130 + t131 + t187 + t188 + t189 + t193
+            + t194 + t195 + t199 + t200 + t201 + t215 + t217 + t219 + t222*(forward_t185 + forward_t186
+            + forward_t187) + t224*(forward_t188 + forward_t189 + forward_t190) + t227*t96 + t229*t69
+            + t24*(forward_t182 + forward_t183 + forward_t184) + t53*(forward_t160 + forward_t162
+            + forward_t164) + t55*(forward_t166 + forward_t167 + forward_t168) + t57*(forward_t169
+            + forward_t170 + forward_t171) + t77*(D_p_x_2*D_p_x_3 + D_p_y_2*D_p_y_3 + D_p_z_2*D_p_z_3)
+            + t79*(D_delta_x_1*D_p_x_2 + D_delta_y_1*D_p_y_2 + D_delta_z_1*D_p_z_2)
+            + t81*(D_delta_x_2*D_p_x_2 + D_delta_y_2*D_p_y_2 + D_delta_z_2*D_p_z_2)
+            + t83*(D_delta_x_3*D_p_x_2 + D_delta_y_3*D_p_y_2 + D_delta_z_3*D_p_z_2));
         gradient[84] = LANES(adjoint_forward_t12 + adjoint_forward_t14 + adjoint_forward_t16);
         gradient[85] = LANES(adjoint_forward_t34);
-        gradient[86] = LANES(d_1_1*t33 + d_1_2*t34 + d_2_1*t29 + d_2_2*t30 + d_3_1*t25 + d_3_2*t26);
+        gradient[86] =
+            LANES(adjoint_forward_t173*d_1_1 + adjoint_forward_t175*d_2_1 + adjoint_forward_t177*d_3_1
+            + adjoint_forward_t179*d_1_2 + adjoint_forward_t180*d_2_2 + adjoint_forward_t181*d_3_2);
         gradient[91] = LANES(adjoint_forward_t124);
         gradient[92] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
         gradient[93] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
@@ -2995,7 +3024,7 @@ static void lanes_take(const struct lanes_paths *paths, int path, const lane *re
 /* Derivatives of the matrices and of the motion of the platform along a direction.
  *
  * Source: forward accumulation through extended.
- * 2554 operations; 16804752 with every named value expanded.
+ * 2557 operations; 16804773 with every named value expanded.
  */
 static __attribute__((noinline)) void lanes_extended_tangent(const lane *restrict pose,
     const double *restrict parameters, const double *restrict effects, int count,
@@ -3349,15 +3378,15 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
     const lane forward_t169 = D_delta_x_3*D_p_x_3;
     const lane forward_t170 = D_delta_y_3*D_p_y_3;
     const lane forward_t171 = D_delta_z_3*D_p_z_3;
-    const lane forward_t176 = D_delta_x_1*D_delta_x_2;
-    const lane forward_t177 = D_delta_y_1*D_delta_y_2;
-    const lane forward_t178 = D_delta_z_1*D_delta_z_2;
-    const lane forward_t179 = D_delta_x_1*D_delta_x_3;
-    const lane forward_t180 = D_delta_y_1*D_delta_y_3;
-    const lane forward_t181 = D_delta_z_1*D_delta_z_3;
-    const lane forward_t182 = D_delta_x_2*D_delta_x_3;
-    const lane forward_t183 = D_delta_y_2*D_delta_y_3;
-    const lane forward_t184 = D_delta_z_2*D_delta_z_3;
+    const lane forward_t182 = D_delta_x_1*D_delta_x_2;
+    const lane forward_t183 = D_delta_y_1*D_delta_y_2;
+    const lane forward_t184 = D_delta_z_1*D_delta_z_2;
+    const lane forward_t185 = D_delta_x_1*D_delta_x_3;
+    const lane forward_t186 = D_delta_y_1*D_delta_y_3;
+    const lane forward_t187 = D_delta_z_1*D_delta_z_3;
+    const lane forward_t188 = D_delta_x_2*D_delta_x_3;
+    const lane forward_t189 = D_delta_y_2*D_delta_y_3;
+    const lane forward_t190 = D_delta_z_2*D_delta_z_3;
     const lane t19 = 1.0/forward_0;
     const lane t20 = 1.0/forward_1;
     const lane t21 = 1.0/forward_2;
@@ -3405,9 +3434,9 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
     const lane t108 = -forward_t169 - forward_t170 - forward_t171;
     const lane t109 = -t101 - t81;
     const lane t110 = -mu_3 - t101;
-    const lane t111 = -forward_t176 - forward_t177 - forward_t178;
-    const lane t112 = -forward_t179 - forward_t180 - forward_t181;
-    const lane t113 = -forward_t182 - forward_t183 - forward_t184;
+    const lane t111 = -forward_t182 - forward_t183 - forward_t184;
+    const lane t112 = -forward_t185 - forward_t186 - forward_t187;
+    const lane t113 = -forward_t188 - forward_t189 - forward_t190;
     for (int path = 0; path < count; path++) {
         lane direction[LANES_GRADIENT], motion_rate[LANES_DIRECTIONS * LANES_ALL];
         lane mass_rate[LANES_ALL * LANES_ALL], stiffness_rate[LANES_ALL * LANES_ALL];
@@ -3810,36 +3839,42 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane t57 = D_delta_z_3*tangent_D_p_z_3;
         const lane tangent_forward_t171 = D_p_z_3*tangent_D_delta_z_3 + t57;
         const lane tangent_forward_t172 = tangent_k_3_2 + tangent_k_3_3;
-        const lane tangent_forward_t173 = forward_t94*tangent_k_1_1 + k_1_1*tangent_forward_t94;
-        const lane tangent_forward_t174 = forward_t98*tangent_k_2_1 + k_2_1*tangent_forward_t98;
-        const lane tangent_forward_t175 = forward_t102*tangent_k_3_1 + k_3_1*tangent_forward_t102;
+        const lane tangent_forward_t173 = along_87*d_1_1;
+        const lane tangent_forward_t174 = forward_t94*tangent_k_1_1 + k_1_1*tangent_forward_t94;
+        const lane tangent_forward_t175 = along_87*d_2_1;
+        const lane tangent_forward_t176 = forward_t98*tangent_k_2_1 + k_2_1*tangent_forward_t98;
+        const lane tangent_forward_t177 = along_87*d_3_1;
+        const lane tangent_forward_t178 = forward_t102*tangent_k_3_1 + k_3_1*tangent_forward_t102;
+        const lane tangent_forward_t179 = along_87*d_1_2;
+        const lane tangent_forward_t180 = along_87*d_2_2;
+        const lane tangent_forward_t181 = along_87*d_3_2;
         const lane t58 = D_delta_x_1*tangent_D_delta_x_2;
         const lane t59 = D_delta_x_2*tangent_D_delta_x_1;
-        const lane tangent_forward_t176 = t58 + t59;
+        const lane tangent_forward_t182 = t58 + t59;
         const lane t60 = D_delta_y_1*tangent_D_delta_y_2;
         const lane t61 = D_delta_y_2*tangent_D_delta_y_1;
-        const lane tangent_forward_t177 = t60 + t61;
+        const lane tangent_forward_t183 = t60 + t61;
         const lane t62 = D_delta_z_1*tangent_D_delta_z_2;
         const lane t63 = D_delta_z_2*tangent_D_delta_z_1;
-        const lane tangent_forward_t178 = t62 + t63;
+        const lane tangent_forward_t184 = t62 + t63;
         const lane t64 = D_delta_x_1*tangent_D_delta_x_3;
         const lane t65 = D_delta_x_3*tangent_D_delta_x_1;
-        const lane tangent_forward_t179 = t64 + t65;
+        const lane tangent_forward_t185 = t64 + t65;
         const lane t66 = D_delta_y_1*tangent_D_delta_y_3;
         const lane t67 = D_delta_y_3*tangent_D_delta_y_1;
-        const lane tangent_forward_t180 = t66 + t67;
+        const lane tangent_forward_t186 = t66 + t67;
         const lane t68 = D_delta_z_1*tangent_D_delta_z_3;
         const lane t69 = D_delta_z_3*tangent_D_delta_z_1;
-        const lane tangent_forward_t181 = t68 + t69;
+        const lane tangent_forward_t187 = t68 + t69;
         const lane t70 = D_delta_x_2*tangent_D_delta_x_3;
         const lane t71 = D_delta_x_3*tangent_D_delta_x_2;
-        const lane tangent_forward_t182 = t70 + t71;
+        const lane tangent_forward_t188 = t70 + t71;
         const lane t72 = D_delta_y_2*tangent_D_delta_y_3;
         const lane t73 = D_delta_y_3*tangent_D_delta_y_2;
-        const lane tangent_forward_t183 = t72 + t73;
+        const lane tangent_forward_t189 = t72 + t73;
         const lane t74 = D_delta_z_2*tangent_D_delta_z_3;
         const lane t75 = D_delta_z_3*tangent_D_delta_z_2;
-        const lane tangent_forward_t184 = t74 + t75;
+        const lane tangent_forward_t190 = t74 + t75;
         lanes_clear(mass_rate, 441);
         mass_rate[0] =
             LANES(D_p_x_1*tangent_forward_t41 + D_p_x_1*tangent_forward_t46 + D_p_y_1*tangent_forward_t47
@@ -4164,43 +4199,52 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         stiffness_rate[61] = stiffness_rate[401] = LANES(D_p_y_3*along_84 + k_C*tangent_D_p_y_3);
         stiffness_rate[62] = stiffness_rate[422] = LANES(D_p_z_3*along_84 + k_C*tangent_D_p_z_3);
         stiffness_rate[66] =
-            LANES(along_87*d_1_1 + forward_t94*tangent_k_1_3 + k_1_3*tangent_forward_t94
-            + tangent_forward_t173);
-        stiffness_rate[69] = stiffness_rate[129] = LANES(-tangent_forward_t173);
+            LANES(forward_t94*tangent_k_1_3 + k_1_3*tangent_forward_t94 + tangent_forward_t173
+            + tangent_forward_t174);
+        stiffness_rate[69] = stiffness_rate[129] = LANES(-tangent_forward_t174);
+        stiffness_rate[72] = stiffness_rate[192] = LANES(tangent_forward_t173);
         stiffness_rate[78] = stiffness_rate[318] = LANES(tangent_forward_t137);
         stiffness_rate[88] =
-            LANES(along_87*d_2_1 + forward_t98*tangent_k_2_3 + k_2_3*tangent_forward_t98
-            + tangent_forward_t174);
-        stiffness_rate[91] = stiffness_rate[151] = LANES(-tangent_forward_t174);
+            LANES(forward_t98*tangent_k_2_3 + k_2_3*tangent_forward_t98 + tangent_forward_t175
+            + tangent_forward_t176);
+        stiffness_rate[91] = stiffness_rate[151] = LANES(-tangent_forward_t176);
+        stiffness_rate[94] = stiffness_rate[214] = LANES(tangent_forward_t175);
         stiffness_rate[100] = stiffness_rate[340] = LANES(tangent_forward_t152);
         stiffness_rate[110] =
-            LANES(along_87*d_3_1 + forward_t102*tangent_k_3_3 + k_3_3*tangent_forward_t102
-            + tangent_forward_t175);
-        stiffness_rate[113] = stiffness_rate[173] = LANES(-tangent_forward_t175);
+            LANES(forward_t102*tangent_k_3_3 + k_3_3*tangent_forward_t102 + tangent_forward_t177
+            + tangent_forward_t178);
+        stiffness_rate[113] = stiffness_rate[173] = LANES(-tangent_forward_t178);
+        stiffness_rate[116] = stiffness_rate[236] = LANES(tangent_forward_t177);
         stiffness_rate[122] = stiffness_rate[362] = LANES(tangent_forward_t158);
         stiffness_rate[132] =
-            LANES(along_87*d_1_2 + forward_t94*tangent_k_1_2 + k_1_2*tangent_forward_t94
-            + tangent_forward_t173);
+            LANES(forward_t94*tangent_k_1_2 + k_1_2*tangent_forward_t94 + tangent_forward_t174
+            + tangent_forward_t179);
+        stiffness_rate[135] = stiffness_rate[195] = LANES(tangent_forward_t179);
         stiffness_rate[141] = stiffness_rate[321] = LANES(tangent_forward_t138);
         stiffness_rate[154] =
-            LANES(along_87*d_2_2 + forward_t98*tangent_k_2_2 + k_2_2*tangent_forward_t98
-            + tangent_forward_t174);
+            LANES(forward_t98*tangent_k_2_2 + k_2_2*tangent_forward_t98 + tangent_forward_t176
+            + tangent_forward_t180);
+        stiffness_rate[157] = stiffness_rate[217] = LANES(tangent_forward_t180);
         stiffness_rate[163] = stiffness_rate[343] = LANES(tangent_forward_t153);
         stiffness_rate[176] =
-            LANES(along_87*d_3_2 + forward_t102*tangent_k_3_2 + k_3_2*tangent_forward_t102
-            + tangent_forward_t175);
+            LANES(forward_t102*tangent_k_3_2 + k_3_2*tangent_forward_t102 + tangent_forward_t178
+            + tangent_forward_t181);
+        stiffness_rate[179] = stiffness_rate[239] = LANES(tangent_forward_t181);
         stiffness_rate[185] = stiffness_rate[365] = LANES(tangent_forward_t159);
+        stiffness_rate[198] = LANES(tangent_forward_t173 + tangent_forward_t179);
+        stiffness_rate[220] = LANES(tangent_forward_t175 + tangent_forward_t180);
+        stiffness_rate[242] = LANES(tangent_forward_t177 + tangent_forward_t181);
         stiffness_rate[264] =
             LANES(along_84*t76 + t109*tangent_forward_t109 + t109*tangent_forward_t110
             + t109*tangent_forward_t111 - t76*tangent_mu_2 - t76*tangent_mu_3 + tangent_mu_1*(1.0 - t76));
         stiffness_rate[265] = stiffness_rate[285] =
-            LANES(along_84*(forward_t176 + forward_t177 + forward_t178) + k_C*t58 + k_C*t59 + k_C*t60
-            + k_C*t61 + k_C*t62 + k_C*t63 + t110*tangent_forward_t176 + t110*tangent_forward_t177
-            + t110*tangent_forward_t178 + t111*tangent_mu_1 + t111*tangent_mu_2 + t111*tangent_mu_3);
+            LANES(along_84*(forward_t182 + forward_t183 + forward_t184) + k_C*t58 + k_C*t59 + k_C*t60
+            + k_C*t61 + k_C*t62 + k_C*t63 + t110*tangent_forward_t182 + t110*tangent_forward_t183
+            + t110*tangent_forward_t184 + t111*tangent_mu_1 + t111*tangent_mu_2 + t111*tangent_mu_3);
         stiffness_rate[266] = stiffness_rate[306] =
-            LANES(along_84*(forward_t179 + forward_t180 + forward_t181) + k_C*t64 + k_C*t65 + k_C*t66
-            + k_C*t67 + k_C*t68 + k_C*t69 + t110*tangent_forward_t179 + t110*tangent_forward_t180
-            + t110*tangent_forward_t181 + t112*tangent_mu_1 + t112*tangent_mu_2 + t112*tangent_mu_3);
+            LANES(along_84*(forward_t185 + forward_t186 + forward_t187) + k_C*t64 + k_C*t65 + k_C*t66
+            + k_C*t67 + k_C*t68 + k_C*t69 + t110*tangent_forward_t185 + t110*tangent_forward_t186
+            + t110*tangent_forward_t187 + t112*tangent_mu_1 + t112*tangent_mu_2 + t112*tangent_mu_3);
         stiffness_rate[270] = stiffness_rate[390] = LANES(D_delta_x_1*along_84 + k_C*tangent_D_delta_x_1);
         stiffness_rate[271] = stiffness_rate[411] = LANES(D_delta_y_1*along_84 + k_C*tangent_D_delta_y_1);
         stiffness_rate[272] = stiffness_rate[432] = LANES(D_delta_z_1*along_84 + k_C*tangent_D_delta_z_1);
@@ -4208,9 +4252,9 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             LANES(along_84*t77 + t109*tangent_forward_t115 + t109*tangent_forward_t116
             + t109*tangent_forward_t117 - t77*tangent_mu_1 - t77*tangent_mu_3 + tangent_mu_2*(1.0 - t77));
         stiffness_rate[287] = stiffness_rate[307] =
-            LANES(along_84*(forward_t182 + forward_t183 + forward_t184) + k_C*t70 + k_C*t71 + k_C*t72
-            + k_C*t73 + k_C*t74 + k_C*t75 + t110*tangent_forward_t182 + t110*tangent_forward_t183
-            + t110*tangent_forward_t184 + t113*tangent_mu_1 + t113*tangent_mu_2 + t113*tangent_mu_3);
+            LANES(along_84*(forward_t188 + forward_t189 + forward_t190) + k_C*t70 + k_C*t71 + k_C*t72
+            + k_C*t73 + k_C*t74 + k_C*t75 + t110*tangent_forward_t188 + t110*tangent_forward_t189
+            + t110*tangent_forward_t190 + t113*tangent_mu_1 + t113*tangent_mu_2 + t113*tangent_mu_3);
         stiffness_rate[291] = stiffness_rate[391] = LANES(D_delta_x_2*along_84 + k_C*tangent_D_delta_x_2);
         stiffness_rate[292] = stiffness_rate[412] = LANES(D_delta_y_2*along_84 + k_C*tangent_D_delta_y_2);
         stiffness_rate[293] = stiffness_rate[433] = LANES(D_delta_z_2*along_84 + k_C*tangent_D_delta_z_2);

@@ -395,54 +395,60 @@ void linear_delta_extended_extended_matrices(const pkmodes_real p[3],
     const pkmodes_real t149 = D_p_x_3*k_C;
     const pkmodes_real t150 = D_p_y_3*k_C;
     const pkmodes_real t151 = D_p_z_3*k_C;
-    const pkmodes_real t152 = k_1_1*t94;
-    const pkmodes_real t153 = k_2_1*t98;
-    const pkmodes_real t154 = k_3_1*t102;
-    const pkmodes_real t155 = D_delta_x_1*k_C;
-    const pkmodes_real t156 = D_delta_y_1*k_C;
-    const pkmodes_real t157 = D_delta_z_1*k_C;
-    const pkmodes_real t158 = D_delta_x_2*k_C;
-    const pkmodes_real t159 = D_delta_y_2*k_C;
-    const pkmodes_real t160 = D_delta_z_2*k_C;
-    const pkmodes_real t161 = D_p_x_1*mu_3;
-    const pkmodes_real t162 = D_p_x_1*mu_2;
-    const pkmodes_real t163 = U_1_x_1*mu_1;
-    const pkmodes_real t164 = D_p_y_1*mu_3;
-    const pkmodes_real t165 = D_p_y_1*mu_2;
-    const pkmodes_real t166 = U_1_y_1*mu_1;
-    const pkmodes_real t167 = D_p_z_1*mu_3;
-    const pkmodes_real t168 = D_p_z_1*mu_2;
-    const pkmodes_real t169 = U_1_z_1*mu_1;
-    const pkmodes_real t170 = D_p_x_2*mu_1;
-    const pkmodes_real t171 = D_p_x_2*mu_3;
-    const pkmodes_real t172 = U_2_x_2*mu_2;
-    const pkmodes_real t173 = D_p_y_2*mu_1;
-    const pkmodes_real t174 = D_p_y_2*mu_3;
-    const pkmodes_real t175 = U_2_y_2*mu_2;
-    const pkmodes_real t176 = D_p_z_2*mu_1;
-    const pkmodes_real t177 = D_p_z_2*mu_3;
-    const pkmodes_real t178 = U_2_z_2*mu_2;
-    const pkmodes_real t179 = D_delta_x_1*D_p_x_3;
-    const pkmodes_real t180 = U_3_x_3*mu_3;
-    const pkmodes_real t181 = D_delta_y_1*D_p_y_3;
-    const pkmodes_real t182 = U_3_y_3*mu_3;
-    const pkmodes_real t183 = D_delta_z_1*D_p_z_3;
-    const pkmodes_real t184 = U_3_z_3*mu_3;
-    const pkmodes_real t185 = D_delta_x_2*D_p_x_3;
-    const pkmodes_real t186 = D_delta_y_2*D_p_y_3;
-    const pkmodes_real t187 = D_delta_z_2*D_p_z_3;
-    const pkmodes_real t188 = D_delta_x_3*D_p_x_3;
-    const pkmodes_real t189 = D_delta_y_3*D_p_y_3;
-    const pkmodes_real t190 = D_delta_z_3*D_p_z_3;
-    const pkmodes_real t191 = D_delta_x_1*D_delta_x_2;
-    const pkmodes_real t192 = D_delta_y_1*D_delta_y_2;
-    const pkmodes_real t193 = D_delta_z_1*D_delta_z_2;
-    const pkmodes_real t194 = D_delta_x_1*D_delta_x_3;
-    const pkmodes_real t195 = D_delta_y_1*D_delta_y_3;
-    const pkmodes_real t196 = D_delta_z_1*D_delta_z_3;
-    const pkmodes_real t197 = D_delta_x_2*D_delta_x_3;
-    const pkmodes_real t198 = D_delta_y_2*D_delta_y_3;
-    const pkmodes_real t199 = D_delta_z_2*D_delta_z_3;
+    const pkmodes_real t152 = d_1_1*k_S;
+    const pkmodes_real t153 = k_1_1*t94;
+    const pkmodes_real t154 = d_2_1*k_S;
+    const pkmodes_real t155 = k_2_1*t98;
+    const pkmodes_real t156 = d_3_1*k_S;
+    const pkmodes_real t157 = k_3_1*t102;
+    const pkmodes_real t158 = d_1_2*k_S;
+    const pkmodes_real t159 = d_2_2*k_S;
+    const pkmodes_real t160 = d_3_2*k_S;
+    const pkmodes_real t161 = D_delta_x_1*k_C;
+    const pkmodes_real t162 = D_delta_y_1*k_C;
+    const pkmodes_real t163 = D_delta_z_1*k_C;
+    const pkmodes_real t164 = D_delta_x_2*k_C;
+    const pkmodes_real t165 = D_delta_y_2*k_C;
+    const pkmodes_real t166 = D_delta_z_2*k_C;
+    const pkmodes_real t167 = D_p_x_1*mu_3;
+    const pkmodes_real t168 = D_p_x_1*mu_2;
+    const pkmodes_real t169 = U_1_x_1*mu_1;
+    const pkmodes_real t170 = D_p_y_1*mu_3;
+    const pkmodes_real t171 = D_p_y_1*mu_2;
+    const pkmodes_real t172 = U_1_y_1*mu_1;
+    const pkmodes_real t173 = D_p_z_1*mu_3;
+    const pkmodes_real t174 = D_p_z_1*mu_2;
+    const pkmodes_real t175 = U_1_z_1*mu_1;
+    const pkmodes_real t176 = D_p_x_2*mu_1;
+    const pkmodes_real t177 = D_p_x_2*mu_3;
+    const pkmodes_real t178 = U_2_x_2*mu_2;
+    const pkmodes_real t179 = D_p_y_2*mu_1;
+    const pkmodes_real t180 = D_p_y_2*mu_3;
+    const pkmodes_real t181 = U_2_y_2*mu_2;
+    const pkmodes_real t182 = D_p_z_2*mu_1;
+    const pkmodes_real t183 = D_p_z_2*mu_3;
+    const pkmodes_real t184 = U_2_z_2*mu_2;
+    const pkmodes_real t185 = D_delta_x_1*D_p_x_3;
+    const pkmodes_real t186 = U_3_x_3*mu_3;
+    const pkmodes_real t187 = D_delta_y_1*D_p_y_3;
+    const pkmodes_real t188 = U_3_y_3*mu_3;
+    const pkmodes_real t189 = D_delta_z_1*D_p_z_3;
+    const pkmodes_real t190 = U_3_z_3*mu_3;
+    const pkmodes_real t191 = D_delta_x_2*D_p_x_3;
+    const pkmodes_real t192 = D_delta_y_2*D_p_y_3;
+    const pkmodes_real t193 = D_delta_z_2*D_p_z_3;
+    const pkmodes_real t194 = D_delta_x_3*D_p_x_3;
+    const pkmodes_real t195 = D_delta_y_3*D_p_y_3;
+    const pkmodes_real t196 = D_delta_z_3*D_p_z_3;
+    const pkmodes_real t197 = D_delta_x_1*D_delta_x_2;
+    const pkmodes_real t198 = D_delta_y_1*D_delta_y_2;
+    const pkmodes_real t199 = D_delta_z_1*D_delta_z_2;
+    const pkmodes_real t200 = D_delta_x_1*D_delta_x_3;
+    const pkmodes_real t201 = D_delta_y_1*D_delta_y_3;
+    const pkmodes_real t202 = D_delta_z_1*D_delta_z_3;
+    const pkmodes_real t203 = D_delta_x_2*D_delta_x_3;
+    const pkmodes_real t204 = D_delta_y_2*D_delta_y_3;
+    const pkmodes_real t205 = D_delta_z_2*D_delta_z_3;
     memset(M, 0, sizeof(pkmodes_real[21][21]));
     M[0][0] =
         D_p_x_1*t41 + D_p_x_1*t46 + D_p_y_1*t47 + D_p_y_1*t49 + D_p_z_1*t50 + D_p_z_1*t52 + m_t_1 + t39 + t56;
@@ -559,32 +565,41 @@ void linear_delta_extended_extended_matrices(const pkmodes_real p[3],
     K_el[2][18] = K_el[18][2] = t149;
     K_el[2][19] = K_el[19][2] = t150;
     K_el[2][20] = K_el[20][2] = t151;
-    K_el[3][3] = d_1_1*k_S + k_1_3*t94 + t152;
-    K_el[3][6] = K_el[6][3] = -t152;
+    K_el[3][3] = k_1_3*t94 + t152 + t153;
+    K_el[3][6] = K_el[6][3] = -t153;
+    K_el[3][9] = K_el[9][3] = t152;
     K_el[3][15] = K_el[15][3] = t132;
-    K_el[4][4] = d_2_1*k_S + k_2_3*t98 + t153;
-    K_el[4][7] = K_el[7][4] = -t153;
+    K_el[4][4] = k_2_3*t98 + t154 + t155;
+    K_el[4][7] = K_el[7][4] = -t155;
+    K_el[4][10] = K_el[10][4] = t154;
     K_el[4][16] = K_el[16][4] = t141;
-    K_el[5][5] = d_3_1*k_S + k_3_3*t102 + t154;
-    K_el[5][8] = K_el[8][5] = -t154;
+    K_el[5][5] = k_3_3*t102 + t156 + t157;
+    K_el[5][8] = K_el[8][5] = -t157;
+    K_el[5][11] = K_el[11][5] = t156;
     K_el[5][17] = K_el[17][5] = t147;
-    K_el[6][6] = d_1_2*k_S + k_1_2*t94 + t152;
+    K_el[6][6] = k_1_2*t94 + t153 + t158;
+    K_el[6][9] = K_el[9][6] = t158;
     K_el[6][15] = K_el[15][6] = t133;
-    K_el[7][7] = d_2_2*k_S + k_2_2*t98 + t153;
+    K_el[7][7] = k_2_2*t98 + t155 + t159;
+    K_el[7][10] = K_el[10][7] = t159;
     K_el[7][16] = K_el[16][7] = t142;
-    K_el[8][8] = d_3_2*k_S + k_3_2*t102 + t154;
+    K_el[8][8] = k_3_2*t102 + t157 + t160;
+    K_el[8][11] = K_el[11][8] = t160;
     K_el[8][17] = K_el[17][8] = t148;
+    K_el[9][9] = t152 + t158;
+    K_el[10][10] = t154 + t159;
+    K_el[11][11] = t156 + t160;
     K_el[12][12] = k_C*t109 + k_C*t110 + k_C*t111;
-    K_el[12][13] = K_el[13][12] = D_delta_x_2*t155 + D_delta_y_2*t156 + D_delta_z_2*t157;
-    K_el[12][14] = K_el[14][12] = D_delta_x_3*t155 + D_delta_y_3*t156 + D_delta_z_3*t157;
-    K_el[12][18] = K_el[18][12] = t155;
-    K_el[12][19] = K_el[19][12] = t156;
-    K_el[12][20] = K_el[20][12] = t157;
+    K_el[12][13] = K_el[13][12] = D_delta_x_2*t161 + D_delta_y_2*t162 + D_delta_z_2*t163;
+    K_el[12][14] = K_el[14][12] = D_delta_x_3*t161 + D_delta_y_3*t162 + D_delta_z_3*t163;
+    K_el[12][18] = K_el[18][12] = t161;
+    K_el[12][19] = K_el[19][12] = t162;
+    K_el[12][20] = K_el[20][12] = t163;
     K_el[13][13] = k_C*t115 + k_C*t116 + k_C*t117;
-    K_el[13][14] = K_el[14][13] = D_delta_x_3*t158 + D_delta_y_3*t159 + D_delta_z_3*t160;
-    K_el[13][18] = K_el[18][13] = t158;
-    K_el[13][19] = K_el[19][13] = t159;
-    K_el[13][20] = K_el[20][13] = t160;
+    K_el[13][14] = K_el[14][13] = D_delta_x_3*t164 + D_delta_y_3*t165 + D_delta_z_3*t166;
+    K_el[13][18] = K_el[18][13] = t164;
+    K_el[13][19] = K_el[19][13] = t165;
+    K_el[13][20] = K_el[20][13] = t166;
     K_el[14][14] = k_C*t121 + k_C*t122 + k_C*t123;
     K_el[14][18] = K_el[18][14] = D_delta_x_3*k_C;
     K_el[14][19] = K_el[19][14] = D_delta_y_3*k_C;
@@ -600,62 +615,62 @@ void linear_delta_extended_extended_matrices(const pkmodes_real p[3],
         -(U_1_x_1*U_1_x_1)*mu_1 - (U_1_y_1*U_1_y_1)*mu_1 - (U_1_z_1*U_1_z_1)*mu_1 - mu_2*t125 - mu_2*t126
         - mu_2*t127 - mu_3*t125 - mu_3*t126 - mu_3*t127;
     K_g[0][1] = K_g[1][0] =
-        -D_p_x_2*t161 - D_p_x_2*t163 - D_p_y_2*t164 - D_p_y_2*t166 - D_p_z_2*t167 - D_p_z_2*t169
-        - U_2_x_2*t162 - U_2_y_2*t165 - U_2_z_2*t168;
+        -D_p_x_2*t167 - D_p_x_2*t169 - D_p_y_2*t170 - D_p_y_2*t172 - D_p_z_2*t173 - D_p_z_2*t175
+        - U_2_x_2*t168 - U_2_y_2*t171 - U_2_z_2*t174;
     K_g[0][2] = K_g[2][0] =
-        -D_p_x_3*t162 - D_p_x_3*t163 - D_p_y_3*t165 - D_p_y_3*t166 - D_p_z_3*t168 - D_p_z_3*t169
-        - U_3_x_3*t161 - U_3_y_3*t164 - U_3_z_3*t167;
+        -D_p_x_3*t168 - D_p_x_3*t169 - D_p_y_3*t171 - D_p_y_3*t172 - D_p_z_3*t174 - D_p_z_3*t175
+        - U_3_x_3*t167 - U_3_y_3*t170 - U_3_z_3*t173;
     K_g[0][12] = K_g[12][0] =
-        -D_delta_x_1*t161 - D_delta_x_1*t162 - D_delta_x_1*t163 - D_delta_y_1*t164 - D_delta_y_1*t165
-        - D_delta_y_1*t166 - D_delta_z_1*t167 - D_delta_z_1*t168 - D_delta_z_1*t169;
+        -D_delta_x_1*t167 - D_delta_x_1*t168 - D_delta_x_1*t169 - D_delta_y_1*t170 - D_delta_y_1*t171
+        - D_delta_y_1*t172 - D_delta_z_1*t173 - D_delta_z_1*t174 - D_delta_z_1*t175;
     K_g[0][13] = K_g[13][0] =
-        -D_delta_x_2*t161 - D_delta_x_2*t162 - D_delta_x_2*t163 - D_delta_y_2*t164 - D_delta_y_2*t165
-        - D_delta_y_2*t166 - D_delta_z_2*t167 - D_delta_z_2*t168 - D_delta_z_2*t169;
+        -D_delta_x_2*t167 - D_delta_x_2*t168 - D_delta_x_2*t169 - D_delta_y_2*t170 - D_delta_y_2*t171
+        - D_delta_y_2*t172 - D_delta_z_2*t173 - D_delta_z_2*t174 - D_delta_z_2*t175;
     K_g[0][14] = K_g[14][0] =
-        -D_delta_x_3*t161 - D_delta_x_3*t162 - D_delta_x_3*t163 - D_delta_y_3*t164 - D_delta_y_3*t165
-        - D_delta_y_3*t166 - D_delta_z_3*t167 - D_delta_z_3*t168 - D_delta_z_3*t169;
+        -D_delta_x_3*t167 - D_delta_x_3*t168 - D_delta_x_3*t169 - D_delta_y_3*t170 - D_delta_y_3*t171
+        - D_delta_y_3*t172 - D_delta_z_3*t173 - D_delta_z_3*t174 - D_delta_z_3*t175;
     K_g[1][1] =
         -(U_2_x_2*U_2_x_2)*mu_2 - (U_2_y_2*U_2_y_2)*mu_2 - (U_2_z_2*U_2_z_2)*mu_2 - mu_1*t134 - mu_1*t135
         - mu_1*t136 - mu_3*t134 - mu_3*t135 - mu_3*t136;
     K_g[1][2] = K_g[2][1] =
-        -D_p_x_3*t170 - D_p_x_3*t172 - D_p_y_3*t173 - D_p_y_3*t175 - D_p_z_3*t176 - D_p_z_3*t178
-        - U_3_x_3*t171 - U_3_y_3*t174 - U_3_z_3*t177;
+        -D_p_x_3*t176 - D_p_x_3*t178 - D_p_y_3*t179 - D_p_y_3*t181 - D_p_z_3*t182 - D_p_z_3*t184
+        - U_3_x_3*t177 - U_3_y_3*t180 - U_3_z_3*t183;
     K_g[1][12] = K_g[12][1] =
-        -D_delta_x_1*t170 - D_delta_x_1*t171 - D_delta_x_1*t172 - D_delta_y_1*t173 - D_delta_y_1*t174
-        - D_delta_y_1*t175 - D_delta_z_1*t176 - D_delta_z_1*t177 - D_delta_z_1*t178;
+        -D_delta_x_1*t176 - D_delta_x_1*t177 - D_delta_x_1*t178 - D_delta_y_1*t179 - D_delta_y_1*t180
+        - D_delta_y_1*t181 - D_delta_z_1*t182 - D_delta_z_1*t183 - D_delta_z_1*t184;
     K_g[1][13] = K_g[13][1] =
-        -D_delta_x_2*t170 - D_delta_x_2*t171 - D_delta_x_2*t172 - D_delta_y_2*t173 - D_delta_y_2*t174
-        - D_delta_y_2*t175 - D_delta_z_2*t176 - D_delta_z_2*t177 - D_delta_z_2*t178;
+        -D_delta_x_2*t176 - D_delta_x_2*t177 - D_delta_x_2*t178 - D_delta_y_2*t179 - D_delta_y_2*t180
+        - D_delta_y_2*t181 - D_delta_z_2*t182 - D_delta_z_2*t183 - D_delta_z_2*t184;
     K_g[1][14] = K_g[14][1] =
-        -D_delta_x_3*t170 - D_delta_x_3*t171 - D_delta_x_3*t172 - D_delta_y_3*t173 - D_delta_y_3*t174
-        - D_delta_y_3*t175 - D_delta_z_3*t176 - D_delta_z_3*t177 - D_delta_z_3*t178;
+        -D_delta_x_3*t176 - D_delta_x_3*t177 - D_delta_x_3*t178 - D_delta_y_3*t179 - D_delta_y_3*t180
+        - D_delta_y_3*t181 - D_delta_z_3*t182 - D_delta_z_3*t183 - D_delta_z_3*t184;
     K_g[2][2] =
         -(U_3_x_3*U_3_x_3)*mu_3 - (U_3_y_3*U_3_y_3)*mu_3 - (U_3_z_3*U_3_z_3)*mu_3 - mu_1*t143 - mu_1*t144
         - mu_1*t145 - mu_2*t143 - mu_2*t144 - mu_2*t145;
     K_g[2][12] = K_g[12][2] =
-        -D_delta_x_1*t180 - D_delta_y_1*t182 - D_delta_z_1*t184 - mu_1*t179 - mu_1*t181 - mu_1*t183
-        - mu_2*t179 - mu_2*t181 - mu_2*t183;
+        -D_delta_x_1*t186 - D_delta_y_1*t188 - D_delta_z_1*t190 - mu_1*t185 - mu_1*t187 - mu_1*t189
+        - mu_2*t185 - mu_2*t187 - mu_2*t189;
     K_g[2][13] = K_g[13][2] =
-        -D_delta_x_2*t180 - D_delta_y_2*t182 - D_delta_z_2*t184 - mu_1*t185 - mu_1*t186 - mu_1*t187
-        - mu_2*t185 - mu_2*t186 - mu_2*t187;
+        -D_delta_x_2*t186 - D_delta_y_2*t188 - D_delta_z_2*t190 - mu_1*t191 - mu_1*t192 - mu_1*t193
+        - mu_2*t191 - mu_2*t192 - mu_2*t193;
     K_g[2][14] = K_g[14][2] =
-        -D_delta_x_3*t180 - D_delta_y_3*t182 - D_delta_z_3*t184 - mu_1*t188 - mu_1*t189 - mu_1*t190
-        - mu_2*t188 - mu_2*t189 - mu_2*t190;
+        -D_delta_x_3*t186 - D_delta_y_3*t188 - D_delta_z_3*t190 - mu_1*t194 - mu_1*t195 - mu_1*t196
+        - mu_2*t194 - mu_2*t195 - mu_2*t196;
     K_g[12][12] =
         -mu_1*t109 - mu_1*t110 - mu_1*t111 + mu_1 - mu_2*t109 - mu_2*t110 - mu_2*t111 - mu_3*t109 - mu_3*t110
         - mu_3*t111;
     K_g[12][13] = K_g[13][12] =
-        -mu_1*t191 - mu_1*t192 - mu_1*t193 - mu_2*t191 - mu_2*t192 - mu_2*t193 - mu_3*t191 - mu_3*t192
-        - mu_3*t193;
+        -mu_1*t197 - mu_1*t198 - mu_1*t199 - mu_2*t197 - mu_2*t198 - mu_2*t199 - mu_3*t197 - mu_3*t198
+        - mu_3*t199;
     K_g[12][14] = K_g[14][12] =
-        -mu_1*t194 - mu_1*t195 - mu_1*t196 - mu_2*t194 - mu_2*t195 - mu_2*t196 - mu_3*t194 - mu_3*t195
-        - mu_3*t196;
+        -mu_1*t200 - mu_1*t201 - mu_1*t202 - mu_2*t200 - mu_2*t201 - mu_2*t202 - mu_3*t200 - mu_3*t201
+        - mu_3*t202;
     K_g[13][13] =
         -mu_1*t115 - mu_1*t116 - mu_1*t117 - mu_2*t115 - mu_2*t116 - mu_2*t117 + mu_2 - mu_3*t115 - mu_3*t116
         - mu_3*t117;
     K_g[13][14] = K_g[14][13] =
-        -mu_1*t197 - mu_1*t198 - mu_1*t199 - mu_2*t197 - mu_2*t198 - mu_2*t199 - mu_3*t197 - mu_3*t198
-        - mu_3*t199;
+        -mu_1*t203 - mu_1*t204 - mu_1*t205 - mu_2*t203 - mu_2*t204 - mu_2*t205 - mu_3*t203 - mu_3*t204
+        - mu_3*t205;
     K_g[14][14] =
         -mu_1*t121 - mu_1*t122 - mu_1*t123 - mu_2*t121 - mu_2*t122 - mu_2*t123 - mu_3*t121 - mu_3*t122
         - mu_3*t123 + mu_3;

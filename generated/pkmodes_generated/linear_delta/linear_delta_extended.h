@@ -79,7 +79,7 @@ typedef struct {
     pkmodes_real gearbox_inertia_inertia;
     /* [kg] point mass at the platform centre */
     pkmodes_real payload_mass;
-    /* [N m/rad] torsional stiffness to ground at every driven pulley */
+    /* [N m/rad] torsional stiffness to ground at every motor, seen at the driven rotor */
     pkmodes_real servo_stiffness_stiffness;
     /* [rad/(N m)] compliance of every gearbox, output side */
     pkmodes_real gearbox_compliance_compliance;
@@ -101,7 +101,7 @@ typedef struct {
  *   out K_g [N/m, N, N m]: Hessian of the gravitational potential energy
  *
  * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g plus the joint stiffnesses.
- * 1242 operations; 2335815 with every named value expanded.
+ * 1245 operations; 2335836 with every named value expanded.
  */
 void linear_delta_extended_extended_matrices(const pkmodes_real p[3],
     const linear_delta_parameters *parameters, const linear_delta_effects *effects, pkmodes_real M[21][21],

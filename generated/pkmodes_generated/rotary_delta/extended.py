@@ -53,6 +53,7 @@ __all__ = [
     "extended_static_equilibrium",
     "geometry_sensitivities",
     "joint_stiffness",
+    "motor_motion",
     "value_sensitivities",
 ]
 
@@ -328,7 +329,7 @@ class Effects(NamedTuple):
     payload_mass : float or array, shape (...) [kg]
         Point mass at the platform centre.
     servo_stiffness_stiffness : float or array, shape (...) [N m/rad]
-        Torsional stiffness to ground at every driven pulley.
+        Torsional stiffness to ground at every motor, seen at the driven rotor.
     link_compliance_compliance : float or array, shape (...) [m/N]
         Axial compliance of every linkage.
     frame_compliance_compliance : float or array, shape (...) [m/N]
@@ -1067,6 +1068,30 @@ def extended_platform_motion(p, parameters):
     J_p_out[..., 2, 8] = D_delta_z_3
     J_p_out[..., 2, 11] = 1
     return J_p_out
+
+
+def motor_motion():
+    """Jacobian of the angles of the motors, seen at the rotors that they drive.
+
+    Parameters
+    ----------
+
+    Returns
+    -------
+    J_m : array, shape (..., 3, 12) [1]
+        d(motor angle)/dq_k.
+
+    Notes
+    -----
+    The drives that the mechanism declares; a gearbox winds up by psi_j on its output side.
+    0 operations; 0 with every named value expanded.
+    """
+    batch, dtype = _batch()
+    J_m_out = np.zeros((*batch, 3, 12), dtype)
+    J_m_out[..., 0, 3] = 1
+    J_m_out[..., 1, 4] = 1
+    J_m_out[..., 2, 5] = 1
+    return J_m_out
 
 
 def joint_stiffness(effects):

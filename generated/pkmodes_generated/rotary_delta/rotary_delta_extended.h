@@ -62,7 +62,7 @@ typedef struct {
     pkmodes_real gearbox_inertia_inertia;
     /* [kg] point mass at the platform centre */
     pkmodes_real payload_mass;
-    /* [N m/rad] torsional stiffness to ground at every driven pulley */
+    /* [N m/rad] torsional stiffness to ground at every motor, seen at the driven rotor */
     pkmodes_real servo_stiffness_stiffness;
     /* [m/N] axial compliance of every linkage */
     pkmodes_real link_compliance_compliance;

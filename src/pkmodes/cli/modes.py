@@ -11,8 +11,9 @@ import numpy as np
 from msgspec import UNSET, Meta, UnsetType
 
 from pkmodes.base.documents import Count, Document
+from pkmodes.base.drives import DRIVES
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import json_option, mechanism_option
+from pkmodes.cli.options import drives_option, json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.cli.targets import check_targets
 from pkmodes.dataset.fields import FIELDS, INDEPENDENT, Field, of_modes
@@ -47,6 +48,7 @@ _AFTER: tuple[tuple[str, Any, str], ...] = (
         "Torque of each drive that holds the pose against gravity, positive with its coordinate [N m].",
     ),
     ("rigid_modes", Count, "Number of modes that strain no elastic element; they come first."),
+    ("drives", _literal[DRIVES], "What the motors do: turn freely, or are held."),
     ("backend", _literal[tuple(SOLVERS)], "What evaluated the modes."),
 )
 
@@ -80,9 +82,10 @@ def _type_of(field: Field) -> Any:
 @click.command(epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245")
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
 @pose_option
+@drives_option
 @mechanism_option
 @json_option
-def modes(robot: Path, pose: str, json_file: str | None) -> None:
+def modes(robot: Path, pose: str, drives: str, json_file: str | None) -> None:
     """Compute frequencies, mode shapes, end-effector directions and static torques at a pose.
 
     Mode shapes are mass-normalised.  The table scales them to their largest component and, if the other coordinates
@@ -92,7 +95,7 @@ def modes(robot: Path, pose: str, json_file: str | None) -> None:
     model = load(robot)
     point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
-    result, statics = model.modes(point), model.statics(point)
+    result, statics = model.modes(point, drives=drives), model.statics(point)
     document = modes_document()(**as_json(model, result, statics))
     deliver(json_file, document.as_json(), lambda: _print(model, result, statics))
 
@@ -108,6 +111,7 @@ def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
         **{field.key: values[field.key] for field in fields if not field.same_as},
         "static_torques": statics.torques.tolist(),
         "rigid_modes": result.rigid_modes,
+        "drives": result.drives,
         "backend": result.backend,
         **{field.key: values[field.key] for field in fields if field.same_as},
     }
@@ -128,7 +132,8 @@ def _print(model: Model, result: Modes, statics: Statics) -> None:
 
     console = Console(highlight=False)
     console.width = max(console.width, 80, 10 + 8 * len(result.frequencies))
-    console.print(f"{model.robot.name} at {placed(model.mechanism, result.poses, 'g')}\n", markup=False)
+    at = placed(model.mechanism, result.poses, "g")
+    console.print(f"{model.robot.name} at {at}, motors {result.drives}\n", markup=False)
     numbers = range(1 - result.rigid_modes, len(result.frequencies) - result.rigid_modes + 1)
     table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0))
     table.add_column("mode", no_wrap=True)

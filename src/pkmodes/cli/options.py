@@ -9,6 +9,7 @@ from typing import Any
 
 import click
 
+from pkmodes.base.drives import DRIVES, FREE
 from pkmodes.base.errors import PkmodesError
 from pkmodes.base.pasting import pasted
 
@@ -46,6 +47,14 @@ _MECHANISM: dict[str, Any] = {
 mechanism_option = click.option("--mechanism", expose_value=False, **_MECHANISM)
 #: The same for a command that prints other commands for the mechanism.
 repeated_mechanism_option = click.option("--mechanism", **_MECHANISM)
+
+drives_option = click.option(
+    "--drives",
+    type=click.Choice(DRIVES),
+    default=FREE,
+    show_default=True,
+    help="What the motors do: turn freely, or be held by position loops far stiffer than the machine.",
+)
 
 band_option = click.option(
     "--band",

@@ -55,6 +55,10 @@ class Evaluator:
             free=lanes.free.ctypes.data,
             massless=lanes.massless.ctypes.data,
             free_count=len(lanes.free),
+            leading=lanes.fold.leading.ctypes.data,
+            following=lanes.fold.following.ctypes.data,
+            fold_weights=lanes.fold.weights.ctypes.data,
+            fold_count=len(lanes.fold.weights),
         )
 
     def run(

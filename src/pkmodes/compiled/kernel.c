@@ -132,6 +132,25 @@ INLINE void lanes_select(int n, const lane *restrict all, const int *restrict ro
             some[i * n + j] = all[rows[i] * LANES_ALL + rows[j]];
 }
 
+/* Add to the rows and columns of leading coordinates what those that follow them contribute. */
+INLINE void lanes_fold(const struct pkmodes_request *restrict request, lane *restrict M, lane *restrict K, lane *restrict J_p)
+{
+    for (int f = 0; f < request->fold_count; f++) {
+        const int to = request->leading[f], from = request->following[f];
+        const double weight = request->fold_weights[f];
+        for (int i = 0; i < LANES_ALL; i++) {
+            M[to * LANES_ALL + i] += weight * M[from * LANES_ALL + i];
+            K[to * LANES_ALL + i] += weight * K[from * LANES_ALL + i];
+        }
+        for (int i = 0; i < LANES_ALL; i++) {
+            M[i * LANES_ALL + to] += weight * M[i * LANES_ALL + from];
+            K[i * LANES_ALL + to] += weight * K[i * LANES_ALL + from];
+        }
+        for (int a = 0; a < LANES_DIRECTIONS; a++)
+            J_p[a * LANES_ALL + to] += weight * J_p[a * LANES_ALL + from];
+    }
+}
+
 /* The model with effects: of all coordinates those that are free. */
 static __attribute__((noinline)) void lanes_with_effects(
     struct lanes_system *restrict system, int units, int modes)
@@ -152,6 +171,8 @@ static __attribute__((noinline)) void lanes_with_effects(
         lanes_extended(system[u].pose, request->parameters, request->effects, M, K, J_p);
         for (int i = 0; i < n; i++)
             K[request->free[i] * (LANES_ALL + 1)] += request->joints[request->free[i]];
+        if (request->fold_count)
+            lanes_fold(request, M, K, J_p);
         if (request->mass) {
             lanes_select(n, M, request->free, system[u].M);
             lanes_put(&system[u].block, request->mass, system[u].M, n * n);

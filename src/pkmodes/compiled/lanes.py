@@ -24,6 +24,25 @@ RATES = ("eigenvalue_rates", "frequency_rates")
 UNSOLVED = -1
 
 
+class Fold(NamedTuple):
+    """Coordinates that follow others: each of the former is a weight times one of the latter.
+
+    Attributes
+    ----------
+    leading, following : ndarray of int32, shape (f,)
+        Among all coordinates.
+    weights : ndarray, shape (f,)
+    """
+
+    leading: NDArray[np.int32]
+    following: NDArray[np.int32]
+    weights: Array
+
+
+#: No coordinate follows another.
+NO_FOLD = Fold(np.empty(0, dtype=np.int32), np.empty(0, dtype=np.int32), np.empty(0))
+
+
 class Lanes(NamedTuple):
     """A robot as the kernel takes it, or several that differ only in numbers.
 
@@ -37,6 +56,8 @@ class Lanes(NamedTuple):
         Which of all coordinates are not locked; none without effects.
     massless : ndarray of int8, shape (n,)
         Which of these have no inertia.
+    fold : Fold
+        Coordinates that are not free and follow these.
     """
 
     parameters: Array
@@ -44,6 +65,7 @@ class Lanes(NamedTuple):
     joints: Array
     free: NDArray[np.int32]
     massless: NDArray[np.int8]
+    fold: Fold = NO_FOLD
 
     @property
     def robots(self) -> int:

@@ -24,7 +24,7 @@ from pkmodes.compiled import build
 SHIPPED = Path(__file__).parent / "libraries"
 #: Folder for libraries built at first use, instead of the user's cache.
 CACHE_VARIABLE = "PKMODES_CACHE"
-LAYOUT = 4
+LAYOUT = 5
 #: The function that was last added to the generated headers.
 NEWEST = "lanes_extended_tangent("
 INSTALL = "install a C compiler (gcc or clang), or name one in the environment variable CC"
@@ -84,6 +84,10 @@ class Request(ctypes.Structure):
         ("free", ctypes.c_void_p),
         ("massless", ctypes.c_void_p),
         ("free_count", ctypes.c_longlong),
+        ("leading", ctypes.c_void_p),
+        ("following", ctypes.c_void_p),
+        ("fold_weights", ctypes.c_void_p),
+        ("fold_count", ctypes.c_longlong),
         ("robots", ctypes.c_longlong),
         ("parameter_count", ctypes.c_longlong),
         ("effect_count", ctypes.c_longlong),

@@ -3,7 +3,7 @@
 #define PKMODES_REQUEST_H
 
 /* Version of the layout below; a library with another version is not used. */
-#define PKMODES_LAYOUT 4
+#define PKMODES_LAYOUT 5
 
 struct pkmodes_request {
     /* N poses, row-major. */
@@ -19,6 +19,10 @@ struct pkmodes_request {
     const int *free;
     const signed char *massless;
     long long free_count;
+    /* Coordinates that are not free but follow others: coordinate `following[i]` is `fold_weights[i]` times `leading[i]`. */
+    const int *leading, *following;
+    const double *fold_weights;
+    long long fold_count;
     /* Several robots with the same free coordinates: robot r has N / robots poses, from pose r N / robots on, and row r of
      * the parameters, effects and joint stiffnesses, which are so long. */
     long long robots, parameter_count, effect_count, joint_count;

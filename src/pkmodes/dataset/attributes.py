@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from pkmodes.base.drives import FREE
 from pkmodes.base.extras import require
 from pkmodes.base.version import VERSION
 from pkmodes.dataset.fields import COORDINATE, DIRECTION, DRIVE, MODE
@@ -57,7 +58,7 @@ def _named(what: str) -> dict[str, str]:
     return {"units": "1", "long_name": what}
 
 
-def attributes_of(robot: Robot, rigid_modes: int) -> dict[str, Any]:
+def attributes_of(robot: Robot, rigid_modes: int, drives: str = FREE) -> dict[str, Any]:
     """Return the attributes of a dataset of a robot."""
     return {
         "Conventions": CONVENTIONS,
@@ -70,4 +71,5 @@ def attributes_of(robot: Robot, rigid_modes: int) -> dict[str, Any]:
         "robot_file_name": Path(robot.source).name,
         "version": VERSION,
         "rigid_modes": rigid_modes,
+        "drives": drives,
     }

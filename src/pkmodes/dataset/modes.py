@@ -24,6 +24,7 @@ def dataset_of_modes(
     coordinates: tuple[str, ...],
     poses: NDArray[np.float64],
     arrays: Mapping[str, NDArray[Any]],
+    drives: str,
 ) -> xarray.Dataset:
     """Return modes as a dataset: see `pkmodes.Modes.to_dataset`.
 
@@ -34,6 +35,8 @@ def dataset_of_modes(
     poses : ndarray, shape (..., d)
     arrays : mapping of str to ndarray
         ``valid``, ``reason``, and those of ``Modes.FIELDS`` that were requested.
+    drives : str
+        What the motors do.
     """
     xr = imported()
     mechanism = robot.mechanism
@@ -65,7 +68,9 @@ def dataset_of_modes(
     number = next((values[field.name].shape[axes] for field in fields if field.dims[:1] == (MODE,)), 0)
     used = {dim for dims, _, _ in data.values() for dim in dims}
     labels = {name: value for name, value in labels_of(mechanism, number, shown).items() if name in used}
-    dataset: xarray.Dataset = xr.Dataset(data, {**coords, **labels}, attributes_of(robot, rigid_modes))
+    dataset: xarray.Dataset = xr.Dataset(
+        data, {**coords, **labels}, attributes_of(robot, rigid_modes, drives)
+    )
     return dataset
 
 

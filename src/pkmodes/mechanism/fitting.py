@@ -121,6 +121,9 @@ def _functions(mechanism: Mechanism) -> Iterator[str]:
     yield from _wrong("the number of directions", len(mechanism.directions), motion[0])
     torques = model.static_equilibrium(pose)[0]
     yield from _wrong("the number of drives", len(mechanism.drives), len(torques))
+    motors = np.shape(effects.motor_motion())
+    what = "the shape of the motors' angles"
+    yield from _wrong(what, (len(mechanism.drives), len(mechanism.extended.COORDINATES)), motors)
     for margin in mechanism.margins:
         results = getattr(model, margin.function)(pose)
         shape = np.shape(results[margin.output] if isinstance(results, tuple) else (results,)[margin.output])

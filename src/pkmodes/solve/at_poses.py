@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pkmodes.dataset.fields import FIELDS
 from pkmodes.mechanism.generated import Generated
-from pkmodes.system.evaluation import Evaluation, ExtendedSystem
+from pkmodes.system.evaluation import Evaluation
 from pkmodes.system.stiffness_parts import StiffnessParts, stiffness_parts
 
 Array = NDArray[np.float64]
@@ -60,7 +60,6 @@ class RobotAtPoses:
     @cached_property
     def stiffness_parts(self) -> StiffnessParts:
         """K in parts, of an extended system."""
-        assert isinstance(self.system, ExtendedSystem)
         return stiffness_parts(self.system, self.points)
 
     @cached_property

@@ -9,9 +9,11 @@ from functools import cache
 from pkmodes.base.arguments import POSITIVE_INTEGER, check_argument
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.solve.compiled_solver import CompiledSolver
+from pkmodes.solve.held_solver import HeldSolver
 from pkmodes.solve.numpy_solver import NumpySolver
 from pkmodes.solve.solver import Solver, UnavailableError
 from pkmodes.system.evaluation import Evaluation
+from pkmodes.system.motors import MotorsHeld
 
 AUTO = "auto"
 #: The back ends by the names that a user gives.
@@ -89,6 +91,12 @@ def solver_of(system: Evaluation, largest_condition: float, backend: str) -> Sol
     UnavailableError
         If it cannot be used here.
     """
+    if isinstance(system, MotorsHeld):
+        return HeldSolver(_solver_of(system, largest_condition, backend), system)
+    return _solver_of(system, largest_condition, backend)
+
+
+def _solver_of(system: Evaluation, largest_condition: float, backend: str) -> Solver:
     if backend != AUTO:
         return SOLVERS[backend].init(system, largest_condition)
     for name in PREFERRED[:-1]:

@@ -11,17 +11,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pkmodes.base.drives import FREE, checked_drives
 from pkmodes.dataset.fields import FIELDS
 from pkmodes.mechanism.poses import CheckedPoses, OnError
 from pkmodes.robot.robot import Robot
 from pkmodes.solve import batch
 from pkmodes.solve.backends import AUTO, checked_threads, chosen, solver_of
 from pkmodes.solve.field_arrays import Fields, Out, chosen_fields
+from pkmodes.solve.held_solver import solved_system
 from pkmodes.solve.kinematics import Kinematics
 from pkmodes.solve.mode_fields import ModeFields
 from pkmodes.solve.results import Modes, Statics
 from pkmodes.solve.solver import Solver
-from pkmodes.system.evaluation import evaluation, matrices
+from pkmodes.system.evaluation import Evaluation, evaluation, matrices
 
 Array = NDArray[np.float64]
 
@@ -47,7 +49,8 @@ class Dynamics:
         self.kinematics, self.robot = kinematics, kinematics.robot
         self.system = evaluation(self.robot)
         self.coordinates = self.system.coordinates
-        self._solvers: dict[str, Solver] = {}
+        self._solvers: dict[tuple[str, str], Solver] = {}
+        self._solved: dict[str, Evaluation] = {FREE: self.system}
         self._plans: dict[tuple[object, ...], ModeFields] = {}
 
     @classmethod
@@ -61,6 +64,7 @@ class Dynamics:
         on_error: OnError = "raise",
         *,
         fields: Fields = None,
+        drives: str = FREE,
         out: Out = None,
         backend: str = AUTO,
         threads: int | None = None,
@@ -76,6 +80,9 @@ class Dynamics:
         fields : sequence of str, optional
             Which of ``Modes.FIELDS`` to compute and keep, such as ``("frequencies", "platform_shapes")``; by default
             all, or the fields in `out`.  The values of a field do not depend on the other fields requested.
+        drives : {"free", "held"}
+            What the motors do: they turn freely, or position loops far stiffer than the machine hold them
+            (docs/model.md).
         out : mapping of str to ndarray, optional
             Arrays to fill in place, by field, with the shapes given in `Modes`; they become the fields.
         backend : {"auto", "numpy", "compiled"}
@@ -93,7 +100,7 @@ class Dynamics:
         ------
         PkmodesError
             If a field is unknown, or an array in `out` has the wrong shape or type or is read-only. Also if
-            `backend` is "compiled" and there is no compiled library.
+            `backend` is "compiled" and there is no compiled library, or `drives` is neither word.
 
         Examples
         --------
@@ -108,9 +115,11 @@ class Dynamics:
         asked = chosen_fields(fields, out, Modes.fields_of(self.robot.mechanism))
         # Two names of the same values share one array unless the caller passes a second one.
         shared = [name for name in asked if FIELDS[name].same_as in asked and name not in (out or ())]
-        solver, number = self.solver(backend), checked_threads(threads)
+        solver, number = self.solver(backend, drives), checked_threads(threads)
         computed = [name for name in asked if name not in shared] if shared else asked
-        checked, arrays = self.fields_at(poses, on_error, computed, solver, out=out, threads=number)
+        checked, arrays = self.fields_at(
+            poses, on_error, computed, solver, drives=drives, out=out, threads=number
+        )
         for name in shared:
             arrays[name] = arrays[FIELDS[name].same_as]
         return Modes(
@@ -119,9 +128,10 @@ class Dynamics:
             arrays=arrays,
             poses=checked.points.reshape((*checked.batch, -1)),
             coordinates=self.coordinates,
-            rigid_modes=self.system.rigid_modes,
+            rigid_modes=self.solved(drives).rigid_modes,
             robot=self.robot,
             backend=solver.name,
+            drives=drives,
         )
 
     def frequencies(
@@ -129,6 +139,7 @@ class Dynamics:
         poses: ArrayLike,
         on_error: OnError = "raise",
         *,
+        drives: str = FREE,
         out: Array | None = None,
         backend: str = AUTO,
         threads: int | None = None,
@@ -141,6 +152,8 @@ class Dynamics:
             In SI units.
         on_error : {"raise", "nan"}
             As for `modes`; `check` says why a pose gives NaN.
+        drives : {"free", "held"}
+            As for `modes`.
         out : ndarray of float, shape (..., m), optional
             Filled in place and returned.
         backend : {"auto", "numpy", "compiled"}
@@ -155,7 +168,13 @@ class Dynamics:
         """
         given = None if out is None else {"frequencies": out}
         modes = self.modes(
-            poses, on_error, fields=("frequencies",), out=given, backend=backend, threads=threads
+            poses,
+            on_error,
+            fields=("frequencies",),
+            drives=drives,
+            out=given,
+            backend=backend,
+            threads=threads,
         )
         return modes.frequencies
 
@@ -166,6 +185,7 @@ class Dynamics:
         names: Sequence[str],
         solver: Solver,
         *,
+        drives: str = FREE,
         out: Out = None,
         threads: int = 1,
         given: Mapping[str, Any] | None = None,
@@ -174,7 +194,7 @@ class Dynamics:
 
         Parameters
         ----------
-        poses, on_error, out
+        poses, on_error, drives, out
             As for `modes`.
         names : sequence of str
         solver : Solver
@@ -193,17 +213,25 @@ class Dynamics:
         key = (solver, *names)
         fields = None if given else self._plans.get(key)
         if fields is None:
-            fields = ModeFields(solver, self.system, self.robot.source, names, given or {})
+            fields = ModeFields(
+                solver, self.system, self.solved(drives), self.robot.source, names, given or {}
+            )
             if not given:
                 self._plans[key] = fields
         return batch.run(fields.job(threads), self.robot, self.kinematics.max_condition, poses, on_error, out)
 
-    def solver(self, backend: str) -> Solver:
+    def solver(self, backend: str, drives: str = FREE) -> Solver:
         """Return the solver that a back end has for the robot."""
-        name = chosen(backend)
-        if name not in self._solvers:
-            self._solvers[name] = solver_of(self.system, self.kinematics.max_condition, name)
-        return self._solvers[name]
+        key = chosen(backend), checked_drives(drives)
+        if key not in self._solvers:
+            self._solvers[key] = solver_of(self.solved(drives), self.kinematics.max_condition, key[0])
+        return self._solvers[key]
+
+    def solved(self, drives: str) -> Evaluation:
+        """Return the system that is solved for the robot, with free or held motors."""
+        if drives not in self._solved:
+            self._solved[drives] = solved_system(self.system, drives)
+        return self._solved[drives]
 
     def matrices(self, poses: ArrayLike, on_error: OnError = "raise") -> tuple[Array, Array]:
         """Compute the mass and stiffness matrices (equations 33 and 48).

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from pkmodes.dataset.fields import FIELDS, missing, sizes_of, tail
 from pkmodes.mechanism.poses import CHUNK
 from pkmodes.solve.at_poses import RobotAtPoses
+from pkmodes.solve.backends import solver_of
 from pkmodes.solve.batch import Job, Rows
 from pkmodes.solve.numpy_solver import NumpySolver
 from pkmodes.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
@@ -26,6 +27,8 @@ class ModeFields:
 
     Parameters
     ----------
+    solved : Evaluation
+        The system that the solver solves: that of the robot, or the one with held motors.
     source : str
         The robot, for messages.
     names : iterable of str
@@ -38,21 +41,23 @@ class ModeFields:
         self,
         solver: Solver,
         system: Evaluation,
+        solved: Evaluation,
         source: str,
         names: Iterable[str],
         given: Mapping[str, Any],
     ) -> None:
-        self._solver, self._system, self._source, self._given = solver, system, source, given
+        self._solver, self._system, self._solved = solver, system, solved
+        self._source, self._given = source, given
         self._names = tuple(names)
         self._derived = [name for name in self._names if name not in solver.fields]
         self._needed = _needed(self._derived, solver.fields) - {*self._names}
-        modes = number_of_modes(system)
+        modes = number_of_modes(solved)
         sizes = sizes_of(system.mechanism, modes, len(system.coordinates))
         fields = {name: FIELDS[name] for name in (*self._names, *self._needed) if name in FIELDS}
         self._tails = {name: (tail(field, sizes), field.dtype) for name, field in fields.items()}
         self._tails[EIGENVALUES] = (modes,), "f8"
         of_modes = _needed(self._names, frozenset({EIGENVALUES, SHAPES}))
-        self._refusable = bool(of_modes) and may_be_refused(system)
+        self._refusable = bool(of_modes) and may_be_refused(solved)
 
     def job(self, threads: int) -> Job:
         """Return the job that evaluates the fields."""
@@ -79,9 +84,9 @@ class ModeFields:
     def by_numpy(self, points: Array) -> Rows:
         """Return the fields at poses, solved by NumPy."""
         numpy = self
-        if not isinstance(self._solver, NumpySolver):
-            solver = NumpySolver.init(self._system, np.inf)
-            numpy = ModeFields(solver, self._system, self._source, self._names, self._given)
+        if self._solver.name != NumpySolver.name:
+            solver = solver_of(self._solved, np.inf, NumpySolver.name)
+            numpy = ModeFields(solver, self._system, self._solved, self._source, self._names, self._given)
         rows = {name: _empty(len(points), *self._tails[name]) for name in self._names}
         numpy.compute(points, rows, 1)
         return rows

@@ -15,7 +15,7 @@ from pkmodes.mechanism.regular import regular_poses
 from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.solve.held_motions import RESOLVED, lost_in_rounding, refuse_unresolved, solve_held
 from pkmodes.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
-from pkmodes.system.evaluation import Evaluation
+from pkmodes.system.evaluation import Evaluation, matrices
 
 Array = NDArray[np.float64]
 
@@ -109,6 +109,6 @@ def _loses_everywhere(system: Evaluation) -> bool:
     points = regular_poses(Generated(mechanism.model, parameters), mechanism, parameters)
     if not len(points):
         return True
-    eigenvalues, _ = condensed_eigh(*system.all_coordinates(points), system.first, system.rigid_modes)
+    eigenvalues, _ = condensed_eigh(*matrices(system, points), system.first, system.rigid_modes)
     lowest, highest = eigenvalues[:, system.rigid_modes], eigenvalues[:, -1]
     return bool((np.abs(lowest) < RESOLVED * highest).all())

@@ -98,8 +98,8 @@ class Modes(ChosenFields):
 
     The leading axes are those of the poses: none for a single pose of shape (d,), (N,) for poses of shape
     (N, d).  n is the number of coordinates; the number of modes m is n minus the number of coordinates without
-    inertia.  Modes are sorted by eigenvalue, the rigid-body modes first.  Entries of poses that could not be
-    evaluated are NaN.
+    inertia and, where the motors are held, of motors.  Modes are sorted by eigenvalue, the rigid-body modes
+    first.  Entries of poses that could not be evaluated are NaN.
 
     Attributes
     ----------
@@ -113,6 +113,8 @@ class Modes(ChosenFields):
         Whose modes they are.
     backend : {"numpy", "compiled"}
         What evaluated them.
+    drives : {"free", "held"}
+        What the motors do.
     valid : ndarray of bool, shape (...)
         Which poses could be evaluated.
     reason : ndarray of str, shape (...)
@@ -120,7 +122,8 @@ class Modes(ChosenFields):
     frequencies : ndarray, shape (..., m)
         sqrt(abs(lambda)) / (2 pi) with the sign of lambda [Hz].
     shapes : ndarray, shape (..., m, n)
-        ``shapes[..., i, :]`` is mode i, mass-normalised (phi^T M phi = 1) with a deterministic sign.
+        ``shapes[..., i, :]`` is mode i, mass-normalised (phi^T M phi = 1) with a deterministic sign.  A held motor
+        has no motion in it.
     platform_shapes : ndarray, shape (..., m, directions)
         Absolute motion of the platform centre in each mode, in the base frame, by the linear pose components: D_p
         times the independent coordinates' components, plus the motion of released joints and the frame.
@@ -145,6 +148,7 @@ class Modes(ChosenFields):
     rigid_modes: int
     robot: Robot
     backend: str = "numpy"
+    drives: str = "free"
     frequencies: Array = field(init=False)
     shapes: Array = field(init=False)
     platform_shapes: Array = field(init=False)
@@ -208,7 +212,9 @@ class Modes(ChosenFields):
 
         names = ("valid", "reason", *(name for name in self.FIELDS if name in vars(self)))
         arrays = {name: getattr(self, name) for name in names}
-        return dataset_of_modes(self.robot, self.rigid_modes, self.coordinates, self.poses, arrays)
+        return dataset_of_modes(
+            self.robot, self.rigid_modes, self.coordinates, self.poses, arrays, self.drives
+        )
 
     def to_table(self) -> DataFrame:
         """Return the vibration modes as a table, which pandas writes as CSV or Parquet.

@@ -132,6 +132,8 @@ class ExtendedSystem:
     ----------
     parameters, effects : Parameters and Effects
         Arguments of the generated model.
+    given : mapping of str to float
+        The effects as given.
     free : ndarray of int, shape (n,)
         Indices of the coordinates of the extended model that are not locked.
     coordinates : tuple of str, length n
@@ -144,7 +146,7 @@ class ExtendedSystem:
     """
 
     def __init__(self, mechanism: Mechanism, parameters: Any, effects: Mapping[str, float]) -> None:
-        self.mechanism, self.parameters = mechanism, parameters
+        self.mechanism, self.parameters, self.given = mechanism, parameters, effects
         self.first = len(mechanism.coordinates)
         released = _released(mechanism, tuple(effects.items()))
         self.effects, self.free, self.coordinates = released.effects, released.free, released.coordinates
@@ -199,17 +201,22 @@ class ExtendedSystem:
 
     def massless(self) -> NDArray[np.bool_]:
         """Return which released coordinates have no inertia."""
-        return self._without_inertia
+        return self._massless
 
     @cached_property
-    def _without_inertia(self) -> NDArray[np.bool_]:
-        if len(self.free) == self.first:
-            return np.zeros(self.first, dtype=bool)
+    def _massless(self) -> NDArray[np.bool_]:
+        massless = np.zeros(len(self.free), dtype=bool)
+        if len(self.free) > self.first:
+            massless[self.first :] = self.without_inertia[self.first :]
+        return massless
+
+    @property
+    def without_inertia(self) -> NDArray[np.bool_]:
+        """Which coordinates that are not locked move no inertia, (n,): released or not."""
         values = (*self.effects, *(getattr(self.parameters, name) for name in _inertias(self.mechanism)))
         zeros = b"".join((np.asarray(value) == 0.0).tobytes() for value in values)
-        massless: NDArray[np.bool_] = _massless(self.mechanism, zeros)[self.free]
-        massless[: self.first] = False
-        return massless
+        none: NDArray[np.bool_] = _massless(self.mechanism, zeros)[self.free]
+        return none
 
     def platform_motion(self, p: Array) -> Array:
         """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""

@@ -64,10 +64,10 @@ class StackedSystems(ExtendedSystem):
 
     def massless(self) -> NDArray[np.bool_]:
         """Return which coordinates have inertia in none of the robots."""
-        return self._without_inertia
+        return self._massless
 
     @cached_property
-    def _without_inertia(self) -> NDArray[np.bool_]:
+    def _massless(self) -> NDArray[np.bool_]:
         return np.asarray(np.all([s.massless() for s in self._systems], axis=0))
 
     def lanes(self) -> Lanes:

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.registry import Mechanism
-from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.system.evaluation import Evaluation, ExtendedSystem
+from pkmodes.system.motors import MotorsHeld
 
 Array = NDArray[np.float64]
 
@@ -32,12 +33,14 @@ class StiffnessParts(NamedTuple):
     gravity: Array
 
 
-def stiffness_parts(system: ExtendedSystem, p: Array) -> StiffnessParts:
-    """Evaluate the parts of K at N poses, (N, d).
+def stiffness_parts(system: Evaluation, p: Array) -> StiffnessParts:
+    """Evaluate the parts of K of an extended system at N poses, (N, d).
 
     The energy of an effect that ties the robot to ground must be proportional to its parameters, so the generated
     derivatives with respect to them give its part without a difference.
     """
+    free_part, system = system.free_part, system.system if isinstance(system, MotorsHeld) else system
+    assert isinstance(system, ExtendedSystem)
     springs, extended = _springs_to_ground(system.mechanism), system.mechanism.extended
     without = system.effects._replace(**dict.fromkeys(springs, 0.0))
     _, machine, gravity = Generated(extended, system.parameters, without).extended_matrices(p)
@@ -52,7 +55,7 @@ def stiffness_parts(system: ExtendedSystem, p: Array) -> StiffnessParts:
                 ground[:, i, j] += stiffness * rates[:, k]
         start += len(entries)
     ground += np.swapaxes(np.triu(ground, 1), -1, -2)
-    return StiffnessParts(*(system.free_part(part) for part in (machine, ground, gravity)))
+    return StiffnessParts(*map(free_part, (machine, ground, gravity)))
 
 
 @cache

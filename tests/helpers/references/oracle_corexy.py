@@ -101,8 +101,9 @@ class CoreXY(HighPrecision):
         return energy
 
     def other_springs(self, q: Vector) -> Number:
-        """The cable from the tool head to ground, relaxed at the pose, and the position loops at the pulleys."""
+        """The cable from the tool head to ground, relaxed at the pose, and the position loops at the motors."""
         pulled = combine(self.platform(q), -1, self.pose)
         energy = self.effects["cable_stiffness_stiffness"] / 2 * dot(pulled, pulled)
         servo = self.effects["servo_stiffness_stiffness"]
-        return energy + servo / 2 * dot(q[THETA], q[THETA])
+        motors = combine(q[THETA], 1, q[PSI])
+        return energy + servo / 2 * dot(motors, motors)
