@@ -40,7 +40,7 @@ from pkmodes_rig.suites.strengths import (
 
 SUITE = "hidden causes"
 #: Seeds used during development.
-SEEN = f"{SEED} and 1 to 20"
+SEEN = f"{SEED}, 1 to 20 and 20261206"
 #: Cases of each effect and of each wrong value, on each robot that has them.
 EACH_EFFECT, EACH_VALUE = 3, 2
 #: Largest predicted signal [sigma].

@@ -1,6 +1,6 @@
 """Suites of the diagnosis for the rotary delta and the CoreXY: define the cases, run them and tabulate the outcomes.
 
-    python -m pkmodes_rig.suites.mechanism_suites --seed 20261205 --out docs/mechanisms-measured.md    # `make suites`
+    python -m pkmodes_rig.suites.mechanism_suites --seed 20261212 --out docs/mechanisms-measured.md    # `make suites`
     python -m pkmodes_rig.suites.mechanism_suites --sizes            # recomputes the sizes in `mechanism_sizes`
 
 The requirements are those of the linear delta's suites (`requirements`).
@@ -254,7 +254,7 @@ def _page(outcomes: list[MechanismOutcome], seconds: float, jobs: int) -> list[s
         "second case is *realistic*: 15 % of its modes are missed. A CoreXY has two vibration modes per pose, a",
         "rotary delta three.",
         "",
-        f"Seed {outcomes[0].case.seed}. The suites were developed with seed 1.",
+        f"Seed {outcomes[0].case.seed}. The suites were developed with the seeds 1 and 20261205.",
         "",
         "## Requirements",
         "",
