@@ -1,6 +1,6 @@
 """Measure the diagnosis on the virtual test rig: run the suites and tabulate the outcomes.
 
-    python -m pkmodes_rig.suites.diagnosis --seed 20261204 --out docs/diagnosis-measured.md         # `make suites`
+    python -m pkmodes_rig.suites.diagnosis --seed 20261211 --out docs/diagnosis-measured.md         # `make suites`
     python -m pkmodes_rig.suites.diagnosis --only "two effects" --limit 6           # a few cases, tables on stdout
 
 `suites` defines the cases, `judging` how they are judged, `requirements` the requirements.
@@ -33,7 +33,10 @@ from pkmodes_rig.suites.suites import SUITES, Case, Outcome, failed, run
 from pkmodes_rig.suites.tables import confusion, grouped, in_words, listed, table
 
 #: Seeds used during the development of the diagnosis.
-SEEN = f"{SEED}, 101 to 120, 7001, 7002, 7011 to 7013, 20261121, 20261122, 20261130, 20261201, 20261202, 20261203 and 20261204"
+SEEN = (
+    f"{SEED}, 101 to 120, 7001, 7002, 7011 to 7013, 20261121, 20261122, 20261130, 20261201, 20261202, 20261203"
+    " and 20261204"
+)
 #: Suites with single causes and realistic measurements, and suites of difficult measurements.
 REALISTIC = ("one effect, realistic", "wrong parameter, realistic", "modes missed")
 HARD = tuple(hard_suites.SUITES)

@@ -1,6 +1,6 @@
 """Measure the limits of what a diagnosis does not find, and the saved standard deviations, on the virtual test rig.
 
-    python -m pkmodes_rig.suites.limits --seed 20261206 --out docs/limits-measured.md               # `make suites`
+    python -m pkmodes_rig.suites.limits --seed 20261213 --out docs/limits-measured.md               # `make suites`
 
 Each case has one cause of the catalogue or one wrong declared value, too small to be found: its predicted signal is
 drawn evenly between nothing and the hidden size of the other suites, three standard deviations and a little more.
