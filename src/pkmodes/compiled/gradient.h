@@ -19,6 +19,8 @@ INLINE void lanes_shapes(const struct lanes_system *restrict system, const struc
         lanes_shape(system, problem->Z + i * m, LANES(1.0), n, m, x);
         for (int k = 0; k < n; k++)
             shapes[i * all + (request->free_count ? request->free[column[k]] : column[k])] = x[k];
+        for (int f = 0; f < request->fold_count; f++)
+            shapes[i * all + request->following[f]] += request->fold_weights[f] * shapes[i * all + request->leading[f]];
     }
 }
 
@@ -44,6 +46,11 @@ INLINE void lanes_joint_rates(const struct lanes_system *restrict system, int m,
                 force = (lane){0};
                 for (int i = 0; i < LANES_ALL; i++)
                     force += (K[r * LANES_ALL + i] - eigenvalues[j] * M[r * LANES_ALL + i]) * shape[i];
+                for (int f = 0; f < request->fold_count; f++)
+                    for (int i = 0; request->leading[f] == r && i < LANES_ALL; i++) {
+                        const int k = request->following[f] * LANES_ALL + i;
+                        force += request->fold_weights[f] * (K[k] - eigenvalues[j] * M[k]) * shape[i];
+                    }
             }
             gradients[j * stride + LANES_GRADIENT + r] = locked[r] ? -force * force : force * force;
         }

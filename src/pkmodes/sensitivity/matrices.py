@@ -236,6 +236,8 @@ class MatrixDerivatives:
             full += np.swapaxes(np.triu(full, 1), -1, -2)
             if self._by_pose is not None:
                 full += np.einsum("ntd,ndab->ntab", self._shift[robot], self._by_pose[matrix][poses])
+            if self._system.basis is not None:
+                full = self._system.basis.T @ full @ self._system.basis
             if matrix == 1:
                 diagonal = np.arange(full.shape[-1])
                 full[..., diagonal, diagonal] += self._springs[robot]
@@ -375,6 +377,7 @@ class MatrixDerivatives:
         return values.reshape(robots, poses * values.shape[1], values.shape[-1])
 
     def _embedded(self, shapes: Array) -> Array:
+        """Return shapes in all coordinates of the generated model, (N, m, e)."""
         phi = np.zeros((*shapes.shape[:-1], self.size))
         phi[..., self.free] = shapes
-        return phi
+        return phi if self._system.basis is None else phi @ self._system.basis.T

@@ -30,13 +30,17 @@ class HeldSolver(Solver):
     ----------
     solver : Solver
         Of `system`.
+
+    Attributes
+    ----------
+    inner : Solver
+        The same.
     """
 
-    differentiates = False
     together = False
 
     def __init__(self, solver: Solver, system: MotorsHeld) -> None:
-        self._solver, self._system = solver, system
+        self.inner, self._system = solver, system
         self.name = solver.name  # type: ignore[misc]
         self.fields = solver.fields - IN_ALL  # type: ignore[misc]
         self.checks_poses = solver.checks_poses  # type: ignore[misc]
@@ -52,7 +56,7 @@ class HeldSolver(Solver):
         own = dict(arrays)
         if SHAPES in arrays:
             own[SHAPES] = np.empty((*arrays[SHAPES].shape[:-1], len(self._system.coordinates)))
-        codes = self._solver.compute(held, own, threads)
+        codes = self.inner.compute(held, own, threads)
         if SHAPES in arrays:
-            arrays[SHAPES][...] = self._system.in_all(own[SHAPES])
+            arrays[SHAPES][...] = self._system.part_with_free_motors(own[SHAPES])
         return codes

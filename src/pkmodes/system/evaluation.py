@@ -143,7 +143,11 @@ class ExtendedSystem:
     joints, joint_rates : ndarray, shape (e,)
         Stiffnesses of the released joints and their derivatives with respect to the compliances; zero for other
         coordinates.
+    basis : ndarray, shape (e, e), or None
+        The coordinates of the generated model per unit of all coordinates here, if these are others.
     """
+
+    basis: Array | None = None
 
     def __init__(self, mechanism: Mechanism, parameters: Any, effects: Mapping[str, float]) -> None:
         self.mechanism, self.parameters, self.given = mechanism, parameters, effects
@@ -213,9 +217,12 @@ class ExtendedSystem:
     @property
     def without_inertia(self) -> NDArray[np.bool_]:
         """Which coordinates that are not locked move no inertia, (n,): released or not."""
+        return self._zero_inertia(self.free)
+
+    def _zero_inertia(self, coordinates: NDArray[np.intp]) -> NDArray[np.bool_]:
         values = (*self.effects, *(getattr(self.parameters, name) for name in _inertias(self.mechanism)))
         zeros = b"".join((np.asarray(value) == 0.0).tobytes() for value in values)
-        none: NDArray[np.bool_] = _massless(self.mechanism, zeros)[self.free]
+        none: NDArray[np.bool_] = _massless(self.mechanism, zeros)[coordinates]
         return none
 
     def platform_motion(self, p: Array) -> Array:

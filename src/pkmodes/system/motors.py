@@ -1,13 +1,12 @@
 """A robot whose motors are held: the coordinates that remain, and how the rotors follow them.
 
 The angle of a motor, seen at the rotor that it drives, is a linear form in the coordinates that depends on no pose:
-theta of that rotor, plus psi where the gearbox winds up.  If every motor is at rest, the rotor is at rest too or
-follows the wind-up, theta = -psi, so that the coordinates are q = T r with a constant T.
+theta of that rotor, plus psi where the gearbox winds up.  With every motor at rest, the rotor is at rest too or
+follows the wind-up, theta = -psi.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -27,11 +26,12 @@ RIGID = 1e-9
 ZERO = 1e-12
 
 
-class MotorsHeld:
-    """The evaluation of a robot with every motor at rest (`pkmodes.system.evaluation.Evaluation`).
+class MotorsHeld(ExtendedSystem):
+    """The evaluation of a robot with every motor at rest.
 
-    The inertia of the motors and springs between them and ground have no influence, and are left out: nothing large
-    cancels.
+    The coordinates r are those of the robot with free motors, but for the rotors that are driven: these are replaced
+    by the angles of the motors, q = T r, and then locked.  The inertia of the motors and springs between them and
+    ground have no influence, and are left out: nothing large cancels.
 
     Parameters
     ----------
@@ -40,72 +40,66 @@ class MotorsHeld:
 
     Attributes
     ----------
-    T : ndarray, shape (n, r)
-        The n coordinates with free motors per unit of each that remains: 0, 1 or -1.
+    basis : ndarray, shape (e, e)
+        T, in all coordinates: 0, 1 or -1.
+    free : ndarray of int, shape (r,)
+        Indices of the coordinates that remain.
     coordinates : tuple of str, length r
-        The coordinates that remain.
-    system : ExtendedSystem
-        The robot with free motors, without what has no influence.
+        Their names.
     """
 
+    basis: Array
+
     def __init__(self, system: ExtendedSystem) -> None:
-        inert = _inert(system.mechanism)
+        mechanism, inert = system.mechanism, _inert(system.mechanism)
         parameters = system.parameters._replace(
             **{name: np.zeros_like(getattr(system.parameters, name)) for name in inert.parameters}
         )
         effects = {path: v for path, v in system.given.items() if not path.startswith(inert.effects)}
-        self.system = ExtendedSystem(system.mechanism, parameters, effects)
-        self.mechanism, self.parameters = system.mechanism, system.parameters
-        motion = Generated(self.mechanism.extended, parameters, self.system.effects).motor_motion()
-        self._kept, self.T = _following(np.asarray(motion)[:, self.system.free], self.system.first)
-        self.coordinates = tuple(system.coordinates[i] for i in self._kept)
-        self.first = int(np.count_nonzero(self._kept < self.system.first))
-        loose = _loose(self.mechanism, np.asarray(motion)[:, : self.system.first].tobytes())
-        self.springs_to_ground: Mapping[str, float] = self.system.springs_to_ground
+        super().__init__(mechanism, parameters, effects)
+        self._listed = self.free
+        motion = np.asarray(Generated(mechanism.extended, parameters, self.effects).motor_motion())
+        rotors, self.basis = _following(motion, self.first)
+        self.free = np.setdiff1d(self._listed, rotors)
+        self.coordinates = tuple(mechanism.extended.COORDINATES[i] for i in self.free)
+        loose = _loose(mechanism, motion[:, : self.first].tobytes())
+        self.first -= len(rotors)
         self.rigid_modes = 0 if self.springs_to_ground else loose
         self.held_motions = loose - self.rigid_modes
 
-    def all_coordinates(self, p: Array) -> tuple[Array, Array]:
-        """Return M and K in all coordinates, with motors that have no inertia, each (N, e, e)."""
-        return self.system.all_coordinates(p)
+    def without_springs(self, p: Array) -> tuple[Array, Array]:
+        """Return M and K in all coordinates r without the springs of the released joints."""
+        M, K = (self.basis.T @ matrix @ self.basis for matrix in super().without_springs(p))
+        return M, K
 
-    def free_part(self, matrix: Array) -> Array:
-        """Return such a matrix in the coordinates that remain, (N, r, r)."""
-        return np.asarray(self.T.T @ self.system.free_part(matrix) @ self.T)
+    def motion_of_all(self, p: Array, parameters: Any = None) -> Array:
+        """Return the absolute platform motion per unit of all coordinates r, (N, directions, e)."""
+        return super().motion_of_all(p, parameters) @ self.basis
 
     def massless(self) -> NDArray[np.bool_]:
-        """Return which coordinates that remain have no inertia, (r,)."""
-        none = self.system.without_inertia
-        moved = self.T != 0.0
-        massless: NDArray[np.bool_] = (none[:, None] | ~moved).all(axis=0)
+        """Return which released coordinates that remain have no inertia, nor have rotors that follow them."""
+        none = np.ones(len(self.basis), dtype=bool)
+        none[self._listed] = self.without_inertia
+        massless: NDArray[np.bool_] = (none[:, None] | (self.basis == 0.0)).all(axis=0)[self.free]
         massless[: self.first] = False
         return massless
 
-    def platform_motion(self, p: Array) -> Array:
-        """Return the absolute platform motion per unit of each coordinate that remains, (N, directions, r)."""
-        return np.asarray(self.system.platform_motion(p) @ self.T)
+    @property
+    def without_inertia(self) -> NDArray[np.bool_]:
+        """Which coordinates with free motors move no inertia, (n,)."""
+        return self._zero_inertia(self._listed)
 
-    def statics(self, p: Array) -> tuple[Array, Array]:
-        """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
-        return self.system.statics(p)
-
-    def in_all(self, shapes: Array) -> Array:
-        """Return shapes, (N, m, r), in the coordinates with free motors, (N, m, n)."""
-        return np.asarray(shapes @ self.T.T)
+    def part_with_free_motors(self, vectors: Array) -> Array:
+        """Return vectors in the coordinates that remain, (..., r), in those with free motors, (..., n)."""
+        return np.asarray(vectors @ self.basis[np.ix_(self._listed, self.free)].T)
 
     def lanes(self) -> Lanes:
         """The robot as the compiled evaluator takes it."""
-        free = self.system.free
-        rotors, columns = np.nonzero(self.T)
-        folded = rotors != self._kept[columns]
+        following, leading = np.nonzero(self.basis - np.diag(np.diag(self.basis)))
         fold = Fold(
-            free[self._kept[columns[folded]]].astype(np.int32),
-            free[rotors[folded]].astype(np.int32),
-            self.T[rotors[folded], columns[folded]],
+            leading.astype(np.int32), following.astype(np.int32), self.basis[following, leading].copy()
         )
-        return self.system.lanes()._replace(
-            free=free[self._kept].astype(np.int32), massless=self.massless().astype(np.int8), fold=fold
-        )
+        return super().lanes()._replace(fold=fold)
 
 
 class _Inert(NamedTuple):
@@ -115,8 +109,8 @@ class _Inert(NamedTuple):
     effects: tuple[str, ...]
 
 
-def _following(motion: Array, first: int) -> tuple[NDArray[np.intp], Array]:
-    """Return the coordinates that remain, and T.
+def _following(motion: Array, first: int) -> tuple[list[int], Array]:
+    """Return the driven rotors, and T, which has the angle of its motor in the place of each.
 
     Parameters
     ----------
@@ -126,11 +120,11 @@ def _following(motion: Array, first: int) -> tuple[NDArray[np.intp], Array]:
         Number of coordinates without effects.
     """
     rotors = [int(np.flatnonzero(row[:first])[0]) for row in motion]
-    kept = np.array([i for i in range(motion.shape[1]) if i not in rotors], dtype=np.intp)
-    T = np.eye(motion.shape[1])[:, kept]
+    T = np.eye(motion.shape[1])
     for rotor, row in zip(rotors, motion, strict=True):
-        T[rotor] = -row[kept] / row[rotor] + 0.0
-    return kept, T
+        T[rotor] = -row / row[rotor] + 0.0
+        T[rotor, rotor] = 1.0 / row[rotor]
+    return rotors, T
 
 
 @cache
@@ -145,8 +139,9 @@ def _loose(mechanism: Mechanism, motion: bytes) -> int:
     plain, base = sample(mechanism), len(mechanism.coordinates)
     p = regular_poses(Generated(mechanism.model, plain), mechanism, plain, 1)
     M, K, _ = Generated(mechanism.extended, plain, mechanism.extended.Effects()).extended_matrices(p[0])
-    _, T = _following(np.frombuffer(motion).reshape(-1, base), base)
-    M, K = (T.T @ matrix[:base, :base] @ T for matrix in (M, K))
+    rotors, _ = _following(np.frombuffer(motion).reshape(-1, base), base)
+    kept = np.setdiff1d(np.arange(base), rotors)
+    M, K = (matrix[np.ix_(kept, kept)] for matrix in (M, K))
     scale = 1.0 / np.sqrt(np.diag(M))
     levels = np.linalg.eigvalsh(K * np.outer(scale, scale))
     return int(np.count_nonzero(levels < RIGID * levels[-1]))
@@ -158,7 +153,8 @@ def _inert(mechanism: Mechanism) -> _Inert:
     extended, plain = mechanism.extended, sample(mechanism)
     generated = Generated(extended, plain, extended.Effects())
     p = regular_poses(Generated(mechanism.model, plain), mechanism, plain, 1)[0]
-    _, T = _following(np.asarray(generated.motor_motion()), len(mechanism.coordinates))
+    rotors, T = _following(np.asarray(generated.motor_motion()), len(mechanism.coordinates))
+    T = np.delete(T, rotors, axis=1)
     rates = generated.value_sensitivities(p)
     starts = [0, 0]
     seen: dict[str, set[bool]] = {}

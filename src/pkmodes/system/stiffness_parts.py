@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.system.evaluation import Evaluation, ExtendedSystem
-from pkmodes.system.motors import MotorsHeld
 
 Array = NDArray[np.float64]
 
@@ -39,7 +38,6 @@ def stiffness_parts(system: Evaluation, p: Array) -> StiffnessParts:
     The energy of an effect that ties the robot to ground must be proportional to its parameters, so the generated
     derivatives with respect to them give its part without a difference.
     """
-    free_part, system = system.free_part, system.system if isinstance(system, MotorsHeld) else system
     assert isinstance(system, ExtendedSystem)
     springs, extended = _springs_to_ground(system.mechanism), system.mechanism.extended
     without = system.effects._replace(**dict.fromkeys(springs, 0.0))
@@ -55,7 +53,10 @@ def stiffness_parts(system: Evaluation, p: Array) -> StiffnessParts:
                 ground[:, i, j] += stiffness * rates[:, k]
         start += len(entries)
     ground += np.swapaxes(np.triu(ground, 1), -1, -2)
-    return StiffnessParts(*map(free_part, (machine, ground, gravity)))
+    parts = (machine, ground, gravity)
+    if system.basis is not None:
+        parts = tuple(system.basis.T @ part @ system.basis for part in parts)
+    return StiffnessParts(*map(system.free_part, parts))
 
 
 @cache
