@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeVar
 
 from numpy.typing import ArrayLike
 
+from pkmodes.base.drives import FREE, checked_drives
 from pkmodes.mechanism.poses import MAX_CONDITION, OnError
 from pkmodes.robot.robot import Robot
 from pkmodes.solve.backends import AUTO, checked_threads
@@ -87,7 +88,7 @@ class Model:
         self.dynamics = Dynamics(self.kinematics)
         self.robot, self.mechanism = robot, robot.mechanism
         self.coordinates = self.dynamics.coordinates
-        self._resolved_paths: tuple[tuple[str, ...] | None, ResolvedPaths] | None = None
+        self._resolved_paths: tuple[tuple[tuple[str, ...] | None, str], ResolvedPaths] | None = None
 
     def __repr__(self) -> str:
         return f"Model({self.robot.name!r}, {self.robot.mechanism_name}, {len(self.coordinates)} coordinates)"
@@ -139,6 +140,7 @@ class Model:
         close: float = 1e-6,
         on_error: OnError = "raise",
         fields: Fields = None,
+        drives: str = FREE,
         out: Out = None,
         backend: str = AUTO,
         threads: int | None = None,
@@ -159,6 +161,8 @@ class Model:
             Which of ``Sensitivities.FIELDS`` to compute and keep; by default all, or the fields in `out`.
             ``"frequencies"`` and ``"eigenvalues"`` alone take a hundredth of the time or, without the compiled
             library, a sixth.
+        drives : {"free", "held"}
+            As for `modes`.
         out : mapping of str to ndarray, optional
             As for `modes`.
         backend : {"auto", "numpy", "compiled"}
@@ -181,14 +185,14 @@ class Model:
         from pkmodes.sensitivity.sensitivities import sensitivities
 
         return sensitivities(
-            self._resolved(parameters),
+            self._resolved(parameters, checked_drives(drives)),
             poses,
             on_error,
             self.max_condition,
             close,
             fields,
             out,
-            self.dynamics.solver(backend),
+            self.dynamics.solver(backend, drives),
             checked_threads(threads),
         )
 
@@ -280,17 +284,17 @@ class Model:
             progress=progress,
         )
 
-    def _resolved(self, parameters: Sequence[str] | None) -> ResolvedPaths:
+    def _resolved(self, parameters: Sequence[str] | None, drives: str) -> ResolvedPaths:
         """Resolve parameter paths; those of the last call are kept."""
         from pkmodes.sensitivity.sensitivities import ResolvedPaths
 
         if parameters is None:
-            key: tuple[str, ...] | None = None
+            names: tuple[str, ...] | None = None
         elif isinstance(parameters, list | tuple) and all(isinstance(path, str) for path in parameters):
-            key = tuple(parameters)
+            names = tuple(parameters)
         else:  # anything else is converted or refused
-            return ResolvedPaths(self.robot, parameters)
-        last = self._resolved_paths
+            return ResolvedPaths(self.robot, parameters, drives)
+        key, last = (names, drives), self._resolved_paths
         if last is None or last[0] != key:
-            last = self._resolved_paths = key, ResolvedPaths(self.robot, parameters)
+            last = self._resolved_paths = key, ResolvedPaths(self.robot, parameters, drives)
         return last[1]

@@ -10,6 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pkmodes.base.drives import FREE
 from pkmodes.base.errors import PkmodesError, listed, shown
 from pkmodes.compiled.lanes import Terms
 from pkmodes.linalg.eigen import has_stiff_joint, magnitude
@@ -22,10 +23,12 @@ from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivativ
 from pkmodes.sensitivity.terms import RATES, terms_of
 from pkmodes.solve.batch import run
 from pkmodes.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
+from pkmodes.solve.held_solver import solved_system
 from pkmodes.solve.results import ChosenFields
 from pkmodes.solve.solutions import solved
 from pkmodes.solve.solver import Solver
 from pkmodes.system.evaluation import ExtendedSystem, evaluation
+from pkmodes.system.motors import MotorsHeld
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -48,6 +51,8 @@ class Sensitivities(ChosenFields):
         Their SI units.
     values : ndarray, shape (T,)
         Their values.
+    drives : {"free", "held"}
+        What the motors do; M and K are those with free motors, and shapes are given in their coordinates.
     valid : ndarray of bool, shape (...)
         Which poses could be evaluated.
     reason : ndarray of str, shape (...)
@@ -86,6 +91,7 @@ class Sensitivities(ChosenFields):
     parameters: tuple[str, ...]
     units: tuple[str, ...]
     values: Array
+    drives: str = FREE
     mass_matrix: Array = field(init=False)
     stiffness_matrix: Array = field(init=False)
     eigenvalues: Array = field(init=False)
@@ -101,11 +107,13 @@ class ResolvedPaths:
     ----------
     parameters : sequence of str, optional
         Paths; by default all that can vary.
+    drives : {"free", "held"}
+        What the motors do.
 
     Attributes
     ----------
     system : Evaluation
-        Of the robot.
+        Of the robot, with free or held motors.
 
     Raises
     ------
@@ -113,13 +121,19 @@ class ResolvedPaths:
         If a path is unknown or cannot vary.
     """
 
-    def __init__(self, robot: Robot, parameters: Sequence[str] | None) -> None:
-        self.robot, self.paths, self.system = robot, _chosen(robot, parameters), evaluation(robot)
+    def __init__(self, robot: Robot, parameters: Sequence[str] | None, drives: str = FREE) -> None:
+        self.robot, self.paths, self.drives = robot, _chosen(robot, parameters), drives
+        self.system = solved_system(evaluation(robot), drives)
 
     @cached_property
     def extended(self) -> ExtendedSystem:
         """The robot's system with all released joints."""
         return self.system if isinstance(self.system, ExtendedSystem) else ExtendedSystem.of(self.robot)
+
+    @cached_property
+    def listed(self) -> ExtendedSystem:
+        """The same with free motors, whose matrices and shapes are the results."""
+        return ExtendedSystem.of(self.robot) if isinstance(self.system, MotorsHeld) else self.extended
 
     @cached_property
     def terms(self) -> Terms:
@@ -139,6 +153,7 @@ def sensitivities(
     threads: int,
 ) -> Sensitivities:
     """Evaluate the sensitivities of a robot; see `pkmodes.Model.sensitivities`."""
+    solver = solver.inner
     robot, chosen, system = resolved.robot, resolved.paths, resolved.system
     if not (isinstance(close, int | float | np.integer | np.floating) and 0.0 <= close < 1.0):
         raise PkmodesError(f"expected a fraction below 1, found {shown(close)}", "close", "for example: 1e-6")
@@ -174,6 +189,7 @@ def sensitivities(
         parameters=tuple(path.path for path in chosen),
         units=tuple(path.unit for path in chosen),
         values=np.array([path.value for path in chosen]),
+        drives=resolved.drives,
     )
 
 
@@ -248,6 +264,12 @@ def _at(
             nothing = size <= ROUNDING * sizes  # sqrt has no derivative at 0
             twice = 4.0 * np.pi * np.sqrt(np.where(nothing, np.nan, size))
             fields["frequencies"] = fields["eigenvalues"] / twice[:, None]
+    if isinstance(extended, MotorsHeld):
+        if "shapes" in asked:
+            fields["shapes"] = extended.part_with_free_motors(fields["shapes"])
+        if {"mass_matrix", "stiffness_matrix"} & set(asked):
+            every = MatrixDerivatives(resolved.listed, p, [chosen])
+            fields["mass_matrix"], fields["stiffness_matrix"] = every.dense()
     return {name: fields[name] for name in asked}
 
 

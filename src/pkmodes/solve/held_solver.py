@@ -30,20 +30,20 @@ class HeldSolver(Solver):
     ----------
     solver : Solver
         Of `system`.
-
-    Attributes
-    ----------
-    inner : Solver
-        The same.
     """
 
     together = False
 
     def __init__(self, solver: Solver, system: MotorsHeld) -> None:
-        self.inner, self._system = solver, system
+        self._inner, self._system = solver, system
         self.name = solver.name  # type: ignore[misc]
         self.fields = solver.fields - IN_ALL  # type: ignore[misc]
         self.checks_poses = solver.checks_poses  # type: ignore[misc]
+
+    @property
+    def inner(self) -> Solver:
+        """The solver of the system without the coordinates of the motors."""
+        return self._inner
 
     @classmethod
     def init(cls, system: Evaluation, largest_condition: float) -> Self:
@@ -56,7 +56,7 @@ class HeldSolver(Solver):
         own = dict(arrays)
         if SHAPES in arrays:
             own[SHAPES] = np.empty((*arrays[SHAPES].shape[:-1], len(self._system.coordinates)))
-        codes = self.inner.compute(held, own, threads)
+        codes = self._inner.compute(held, own, threads)
         if SHAPES in arrays:
             arrays[SHAPES][...] = self._system.part_with_free_motors(own[SHAPES])
         return codes

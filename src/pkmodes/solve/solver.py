@@ -51,6 +51,11 @@ class Solver(ABC):
     differentiates: ClassVar[bool] = False
     together: ClassVar[bool] = False
 
+    @property
+    def inner(self) -> Solver:
+        """The solver of the system that is solved, with shapes in its own coordinates."""
+        return self
+
     @classmethod
     @abstractmethod
     def init(cls, system: Evaluation, largest_condition: float) -> Self:
