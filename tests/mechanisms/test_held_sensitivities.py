@@ -115,8 +115,8 @@ def test_motors_and_servos_have_no_influence(values: Mapping[str, float], backen
     names = ["motor.inertia", "motor.gear_ratio", "effects.servo_stiffness.stiffness", "pulley.inertia"]
     fields = ["eigenvalues"]
     found = model.sensitivities(p, names, fields=fields, drives="held", backend=backend).eigenvalues
-    values_of = model.modes(p, drives="held").frequencies
-    assert (np.abs(found[:3]) < 1e-12 * (2 * np.pi * values_of) ** 2).all()
+    free = model.sensitivities(p, names, fields=fields, backend=backend).eigenvalues
+    assert (np.abs(found[:3]).max(axis=1) <= 1e-12 * np.abs(free[:3]).max(axis=1)).all()
     assert (found[3] != 0.0).any()
 
 
