@@ -22,6 +22,7 @@ KEYS = {
     "pose",
     "frequencies_hz",
     "rigid_modes",
+    "drives",
     "groups",
     "parameters",
     "units",
@@ -180,3 +181,16 @@ def test_help_shows_an_example_that_works(
     example = capsys.readouterr().out.split("Example:\n")[1].replace("\\\n", " ").split()
     assert example[0] == "pkmodes"
     assert run(example[1:]) == 0
+
+
+def test_motors_are_held_if_asked(capsys: pytest.CaptureFixture[str]) -> None:
+    some = ("--parameters", "platform.mass,motor.inertia", "--drives", "held")
+    found = as_json(capsys, *some)
+    model = pkmodes.load(PUBLISHED)
+    expected = model.sensitivities(POINT, ["platform.mass", "motor.inertia"], drives="held")
+    assert (found["drives"], found["rigid_modes"]) == ("held", 0)
+    np.testing.assert_array_equal(found["frequencies_hz"], model.frequencies(POINT, drives="held"))
+    np.testing.assert_array_equal(found["frequency_derivatives"], expected.frequencies)
+    printed = sensitivities(capsys, *some)
+    assert printed.startswith("linear-delta-2022 at [0.6, 0.03, -0.245] m, motors held\n")
+    assert "no frequency depends on: motor.inertia\n" in printed

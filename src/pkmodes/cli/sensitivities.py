@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import click
 import numpy as np
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from pkmodes.base.documents import Count, Document, Matrix
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import json_option, mechanism_option
+from pkmodes.cli.options import drives_option, json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.cli.targets import check_targets
 from pkmodes.mechanism.poses import placed
@@ -44,6 +44,9 @@ class SensitivitiesDocument(Document):
     ]
     rigid_modes: Annotated[
         Count, Meta(description="Number of modes that strain no elastic element; they come first.")
+    ]
+    drives: Annotated[
+        Literal["free", "held"], Meta(description="What the motors do: turn freely, or are held.")
     ]
     groups: Annotated[
         list[int],
@@ -91,9 +94,10 @@ class SensitivitiesDocument(Document):
     help="Quantities such as platform.mass, link.length or effects.payload.mass, separated by commas; by default all "
     "that can vary.",
 )
+@drives_option
 @mechanism_option
 @json_option
-def sensitivities(robot: Path, pose: str, parameters: str | None, json_file: str | None) -> None:
+def sensitivities(robot: Path, pose: str, parameters: str | None, drives: str, json_file: str | None) -> None:
     """Compute exact derivatives of the frequencies at a pose with respect to the robot's quantities and to effects.
 
     Absent effects are included.  Quantities are sorted by how much a change of one percent changes a frequency.  The
@@ -104,7 +108,8 @@ def sensitivities(robot: Path, pose: str, parameters: str | None, json_file: str
     model = load(robot)
     point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
-    modes, derivatives = model.modes(point), model.sensitivities(point, paths)
+    modes = model.modes(point, drives=drives)
+    derivatives = model.sensitivities(point, paths, drives=drives)
     relative = _relative(derivatives, modes.frequencies)
     document = SensitivitiesDocument.of(
         derivatives,
@@ -167,7 +172,8 @@ def _print(model: Model, modes: Modes, derivatives: Sensitivities, relative: Arr
     rates = np.where(small, 0.0, derivatives.frequencies)[:, rigid:]
     every = list(map(_Line, derivatives.parameters, derivatives.units, values, rates, relative[:, rigid:]))
     lines = sorted((line for line in every if line.rates.any()), key=lambda line: -line.weight)
-    terminal.heading(f"{model.robot.name} at {placed(model.mechanism, modes.poses, 'g')}")
+    at = placed(model.mechanism, modes.poses, "g")
+    terminal.heading(f"{model.robot.name} at {at}, motors {modes.drives}")
     numbers = [str(number) for number in range(1, len(modes.frequencies) - rigid + 1)]
     frequencies = [f"{f:.3f}" for f in modes.frequencies[rigid:]]
     present = [line for line in lines if line.value != 0.0]
