@@ -33,7 +33,7 @@ def printed(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
 
 def test_the_table_says_where_each_mode_is_lowest_and_highest(capsys: pytest.CaptureFixture[str]) -> None:
     out = printed(capsys, ROBOT, "--grid", LINE)
-    assert "linear-delta-2022: 11 of 11 poses can be evaluated" in out
+    assert "linear-delta-2022, motors free: 11 of 11 poses can be evaluated" in out
     assert "x from 0.3 to 0.8 m, 11 values" in out
     assert "y = 0 m" in out
     rows = [line.split() for line in out.splitlines()]
@@ -162,3 +162,24 @@ def test_a_terminal_shows_progress_with_the_time_left() -> None:
     os.close(master)
     assert re.search(rb"\d+/99", shown)
     assert re.search(rb"\d:\d\d:\d\d", shown), "the time left"
+
+
+def test_motors_are_held_if_asked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The numbers, the page with its pictures and its machine, and an interrupted map of the other kind."""
+    import pkmodes
+
+    page, file = tmp_path / "map.html", tmp_path / "map.nc"
+    grid = ("--grid", "x=0.5:0.6:3,y=-0.02:0.02:3,z=-0.245", "--drives", "held")
+    out = printed(capsys, ROBOT, *grid, "--out", str(file), "--report", str(page))
+    assert out.startswith("linear-delta-2022, motors held: 9 of 9 poses can be evaluated\n")
+    with xarray.open_dataset(file) as found:
+        assert (found.attrs["drives"], found.attrs["rigid_modes"]) == ("held", 0)
+        expected = pkmodes.load(PUBLISHED).frequencies([0.55, 0.0, -0.245], drives="held")
+        np.testing.assert_allclose(found["frequency"].sel(x=0.55, y=0.0).squeeze(), expected, rtol=1e-10)
+    text = page.read_text(encoding="utf-8")
+    assert "Mapped with motors held: " in text
+    assert "The robot as declared, its motors held, in the plane of the map" in text
+    assert "Modes of linear-delta-2022, motors held" in text
+    assert text.count("motors held, z =") > 3
+    content = json.loads(printed(capsys, ROBOT, *grid, "--json", "-"))
+    assert (content["drives"], content["rigid_modes"], len(content["modes"])) == ("held", 0, 6)

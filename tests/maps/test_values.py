@@ -49,7 +49,7 @@ def expect_equal_to_single_poses(model: pkmodes.Model, found: xarray.Dataset, na
             assert not one["valid"]
             continue
         valid += 1
-        modes = model.modes(point, backend="numpy")
+        modes = model.modes(point, backend="numpy", drives=found.attrs["drives"])
         vibration = slice(modes.rigid_modes, None)
         np.testing.assert_allclose(one["frequency"], modes.frequencies[vibration], rtol=1e-9)
         np.testing.assert_allclose(one["platform_shape"], modes.platform_shapes[vibration], atol=1e-6)
@@ -66,13 +66,15 @@ def expect_equal_to_single_poses(model: pkmodes.Model, found: xarray.Dataset, na
     return valid
 
 
+@pytest.mark.parametrize("drives", ["free", "held"])
 @pytest.mark.parametrize("effects", EFFECTS)
 @pytest.mark.parametrize("robot", GRIDS)
-def test_each_pose_has_the_numbers_of_a_single_evaluation(robot: str, effects: str) -> None:
+def test_each_pose_has_the_numbers_of_a_single_evaluation(robot: str, effects: str, drives: str) -> None:
     model = pkmodes.load(ROBOTS / f"{robot}.toml")
     known = changeable(model.robot)
     model = model.with_values({path: value for path, value in EFFECTS[effects].items() if path in known})
-    found = model.map(GRIDS[robot], shapes=True)
+    found = model.map(GRIDS[robot], shapes=True, drives=drives)
+    assert found.attrs["drives"] == drives
     assert expect_equal_to_single_poses(model, found, tuple(GRIDS[robot])) >= 4
     assert not found["valid"].values.all()
 

@@ -108,7 +108,7 @@ def test_each_frequency_stands_beside_where_it_is(page: Path) -> None:
 def test_its_head_says_what_was_mapped(page: Path) -> None:
     content = json.loads((page.parent / "map.json").read_text())
     text = page.read_text(encoding="utf-8")
-    assert "Mapped: z \u2212245 mm, y \u2212100 to 100 mm, x 300 to 900 mm." in text
+    assert "Mapped with motors free: z \u2212245 mm, y \u2212100 to 100 mm, x 300 to 900 mm." in text
     low, high = content["modes"][0]["minimum_hz"], content["modes"][0]["maximum_hz"]
     assert f"lies between {low:.2f} and {high:.2f} Hz" in text
     assert content["poses"] == 13 * 9

@@ -12,7 +12,7 @@ from pkmodes.base.documents import Document
 from pkmodes.base.errors import OutputError, shown
 from pkmodes.base.places import resolved
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import json_option, mechanism_option, named_as_options
+from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.model.loading import load
@@ -45,9 +45,12 @@ class FiguresDocument(Document):
     show_default=True,
     help="Repeat it for several.",
 )
+@drives_option
 @mechanism_option
 @json_option
-def figures(robot: Path, out: str, grid: str | None, formats: tuple[str, ...], json_file: str | None) -> None:
+def figures(
+    robot: Path, out: str, grid: str | None, formats: tuple[str, ...], drives: str, json_file: str | None
+) -> None:
     """Draw the working plane, frequencies, directions of motion, and the influence of parameters."""
     check_targets(json_file, [robot])
     folder = Path(out)
@@ -60,6 +63,6 @@ def figures(robot: Path, out: str, grid: str | None, formats: tuple[str, ...], j
 
     places = None if grid is None else parse_grid(grid, model.mechanism, "--grid")
     with named_as_options({"grid": "--grid"}):
-        written = write_pictures(model, folder, places, tuple(dict.fromkeys(formats)))
+        written = write_pictures(model, folder, places, tuple(dict.fromkeys(formats)), drives=drives)
     document = FiguresDocument(robot=str(robot), out=out, files=[path.name for path in written])
     deliver(json_file, document.as_json(), lambda: list(map(echo, written)))

@@ -6,14 +6,14 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import click
 from msgspec import Meta
 
 from pkmodes.base.documents import Document
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import json_option, mechanism_option, named_as_options, report_option
+from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options, report_option
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.model.loading import load
@@ -64,6 +64,9 @@ class MapDocument(Document):
     reasons: Annotated[dict[str, int], Meta(description="How many could not, by the code of the reason.")]
     rigid_modes: Annotated[
         int, Meta(description="Rigid-body modes of the robot as declared, which are left out.")
+    ]
+    drives: Annotated[
+        Literal["free", "held"], Meta(description="What the motors do: turn freely, or are held.")
     ]
     tracked: Annotated[bool, Meta(description="Whether modes are numbered by their shapes.")]
     modes: Annotated[list[ExtremesDocument], Meta(description="The vibration modes.")]
@@ -122,6 +125,7 @@ class MapDocument(Document):
 @click.option(
     "--scheduler", metavar="ADDRESS", default=None, help="A Dask scheduler whose workers evaluate the map."
 )
+@drives_option
 @mechanism_option
 @report_option
 @json_option
@@ -138,6 +142,7 @@ def map_(
     overwrite: bool,
     threads: int | None,
     scheduler: str | None,
+    drives: str,
     report_to: Path | None,
     json_file: str | None,
 ) -> None:
@@ -161,6 +166,7 @@ def map_(
             overwrite=overwrite,
             scheduler=scheduler,
             threads=threads,
+            drives=drives,
             progress=progress,
         )
     from pkmodes.cli.map_tables import show
@@ -180,7 +186,7 @@ def _page(model: Model, dataset: Dataset, content: dict[str, Any], sources: Sequ
     from pkmodes.report.map import map_report, middle_of
     from pkmodes.report.model_view import view_of
 
-    view = view_of(model, start=middle_of(model, dataset))
+    view = view_of(model, start=middle_of(model, dataset), drives=content["drives"])
     return map_report(model, dataset, content, sources, view)
 
 

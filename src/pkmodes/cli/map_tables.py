@@ -15,7 +15,8 @@ def show(model: Model, content: dict[str, Any]) -> None:
     units = {component.name: component.unit for component in model.mechanism.pose}
     units |= {path: unit for path, unit in changeable(model.robot).items() if unit != "1"}
     terminal.heading(
-        f"{content['robot']}: {content['valid']:,} of {content['poses']:,} poses can be evaluated"
+        f"{content['robot']}, motors {content['drives']}: {content['valid']:,} of {content['poses']:,} poses can be "
+        "evaluated"
     )
     several = [name for name in content["ranges"] if content["dimensions"][name] > 1]
     for dim, (first, last) in content["ranges"].items():

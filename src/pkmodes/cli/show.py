@@ -12,7 +12,7 @@ from pkmodes.base.documents import Document
 from pkmodes.base.errors import PkmodesError
 from pkmodes.base.writing import write_file
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import json_option, mechanism_option
+from pkmodes.cli.options import drives_option, json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import Target, check_targets
@@ -50,9 +50,12 @@ class ShowDocument(Document):
     default=None,
     help="Vibration mode of FILE.gif, by default 1.",
 )
+@drives_option
 @mechanism_option
 @json_option
-def show(robot: Path, pose: str | None, out: str | None, mode: int | None, json_file: str | None) -> None:
+def show(
+    robot: Path, pose: str | None, out: str | None, mode: int | None, drives: str, json_file: str | None
+) -> None:
     """Write a page that shows the robot in three dimensions, moving in its modes.
 
     Choose a pose, a mode, amplitude and speed; belts and other springs are coloured by their share of the
@@ -76,7 +79,7 @@ def show(robot: Path, pose: str | None, out: str | None, mode: int | None, json_
     if moving:
         from pkmodes.plots.animation import animation
 
-        one, mode = scene_of(model, point), mode or 1
+        one, mode = scene_of(model, point, drives=drives), mode or 1
         if one.rigid_modes + mode > one.shapes.shape[1]:
             known = one.shapes.shape[1] - one.rigid_modes
             raise PkmodesError(
@@ -84,6 +87,6 @@ def show(robot: Path, pose: str | None, out: str | None, mode: int | None, json_
             )
         write_file(Path(target), animation(one, one.rigid_modes + mode - 1))
     else:
-        write_file(Path(target), page(poses_around(model, point)))
+        write_file(Path(target), page(poses_around(model, point, drives=drives)))
     document = ShowDocument(robot=str(robot), out=target, pose=point)
     deliver(json_file, document.as_json(), lambda: echo(target))

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pkmodes.base.arguments import check_argument, one_of
+from pkmodes.base.drives import FREE
 from pkmodes.base.errors import OutputError
 from pkmodes.base.writing import write_files
 from pkmodes.figures.pictures import Picture, pictures
@@ -20,7 +21,12 @@ FORMATS = ("svg", "png", "pdf")
 
 
 def write_pictures(
-    model: Model, folder: Path, grid: Any = None, formats: Sequence[str] = ("svg",)
+    model: Model,
+    folder: Path,
+    grid: Any = None,
+    formats: Sequence[str] = ("svg",),
+    *,
+    drives: str = FREE,
 ) -> list[Path]:
     """Draw the figures of a robot and write them, all or none.
 
@@ -34,6 +40,8 @@ def write_pictures(
         As for `pictures`.
     formats : sequence of {"svg", "png", "pdf"}
         Each figure is written in all of them.
+    drives : {"free", "held"}
+        As for `pkmodes.Model.modes`.
 
     Returns
     -------
@@ -50,7 +58,7 @@ def write_pictures(
     for one in formats:
         check_argument(one, one_of(FORMATS), "formats", "choose one of the three", OutputError)
     files: dict[str, bytes] = {}
-    for picture in pictures(model, grid):
+    for picture in pictures(model, grid, drives=drives):
         for one in formats:
             files[f"{picture.name}.{one}"] = rendered(picture, one)
     return write_files(folder, files)

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
+from pkmodes.base.drives import FREE
 from pkmodes.base.errors import PkmodesError
 from pkmodes.base.extras import require
 from pkmodes.figures.quantities import coarser, motors_of, relative_sensitivities, smallest_mac, volume_of
@@ -63,11 +64,12 @@ class RobotPlane:
 
     model: Model
     plane: Plane
+    drives: str
 
     @cached_property
     def influences(self) -> tuple[list[str], NDArray[Any]]:
         """Parameters and the relative sensitivities to them, from `relative_sensitivities`."""
-        return relative_sensitivities(self.model, self.plane)
+        return relative_sensitivities(self.model, self.plane, self.drives)
 
 
 @dataclass(frozen=True)
@@ -140,7 +142,7 @@ PICTURES = (
 )
 
 
-def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
+def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[Picture]:
     """Draw the figures of a robot, one after the other.
 
     Parameters
@@ -150,6 +152,8 @@ def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
     grid : mapping of str to array_like, optional
         Two components of the pose with several values, the others with one; by default from
         `working_plane`.
+    drives : {"free", "held"}
+        As for `pkmodes.Model.modes`.
 
     Yields
     ------
@@ -172,8 +176,8 @@ def pictures(model: Model, grid: Any = None) -> Iterator[Picture]:
     plane_axes(
         dict(zip(places.dims, places.shape, strict=True)), components, "grid"
     )  # before it is evaluated
-    plane = Plane.of(model.map(places, shapes=True), components)
-    robot, about = RobotPlane(model, plane), f"{model.robot.name}, {where(plane)}"
+    plane = Plane.of(model.map(places, shapes=True, drives=drives), components)
+    robot, about = RobotPlane(model, plane, drives), f"{model.robot.name}, motors {drives}, {where(plane)}"
     for kind in PICTURES:
         description = kind.description if plane.normal else kind.planar or kind.description
         with styled():

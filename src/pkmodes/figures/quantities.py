@@ -27,7 +27,7 @@ SENSITIVITIES = 2_000
 HEIGHTS, FINE = 16, 160
 
 
-def relative_sensitivities(model: Model, plane: Plane) -> tuple[list[str], Array]:
+def relative_sensitivities(model: Model, plane: Plane, drives: str) -> tuple[list[str], Array]:
     """Return the relative sensitivities of the frequencies of vibration on a coarser grid of the plane.
 
     Returns
@@ -49,7 +49,8 @@ def relative_sensitivities(model: Model, plane: Plane) -> tuple[list[str], Array
     known = [path for path, whole in groups_by_path(mechanism).items() if value_of(model.robot, whole) != 0.0]
     paths = [*paths, *(path for path in effects if path not in paths), *known]
     few = coarser(plane)
-    sensitivities = model.sensitivities(points_of(model, few), paths, fields=["frequencies"], on_error="nan")
+    points = points_of(model, few)
+    sensitivities = model.sensitivities(points, paths, fields=["frequencies"], on_error="nan", drives=drives)
     modes = plane.dataset.sizes["mode"]
     rates = sensitivities.frequencies[..., -modes:]
     frequency = few.dataset["frequency"].values

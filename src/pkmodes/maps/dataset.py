@@ -19,6 +19,7 @@ from pkmodes.maps.variants import SAMPLE, Variants
 from pkmodes.mechanism.poses import codes_of
 from pkmodes.robot.corrections import changeable
 from pkmodes.robot.robot import Robot
+from pkmodes.solve.held_solver import solved_system
 from pkmodes.system.evaluation import evaluation
 
 if TYPE_CHECKING:
@@ -74,14 +75,17 @@ def dataset_of(
         )
         for v in known
     }
-    rigid = np.array([evaluation(one).rigid_modes for one in variants.robots]).reshape(variants.shape)
+    each = [solved_system(evaluation(one), layout.drives).rigid_modes for one in variants.robots]
+    rigid = np.array(each).reshape(variants.shape)
     if (rigid != rigid.flat[0]).any():
         about = {"units": "1", "long_name": "number of rigid-body modes of this robot, which are left out"}
         data["rigid_modes"] = (variants.dims, rigid, about)
     dataset: xarray.Dataset = imported().Dataset(
         data,
         coords={**_coordinates(robot, places, variants), **labels_of(mechanism, layout.modes, coordinates)},
-        attrs=attributes_of(robot, evaluation(robot).rigid_modes),
+        attrs=attributes_of(
+            robot, solved_system(evaluation(robot), layout.drives).rigid_modes, layout.drives
+        ),
     )
     return dataset
 

@@ -85,7 +85,8 @@ def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
         points,
         "nan",
         [field.name for field in fields],
-        model.solver(layout.backend),
+        model.solver(layout.backend, layout.drives),
+        drives=layout.drives,
         given={"normal": task.normal},
     )
     arrays = {"code": checked.codes}
@@ -102,7 +103,7 @@ def _place(
 ) -> None:
     """Place the values of a robot in an array with the modes and coordinates of all robots."""
     if field.dims[:1] == (MODE,):
-        values = values[:, model.system.rigid_modes :]
+        values = values[:, model.solved(layout.drives).rigid_modes :]
         array = array[:, : values.shape[1]]
     if COORDINATE in field.dims:
         array[valid] = 0.0  # a joint that this robot does not release does not move

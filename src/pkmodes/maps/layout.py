@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from pkmodes.dataset.fields import of_maps, sizes_of, tail
 from pkmodes.robot.robot import Robot
+from pkmodes.solve.held_solver import solved_system
 from pkmodes.system.evaluation import evaluation, number_of_modes
 
 
@@ -22,7 +23,7 @@ class Layout:
         All coordinates of any robot.
     shapes : bool
         Whether mode shapes are kept.
-    backend : str
+    backend, drives : str
         As for `pkmodes.Model.modes`.
     """
 
@@ -30,6 +31,7 @@ class Layout:
     coordinates: tuple[str, ...]
     shapes: bool
     backend: str
+    drives: str
 
 
 def tails(robot: Robot, layout: Layout) -> dict[str, tuple[tuple[int, ...], str]]:
@@ -41,13 +43,14 @@ def tails(robot: Robot, layout: Layout) -> dict[str, tuple[tuple[int, ...], str]
     return {**fields, "code": ((), "i1")}
 
 
-def layout_of(robots: Sequence[Robot], shapes: bool, backend: str) -> Layout:
+def layout_of(robots: Sequence[Robot], shapes: bool, backend: str, drives: str) -> Layout:
     """Return the layout that holds the modes of all robots."""
     modes, order = 0, {}
     for robot in robots:
         system = evaluation(robot)
-        modes = max(modes, number_of_modes(system) - system.rigid_modes)
+        solved = solved_system(system, drives)
+        modes = max(modes, number_of_modes(solved) - solved.rigid_modes)
         order.update(dict.fromkeys(system.coordinates))
     released = [q.name for effect in robots[0].mechanism.effects.values() for q in effect.coordinates]
     every = [q.name for q in robots[0].mechanism.coordinates] + released
-    return Layout(modes, tuple(sorted(order, key=every.index)), shapes, backend)
+    return Layout(modes, tuple(sorted(order, key=every.index)), shapes, backend, drives)

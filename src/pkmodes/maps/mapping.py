@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.base.drives import checked_drives
 from pkmodes.base.errors import PkmodesError
 from pkmodes.base.version import VERSION
 from pkmodes.dataset.attributes import imported
@@ -28,6 +29,7 @@ from pkmodes.maps.variants import SAMPLE, Variants, variants_of
 from pkmodes.maps.workspace import bounds_of, reachable
 from pkmodes.robot.text import text_of
 from pkmodes.solve.backends import checked_threads, chosen
+from pkmodes.solve.held_solver import solved_system
 from pkmodes.solve.kinematics import Kinematics
 from pkmodes.system.evaluation import evaluation
 
@@ -100,6 +102,7 @@ class Plan:
             "samples": [[path, values.tolist()] for path, values in self.variants.drawn.items()],
             "shapes": self.layout.shapes,
             "back end": self.layout.backend,
+            "drives": self.layout.drives,
             "rows of a task": ROWS,
         }
 
@@ -118,6 +121,7 @@ def map_of(
     scheduler: str | None,
     threads: int | None,
     backend: str,
+    drives: str,
     progress: Progress | None,
 ) -> xarray.Dataset:
     """Compute a map; see `pkmodes.Model.map`."""
@@ -126,7 +130,7 @@ def map_of(
     thread_count = checked_threads(threads)
     variants = variants_of(model.robot, sweep, samples, seed)
     places = reachable(model) if grid is None else places_of(model.mechanism, grid)
-    layout = layout_of(variants.robots, shapes or tracked, chosen(backend))
+    layout = layout_of(variants.robots, shapes or tracked, chosen(backend), checked_drives(drives))
     plan = Plan(model, places, variants, layout)
     if tracked:
         _check_trackable(plan)
@@ -211,7 +215,9 @@ def _refuse_outside(plan: Plan) -> NoReturn:
 
 
 def _check_trackable(plan: Plan) -> None:
-    counts = {(system.coordinates, system.rigid_modes) for system in map(evaluation, plan.variants.robots)}
+    drives = plan.layout.drives
+    systems = [(one, solved_system(one, drives)) for one in map(evaluation, plan.variants.robots)]
+    counts = {(one.coordinates, solved.rigid_modes) for one, solved in systems}
     if len(counts) > 1:
         what = "modes cannot be tracked across robots with different coordinates"
         raise PkmodesError(what, "tracked", "sweep an effect from a value above zero, or leave out tracked")

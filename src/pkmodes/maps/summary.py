@@ -56,6 +56,7 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
         "valid": valid,
         "reasons": dict(sorted(reasons.items())),
         "rigid_modes": int(dataset.attrs["rigid_modes"]),
+        "drives": str(dataset.attrs["drives"]),
         "tracked": "rank" in dataset,
         "modes": [
             {"mode": number, **_end("minimum", low, dataset), **_end("maximum", high, dataset)}

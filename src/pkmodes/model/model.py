@@ -210,6 +210,7 @@ class Model:
         scheduler: str | None = None,
         threads: int | None = None,
         backend: str = AUTO,
+        drives: str = FREE,
         progress: Callable[[int, int], None] | None = None,
     ) -> Dataset:
         """Compute the modes over the workspace, and over ranges of parameters.
@@ -239,6 +240,8 @@ class Model:
         threads : int, optional
             Without a scheduler, by default one per core.
         backend : {"auto", "numpy", "compiled"}
+            As for `modes`.
+        drives : {"free", "held"}
             As for `modes`.
         progress : callable, optional
             Called with the number of poses done and their total.
@@ -281,6 +284,7 @@ class Model:
             scheduler=scheduler,
             threads=threads,
             backend=backend,
+            drives=drives,
             progress=progress,
         )
 

@@ -143,7 +143,7 @@ def _extent(model: Model, content: dict[str, Any]) -> str:
         name, factor = units.get(dim, ("", 1.0))
         ends = _value(low * factor) if count == 1 else f"{_value(low * factor)} to {_value(high * factor)}"
         parts.append(f"{dim} {ends} {name}".rstrip())
-    return f"Mapped: {', '.join(parts)}."
+    return f"Mapped with motors {content['drives']}: {', '.join(parts)}."
 
 
 def _units(model: Model) -> dict[str, tuple[str, float]]:
@@ -234,8 +234,10 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     if places is None:
         places = working_plane(model)
         where = "the plane of the workspace with the lowest mean condition number"
-    blocks: list[Block] = [Paragraph(f"The robot as declared, in {where}; modes are numbered by frequency.")]
-    for picture in pictures(model, places):
+    drives = str(dataset.attrs["drives"])
+    text = f"The robot as declared, its motors {drives}, in {where}; modes are numbered by frequency."
+    blocks: list[Block] = [Paragraph(text)]
+    for picture in pictures(model, places, drives=drives):
         with styled():
             svg = inline(picture.figure, picture.title, picture.description, cropped=True)
         blocks.append(Picture(svg, picture.description, picture.title))

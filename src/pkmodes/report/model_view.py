@@ -8,6 +8,7 @@ from contextlib import suppress
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pkmodes.base.drives import FREE
 from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.verdict.result import Diagnosis
@@ -22,7 +23,13 @@ from pkmodes.view import assets, fragment, poses_around, scene, typical_pose
 MOST = 60
 
 
-def view_of(model: Model, poses: ArrayLike | None = None, *, start: ArrayLike | None = None) -> str | None:
+def view_of(
+    model: Model,
+    poses: ArrayLike | None = None,
+    *,
+    start: ArrayLike | None = None,
+    drives: str = FREE,
+) -> str | None:
     """Return the view of a robot as HTML.
 
     Parameters
@@ -33,6 +40,8 @@ def view_of(model: Model, poses: ArrayLike | None = None, *, start: ArrayLike | 
         By default a grid over the workspace.
     start : array_like, shape (d,), optional
         The pose of the grid to show first, by default from `pkmodes.view.typical_pose`.
+    drives : {"free", "held"}
+        As for `pkmodes.Model.modes`.
 
     Returns
     -------
@@ -41,13 +50,13 @@ def view_of(model: Model, poses: ArrayLike | None = None, *, start: ArrayLike | 
     """
     try:
         if poses is None:
-            shown = poses_around(model, typical_pose(model) if start is None else start)
+            shown = poses_around(model, typical_pose(model) if start is None else start, drives=drives)
         else:
             points = np.asarray(poses_by_name(poses, model.mechanism), dtype=float)
             points = points[model.check(points).valid][:MOST]
             if not len(points):
                 return None
-            shown = scene(model, points)
+            shown = scene(model, points, drives=drives)
     except PkmodesError:
         return None
     return fragment(shown) + assets()

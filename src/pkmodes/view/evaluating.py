@@ -9,6 +9,7 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import ArrayLike
 
+from pkmodes.base.drives import FREE
 from pkmodes.measured.pose_table import poses_by_name
 from pkmodes.model.model import Model
 from pkmodes.view.page import page
@@ -27,7 +28,7 @@ class NotebookScene(Scene):
         return f'<iframe title="{title}" srcdoc="{source}" style="width:100%;height:760px;border:0"></iframe>'
 
 
-def scene(model: Model, poses: ArrayLike, chosen: int = 0) -> Scene:
+def scene(model: Model, poses: ArrayLike, chosen: int = 0, *, drives: str = FREE) -> Scene:
     """Evaluate what a picture of a robot shows at some poses.
 
     Parameters
@@ -38,6 +39,8 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0) -> Scene:
         In SI units.
     chosen : int
         Index of the pose to show first.
+    drives : {"free", "held"}
+        As for `pkmodes.Model.modes`.
 
     Returns
     -------
@@ -51,7 +54,7 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0) -> Scene:
     """
     drawing, mechanism = RobotDrawing(model.robot), model.mechanism
     points = poses_by_name(poses, mechanism)
-    modes = model.modes(np.atleast_2d(np.asarray(points, dtype=float)))
+    modes = model.modes(np.atleast_2d(np.asarray(points, dtype=float)), drives=drives)
     springs, index = present(drawing.springs(modes.poses))
     strains = np.einsum("psn,pmn->pms", springs.strain, modes.shapes)
     return NotebookScene(
@@ -75,5 +78,6 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0) -> Scene:
         energies=0.5 * springs.stiffness[:, None] * strains**2,
         rigid_modes=modes.rigid_modes,
         vertical=drawing.vertical,
+        drives=drives,
         chosen=chosen,
     )

@@ -112,7 +112,7 @@ def fragment(scene: Scene, name: str = "robot") -> str:
 <canvas tabindex="0" role="application" aria-label="{escape(scene.robot)}, moving in the chosen mode.
  Arrow keys turn the view, plus and minus zoom, Home resets it, space plays and pauses."></canvas>
 <canvas class="pkview-still" aria-hidden="true"></canvas>
-<div class="pkview-title"><h2 data-part="title">Modes of {escape(scene.robot)}</h2>
+<div class="pkview-title"><h2 data-part="title">Modes of {escape(scene.robot)}, motors {scene.drives}</h2>
 <p><span data-part="held"></span></p><p>Platform moves along <span data-part="along"></span></p></div>
 <div class="pkview-legend" aria-hidden="true">Share of the strain energy
 <div class="pkview-scale"></div>

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pkmodes.base.drives import FREE
 from pkmodes.base.errors import PoseError
 from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.regular import regular_poses
@@ -59,7 +60,7 @@ def typical_pose(model: Model) -> Array:
     return central
 
 
-def poses_around(model: Model, pose: ArrayLike) -> Scene:
+def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
     """Return the scene of a page: a grid of poses that covers the workspace and contains the given one.
 
     The workspace is that within the usable limits of the robot, unless the pose itself is beyond them.
@@ -70,6 +71,8 @@ def poses_around(model: Model, pose: ArrayLike) -> Scene:
         The robot.
     pose : array_like, shape (d,)
         The pose to show first.
+    drives : {"free", "held"}
+        As for `pkmodes.Model.modes`.
 
     Returns
     -------
@@ -82,7 +85,7 @@ def poses_around(model: Model, pose: ArrayLike) -> Scene:
         If the robot cannot be there.
     """
     first = np.asarray(pose, dtype=float)
-    scene(model, first)  # its errors are those of this pose
+    scene(model, first, drives=drives)  # its errors are those of this pose
     inside, (low, high) = used(model.kinematics, first), usable_box(model.kinematics, first)
     count = LEVELS.get(len(first), 3)
     levels = tuple(_levels(*ends, count) for ends in zip(low, high, first, strict=True))
@@ -91,7 +94,7 @@ def poses_around(model: Model, pose: ArrayLike) -> Scene:
     places = np.where(valid, np.cumsum(valid.ravel()).reshape(valid.shape) - 1, -1)
     here = tuple(int(np.argmin(np.abs(values - value))) for values, value in zip(levels, first, strict=True))
     return replace(
-        scene(model, grid[valid], int(places[here])),
+        scene(model, grid[valid], int(places[here]), drives=drives),
         levels=levels,
         places=places,
         workspace=workspace(model, first, (low, high), inside),

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.base.drives import FREE
 from pkmodes.view.workspace import Surface
 from pkmodes_description import Element, Named
 
@@ -55,6 +56,8 @@ class Scene:
         Number of modes that strain no spring.
     vertical : ndarray, shape (3,)
         Unit vector against gravity.
+    drives : {"free", "held"}
+        What the motors do.
     chosen : int
         The pose to show first.
     levels : tuple of ndarray, optional
@@ -82,6 +85,7 @@ class Scene:
     energies: Array
     rigid_modes: int
     vertical: Array
+    drives: str = FREE
     chosen: int = 0
     levels: tuple[Array, ...] | None = None
     places: NDArray[np.intp] | None = None
