@@ -390,5 +390,5 @@ def test_the_command_says_which_constants_only_the_measurements_have(
         saved,
     ]
     assert run(["diagnose", *map(str, arguments)]) == 0
-    out = capsys.readouterr().out
+    out = " ".join(capsys.readouterr().out.split())
     assert f"{TENSION} is known from the measurements alone: add its value in operation to {saved}" in out

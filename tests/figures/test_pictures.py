@@ -56,7 +56,7 @@ def test_another_figure_is_an_entry_and_a_function(
             "linear-delta-2022",
             {"x": np.linspace(0.5, 0.6, 3), "y": np.linspace(0.0, 0.05, 2), "z": -0.245},
             ["In three dimensions.", "Anywhere."],
-            "linear-delta-2022, z = \N{MINUS SIGN}245 mm.",
+            "linear-delta-2022, motors free, z = \N{MINUS SIGN}245 mm.",
         ),
         (
             "corexy-printer",

@@ -75,7 +75,7 @@ def test_the_smallest_mac_is_that_of_a_loop_over_neighbours(model: pkmodes.Model
 
 
 def test_relative_sensitivities_are_those_of_differences(model: pkmodes.Model, plane: Plane) -> None:
-    names, relative = relative_sensitivities(model, plane)
+    names, relative = relative_sensitivities(model, plane, "free")
     assert {"belt.width", "axis.span", "axis.joint_radius", "link.length"} <= set(names)
     assert "axis.1.origin.x" not in names
     assert "carriage.length" not in names  # zero
