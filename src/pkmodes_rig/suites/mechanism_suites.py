@@ -278,7 +278,7 @@ def _page(outcomes: list[MechanismOutcome], seconds: float, jobs: int) -> list[s
         "equivalent to a longer free length of that run, `belt_path.1.lengths.1`. Such cases count as wrong here,",
         "because the judging was fixed beforehand.",
         "",
-        "With seeds 1 and 2 the softer `rocking_frame`, which adds one mode, is named `frame_compliance`, which",
+        "With some seeds the softer `rocking_frame`, which adds one mode, is named `frame_compliance`, which",
         "adds three: confident and wrong. `link.length` is wrong here by so much that arms exceed their limits at",
         "some poses: the diagnosis says that it cannot follow the value there. Values of a single axis or belt",
         "(`axis.2.*`, `belt_path.2.*`), where the file gives one for all, are often pointed at in the reason and",
