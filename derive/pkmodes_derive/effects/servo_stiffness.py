@@ -23,7 +23,11 @@ EFFECT = Effect(
     parts=lambda machine: machine.drives,
     parameters=(
         EffectParameter(
-            "stiffness", "N m/rad", "torsional stiffness to ground at every motor, seen at the driven rotor", "k_S", "k_S"
+            "stiffness",
+            "N m/rad",
+            "torsional stiffness to ground at every motor, seen at the driven rotor",
+            "k_S",
+            "k_S",
         ),
     ),
     apply=apply,
