@@ -144,7 +144,7 @@ def _loose(mechanism: Mechanism, motion: bytes) -> int:
     M, K = (matrix[np.ix_(kept, kept)] for matrix in (M, K))
     scale = 1.0 / np.sqrt(np.diag(M))
     levels = np.linalg.eigvalsh(K * np.outer(scale, scale))
-    return int(np.count_nonzero(levels < RIGID * levels[-1]))
+    return int(np.count_nonzero(levels < RIGID * levels.max(initial=0.0)))
 
 
 @cache
