@@ -70,7 +70,7 @@ def cases() -> Iterator[Diagnosed]:
         name = one.specimen.mechanism
         if one.number in NUMBERS[name].get(one.suite, ()):
             robot = mechanism_cases.robot_of(name)
-            data = mechanism_cases._read(mechanism_cases.measured(one)[1], robot)
+            data = mechanism_cases.measurements_of(mechanism_cases.measured(one)[1], robot)
             yield Diagnosed(name, one.suite, one.kind, robot, data)
 
 

@@ -143,10 +143,9 @@ class ExtendedSystem:
     joints, joint_rates : ndarray, shape (e,)
         Stiffnesses of the released joints and their derivatives with respect to the compliances; zero for other
         coordinates.
-    basis : ndarray, shape (e, e), or None
-        The coordinates of the generated model per unit of all coordinates here, if these are others.
     """
 
+    #: The coordinates of the generated model per unit of all coordinates here, (e, e), if these are others.
     basis: Array | None = None
 
     def __init__(self, mechanism: Mechanism, parameters: Any, effects: Mapping[str, float]) -> None:
