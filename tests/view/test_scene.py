@@ -11,7 +11,7 @@ import pytest
 import pkmodes
 from pkmodes.base.errors import PoseError
 from pkmodes.solve.workspace import box_of
-from pkmodes.view import poses_around, scene, typical_pose
+from pkmodes.view import page, poses_around, scene, typical_pose
 from pkmodes.view.robot_drawing import upright
 from pkmodes.view.workspace import workspace
 
@@ -154,3 +154,18 @@ def test_the_page_of_the_documentation_runs(
     assert len(printed) == 9
     assert sum(float(line.split(": ")[1].rstrip("%")) for line in printed) == pytest.approx(100.0, abs=0.5)
     assert names["points"].shape[0] == 24
+
+
+def test_with_held_motors_the_springs_hold_their_energy_and_the_page_says_so() -> None:
+    """The strain energies of a mode sum to lambda / 2, without the share of gravity, which is small here."""
+    model = pkmodes.load(ROBOTS / "corexy-printer.toml")
+    shown = scene(model, [0.1, 0.12], drives="held")
+    modes = model.modes([0.1, 0.12], drives="held")
+    np.testing.assert_array_equal(shown.frequencies[0], modes.frequencies)
+    assert shown.rigid_modes == 0
+    energy = 0.5 * (2 * np.pi * modes.frequencies) ** 2
+    np.testing.assert_allclose(shown.energies[0].sum(axis=1), energy, rtol=1e-9)
+    text = page(shown)
+    assert "; motors held</p>" in text
+    assert "What rings with motors held:" in text
+    assert "; motors free</p>" in page(scene(model, [0.1, 0.12]))
