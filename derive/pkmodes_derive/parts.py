@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from sympy import Expr, S, Symbol
+from sympy import Add, Expr, S, Symbol
 
 from pkmodes_derive.effect import Coordinate
 
@@ -121,6 +121,11 @@ class Drive:
     winds_up: bool = True
     inertia: Expr = S.Zero
     wind_up: list[Coordinate] = field(default_factory=list)
+
+    @property
+    def wound(self) -> Expr:
+        """Angle by which the motor turns further than the rotor [rad]."""
+        return Add(*(coordinate.position for coordinate in self.wind_up))
 
 
 @dataclass(eq=False)

@@ -81,7 +81,7 @@ def test_a_single_cause_is_found_starting_from_its_absence() -> None:
 
 
 def test_a_declared_value_is_sought_within_a_factor_of_three_and_an_element_of_a_vector_as_far() -> None:
-    """A cause at its bound is not claimed: no gravity but nearly that of the Earth is."""
+    """A cause at its bound is not claimed: gravity far from that of the Earth never is."""
     robot = pkmodes.read_robot(ROBOT)
     by_name = {p.name: p for p in suspects(robot)[0]}
     gravity, mass = by_name["gravity.z"], by_name["link.mass"]

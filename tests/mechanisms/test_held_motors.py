@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,22 +10,12 @@ import pytest
 from scipy.linalg import eigvals
 
 import pkmodes
+from helpers.robots.one_of_each import FILES, POSES, ROBOTS
 from pkmodes_rig import true_modes
 from pkmodes_rig.corexy import corexy
 from pkmodes_rig.rotary_delta import rotary_delta
 
-ROBOTS = Path(__file__).resolve().parents[2] / "robots"
-FILES = {
-    "linear_delta": "linear-delta-2022-identified.toml",
-    "rotary_delta": "clavel-delta.toml",
-    "corexy": "corexy-printer.toml",
-}
 RIGS: dict[str, Any] = {"linear_delta": true_modes, "rotary_delta": rotary_delta, "corexy": corexy}
-POSES = {
-    "linear_delta": np.array([0.55, 0.06, -0.26]),
-    "rotary_delta": np.array([0.1, 0.05, -0.5]),
-    "corexy": np.array([0.1, 0.05]),
-}
 FRAME = {"frame_compliance.compliance": 1e-7, "frame_compliance.mass": 50.0}
 WINDING = {"gearbox_compliance.compliance": 2e-3}
 CASES: list[tuple[str, Mapping[str, float]]] = [

@@ -3,26 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.one_of_each import FILES, POSES, ROBOTS
 from pkmodes.base.errors import PkmodesError
 from pkmodes.robot.paths import moved, paths, resolve
 
-ROBOTS = Path(__file__).resolve().parents[2] / "robots"
-FILES = {
-    "linear_delta": "linear-delta-2022-identified.toml",
-    "rotary_delta": "clavel-delta.toml",
-    "corexy": "corexy-printer.toml",
-}
-POSES = {
-    "linear_delta": np.array([0.55, 0.06, -0.26]),
-    "rotary_delta": np.array([0.1, 0.05, -0.5]),
-    "corexy": np.array([0.1, 0.05]),
-}
 WINDING = {"effects.gearbox_compliance.compliance": 2e-3}
 CASES: list[tuple[str, Mapping[str, float]]] = [
     *((mechanism, {}) for mechanism in FILES),
@@ -104,7 +93,7 @@ def test_a_gearbox_that_begins_to_wind_up_lowers_the_frequencies(mechanism: str,
     held = model.frequencies(p, drives="held")
     small = 1e-9
     slope = (model.with_values({path: small}).frequencies(p, drives="held")[: len(held)] - held) / small
-    np.testing.assert_allclose(found, slope, rtol=1e-4)
+    np.testing.assert_allclose(found, slope, rtol=1e-4)  # the second order of so small a compliance
     assert (found < 0.0).all()
 
 

@@ -182,18 +182,17 @@ def _motion(d: Derived) -> Function:
 def _motors(d: Derived) -> Function:
     """Return the function for the angles of the motors."""
     machine = d.machine
-    rates = dict(zip(machine.coordinates, machine.velocities, strict=True))
     angles = [
-        Add(*(driven * rates[r.coordinate] for r, driven in drive.rotors), *(c.rate for c in drive.wind_up))
+        Add(*(driven * machine.rotation(rotor) for rotor, driven in drive.rotors), drive.wound)
         for drive in machine.drives
     ]
-    rows = [tuple(diff(angle, rate) for rate in machine.rates) for angle in angles]
+    rows = [tuple(diff(angle, small) for small in machine.small) for angle in angles]
     return Function(
         "motor_motion",
         "Jacobian of the angles of the motors, seen at the rotors that they drive.",
         "the drives that the mechanism declares; a gearbox winds up by psi_j on its output side",
         (),
-        (Output("J_m", (len(rows), len(machine.rates)), flat(rows), "1", "d(motor angle)/dq_k"),),
+        (Output("J_m", (len(rows), len(machine.small)), flat(rows), "1", "d(motor angle)/dq_k"),),
         {},
         in_c=False,
     )

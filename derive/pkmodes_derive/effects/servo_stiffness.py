@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from sympy import Add, Rational, Symbol
+from sympy import Rational, Symbol
 
 from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
 from pkmodes_derive.machine import Machine
@@ -11,9 +11,8 @@ from pkmodes_derive.machine import Machine
 def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Add a spring on the motor of each drive, relaxed at the pose."""
     for drive in machine.drives:
-        wind_up = Add(*(c.position for c in drive.wind_up))
         for rotor, selected in drive.rotors:
-            angle = machine.rotation(rotor) + wind_up
+            angle = machine.rotation(rotor) + drive.wound
             machine.add_elastic(Rational(1, 2) * parameters["stiffness"] * selected * angle**2)
 
 

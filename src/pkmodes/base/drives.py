@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
-from pkmodes.base.errors import PkmodesError, shown
+from typing import Annotated, Literal
+
+from msgspec import Meta
+
+from pkmodes.base.arguments import Constraint, alternatives, check_argument, one_of
 
 FREE, HELD = DRIVES = "free", "held"
+#: The same in a JSON document.
+Drives = Annotated[Literal["free", "held"], Meta(description="What the motors do: turn freely, or are held.")]
+
+_ONE_OF_THEM = Constraint(alternatives(f'"{word}"' for word in DRIVES), one_of(DRIVES).holds)
 
 
-def checked_drives(drives: object) -> str:
+def checked_drives(drives: str) -> str:
     """Check what the caller says of the motors.
 
     Raises
@@ -15,7 +23,6 @@ def checked_drives(drives: object) -> str:
     PkmodesError
         If it is neither "free" nor "held".
     """
-    if isinstance(drives, str) and drives in DRIVES:
-        return drives
-    what = f'expected "{FREE}" or "{HELD}", found {shown(drives)}'
-    raise PkmodesError(what, "drives", "say whether the motors turn freely or a position loop holds them")
+    remedy = "say whether the motors turn freely or position loops hold them"
+    check_argument(drives, _ONE_OF_THEM, "drives", remedy)
+    return drives

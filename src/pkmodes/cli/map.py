@@ -6,12 +6,13 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any
 
 import click
 from msgspec import Meta
 
 from pkmodes.base.documents import Document
+from pkmodes.base.drives import Drives
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options, report_option
 from pkmodes.cli.reporting import report_file, sources_of
@@ -65,9 +66,7 @@ class MapDocument(Document):
     rigid_modes: Annotated[
         int, Meta(description="Rigid-body modes of the robot as declared, which are left out.")
     ]
-    drives: Annotated[
-        Literal["free", "held"], Meta(description="What the motors do: turn freely, or are held.")
-    ]
+    drives: Drives
     tracked: Annotated[bool, Meta(description="Whether modes are numbered by their shapes.")]
     modes: Annotated[list[ExtremesDocument], Meta(description="The vibration modes.")]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 import click
 import numpy as np
@@ -12,6 +12,7 @@ from msgspec import Meta
 from numpy.typing import NDArray
 
 from pkmodes.base.documents import Count, Document, Matrix
+from pkmodes.base.drives import Drives
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import drives_option, json_option, mechanism_option
@@ -45,9 +46,7 @@ class SensitivitiesDocument(Document):
     rigid_modes: Annotated[
         Count, Meta(description="Number of modes that strain no elastic element; they come first.")
     ]
-    drives: Annotated[
-        Literal["free", "held"], Meta(description="What the motors do: turn freely, or are held.")
-    ]
+    drives: Drives
     groups: Annotated[
         list[int],
         Meta(

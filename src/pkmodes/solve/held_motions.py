@@ -20,8 +20,7 @@ Array = NDArray[np.float64]
 #: no longer has nine correct digits.
 RESOLVED = 1e-7
 #: Likewise for a spring to ground beside gravity: where gravity leaves a motion alone, its part of K is a
-#: cancellation of rounded numbers, with an error of 1e-15 to 2e-15 of its largest entries, as the processor's
-#: instructions have it.
+#: cancellation of rounded numbers, with an error of up to 2e-15 of its largest entries, depending on the processor.
 BESIDE_GRAVITY = 4e-6
 #: Below this [1/s^2], numbers have fewer digits.
 SMALLEST = 1e-290

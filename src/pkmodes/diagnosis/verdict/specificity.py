@@ -37,13 +37,13 @@ def p_coincidence(search: Search, final: Fit) -> float:
     degrees = float(used.sum() + fitter.shapes.count[used].sum() - plain.leverage[data].sum())
     drawn = arbitrary.draws(fitter, plain, DRAWS, rng)
     p_value = _coincidence(search, final, gain, drawn, directions, degrees, final.chi2)
-    if gain <= 0.0:
-        return p_value
-    every = (*directions, *score(fitter, plain, search.remote).directions)
-    plausible = Plausible.of(every, float(np.sqrt(gain)))
     # A few candidates do not represent what else may be wrong: a combination of them says nothing.
+    every = (*directions, *score(fitter, plain, search.remote).directions)
     many = search.criteria.many * len(final.causes)
-    if len(every) >= many and plausible.different >= min(many, len(plausible.axes)):
+    if gain <= 0.0 or len(every) < many:
+        return p_value
+    plausible = Plausible.of(every, float(np.sqrt(gain)))
+    if plausible.different >= min(many, len(plausible.axes)):
         along = [(plausible.axes.T @ axes, sign) for axes, sign in directions]
         drawn, left = plausible.draws(DRAWS, rng), plausible.squares(final.white)
         p_value = max(p_value, _coincidence(search, final, gain, drawn, along, plausible.resolved, left))
