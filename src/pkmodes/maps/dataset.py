@@ -19,8 +19,8 @@ from pkmodes.maps.variants import SAMPLE, Variants
 from pkmodes.mechanism.poses import codes_of
 from pkmodes.robot.corrections import changeable
 from pkmodes.robot.robot import Robot
-from pkmodes.solve.held_solver import solved_system
 from pkmodes.system.evaluation import evaluation
+from pkmodes.system.motors import solved_system
 
 if TYPE_CHECKING:
     import xarray

@@ -85,7 +85,7 @@ def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
         points,
         "nan",
         [field.name for field in fields],
-        model.solver(layout.backend, layout.drives),
+        layout.backend,
         drives=layout.drives,
         given={"normal": task.normal},
     )

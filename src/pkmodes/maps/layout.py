@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from pkmodes.dataset.fields import of_maps, sizes_of, tail
 from pkmodes.robot.robot import Robot
-from pkmodes.solve.held_solver import solved_system
 from pkmodes.system.evaluation import evaluation, number_of_modes
+from pkmodes.system.motors import solved_system
 
 
 @dataclass(frozen=True)

@@ -29,9 +29,9 @@ from pkmodes.maps.variants import SAMPLE, Variants, variants_of
 from pkmodes.maps.workspace import bounds_of, reachable
 from pkmodes.robot.text import text_of
 from pkmodes.solve.backends import checked_threads, chosen
-from pkmodes.solve.held_solver import solved_system
 from pkmodes.solve.kinematics import Kinematics
 from pkmodes.system.evaluation import evaluation
+from pkmodes.system.motors import solved_system
 
 if TYPE_CHECKING:
     import xarray

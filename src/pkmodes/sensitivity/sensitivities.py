@@ -23,12 +23,11 @@ from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivativ
 from pkmodes.sensitivity.terms import RATES, terms_of
 from pkmodes.solve.batch import run
 from pkmodes.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
-from pkmodes.solve.held_solver import solved_system
 from pkmodes.solve.results import ChosenFields
 from pkmodes.solve.solutions import solved
 from pkmodes.solve.solver import Solver
 from pkmodes.system.evaluation import ExtendedSystem, evaluation
-from pkmodes.system.motors import MotorsHeld
+from pkmodes.system.motors import MotorsHeld, solved_system
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]

@@ -18,12 +18,12 @@ from pkmodes.robot.robot import Robot
 from pkmodes.solve import batch
 from pkmodes.solve.backends import AUTO, checked_threads, chosen, solver_of
 from pkmodes.solve.field_arrays import Fields, Out, chosen_fields
-from pkmodes.solve.held_solver import solved_system
 from pkmodes.solve.kinematics import Kinematics
 from pkmodes.solve.mode_fields import ModeFields
 from pkmodes.solve.results import Modes, Statics
 from pkmodes.solve.solver import Solver
 from pkmodes.system.evaluation import Evaluation, evaluation, matrices
+from pkmodes.system.motors import solved_system
 
 Array = NDArray[np.float64]
 
@@ -115,10 +115,10 @@ class Dynamics:
         asked = chosen_fields(fields, out, Modes.fields_of(self.robot.mechanism))
         # Two names of the same values share one array unless the caller passes a second one.
         shared = [name for name in asked if FIELDS[name].same_as in asked and name not in (out or ())]
-        solver, number = self.solver(backend, drives), checked_threads(threads)
+        number = checked_threads(threads)
         computed = [name for name in asked if name not in shared] if shared else asked
         checked, arrays = self.fields_at(
-            poses, on_error, computed, solver, drives=drives, out=out, threads=number
+            poses, on_error, computed, backend, drives=drives, out=out, threads=number
         )
         for name in shared:
             arrays[name] = arrays[FIELDS[name].same_as]
@@ -130,7 +130,7 @@ class Dynamics:
             coordinates=self.coordinates,
             rigid_modes=self.solved(drives).rigid_modes,
             robot=self.robot,
-            backend=solver.name,
+            backend=self.solver(backend, drives).name,
             drives=drives,
         )
 
@@ -183,7 +183,7 @@ class Dynamics:
         poses: ArrayLike,
         on_error: OnError,
         names: Sequence[str],
-        solver: Solver,
+        backend: str,
         *,
         drives: str = FREE,
         out: Out = None,
@@ -197,8 +197,8 @@ class Dynamics:
         poses, on_error, drives, out
             As for `modes`.
         names : sequence of str
-        solver : Solver
-            From `solver`.
+        backend : str
+            As for `modes`.
         threads : int
         given : mapping of str to object, optional
             Quantities that fields need and a robot does not have.
@@ -210,6 +210,7 @@ class Dynamics:
         dict of str to ndarray
             By field, with the leading axes of the poses.
         """
+        solver = self.solver(backend, drives)
         key = (solver, *names)
         fields = None if given else self._plans.get(key)
         if fields is None:

@@ -8,19 +8,13 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.drives import FREE
 from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.solve.solver import SHAPES, Codes, Solver
 from pkmodes.system.evaluation import Evaluation
-from pkmodes.system.motors import MotorsHeld, motors_held
+from pkmodes.system.motors import MotorsHeld
 
 #: Fields in the coordinates with free motors, which the inner solver does not know.
 IN_ALL = frozenset({"mass_matrix", "stiffness_matrix"})
-
-
-def solved_system(system: Evaluation, drives: str) -> Evaluation:
-    """Return the system that is solved: that of the robot, or without the coordinates of held motors."""
-    return system if drives == FREE else motors_held(system)
 
 
 class HeldSolver(Solver):

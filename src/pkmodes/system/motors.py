@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.base.drives import FREE
 from pkmodes.compiled.lanes import Fold, Lanes
 from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.registry import Mechanism
@@ -178,14 +179,17 @@ def _all_of(name: str, effect: Any, without: set[str]) -> bool:
     return not effect.coordinates and all(field in without for field in fields)
 
 
-def motors_held(system: Evaluation) -> MotorsHeld:
-    """Return a robot with held motors.
+def solved_system(system: Evaluation, drives: str) -> Evaluation:
+    """Return the system that is solved for a robot, with free or held motors.
 
     Parameters
     ----------
     system : Evaluation
-        The robot with free motors; without effects it is evaluated by the extended model.
+        The robot with free motors.
+    drives : {"free", "held"}
     """
-    if isinstance(system, ExtendedSystem):
-        return MotorsHeld(system)
-    return MotorsHeld(ExtendedSystem(system.mechanism, system.parameters, {}))
+    if drives == FREE:
+        return system
+    if not isinstance(system, ExtendedSystem):  # held motors are evaluated by the extended model
+        system = ExtendedSystem(system.mechanism, system.parameters, {})
+    return MotorsHeld(system)
