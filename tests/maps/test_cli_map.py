@@ -165,7 +165,7 @@ def test_a_terminal_shows_progress_with_the_time_left() -> None:
 
 
 def test_motors_are_held_if_asked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The numbers, the page with its pictures and its machine, and an interrupted map of the other kind."""
+    """In the numbers, in the file, and on the page with its pictures and its machine."""
     import pkmodes
 
     page, file = tmp_path / "map.html", tmp_path / "map.nc"

@@ -56,6 +56,7 @@ def test_modes_are_those_of_a_rig_with_locked_rotors(
     assert len(free.frequencies) - len(modes.frequencies) == len(model.mechanism.drives)
     assert modes.frequencies == pytest.approx(rig.frequencies, rel=1e-6)
     assert modes.coordinates == free.coordinates
+    # Shapes differ by the errors of the rig, here some 1e-9, over the distance of their eigenvalues.
     gaps = np.diff(modes.frequencies, prepend=0.0, append=np.inf) / modes.frequencies.max()
     for i in np.flatnonzero(np.minimum(gaps[:-1], gaps[1:]) > 1e-4):
         true = np.array([rig.shapes[name][i] if name in rig.shapes else 0.0 for name in modes.coordinates])
@@ -68,14 +69,11 @@ def test_modes_are_those_of_a_rig_with_locked_rotors(
 
 def motor_angles(model: pkmodes.Model) -> np.ndarray:
     """The angle of each motor per unit of each coordinate, as docs/model.md says, (drives, n)."""
-    driven = {
-        "linear_delta": [f"theta_{j}_{np.argmax(model.robot.parameters.drive[j - 1]) + 1}" for j in (1, 2, 3)]
-        if model.robot.mechanism_name == "linear_delta"
-        else [],
-        "rotary_delta": ["phi_1", "phi_2", "phi_3"],
-        "corexy": ["theta_1", "theta_2"],
-    }[model.robot.mechanism_name]
-    names = model.coordinates
+    names, parameters = model.coordinates, model.robot.parameters
+    if model.robot.mechanism_name == "linear_delta":
+        driven = [f"theta_{j}_{np.argmax(drive) + 1}" for j, drive in enumerate(parameters.drive, 1)]
+    else:
+        driven = [q for q in names if q.startswith("phi_" if "phi_1" in names else "theta_")]
     return np.array(
         [[q == rotor or q == f"psi_{j}" for q in names] for j, rotor in enumerate(driven, 1)], float
     )
@@ -113,7 +111,7 @@ def test_a_servo_becomes_a_held_motor_as_its_stiffness_grows(
     for stiffness in (1e4, 1e5, 1e6):
         model = model_of(mechanism, {**effects, "servo_stiffness.stiffness": stiffness})
         errors.append(lowest - model.frequencies(p)[:2])
-        # A held motor has no use for its servo.
+        # A servo does not act on a motor that is held.
         assert model.frequencies(p, drives="held") == pytest.approx(held, rel=1e-12)
     first, second, third = errors
     assert (third > 0.0).all()
