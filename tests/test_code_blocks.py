@@ -104,7 +104,8 @@ class Reader:
     def _csv(self, block: Block) -> None:
         path = self.folder / "block.csv"
         path.write_text(block.text, encoding="utf-8")
-        assert len(updating.read(path).frequency) == len(block.text.splitlines()) - 1
+        lines = [line for line in block.text.splitlines() if not line.startswith("#")]
+        assert len(updating.read(path).frequency) == len(lines) - 1
 
     def _c(self, block: Block) -> None:
         assert block.hint("file"), "a later command compiles it"

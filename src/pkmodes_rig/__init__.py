@@ -5,7 +5,16 @@ from __future__ import annotations
 from pkmodes_rig.corexy import corexy
 from pkmodes_rig.engine import TrueModes, true_modes
 from pkmodes_rig.laboratory import SENSORS, Laboratory
-from pkmodes_rig.measurements import BASE_RIGID, Identified, exact, identified, measure_modes, written
+from pkmodes_rig.measurements import (
+    BASE_RIGID,
+    Identified,
+    drives_of,
+    exact,
+    held_at,
+    identified,
+    measure_modes,
+    written,
+)
 from pkmodes_rig.mistakes import ASKEW, MISTAKES, ORDERS, followed, joined, mistaken, parsed
 from pkmodes_rig.robots import POSES, ROBOTS, drawn_values, read
 from pkmodes_rig.rotary_delta import rotary_delta
@@ -25,8 +34,10 @@ __all__ = [
     "channels",
     "corexy",
     "drawn_values",
+    "drives_of",
     "exact",
     "followed",
+    "held_at",
     "identified",
     "joined",
     "measure_modes",

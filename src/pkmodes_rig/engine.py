@@ -51,6 +51,8 @@ class TrueModes:
         In the order of `coordinates`, including coordinates without inertia.
     coordinates : tuple of str, length n
         The coordinates of the software, then those that exist only on the rig; without rotors that follow others.
+    held : bool
+        Whether the rotors of the motors were locked.
     """
 
     frequencies: np.ndarray
@@ -59,6 +61,7 @@ class TrueModes:
     mass_matrix: np.ndarray
     stiffness_matrix: np.ndarray
     coordinates: tuple[str, ...]
+    held: bool = False
 
 
 def true_modes(
@@ -99,7 +102,7 @@ class Rig:
         *,
         held: bool = False,
     ) -> None:
-        self.gravity = np.asarray(parameters.gravity, dtype=float)
+        self.gravity, self.held = np.asarray(parameters.gravity, dtype=float), held
         self._description = describe(parameters, p, effects, outside)
         self.model = mujoco.MjModel.from_xml_string(self._description.xml)
         for name in self._description.points:
@@ -266,6 +269,7 @@ class Rig:
             mass_matrix=M,
             stiffness_matrix=K,
             coordinates=self.coordinates,
+            held=self.held,
         )
 
     # -------------------------------------------------------------------------------------------------------

@@ -93,7 +93,25 @@ def measure_modes(
     """
     rows = identified(modes_list, shapes=shapes, band=band, sigma_shape=sigma_shape, **options)
     stated = band if band_stated else None
-    return written(rows, poses, shapes, labels=labels, band=stated, sigma_shape=sigma_shape != "absent")
+    return written(
+        rows,
+        poses,
+        shapes,
+        labels=labels,
+        band=stated,
+        sigma_shape=sigma_shape != "absent",
+        drives=drives_of(modes_list),
+    )
+
+
+def drives_of(modes_list: Sequence[TrueModes]) -> list[str]:
+    """Return what the motors did at each pose."""
+    return ["held" if modes.held else "free" for modes in modes_list]
+
+
+def held_at(drives: str, poses: int) -> list[bool]:
+    """Return at which poses the motors are held in a test with motors free, held or, at every second pose, mixed."""
+    return [drives == "held" or (drives == "mixed" and i % 2 == 1) for i in range(poses)]
 
 
 def identified(
@@ -134,13 +152,14 @@ def identified(
     drift : float
         Relative change of all frequencies from each pose to the next.
     base_rigid : int
-        Number of rigid-body modes of the robot without effects, which depends on the mechanism.
+        Number of rigid-body modes of the robot without effects, which depends on the mechanism; 0 where motors are
+        held.
     """
     rows: list[Identified] = []
     most = modes if isinstance(modes, int) else modes[1]
     for index, true in enumerate(modes_list):
         shared = rng.normal(0.0, common)
-        looked_for = _looked_for(true, modes, band, rng, base_rigid)
+        looked_for = _looked_for(true, modes, band, rng, 0 if true.held else base_rigid)
         chance = _chances(true, looked_for, shapes or sensors, nodes)
         for i, visible in zip(looked_for, chance, strict=True):
             part = sigma * np.exp(rng.normal(0.0, uneven)) if uneven else sigma
@@ -169,23 +188,29 @@ def written(
     band: tuple[float, float] | None = None,
     sigma_shape: bool = False,
     components: Sequence[str] = ("x", "y", "z"),
+    drives: Sequence[str] = (),
 ) -> str:
     """Return the text of a file with these rows.
 
-    `band` is the band to state, `sigma_shape` adds a column ``sigma_shape``, and `components` names those of a pose.
+    `band` is the band to state, `sigma_shape` adds a column ``sigma_shape``, `components` names those of a pose, and
+    `drives` says what the motors did at each pose: a comment says it for all, or a column.
     """
     text = io.StringIO()
     text.write("# virtual test rig\n")
     if band:
         text.write(f"# band: {_digits(band[0])} Hz, {_digits(band[1])} Hz\n")
+    did = set(drives)
+    if did == {"held"}:
+        text.write("# drives: held\n")
     writer = csv.writer(text, lineterminator="\n")
+    motors = ["drives"] if len(did) > 1 else []
     extra = ["sigma_shape"] if sigma_shape and shapes else []
     columns = [f"shape:{name}" for name in shapes]
-    writer.writerow(["pose", *components, "frequency", "sigma", "mode", *columns, *extra])
+    writer.writerow(["pose", *components, *motors, "frequency", "sigma", "mode", *columns, *extra])
     for row in rows:
         label = labels[row.pose] if labels else f"P{row.pose + 1}"
-        numbers = [*poses[row.pose], row.frequency, row.stated]
-        cells = [label, *map(_digits, numbers), row.number, *map(_digits, row.shape)]
+        cells = [label, *map(_digits, poses[row.pose]), *(drives[row.pose] for _ in motors)]
+        cells += [*map(_digits, (row.frequency, row.stated)), row.number, *map(_digits, row.shape)]
         writer.writerow(
             [*cells, *("" if row.sigma_shape is None else _digits(row.sigma_shape) for _ in extra)]
         )

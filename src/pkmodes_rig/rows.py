@@ -102,6 +102,7 @@ class Rows:
             mass_matrix=M,
             stiffness_matrix=K,
             coordinates=tuple(np.array(self.names)[kept]),
+            held=bool(held),
         )
 
 

@@ -18,7 +18,7 @@ from pkmodes.robot.paths import resolve
 from pkmodes.system.evaluation import ExtendedSystem
 from pkmodes.updating.candidates import suspects
 from pkmodes.updating.measured_robot import MeasuredRobot
-from pkmodes.updating.predictions import Moves, derived, reordered, solved
+from pkmodes.updating.predictions import Moves, derived, solved
 from pkmodes.updating.robot_structure import RobotStructure
 from pkmodes_rig.robots import POSES, read
 
@@ -223,21 +223,6 @@ def test_setups_may_have_more_modes_than_others() -> None:
         assert (lacking[1:] > 10.0 * lacking[:-1]).all(), "apart from each other, too"
     count = [(row[3:] < 1e30).sum() for row in found.eigenvalues]
     assert count == [9, 9, 6, 9]
-
-
-def test_all_of_a_prediction_is_reordered() -> None:
-    eigenvalues, rates, shapes, along = (
-        np.random.default_rng(3).normal(size=size) for size in ((3, 4), (3, 4, 2), (3, 4, 5), (3, 4, 5, 2))
-    )
-    found = reordered(Prediction(eigenvalues, rates, shapes, 1, along), np.array([2, 0, 1]))
-    assert found.rigid == 1
-    for new, old in (
-        (found.eigenvalues, eigenvalues),
-        (found.rates, rates),
-        (found.shapes, shapes),
-        (found.shape_rates, along),
-    ):
-        np.testing.assert_array_equal(new, [old[2], old[0], old[1]])
 
 
 def test_robots_evaluated_together_have_the_derivatives_of_each_alone() -> None:

@@ -16,9 +16,9 @@ RIGHT = 3.0
 
 
 def case(mechanism: str, suite: str, kind: str, place: int = -1) -> MechanismCase:
-    """One of the cases of a kind; if there are several strengths, the last is the largest."""
-    found = [c for c in cases() if (c.specimen.mechanism, c.suite, c.kind) == (mechanism, suite, kind)]
-    return found[place]
+    """One of the cases of a kind, with free motors; if there are several strengths, the last is the largest."""
+    kinds = (mechanism, "free", suite, kind)
+    return [c for c in cases() if (c.specimen.mechanism, c.specimen.drives, c.suite, c.kind) == kinds][place]
 
 
 def assert_named(outcome: MechanismOutcome) -> None:

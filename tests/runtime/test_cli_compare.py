@@ -151,7 +151,10 @@ def test_the_table_has_a_line_for_each_mode_counted_as_modes_does(tmp_path: Path
     answer = call(PUBLISHED, write(tmp_path, measured()))
     assert (answer.code, answer.err) == (0, "")
     lines = answer.out.splitlines()
-    assert lines[0] == f"linear-delta-2022 compared with {tmp_path / 'modes.csv'}, frequencies in Hz"
+    assert (
+        lines[0]
+        == f"linear-delta-2022 compared with {tmp_path / 'modes.csv'}, motors free, frequencies in Hz"
+    )
     assert max(map(len, lines[1:])) <= 80
     assert lines[2].split() == [
         *["pose", "line", "own", "mode", "measured", "sigma", "predicted", "diff", "[%]", "sigmas", "MAC"]

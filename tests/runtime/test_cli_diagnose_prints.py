@@ -43,7 +43,7 @@ def test_the_table_of_a_cause(tmp_path: Path) -> None:
     assert "…" not in answer.out
     assert lines[0] == "linear-delta-2022: effect_found"
     assert lines[1].startswith("  the residual of the declared model is not noise (p = ")
-    assert "18 measured modes fitted (held out: P3)" in lines
+    assert "18 measured modes fitted, motors free (held out: P3)" in lines
     cause = re.search(
         r"^  gearbox_compliance\.compliance = \((\d\.\d+) \+- 0\.\d\d\)e-04 rad/\(N\*m\)$", answer.out, re.M
     )
@@ -129,7 +129,7 @@ def test_belts_are_printed_relative_to_their_mean_where_their_common_stiffness_i
 
 def test_no_pose_is_held_out_on_request(tmp_path: Path) -> None:
     answer = call(*files(tmp_path), "--candidates", "payload", "--holdout", "none")
-    assert "24 measured modes fitted\n" in answer.out
+    assert "24 measured modes fitted, motors free\n" in answer.out
     assert "held out" not in answer.out
 
 
@@ -154,7 +154,7 @@ def test_every_terminal_gets_whole_numbers(tmp_path: Path, environment: dict[str
     assert "\u2026" not in out
     assert re.search(r"motor\.inertia +1\.7e-05 +1\.\d+e-05 +\d\.?\d*e-0[78] +kg\*m\^2", out)
     label = "Gr\\xf6\\xdfe" if "PYTHONIOENCODING" in environment else "Größe"
-    assert f"18 measured modes fitted (held out: {label})" in " ".join(out.split())
+    assert f"18 measured modes fitted, motors free (held out: {label})" in " ".join(out.split())
     if "COLUMNS" in environment:
         text = [line for line in out.splitlines() if "  " not in line.strip()]
         assert max(map(len, text)) <= 40

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Annotated, Literal
 
 from msgspec import Meta
@@ -13,6 +14,17 @@ FREE, HELD = DRIVES = "free", "held"
 Drives = Annotated[Literal["free", "held"], Meta(description="What the motors do: turn freely, or are held.")]
 
 _ONE_OF_THEM = Constraint(alternatives(f'"{word}"' for word in DRIVES), one_of(DRIVES).holds)
+
+
+def other_drives(drives: str) -> str:
+    """Return "held" for "free", and "free" for "held"."""
+    return HELD if drives == FREE else FREE
+
+
+def motors(drives: Iterable[str | None]) -> str:
+    """Return what the motors do in one or several measurements, as words: motors free or held."""
+    did = set(drives)
+    return f"motors {' or '.join(word for word in DRIVES if word in did)}"
 
 
 def checked_drives(drives: str) -> str:

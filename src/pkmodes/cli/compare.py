@@ -9,12 +9,14 @@ import click
 from msgspec import Meta, field
 
 from pkmodes.base.documents import Count, Document, Number, Probability, Settings, Size
+from pkmodes.base.drives import Drives, motors
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import (
     band_of,
     band_option,
     check_order,
     json_option,
+    measured_drives_option,
     mechanism_option,
     report_option,
 )
@@ -36,6 +38,7 @@ class RowDocument(Document, omit_defaults=True):
     mode: Annotated[str, Meta(description="The experimenter's mode number; may be empty.")]
     measured: Annotated[float, Meta(description="Frequency [Hz].")]
     sigma: Annotated[float, Meta(description="Its standard deviation [Hz].")]
+    drives: Drives
     predicted: Annotated[
         float | None,
         Meta(
@@ -92,11 +95,17 @@ class CompareDocument(Document):
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
 @click.argument("modes", metavar="MODES.csv", type=click.Path(path_type=Path))
 @band_option
+@measured_drives_option
 @mechanism_option
 @report_option
 @json_option
 def compare(
-    robot: Path, modes: Path, band: str | None, report_to: Path | None, json_file: str | None
+    robot: Path,
+    modes: Path,
+    band: str | None,
+    drives: str | None,
+    report_to: Path | None,
+    json_file: str | None,
 ) -> None:
     """Compare predicted and measured modes without fitting anything.
 
@@ -108,7 +117,7 @@ def compare(
     from pkmodes import updating  # SciPy is loaded only where it is used
 
     declared = read_robot(robot)
-    data = updating.read(modes, band_of(band), declared)
+    data = updating.read(modes, band_of(band), declared, drives=drives)
     sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
     result = updating.compare(declared, data)
     document = CompareDocument.of(
@@ -127,22 +136,27 @@ def _print(robot: Robot, modes: Path, result: Comparison) -> None:
     from pkmodes.diagnosis.verdict.result import p_in_words
 
     terminal = Terminal()
-    terminal.heading(f"{robot.name} compared with {modes}, frequencies in Hz")
+    did = motors(row.drives for row in result.rows)
+    terminal.heading(f"{robot.name} compared with {modes}, {did}, frequencies in Hz")
     terminal.line()
     shapes = any(row.mac is not None for row in result.rows)
     numbered = any(row.mode for row in result.rows)
-    titles = ["pose", "line", *(["own"] if numbered else []), "mode", "measured", "sigma", "predicted"]
+    mixed = len({row.drives for row in result.rows}) > 1
+    titles = ["pose", *(["motors"] if mixed else []), "line", *(["own"] if numbered else [])]
+    titles += ["mode", "measured", "sigma", "predicted"]
     loads = any(row.load for row in result.rows)
     titles += ["diff [%]", "sigmas", *(["MAC"] if shapes else []), *(["set"] if loads else [])]
     poses = {pose: i for i, pose in enumerate(dict.fromkeys(row.pose for row in result.rows))}
     rows, previous = [], None
     for row in sorted(result.rows, key=lambda row: (poses[row.pose], row.measured)):
-        cells = [row.pose if row.pose != previous else "", str(row.line), *([row.mode] if numbered else [])]
+        new = row.pose != previous
+        cells = [row.pose if new else "", *([row.drives or "" if new else ""] if mixed else [])]
+        cells += [str(row.line), *([row.mode] if numbered else [])]
         cells += [*_numbers(row, result.rigid), *([_or_blank(row.mac, ".3f")] if shapes else [])]
-        cells += [setting(robot.mechanism, row.load) if row.pose != previous else ""] if loads else []
+        cells += [setting(robot.mechanism, row.load) if new else ""] if loads else []
         rows.append(cells)
         previous = row.pose
-    terminal.table(titles, rows, left=("pose", "own", "set"))
+    terminal.table(titles, rows, left=("pose", "motors", "own", "set"))
     terminal.line()
     count = len(result.rows)
     terminal.line(

@@ -19,6 +19,7 @@ from pkmodes.cli.options import (
     band_option,
     check_order,
     json_option,
+    measured_drives_option,
     named_as_options,
     repeated_mechanism_option,
     report_option,
@@ -72,6 +73,7 @@ SECONDS = 5.0
     help="Verdicts that give exit code 1, separated by commas, or any for all except adequate; by default none.",
 )
 @band_option
+@measured_drives_option
 @repeated_mechanism_option
 @json_option
 def diagnose(
@@ -84,6 +86,7 @@ def diagnose(
     report_to: Path | None,
     fail_on: str | None,
     band: str | None,
+    drives: str | None,
     json_file: str | None,
 ) -> int:
     """Find what is missing from the model, and how much adding it improves the fit.
@@ -102,7 +105,7 @@ def diagnose(
     from pkmodes.cli.diagnosis_tables import show
 
     declared = read_robot(robot)
-    data = updating.read(modes, band_of(band), declared)
+    data = updating.read(modes, band_of(band), declared, drives=drives)
     sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
     with _progress() as progress, named_as_options({"candidates": "--candidates", "holdout": "--holdout"}):
         result = updating.diagnose(

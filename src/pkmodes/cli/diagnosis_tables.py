@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
+from pkmodes.base.drives import HELD, motors
 from pkmodes.cli.stability_text import stability_sentence
 from pkmodes.cli.terminal import Terminal
 from pkmodes.diagnosis.verdict.result import Diagnosis, Finding, Value, p_in_words
@@ -94,7 +95,11 @@ def _counts(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
     count = sum(not (row.held_out or row.outlier) for row in result.rows)
     held = f" (held out: {', '.join(result.held_out_poses)})" if result.held_out_poses else ""
     terminal.line()
-    terminal.line(f"{count} measured mode{'' if count == 1 else 's'} fitted{held}")
+    did = motors(row.drives for row in result.rows)
+    terminal.line(f"{count} measured mode{'' if count == 1 else 's'} fitted, {did}{held}")
+    if len({row.drives for row in result.rows}) > 1:
+        labels = list(dict.fromkeys(row.pose for row in result.rows if row.drives == HELD))
+        terminal.line(f"motors held: {_poses(labels)}")
     loads: dict[str, dict[str, None]] = {}
     for row in result.rows:
         if row.load:

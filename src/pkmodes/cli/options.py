@@ -56,6 +56,14 @@ drives_option = click.option(
     help="What the motors do: turn freely, or be held by position loops far stiffer than the machine.",
 )
 
+#: The same for a command that takes measurements, which may say it themselves.
+measured_drives_option = click.option(
+    "--drives",
+    type=click.Choice(DRIVES),
+    default=None,
+    help="What the motors did in the test, if the file does not say it: turn freely, or be held; default free.",
+)
+
 band_option = click.option(
     "--band",
     metavar="LOW,HIGH",
@@ -74,7 +82,7 @@ def band_of(text: str | None) -> tuple[float, float] | None:
     """
     if text is None:
         return None
-    from pkmodes.measured.csv_rows import parse_band
+    from pkmodes.measured.statements import parse_band
 
     return parse_band(text, "--band", "write --band 10,400")
 

@@ -34,7 +34,7 @@ from pkmodes.mechanism.packages import folder_of
 from pkmodes.mechanism.registry import add_folder
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
-from pkmodes.system.evaluation import active_effects
+from pkmodes.system.released import active_effects
 
 
 def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:

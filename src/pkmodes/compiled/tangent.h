@@ -30,35 +30,68 @@ INLINE void lanes_put_path(const struct lanes_block *block, double *restrict out
     lanes_put_at(block, row, x, size);
 }
 
+/* The coordinates that follow free ones, after these in x: `at` says which of all coordinates each is. */
+INLINE void lanes_follow(const struct pkmodes_request *restrict request, const int *restrict at, lane *restrict x)
+{
+    const int n = (int)request->free_count;
+    for (int f = 0; f < request->fold_count; f++) {
+        x[n + f] = (lane){0};
+        for (int k = 0; k < n; k++)
+            if (at[k] == request->leading[f])
+                x[n + f] += request->fold_weights[f] * x[k];
+    }
+}
+
+/* The forces on free coordinates, with those on the coordinates that follow them. */
+INLINE void lanes_lead(const struct pkmodes_request *restrict request, const int *restrict at, lane *restrict force)
+{
+    const int n = (int)request->free_count;
+    for (int f = 0; f < request->fold_count; f++)
+        for (int k = 0; k < n; k++)
+            if (at[k] == request->leading[f])
+                force[k] += request->fold_weights[f] * force[n + f];
+}
+
 /* Write (dK - lambda dM) phi, phi^T (dK - lambda dM) phi, phi^T dM phi and dJ phi of each mode. */
 static void lanes_take(const struct lanes_paths *paths, int path, const lane *restrict mass_rate,
     const lane *restrict stiffness_rate, const lane *restrict motion_rate)
 {
     const struct pkmodes_request *request = paths->block.request;
-    const int n = (int)request->free_count, m = paths->m, *free = request->free;
+    const int n = (int)request->free_count, m = paths->m, followers = (int)request->fold_count;
+    int at[LANES_ALL];
+    for (int k = 0; k < n + followers; k++)
+        at[k] = k < n ? request->free[k] : request->following[k - n];
     lane changes[LANES_ALL * LANES_ALL], rates[LANES_ALL], norms[LANES_ALL], motions[LANES_ALL * LANES_DIRECTIONS];
     double spring[LANES_ALL] = {0.0};
     for (int i = request->first_term[path]; i < request->first_term[path + 1]; i++)
         if (request->places[i] >= LANES_GRADIENT)
             spring[request->places[i] - LANES_GRADIENT] += request->weights[i];
     for (int i = 0; i < m; i++) {
-        const lane *restrict x = paths->shapes + i * n;
         const lane eigenvalue = paths->eigenvalues[i];
+        lane x[LANES_ALL], force[LANES_ALL], momentum[LANES_ALL];
+        for (int k = 0; k < n; k++)
+            x[k] = paths->shapes[i * n + k];
+        lanes_follow(request, at, x);
+        for (int k = 0; k < n + followers; k++) {
+            force[k] = k < n ? spring[at[k]] * x[k] : (lane){0};
+            momentum[k] = (lane){0};
+            for (int l = 0; l < n + followers; l++) {
+                force[k] += stiffness_rate[at[k] * LANES_ALL + at[l]] * x[l];
+                momentum[k] += mass_rate[at[k] * LANES_ALL + at[l]] * x[l];
+            }
+        }
+        lanes_lead(request, at, force);
+        lanes_lead(request, at, momentum);
         rates[i] = norms[i] = (lane){0};
         for (int k = 0; k < n; k++) {
-            lane force = spring[free[k]] * x[k], momentum = (lane){0};
-            for (int l = 0; l < n; l++) {
-                force += stiffness_rate[free[k] * LANES_ALL + free[l]] * x[l];
-                momentum += mass_rate[free[k] * LANES_ALL + free[l]] * x[l];
-            }
-            changes[i * n + k] = force - eigenvalue * momentum;
+            changes[i * n + k] = force[k] - eigenvalue * momentum[k];
             rates[i] += x[k] * changes[i * n + k];
-            norms[i] += x[k] * momentum;
+            norms[i] += x[k] * momentum[k];
         }
         for (int a = 0; a < LANES_DIRECTIONS; a++) {
             lane motion = (lane){0};
-            for (int l = 0; l < n; l++)
-                motion += motion_rate[a * LANES_ALL + free[l]] * x[l];
+            for (int l = 0; l < n + followers; l++)
+                motion += motion_rate[a * LANES_ALL + at[l]] * x[l];
             motions[i * LANES_DIRECTIONS + a] = motion;
         }
     }

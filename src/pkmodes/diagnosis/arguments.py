@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from pkmodes.base.drives import HELD
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.matrices import at_measured
-from pkmodes.diagnosis.problem import Structure
+from pkmodes.diagnosis.problem import Driven, Structure
 from pkmodes.measured.measurements import Measurements
 
 
@@ -26,6 +27,9 @@ def checked(structure: Structure, data: Measurements) -> Structure:
         if name not in getattr(structure, "settings", ()):
             what = f"the measurements set {shown(name)}, which the structure does not have"
             raise PkmodesError(what, data.source, "leave it out, or model it in the setups of the structure")
+    if HELD in data.drives and not isinstance(structure, Driven):
+        what = "the measurements say that motors were held, but the structure has no motors"
+        raise PkmodesError(what, data.source, "leave drives out, or model it in the setups of the structure")
     for candidate in structure.candidates:
         _check_prior(candidate.name, candidate.sigma, len(candidate.parameters))
     return at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))

@@ -13,7 +13,8 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.verdict.mistakes import other_unit
-from pkmodes.diagnosis.verdict.rows import MeasuredMode
+from pkmodes.diagnosis.verdict.rows import MeasuredMode, drives_of
+from pkmodes.diagnosis.verdict.wrong_drives import seemingly_wrong_drives
 from pkmodes.measured.measurements import Measurements
 
 
@@ -112,6 +113,7 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
             mode=data.mode[i],
             measured=float(data.frequency[i]),
             sigma=float(data.sigma[i]),
+            drives=drives_of(structure, data, i),
             predicted=float(predicted[i]) if paired[i] else None,
             partner=int(pairing.partner[i]) + 1 if paired[i] else None,
             residual=float(residual[i]) if paired[i] else None,
@@ -121,7 +123,7 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
         )
         for i in range(len(paired))
     )
-    notes = tuple(text for text in (other_unit(fitter),) if text)
+    notes = tuple(text for text in (other_unit(fitter) or seemingly_wrong_drives(fitter),) if text)
     prediction = structure.predict(fitter.declared, ())
     stage, rigid = Predicted.of(fitter.pairer, data, prediction, pairing, sigma), prediction.rigid
     if not paired.any():

@@ -211,3 +211,9 @@ class Criteria:
     unit_gain: float = 4.0
     unit_difference: float = 0.15
     unit_paired: float = 0.75
+    #: Motors free instead of held, or held instead of free, are reported if that reduces the mean difference of the
+    #: frequencies by this factor, to less than this difference.
+    drives_gain: float = 4.0
+    drives_difference: float = 0.1
+    #: Fewest rows at those setups, if not at all, for which another word for the motors is considered.
+    drives_rows: int = 3

@@ -42,6 +42,7 @@ from pkmodes.diagnosis.verdict.verdicts import (
     UNEXPLAINED,
 )
 from pkmodes.diagnosis.verdict.whole_data import remarks
+from pkmodes.diagnosis.verdict.wrong_drives import seemingly_wrong_drives, wrong_drives
 from pkmodes.measured.measurements import Measurements
 
 #: By default, one in this many poses is held out.
@@ -96,9 +97,9 @@ def diagnose(
         return _insufficient(builder)
     plain = FitStore(fitter)
     first = plain.fit(Hypothesis())
-    wiring = "" if first is None else certain_wiring(fitter, first)
-    if wiring:
-        return _mistaken(builder, wiring)
+    mistake = wrong_drives(plain) or ("" if first is None else certain_wiring(fitter, first))
+    if mistake:
+        return _mistaken(builder, mistake)
     search, outcome = _searched(plain, structure, progress)
     if outcome is None:
         what = "the model cannot be evaluated with its declared values"
@@ -227,7 +228,8 @@ def _insufficient(builder: DiagnosisBuilder) -> Diagnosis:
         contradicts,
     )
     names = tuple(candidate.name for candidate in candidates)
-    about = () if fit is None else remarks(builder.setups, fit)
+    drives = seemingly_wrong_drives(fitter)
+    about = (*((drives,) if drives else ()), *(() if fit is None else remarks(builder.setups, fit)))
     if fit is None:
         bounded = limits.unknown(store, candidates)
     else:

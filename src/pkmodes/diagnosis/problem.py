@@ -246,6 +246,14 @@ class Loadable(Protocol):
         """Return loads (values by name, set in all setups), each with the structure under it."""
 
 
+@runtime_checkable
+class Driven(Protocol):
+    """A structure with motors, which turn freely or are held in each setup."""
+
+    def with_other_drives(self, setups: Sequence[int]) -> Structure:
+        """Return the structure with the motors free instead of held, or held instead of free, in some setups."""
+
+
 def one_by_one(
     structure: Structure, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
 ) -> list[Batch]:

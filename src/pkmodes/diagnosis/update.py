@@ -27,6 +27,7 @@ from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.mistakes import other_unit, other_wiring
 from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.rows import Error, Row
+from pkmodes.diagnosis.verdict.wrong_drives import seemingly_wrong_drives
 from pkmodes.measured.measurements import Measurements
 
 #: Largest number of rounds to estimate the scatter of shapes without a stated one.
@@ -145,7 +146,8 @@ def update(
     updated = tuple(_updated(fitter, fit, i) for i in chosen)
     covariance = fit.covariance_of(chosen)
     size = np.sqrt(np.diagonal(covariance))
-    remarks = [text for text in (other_unit(fitter), other_wiring(fitter, fit)) if text]
+    mistakes = (other_unit(fitter) or seemingly_wrong_drives(fitter), other_wiring(fitter, fit))
+    remarks = [text for text in mistakes if text]
     remarks += whole_data.remarks(setups, fit)
     held_by_prior = [p.name for p in updated if p.resolution < 0.05]
     if held_by_prior:

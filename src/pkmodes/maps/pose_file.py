@@ -10,8 +10,9 @@ import numpy as np
 
 from pkmodes.base.errors import MeasurementError, shown
 from pkmodes.maps.poses import Poses
+from pkmodes.measured.cells import cells_of, number_in
 from pkmodes.measured.csv_format import read_text
-from pkmodes.measured.csv_rows import cells_of, number_in, read_lines
+from pkmodes.measured.csv_rows import read_lines
 from pkmodes.measured.header import column_of
 from pkmodes.mechanism.registry import Mechanism
 

@@ -74,6 +74,17 @@ def by_name(
     return given
 
 
+def drives_of_rows(drives: str | Sequence[str], rows: int, source: str) -> list[str]:
+    """Return what the motors did in each row, from one word for all rows or one for each."""
+    if isinstance(drives, str):
+        return [drives] * rows
+    words = listed(drives, "words", f"{source}: drives", '"held"', str, MeasurementError)
+    if len(words) != rows:
+        what = f"expected one word for all rows, or {rows}, found {len(words)}"
+        raise MeasurementError(what, f"{source}: drives", 'give "free" or "held" for each row')
+    return list(words)
+
+
 def mode_numbers(mode: Sequence[object], source: str) -> list[object]:
     """Check the experimenter's mode numbers, which may be text."""
     return listed(mode, "mode numbers", f"{source}: mode", "1", error=MeasurementError)

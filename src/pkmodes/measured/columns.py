@@ -69,6 +69,8 @@ class Columns:
         Unit of the frequencies in the source, for messages; empty if it gives none, which means Hz.
     components, component_units : tuple of str, length d
         Names of the components of a pose, and their SI units.
+    drives : tuple of str, length P
+        What the motors did at each pose: "free" or "held".
     settings : tuple of str, length K
         Paths of the parameters that were set to a known value at some poses: load cases.
     set_values : ndarray, shape (P, K)
@@ -90,6 +92,7 @@ class Columns:
     unit: str = ""
     components: tuple[str, ...] = tuple(POSITION)
     component_units: tuple[str, ...] = tuple(POSITION.values())
+    drives: tuple[str, ...] = ()
     settings: tuple[str, ...] = ()
     set_values: Array = field(default_factory=lambda: np.empty((0, 0)))
 

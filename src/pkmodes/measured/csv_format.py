@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import NoReturn
 
 from pkmodes.base.errors import MeasurementError
-from pkmodes.measured.csv_rows import cells_of, read_lines, read_table
+from pkmodes.measured.cells import cells_of
+from pkmodes.measured.csv_rows import read_lines, read_table
 from pkmodes.measured.formats import Format, Machine
 from pkmodes.measured.header import components_of, read_header
 from pkmodes.measured.measurements import Measurements
@@ -29,7 +30,7 @@ def read(path: str | PathLike[str], machine: Machine) -> Measurements:
     cells = cells_of(line, where)
     components = components_of(cells, machine.components, machine.channels)
     columns = read_header(cells, where, machine.channels, machine.positions, components, machine.settings)
-    return read_table(columns, lines, source, components)
+    return read_table(columns, lines, source, components, machine.drives)
 
 
 def begins_with_a_header(head: bytes) -> bool:

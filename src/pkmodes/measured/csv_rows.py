@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import math
 import re
 from collections.abc import Mapping, Sequence
-from decimal import Decimal
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from pkmodes.base.drives import DRIVES, FREE
 from pkmodes.base.errors import MeasurementError, shown
-from pkmodes.measured.header import SPREAD, TEXT, Column, frequency_factor
+from pkmodes.measured.cells import cells_of, number_in
+from pkmodes.measured.header import SPREAD, TEXT, Column
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.quantities import required_columns, row_numbers
 from pkmodes.measured.rules import (
@@ -22,52 +22,47 @@ from pkmodes.measured.rules import (
     BrokenRuleError,
     Problem,
     Quoted,
-    checked_band,
     message,
     refuse,
 )
-from pkmodes.robot.units import QuantityError
+from pkmodes.measured.statements import STATEMENT, STATEMENTS
 
 #: A line that tells spreadsheet programs the separator of the cells.
 SEPARATOR = re.compile(r"\"?sep\s*=\s*(.)\"?[,;\t]*", re.IGNORECASE)
 
-# Stricter than float(): no "nan", no "1_000", no digits of other scripts.
-NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
-#: A comment that gives the band.  Also matches without the colon, a mistake that would otherwise go unnoticed.
-BAND = re.compile(r"#\s*band\s*(:|=|(?=\s[0-9.]))(.*)", re.IGNORECASE)
-BAND_HELP = 'write "# band: 10 Hz, 400 Hz", or start the comment with another word'
-
 
 class Lines(NamedTuple):
-    """Lines of cells with their line numbers, and the band if a comment gives one."""
+    """Lines of cells with their line numbers, and what comments say of all of them, if they do."""
 
     records: list[tuple[int, str]]
     band: tuple[float, float] | None
+    drives: str | None
 
 
 def read_lines(text: str, source: str) -> Lines:
-    """Split a file into its records and the band from its comments.
+    """Split a file into its records, and what its comments say of the whole test.
 
     Raises
     ------
     MeasurementError
-        If a band is invalid or differs from a previous one.
+        If such a comment is invalid or differs from a previous one.
     """
     records: list[tuple[int, str]] = []
-    band: tuple[float, float] | None = None
-    stated = 0
+    stated: dict[str, tuple[Any, int]] = {}
     for number, line in enumerate(io.StringIO(text, newline=None), start=1):
         line, where = line.strip(), f"{source}: line {number}"
-        if (match := BAND.fullmatch(line.rstrip(",; \t"))) is not None:
-            if match[1] != ":":
+        if (match := STATEMENT.fullmatch(line.rstrip(",; \t"))) is not None:
+            name = match[1].lower()
+            read, help_text = STATEMENTS[name]
+            if match[2] != ":":
                 raise MeasurementError(
-                    f'expected a colon after "band", found {shown(line)}', where, BAND_HELP
+                    f'expected a colon after "{name}", found {shown(line)}', where, help_text
                 )
-            limits = parse_band(match[2], where)
-            if band not in (None, limits):
-                what = f"this band differs from that in line {stated}"
+            value = read(match[3], where)
+            before, place = stated.setdefault(name, (value, number))
+            if value != before:
+                what = f"this {name} differs from that in line {place}"
                 raise MeasurementError(what, where, "remove one of them")
-            band, stated = limits, number
         elif not records and SEPARATOR.fullmatch(line) is not None:
             what = f"expected the names of the columns, found {shown(line)}, a line for spreadsheet programs"
             raise MeasurementError(what, where, "remove this line")
@@ -75,65 +70,15 @@ def read_lines(text: str, source: str) -> Lines:
             "#"
         ):  # spreadsheet programs fill blank lines with commas
             records.append((number, line))
-    return Lines(records, band)
-
-
-def cells_of(line: str, where: str) -> list[str]:
-    """Split one line into cells; cells that span lines are not supported, since they are usually unclosed quotes.
-
-    Raises
-    ------
-    MeasurementError
-        If it is not CSV.
-    """
-    try:
-        (cells,) = csv.reader([line], strict=True, skipinitialspace=True)
-    except csv.Error as error:
-        remedy = "close every quote on its line, and put a comma right after it"
-        raise MeasurementError(f"not valid CSV: {error}", where, remedy) from None
-    return [cell.strip() for cell in cells]
-
-
-def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, float]:
-    """Read a band such as ``10 Hz, 400 Hz``; numbers without a unit are in Hz.
-
-    Parameters
-    ----------
-    where, remedy : str
-        Place and remedy, for messages.
-
-    Returns
-    -------
-    low, high : float
-        [Hz].
-
-    Raises
-    ------
-    MeasurementError
-        If the text is not two frequencies above 0, the lower one first.
-    """
-    limits: list[float] = []
-    parts = text.split(",")
-    for part in parts if len(parts) == 2 else ():
-        number, *unit = part.split(maxsplit=1) or [""]
-        glued = NUMBER.match(number)  # also "10Hz"
-        if glued is not None and glued.end() < len(number):
-            number, unit = glued[0], [" ".join([number[glued.end() :], *unit])]
-        try:
-            factor = frequency_factor(unit[0]) if unit else None
-        except QuantityError as error:
-            raise MeasurementError(f"expected a band in Hz: {error}", where, remedy) from None
-        value = number_in(number, factor)
-        if value is not None:
-            limits.append(value)
-    if len(limits) != 2:
-        what = f"expected a lower and a higher frequency, found {shown(text.strip())}"
-        raise MeasurementError(what, where, remedy)
-    return checked_band(limits, where)
+    return Lines(records, *(stated.get(name, (None, 0))[0] for name in STATEMENTS))
 
 
 def read_table(
-    columns: Sequence[Column], lines: Lines, source: str, components: Mapping[str, str]
+    columns: Sequence[Column],
+    lines: Lines,
+    source: str,
+    components: Mapping[str, str],
+    drives: str | None = None,
 ) -> Measurements:
     """Convert the cells below the header; each invalid cell counts as a problem.
 
@@ -143,6 +88,8 @@ def read_table(
         The file.
     components : mapping of str to str
         Pose components and their units.
+    drives : str, optional
+        What the motors did, if the user says so.
 
     Raises
     ------
@@ -150,6 +97,10 @@ def read_table(
         With the first problem.
     """
     records = lines.records[1:]
+    if drives is not None and lines.drives not in (None, drives):
+        what = f"the file states that the motors were {lines.drives}, not {drives}"
+        raise MeasurementError(what, source, "leave drives out, or correct the file")
+    said = drives or lines.drives
     if not records:
         what = "expected a row for each identified mode, found only a header"
         raise MeasurementError(what, source, "add the rows")
@@ -171,7 +122,13 @@ def read_table(
             problems.append(Problem(row, place, what, remedy))
             continue
         for column, cell in zip(columns, cells, strict=True):
-            if column.name in TEXT:
+            if column.name == "drives":
+                word = cell.lower() or said or FREE
+                if word in DRIVES and said not in (None, word):
+                    what = f"expected {said}, as stated for all rows, found {shown(cell)}"
+                    problems.append(Problem(row, column.text, what, "correct the row, or the statement"))
+                texts[column.name].append(word)
+            elif column.name in TEXT:
                 texts[column.name].append(cell)
             elif not cell and column.name not in filled:
                 numbers[column.name].append(blank.get(column.name, math.nan))
@@ -185,7 +142,8 @@ def read_table(
     refuse(problems, source, numbers_of_lines)
     units = {column.name: column.unit for column in columns}
     try:
-        return _measurements(texts, numbers, lines, source, units["frequency"], components)
+        motors: str | list[str] = texts["drives"] or said or FREE
+        return _measurements(texts, numbers, lines, source, units["frequency"], components, motors)
     except BrokenRuleError as error:
         what = message(error.problem, lambda quoted: _as_written(quoted, columns, records))
         raise MeasurementError(what, error.where, error.remedy) from None
@@ -211,6 +169,7 @@ def _measurements(
     source: str,
     unit: str,
     components: Mapping[str, str],
+    drives: str | list[str],
 ) -> Measurements:
     """Build measurements from a file's columns by name; `unit` is the header's unit of the frequencies."""
     rows = len(lines.records) - 1
@@ -227,16 +186,9 @@ def _measurements(
             name.removeprefix(SHAPE): column for name, column in numbers.items() if name.startswith(SHAPE)
         },
         band=lines.band,
+        drives=drives,
         source=source,
         lines=np.array([line for line, _ in lines.records[1:]]),
         unit=unit,
         settings={name.removeprefix(SET): column for name, column in numbers.items() if name.startswith(SET)},
     )
-
-
-def number_in(text: str, factor: Decimal | None) -> float | None:
-    """Return the number in a cell in SI units, None if the cell is not a number."""
-    value = float(text) if NUMBER.fullmatch(text) else math.nan
-    if factor is not None and value and math.isfinite(value):
-        value = float(Decimal(text) * factor)  # in decimal, so that 35 mm is the double nearest to 0.035
-    return value if math.isfinite(value) else None

@@ -25,12 +25,15 @@ class Machine:
         Possible sets of pose components, each with SI units.
     settings : mapping of str to str
         Paths of values that may be set, with their SI units.
+    drives : str, optional
+        What the motors did, if the user says so: "free" or "held".
     """
 
     channels: Collection[str] | Mapping[str, str]
     positions: bool = True
     components: Sequence[Mapping[str, str]] = (POSITION,)
     settings: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    drives: str | None = None
 
 
 @dataclass(frozen=True)

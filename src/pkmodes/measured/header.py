@@ -23,7 +23,7 @@ from pkmodes.measured.rules import SET, SHAPE
 from pkmodes.robot.units import QuantityError, base_units
 
 #: Columns of text.
-TEXT = ("pose", "mode")
+TEXT = ("pose", "mode", "drives")
 #: Prefix of the standard deviations of pose components.
 SPREAD = "sigma_"
 SEPARATORS = {";": "semicolons", "\t": "tabs", "|": "bars"}
@@ -91,7 +91,8 @@ def read_header(
     units |= {f"{SET}{name}": unit for name, unit in settings.items()}
     known = ["pose", *components, *needed, *spreads]
     known += [number.column for number in quantity_numbers() if not number.required]
-    known += ["mode", SHAPE_SIGMA.column, *(f"{SHAPE}{name}" for name in channels)]
+    known += ["mode", "drives"] if positions else ["mode"]
+    known += [SHAPE_SIGMA.column, *(f"{SHAPE}{name}" for name in channels)]
     known += [f"{SET}{name}" for name in settings]
     help_text = f"start with a header such as {','.join(required)}"
     text = ",".join(cells)

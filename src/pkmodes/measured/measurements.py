@@ -14,10 +14,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pkmodes.base.drives import FREE
 from pkmodes.base.errors import MeasurementError, listed, shown
 from pkmodes.measured.arguments import (
     by_name,
     checked_array,
+    drives_of_rows,
     for_all,
     mode_numbers,
     nearest_argument,
@@ -33,6 +35,7 @@ from pkmodes.measured.rules import (
     SHAPE,
     BrokenRuleError,
     checked_band,
+    drives_problems,
     position_problems,
     refuse,
     repetitions,
@@ -74,6 +77,11 @@ class Measurements(Columns):
         size = len(self.components)
         if not self.settings:
             object.__setattr__(self, "set_values", np.empty((poses, 0)))
+        if not self.drives:
+            object.__setattr__(self, "drives", (FREE,) * poses)
+        if len(self.drives) != poses:
+            what = f"expected what the motors did at {poses} poses, found {len(self.drives)}"
+            raise MeasurementError(what, f"{self.source}: drives", 'give "free" or "held" for each pose')
         if len(self.mode) != rows:
             raise MeasurementError(
                 f"expected {rows} mode numbers, found {len(self.mode)}",
@@ -128,6 +136,7 @@ class Measurements(Columns):
         lines: ArrayLike | None = None,
         unit: str = "",
         components: Mapping[str, str] = POSITION,
+        drives: str | Sequence[str] = FREE,
         settings: Mapping[str, ArrayLike] | None = None,
         **further: ArrayLike,
     ) -> Measurements:
@@ -164,6 +173,9 @@ class Measurements(Columns):
             Unit of the frequencies in the source if it gives one, for messages; the arguments are in Hz.
         components : mapping of str to str, optional
             Names of the d components of a point and their SI units; by default a position in space.
+        drives : str or sequence of str, length R
+            What the motors did, in all rows or in each: "free" to turn, or "held" by position loops.  Rows with the
+            same label must agree.
         settings : mapping of str to array_like of shape (R,), optional
             Known values of parameters by path, in SI units, NaN where the declared value applies.  Rows with the
             same label must agree.
@@ -179,8 +191,8 @@ class Measurements(Columns):
         Raises
         ------
         MeasurementError
-            If the columns do not match, a number breaks a rule, a label has two positions or two values of a
-            setting, or a row is repeated.
+            If the columns do not match, a number breaks a rule, a label has two positions, two values of a setting
+            or both free and held motors, or a row is repeated.
         """
         quantities = {number.argument for number in quantity_numbers()}
         for name in (name for name in further if name not in quantities):
@@ -210,6 +222,7 @@ class Measurements(Columns):
         components_of_shapes = [
             checked_array(column, f"{SHAPE}{name}", (rows,), source) for name, column in shapes.items()
         ]
+        motors = drives_of_rows(drives, rows, source)
         known = by_name(settings, "settings", "effects.payload.mass", source)
         loads = np.empty((rows, len(known)))
         for k, (name, values) in enumerate(known.items()):
@@ -248,6 +261,7 @@ class Measurements(Columns):
                 unit=unit,
                 components=tuple(components),
                 component_units=tuple(components.values()),
+                drives=tuple(motors[i] for i in introduced),
                 settings=tuple(known),
                 set_values=loads[introduced],
             )
@@ -260,6 +274,7 @@ class Measurements(Columns):
         problems = [
             *position_problems(measurements, places, spreads),
             *setting_problems(measurements, loads),
+            *drives_problems(measurements, motors),
             *repetitions(measurements),
         ]
         refuse(problems, source, measurements.lines)
@@ -327,5 +342,6 @@ class Measurements(Columns):
             lines=self.lines[rows],
             shapes=self.shapes[rows],
             shape_sigma=self.shape_sigma[rows],
+            drives=tuple(self.drives[i] for i in kept),
             set_values=self.set_values[kept],
         )

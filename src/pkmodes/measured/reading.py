@@ -39,6 +39,7 @@ def read_measurements(
     positions: bool = True,
     components: Sequence[Mapping[str, str]] = (POSITION,),
     settings: Mapping[str, str] = MappingProxyType({}),
+    drives: str | None = None,
 ) -> Measurements:
     """Read modal measurements of a machine whose setups are poses.
 
@@ -47,9 +48,10 @@ def read_measurements(
     path : path-like
         A CSV file in UTF-8 with one row for each identified mode: the columns ``pose``, one for each component of a
         pose, ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``,
-        ``mode``, ``shape:<coordinate>``, ``sigma_shape`` and ``set:<path>``.  A column name may carry a unit,
-        ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` gives the band in which modes were
-        identified; other lines that begin with ``#`` are ignored, as are blank lines.
+        ``mode``, ``drives``, ``shape:<coordinate>``, ``sigma_shape`` and ``set:<path>``.  A column name may carry a
+        unit, ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` gives the band in which modes were
+        identified, and ``# drives: held`` says what the motors did in all rows; other lines that begin with ``#`` are
+        ignored, as are blank lines.
     channels : collection of str, or mapping of str to str
         Coordinates that a shape column may name.  A mapping gives their SI units; otherwise the unit of a shape
         column may be a length or an angle.
@@ -59,6 +61,8 @@ def read_measurements(
         Possible sets of pose components, each with SI units; if there are several, the header decides.
     settings : mapping of str to str, optional
         Paths that a column ``set:<path>`` may name, with their SI units.
+    drives : {"free", "held"}, optional
+        What the motors did, if the file does not say it; otherwise free.
 
     Returns
     -------
@@ -70,7 +74,7 @@ def read_measurements(
     MeasurementError
         If the file cannot be read or is invalid, with line, column, what was expected and what was found.
     """
-    return format_of(path).read(path, Machine(channels, positions, components, settings))
+    return format_of(path).read(path, Machine(channels, positions, components, settings, drives))
 
 
 def read_modes(path: str | PathLike[str], channels: Collection[str] | Mapping[str, str]) -> Measurements:

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.base.drives import DRIVES
 from pkmodes.base.errors import MeasurementError, shown
 from pkmodes.measured.columns import Array, Columns, Integers
 from pkmodes.measured.quantities import (
@@ -154,7 +155,7 @@ def _broken(
 
 
 def text_problems(given: Columns, first: Integers) -> Iterator[Problem]:
-    """Yield labels and mode numbers that are not printable, and labels that are missing or repeated."""
+    """Yield labels and mode numbers that are not printable, labels that are repeated, and unknown `drives`."""
     seen: set[str] = set()
     for i, label in zip(first.tolist(), given.labels, strict=True):
         if not label.strip() or not label.isprintable():
@@ -166,6 +167,12 @@ def text_problems(given: Columns, first: Integers) -> Iterator[Problem]:
                 i, "pose", f"two poses have the label {shown(label)}", "give each pose a unique label"
             )
         seen.add(label)
+    for i, word in zip(first.tolist(), given.drives, strict=True):
+        if word not in DRIVES:
+            what = f'expected "free" or "held", found {shown(word)}'
+            yield Problem(
+                i, "drives", what, "say whether the motors turned freely or position loops held them"
+            )
     for i, number in enumerate(given.mode):
         if not number.isprintable():
             yield Problem(
@@ -213,6 +220,17 @@ def setting_problems(data: Columns, rows: Array) -> Iterator[Problem]:
             (what, there, f" in line {data.lines[before]} and ", here, " here"),
             "give each load case a unique label",
         )
+
+
+def drives_problems(data: Columns, rows: Sequence[str]) -> Iterator[Problem]:
+    """Yield rows, of all rows (R,), in which the motors did something else than in the first row of their pose."""
+    first = np.unique(data.pose, return_index=True)[1]
+    for i, (word, pose) in enumerate(zip(rows, data.pose.tolist(), strict=True)):
+        if word != data.drives[pose]:
+            what = f"pose {shown(data.labels[pose])} has two values: drives is {data.drives[pose]}"
+            what += f" in line {data.lines[first[pose]]} and {word} here"
+            remedy = "give the pose with free motors and the one with held motors a label each"
+            yield Problem(i, "drives", what, remedy)
 
 
 def repetitions(data: Columns) -> Iterator[Problem]:

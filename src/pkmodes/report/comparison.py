@@ -42,7 +42,7 @@ def _summary(result: Comparison, setting: Setting) -> Summary:
         ("of them unmatched", Cell(str(len(result.unpaired)), len(result.unpaired), pointer("unpaired"))),
     ]
     return Summary(
-        subject=clean(setting.subject),
+        subject=setting.title(row.drives for row in result.rows),
         kind="Comparison",
         verdict="",
         headline=headline,

@@ -49,7 +49,7 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
 def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary:
     facts = [(name, cell) for name, cell in _facts(result) if cell.value is not None]
     return Summary(
-        subject=clean(setting.subject),
+        subject=setting.title(row.drives for row in result.rows),
         kind="Diagnosis",
         verdict=result.verdict,
         headline=_headline(result),

@@ -32,11 +32,13 @@ def mode_table(result: Diagnosis | Comparison, evidence: Evidence, setting: Sett
     own = any(row.mode for row in rows)
     shapes = any(row.mac is not None for row in rows)
     loads = any(row.load for row in rows)
+    mixed = len({row.drives for row in rows}) > 1
     remarks = [_remark(row, evidence, i) for i, row in enumerate(rows)]
-    columns = [Column(evidence.place, numbers=False), Column("line")]
+    columns = [Column(evidence.place, numbers=False), *([Column("motors", numbers=False)] if mixed else [])]
+    columns += [Column("line")]
     columns += [Column("own", numbers=False)] if own else []
     columns += [Column("mode"), Column(FREQUENCY.value.heading), Column(FREQUENCY.sigma.heading)]
-    groups = [("", 3 + own), ("measured", 2)]
+    groups = [("", 3 + mixed + own), ("measured", 2)]
     for stage in evidence.stages:
         columns += [Column(FREQUENCY.value.heading), Column("diff. [%]"), Column("diff. [\u03c3]")]
         groups.append((f"model {stage.title}", 3))
@@ -48,7 +50,8 @@ def mode_table(result: Diagnosis | Comparison, evidence: Evidence, setting: Sett
     lines = []
     for i in chosen:
         row = rows[i]
-        cells = [Cell(clean(row.pose)), Cell(str(row.line), row.line, pointer("rows", i, "line"))]
+        cells = [Cell(clean(row.pose)), *([Cell(row.drives or "")] if mixed else [])]
+        cells += [Cell(str(row.line), row.line, pointer("rows", i, "line"))]
         cells += [Cell(clean(row.mode))] if own else []
         cells += _numbers(result, evidence, i)
         cells += [number(row.mac, ".3f", pointer("rows", i, "mac"))] if shapes else []

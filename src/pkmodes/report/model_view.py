@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from collections import Counter
 from contextlib import suppress
 
 import numpy as np
@@ -65,6 +66,8 @@ def view_of(
 def view_of_result(result: Diagnosis | Comparison, robot: Robot, points: NDArray[np.float64]) -> str | None:
     """Return the view of a measured robot at the measured poses: with the cause, if one was found.
 
+    The motors do what they did in most of the rows.
+
     Parameters
     ----------
     result : Diagnosis or Comparison
@@ -82,4 +85,5 @@ def view_of_result(result: Diagnosis | Comparison, robot: Robot, points: NDArray
     if isinstance(result, Diagnosis) and result.effects:
         with suppress(PkmodesError):  # a cause that no robot file can hold
             robot = robot_from_document(tomllib.loads(corrected_robot(robot, result)), robot.source)
-    return view_of(Model(robot), points)
+    drives = Counter(row.drives or FREE for row in result.rows).most_common(1)[0][0]
+    return view_of(Model(robot), points, drives=drives)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from pkmodes.base.drives import motors
 from pkmodes.measured.measurements import Measurements
 from pkmodes.plots.labels import typeset
 from pkmodes.report.formatting import clean, unit
@@ -31,6 +32,10 @@ class Setting:
     data: Measurements | None
     sources: tuple[Source, ...]
     view: str | None
+
+    def title(self, drives: Iterable[str | None]) -> str:
+        """Return the subject, with what the motors of a robot did."""
+        return clean(self.subject) if self.robot is None else f"{clean(self.subject)}, {motors(drives)}"
 
     @cached_property
     def _units(self) -> dict[str, str]:

@@ -236,8 +236,7 @@ class MatrixDerivatives:
             full += np.swapaxes(np.triu(full, 1), -1, -2)
             if self._by_pose is not None:
                 full += np.einsum("ntd,ndab->ntab", self._shift[robot], self._by_pose[matrix][poses])
-            if self._system.basis is not None:
-                full = self._system.basis.T @ full @ self._system.basis
+            full = self._system.in_basis(full)
             if matrix == 1:
                 diagonal = np.arange(full.shape[-1])
                 full[..., diagonal, diagonal] += self._springs[robot]
@@ -380,4 +379,8 @@ class MatrixDerivatives:
         """Return shapes in all coordinates of the generated model, (N, m, e)."""
         phi = np.zeros((*shapes.shape[:-1], self.size))
         phi[..., self.free] = shapes
-        return phi if self._system.basis is None else phi @ self._system.basis.T
+        return self.of_model(phi)
+
+    def of_model(self, vectors: Array) -> Array:
+        """Return vectors in all coordinates of the system, (..., e), in those of the generated model."""
+        return self._system.of_model(vectors)

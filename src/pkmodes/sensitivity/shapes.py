@@ -51,8 +51,8 @@ def shape_derivatives(
     Returns
     -------
     ndarray, shape (N, T, m, e + d)
-        In all coordinates, including those of locked joints, which deflect; then the motions, per unit of the
-        coordinates as they are.
+        In all coordinates of the generated model, including those of locked joints, which deflect; then the motions,
+        per unit of the coordinates as they are.
     """
     change, norm = derivatives.changes(eigenvalues, shapes)
     gap = eigenvalues[:, :, None] - eigenvalues[:, None, :]
@@ -70,6 +70,7 @@ def shape_derivatives(
     rates: Array = share @ channels[:, None]
     r = np.flatnonzero(derivatives.massless)
     if not (len(r) or derivatives.locked):
+        rates[..., :size] = derivatives.of_model(rates[..., :size])
         return rates
     beyond = np.zeros((*share.shape[:3], size))
     if len(r):
@@ -79,7 +80,7 @@ def shape_derivatives(
         )
     for t in derivatives.locked:
         beyond[:, t] += derivatives.locked_motion(t, eigenvalues, shapes)
-    rates[..., :size] += beyond
+    rates[..., :size] = derivatives.of_model(rates[..., :size] + beyond)
     if motion is not None:
         rates[..., size:] += beyond @ np.swapaxes(motion(), -1, -2)[:, None]
     return rates

@@ -119,8 +119,8 @@ def _by_solvers(
     if any((one.massless() != massless).any() for one in systems):
         return None
     try:
-        solver = solver_of(system, MAX_CONDITION, backend)
-        solvers = [] if solver.together else [solver_of(s, MAX_CONDITION, backend) for s in systems]
+        solver = solver_of(system, MAX_CONDITION, backend).inner
+        solvers = [] if solver.together else [solver_of(s, MAX_CONDITION, backend).inner for s in systems]
     except UnavailableError:
         return None
     if isinstance(solver, NumpySolver) or not (checked or solver.checks_poses):
@@ -168,7 +168,7 @@ def _by_solvers(
 def together(systems: Sequence[ExtendedSystem]) -> Solver | None:
     """Return the solver of several robots together, if there is one."""
     try:
-        solver = solver_of(stacked(systems, 1), MAX_CONDITION, chosen(AUTO))
+        solver = solver_of(stacked(systems, 1), MAX_CONDITION, chosen(AUTO)).inner
     except UnavailableError:
         return None
     return solver if solver.together else None

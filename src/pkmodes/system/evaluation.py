@@ -7,17 +7,18 @@ effects is evaluated by the base model.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import cache, cached_property, lru_cache
-from typing import Any, NamedTuple, Protocol
+from functools import cache, cached_property
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.compiled.lanes import Lanes, flat
+from pkmodes.compiled.lanes import NO_FOLD, Fold, Lanes, flat
 from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.mechanism.regular import declared, regular_poses, sample
 from pkmodes.robot.robot import Robot
+from pkmodes.system.released import active_effects, released
 
 Array = NDArray[np.float64]
 #: Dimensions of inertias.
@@ -151,12 +152,16 @@ class ExtendedSystem:
     def __init__(self, mechanism: Mechanism, parameters: Any, effects: Mapping[str, float]) -> None:
         self.mechanism, self.parameters, self.given = mechanism, parameters, effects
         self.first = len(mechanism.coordinates)
-        released = _released(mechanism, tuple(effects.items()))
-        self.effects, self.free, self.coordinates = released.effects, released.free, released.coordinates
-        self.joints, self.joint_rates = released.joints, released.joint_rates
-        self.rigid_modes = released.rigid_modes
+        of_effects = released(mechanism, tuple(effects.items()))
+        self.effects, self.free, self.coordinates = (
+            of_effects.effects,
+            of_effects.free,
+            of_effects.coordinates,
+        )
+        self.joints, self.joint_rates = of_effects.joints, of_effects.joint_rates
+        self.rigid_modes = of_effects.rigid_modes
         self.held_motions = mechanism.rigid_modes - self.rigid_modes
-        self.springs_to_ground: Mapping[str, float] = released.springs_to_ground
+        self.springs_to_ground: Mapping[str, float] = of_effects.springs_to_ground
 
     @classmethod
     def of(cls, robot: Robot) -> ExtendedSystem:
@@ -178,7 +183,11 @@ class ExtendedSystem:
     def without_springs(self, p: Array) -> tuple[Array, Array]:
         """Return M and K in all coordinates without the springs of the released joints."""
         M, K_el, K_g = self._single("extended_matrices", p)
-        return M, K_el + K_g
+        return self.in_basis(M), self.in_basis(K_el + K_g)
+
+    def in_basis(self, matrix: Array) -> Array:
+        """Return a matrix in the coordinates of the generated model, (..., e, e), in all coordinates here."""
+        return matrix if self.basis is None else np.asarray(self.basis.T @ matrix @ self.basis)
 
     def derivatives(self, p: Array, *, geometry: bool) -> tuple[Array, Array]:
         """Return derivatives of the entries of M and K that the generated model lists, each (N, entries).
@@ -191,6 +200,10 @@ class ExtendedSystem:
         else:
             also = tuple(np.zeros((len(p), count)) for count in self._entries_of_geometry())
         return np.hstack([M_theta, also[0]]), np.hstack([K_theta, also[1]])
+
+    def of_model(self, vectors: Array) -> Array:
+        """Return vectors in all coordinates here, (..., e), in the coordinates of the generated model."""
+        return vectors if self.basis is None else np.asarray(vectors @ self.basis.T)
 
     def by_pose(self, p: Array) -> tuple[Array, Array]:
         """Return derivatives of M and K in all coordinates with respect to the pose, each (N, d, e, e).
@@ -231,7 +244,8 @@ class ExtendedSystem:
     def motion_of_all(self, p: Array, parameters: Any = None) -> Array:
         """Return the same for all coordinates, (N, directions, e), optionally with other parameters."""
         given = self.parameters if parameters is None else parameters
-        return np.asarray(Generated(self.mechanism.extended, given).extended_platform_motion(p))
+        motion = np.asarray(Generated(self.mechanism.extended, given).extended_platform_motion(p))
+        return motion if self.basis is None else motion @ self.basis
 
     def statics(self, p: Array) -> tuple[Array, Array]:
         """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
@@ -246,6 +260,16 @@ class ExtendedSystem:
             self.joints,
             self.free.astype(np.int32),
             self.massless().astype(np.int8),
+            self.fold(),
+        )
+
+    def fold(self) -> Fold:
+        """Return which coordinates of the generated model follow those that are free here."""
+        if self.basis is None:
+            return NO_FOLD
+        following, leading = np.nonzero(self.basis - np.diag(np.diag(self.basis)))
+        return Fold(
+            leading.astype(np.int32), following.astype(np.int32), self.basis[following, leading].copy()
         )
 
     def _entries_of_geometry(self) -> tuple[int, int]:
@@ -260,59 +284,6 @@ class ExtendedSystem:
         """Evaluate a generated function; a single pose uses scalars, several times faster than arrays of length 1."""
         function: Callable[[Array], tuple[Array, ...]] = getattr(self._generated, name)
         return tuple(values[None] for values in function(p[0])) if len(p) == 1 else function(p)
-
-
-class _Released(NamedTuple):
-    """What follows from the effects alone: see `ExtendedSystem`."""
-
-    effects: Any
-    free: NDArray[np.intp]
-    joints: Array
-    joint_rates: Array
-    coordinates: tuple[str, ...]
-    rigid_modes: int
-    springs_to_ground: Mapping[str, float]
-
-
-@lru_cache(maxsize=256)
-def _released(mechanism: Mechanism, effects: tuple[tuple[str, float], ...]) -> _Released:
-    """Return what follows from effects; a fit evaluates many robots with the same."""
-    shared, _ = _shared_and_single(dict(effects))
-    releasing = tuple((path, value) for path, value in effects if path.split(".")[0] in _releasing(mechanism))
-    grounding = [name for name in active_effects(mechanism, dict(effects)) if mechanism.effects[name].grounds]
-    springs = {path: value for path, value in effects if path.split(".")[0] in grounding and value != 0.0}
-    free, joints, rates, coordinates = _joints(mechanism, releasing)
-    rigid = 0 if grounding else mechanism.rigid_modes
-    values = mechanism.extended.Effects(**shared)
-    return _Released(values, free, joints, rates, coordinates, rigid, springs)
-
-
-@lru_cache(maxsize=256)
-def _joints(
-    mechanism: Mechanism, effects: tuple[tuple[str, float], ...]
-) -> tuple[NDArray[np.intp], Array, Array, tuple[str, ...]]:
-    """Return the free coordinates, the joints' stiffnesses and their rates, and the names of the coordinates."""
-    extended, base = mechanism.extended, len(mechanism.coordinates)
-    shared, single = _shared_and_single(dict(effects))
-    with np.errstate(divide="ignore"):
-        stiffness, rates = extended.joint_stiffness(extended.Effects(**shared))
-        for coordinate, name, value in single:
-            place = extended.COORDINATES.index(coordinate) - base
-            beyond = extended.Effects(**{**shared, name: shared.get(name, 0.0) + value})
-            stiffness[place], rates[place] = (a[place] for a in extended.joint_stiffness(beyond))
-    released = np.isfinite(stiffness)  # a joint without compliance is infinitely stiff: locked
-    free = np.concatenate([np.arange(base), base + np.flatnonzero(released)])
-    joints = np.concatenate([np.zeros(base), np.where(released, stiffness, 0.0)])
-    joint_rates = np.concatenate([np.zeros(base), np.where(released, rates, 0.0)])
-    for array in (free, joints, joint_rates):
-        array.flags.writeable = False
-    return free, joints, joint_rates, tuple(extended.COORDINATES[i] for i in free)
-
-
-@cache
-def _releasing(mechanism: Mechanism) -> frozenset[str]:
-    """Return the names of the effects that release joints, whose stiffnesses depend on nothing else."""
-    return frozenset(effect.name for effect in mechanism.effects.values() if effect.coordinates)
 
 
 @cache
@@ -358,29 +329,6 @@ def may_be_refused(system: Evaluation) -> bool:
     A robot without effects is refused only where its magnitudes are out of all proportion.
     """
     return len(system.coordinates) > system.first or system.held_motions > 0
-
-
-def active_effects(mechanism: Mechanism, effects: Mapping[str, float]) -> tuple[str, ...]:
-    """Return the names of effects that are not null; constants such as a frame mass do not activate an effect."""
-    present = {".".join(path.split(".")[:2]) for path, value in effects.items() if value != 0.0}
-    return tuple(
-        effect.name
-        for effect in mechanism.effects.values()
-        if any(f"{effect.name}.{parameter.name}" in present for parameter in effect.fitted)
-    )
-
-
-def _shared_and_single(effects: Mapping[str, float]) -> tuple[dict[str, float], list[tuple[str, str, float]]]:
-    """Split parameters into those of whole effects and (coordinate, parameter, value) of single joints."""
-    shared: dict[str, float] = {}
-    single = []
-    for path, value in effects.items():
-        effect, parameter, *coordinate = path.split(".")
-        if coordinate:
-            single.append((coordinate[0], f"{effect}_{parameter}", value))
-        else:
-            shared[f"{effect}_{parameter}"] = value
-    return shared, single
 
 
 def evaluation(robot: Robot) -> Evaluation:

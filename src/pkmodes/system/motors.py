@@ -7,14 +7,13 @@ follows the wind-up, theta = -psi.
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, cached_property, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.drives import FREE
-from pkmodes.compiled.lanes import Fold, Lanes
 from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.mechanism.regular import declared, regular_poses, sample
@@ -58,27 +57,17 @@ class MotorsHeld(ExtendedSystem):
         )
         effects = {path: v for path, v in system.given.items() if not path.startswith(inert.effects)}
         super().__init__(mechanism, parameters, effects)
-        self._listed = self.free
         motion = np.asarray(Generated(mechanism.extended, parameters, self.effects).motor_motion())
-        rotors, self.basis = _following(motion, self.first)
-        self.free = np.setdiff1d(self._listed, rotors)
-        self.coordinates = tuple(mechanism.extended.COORDINATES[i] for i in self.free)
-        loose = _loose(mechanism, motion[:, : self.first].tobytes())
-        self.first -= len(rotors)
-        self.rigid_modes = 0 if self.springs_to_ground else loose
-        self.held_motions = loose - self.rigid_modes
+        remaining = _remaining(mechanism, motion.tobytes(), self.free.tobytes())
+        self._listed, self.free, self.basis = self.free, remaining.free, remaining.basis
+        self.coordinates = remaining.coordinates
+        self.first -= len(motion)
+        self.rigid_modes = 0 if self.springs_to_ground else remaining.loose
+        self.held_motions = remaining.loose - self.rigid_modes
 
-    def without_springs(self, p: Array) -> tuple[Array, Array]:
-        """Return M and K in all coordinates r without the springs of the released joints."""
-        M, K = (self.basis.T @ matrix @ self.basis for matrix in super().without_springs(p))
-        return M, K
-
-    def motion_of_all(self, p: Array, parameters: Any = None) -> Array:
-        """Return the absolute platform motion per unit of all coordinates r, (N, directions, e)."""
-        return super().motion_of_all(p, parameters) @ self.basis
-
-    def massless(self) -> NDArray[np.bool_]:
-        """Return which released coordinates that remain have no inertia, nor have rotors that follow them."""
+    @cached_property
+    def _massless(self) -> NDArray[np.bool_]:
+        # Released coordinates that remain have no inertia if no rotor that follows them has any.
         none = np.ones(len(self.basis), dtype=bool)
         none[self._listed] = self.without_inertia
         massless: NDArray[np.bool_] = (none[:, None] | (self.basis == 0.0)).all(axis=0)[self.free]
@@ -94,13 +83,33 @@ class MotorsHeld(ExtendedSystem):
         """Return vectors in the coordinates that remain, (..., r), in those with free motors, (..., n)."""
         return np.asarray(vectors @ self.basis[np.ix_(self._listed, self.free)].T)
 
-    def lanes(self) -> Lanes:
-        """The robot as the compiled evaluator takes it."""
-        following, leading = np.nonzero(self.basis - np.diag(np.diag(self.basis)))
-        fold = Fold(
-            leading.astype(np.int32), following.astype(np.int32), self.basis[following, leading].copy()
-        )
-        return super().lanes()._replace(fold=fold)
+
+class _Remaining(NamedTuple):
+    """What remains of some coordinates: see `MotorsHeld`; and how many motions strain nothing elastic."""
+
+    free: NDArray[np.intp]
+    coordinates: tuple[str, ...]
+    basis: Array
+    loose: int
+
+
+@lru_cache(256)  # a diagnosis asks for the same few again and again
+def _remaining(mechanism: Mechanism, motion: bytes, listed: bytes) -> _Remaining:
+    """Return what remains where the motors are held.
+
+    Parameters
+    ----------
+    motion : bytes
+        The angle of each motor per unit of each coordinate.
+    listed : bytes
+        The coordinates that are not locked with free motors.
+    """
+    first, names = len(mechanism.coordinates), mechanism.extended.COORDINATES
+    of_all = np.frombuffer(motion).reshape(-1, len(names))
+    rotors, basis = _following(of_all, first)
+    free = np.setdiff1d(np.frombuffer(listed, dtype=np.intp), rotors)
+    loose = _loose(mechanism, of_all[:, :first].tobytes())
+    return _Remaining(free, tuple(names[i] for i in free), basis, loose)
 
 
 class _Inert(NamedTuple):

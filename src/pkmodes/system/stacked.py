@@ -38,6 +38,7 @@ class StackedSystems(ExtendedSystem):
         self.mechanism, self.first, self.rigid_modes = first.mechanism, first.first, first.rigid_modes
         self.free, self.coordinates = first.free, first.coordinates
         self.held_motions, self.springs_to_ground = first.held_motions, first.springs_to_ground
+        self.basis = first.basis
         self._systems, self._count = tuple(systems), count
 
     @cached_property
@@ -78,6 +79,7 @@ class StackedSystems(ExtendedSystem):
             np.array([s.joints for s in self._systems]),
             self.free.astype(np.int32),
             self.massless().astype(np.int8),
+            self.fold(),
         )
 
 

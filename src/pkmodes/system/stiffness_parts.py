@@ -54,9 +54,7 @@ def stiffness_parts(system: Evaluation, p: Array) -> StiffnessParts:
         start += len(entries)
     ground += np.swapaxes(np.triu(ground, 1), -1, -2)
     parts = (machine, ground, gravity)
-    if system.basis is not None:
-        parts = tuple(system.basis.T @ part @ system.basis for part in parts)
-    return StiffnessParts(*map(system.free_part, parts))
+    return StiffnessParts(*(system.free_part(system.in_basis(part)) for part in parts))
 
 
 @cache

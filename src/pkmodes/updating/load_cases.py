@@ -1,4 +1,4 @@
-"""Load cases: known values of a robot that differ in some setups, such as a payload.
+"""Load cases: what is known to differ in some setups, such as a payload, or motors that are held.
 
 A value set in a setup is known there: no parameter moves it, even as an element of a whole or of a shared value.
 """
@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.base.drives import FREE, HELD, other_drives
 from pkmodes.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.rules import SET
@@ -19,6 +20,8 @@ from pkmodes.robot.corrections import changeable
 from pkmodes.robot.layout import Slot, effect_parameters, items
 from pkmodes.robot.paths import ParameterPath, resolve
 from pkmodes.robot.robot import Robot
+from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.system.motors import MotorsHeld
 
 Index = NDArray[np.intp]
 Known = frozenset[Slot]
@@ -26,13 +29,14 @@ Known = frozenset[Slot]
 
 @dataclass(frozen=True)
 class LoadCase:
-    """A robot with set values, and the slots of the generated model that these determine."""
+    """A robot with set values, the slots of the generated model that these determine, and what its motors do."""
 
     robot: Robot
     known: Known = frozenset()
+    drives: str = FREE
 
     @classmethod
-    def of(cls, robot: Robot, values: dict[str, float]) -> LoadCase:
+    def of(cls, robot: Robot, values: dict[str, float], drives: str = FREE) -> LoadCase:
         """Return the load case of a robot with some values, by path.
 
         Raises
@@ -41,9 +45,15 @@ class LoadCase:
             As for `Robot.with_values`.
         """
         if not values:
-            return cls(robot)
+            return cls(robot, drives=drives)
         changed = robot.with_values(values)
-        return cls(changed, frozenset(slot for path in values for slot in resolve(robot, path).weights))
+        known = frozenset(slot for path in values for slot in resolve(robot, path).weights)
+        return cls(changed, known, drives)
+
+    def system(self, robot: Robot) -> ExtendedSystem:
+        """Return what is solved for a robot of this case."""
+        free = ExtendedSystem.of(robot)
+        return MotorsHeld(free) if self.drives == HELD else free
 
     def left(self, path: ParameterPath) -> ParameterPath:
         """Return a path without the slots that are known."""
@@ -77,9 +87,23 @@ class LoadCases:
     of: Index
 
     @classmethod
-    def none(cls, robot: Robot, setups: int) -> LoadCases:
+    def none(cls, robot: Robot, setups: int, drives: str = FREE) -> LoadCases:
         """Return the robot as declared in all setups."""
-        return cls((), (LoadCase(robot),), np.zeros(setups, dtype=np.intp))
+        return cls((), (LoadCase(robot, drives=drives),), np.zeros(setups, dtype=np.intp))
+
+    @property
+    def usual_drives(self) -> str:
+        """What the motors do in most of the setups."""
+        held = sum(int((self.of == c).sum()) for c, case in enumerate(self.cases) if case.drives == HELD)
+        return HELD if 2 * held > len(self.of) else FREE
+
+    def with_other_drives(self, setups: Sequence[int]) -> LoadCases:
+        """Return the load cases with motors free instead of held, or held instead of free, in some of the setups."""
+        others = tuple(replace(case, drives=other_drives(case.drives)) for case in self.cases)
+        of = self.of.copy()
+        of[list(setups)] += len(self.cases)
+        every = LoadCases(self.settings, (*self.cases, *others), of)
+        return every.subset(range(len(of)))
 
     def subset(self, setups: Sequence[int]) -> LoadCases:
         """Return the load cases of some of the setups."""
@@ -133,22 +157,20 @@ def load_cases(robot: Robot, data: Measurements) -> LoadCases:
         If the robot does not have a path, or a robot file with a set value would be refused: for the first row of
         the first such pose.
     """
-    if not data.settings:
-        return LoadCases.none(robot, len(data.labels))
     known = settable(robot.mechanism, robot)
     for path in data.settings:
         if path not in known:
             what = f"{shown(f'{SET}{path}')} is not a value that can be set in {robot.source}"
             remedy = nearest(path, known, "see docs/sensitivities.md for the paths")
             raise MeasurementError(what, data.source, remedy)
-    cases: dict[tuple[tuple[str, float], ...], LoadCase] = {}
+    cases: dict[tuple[object, ...], LoadCase] = {}
     of = []
-    for pose in range(len(data.labels)):
+    for pose, drives in enumerate(data.drives):
         values = data.load(pose)
-        key = tuple(values.items())
+        key = (drives, *values.items())
         if key not in cases:
             try:
-                cases[key] = LoadCase.of(robot, values)
+                cases[key] = LoadCase.of(robot, values, drives)
             except PkmodesError as error:
                 raise MeasurementError(error.what, _place(data, pose, error), error.remedy) from None
         of.append(list(cases).index(key))

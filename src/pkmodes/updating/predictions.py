@@ -6,7 +6,6 @@ Robots with the same free coordinates are evaluated together; robots of other lo
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from functools import partial
 from typing import NamedTuple, overload
 
@@ -93,6 +92,8 @@ def solved(
     system, eigenvalues, shapes, motions, matrices, solver = modes
     channels = np.zeros((*shapes.shape[:2], system.joints.shape[-1] + motions.shape[-1]))
     channels[..., system.free] = shapes
+    every = slice(system.joints.shape[-1])
+    channels[..., every] = system.of_model(channels[..., every])
     channels[..., -motions.shape[-1] :] = motions
     given = tuple(robots), tuple(systems), system, points, matrices, eigenvalues, shapes, channels, solver
     return Solved(*given)
@@ -155,18 +156,6 @@ def joined(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction
             whole[rows] = 0.0
             whole[np.ix_(rows, place)] = some
     return Prediction(eigenvalues, arrays[0], arrays[1], rigid, arrays[2] if with_rates else None)
-
-
-def reordered(prediction: Prediction, rows: Index) -> Prediction:
-    """Return a prediction with its setups in another order."""
-    along = prediction.shape_rates
-    return replace(
-        prediction,
-        eigenvalues=prediction.eigenvalues[rows],
-        rates=prediction.rates[rows],
-        shapes=prediction.shapes[rows],
-        shape_rates=None if along is None else np.asarray(along)[rows],
-    )
 
 
 def _concatenated(parts: Sequence[Prediction]) -> Prediction:

@@ -6,6 +6,7 @@ from dataclasses import replace
 from os import PathLike
 from pathlib import Path
 
+from pkmodes.base.drives import checked_drives
 from pkmodes.base.errors import MeasurementError, PkmodesError, shown
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
@@ -18,7 +19,11 @@ from pkmodes.updating.robot_structure import channels
 
 
 def read(
-    path: str | Path, band: tuple[float, float] | None = None, robot: Robot | Model | None = None
+    path: str | Path,
+    band: tuple[float, float] | None = None,
+    robot: Robot | Model | None = None,
+    *,
+    drives: str | None = None,
 ) -> Measurements:
     """Read the modes measured on a robot.
 
@@ -30,6 +35,9 @@ def read(
         Lowest and highest frequency of the test [Hz], if the file does not state it.
     robot : Robot or Model, optional
         Robot whose mechanism defines the allowed columns; by default those of any mechanism.
+    drives : {"free", "held"}, optional
+        What the motors did in the test, if the file does not state it: they turned freely, which is the default, or
+        position loops held them.
 
     Returns
     -------
@@ -39,7 +47,7 @@ def read(
     Raises
     ------
     MeasurementError
-        If anything in the file is wrong, it states another band, or a row lies outside the band.
+        If anything in the file is wrong, it states another band or other drives, or a row lies outside the band.
     """
     if not isinstance(path, str | PathLike):
         raise PkmodesError(f"expected a path, found {shown(path)}", "read", "give the name of a CSV file")
@@ -50,6 +58,7 @@ def read(
         {name: unit for one in mechanisms for name, unit in channels(one).items()},
         components=[_components(one) for one in mechanisms],
         settings={name: unit for one in mechanisms for name, unit in settable(one, of).items()},
+        drives=None if drives is None else checked_drives(drives),
     )
     if band is None:
         return data

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import NamedTuple
 
@@ -21,7 +21,7 @@ from pkmodes.system.evaluation import ExtendedSystem
 from pkmodes.updating import frame
 from pkmodes.updating.load_cases import LoadCase, LoadCases
 from pkmodes.updating.payloads import payloads
-from pkmodes.updating.predictions import Moves, Solved, derived, joined, reordered, solved
+from pkmodes.updating.predictions import Moves, Solved, derived, joined, solved
 from pkmodes.updating.sensors import PLATFORM, sensors
 
 Array = NDArray[np.float64]
@@ -38,6 +38,14 @@ def channels(mechanism: Mechanism) -> dict[str, str]:
     extended = mechanism.extended
     coordinates = dict(zip(extended.COORDINATES, extended.COORDINATE_UNITS, strict=True))
     return coordinates | {f"{PLATFORM}{name}": units[name] for name in mechanism.directions}
+
+
+class _Machines(NamedTuple):
+    """The robots of all load cases with one set of values, what is solved for each, and all poses."""
+
+    robots: list[Robot]
+    systems: list[ExtendedSystem]
+    where: Array
 
 
 class _Part(NamedTuple):
@@ -110,13 +118,22 @@ class RobotStructure:
         """Return the same robot at some of its poses."""
         return self.at(self.points[list(setups)], self._loads.subset(setups))
 
+    @property
+    def drives(self) -> str:
+        """What the motors do at most of the poses."""
+        return self._loads.usual_drives
+
+    def with_other_drives(self, setups: Sequence[int]) -> RobotStructure:
+        """Return the robot at the same poses, with motors free instead of held, or held instead of free, in some."""
+        return self.at(self.points, self._loads.with_other_drives(setups))
+
     def loaded(self) -> list[tuple[dict[str, float], RobotStructure]]:
         """Return payloads (values by path), each with the robot at its poses under it."""
         every = np.zeros(len(self.points), dtype=np.intp)
-        return [
-            (load, self.at(self.points, LoadCases(tuple(load), (LoadCase.of(self.robot, load),), every)))
-            for load in payloads(self.robot, self.points)
+        cases = [
+            (load, LoadCase.of(self.robot, load, self.drives)) for load in payloads(self.robot, self.points)
         ]
+        return [(load, self.at(self.points, LoadCases(tuple(load), (case,), every))) for load, case in cases]
 
     @np.errstate(over="ignore", invalid="ignore", divide="ignore")  # a fit may try what is no machine
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
@@ -144,49 +161,32 @@ class RobotStructure:
 
         Sets that also differ in locked joints or in reachable poses are evaluated separately.
         """
-        robots = [self._robots(v) for v in values]
-        where = [self._where(v) for v in values]
-        systems = [[ExtendedSystem.of(robot) for robot in each] for each in robots]
-        everywhere = np.ones(len(self.points), dtype=bool)
-        rows, owners = self._loads.arranged(range(len(self._loads.cases)), everywhere)
-        moves = [self._moved_by(v, some, rows, owners) for v, some in zip(values, by, strict=True)]
+        machines = [self._machines(v) for v in values]
         groups: dict[object, list[int]] = {}
-        for k, each in enumerate(systems):
-            alike = {self._key(system) for system in each}
-            apart = len(alike) > 1 or any(
-                locked_joints(each[c], m.paths) for c, m in zip(owners, moves[k], strict=True)
-            )
-            groups.setdefault(k if apart else alike.pop(), []).append(k)
-
-        def of_all(some: Sequence[int]) -> tuple[list[Robot], list[ExtendedSystem], Array]:
-            return (
-                [robots[k][c] for k in some for c in owners],
-                [systems[k][c] for k in some for c in owners],
-                np.concatenate([where[k][rows] for k in some]),
-            )
-
-        parts: list[tuple[list[int], Solved | None]] = []
-        for some in groups.values():
-            together = solved(*of_all(some), checked=False) if len(some) > 1 else None
-            if len(some) > 1 and together is None:
-                reached = [k for k in some if self._reachable(robots[k], where[k]).all()]
-                parts += [([k], None) for k in some if k not in reached]
-                some = reached
-                together = solved(*of_all(some)) if len(some) > 1 else None
-            parts.append((some, together))
-        batches = []
-        for some, together in parts:
-            if together is None or not np.isfinite(together.eigenvalues).all():
-                batches += [
-                    Batch(np.array([k]), self.predict(values[k], by[k], shape_rates=shape_rates))
-                    for k in some
-                ]
-            else:
-                prediction = derived(together, [m for k in some for m in moves[k]], shape_rates)
-                if len(owners) > 1:
-                    back = np.argsort(rows) + len(rows) * np.arange(len(some))[:, None]
-                    prediction = reordered(prediction, back.ravel())
-                batches.append(Batch(np.array(some), prediction))
+        for k, (at, some) in enumerate(zip(machines, by, strict=True)):
+            apart = any(locked_joints(at.systems[c], paths) for c, paths in self._paths(some).items())
+            groups.setdefault(k if apart else tuple(map(self._key, at.systems)), []).append(k)
+        everywhere = np.ones(len(self.points), dtype=bool)
+        count, batches = len(self.points), []
+        for alike in groups.values():
+            blocks = self._blocks(machines[alike[0]], everywhere)
+            some = alike if len(alike) > 1 else []
+            parts = _solved_blocks([machines[k] for k in some], blocks, checked=False)
+            if parts is None:
+                some = [k for k in some if self._reachable(machines[k]).all()]
+                parts = _solved_blocks([machines[k] for k in some], blocks, checked=True)
+            if parts is None or not all(np.isfinite(part.eigenvalues).all() for part in parts):
+                some = []
+            for k in (k for k in alike if k not in some):
+                batches.append(Batch(np.array([k]), self.predict(values[k], by[k], shape_rates=shape_rates)))
+            if some:
+                assert parts is not None
+                first = count * np.arange(len(some))[:, None]
+                predictions = []
+                for part, (rows, owners) in zip(parts, blocks, strict=True):
+                    moves = [m for k in some for m in self._moved_by(values[k], by[k], rows, owners)]
+                    predictions.append(((first + rows).ravel(), derived(part, moves, shape_rates)))
+                batches.append(Batch(np.array(some), joined(predictions, count * len(some))))
         return batches
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
@@ -200,7 +200,8 @@ class RobotStructure:
     def elsewhere(self, count: int) -> tuple[Array, RobotStructure]:
         """Return reachable poses in and around the measured ones, and the robot there, as declared.
 
-        They are within the usable limits of the robot; near a limit, if all measured poses are beyond it.
+        They are within the usable limits of the robot; near a limit, if all measured poses are beyond it.  The motors
+        do what they mostly did.
         """
         rng = np.random.default_rng(SEED)
         low, high = self.points.min(axis=0), self.points.max(axis=0)
@@ -212,13 +213,12 @@ class RobotStructure:
         drawn = rng.uniform(low, high, (DRAWS, len(low)))
         check = check_poses(drawn, self._mechanism, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
         drawn = drawn[check.valid][:count]
-        return drawn, self.at(drawn)
+        return drawn, self.at(drawn, LoadCases.none(self.robot, len(drawn), self.drives))
 
     def _moved_by(self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]) -> list[Moves]:
         """Return the moves of some parameters in the robots of some cases, each at an equal number of setups."""
-        names = [self.parameters[i].name for i in by]
+        names, paths = [self.parameters[i].name for i in by], self._paths(by)
         moving = [name for name in names if name in self._moves]
-        paths = {c: tuple(self._left[c][name] for name in moving) for c in dict.fromkeys(owners)}
         if len(moving) == len(names):
             return [Moves(paths[c], None) for c in owners]
         # A parameter of the frame moves all poses, each according to its distance from the frame's origin.
@@ -235,6 +235,13 @@ class RobotStructure:
         each = rows.reshape(len(owners), -1)
         return [Moves(with_shifts[c], mix[some]) for c, some in zip(owners, each, strict=True)]
 
+    def _paths(self, by: Sequence[int]) -> dict[int, tuple[ParameterPath, ...]]:
+        """Return the paths of some parameters of the robot in each load case."""
+        names = [self.parameters[i].name for i in by]
+        return {
+            c: tuple(left[name] for name in names if name in self._moves) for c, left in enumerate(self._left)
+        }
+
     def _frame(self, values: Array) -> dict[str, float]:
         """Return the values of the parameters of the measurement frame."""
         named = zip(self.parameters, values, strict=True)
@@ -244,15 +251,20 @@ class RobotStructure:
         """Return the poses with respect to the robot."""
         return frame.true_points(self._mechanism, self.points, self._frame(values))
 
-    def _robots(self, values: Array) -> list[Robot]:
+    def _machines(self, values: Array) -> _Machines:
         """Return the robot of each load case with these values of the parameters."""
         changed = [
             (p.name, value - self._moves[p.name].value)
             for p, value in zip(self.parameters, values, strict=True)
             if p.name in self._moves and value != self._moves[p.name].value
         ]
-        cases = zip(self._loads.cases, self._left, strict=True)
-        return [moved(case.robot, [(left[name], step) for name, step in changed]) for case, left in cases]
+        cases = self._loads.cases
+        robots = [
+            moved(case.robot, [(left[name], step) for name, step in changed])
+            for case, left in zip(cases, self._left, strict=True)
+        ]
+        systems = [case.system(robot) for case, robot in zip(cases, robots, strict=True)]
+        return _Machines(robots, systems, self._where(values))
 
     def _at_values(self, values: Array) -> list[_Part]:
         """Return the modes for one set of values; robots that can be are evaluated together."""
@@ -260,40 +272,22 @@ class RobotStructure:
         if (
             self._last is None or self._last[0] != key
         ):  # derivatives are mostly requested where the modes are known
-            robots, where = self._robots(values), self._where(values)
-            systems = [ExtendedSystem.of(robot) for robot in robots]
-            groups: dict[object, list[int]] = {}
-            for c, system in enumerate(systems):
-                groups.setdefault(self._key(system), []).append(c)
-            everywhere = np.ones(len(where), dtype=bool)
-            parts = self._parts(groups.values(), robots, systems, where, everywhere, checked=False)
+            machines = self._machines(values)
+            blocks = self._blocks(machines, np.ones(len(self.points), dtype=bool))
+            parts = _solved_blocks([machines], blocks, checked=False)
             if parts is None:
-                valid = self._reachable(robots, where)
-                parts = self._parts(groups.values(), robots, systems, where, valid, checked=True)
+                blocks = self._blocks(machines, self._reachable(machines))
+                parts = _solved_blocks([machines], blocks, checked=True)
             assert parts is not None
-            self._last = key, parts
+            self._last = key, [_Part(*block, part) for block, part in zip(blocks, parts, strict=True)]
         return self._last[1]
 
-    def _parts(
-        self,
-        groups: Iterable[Sequence[int]],
-        robots: Sequence[Robot],
-        systems: Sequence[ExtendedSystem],
-        where: Array,
-        valid: NDArray[np.bool_],
-        *,
-        checked: bool,
-    ) -> list[_Part] | None:
-        """Return the modes of groups of cases at valid poses; None if these were not checked, and one is not."""
-        parts = []
-        for cases in groups:
-            rows, owners = self._loads.arranged(cases, valid)
-            some = [robots[c] for c in owners], [systems[c] for c in owners], where[rows]
-            at = solved(*some, checked=checked)
-            if at is None:
-                return None
-            parts.append(_Part(rows, owners, at))
-        return parts
+    def _blocks(self, machines: _Machines, valid: NDArray[np.bool_]) -> list[tuple[Index, list[int]]]:
+        """Return the valid setups of the cases that can be evaluated together, with the cases in their order."""
+        alike: dict[object, list[int]] = {}
+        for c, system in enumerate(machines.systems):
+            alike.setdefault(self._key(system), []).append(c)
+        return [self._loads.arranged(cases, valid) for cases in alike.values()]
 
     def _joined(self, parts: Sequence[tuple[Index, Prediction]]) -> Prediction:
         return joined(parts, len(self.points))
@@ -302,17 +296,34 @@ class RobotStructure:
         """Return a key that is the same for robots that can be evaluated together."""
         several = len(self._loads.cases) > 1 and len(system.free) > system.first
         massless = system.massless().tobytes() if several else b""
-        return system.free.tobytes(), system.rigid_modes, massless
+        return system.free.tobytes(), system.rigid_modes, massless, system.basis is None
 
-    def _reachable(self, robots: Sequence[Robot], points: Array) -> NDArray[np.bool_]:
+    def _reachable(self, machines: _Machines) -> NDArray[np.bool_]:
         """Return a mask of the poses that these robots of the cases reach; declared ones were checked before."""
+        points = machines.where
         reached = np.ones(len(points), dtype=bool)
         measured = np.array_equal(points, self.points)
-        for c, (robot, case) in enumerate(zip(robots, self._loads.cases, strict=True)):
+        for c, (robot, case) in enumerate(zip(machines.robots, self._loads.cases, strict=True)):
             if not (measured and _same_geometry(self._mechanism, robot, case.robot)):
                 rows = np.flatnonzero(self._loads.of == c)
                 reached[rows] = check_poses(points[rows], self._mechanism, robot.parameters, "nan").valid
         return reached
+
+
+def _solved_blocks(
+    sets: Sequence[_Machines], blocks: Sequence[tuple[Index, list[int]]], *, checked: bool
+) -> list[Solved] | None:
+    """Return the modes of each block of cases for all sets of values; None if not all are solved."""
+    parts = []
+    for rows, owners in blocks:
+        robots = [at.robots[c] for at in sets for c in owners]
+        systems = [at.systems[c] for at in sets for c in owners]
+        points = [at.where[rows] for at in sets]
+        part = solved(robots, systems, np.concatenate(points), checked=checked) if sets else None
+        if part is None:
+            return None
+        parts.append(part)
+    return parts
 
 
 @cache

@@ -22,6 +22,7 @@ from pkmodes_rig import (
     Laboratory,
     TrueModes,
     drawn_values,
+    drives_of,
     identified,
     joined,
     mistaken,
@@ -30,6 +31,7 @@ from pkmodes_rig import (
     written,
 )
 from pkmodes_rig.suites.buildings import Building
+from pkmodes_rig.suites.motors import OTHER_DRIVES, words
 from pkmodes_rig.suites.strengths import MODES, SEED, SIGMA, Truth, measurements
 
 ROBOT_NAMES = tuple(ROBOTS)
@@ -97,7 +99,12 @@ class Case:
     @property
     def label(self) -> str:
         """Name for reports."""
-        return f"{self.suite} {self.number}"
+        return f"{self.suite} {self.number}{words(self.drives)}"
+
+    @property
+    def drives(self) -> str:
+        """What the motors do in the test."""
+        return "free" if isinstance(self.truth, Building) else self.truth.drives
 
     @property
     def points(self) -> list[np.ndarray]:
@@ -159,6 +166,7 @@ def tried(case: Case) -> Trial:
         options["shapes"],
         band=options.get("band") if stated else None,
         sigma_shape=options.get("sigma_shape", "absent") != "absent",
+        drives=drives_of(modes),
     )
     text = edited(text, case.edit, rng) if case.edit else text
     return Trial(mistaken(text, case.mistake, rng) if case.mistake else text, modes, rows, laboratory)
@@ -191,14 +199,23 @@ def _expected(case: Case) -> tuple[tuple[float, float], Sequence[str]]:
     if isinstance(case.truth, Building):
         frequencies = case.truth.declared().frequencies
         return (float(frequencies[0]), float(frequencies[-1])), case.truth.channels
-    (modes,) = Truth(case.truth.robot).modes(case.points[:1])
-    vibrations = modes.frequencies[modes.rigid :]
-    return (float(vibrations[0]), float(vibrations[-1])), SENSORS
+    poses = 2 if case.drives == "mixed" else 1  # one with free and one with held motors
+    modes = Truth(case.truth.robot, drives=case.drives).modes(case.points[:poses])
+    lowest = min(float(m.frequencies[m.rigid]) for m in modes)
+    return (lowest, max(float(m.frequencies[-1]) for m in modes)), SENSORS
 
 
 def edited(text: str, edit: str, rng: np.random.Generator) -> str:
-    """Edit the rows of a file: a gross error in a fitted or any row, another numbering, or blank shape components."""
+    """Edit a file: a gross error in a fitted or any row, another numbering, blank shape components, or other drives.
+
+    With other drives, a file says that the motors were free where they were held, or held if they were free.
+    """
     comments, rows = parsed(text)
+    if edit == OTHER_DRIVES:
+        said = [comment for comment in comments if "drives" in comment]
+        held = bool(said) or "drives" in rows[0]
+        comments = [*(c for c in comments if c not in said), *([] if held else ["# drives: held"])]
+        rows = [{name: cell for name, cell in row.items() if name != "drives"} for row in rows]
     if edit == "outlier":
         fitted = fitted_poses(text)
         row = rows[rng.choice([i for i, r in enumerate(rows) if r["pose"] in fitted])]

@@ -17,7 +17,7 @@ import statistics
 import sys
 import time
 import traceback
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import as_completed
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -25,6 +25,7 @@ from pathlib import Path
 from pkmodes_rig.suites import hard_suites
 from pkmodes_rig.suites.buildings import Building
 from pkmodes_rig.suites.judging import MEASUREMENT
+from pkmodes_rig.suites.motors import DRIVES, shows, words
 from pkmodes_rig.suites.requirements import CLEAR, count, requirements
 from pkmodes_rig.suites.running import JOBS, processes, publish
 from pkmodes_rig.suites.sizes import KINDS
@@ -48,7 +49,11 @@ def main() -> None:
     """Run the chosen suites, and write their page."""
     arguments = _arguments()
     start = time.perf_counter()
-    cases = [replace(case, seed=arguments.seed) for case in _chosen(arguments.only, arguments.limit)]
+    cases = [
+        replace(case, seed=arguments.seed)
+        for drives in arguments.drives or DRIVES
+        for case in _chosen(arguments.only, arguments.limit, drives)
+    ]
     outcomes = _run(cases, arguments.jobs)
     if arguments.cases:
         text = json.dumps([asdict(outcome) for outcome in outcomes], indent=1)
@@ -61,6 +66,9 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--out", type=Path, help="file for the tables; by default they are printed")
     parser.add_argument("--cases", type=Path, help="JSON file for the outcome of every case")
     parser.add_argument("--only", choices=SUITES, action="append", help="suite to run; may be repeated")
+    parser.add_argument(
+        "--drives", choices=DRIVES, action="append", help="what the motors do; by default all three in turn"
+    )
     parser.add_argument("--limit", type=int, help="largest number of cases per suite, spread evenly")
     parser.add_argument(
         "--seed", type=int, default=SEED, help="seed of the random draws (noise, true values)"
@@ -72,11 +80,22 @@ def _arguments() -> argparse.Namespace:
 # Running -----------------------------------------------------------------------------------------------------
 
 
-def _chosen(only: Sequence[str] | None, limit: int | None) -> Iterable[Case]:
+def _chosen(only: Sequence[str] | None, limit: int | None, drives: str) -> Iterable[Case]:
     for suite in only or SUITES:
-        cases = list(SUITES[suite]())
+        cases = list(_driven(drives, SUITES[suite]()))
         count = min(limit or len(cases), len(cases))
         yield from (cases[(2 * k + 1) * len(cases) // (2 * count)] for k in range(count))
+
+
+def _driven(drives: str, cases: Iterable[Case]) -> Iterator[Case]:
+    """Yield the cases of robots whose motors do this in the test and that it shows; free also those of buildings."""
+    for case in cases:
+        truth = case.truth
+        if isinstance(truth, Building):
+            if drives == "free":
+                yield case
+        elif shows(drives, (*case.names, case.kind)):
+            yield replace(case, truth=replace(truth, drives=drives))
 
 
 def _run(cases: list[Case], jobs: int) -> list[Outcome]:
@@ -137,12 +156,10 @@ def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
         f"Seed {outcomes[0].case.seed}. The diagnosis was developed with the seeds {SEEN}; any other seed is a",
         "fresh draw of noise and true values (`--seed`).",
         "",
-        "## Requirements",
+        "Every suite is run with motors free, with motors held, and mixed: held at every second pose. Frames have no",
+        "motors, and nothing at a motor shows while it is held: such causes are left out there.",
         "",
-        "| suite | requirement | measured | interval | |",
-        "|---|---|---|---|---|",
-        *requirements(by_suite),
-        "",
+        *itertools.chain.from_iterable(_requirements(drives, outcomes) for drives in DRIVES),
         f"{sum(o.renamed for o in regular)} cases count as named only by an equivalent name of their cause"
         " (`SAME` in `judging.py`).",
         "",
@@ -151,7 +168,7 @@ def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
         "",
         "## Outcomes by suite",
         "",
-        *confusion(shown, "suite"),
+        *confusion(grouped(itertools.chain.from_iterable(shown.values()), _suite), "suite"),
         "",
         "## Outcomes by cause",
         "",
@@ -206,8 +223,28 @@ def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
     ]
 
 
+def _requirements(drives: str, outcomes: Sequence[Outcome]) -> list[str]:
+    """Return the section of the requirements for tests with these drives; nothing if there were none."""
+    some = [o for o in outcomes if o.case.drives == drives]
+    if not some:
+        return []
+    by_suite = {suite: [o for o in some if o.case.suite == suite] for suite in SUITES}
+    return [
+        f"## Requirements, motors {drives}",
+        "",
+        "| suite | requirement | measured | interval | |",
+        "|---|---|---|---|---|",
+        *requirements(by_suite),
+        "",
+    ]
+
+
 def _cause(o: Outcome) -> str:
     return f"(outside) {o.case.kind}" if o.case.kind in KINDS else o.case.kind
+
+
+def _suite(o: Outcome) -> str:
+    return f"{o.case.suite}{words(o.case.drives)}"
 
 
 def _kind(o: Outcome) -> str:

@@ -15,6 +15,7 @@ from pkmodes_rig import ASKEW, MISTAKES, ORDERS, POSES, SENSORS, Laboratory, cha
 from pkmodes_rig.suites.buildings import Building
 from pkmodes_rig.suites.cases import ROBOT_NAMES, Case
 from pkmodes_rig.suites.judging import NOTED, POSITIONS
+from pkmodes_rig.suites.motors import OTHER_DRIVES
 from pkmodes_rig.suites.sizes import EFFECT_SIZES, OUTSIDE_SIZES
 from pkmodes_rig.suites.strengths import (
     CATALOGUE,
@@ -47,6 +48,8 @@ WITHOUT, WITH_ONE = 3, 1
 #: plain effect, and so many sensors are mounted askew.
 BESIDE, SCATTERS = (SENSORS, SENSORS[1:], SENSORS[3:]), (0.02, 0.05)
 WITH_EFFECT, ASKEW_CASES = 4, 6
+#: Cases of files with the wrong word for the motors.
+WRONG_DRIVES = 24
 #: Near the axis of a tower printer, the platform's sensor alone cannot tell x and y, or their signs.
 UNDECIDED = "signed order, undecided"
 #: True over declared mass of the frame.
@@ -133,6 +136,26 @@ def units_and_wiring() -> Iterator[Case]:
     yield from _mountings(n, plain)
 
 
+def wrong_drives() -> Iterator[Case]:
+    """Yield files that say that motors were free where they were held, or the reverse."""
+    for n in range(WRONG_DRIVES):
+        robot, effect = ROBOT_NAMES[n % 3], ("belt_mass", "payload", "link_compliance")[n % 3]
+        truth = Truth(robot)
+        names: tuple[str, ...] = ()
+        if n % 4 == 3:
+            truth, names = with_effect(robot, effect, EFFECT_SIZES[robot][effect][2]), (effect,)
+        yield Case(
+            "wrong drives",
+            n,
+            PLANS[n // 3 % len(PLANS)],
+            truth,
+            names,
+            "free for held, or held for free",
+            realistic=True,
+            edit=OTHER_DRIVES,
+        )
+
+
 def _mountings(n: int, plain: Sequence[str]) -> Iterator[Case]:
     """Yield all wrong signed orders of the platform's sensor, and sensors mounted askew.
 
@@ -169,6 +192,7 @@ SUITES: dict[str, Callable[[], Iterator[Case]]] = {
     "shapes decide": shapes_decide,
     "outliers among few": outliers_among_few,
     "units and wiring": units_and_wiring,
+    "wrong drives": wrong_drives,
 }
 
 

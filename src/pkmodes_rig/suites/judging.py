@@ -17,6 +17,7 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig import ASKEW, MISTAKES, ORDERS, Laboratory, followed, read
 from pkmodes_rig.suites.buildings import Building
 from pkmodes_rig.suites.cases import Case, Trial, tried
+from pkmodes_rig.suites.motors import OTHER_DRIVES
 from pkmodes_rig.suites.strengths import measurements, signal
 
 #: Corrections of the measurement itself, which are not causes in the machine.
@@ -42,6 +43,7 @@ SPARE = 2
 MENTIONS = {
     "unit": re.compile(r"\bunits?\b|\bfactor\b|rad/s|\brpm\b|2 ?\*? ?pi", re.IGNORECASE),
     "channels": re.compile(r"channel|sensor|wir(ed|ing)|swapped|exchanged|\b[xp]_[123xyz]\b", re.IGNORECASE),
+    "drives": re.compile("with motors (free|held)(, not| than) with|with free and held exchanged"),
     "sigma": re.compile(
         r"(sigma|stated|standard deviation|error).*\b(large|great|high|big|cautious)", re.IGNORECASE
     ),
@@ -141,11 +143,16 @@ def run(case: Case) -> Outcome:
         poses=len({row.pose for row in diagnosis.rows}),
         physical=state == "wrong" and physical(case.names, diagnosis),
         mac=_macs(test, diagnosis) if diagnosis.effects else None,
-        noted=_noted(case.mistake, notes) if case.mistake in NOTED else None,
+        noted=mentioned(kind, notes) if (kind := noticeable(case)) else None,
         **_rewired(case, test, notes),
         notes=notes,
         laboratory=test.laboratory,
     )
+
+
+def noticeable(case: Case) -> str:
+    """Return the kind of mistake in `MENTIONS` that must be noted; empty if there is none."""
+    return "drives" if case.edit == OTHER_DRIVES else NOTED.get(case.mistake, "")
 
 
 def failed(case: Case, reason: str) -> Outcome:
@@ -211,7 +218,7 @@ def values(case: Case, diagnosis: Diagnosis) -> Iterator[tuple[str, float, float
 def _signals(case: Case, test: Trial, diagnosis: Diagnosis) -> dict[str, Any]:
     """Compute the predicted signals, for a robot measured at all poses of a plan without mistakes in the file."""
     truth = case.truth
-    if isinstance(truth, Building) or case.poses or case.mistake:
+    if isinstance(truth, Building) or case.poses or case.mistake or case.edit == OTHER_DRIVES:
         return {}
     if "drift" in case.options:
         truth = replace(truth, outside={"thermal_drift": case.options["drift"]})
@@ -238,8 +245,9 @@ def _macs(test: Trial, diagnosis: Diagnosis) -> tuple[float, float] | None:
     return (min(claimed), float(min(true))) if claimed and true else None
 
 
-def _noted(mistake: str, notes: tuple[str, ...]) -> bool:
-    return any(MENTIONS[NOTED[mistake]].search(note) for note in notes)
+def mentioned(kind: str, notes: tuple[str, ...]) -> bool:
+    """Return whether a note mentions a kind of mistake of `MENTIONS`."""
+    return any(MENTIONS[kind].search(note) for note in notes)
 
 
 def right_wiring(case: Case) -> bool:

@@ -34,7 +34,9 @@ from pkmodes_rig import (
     TrueModes,
     corexy,
     drawn_values,
+    drives_of,
     exact,
+    held_at,
     identified,
     read,
     rotary_delta,
@@ -42,7 +44,9 @@ from pkmodes_rig import (
     written,
 )
 from pkmodes_rig import ROBOTS as DELTAS
-from pkmodes_rig.suites.judging import SAME, judged
+from pkmodes_rig.suites.cases import edited
+from pkmodes_rig.suites.judging import SAME, judged, mentioned
+from pkmodes_rig.suites.motors import words
 from pkmodes_rig.suites.strengths import NO_WEIGHT
 
 ROBOTS = Path(__file__).resolve().parents[3] / "robots"
@@ -143,12 +147,13 @@ MACHINES = KINDS | {
 
 @dataclass(frozen=True)
 class Specimen:
-    """True state of one of `MACHINES`; `effects`, `values` and `outside` as in `strengths.Truth`."""
+    """True state of one of `MACHINES`; `effects`, `values`, `outside` and `drives` as in `strengths.Truth`."""
 
     mechanism: str
     effects: Mapping[str, float] = field(default_factory=dict)
     values: Mapping[str, float] = field(default_factory=dict)
     outside: Mapping[str, float] = field(default_factory=dict)
+    drives: str = "free"
 
     def modes(self, points: np.ndarray) -> list[TrueModes]:
         """Return the true modes at some poses."""
@@ -157,7 +162,10 @@ class Specimen:
         robot = moved(declared, [(path, value - path.value) for path, value in paths])
         effects = {**robot.constants, **self.effects}
         rig = MACHINES[self.mechanism].rig
-        return [rig(robot.parameters, p, effects, self.outside) for p in points]
+        held = held_at(self.drives, len(points))
+        return [
+            rig(robot.parameters, p, effects, self.outside, held=h) for p, h in zip(points, held, strict=True)
+        ]
 
 
 @dataclass(frozen=True)
@@ -173,11 +181,12 @@ class MechanismCase:
     realistic: bool = False
     poses: int = 12
     seed: int = 1
+    edit: str = ""
 
     @property
     def label(self) -> str:
         """Name for reports."""
-        return f"{self.specimen.mechanism}, {self.suite} {self.number}"
+        return f"{self.specimen.mechanism}, {self.suite} {self.number}{words(self.specimen.drives)}"
 
 
 @dataclass(frozen=True)
@@ -192,6 +201,7 @@ class MechanismOutcome:
     signal: float = 0.0
     seconds: float = 0.0
     reason: str = ""
+    noted: bool = False
 
 
 def run(case: MechanismCase) -> MechanismOutcome:
@@ -212,6 +222,7 @@ def run(case: MechanismCase) -> MechanismOutcome:
         signal=signal(specimen, case.poses, holdout=diagnosis.held_out_poses, rows=rows) if lacking else 0.0,
         seconds=seconds,
         reason=diagnosis.reason,
+        noted=mentioned("drives", diagnosis.notes),
     )
 
 
@@ -225,8 +236,9 @@ def measured(case: MechanismCase) -> tuple[list[Identified], str]:
     drawn = drawn_values(robot, rng)
     points = kind.points[: case.poses]
     shapes, limits = kind.shapes if case.shapes else (), band(specimen.mechanism)
+    modes = replace(specimen, values={**drawn, **specimen.values}).modes(points)
     rows = identified(
-        replace(specimen, values={**drawn, **specimen.values}).modes(points),
+        modes,
         rng=rng,
         sigma=SIGMA,
         missing=MISSING if case.realistic else 0.0,
@@ -236,7 +248,10 @@ def measured(case: MechanismCase) -> tuple[list[Identified], str]:
         base_rigid=kind.rigid,
     )
     stated = limits if case.realistic and case.number % 4 == 0 else None
-    return rows, written(rows, list(points), shapes, band=stated, components=kind.components)
+    text = written(
+        rows, list(points), shapes, band=stated, components=kind.components, drives=drives_of(modes)
+    )
+    return rows, edited(text, case.edit, rng) if case.edit else text
 
 
 def signal(
@@ -261,7 +276,13 @@ def signal(
             base_rigid=kind.rigid,
         )
     # Shapes serve only to pair the modes; the signal is computed from the frequencies.
-    text = written(exact(rows, modes, kind.shapes), list(points), kind.shapes, components=kind.components)
+    text = written(
+        exact(rows, modes, kind.shapes),
+        list(points),
+        kind.shapes,
+        components=kind.components,
+        drives=drives_of(modes),
+    )
     data = measurements_of(text, robot)
     fitted, _ = split(data, holdout)
     structure = MeasuredRobot.of(robot, data).structure(candidates=()).subset(fitted)

@@ -13,7 +13,7 @@ from scipy import stats
 
 from pkmodes_rig import ORDERS
 from pkmodes_rig.suites.hard_suites import ADDING, UNDECIDED
-from pkmodes_rig.suites.judging import NOTED, Outcome, right_wiring
+from pkmodes_rig.suites.judging import NOTED, Outcome, mentioned, noticeable, right_wiring
 
 #: Predicted signal above which a cause must be found.
 CLEAR = 6.0
@@ -41,6 +41,8 @@ def requirements(by_suite: Mapping[str, Sequence[Outcome]]) -> list[str]:
             lines += rule(suite, by_suite[suite])
     if by_suite["units and wiring"]:
         lines += _right_wiring(by_suite)
+    if by_suite["wrong drives"]:
+        lines += _wrongly_noted(by_suite)
     return lines
 
 
@@ -125,6 +127,21 @@ def _mistakes(suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
     yield line(suite, "another order named: none", sum(o.misnamed for o in orders), len(orders), most=0.0)
 
 
+def _wrong_drives(suite: str, outcomes: Sequence[Outcome]) -> Iterator[str]:
+    yield line(
+        suite, "physical cause claimed: none", sum(o.physical for o in outcomes), len(outcomes), most=0.0
+    )
+    told = sum(bool(o.noted) for o in outcomes)
+    yield line(suite, "what the motors did noted >= 90 %", told, len(outcomes), least=0.90)
+
+
+def _wrongly_noted(by_suite: Mapping[str, Sequence[Outcome]]) -> Iterator[str]:
+    """Yield the line of all files that say what the motors did."""
+    right = [o for outcomes in by_suite.values() for o in outcomes if noticeable(o.case) != "drives"]
+    called = sum(mentioned("drives", o.notes) for o in right)
+    yield line("all suites", "right drives called wrong <= 1 %", called, len(right), most=0.01)
+
+
 def _right_wiring(by_suite: Mapping[str, Sequence[Outcome]]) -> Iterator[str]:
     """Yield the line of all files whose sensors are wired as they say."""
     right = [o for outcomes in by_suite.values() for o in outcomes if right_wiring(o.case)]
@@ -140,6 +157,7 @@ HARD = {
     "shapes decide": _shapes_decide,
     "outliers among few": _outliers,
     "units and wiring": _mistakes,
+    "wrong drives": _wrong_drives,
 }
 
 

@@ -39,7 +39,9 @@ from pkmodes_rig import (
     SENSORS,
     Identified,
     TrueModes,
+    drives_of,
     exact,
+    held_at,
     measure_modes,
     read,
     true_modes,
@@ -87,12 +89,15 @@ class Truth:
         True values in SI units, by dotted path, where they are not the declared ones.
     outside : mapping
         Sizes of causes outside the catalogue.
+    drives : str
+        What the motors do in the test: ``free``, ``held``, or ``mixed``, see `pkmodes_rig.held_at`.
     """
 
     robot: str
     effects: Mapping[str, float] = field(default_factory=dict)
     values: Mapping[str, float] = field(default_factory=dict)
     outside: Mapping[str, float] = field(default_factory=dict)
+    drives: str = "free"
 
     def built(self) -> Robot:
         """Return the robot with its true values."""
@@ -104,7 +109,11 @@ class Truth:
         """Return the true modes at some poses."""
         robot = self.built()
         effects = {**robot.constants, **self.effects}
-        return [true_modes(robot.parameters, p, effects, self.outside) for p in points]
+        held = held_at(self.drives, len(points))
+        return [
+            true_modes(robot.parameters, p, effects, self.outside, held=h)
+            for p, h in zip(points, held, strict=True)
+        ]
 
 
 #: Scatter of shapes that removes their weight.
@@ -154,7 +163,7 @@ def signal(
     if rows is None:
         text = _without_noise(modes, points, drift)
     else:
-        text = written(exact(rows, modes, SHAPES), points, SHAPES)
+        text = written(exact(rows, modes, SHAPES), points, SHAPES, drives=drives_of(modes))
     data = measurements(text)
     fitted, _ = split(data, holdout)
     structure = MeasuredRobot.of(robot, data).structure().subset(fitted)

@@ -101,6 +101,7 @@ def made_up(
             mode=names[i % len(names)] if names else "",
             measured=float(frequency[i]),
             sigma=float(sigma[i]),
+            drives="free",
             before=known[0][i],
             refit=known[1][i],
             after=known[2][i],

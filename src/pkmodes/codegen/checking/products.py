@@ -27,7 +27,8 @@ from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.regular import regular_poses, sample
 from pkmodes.robot.reading import read_robot
 from pkmodes.robot.robot import Robot
-from pkmodes.system.evaluation import active_effects, evaluation, matrices
+from pkmodes.system.evaluation import evaluation, matrices
+from pkmodes.system.released import active_effects
 
 REGENERATE = "python -m pkmodes_derive generate"
 

@@ -17,7 +17,7 @@ from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.search.score import Score, one_sided
 
 #: Sizes of a one-sided cause that are tried first, as the frequency change that the linear model predicts.
-SIZES = np.geomspace(0.003, 3.0, 9)
+SIZES = np.geomspace(0.003, 30.0, 12)
 #: The same for a cause that adds modes: these change a frequency only when they come near it.  Neighbours differ by a
 #: quarter, which is an eighth of the frequencies of such modes.
 CLOSE_SIZES = np.geomspace(5e-5, 0.5, 42)
@@ -94,9 +94,10 @@ def _search(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> Tri
         some = [at(step) for step in steps]
         left = yield some
         here = sorted(zip(left, some, strict=True), key=lambda pair: pair[0])
-        ranked += here[:1] if fit.causes else here
+        # Near the distorted values of the fit, a large cause ends where it began: the best start of each origin.
+        ranked += here if sizes is CLOSE_SIZES and not fit.causes else here[:1]
     ranked.sort(key=lambda pair: pair[0])
-    return [values for _, values in ranked[: 1 if sizes is SIZES and not fit.causes else FITTED]]
+    return [values for _, values in ranked[:FITTED]]
 
 
 def _origins(fitter: Fitter, fit: Fit, sign: int) -> list[Array]:

@@ -12,7 +12,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.problem import Array, Prediction, Structure
-from pkmodes.diagnosis.verdict.rows import Error, Row
+from pkmodes.diagnosis.verdict.rows import Error, Row, drives_of
 from pkmodes.measured.measurements import Measurements
 
 
@@ -114,6 +114,7 @@ class AllSetups:
                 mode=self.data.mode[i],
                 measured=float(self.data.frequency[i]),
                 sigma=float(self.data.sigma[i]),
+                drives=drives_of(self.structure, self.data, i),
                 before=value(declared, i),
                 refit=value(refit, i),
                 after=value(after, i),

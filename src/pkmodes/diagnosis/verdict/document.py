@@ -7,6 +7,7 @@ from typing import Annotated
 from msgspec import Meta, field
 
 from pkmodes.base.documents import Document, Number, Probability, Settings, Size
+from pkmodes.base.drives import Drives
 from pkmodes.diagnosis.verdict.verdicts import Word
 
 
@@ -182,6 +183,9 @@ class RowDocument(PlaceDocument, omit_defaults=True):
     mode: Annotated[str, Meta(description="The experimenter's mode number; may be empty.")]
     measured: Annotated[float, Meta(description="Measured value.")] = field(name="frequency_hz")
     sigma: Annotated[float, Meta(description="Its standard deviation.")] = field(name="sigma_hz")
+    drives: Annotated[
+        Drives | None, Meta(description="What the motors did; null for a structure without motors.")
+    ]
     before: Annotated[
         float | None, Meta(description="Predicted as declared; null where the row is unmatched.")
     ] = field(name="before_hz")

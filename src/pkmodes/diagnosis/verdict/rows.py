@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from pkmodes.diagnosis.problem import Driven, Structure
+from pkmodes.measured.measurements import Measurements
+
 
 @dataclass(frozen=True)
 class Error:
@@ -33,6 +36,8 @@ class MeasuredMode:
         Pose, line in the file, and label.
     measured, sigma : float
         Frequency and its standard deviation [Hz].
+    drives : str or None
+        What the motors did, "free" or "held"; None for a structure without motors.
     """
 
     pose: str
@@ -40,6 +45,7 @@ class MeasuredMode:
     mode: str
     measured: float
     sigma: float
+    drives: str | None
 
 
 @dataclass(frozen=True)
@@ -63,3 +69,8 @@ class Row(MeasuredMode):
     held_out: bool
     outlier: bool
     load: Mapping[str, float] = field(default_factory=dict)
+
+
+def drives_of(structure: Structure, data: Measurements, row: int) -> str | None:
+    """Return what the motors did in a row; None for a structure without motors."""
+    return data.drives[data.pose[row]] if isinstance(structure, Driven) else None
