@@ -79,8 +79,8 @@ figures: $(VENV)/.dev  ## the pictures of the README, and the pictures and the t
 	$(BIN)/python docs/studies/published_figures/claims.py
 
 suites: $(VENV)/.dev  ## error rates of the diagnosis on the virtual test rig, about an hour and a half on two cores
-	$(BIN)/python -m pkmodes_rig.suites.diagnosis --seed 20261211 --out docs/diagnosis-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.mechanism_suites --seed 20261212 --out docs/mechanisms-measured.md
+	$(BIN)/python -m pkmodes_rig.suites.diagnosis --seed 20261216 --out docs/diagnosis-measured.md
+	$(BIN)/python -m pkmodes_rig.suites.mechanism_suites --seed 20261215 --out docs/mechanisms-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.limits --seed 20261213 --out docs/limits-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.clear_suites --seed 20261207 --out docs/clear-causes-measured.md
 

@@ -120,6 +120,8 @@ FLOORS = (
     "solve",
     "codegen",
     "sensitivity",
+    "shaping",
+    "response",
     "maps",
     "model",
     "updating",
@@ -222,6 +224,7 @@ def test_the_runtime_imports_nothing_that_is_not_installed_with_it() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     extras = project["optional-dependencies"]
     declared = [*project["dependencies"], *extras["map"], *extras["plot"], *extras["report"]]
+    declared += extras["control"]
     installed = {re.split(r"[\[>=<]", one)[0].lower().replace("-", "_") for one in declared}
     # Those that the declared ones need: dask and pandas by distributed and xarray, Pillow by matplotlib.
     installed |= {"pkmodes_description", "pkmodes_derive", "dask", "pandas", "PIL"}

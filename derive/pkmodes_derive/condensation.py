@@ -45,3 +45,15 @@ def condensed(K: Rows, kept: Sequence[int], massless: Sequence[int], by: Rows) -
     }
     n = range(len(kept))
     return [[upper[min(a, b), max(a, b)] for b in n] for a in n]
+
+
+def projected(matrix: Rows, by: Rows) -> list[list[Expr]]:
+    """Return T^T A T of a symmetric matrix A in all coordinates, with T from `follow`."""
+    n, every = range(len(by[0])), range(len(by))
+    upper = {
+        (a, b): Add(*(by[i][a] * matrix[i][j] * by[j][b] for i in every for j in every))
+        for a in n
+        for b in n
+        if a <= b
+    }
+    return [[upper[min(a, b), max(a, b)] for b in n] for a in n]

@@ -1,6 +1,6 @@
 """Effects: each is one physical cause that the base model leaves out, null when its parameters are zero.
 
-A *term* adds energy or changes a stiffness.  A *released coordinate* frees a joint that the base model
+A *term* adds energy, changes a stiffness or dissipates.  A *released coordinate* frees a joint that the base model
 locks: its parameter is a compliance c, and the joint always has a spring with the energy q^2 / (2 c).
 
 Effects act on parts (belts, drives, links, the platform, the frame), so one file serves every mechanism that has
@@ -34,8 +34,8 @@ class EffectParameter:
         A noun phrase.
     symbol, latex : str
         Its symbol in formulas.
-    greater_than : float or None
-        Physical bound: None when any value is meaningful; the null value itself is always allowed.
+    greater_than, less_than : float or None
+        Physical bounds: None when any value is meaningful; the null value itself is always allowed.
     fitted : bool
         Whether it is estimated from measurements; a declared constant of the machine is not.
     """
@@ -47,6 +47,7 @@ class EffectParameter:
     latex: str
     greater_than: float | None = 0.0
     fitted: bool = True
+    less_than: float | None = None
 
     def at(self, place: str) -> EffectParameter:
         """Return the parameter for one part."""
@@ -130,6 +131,8 @@ class Effect:
         Whether it ties the platform to ground, so no rigid-body mode is left.
     needs : Positive or None
         Condition on its parameters.
+    dissipates : bool
+        Whether it only dissipates: M, K and the frequencies are those without it.
     places : tuple of str
         Indices of the released coordinates on a machine, set by `on`.
     """
@@ -142,6 +145,7 @@ class Effect:
     released: Released | None = None
     grounds: bool = False
     needs: Positive | None = None
+    dissipates: bool = False
     places: tuple[str, ...] = ()
 
     @property
@@ -174,10 +178,11 @@ class Effect:
             self.grounds,
             tuple(coordinates),
             tuple(
-                DescribedParameter(p.name, p.unit, p.description, p.greater_than, p.fitted)
+                DescribedParameter(p.name, p.unit, p.description, p.greater_than, p.fitted, p.less_than)
                 for p in self.parameters
             ),
             self._requirements(),
+            self.dissipates,
         )
 
     def _requirements(self) -> tuple[Requirement, ...]:

@@ -26,6 +26,11 @@ def mass_matrix(kinetic: Expr, velocities: Sequence[Symbol], chain: Chain) -> li
     return chain.hessian(kinetic, velocities)
 
 
+def damping_matrix(dissipation: Expr, velocities: Sequence[Symbol], chain: Chain) -> list[list[Expr]]:
+    """Return C = d2R/d(qdot)2 of a dissipation function R: the generalised forces are -dR/d(qdot)."""
+    return chain.hessian(dissipation, velocities)
+
+
 def gradient(potential: Expr, coordinates: Sequence[Symbol], chain: Chain) -> list[Expr]:
     """Return the gradient of V."""
     return [chain.derivative(potential, q) for q in coordinates]

@@ -89,8 +89,12 @@ class Machine:
         Released coordinates of the frame, for each direction.
     v_p, delta_p : tuple of sympy.Symbol
         Absolute velocity and small displacement of the platform.
+    rails : list of sympy.Symbol
+        Coordinates of the bodies that slide along rails.
     kinetic, elastic : lists of sympy.Expr
         Energies [J] that effects add: quadratic forms in rates and in small displacements.
+    dissipation : list of sympy.Expr
+        Dissipation functions [W] that effects add: half the power that viscous friction takes, quadratic in rates.
     elastic_of : list of str
         The effect that added each elastic energy.
     weights : list of (mass, position)
@@ -132,7 +136,9 @@ class Machine:
         self.frame: list[list[Coordinate]] = [[] for _ in self.directions]
         self.v_p: tuple[Symbol, ...] = ()
         self.delta_p: tuple[Symbol, ...] = ()
+        self.rails: list[Symbol] = []
         self.kinetic: list[Expr] = []
+        self.dissipation: list[Expr] = []
         self.elastic: list[Expr] = []
         self.elastic_of: list[str] = []
         self.weights: list[tuple[Expr, Sequence[Expr]]] = []
@@ -259,6 +265,10 @@ class Machine:
             )
         self.drives.append(Drive(tuple(rotors), motor, torque, winds_up))
 
+    def rail(self, coordinate: Symbol) -> None:
+        """Declare that a body slides along a rail, its position a coordinate."""
+        self.rails.append(coordinate)
+
     def belt(self, modulus: Expr, runs: Sequence[Run], clamp: Clamp | None = None) -> None:
         """Add a belt with its free spans."""
         self.belts.append(Belt(modulus, tuple(runs), clamp))
@@ -340,6 +350,10 @@ class Machine:
     def add_elastic(self, energy: Expr) -> None:
         """Add elastic energy, a quadratic form in small displacements."""
         self.elastic.append(energy)
+
+    def add_dissipation(self, function: Expr) -> None:
+        """Add half the power that viscous friction takes, a quadratic form in rates."""
+        self.dissipation.append(function)
 
     def add_weight(self, mass: Expr, position: Sequence[Expr]) -> None:
         """Add a body on which gravity acts."""

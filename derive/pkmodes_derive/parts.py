@@ -113,6 +113,8 @@ class Drive:
         Whether gearbox compliance is distinct from that of the following transmission.
     wind_up : list of Coordinate
         Released coordinates by which the motor turns further than the rotor.
+    loss : sympy.Expr
+        Loss factor of the gearbox where it winds up.
     """
 
     rotors: tuple[tuple[Rotor, Expr], ...]
@@ -121,6 +123,7 @@ class Drive:
     winds_up: bool = True
     inertia: Expr = S.Zero
     wind_up: list[Coordinate] = field(default_factory=list)
+    loss: Expr = S.Zero
 
     @property
     def wound(self) -> Expr:
@@ -170,6 +173,8 @@ class Belt:
         Factor by which effects multiply the modulus.
     compliance : sympy.Expr
         Compliance in series with every span [m/N].
+    loss : sympy.Expr
+        Loss factor of every span, without that compliance.
     """
 
     modulus: Expr
@@ -178,13 +183,15 @@ class Belt:
     change: Expr = S.Zero
     factor: Expr = S.One
     compliance: Expr = S.Zero
+    loss: Expr = S.Zero
 
 
 @dataclass
 class Reducer:
-    """A torsional spring between two coordinates, with a named stiffness [N m/rad]."""
+    """A torsional spring between two coordinates, with a named stiffness [N m/rad] and a loss factor."""
 
     stiffness: Symbol
     declared: Expr
     twist: Form
     change: Expr = S.Zero
+    loss: Expr = S.Zero

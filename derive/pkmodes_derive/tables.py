@@ -28,7 +28,7 @@ DIMENSIONS = (
     "acceleration",
 )
 #: Keys of every robot file that a mechanism does not declare.
-RESERVED = ("format", "name", "mechanism", "gravity", "effects")
+RESERVED = ("format", "name", "mechanism", "gravity", "effects", "usable", "damping")
 
 
 def _check_key(name: str) -> None:

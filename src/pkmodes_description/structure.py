@@ -21,6 +21,8 @@ UNITS = {
     "angle": "rad",
     "force": "N",
     "reciprocal force": "1/N",
+    "viscous friction": "N s/m",
+    "torsional viscous friction": "N m s/rad",
     "number": "1",
 }
 #: Kinds of keys that are choices: nothing is differentiated with respect to them.
@@ -66,7 +68,7 @@ class Key(Part, frozen=True):
     elements : tuple of str
         Names of the elements of a vector or pair, in paths.
     choices : tuple of int
-    at_least, above, at_most : float or None
+    at_least, above, at_most, below : float or None
         Bounds of each quantity in SI units.
     default : float or None
         In SI units; a key without a default is required.
@@ -89,6 +91,7 @@ class Key(Part, frozen=True):
     at_least: float | None = None
     above: float | None = None
     at_most: float | None = None
+    below: float | None = None
     default: float | None = None
     effect: str = ""
     signed: bool = False
@@ -213,13 +216,14 @@ class Requirement(Part, frozen=True):
 
 
 class EffectParameter(Part, frozen=True):
-    """A parameter of an effect: 0 for no effect, otherwise above its bound, if it has one."""
+    """A parameter of an effect: 0 for no effect, otherwise within its bounds, if it has any."""
 
     name: Name
     unit: Name
     description: str
     greater_than: float | None
     fitted: bool
+    less_than: float | None = None
 
 
 class Effect(Part, frozen=True):
@@ -235,6 +239,8 @@ class Effect(Part, frozen=True):
     parameters : tuple of EffectParameter
     requirements : tuple of Requirement
         Conditions on the parameters.
+    dissipates : bool
+        Whether it only dissipates: M, K and the frequencies are those without it.
     """
 
     name: Name
@@ -243,6 +249,7 @@ class Effect(Part, frozen=True):
     coordinates: tuple[Named, ...]
     parameters: Annotated[tuple[EffectParameter, ...], Meta(min_length=1)]
     requirements: tuple[Requirement, ...]
+    dissipates: bool = False
 
     @property
     def fitted(self) -> tuple[EffectParameter, ...]:

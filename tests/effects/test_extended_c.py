@@ -25,9 +25,10 @@ def test_extended_c_equals_numpy(tmp_path: Path, emission: Emission) -> None:
     rng = np.random.default_rng(31)
     functions = [f for f in MODEL.functions if f.in_c]
     others = {f.name for f in MODEL.functions} - {f.name for f in functions}
-    # All but the derivatives, the condition checked on reading a robot file, and which motor turns what.
+    # All but the derivatives, the condition checked on reading a robot file, which motor turns what, and dissipation.
     assert others == {
-        *("value_sensitivities", "geometry_sensitivities", "belt_tension_stiffness_margin", "motor_motion")
+        *("value_sensitivities", "geometry_sensitivities", "belt_tension_stiffness_margin", "motor_motion"),
+        *("extended_dissipation", "joint_loss"),
     }
     for _ in range(3):
         parameters, p = random_robot(rng)

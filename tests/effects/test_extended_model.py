@@ -57,6 +57,10 @@ def test_the_catalogue_has_the_effects_parameters_and_coordinates_of_the_contrac
         "link_compliance": ["compliance"],
         "clamp_compliance": ["compliance"],
         "frame_compliance": ["compliance", "mass"],
+        "belt_loss": ["loss_factor"],
+        "reducer_loss": ["loss_factor"],
+        "rail_friction": ["viscous"],
+        "drive_friction": ["viscous"],
     }
     released = [f"{stem}_{j}" for stem in ("psi", "delta", "eps") for j in (1, 2, 3)] + ["u_x", "u_y", "u_z"]
     assert list(extended.COORDINATES) == [*model.COORDINATES, *released]
@@ -252,6 +256,8 @@ TYPICAL = {
     "kg/m": 0.05,
     "kg m^2": 1e-4,
     "N m/rad": 500.0,
+    "N s/m": 20.0,
+    "N m s/rad": 1e-3,
     "N/m": 1e3,
     "m/N": 1e-7,
     "rad/(N m)": 1e-4,

@@ -10,6 +10,7 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import edited, published
+from helpers.robots.sensitivity_cases import DISSIPATING, moving
 from pkmodes.robot.paths import moved, paths, resolve
 from pkmodes.robot.reading import robot_from_document
 from pkmodes.robot.robot import Robot
@@ -238,12 +239,20 @@ def test_the_radius_of_joints_at_the_centre_cannot_vary(text: str) -> None:
         model.sensitivities(POSE, ["axis.joint_radius"])
     assert error.match(r"axis\.1\.joint\.x")
     everything = model.sensitivities(POSE)  # not requested by name
-    assert everything.parameters == tuple(p for p in paths(model.robot) if p != "axis.joint_radius")
+    assert everything.parameters == tuple(p for p in moving(model.robot) if p != "axis.joint_radius")
 
 
-def test_by_default_every_path_is_there() -> None:
+def test_by_default_every_path_that_moves_frequencies_is_there() -> None:
     model = pkmodes.Model(robot(JOINTS))
-    assert model.sensitivities(POSE).parameters == paths(model.robot)
+    assert model.sensitivities(POSE).parameters == tuple(moving(model.robot))
+
+
+def test_frequencies_do_not_depend_on_what_only_dissipates() -> None:
+    model = pkmodes.Model(robot(JOINTS))
+    names = [path for path in paths(model.robot) if path not in moving(model.robot)]
+    assert len(names) == len(DISSIPATING)
+    found = model.sensitivities(POSE, names)
+    assert not found.frequencies[:, model.modes(POSE).rigid_modes :].any()
 
 
 ROOT = Path(__file__).parents[2]

@@ -35,6 +35,10 @@ KEYS = {
     "rigid_modes",
     "backend",
     "drives",
+    "damping_ratios",
+    "poles",
+    "notes",
+    "vibration_amplitudes",
 }
 
 

@@ -6,7 +6,7 @@ from sympy import Add, Matrix, Rational, sqrt
 
 from pkmodes_derive import lagrangian
 from pkmodes_derive.assembly.condensed import Condensed
-from pkmodes_derive.assembly.derived import flat, units_of_mass, units_of_stiffness
+from pkmodes_derive.assembly.derived import flat, units_of_damping, units_of_mass, units_of_stiffness
 from pkmodes_derive.functions import Function, Output
 from pkmodes_derive.machine import Extra
 from pkmodes_derive.vectors import cross
@@ -22,6 +22,7 @@ def chapters(c: Condensed) -> tuple[Function, ...]:
         *_gravity(c),
         *_transmissions(c),
         *_modal(c),
+        *_damping(c),
     )
 
 
@@ -363,5 +364,28 @@ def _modal(c: Condensed) -> list[Function]:
             M,
             K,
             details="Common intermediate values are evaluated once: call this function for an eigenproblem.",
+        ),
+    ]
+
+
+def _damping(c: Condensed) -> list[Function]:
+    """Return the functions for viscous damping and for the loss of springs, where something dissipates."""
+    if not c.C_v:
+        return []
+    m, shape = c.machine, (c.n, c.n)
+    return [
+        c.function(
+            "damping_matrix",
+            f"Viscous damping matrix C_v in the {c.count}.",
+            "dissipation function R = 1/2 sum b v^2, C_v = d2R/dq_dot2",
+            [c.pose],
+            Output("C_v", shape, c.C_v, units_of_damping(m), "symmetric, for forces -C_v q_dot"),
+        ),
+        c.function(
+            "loss_matrix",
+            f"Imaginary part of the elastic stiffness in the {c.count}.",
+            "complex stiffnesses k (1 + i eta), to first order in eta",
+            [c.pose],
+            Output("K_loss", shape, c.K_loss, units_of_stiffness(m), "symmetric; gravity has no part in it"),
         ),
     ]

@@ -9,7 +9,7 @@ from functools import cached_property
 from sympy import Add, Expr, Integer, Matrix, Symbol, default_sort_key, prime
 
 from pkmodes_derive import condensation
-from pkmodes_derive.assembly.derived import Derived, added, flat
+from pkmodes_derive.assembly.derived import Derived, added, flat, joint_losses
 from pkmodes_derive.functions import Argument, Function, Output
 
 COUNTS = {2: "two", 3: "three", 4: "four", 5: "five", 6: "six", 7: "seven", 8: "eight", 9: "nine"}
@@ -31,6 +31,8 @@ class Condensed:
         The coordinates with inertia, used by every function, their rates and displacements.
     M, K_el, K : tuple of sympy.Expr
         In the coordinates with inertia, row by row; K_el with the springs of released joints.
+    C_v, K_loss : tuple of sympy.Expr
+        Viscous damping, and the imaginary part of K_el, likewise; empty if nothing dissipates.
     K_g : tuple of sympy.Expr
         Hessian of gravity in the independent coordinates.
     M_all, K_all : list of lists
@@ -96,6 +98,15 @@ class Condensed:
         self.K_el = flat(condensed)
         free = range(len(machine.independent))
         self.K_g = tuple(self.equilibrium.gravity_hessian[k][m] for k in free for m in free)
+        self.C_v, self.K_loss = (), ()
+        if any(effect.dissipates for effect in machine.effects):
+            K_loss = [list(row) for row in d.K_loss]
+            springs = zip(joint_losses(machine), machine.compliances, strict=True)
+            for i, (loss, compliance) in enumerate(springs, start=machine.base):
+                K_loss[i][i] += loss / compliance
+            self.C_v, self.K_loss = (
+                flat(condensation.projected(matrix, self.condensation)) for matrix in (d.C_v, K_loss)
+            )
         self.K = flat(added(condensed, [[d.K_g[k][m] for m in kept] for k in kept]))
 
     @property

@@ -23,6 +23,8 @@ class Derived:
     ----------
     M, K_el, K_g : list of lists
         In all coordinates, including released ones, without the springs of released joints.
+    C_v, K_loss : list of lists
+        Viscous damping and imaginary part of the elastic stiffness, likewise.
     hold : tuple of sympy.Symbol
         Values that small displacements leave unchanged: Jacobian and stiffnesses in the reference configuration.
     """
@@ -34,6 +36,8 @@ class Derived:
     M: list[list[Expr]]
     K_el: list[list[Expr]]
     K_g: list[list[Expr]]
+    C_v: list[list[Expr]]
+    K_loss: list[list[Expr]]
     hold: tuple[Symbol, ...]
 
     @property
@@ -54,7 +58,7 @@ class Derived:
 
 
 def derive(machine: Machine) -> Derived:
-    """Derive kinematics, energies, equilibrium, M and K of a machine."""
+    """Derive kinematics, energies, equilibrium, M, K and damping of a machine."""
     kin = kinematics.derive(machine)
     energies = energy.derive(machine, kin)
     equilibrium = statics.derive(machine, kin, energies)
@@ -67,6 +71,8 @@ def derive(machine: Machine) -> Derived:
         lagrangian.mass_matrix(energies.T_ss + energies.T_t, machine.rates, kin.chain),
         kin.chain.hessian(energies.V_el, machine.small, hold=hold),
         _placed(machine, kin, equilibrium.gravity_hessian),
+        lagrangian.damping_matrix(energies.R, machine.rates, kin.chain),
+        kin.chain.hessian(energies.V_loss, machine.small, hold=hold),
         hold,
     )
 
@@ -92,6 +98,12 @@ def flat(rows: Rows) -> tuple[Expr, ...]:
     return tuple(entry for row in rows for entry in row)
 
 
+def joint_losses(machine: Machine) -> tuple[Expr, ...]:
+    """Return the loss factor of the spring of each released coordinate."""
+    of_gearboxes = {c.position: drive.loss for drive in machine.drives for c in drive.wind_up}
+    return tuple(of_gearboxes.get(c.position, Integer(0)) for c in machine.released)
+
+
 def units_of_mass(machine: Machine) -> str:
     """Return the units of the entries of M; only released joints couple translations with rotations."""
     return _listed(machine, "kg", "kg m" if machine.released else "", "kg m^2")
@@ -100,6 +112,11 @@ def units_of_mass(machine: Machine) -> str:
 def units_of_stiffness(machine: Machine) -> str:
     """Return the units of the entries of K."""
     return _listed(machine, "N/m", "N", "N m")
+
+
+def units_of_damping(machine: Machine) -> str:
+    """Return the units of the entries of C_v."""
+    return _listed(machine, "N s/m", "N s", "N m s")
 
 
 def _listed(machine: Machine, translation: str, both: str, rotation: str) -> str:

@@ -8,7 +8,7 @@ Everything that the modal analysis needs follows from these expressions by diffe
 * V_g (equation 26 with the sign of a potential energy);
 * V_el of belts and reducers about a reference configuration (equations 34 to 41).
 
-Effects add energies and release locked coordinates.
+Effects add energies, dissipate and release locked coordinates.
 """
 
 from __future__ import annotations
@@ -46,6 +46,11 @@ class Energies:
         The part of V_el that static rotations strain.
     V_r : tuple of sympy.Expr
         Energy of the spring of each released coordinate.
+    V_loss : sympy.Expr
+        The part of V_el with the imaginary parts of the stiffnesses, to first order in the loss factors, in place of
+        these.
+    R : sympy.Expr
+        Dissipation function [W]: half the power that viscous friction takes.
     D_p_dot : tuple of tuple
         Time derivative of the platform Jacobian (equation 17), index [direction][k-1].
     stiffnesses : tuple of sympy.Symbol
@@ -58,6 +63,8 @@ class Energies:
     V_el: Expr
     V_transmissions: Expr
     V_r: tuple[Expr, ...]
+    V_loss: Expr
+    R: Expr
     D_p_dot: tuple[tuple[Expr, ...], ...]
     stiffnesses: tuple[Symbol, ...]
 
@@ -81,6 +88,8 @@ def derive(machine: Machine, kinematics: Kinematics) -> Energies:
         V_el=Add(transmissions, *machine.elastic),
         V_transmissions=transmissions,
         V_r=tuple(HALF * q.position**2 / c for q, c in springs),
+        V_loss=_losses(machine),
+        R=Add(*machine.dissipation),
         D_p_dot=D_p_dot,
         stiffnesses=stiffnesses,
     )
@@ -269,6 +278,19 @@ def _define_reducers(machine: Machine) -> tuple[Symbol, ...]:
     for reducer in machine.reducers:
         machine.define(reducer.stiffness, reducer.declared * (1 + reducer.change))
     return tuple(reducer.stiffness for reducer in machine.reducers)
+
+
+def _losses(machine: Machine) -> Expr:
+    """Return the energy with imaginary stiffnesses: that of a span is eta k^2 l/(w k_sp), lossless in series."""
+    V = []
+    for belt in machine.belts:
+        modulus = belt.modulus * (1 + belt.change) * belt.factor
+        for run in belt.runs:
+            a, b = (machine.displacement(*end) for end in run.ends)
+            V.append(HALF * belt.loss * run.stiffness**2 * run.length / modulus * (a - b) ** 2)
+    for reducer in machine.reducers:
+        V.append(HALF * reducer.loss * reducer.stiffness * machine.displacement(reducer.twist) ** 2)
+    return Add(*V)
 
 
 def _elastic(machine: Machine) -> Expr:

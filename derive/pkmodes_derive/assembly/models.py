@@ -8,7 +8,15 @@ from sympy import Add, Expr, Symbol, diff
 
 from pkmodes_derive.assembly import chapters, sensitivity
 from pkmodes_derive.assembly.condensed import Condensed
-from pkmodes_derive.assembly.derived import Derived, added, derive, flat, units_of_mass, units_of_stiffness
+from pkmodes_derive.assembly.derived import (
+    Derived,
+    added,
+    derive,
+    flat,
+    units_of_mass,
+    units_of_stiffness,
+)
+from pkmodes_derive.assembly.dissipation import dissipation, loss_of_joints
 from pkmodes_derive.assembly.kinematics import Kinematics
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output, Relation
 from pkmodes_derive.machine import Machine
@@ -134,6 +142,8 @@ def extended(machine: Machine) -> Model:
             _motion(d),
             _motors(d),
             _joints(d),
+            dissipation(d),
+            loss_of_joints(d),
             _static_equilibrium(d),
             *_needs(machine),
             *functions,

@@ -31,10 +31,12 @@ __all__ = [
     "VALUE_SENSITIVITIES",
     "GEOMETRY_SENSITIVITIES",
     "belt_tension_stiffness_margin",
+    "extended_dissipation",
     "extended_matrices",
     "extended_platform_motion",
     "extended_static_equilibrium",
     "geometry_sensitivities",
+    "joint_loss",
     "joint_stiffness",
     "motor_motion",
     "value_sensitivities",
@@ -113,6 +115,7 @@ VALUE_SENSITIVITIES = (
     ('belt_end_compliance_compliance', (), (),
      ((0, 0), (0, 1), (0, 2), (0, 3), (0, 6), (0, 7), (1, 1), (1, 2), (1, 3), (1, 6), (1, 7), (2, 2),
       (2, 6), (3, 3), (3, 7), (6, 6), (7, 7))),
+    ('belt_loss_loss_factor', (), (), ()),
     ('belt_mass_linear_density', (),
      ((0, 0), (0, 1), (0, 2), (0, 3), (0, 6), (0, 7), (1, 1), (1, 2), (1, 3), (1, 6), (1, 7), (2, 2),
       (2, 6), (3, 3), (3, 7), (6, 6), (7, 7)),
@@ -124,8 +127,11 @@ VALUE_SENSITIVITIES = (
      ((0, 0), (0, 1), (0, 2), (0, 3), (0, 6), (0, 7), (1, 1), (1, 2), (1, 3), (1, 6), (1, 7), (2, 2),
       (2, 6), (3, 3), (3, 7), (6, 6), (7, 7))),
     ('cable_stiffness_stiffness', (), (), ((0, 0), (0, 8), (1, 1), (1, 9), (8, 8), (9, 9))),
+    ('drive_friction_viscous', (), (), ()),
     ('gearbox_inertia_inertia', (), ((2, 2), (3, 3)), ()),
     ('payload_mass', (), ((0, 0), (0, 8), (1, 1), (1, 9), (8, 8), (9, 9)), ()),
+    ('rail_friction_viscous', (), (), ()),
+    ('reducer_loss_loss_factor', (), (), ()),
     ('servo_stiffness_stiffness', (), (), ((2, 2), (2, 4), (3, 3), (3, 5), (4, 4), (5, 5))),
     ('frame_compliance_mass', (), ((8, 8), (9, 9)), ()),
 )
@@ -146,6 +152,8 @@ class Effects(NamedTuple):
         Relative change of the stiffness of belt 2.
     belt_end_compliance_compliance : float or array, shape (...) [m/N]
         Compliance in series with every free span.
+    belt_loss_loss_factor : float or array, shape (...) [1]
+        Loss factor of every free span.
     belt_mass_linear_density : float or array, shape (...) [kg/m]
         Mass of a belt per unit length.
     belt_tension_stiffness_coefficient : float or array, shape (...) [1/N]
@@ -154,10 +162,16 @@ class Effects(NamedTuple):
         Measured tension of every belt.
     cable_stiffness_stiffness : float or array, shape (...) [N/m]
         Isotropic stiffness from the platform centre to ground.
+    drive_friction_viscous : float or array, shape (...) [N m s/rad]
+        Viscous friction of every motor, seen at the driven rotor.
     gearbox_inertia_inertia : float or array, shape (...) [kg m^2]
         Extra inertia on every driven pulley.
     payload_mass : float or array, shape (...) [kg]
         Point mass at the platform centre.
+    rail_friction_viscous : float or array, shape (...) [N s/m]
+        Viscous friction of every body along its rail.
+    reducer_loss_loss_factor : float or array, shape (...) [1]
+        Loss factor of every reducer, or gearbox that winds up.
     servo_stiffness_stiffness : float or array, shape (...) [N m/rad]
         Torsional stiffness to ground at every motor, seen at the driven rotor.
     gearbox_compliance_compliance : float or array, shape (...) [rad/(N m)]
@@ -173,12 +187,16 @@ class Effects(NamedTuple):
     axis_belt_stiffness_factor_1: float = 0.0
     axis_belt_stiffness_factor_2: float = 0.0
     belt_end_compliance_compliance: float = 0.0
+    belt_loss_loss_factor: float = 0.0
     belt_mass_linear_density: float = 0.0
     belt_tension_stiffness_coefficient: float = 0.0
     belt_tension_stiffness_tension: float = 0.0
     cable_stiffness_stiffness: float = 0.0
+    drive_friction_viscous: float = 0.0
     gearbox_inertia_inertia: float = 0.0
     payload_mass: float = 0.0
+    rail_friction_viscous: float = 0.0
+    reducer_loss_loss_factor: float = 0.0
     servo_stiffness_stiffness: float = 0.0
     gearbox_compliance_compliance: float = 0.0
     clamp_compliance_compliance: float = 0.0
@@ -477,6 +495,143 @@ def joint_stiffness(effects):
     kappa_c_out[..., 4] = t6
     kappa_c_out[..., 5] = t6
     return kappa_out, kappa_c_out
+
+
+def extended_dissipation(p, parameters, effects):
+    """Viscous damping matrix and loss matrix in the base and all released coordinates, with free joints.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+    effects : Effects
+        The robot's effects.
+
+    Returns
+    -------
+    C_v : array, shape (..., 10, 10) [N s/m, N s, N m s]
+        Viscous damping matrix.
+    K_loss : array, shape (..., 10, 10) [N/m, N, N m]
+        Imaginary part of the elastic stiffness; the springs of released joints add theirs.
+
+    Notes
+    -----
+    Dissipation function R = 1/2 sum b v^2, C_v = d2R/dq_dot2; complex stiffnesses k (1 + i eta).
+    115 operations; 2244 with every named value expanded.
+    """
+    x, y = _entries(p, (2,))
+    g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
+    l_0_1_1, l_0_1_2, l_0_2_1, l_0_2_2 = _entries(parameters.belt_path_lengths, (2, 2))
+    k_sp_1, k_sp_2 = _entries(parameters.belt_specific_stiffness, (2,))
+    w_b_1, w_b_2 = _entries(parameters.belt_width, (2,))
+    R_p_1, R_p_2 = _entries(parameters.pulley_radius, (2,))
+    (a_B_1,) = _entries(effects.axis_belt_stiffness_factor_1, ())
+    (a_B_2,) = _entries(effects.axis_belt_stiffness_factor_2, ())
+    (c_E,) = _entries(effects.belt_end_compliance_compliance, ())
+    (eta_B,) = _entries(effects.belt_loss_loss_factor, ())
+    (c_T,) = _entries(effects.belt_tension_stiffness_coefficient, ())
+    (F_T,) = _entries(effects.belt_tension_stiffness_tension, ())
+    (b_D,) = _entries(effects.drive_friction_viscous, ())
+    (b_R,) = _entries(effects.rail_friction_viscous, ())
+    batch, dtype = _batch(x, g_1_1, l_0_1_1, k_sp_1, w_b_1, R_p_1, a_B_1, a_B_2, c_E, eta_B, c_T, F_T, b_D,
+        b_R)
+    t1 = g_1_1*x + g_1_2*y
+    l_f_1_1 = l_0_1_1 + t1
+    t2 = F_T*c_T + 1
+    t3 = c_E*t2
+    t4 = a_B_1 + 1
+    t5 = k_sp_1*t4*w_b_1
+    t6 = t3*t5
+    t7 = t2*t5
+    k_1_1 = t7/(l_f_1_1 + t6)
+    l_f_1_2 = l_0_1_2 - t1
+    k_1_2 = t7/(l_f_1_2 + t6)
+    t8 = g_2_1*x + g_2_2*y
+    l_f_2_1 = l_0_2_1 + t8
+    t9 = a_B_2 + 1
+    t10 = k_sp_2*t9*w_b_2
+    t11 = t10*t3
+    t12 = t10*t2
+    k_2_1 = t12/(l_f_2_1 + t11)
+    l_f_2_2 = l_0_2_2 - t8
+    k_2_2 = t12/(l_f_2_2 + t11)
+    t13 = g_1_1**2
+    t14 = eta_B/t2
+    t15 = t14/(k_sp_1*t4*w_b_1)
+    t16 = k_1_1**2*l_f_1_1*t15
+    t17 = k_1_2**2*l_f_1_2*t15
+    t18 = g_2_1**2
+    t19 = t14/(k_sp_2*t9*w_b_2)
+    t20 = k_2_1**2*l_f_2_1*t19
+    t21 = k_2_2**2*l_f_2_2*t19
+    t22 = g_1_1*t16
+    t23 = g_1_1*t17
+    t24 = g_2_1*t20
+    t25 = g_2_1*t21
+    t26 = g_1_2**2
+    t27 = g_2_2**2
+    t28 = g_1_2*t16
+    t29 = g_1_2*t17
+    t30 = g_2_2*t20
+    t31 = g_2_2*t21
+    t32 = R_p_1**2
+    t33 = R_p_2**2
+    C_v_out = np.zeros((*batch, 10, 10), dtype)
+    C_v_out[..., 0, 0] = b_R
+    C_v_out[..., 1, 1] = b_R
+    C_v_out[..., 2, 2] = b_D
+    C_v_out[..., 2, 4] = C_v_out[..., 4, 2] = b_D
+    C_v_out[..., 3, 3] = b_D
+    C_v_out[..., 3, 5] = C_v_out[..., 5, 3] = b_D
+    C_v_out[..., 4, 4] = b_D
+    C_v_out[..., 5, 5] = b_D
+    K_loss_out = np.zeros((*batch, 10, 10), dtype)
+    K_loss_out[..., 0, 0] = t13*t16 + t13*t17 + t18*t20 + t18*t21
+    K_loss_out[..., 0, 1] = K_loss_out[..., 1, 0] = g_1_2*t22 + g_1_2*t23 + g_2_2*t24 + g_2_2*t25
+    K_loss_out[..., 0, 2] = K_loss_out[..., 2, 0] = R_p_1*t22 + R_p_1*t23
+    K_loss_out[..., 0, 3] = K_loss_out[..., 3, 0] = R_p_2*t24 + R_p_2*t25
+    K_loss_out[..., 0, 6] = K_loss_out[..., 6, 0] = t22 + t23
+    K_loss_out[..., 0, 7] = K_loss_out[..., 7, 0] = t24 + t25
+    K_loss_out[..., 1, 1] = t16*t26 + t17*t26 + t20*t27 + t21*t27
+    K_loss_out[..., 1, 2] = K_loss_out[..., 2, 1] = R_p_1*t28 + R_p_1*t29
+    K_loss_out[..., 1, 3] = K_loss_out[..., 3, 1] = R_p_2*t30 + R_p_2*t31
+    K_loss_out[..., 1, 6] = K_loss_out[..., 6, 1] = t28 + t29
+    K_loss_out[..., 1, 7] = K_loss_out[..., 7, 1] = t30 + t31
+    K_loss_out[..., 2, 2] = t16*t32 + t17*t32
+    K_loss_out[..., 2, 6] = K_loss_out[..., 6, 2] = R_p_1*t16 + R_p_1*t17
+    K_loss_out[..., 3, 3] = t20*t33 + t21*t33
+    K_loss_out[..., 3, 7] = K_loss_out[..., 7, 3] = R_p_2*t20 + R_p_2*t21
+    K_loss_out[..., 6, 6] = t16 + t17
+    K_loss_out[..., 7, 7] = t20 + t21
+    return C_v_out, K_loss_out
+
+
+def joint_loss(effects):
+    """Loss factors of the springs of the released joints.
+
+    Parameters
+    ----------
+    effects : Effects
+        The robot's effects.
+
+    Returns
+    -------
+    eta : array, shape (..., 6) [1]
+        Loss factor of each released coordinate, in order.
+
+    Notes
+    -----
+    Complex stiffness k (1 + i eta) of each.
+    0 operations; 0 with every named value expanded.
+    """
+    (eta_G,) = _entries(effects.reducer_loss_loss_factor, ())
+    batch, dtype = _batch(eta_G)
+    eta_out = np.zeros((*batch, 6), dtype)
+    eta_out[..., 0] = eta_G
+    eta_out[..., 1] = eta_G
+    return eta_out
 
 
 def extended_static_equilibrium(p, parameters, effects):

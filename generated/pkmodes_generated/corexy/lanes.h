@@ -22,7 +22,7 @@
 #define LANES_DIRECTIONS 2
 #define LANES_BASE 4
 #define LANES_ALL 10
-#define LANES_GRADIENT 45
+#define LANES_GRADIENT 49
 #define LANES_MARGINS 4
 
 /* How many numbers each margin of a pose has, and how they must compare. */
@@ -174,14 +174,14 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     const double a_B_1 = effects[0];
     const double a_B_2 = effects[1];
     const double c_E = effects[2];
-    const double rho_b = effects[3];
-    const double c_T = effects[4];
-    const double F_T = effects[5];
-    const double k_C = effects[6];
-    const double I_G = effects[7];
-    const double m_L = effects[8];
-    const double k_S = effects[9];
-    const double m_F = effects[13];
+    const double rho_b = effects[4];
+    const double c_T = effects[5];
+    const double F_T = effects[6];
+    const double k_C = effects[7];
+    const double I_G = effects[9];
+    const double m_L = effects[10];
+    const double k_S = effects[13];
+    const double m_F = effects[17];
     const double t1 = I_m_1*(i_g_1*i_g_1);
     const double I_1 = I_G + I_p_1 + t1;
     const double t2 = I_m_2*(i_g_2*i_g_2);
@@ -400,7 +400,7 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         const lane adjoint_I_2 = -eigenvalue*t1;
         const lane adjoint_I_1 = -eigenvalue*t3;
         const lane t12 = eigenvalue*t10;
-        lanes_clear(gradient, 45);
+        lanes_clear(gradient, 49);
         gradient[0] = LANES(-eigenvalue*t11 - t12);
         gradient[1] = LANES(-t12);
         gradient[9] = LANES(adjoint_l_f_1_1);
@@ -421,8 +421,8 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         gradient[22] = LANES(adjoint_I_2*(i_g_2*i_g_2));
         gradient[23] = LANES(2.0*I_m_1*adjoint_I_1*i_g_1);
         gradient[24] = LANES(2.0*I_m_2*adjoint_I_2*i_g_2);
-        gradient[43] = LANES(adjoint_forward_t1*g_1_1 + adjoint_forward_t3*g_2_1);
-        gradient[44] = LANES(adjoint_forward_t1*g_1_2 + adjoint_forward_t3*g_2_2);
+        gradient[47] = LANES(adjoint_forward_t1*g_1_1 + adjoint_forward_t3*g_2_1);
+        gradient[48] = LANES(adjoint_forward_t1*g_1_2 + adjoint_forward_t3*g_2_2);
     }
 }
 
@@ -459,9 +459,9 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
     const double a_B_1 = effects[0];
     const double a_B_2 = effects[1];
     const double c_E = effects[2];
-    const double rho_b = effects[3];
-    const double c_T = effects[4];
-    const double F_T = effects[5];
+    const double rho_b = effects[4];
+    const double c_T = effects[5];
+    const double F_T = effects[6];
     const lane forward_t3 = g_1_1*x + g_1_2*y;
     const lane l_f_1_1 = forward_t3 + l_0_1_1;
     const double forward_t4 = F_T*c_T + 1.0;
@@ -633,7 +633,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_forward_t1 = adjoint_I_1 - eigenvalue*t60 - eigenvalue*t61;
         const lane t62 = adjoint_forward_t6*k_sp_1;
         const lane t63 = adjoint_forward_t10*k_sp_2;
-        lanes_clear(gradient, 45);
+        lanes_clear(gradient, 49);
         gradient[0] = LANES(adjoint_forward_t20);
         gradient[1] = LANES(adjoint_forward_t34);
         gradient[9] = LANES(adjoint_l_f_1_1);
@@ -659,16 +659,16 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         gradient[29] = LANES(t62*w_b_1);
         gradient[30] = LANES(t63*w_b_2);
         gradient[31] = LANES(adjoint_forward_t5*forward_t4);
-        gradient[32] = LANES((1.0/3.0)*adjoint_forward_t14 + (1.0/6.0)*adjoint_forward_t25);
-        gradient[33] = LANES(F_T*adjoint_forward_t4);
-        gradient[34] = LANES(adjoint_forward_t4*c_T);
-        gradient[35] = LANES(t20 + t21 + t28 + t30 + t41 + t43);
-        gradient[36] = LANES(adjoint_I_1 + adjoint_I_2);
-        gradient[37] = LANES(adjoint_forward_t20);
-        gradient[38] = LANES(t22 + t25 + t58 + t59 + t60 + t61);
-        gradient[42] = LANES(adjoint_forward_t37);
-        gradient[43] = LANES(adjoint_forward_t3*g_1_1 + adjoint_forward_t9*g_2_1);
-        gradient[44] = LANES(adjoint_forward_t3*g_1_2 + adjoint_forward_t9*g_2_2);
+        gradient[33] = LANES((1.0/3.0)*adjoint_forward_t14 + (1.0/6.0)*adjoint_forward_t25);
+        gradient[34] = LANES(F_T*adjoint_forward_t4);
+        gradient[35] = LANES(adjoint_forward_t4*c_T);
+        gradient[36] = LANES(t20 + t21 + t28 + t30 + t41 + t43);
+        gradient[38] = LANES(adjoint_I_1 + adjoint_I_2);
+        gradient[39] = LANES(adjoint_forward_t20);
+        gradient[42] = LANES(t22 + t25 + t58 + t59 + t60 + t61);
+        gradient[46] = LANES(adjoint_forward_t37);
+        gradient[47] = LANES(adjoint_forward_t3*g_1_1 + adjoint_forward_t9*g_2_1);
+        gradient[48] = LANES(adjoint_forward_t3*g_1_2 + adjoint_forward_t9*g_2_2);
     }
 }
 
@@ -711,9 +711,9 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
     const double a_B_1 = effects[0];
     const double a_B_2 = effects[1];
     const double c_E = effects[2];
-    const double rho_b = effects[3];
-    const double c_T = effects[4];
-    const double F_T = effects[5];
+    const double rho_b = effects[4];
+    const double c_T = effects[5];
+    const double F_T = effects[6];
     const lane forward_t3 = g_1_1*x + g_1_2*y;
     const lane l_f_1_1 = forward_t3 + l_0_1_1;
     const double forward_t4 = F_T*c_T + 1.0;
@@ -797,23 +797,23 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane along_30 = direction[29];
         const lane along_31 = direction[30];
         const lane along_32 = direction[31];
-        const lane along_33 = direction[32];
         const lane along_34 = direction[33];
         const lane along_35 = direction[34];
         const lane along_36 = direction[35];
         const lane along_37 = direction[36];
-        const lane along_38 = direction[37];
         const lane along_39 = direction[38];
+        const lane along_40 = direction[39];
         const lane along_43 = direction[42];
-        const lane along_44 = direction[43];
-        const lane along_45 = direction[44];
+        const lane along_47 = direction[46];
+        const lane along_48 = direction[47];
+        const lane along_49 = direction[48];
         const lane tangent_forward_t1 = 2.0*I_m_1*along_24*i_g_1 + along_22*(i_g_1*i_g_1);
-        const lane tangent_I_1 = along_20 + along_37 + tangent_forward_t1;
+        const lane tangent_I_1 = along_20 + along_39 + tangent_forward_t1;
         const lane tangent_forward_t2 = 2.0*I_m_2*along_25*i_g_2 + along_23*(i_g_2*i_g_2);
-        const lane tangent_I_2 = along_21 + along_37 + tangent_forward_t2;
-        const lane tangent_forward_t3 = along_44*g_1_1 + along_45*g_1_2;
+        const lane tangent_I_2 = along_21 + along_39 + tangent_forward_t2;
+        const lane tangent_forward_t3 = along_48*g_1_1 + along_49*g_1_2;
         const lane tangent_l_f_1_1 = along_10 + tangent_forward_t3;
-        const lane tangent_forward_t4 = F_T*along_34 + along_35*c_T;
+        const lane tangent_forward_t4 = F_T*along_35 + along_36*c_T;
         const lane tangent_forward_t5 = along_32*forward_t4 + c_E*tangent_forward_t4;
         const lane tangent_forward_t6 = along_14*t2 + along_16*k_sp_1*t1 + along_30*k_sp_1*w_b_1;
         const lane tangent_forward_t7 = forward_t5*tangent_forward_t6 + forward_t6*tangent_forward_t5;
@@ -823,7 +823,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_l_f_1_2 = along_11 - tangent_forward_t3;
         const lane tangent_forward_1 = -t10*tangent_forward_t7 - t10*tangent_l_f_1_2;
         const lane tangent_k_1_2 = forward_1*tangent_forward_t8 + forward_t8*tangent_forward_1;
-        const lane tangent_forward_t9 = along_44*g_2_1 + along_45*g_2_2;
+        const lane tangent_forward_t9 = along_48*g_2_1 + along_49*g_2_2;
         const lane tangent_l_f_2_1 = along_12 + tangent_forward_t9;
         const lane tangent_forward_t10 = along_15*t6 + along_17*k_sp_2*t5 + along_31*k_sp_2*w_b_2;
         const lane tangent_forward_t11 = forward_t10*tangent_forward_t5 + forward_t5*tangent_forward_t10;
@@ -833,17 +833,17 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_l_f_2_2 = along_13 - tangent_forward_t9;
         const lane tangent_forward_3 = -t12*tangent_forward_t11 - t12*tangent_l_f_2_2;
         const lane tangent_k_2_2 = forward_3*tangent_forward_t12 + forward_t12*tangent_forward_3;
-        const lane tangent_forward_t14 = (1.0/3.0)*along_33;
+        const lane tangent_forward_t14 = (1.0/3.0)*along_34;
         const lane tangent_forward_t15 = forward_t14*tangent_l_f_1_1 + l_f_1_1*tangent_forward_t14;
         const lane tangent_forward_t16 = forward_t14*tangent_l_f_1_2 + l_f_1_2*tangent_forward_t14;
         const lane tangent_forward_t18 = forward_t14*tangent_l_f_2_1 + l_f_2_1*tangent_forward_t14;
         const lane tangent_forward_t19 = forward_t14*tangent_l_f_2_2 + l_f_2_2*tangent_forward_t14;
-        const lane tangent_forward_t20 = along_1 + along_38;
+        const lane tangent_forward_t20 = along_1 + along_40;
         const lane tangent_forward_t21 = g_1_1*tangent_forward_t15;
         const lane tangent_forward_t22 = g_1_1*tangent_forward_t16;
         const lane tangent_forward_t23 = g_2_1*tangent_forward_t18;
         const lane tangent_forward_t24 = g_2_1*tangent_forward_t19;
-        const lane tangent_forward_t25 = (1.0/6.0)*along_33;
+        const lane tangent_forward_t25 = (1.0/6.0)*along_34;
         const lane tangent_forward_t26 = R_p_1*tangent_forward_t25 + along_18*forward_t25;
         const lane tangent_forward_t27 = forward_t26*tangent_l_f_1_1 + l_f_1_1*tangent_forward_t26;
         const lane tangent_forward_t28 = forward_t26*tangent_l_f_1_2 + l_f_1_2*tangent_forward_t26;
@@ -853,7 +853,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_forward_t34 = along_2 + tangent_forward_t20;
         const lane tangent_forward_t35 = 2.0*R_p_1*along_18;
         const lane tangent_forward_t36 = 2.0*R_p_2*along_19;
-        const lane tangent_forward_t37 = along_43 + tangent_forward_t34;
+        const lane tangent_forward_t37 = along_47 + tangent_forward_t34;
         const lane tangent_forward_t38 = g_1_1*tangent_k_1_1;
         const lane tangent_forward_t39 = g_1_1*tangent_k_1_2;
         const lane tangent_forward_t40 = g_2_1*tangent_k_2_1;
@@ -900,7 +900,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         mass_rate[99] = LANES(tangent_forward_t37);
         lanes_clear(stiffness_rate, 100);
         stiffness_rate[0] =
-            LANES(along_36 + forward_t13*tangent_k_1_1 + forward_t13*tangent_k_1_2
+            LANES(along_37 + forward_t13*tangent_k_1_1 + forward_t13*tangent_k_1_2
             + forward_t17*tangent_k_2_1 + forward_t17*tangent_k_2_2);
         stiffness_rate[1] = stiffness_rate[10] =
             LANES(g_1_2*tangent_forward_t38 + g_1_2*tangent_forward_t39 + g_2_2*tangent_forward_t40
@@ -913,9 +913,9 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             + forward_t41));
         stiffness_rate[6] = stiffness_rate[60] = LANES(tangent_forward_t38 + tangent_forward_t39);
         stiffness_rate[7] = stiffness_rate[70] = LANES(tangent_forward_t40 + tangent_forward_t41);
-        stiffness_rate[8] = stiffness_rate[80] = LANES(along_36);
+        stiffness_rate[8] = stiffness_rate[80] = LANES(along_37);
         stiffness_rate[11] =
-            LANES(along_36 + forward_t32*tangent_k_1_1 + forward_t32*tangent_k_1_2
+            LANES(along_37 + forward_t32*tangent_k_1_1 + forward_t32*tangent_k_1_2
             + forward_t33*tangent_k_2_1 + forward_t33*tangent_k_2_2);
         stiffness_rate[12] = stiffness_rate[21] =
             LANES(R_p_1*tangent_forward_t42 + R_p_1*tangent_forward_t43 + along_18*(forward_t42
@@ -925,23 +925,23 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             + forward_t45));
         stiffness_rate[16] = stiffness_rate[61] = LANES(tangent_forward_t42 + tangent_forward_t43);
         stiffness_rate[17] = stiffness_rate[71] = LANES(tangent_forward_t44 + tangent_forward_t45);
-        stiffness_rate[19] = stiffness_rate[91] = LANES(along_36);
+        stiffness_rate[19] = stiffness_rate[91] = LANES(along_37);
         stiffness_rate[22] =
-            LANES(along_39 + forward_t35*tangent_k_1_1 + forward_t35*tangent_k_1_2 + t13*tangent_forward_t35);
-        stiffness_rate[24] = stiffness_rate[42] = LANES(along_39);
+            LANES(along_43 + forward_t35*tangent_k_1_1 + forward_t35*tangent_k_1_2 + t13*tangent_forward_t35);
+        stiffness_rate[24] = stiffness_rate[42] = LANES(along_43);
         stiffness_rate[26] = stiffness_rate[62] =
             LANES(R_p_1*tangent_k_1_1 + R_p_1*tangent_k_1_2 + along_18*t13);
         stiffness_rate[33] =
-            LANES(along_39 + forward_t36*tangent_k_2_1 + forward_t36*tangent_k_2_2 + t14*tangent_forward_t36);
-        stiffness_rate[35] = stiffness_rate[53] = LANES(along_39);
+            LANES(along_43 + forward_t36*tangent_k_2_1 + forward_t36*tangent_k_2_2 + t14*tangent_forward_t36);
+        stiffness_rate[35] = stiffness_rate[53] = LANES(along_43);
         stiffness_rate[37] = stiffness_rate[73] =
             LANES(R_p_2*tangent_k_2_1 + R_p_2*tangent_k_2_2 + along_19*t14);
-        stiffness_rate[44] = LANES(along_39);
-        stiffness_rate[55] = LANES(along_39);
+        stiffness_rate[44] = LANES(along_43);
+        stiffness_rate[55] = LANES(along_43);
         stiffness_rate[66] = LANES(tangent_k_1_1 + tangent_k_1_2);
         stiffness_rate[77] = LANES(tangent_k_2_1 + tangent_k_2_2);
-        stiffness_rate[88] = LANES(along_36);
-        stiffness_rate[99] = LANES(along_36);
+        stiffness_rate[88] = LANES(along_37);
+        stiffness_rate[99] = LANES(along_37);
         lanes_clear(motion_rate, 20);
         lanes_take(paths, path, mass_rate, stiffness_rate, motion_rate);
     }

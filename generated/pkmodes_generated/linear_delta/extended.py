@@ -47,10 +47,12 @@ __all__ = [
     "VALUE_SENSITIVITIES",
     "GEOMETRY_SENSITIVITIES",
     "belt_tension_stiffness_margin",
+    "extended_dissipation",
     "extended_matrices",
     "extended_platform_motion",
     "extended_static_equilibrium",
     "geometry_sensitivities",
+    "joint_loss",
     "joint_stiffness",
     "motor_motion",
     "value_sensitivities",
@@ -209,6 +211,7 @@ VALUE_SENSITIVITIES = (
      ((0, 0), (0, 3), (0, 6), (0, 15), (1, 1), (1, 4), (1, 7), (1, 16), (2, 2), (2, 5), (2, 8), (2, 17),
       (3, 3), (3, 6), (3, 15), (4, 4), (4, 7), (4, 16), (5, 5), (5, 8), (5, 17), (6, 6), (6, 15),
       (7, 7), (7, 16), (8, 8), (8, 17), (15, 15), (16, 16), (17, 17))),
+    ('belt_loss_loss_factor', (), (), ()),
     ('belt_mass_linear_density', (),
      ((0, 0), (0, 3), (0, 6), (0, 15), (1, 1), (1, 4), (1, 7), (1, 16), (2, 2), (2, 5), (2, 8), (2, 17),
       (3, 3), (3, 6), (3, 15), (4, 4), (4, 7), (4, 16), (5, 5), (5, 8), (5, 17), (6, 6), (6, 15),
@@ -228,6 +231,7 @@ VALUE_SENSITIVITIES = (
       (2, 19), (2, 20), (12, 12), (12, 13), (12, 14), (12, 18), (12, 19), (12, 20), (13, 13), (13, 14),
       (13, 18), (13, 19), (13, 20), (14, 14), (14, 18), (14, 19), (14, 20), (18, 18), (19, 19),
       (20, 20))),
+    ('drive_friction_viscous', (), (), ()),
     ('gearbox_inertia_inertia', (), ((3, 3), (4, 4), (5, 5), (6, 6), (7, 7), (8, 8)), ()),
     ('payload_mass', (),
      ((0, 0), (0, 1), (0, 2), (0, 12), (0, 13), (0, 14), (0, 18), (0, 19), (0, 20), (1, 1), (1, 2),
@@ -237,6 +241,8 @@ VALUE_SENSITIVITIES = (
       (20, 20)),
      ((0, 0), (0, 1), (0, 2), (0, 12), (0, 13), (0, 14), (1, 1), (1, 2), (1, 12), (1, 13), (1, 14),
       (2, 2), (2, 12), (2, 13), (2, 14), (12, 12), (12, 13), (12, 14), (13, 13), (13, 14), (14, 14))),
+    ('rail_friction_viscous', (), (), ()),
+    ('reducer_loss_loss_factor', (), (), ()),
     ('servo_stiffness_stiffness', (), (),
      ((3, 3), (3, 9), (4, 4), (4, 10), (5, 5), (5, 11), (6, 6), (6, 9), (7, 7), (7, 10), (8, 8),
       (8, 11), (9, 9), (10, 10), (11, 11))),
@@ -393,6 +399,8 @@ class Effects(NamedTuple):
         Relative change of the stiffness of belt 3.
     belt_end_compliance_compliance : float or array, shape (...) [m/N]
         Compliance in series with every free span.
+    belt_loss_loss_factor : float or array, shape (...) [1]
+        Loss factor of every free span.
     belt_mass_linear_density : float or array, shape (...) [kg/m]
         Mass of a belt per unit length.
     belt_tension_stiffness_coefficient : float or array, shape (...) [1/N]
@@ -401,10 +409,16 @@ class Effects(NamedTuple):
         Measured tension of every belt.
     cable_stiffness_stiffness : float or array, shape (...) [N/m]
         Isotropic stiffness from the platform centre to ground.
+    drive_friction_viscous : float or array, shape (...) [N m s/rad]
+        Viscous friction of every motor, seen at the driven rotor.
     gearbox_inertia_inertia : float or array, shape (...) [kg m^2]
         Extra inertia on every driven pulley.
     payload_mass : float or array, shape (...) [kg]
         Point mass at the platform centre.
+    rail_friction_viscous : float or array, shape (...) [N s/m]
+        Viscous friction of every body along its rail.
+    reducer_loss_loss_factor : float or array, shape (...) [1]
+        Loss factor of every reducer, or gearbox that winds up.
     servo_stiffness_stiffness : float or array, shape (...) [N m/rad]
         Torsional stiffness to ground at every motor, seen at the driven rotor.
     gearbox_compliance_compliance : float or array, shape (...) [rad/(N m)]
@@ -423,12 +437,16 @@ class Effects(NamedTuple):
     axis_belt_stiffness_factor_2: float = 0.0
     axis_belt_stiffness_factor_3: float = 0.0
     belt_end_compliance_compliance: float = 0.0
+    belt_loss_loss_factor: float = 0.0
     belt_mass_linear_density: float = 0.0
     belt_tension_stiffness_coefficient: float = 0.0
     belt_tension_stiffness_tension: float = 0.0
     cable_stiffness_stiffness: float = 0.0
+    drive_friction_viscous: float = 0.0
     gearbox_inertia_inertia: float = 0.0
     payload_mass: float = 0.0
+    rail_friction_viscous: float = 0.0
+    reducer_loss_loss_factor: float = 0.0
     servo_stiffness_stiffness: float = 0.0
     gearbox_compliance_compliance: float = 0.0
     link_compliance_compliance: float = 0.0
@@ -1315,6 +1333,226 @@ def joint_stiffness(effects):
     kappa_c_out[..., 10] = t8
     kappa_c_out[..., 11] = t8
     return kappa_out, kappa_c_out
+
+
+def extended_dissipation(p, parameters, effects):
+    """Viscous damping matrix and loss matrix in the base and all released coordinates, with free joints.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+    effects : Effects
+        The robot's effects.
+
+    Returns
+    -------
+    C_v : array, shape (..., 21, 21) [N s/m, N s, N m s]
+        Viscous damping matrix.
+    K_loss : array, shape (..., 21, 21) [N/m, N, N m]
+        Imaginary part of the elastic stiffness; the springs of released joints add theirs.
+
+    Notes
+    -----
+    Dissipation function R = 1/2 sum b v^2, C_v = d2R/dq_dot2; complex stiffnesses k (1 + i eta).
+    220 operations; 9369 with every named value expanded.
+    """
+    p_x, p_y, p_z = _entries(p, (3,))
+    o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z = _entries(parameters.origin, (3, 3))
+    n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z = _entries(parameters.direction, (3, 3))
+    b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z = _entries(parameters.joint, (3, 3))
+    l_d_1, l_d_2, l_d_3 = _entries(parameters.link_length, (3,))
+    l_t_1, l_t_2, l_t_3 = _entries(parameters.carriage_length, (3,))
+    k_sp_1, k_sp_2, k_sp_3 = _entries(parameters.belt_specific_stiffness, (3,))
+    w_b_1, w_b_2, w_b_3 = _entries(parameters.belt_width, (3,))
+    R_p_1, R_p_2, R_p_3 = _entries(parameters.pulley_radius, (3,))
+    d_1_1, d_1_2, d_2_1, d_2_2, d_3_1, d_3_2 = _entries(parameters.drive, (3, 2))
+    x_min_1, x_max_1, x_min_2, x_max_2, x_min_3, x_max_3 = _entries(parameters.limits, (3, 2))
+    sigma_1, sigma_2, sigma_3 = _entries(parameters.branch, (3,))
+    (a_B_1,) = _entries(effects.axis_belt_stiffness_factor_1, ())
+    (a_B_2,) = _entries(effects.axis_belt_stiffness_factor_2, ())
+    (a_B_3,) = _entries(effects.axis_belt_stiffness_factor_3, ())
+    (c_E,) = _entries(effects.belt_end_compliance_compliance, ())
+    (eta_B,) = _entries(effects.belt_loss_loss_factor, ())
+    (c_T,) = _entries(effects.belt_tension_stiffness_coefficient, ())
+    (F_T,) = _entries(effects.belt_tension_stiffness_tension, ())
+    (b_D,) = _entries(effects.drive_friction_viscous, ())
+    (b_R,) = _entries(effects.rail_friction_viscous, ())
+    batch, dtype = _batch(p_x, o_1_x, n_1_x, b_1_x, l_d_1, l_t_1, k_sp_1, w_b_1, R_p_1, d_1_1, x_min_1,
+        sigma_1, a_B_1, a_B_2, a_B_3, c_E, eta_B, c_T, F_T, b_D, b_R)
+    r_1_x = b_1_x - o_1_x + p_x
+    r_1_y = b_1_y - o_1_y + p_y
+    r_1_z = b_1_z - o_1_z + p_z
+    r_2_x = b_2_x - o_2_x + p_x
+    r_2_y = b_2_y - o_2_y + p_y
+    r_2_z = b_2_z - o_2_z + p_z
+    r_3_x = b_3_x - o_3_x + p_x
+    r_3_y = b_3_y - o_3_y + p_y
+    r_3_z = b_3_z - o_3_z + p_z
+    a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z
+    w_1_x = -a_1*n_1_x + r_1_x
+    w_1_y = -a_1*n_1_y + r_1_y
+    w_1_z = -a_1*n_1_z + r_1_z
+    w2_1 = w_1_x**2 + w_1_y**2 + w_1_z**2
+    x_1 = a_1 + sigma_1*np.sqrt(l_d_1**2 - w2_1)
+    a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z
+    w_2_x = -a_2*n_2_x + r_2_x
+    w_2_y = -a_2*n_2_y + r_2_y
+    w_2_z = -a_2*n_2_z + r_2_z
+    w2_2 = w_2_x**2 + w_2_y**2 + w_2_z**2
+    x_2 = a_2 + sigma_2*np.sqrt(l_d_2**2 - w2_2)
+    a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z
+    w_3_x = -a_3*n_3_x + r_3_x
+    w_3_y = -a_3*n_3_y + r_3_y
+    w_3_z = -a_3*n_3_z + r_3_z
+    w2_3 = w_3_x**2 + w_3_y**2 + w_3_z**2
+    x_3 = a_3 + sigma_3*np.sqrt(l_d_3**2 - w2_3)
+    l_f_1_1 = x_max_1 - x_min_1
+    t1 = F_T*c_T + 1
+    t2 = c_E*t1
+    t3 = a_B_1 + 1
+    t4 = k_sp_1*t3*w_b_1
+    t5 = t2*t4
+    t6 = t1*t4
+    k_1_1 = t6/(l_f_1_1 + t5)
+    t7 = (1/2)*l_t_1
+    l_f_1_2 = -t7 + x_1 - x_min_1
+    k_1_2 = t6/(l_f_1_2 + t5)
+    l_f_1_3 = -t7 - x_1 + x_max_1
+    k_1_3 = t6/(l_f_1_3 + t5)
+    l_f_2_1 = x_max_2 - x_min_2
+    t8 = a_B_2 + 1
+    t9 = k_sp_2*t8*w_b_2
+    t10 = t1*t9
+    t11 = t2*t9
+    k_2_1 = t10/(l_f_2_1 + t11)
+    t12 = (1/2)*l_t_2
+    l_f_2_2 = -t12 + x_2 - x_min_2
+    k_2_2 = t10/(l_f_2_2 + t11)
+    l_f_2_3 = -t12 - x_2 + x_max_2
+    k_2_3 = t10/(l_f_2_3 + t11)
+    l_f_3_1 = x_max_3 - x_min_3
+    t13 = a_B_3 + 1
+    t14 = k_sp_3*t13*w_b_3
+    t15 = t14*t2
+    t16 = t1*t14
+    k_3_1 = t16/(l_f_3_1 + t15)
+    t17 = (1/2)*l_t_3
+    l_f_3_2 = -t17 + x_3 - x_min_3
+    k_3_2 = t16/(l_f_3_2 + t15)
+    l_f_3_3 = -t17 - x_3 + x_max_3
+    k_3_3 = t16/(l_f_3_3 + t15)
+    t18 = b_D*d_1_1
+    t19 = b_D*d_2_1
+    t20 = b_D*d_3_1
+    t21 = b_D*d_1_2
+    t22 = b_D*d_2_2
+    t23 = b_D*d_3_2
+    t24 = eta_B/t1
+    t25 = t24/(k_sp_1*t3*w_b_1)
+    t26 = k_1_2**2*l_f_1_2*t25
+    t27 = k_1_3**2*l_f_1_3*t25
+    t28 = t26 + t27
+    t29 = -R_p_1*t27
+    t30 = -R_p_1*t26
+    t31 = t24/(k_sp_2*t8*w_b_2)
+    t32 = k_2_2**2*l_f_2_2*t31
+    t33 = k_2_3**2*l_f_2_3*t31
+    t34 = t32 + t33
+    t35 = -R_p_2*t33
+    t36 = -R_p_2*t32
+    t37 = t24/(k_sp_3*t13*w_b_3)
+    t38 = k_3_2**2*l_f_3_2*t37
+    t39 = k_3_3**2*l_f_3_3*t37
+    t40 = t38 + t39
+    t41 = -R_p_3*t39
+    t42 = -R_p_3*t38
+    t43 = R_p_1**2
+    t44 = k_1_1**2*l_f_1_1*t25*t43
+    t45 = R_p_2**2
+    t46 = k_2_1**2*l_f_2_1*t31*t45
+    t47 = R_p_3**2
+    t48 = k_3_1**2*l_f_3_1*t37*t47
+    C_v_out = np.zeros((*batch, 21, 21), dtype)
+    C_v_out[..., 0, 0] = b_R
+    C_v_out[..., 1, 1] = b_R
+    C_v_out[..., 2, 2] = b_R
+    C_v_out[..., 3, 3] = t18
+    C_v_out[..., 3, 9] = C_v_out[..., 9, 3] = t18
+    C_v_out[..., 4, 4] = t19
+    C_v_out[..., 4, 10] = C_v_out[..., 10, 4] = t19
+    C_v_out[..., 5, 5] = t20
+    C_v_out[..., 5, 11] = C_v_out[..., 11, 5] = t20
+    C_v_out[..., 6, 6] = t21
+    C_v_out[..., 6, 9] = C_v_out[..., 9, 6] = t21
+    C_v_out[..., 7, 7] = t22
+    C_v_out[..., 7, 10] = C_v_out[..., 10, 7] = t22
+    C_v_out[..., 8, 8] = t23
+    C_v_out[..., 8, 11] = C_v_out[..., 11, 8] = t23
+    C_v_out[..., 9, 9] = t18 + t21
+    C_v_out[..., 10, 10] = t19 + t22
+    C_v_out[..., 11, 11] = t20 + t23
+    K_loss_out = np.zeros((*batch, 21, 21), dtype)
+    K_loss_out[..., 0, 0] = t28
+    K_loss_out[..., 0, 3] = K_loss_out[..., 3, 0] = t29
+    K_loss_out[..., 0, 6] = K_loss_out[..., 6, 0] = t30
+    K_loss_out[..., 0, 15] = K_loss_out[..., 15, 0] = t28
+    K_loss_out[..., 1, 1] = t34
+    K_loss_out[..., 1, 4] = K_loss_out[..., 4, 1] = t35
+    K_loss_out[..., 1, 7] = K_loss_out[..., 7, 1] = t36
+    K_loss_out[..., 1, 16] = K_loss_out[..., 16, 1] = t34
+    K_loss_out[..., 2, 2] = t40
+    K_loss_out[..., 2, 5] = K_loss_out[..., 5, 2] = t41
+    K_loss_out[..., 2, 8] = K_loss_out[..., 8, 2] = t42
+    K_loss_out[..., 2, 17] = K_loss_out[..., 17, 2] = t40
+    K_loss_out[..., 3, 3] = t27*t43 + t44
+    K_loss_out[..., 3, 6] = K_loss_out[..., 6, 3] = -t44
+    K_loss_out[..., 3, 15] = K_loss_out[..., 15, 3] = t29
+    K_loss_out[..., 4, 4] = t33*t45 + t46
+    K_loss_out[..., 4, 7] = K_loss_out[..., 7, 4] = -t46
+    K_loss_out[..., 4, 16] = K_loss_out[..., 16, 4] = t35
+    K_loss_out[..., 5, 5] = t39*t47 + t48
+    K_loss_out[..., 5, 8] = K_loss_out[..., 8, 5] = -t48
+    K_loss_out[..., 5, 17] = K_loss_out[..., 17, 5] = t41
+    K_loss_out[..., 6, 6] = t26*t43 + t44
+    K_loss_out[..., 6, 15] = K_loss_out[..., 15, 6] = t30
+    K_loss_out[..., 7, 7] = t32*t45 + t46
+    K_loss_out[..., 7, 16] = K_loss_out[..., 16, 7] = t36
+    K_loss_out[..., 8, 8] = t38*t47 + t48
+    K_loss_out[..., 8, 17] = K_loss_out[..., 17, 8] = t42
+    K_loss_out[..., 15, 15] = t28
+    K_loss_out[..., 16, 16] = t34
+    K_loss_out[..., 17, 17] = t40
+    return C_v_out, K_loss_out
+
+
+def joint_loss(effects):
+    """Loss factors of the springs of the released joints.
+
+    Parameters
+    ----------
+    effects : Effects
+        The robot's effects.
+
+    Returns
+    -------
+    eta : array, shape (..., 12) [1]
+        Loss factor of each released coordinate, in order.
+
+    Notes
+    -----
+    Complex stiffness k (1 + i eta) of each.
+    0 operations; 0 with every named value expanded.
+    """
+    (eta_G,) = _entries(effects.reducer_loss_loss_factor, ())
+    batch, dtype = _batch(eta_G)
+    eta_out = np.zeros((*batch, 12), dtype)
+    eta_out[..., 0] = eta_G
+    eta_out[..., 1] = eta_G
+    eta_out[..., 2] = eta_G
+    return eta_out
 
 
 def extended_static_equilibrium(p, parameters, effects):

@@ -37,7 +37,7 @@
 #define LANES_DIRECTIONS 3
 #define LANES_BASE 9
 #define LANES_ALL 21
-#define LANES_GRADIENT 95
+#define LANES_GRADIENT 99
 #define LANES_MARGINS 13
 
 /* How many numbers each margin of a pose has, and how they must compare. */
@@ -589,14 +589,14 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     const double a_B_2 = effects[1];
     const double a_B_3 = effects[2];
     const double c_E = effects[3];
-    const double rho_b = effects[4];
-    const double c_T = effects[5];
-    const double F_T = effects[6];
-    const double k_C = effects[7];
-    const double I_G = effects[8];
-    const double m_L = effects[9];
-    const double k_S = effects[10];
-    const double m_F = effects[15];
+    const double rho_b = effects[5];
+    const double c_T = effects[6];
+    const double F_T = effects[7];
+    const double k_C = effects[8];
+    const double I_G = effects[10];
+    const double m_L = effects[11];
+    const double k_S = effects[14];
+    const double m_F = effects[19];
     const lane r_1_x = b_1_x - o_1_x + p_x;
     const lane r_1_y = b_1_y - o_1_y + p_y;
     const lane r_1_z = b_1_z - o_1_z + p_z;
@@ -1711,7 +1711,7 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         const lane adjoint_r_1_y = adjoint_a_1*n_1_y + adjoint_s_1_y + adjoint_w_1_y;
         const lane adjoint_r_1_x = adjoint_a_1*n_1_x + adjoint_s_1_x + adjoint_w_1_x;
         const lane t85 = (1.0/2.0)*adjoint_forward_t14;
-        lanes_clear(gradient, 95);
+        lanes_clear(gradient, 99);
         gradient[0] = LANES(adjoint_forward_t14 + adjoint_forward_t25);
         gradient[1] = LANES(adjoint_forward_t15*forward_t14);
         gradient[2] = LANES(adjoint_forward_t16*forward_t14);
@@ -1770,9 +1770,9 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         gradient[70] = LANES(adjoint_l_f_2_1 + adjoint_l_f_2_3);
         gradient[71] = LANES(-adjoint_l_f_3_1 - adjoint_l_f_3_2);
         gradient[72] = LANES(adjoint_l_f_3_1 + adjoint_l_f_3_3);
-        gradient[92] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
-        gradient[93] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
-        gradient[94] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
+        gradient[96] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
+        gradient[97] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
+        gradient[98] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
     }
 }
 
@@ -1863,11 +1863,11 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
     const double a_B_2 = effects[1];
     const double a_B_3 = effects[2];
     const double c_E = effects[3];
-    const double rho_b = effects[4];
-    const double c_T = effects[5];
-    const double F_T = effects[6];
-    const double k_C = effects[7];
-    const double m_L = effects[9];
+    const double rho_b = effects[5];
+    const double c_T = effects[6];
+    const double F_T = effects[7];
+    const double k_C = effects[8];
+    const double m_L = effects[11];
     const lane r_1_x = b_1_x - o_1_x + p_x;
     const lane r_1_y = b_1_y - o_1_y + p_y;
     const lane r_1_z = b_1_z - o_1_z + p_z;
@@ -2903,7 +2903,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane t299 = adjoint_forward_t19*k_sp_1;
         const lane t300 = adjoint_forward_t23*k_sp_2;
         const lane t301 = adjoint_forward_t27*k_sp_3;
-        lanes_clear(gradient, 95);
+        lanes_clear(gradient, 99);
         gradient[0] = LANES(adjoint_forward_t34);
         gradient[1] = LANES(adjoint_forward_t36*forward_t35);
         gradient[2] = LANES(adjoint_forward_t37*forward_t35);
@@ -2984,10 +2984,10 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         gradient[77] = LANES(t300*w_b_2);
         gradient[78] = LANES(t301*w_b_3);
         gradient[79] = LANES(adjoint_forward_t18*forward_t17);
-        gradient[80] = LANES((1.0/3.0)*adjoint_forward_t53 + (1.0/6.0)*adjoint_forward_t65);
-        gradient[81] = LANES(F_T*adjoint_forward_t17);
-        gradient[82] = LANES(adjoint_forward_t17*c_T);
-        gradient[83] =
+        gradient[81] = LANES((1.0/3.0)*adjoint_forward_t53 + (1.0/6.0)*adjoint_forward_t65);
+        gradient[82] = LANES(F_T*adjoint_forward_t17);
+        gradient[83] = LANES(adjoint_forward_t17*c_T);
+        gradient[84] =
             LANES(D_p_x_1*shape_19*t99 + D_p_x_2*shape_19*t71 + D_p_x_3*shape_19*t50 + D_p_y_1*shape_20*t99
             + D_p_y_2*shape_20*t71 + D_p_y_3*shape_20*t50 + D_p_z_1*shape_21*t99 + D_p_z_2*shape_21*t71
             + D_p_z_3*shape_21*t50 + t105*(D_p_x_1*D_p_x_2 + D_p_y_1*D_p_y_2 + D_p_z_1*D_p_z_2)
@@ -3003,15 +3003,15 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + t79*(D_delta_x_1*D_p_x_2 + D_delta_y_1*D_p_y_2 + D_delta_z_1*D_p_z_2)
             + t81*(D_delta_x_2*D_p_x_2 + D_delta_y_2*D_p_y_2 + D_delta_z_2*D_p_z_2)
             + t83*(D_delta_x_3*D_p_x_2 + D_delta_y_3*D_p_y_2 + D_delta_z_3*D_p_z_2));
-        gradient[84] = LANES(adjoint_forward_t12 + adjoint_forward_t14 + adjoint_forward_t16);
-        gradient[85] = LANES(adjoint_forward_t34);
-        gradient[86] =
+        gradient[86] = LANES(adjoint_forward_t12 + adjoint_forward_t14 + adjoint_forward_t16);
+        gradient[87] = LANES(adjoint_forward_t34);
+        gradient[90] =
             LANES(adjoint_forward_t173*d_1_1 + adjoint_forward_t175*d_2_1 + adjoint_forward_t177*d_3_1
             + adjoint_forward_t179*d_1_2 + adjoint_forward_t180*d_2_2 + adjoint_forward_t181*d_3_2);
-        gradient[91] = LANES(adjoint_forward_t124);
-        gradient[92] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
-        gradient[93] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
-        gradient[94] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
+        gradient[95] = LANES(adjoint_forward_t124);
+        gradient[96] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
+        gradient[97] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
+        gradient[98] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
     }
 }
 
@@ -3108,11 +3108,11 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
     const double a_B_2 = effects[1];
     const double a_B_3 = effects[2];
     const double c_E = effects[3];
-    const double rho_b = effects[4];
-    const double c_T = effects[5];
-    const double F_T = effects[6];
-    const double k_C = effects[7];
-    const double m_L = effects[9];
+    const double rho_b = effects[5];
+    const double c_T = effects[6];
+    const double F_T = effects[7];
+    const double k_C = effects[8];
+    const double m_L = effects[11];
     const lane r_1_x = b_1_x - o_1_x + p_x;
     const lane r_1_y = b_1_y - o_1_y + p_y;
     const lane r_1_z = b_1_z - o_1_z + p_z;
@@ -3503,26 +3503,26 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane along_78 = direction[77];
         const lane along_79 = direction[78];
         const lane along_80 = direction[79];
-        const lane along_81 = direction[80];
         const lane along_82 = direction[81];
         const lane along_83 = direction[82];
         const lane along_84 = direction[83];
         const lane along_85 = direction[84];
-        const lane along_86 = direction[85];
         const lane along_87 = direction[86];
-        const lane along_92 = direction[91];
-        const lane along_93 = direction[92];
-        const lane along_94 = direction[93];
-        const lane along_95 = direction[94];
-        const lane tangent_r_1_x = along_23 - along_5 + along_93;
-        const lane tangent_r_1_y = along_24 - along_6 + along_94;
-        const lane tangent_r_1_z = along_25 - along_7 + along_95;
-        const lane tangent_r_2_x = along_26 - along_8 + along_93;
-        const lane tangent_r_2_y = along_27 - along_9 + along_94;
-        const lane tangent_r_2_z = -along_10 + along_28 + along_95;
-        const lane tangent_r_3_x = -along_11 + along_29 + along_93;
-        const lane tangent_r_3_y = -along_12 + along_30 + along_94;
-        const lane tangent_r_3_z = -along_13 + along_31 + along_95;
+        const lane along_88 = direction[87];
+        const lane along_91 = direction[90];
+        const lane along_96 = direction[95];
+        const lane along_97 = direction[96];
+        const lane along_98 = direction[97];
+        const lane along_99 = direction[98];
+        const lane tangent_r_1_x = along_23 - along_5 + along_97;
+        const lane tangent_r_1_y = along_24 - along_6 + along_98;
+        const lane tangent_r_1_z = along_25 - along_7 + along_99;
+        const lane tangent_r_2_x = along_26 - along_8 + along_97;
+        const lane tangent_r_2_y = along_27 - along_9 + along_98;
+        const lane tangent_r_2_z = -along_10 + along_28 + along_99;
+        const lane tangent_r_3_x = -along_11 + along_29 + along_97;
+        const lane tangent_r_3_y = -along_12 + along_30 + along_98;
+        const lane tangent_r_3_z = -along_13 + along_31 + along_99;
         const lane tangent_a_1 = n_1_x*tangent_r_1_x + n_1_y*tangent_r_1_y + n_1_z*tangent_r_1_z;
         const lane tangent_w_1_x = -n_1_x*tangent_a_1 + tangent_r_1_x;
         const lane tangent_w_1_y = -n_1_y*tangent_a_1 + tangent_r_1_y;
@@ -3615,19 +3615,19 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_D_delta_z_2 = along_33*forward_t9 + l_d_2*tangent_forward_t9;
         const lane tangent_D_delta_z_3 = along_34*forward_t10 + l_d_3*tangent_forward_t10;
         const lane tangent_forward_t11 = 2.0*I_m_1*along_59*i_g_1 + along_56*(i_g_1*i_g_1);
-        const lane tangent_forward_t12 = along_85 + tangent_forward_t11;
+        const lane tangent_forward_t12 = along_87 + tangent_forward_t11;
         const lane tangent_I_1_1 = along_53 + d_1_1*tangent_forward_t12;
         const lane tangent_I_1_2 = along_53 + d_1_2*tangent_forward_t12;
         const lane tangent_forward_t13 = 2.0*I_m_2*along_60*i_g_2 + along_57*(i_g_2*i_g_2);
-        const lane tangent_forward_t14 = along_85 + tangent_forward_t13;
+        const lane tangent_forward_t14 = along_87 + tangent_forward_t13;
         const lane tangent_I_2_1 = along_54 + d_2_1*tangent_forward_t14;
         const lane tangent_I_2_2 = along_54 + d_2_2*tangent_forward_t14;
         const lane tangent_forward_t15 = 2.0*I_m_3*along_61*i_g_3 + along_58*(i_g_3*i_g_3);
-        const lane tangent_forward_t16 = along_85 + tangent_forward_t15;
+        const lane tangent_forward_t16 = along_87 + tangent_forward_t15;
         const lane tangent_I_3_1 = along_55 + d_3_1*tangent_forward_t16;
         const lane tangent_I_3_2 = along_55 + d_3_2*tangent_forward_t16;
         const lane tangent_l_f_1_1 = -along_68 + along_69;
-        const lane tangent_forward_t17 = F_T*along_82 + along_83*c_T;
+        const lane tangent_forward_t17 = F_T*along_83 + along_84*c_T;
         const lane tangent_forward_t18 = along_80*forward_t17 + c_E*tangent_forward_t17;
         const lane tangent_forward_t19 = along_44*t2 + along_47*k_sp_1*t1 + along_77*k_sp_1*w_b_1;
         const lane tangent_forward_t20 = forward_t18*tangent_forward_t19 + forward_t19*tangent_forward_t18;
@@ -3670,7 +3670,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_forward_t31 = (1.0/2.0)*along_35;
         const lane tangent_forward_t32 = (1.0/2.0)*along_36;
         const lane tangent_forward_t33 = (1.0/2.0)*along_37;
-        const lane tangent_forward_t34 = along_1 + along_86;
+        const lane tangent_forward_t34 = along_1 + along_88;
         const lane tangent_forward_t35 =
             tangent_forward_t31 + tangent_forward_t32 + tangent_forward_t33 + tangent_forward_t34;
         const lane tangent_forward_t36 = along_2*forward_t35 + g_x*tangent_forward_t35;
@@ -3700,7 +3700,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_forward_t50 = n_1_z*tangent_forward_t40;
         const lane tangent_forward_t51 = D_p_z_1*tangent_forward_t44 + forward_t44*tangent_D_p_z_1;
         const lane tangent_forward_t52 = tangent_forward_t50 + tangent_forward_t51;
-        const lane tangent_forward_t53 = (1.0/3.0)*along_81;
+        const lane tangent_forward_t53 = (1.0/3.0)*along_82;
         const lane tangent_forward_t54 = forward_t53*tangent_l_f_1_2 + l_f_1_2*tangent_forward_t53;
         const lane tangent_forward_t55 = forward_t53*tangent_l_f_1_3 + l_f_1_3*tangent_forward_t53;
         const lane tangent_forward_t56 = tangent_forward_t54 + tangent_forward_t55;
@@ -3712,7 +3712,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_forward_t62 = n_3_x*tangent_forward_t61;
         const lane tangent_forward_t63 = n_3_y*tangent_forward_t61;
         const lane tangent_forward_t64 = n_3_z*tangent_forward_t61;
-        const lane tangent_forward_t65 = (1.0/6.0)*along_81;
+        const lane tangent_forward_t65 = (1.0/6.0)*along_82;
         const lane tangent_forward_t66 = R_p_1*tangent_forward_t65 + along_50*forward_t65;
         const lane tangent_forward_t67 = forward_t66*tangent_l_f_1_3 + l_f_1_3*tangent_forward_t66;
         const lane tangent_forward_t68 = forward_t66*tangent_l_f_1_2 + l_f_1_2*tangent_forward_t66;
@@ -3772,7 +3772,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_forward_t122 = 2.0*D_delta_y_3*tangent_D_delta_y_3;
         const lane tangent_forward_t123 = 2.0*D_delta_z_3*tangent_D_delta_z_3;
         const lane tangent_forward_t124 =
-            along_35 + along_36 + along_37 + along_38 + along_39 + along_40 + along_92 + tangent_forward_t34;
+            along_35 + along_36 + along_37 + along_38 + along_39 + along_40 + along_96 + tangent_forward_t34;
         const lane t40 = 2.0*tangent_D_p_x_1;
         const lane tangent_forward_t125 = D_p_x_1*t40;
         const lane t41 = 2.0*tangent_D_p_y_1;
@@ -3839,15 +3839,15 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane t57 = D_delta_z_3*tangent_D_p_z_3;
         const lane tangent_forward_t171 = D_p_z_3*tangent_D_delta_z_3 + t57;
         const lane tangent_forward_t172 = tangent_k_3_2 + tangent_k_3_3;
-        const lane tangent_forward_t173 = along_87*d_1_1;
+        const lane tangent_forward_t173 = along_91*d_1_1;
         const lane tangent_forward_t174 = forward_t94*tangent_k_1_1 + k_1_1*tangent_forward_t94;
-        const lane tangent_forward_t175 = along_87*d_2_1;
+        const lane tangent_forward_t175 = along_91*d_2_1;
         const lane tangent_forward_t176 = forward_t98*tangent_k_2_1 + k_2_1*tangent_forward_t98;
-        const lane tangent_forward_t177 = along_87*d_3_1;
+        const lane tangent_forward_t177 = along_91*d_3_1;
         const lane tangent_forward_t178 = forward_t102*tangent_k_3_1 + k_3_1*tangent_forward_t102;
-        const lane tangent_forward_t179 = along_87*d_1_2;
-        const lane tangent_forward_t180 = along_87*d_2_2;
-        const lane tangent_forward_t181 = along_87*d_3_2;
+        const lane tangent_forward_t179 = along_91*d_1_2;
+        const lane tangent_forward_t180 = along_91*d_2_2;
+        const lane tangent_forward_t181 = along_91*d_3_2;
         const lane t58 = D_delta_x_1*tangent_D_delta_x_2;
         const lane t59 = D_delta_x_2*tangent_D_delta_x_1;
         const lane tangent_forward_t182 = t58 + t59;
@@ -4070,7 +4070,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         mass_rate[440] = LANES(tangent_forward_t124);
         lanes_clear(stiffness_rate, 441);
         stiffness_rate[0] =
-            LANES(along_84*t80 - forward_t130*t40 - forward_t133*t41 - forward_t136*t42 - t80*tangent_mu_2
+            LANES(along_85*t80 - forward_t130*t40 - forward_t133*t41 - forward_t136*t42 - t80*tangent_mu_2
             - t80*tangent_mu_3 + t82*tangent_forward_t125 + t82*tangent_forward_t126
             + t82*tangent_forward_t127 + tangent_forward_t139 + tangent_mu_1*(-(U_1_x_1*U_1_x_1)
             - (U_1_y_1*U_1_y_1) - (U_1_z_1*U_1_z_1)));
@@ -4079,7 +4079,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             + D_p_y_2*k_C*tangent_D_p_y_1 - D_p_y_2*tangent_forward_t131 - D_p_y_2*tangent_forward_t133
             + D_p_z_2*k_C*tangent_D_p_z_1 - D_p_z_2*tangent_forward_t134 - D_p_z_2*tangent_forward_t136
             - U_2_x_2*tangent_forward_t129 - U_2_y_2*tangent_forward_t132 - U_2_z_2*tangent_forward_t135
-            + along_84*(D_p_x_1*D_p_x_2 + D_p_y_1*D_p_y_2 + D_p_z_1*D_p_z_2) - forward_t129*tangent_D_p_x_2
+            + along_85*(D_p_x_1*D_p_x_2 + D_p_y_1*D_p_y_2 + D_p_z_1*D_p_z_2) - forward_t129*tangent_D_p_x_2
             - forward_t132*tangent_D_p_y_2 - forward_t135*tangent_D_p_z_2 - t84*tangent_D_p_x_2
             - t86*tangent_D_p_y_2 - t88*tangent_D_p_z_2);
         stiffness_rate[2] = stiffness_rate[42] =
@@ -4087,7 +4087,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             + D_p_y_3*k_C*tangent_D_p_y_1 - D_p_y_3*tangent_forward_t132 - D_p_y_3*tangent_forward_t133
             + D_p_z_3*k_C*tangent_D_p_z_1 - D_p_z_3*tangent_forward_t135 - D_p_z_3*tangent_forward_t136
             - U_3_x_3*tangent_forward_t128 - U_3_y_3*tangent_forward_t131 - U_3_z_3*tangent_forward_t134
-            + along_84*(D_p_x_1*D_p_x_3 + D_p_y_1*D_p_y_3 + D_p_z_1*D_p_z_3) - forward_t128*tangent_D_p_x_3
+            + along_85*(D_p_x_1*D_p_x_3 + D_p_y_1*D_p_y_3 + D_p_z_1*D_p_z_3) - forward_t128*tangent_D_p_x_3
             - forward_t131*tangent_D_p_y_3 - forward_t134*tangent_D_p_z_3 + tangent_D_p_x_3*(-forward_t129
             - t83) + tangent_D_p_y_3*(-forward_t132 - t85) + tangent_D_p_z_3*(-forward_t135 - t87));
         stiffness_rate[3] = stiffness_rate[63] = LANES(tangent_forward_t137);
@@ -4099,7 +4099,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             - D_delta_y_1*tangent_forward_t132 - D_delta_y_1*tangent_forward_t133
             + D_delta_z_1*k_C*tangent_D_p_z_1 - D_delta_z_1*tangent_forward_t134
             - D_delta_z_1*tangent_forward_t135 - D_delta_z_1*tangent_forward_t136
-            + along_84*(D_delta_x_1*D_p_x_1 + D_delta_y_1*D_p_y_1 + D_delta_z_1*D_p_z_1)
+            + along_85*(D_delta_x_1*D_p_x_1 + D_delta_y_1*D_p_y_1 + D_delta_z_1*D_p_z_1)
             + t89*tangent_D_delta_x_1 + t90*tangent_D_delta_y_1 + t91*tangent_D_delta_z_1);
         stiffness_rate[13] = stiffness_rate[273] =
             LANES(D_delta_x_2*k_C*tangent_D_p_x_1 - D_delta_x_2*tangent_forward_t128
@@ -4108,7 +4108,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             - D_delta_y_2*tangent_forward_t132 - D_delta_y_2*tangent_forward_t133
             + D_delta_z_2*k_C*tangent_D_p_z_1 - D_delta_z_2*tangent_forward_t134
             - D_delta_z_2*tangent_forward_t135 - D_delta_z_2*tangent_forward_t136
-            + along_84*(D_delta_x_2*D_p_x_1 + D_delta_y_2*D_p_y_1 + D_delta_z_2*D_p_z_1)
+            + along_85*(D_delta_x_2*D_p_x_1 + D_delta_y_2*D_p_y_1 + D_delta_z_2*D_p_z_1)
             + t89*tangent_D_delta_x_2 + t90*tangent_D_delta_y_2 + t91*tangent_D_delta_z_2);
         stiffness_rate[14] = stiffness_rate[294] =
             LANES(D_delta_x_3*k_C*tangent_D_p_x_1 - D_delta_x_3*tangent_forward_t128
@@ -4117,14 +4117,14 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             - D_delta_y_3*tangent_forward_t132 - D_delta_y_3*tangent_forward_t133
             + D_delta_z_3*k_C*tangent_D_p_z_1 - D_delta_z_3*tangent_forward_t134
             - D_delta_z_3*tangent_forward_t135 - D_delta_z_3*tangent_forward_t136
-            + along_84*(D_delta_x_3*D_p_x_1 + D_delta_y_3*D_p_y_1 + D_delta_z_3*D_p_z_1)
+            + along_85*(D_delta_x_3*D_p_x_1 + D_delta_y_3*D_p_y_1 + D_delta_z_3*D_p_z_1)
             + t89*tangent_D_delta_x_3 + t90*tangent_D_delta_y_3 + t91*tangent_D_delta_z_3);
         stiffness_rate[15] = stiffness_rate[315] = LANES(tangent_forward_t139);
-        stiffness_rate[18] = stiffness_rate[378] = LANES(D_p_x_1*along_84 + k_C*tangent_D_p_x_1);
-        stiffness_rate[19] = stiffness_rate[399] = LANES(D_p_y_1*along_84 + k_C*tangent_D_p_y_1);
-        stiffness_rate[20] = stiffness_rate[420] = LANES(D_p_z_1*along_84 + k_C*tangent_D_p_z_1);
+        stiffness_rate[18] = stiffness_rate[378] = LANES(D_p_x_1*along_85 + k_C*tangent_D_p_x_1);
+        stiffness_rate[19] = stiffness_rate[399] = LANES(D_p_y_1*along_85 + k_C*tangent_D_p_y_1);
+        stiffness_rate[20] = stiffness_rate[420] = LANES(D_p_z_1*along_85 + k_C*tangent_D_p_z_1);
         stiffness_rate[22] =
-            LANES(along_84*t92 - forward_t145*t43 - forward_t148*t44 - forward_t151*t45 - t92*tangent_mu_1
+            LANES(along_85*t92 - forward_t145*t43 - forward_t148*t44 - forward_t151*t45 - t92*tangent_mu_1
             - t92*tangent_mu_3 + t93*tangent_forward_t140 + t93*tangent_forward_t141
             + t93*tangent_forward_t142 + tangent_forward_t154 + tangent_mu_2*(-(U_2_x_2*U_2_x_2)
             - (U_2_y_2*U_2_y_2) - (U_2_z_2*U_2_z_2)));
@@ -4133,7 +4133,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             + D_p_y_3*k_C*tangent_D_p_y_2 - D_p_y_3*tangent_forward_t146 - D_p_y_3*tangent_forward_t148
             + D_p_z_3*k_C*tangent_D_p_z_2 - D_p_z_3*tangent_forward_t149 - D_p_z_3*tangent_forward_t151
             - U_3_x_3*tangent_forward_t144 - U_3_y_3*tangent_forward_t147 - U_3_z_3*tangent_forward_t150
-            + along_84*(D_p_x_2*D_p_x_3 + D_p_y_2*D_p_y_3 + D_p_z_2*D_p_z_3) - forward_t144*tangent_D_p_x_3
+            + along_85*(D_p_x_2*D_p_x_3 + D_p_y_2*D_p_y_3 + D_p_z_2*D_p_z_3) - forward_t144*tangent_D_p_x_3
             - forward_t147*tangent_D_p_y_3 - forward_t150*tangent_D_p_z_3 - t94*tangent_D_p_x_3
             - t95*tangent_D_p_y_3 - t96*tangent_D_p_z_3);
         stiffness_rate[25] = stiffness_rate[85] = LANES(tangent_forward_t152);
@@ -4145,7 +4145,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             - D_delta_y_1*tangent_forward_t147 - D_delta_y_1*tangent_forward_t148
             + D_delta_z_1*k_C*tangent_D_p_z_2 - D_delta_z_1*tangent_forward_t149
             - D_delta_z_1*tangent_forward_t150 - D_delta_z_1*tangent_forward_t151
-            + along_84*(D_delta_x_1*D_p_x_2 + D_delta_y_1*D_p_y_2 + D_delta_z_1*D_p_z_2)
+            + along_85*(D_delta_x_1*D_p_x_2 + D_delta_y_1*D_p_y_2 + D_delta_z_1*D_p_z_2)
             + t97*tangent_D_delta_x_1 + t98*tangent_D_delta_y_1 + t99*tangent_D_delta_z_1);
         stiffness_rate[34] = stiffness_rate[274] =
             LANES(D_delta_x_2*k_C*tangent_D_p_x_2 - D_delta_x_2*tangent_forward_t143
@@ -4154,7 +4154,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             - D_delta_y_2*tangent_forward_t147 - D_delta_y_2*tangent_forward_t148
             + D_delta_z_2*k_C*tangent_D_p_z_2 - D_delta_z_2*tangent_forward_t149
             - D_delta_z_2*tangent_forward_t150 - D_delta_z_2*tangent_forward_t151
-            + along_84*(D_delta_x_2*D_p_x_2 + D_delta_y_2*D_p_y_2 + D_delta_z_2*D_p_z_2)
+            + along_85*(D_delta_x_2*D_p_x_2 + D_delta_y_2*D_p_y_2 + D_delta_z_2*D_p_z_2)
             + t97*tangent_D_delta_x_2 + t98*tangent_D_delta_y_2 + t99*tangent_D_delta_z_2);
         stiffness_rate[35] = stiffness_rate[295] =
             LANES(D_delta_x_3*k_C*tangent_D_p_x_2 - D_delta_x_3*tangent_forward_t143
@@ -4163,14 +4163,14 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             - D_delta_y_3*tangent_forward_t147 - D_delta_y_3*tangent_forward_t148
             + D_delta_z_3*k_C*tangent_D_p_z_2 - D_delta_z_3*tangent_forward_t149
             - D_delta_z_3*tangent_forward_t150 - D_delta_z_3*tangent_forward_t151
-            + along_84*(D_delta_x_3*D_p_x_2 + D_delta_y_3*D_p_y_2 + D_delta_z_3*D_p_z_2)
+            + along_85*(D_delta_x_3*D_p_x_2 + D_delta_y_3*D_p_y_2 + D_delta_z_3*D_p_z_2)
             + t97*tangent_D_delta_x_3 + t98*tangent_D_delta_y_3 + t99*tangent_D_delta_z_3);
         stiffness_rate[37] = stiffness_rate[337] = LANES(tangent_forward_t154);
-        stiffness_rate[39] = stiffness_rate[379] = LANES(D_p_x_2*along_84 + k_C*tangent_D_p_x_2);
-        stiffness_rate[40] = stiffness_rate[400] = LANES(D_p_y_2*along_84 + k_C*tangent_D_p_y_2);
-        stiffness_rate[41] = stiffness_rate[421] = LANES(D_p_z_2*along_84 + k_C*tangent_D_p_z_2);
+        stiffness_rate[39] = stiffness_rate[379] = LANES(D_p_x_2*along_85 + k_C*tangent_D_p_x_2);
+        stiffness_rate[40] = stiffness_rate[400] = LANES(D_p_y_2*along_85 + k_C*tangent_D_p_y_2);
+        stiffness_rate[41] = stiffness_rate[421] = LANES(D_p_z_2*along_85 + k_C*tangent_D_p_z_2);
         stiffness_rate[44] =
-            LANES(along_84*t100 - forward_t161*t46 - forward_t163*t47 - forward_t165*t48 - t100*tangent_mu_1
+            LANES(along_85*t100 - forward_t161*t46 - forward_t163*t47 - forward_t165*t48 - t100*tangent_mu_1
             - t100*tangent_mu_2 + t102*tangent_forward_t155 + t102*tangent_forward_t156
             + t102*tangent_forward_t157 + tangent_forward_t172 + tangent_mu_3*(-(U_3_x_3*U_3_x_3)
             - (U_3_y_3*U_3_y_3) - (U_3_z_3*U_3_z_3)));
@@ -4178,26 +4178,26 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         stiffness_rate[50] = stiffness_rate[170] = LANES(tangent_forward_t159);
         stiffness_rate[54] = stiffness_rate[254] =
             LANES(-D_delta_x_1*tangent_forward_t161 - D_delta_y_1*tangent_forward_t163
-            - D_delta_z_1*tangent_forward_t165 + along_84*(forward_t160 + forward_t162 + forward_t164)
+            - D_delta_z_1*tangent_forward_t165 + along_85*(forward_t160 + forward_t162 + forward_t164)
             + k_C*t49 + k_C*t50 + k_C*t51 - t101*tangent_forward_t160 - t101*tangent_forward_t162
             - t101*tangent_forward_t164 + t103*tangent_D_delta_x_1 + t104*tangent_D_delta_y_1
             + t105*tangent_D_delta_z_1 + t106*tangent_mu_1 + t106*tangent_mu_2);
         stiffness_rate[55] = stiffness_rate[275] =
             LANES(-D_delta_x_2*tangent_forward_t161 - D_delta_y_2*tangent_forward_t163
-            - D_delta_z_2*tangent_forward_t165 + along_84*(forward_t166 + forward_t167 + forward_t168)
+            - D_delta_z_2*tangent_forward_t165 + along_85*(forward_t166 + forward_t167 + forward_t168)
             + k_C*t52 + k_C*t53 + k_C*t54 - t101*tangent_forward_t166 - t101*tangent_forward_t167
             - t101*tangent_forward_t168 + t103*tangent_D_delta_x_2 + t104*tangent_D_delta_y_2
             + t105*tangent_D_delta_z_2 + t107*tangent_mu_1 + t107*tangent_mu_2);
         stiffness_rate[56] = stiffness_rate[296] =
             LANES(-D_delta_x_3*tangent_forward_t161 - D_delta_y_3*tangent_forward_t163
-            - D_delta_z_3*tangent_forward_t165 + along_84*(forward_t169 + forward_t170 + forward_t171)
+            - D_delta_z_3*tangent_forward_t165 + along_85*(forward_t169 + forward_t170 + forward_t171)
             + k_C*t55 + k_C*t56 + k_C*t57 - t101*tangent_forward_t169 - t101*tangent_forward_t170
             - t101*tangent_forward_t171 + t103*tangent_D_delta_x_3 + t104*tangent_D_delta_y_3
             + t105*tangent_D_delta_z_3 + t108*tangent_mu_1 + t108*tangent_mu_2);
         stiffness_rate[59] = stiffness_rate[359] = LANES(tangent_forward_t172);
-        stiffness_rate[60] = stiffness_rate[380] = LANES(D_p_x_3*along_84 + k_C*tangent_D_p_x_3);
-        stiffness_rate[61] = stiffness_rate[401] = LANES(D_p_y_3*along_84 + k_C*tangent_D_p_y_3);
-        stiffness_rate[62] = stiffness_rate[422] = LANES(D_p_z_3*along_84 + k_C*tangent_D_p_z_3);
+        stiffness_rate[60] = stiffness_rate[380] = LANES(D_p_x_3*along_85 + k_C*tangent_D_p_x_3);
+        stiffness_rate[61] = stiffness_rate[401] = LANES(D_p_y_3*along_85 + k_C*tangent_D_p_y_3);
+        stiffness_rate[62] = stiffness_rate[422] = LANES(D_p_z_3*along_85 + k_C*tangent_D_p_z_3);
         stiffness_rate[66] =
             LANES(forward_t94*tangent_k_1_3 + k_1_3*tangent_forward_t94 + tangent_forward_t173
             + tangent_forward_t174);
@@ -4235,41 +4235,41 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         stiffness_rate[220] = LANES(tangent_forward_t175 + tangent_forward_t180);
         stiffness_rate[242] = LANES(tangent_forward_t177 + tangent_forward_t181);
         stiffness_rate[264] =
-            LANES(along_84*t76 + t109*tangent_forward_t109 + t109*tangent_forward_t110
+            LANES(along_85*t76 + t109*tangent_forward_t109 + t109*tangent_forward_t110
             + t109*tangent_forward_t111 - t76*tangent_mu_2 - t76*tangent_mu_3 + tangent_mu_1*(1.0 - t76));
         stiffness_rate[265] = stiffness_rate[285] =
-            LANES(along_84*(forward_t182 + forward_t183 + forward_t184) + k_C*t58 + k_C*t59 + k_C*t60
+            LANES(along_85*(forward_t182 + forward_t183 + forward_t184) + k_C*t58 + k_C*t59 + k_C*t60
             + k_C*t61 + k_C*t62 + k_C*t63 + t110*tangent_forward_t182 + t110*tangent_forward_t183
             + t110*tangent_forward_t184 + t111*tangent_mu_1 + t111*tangent_mu_2 + t111*tangent_mu_3);
         stiffness_rate[266] = stiffness_rate[306] =
-            LANES(along_84*(forward_t185 + forward_t186 + forward_t187) + k_C*t64 + k_C*t65 + k_C*t66
+            LANES(along_85*(forward_t185 + forward_t186 + forward_t187) + k_C*t64 + k_C*t65 + k_C*t66
             + k_C*t67 + k_C*t68 + k_C*t69 + t110*tangent_forward_t185 + t110*tangent_forward_t186
             + t110*tangent_forward_t187 + t112*tangent_mu_1 + t112*tangent_mu_2 + t112*tangent_mu_3);
-        stiffness_rate[270] = stiffness_rate[390] = LANES(D_delta_x_1*along_84 + k_C*tangent_D_delta_x_1);
-        stiffness_rate[271] = stiffness_rate[411] = LANES(D_delta_y_1*along_84 + k_C*tangent_D_delta_y_1);
-        stiffness_rate[272] = stiffness_rate[432] = LANES(D_delta_z_1*along_84 + k_C*tangent_D_delta_z_1);
+        stiffness_rate[270] = stiffness_rate[390] = LANES(D_delta_x_1*along_85 + k_C*tangent_D_delta_x_1);
+        stiffness_rate[271] = stiffness_rate[411] = LANES(D_delta_y_1*along_85 + k_C*tangent_D_delta_y_1);
+        stiffness_rate[272] = stiffness_rate[432] = LANES(D_delta_z_1*along_85 + k_C*tangent_D_delta_z_1);
         stiffness_rate[286] =
-            LANES(along_84*t77 + t109*tangent_forward_t115 + t109*tangent_forward_t116
+            LANES(along_85*t77 + t109*tangent_forward_t115 + t109*tangent_forward_t116
             + t109*tangent_forward_t117 - t77*tangent_mu_1 - t77*tangent_mu_3 + tangent_mu_2*(1.0 - t77));
         stiffness_rate[287] = stiffness_rate[307] =
-            LANES(along_84*(forward_t188 + forward_t189 + forward_t190) + k_C*t70 + k_C*t71 + k_C*t72
+            LANES(along_85*(forward_t188 + forward_t189 + forward_t190) + k_C*t70 + k_C*t71 + k_C*t72
             + k_C*t73 + k_C*t74 + k_C*t75 + t110*tangent_forward_t188 + t110*tangent_forward_t189
             + t110*tangent_forward_t190 + t113*tangent_mu_1 + t113*tangent_mu_2 + t113*tangent_mu_3);
-        stiffness_rate[291] = stiffness_rate[391] = LANES(D_delta_x_2*along_84 + k_C*tangent_D_delta_x_2);
-        stiffness_rate[292] = stiffness_rate[412] = LANES(D_delta_y_2*along_84 + k_C*tangent_D_delta_y_2);
-        stiffness_rate[293] = stiffness_rate[433] = LANES(D_delta_z_2*along_84 + k_C*tangent_D_delta_z_2);
+        stiffness_rate[291] = stiffness_rate[391] = LANES(D_delta_x_2*along_85 + k_C*tangent_D_delta_x_2);
+        stiffness_rate[292] = stiffness_rate[412] = LANES(D_delta_y_2*along_85 + k_C*tangent_D_delta_y_2);
+        stiffness_rate[293] = stiffness_rate[433] = LANES(D_delta_z_2*along_85 + k_C*tangent_D_delta_z_2);
         stiffness_rate[308] =
-            LANES(along_84*t78 + t109*tangent_forward_t121 + t109*tangent_forward_t122
+            LANES(along_85*t78 + t109*tangent_forward_t121 + t109*tangent_forward_t122
             + t109*tangent_forward_t123 - t78*tangent_mu_1 - t78*tangent_mu_2 + tangent_mu_3*(1.0 - t78));
-        stiffness_rate[312] = stiffness_rate[392] = LANES(D_delta_x_3*along_84 + k_C*tangent_D_delta_x_3);
-        stiffness_rate[313] = stiffness_rate[413] = LANES(D_delta_y_3*along_84 + k_C*tangent_D_delta_y_3);
-        stiffness_rate[314] = stiffness_rate[434] = LANES(D_delta_z_3*along_84 + k_C*tangent_D_delta_z_3);
+        stiffness_rate[312] = stiffness_rate[392] = LANES(D_delta_x_3*along_85 + k_C*tangent_D_delta_x_3);
+        stiffness_rate[313] = stiffness_rate[413] = LANES(D_delta_y_3*along_85 + k_C*tangent_D_delta_y_3);
+        stiffness_rate[314] = stiffness_rate[434] = LANES(D_delta_z_3*along_85 + k_C*tangent_D_delta_z_3);
         stiffness_rate[330] = LANES(tangent_forward_t139);
         stiffness_rate[352] = LANES(tangent_forward_t154);
         stiffness_rate[374] = LANES(tangent_forward_t172);
-        stiffness_rate[396] = LANES(along_84);
-        stiffness_rate[418] = LANES(along_84);
-        stiffness_rate[440] = LANES(along_84);
+        stiffness_rate[396] = LANES(along_85);
+        stiffness_rate[418] = LANES(along_85);
+        stiffness_rate[440] = LANES(along_85);
         lanes_clear(motion_rate, 63);
         motion_rate[0] = LANES(tangent_D_p_x_1);
         motion_rate[1] = LANES(tangent_D_p_x_2);

@@ -67,6 +67,8 @@ typedef struct {
     pkmodes_real axis_belt_stiffness_factor_3;
     /* [m/N] compliance in series with every free span */
     pkmodes_real belt_end_compliance_compliance;
+    /* [1] loss factor of every free span */
+    pkmodes_real belt_loss_loss_factor;
     /* [kg/m] mass of a belt per unit length */
     pkmodes_real belt_mass_linear_density;
     /* [1/N] relative change of the belt stiffness with tension */
@@ -75,10 +77,16 @@ typedef struct {
     pkmodes_real belt_tension_stiffness_tension;
     /* [N/m] isotropic stiffness from the platform centre to ground */
     pkmodes_real cable_stiffness_stiffness;
+    /* [N m s/rad] viscous friction of every motor, seen at the driven rotor */
+    pkmodes_real drive_friction_viscous;
     /* [kg m^2] extra inertia on every driven pulley */
     pkmodes_real gearbox_inertia_inertia;
     /* [kg] point mass at the platform centre */
     pkmodes_real payload_mass;
+    /* [N s/m] viscous friction of every body along its rail */
+    pkmodes_real rail_friction_viscous;
+    /* [1] loss factor of every reducer, or gearbox that winds up */
+    pkmodes_real reducer_loss_loss_factor;
     /* [N m/rad] torsional stiffness to ground at every motor, seen at the driven rotor */
     pkmodes_real servo_stiffness_stiffness;
     /* [rad/(N m)] compliance of every gearbox, output side */

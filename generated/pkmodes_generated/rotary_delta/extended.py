@@ -48,10 +48,12 @@ __all__ = [
     "Effects",
     "VALUE_SENSITIVITIES",
     "GEOMETRY_SENSITIVITIES",
+    "extended_dissipation",
     "extended_matrices",
     "extended_platform_motion",
     "extended_static_equilibrium",
     "geometry_sensitivities",
+    "joint_loss",
     "joint_stiffness",
     "motor_motion",
     "value_sensitivities",
@@ -159,6 +161,7 @@ VALUE_SENSITIVITIES = (
       (1, 7), (1, 8), (1, 9), (1, 10), (1, 11), (2, 2), (2, 6), (2, 7), (2, 8), (2, 9), (2, 10),
       (2, 11), (6, 6), (6, 7), (6, 8), (6, 9), (6, 10), (6, 11), (7, 7), (7, 8), (7, 9), (7, 10),
       (7, 11), (8, 8), (8, 9), (8, 10), (8, 11), (9, 9), (10, 10), (11, 11))),
+    ('drive_friction_viscous', (), (), ()),
     ('gearbox_inertia_inertia', (), ((3, 3), (4, 4), (5, 5)), ()),
     ('payload_mass', (),
      ((0, 0), (0, 1), (0, 2), (0, 6), (0, 7), (0, 8), (0, 9), (0, 10), (0, 11), (1, 1), (1, 2), (1, 6),
@@ -167,6 +170,7 @@ VALUE_SENSITIVITIES = (
       (7, 11), (8, 8), (8, 9), (8, 10), (8, 11), (9, 9), (10, 10), (11, 11)),
      ((0, 0), (0, 1), (0, 2), (0, 6), (0, 7), (0, 8), (1, 1), (1, 2), (1, 6), (1, 7), (1, 8), (2, 2),
       (2, 6), (2, 7), (2, 8), (6, 6), (6, 7), (6, 8), (7, 7), (7, 8), (8, 8))),
+    ('reducer_loss_loss_factor', (), (), ()),
     ('servo_stiffness_stiffness', (), (), ((3, 3), (4, 4), (5, 5))),
     ('frame_compliance_mass', (), ((9, 9), (10, 10), (11, 11)), ()),
 )
@@ -324,10 +328,14 @@ class Effects(NamedTuple):
         Relative change of the stiffness of reducer 3.
     cable_stiffness_stiffness : float or array, shape (...) [N/m]
         Isotropic stiffness from the platform centre to ground.
+    drive_friction_viscous : float or array, shape (...) [N m s/rad]
+        Viscous friction of every motor, seen at the driven rotor.
     gearbox_inertia_inertia : float or array, shape (...) [kg m^2]
         Extra inertia on every driven pulley.
     payload_mass : float or array, shape (...) [kg]
         Point mass at the platform centre.
+    reducer_loss_loss_factor : float or array, shape (...) [1]
+        Loss factor of every reducer, or gearbox that winds up.
     servo_stiffness_stiffness : float or array, shape (...) [N m/rad]
         Torsional stiffness to ground at every motor, seen at the driven rotor.
     link_compliance_compliance : float or array, shape (...) [m/N]
@@ -342,8 +350,10 @@ class Effects(NamedTuple):
     axis_reducer_stiffness_factor_2: float = 0.0
     axis_reducer_stiffness_factor_3: float = 0.0
     cable_stiffness_stiffness: float = 0.0
+    drive_friction_viscous: float = 0.0
     gearbox_inertia_inertia: float = 0.0
     payload_mass: float = 0.0
+    reducer_loss_loss_factor: float = 0.0
     servo_stiffness_stiffness: float = 0.0
     link_compliance_compliance: float = 0.0
     frame_compliance_compliance: float = 0.0
@@ -1138,6 +1148,82 @@ def joint_stiffness(effects):
     kappa_c_out[..., 4] = t4
     kappa_c_out[..., 5] = t4
     return kappa_out, kappa_c_out
+
+
+def extended_dissipation(p, parameters, effects):
+    """Viscous damping matrix and loss matrix in the base and all released coordinates, with free joints.
+
+    Parameters
+    ----------
+    p : array, shape (..., 3) [m]
+        Platform centre in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+    effects : Effects
+        The robot's effects.
+
+    Returns
+    -------
+    C_v : array, shape (..., 12, 12) [N s/m, N s, N m s]
+        Viscous damping matrix.
+    K_loss : array, shape (..., 12, 12) [N/m, N, N m]
+        Imaginary part of the elastic stiffness; the springs of released joints add theirs.
+
+    Notes
+    -----
+    Dissipation function R = 1/2 sum b v^2, C_v = d2R/dq_dot2; complex stiffnesses k (1 + i eta).
+    12 operations; 42 with every named value expanded.
+    """
+    p_x, _, _ = _entries(p, (3,))
+    k_r_1, k_r_2, k_r_3 = _entries(parameters.reducer_stiffness, (3,))
+    (a_R_1,) = _entries(effects.axis_reducer_stiffness_factor_1, ())
+    (a_R_2,) = _entries(effects.axis_reducer_stiffness_factor_2, ())
+    (a_R_3,) = _entries(effects.axis_reducer_stiffness_factor_3, ())
+    (b_D,) = _entries(effects.drive_friction_viscous, ())
+    (eta_G,) = _entries(effects.reducer_loss_loss_factor, ())
+    batch, dtype = _batch(p_x, k_r_1, a_R_1, a_R_2, a_R_3, b_D, eta_G)
+    k_1 = k_r_1*(a_R_1 + 1)
+    k_2 = k_r_2*(a_R_2 + 1)
+    k_3 = k_r_3*(a_R_3 + 1)
+    t1 = eta_G*k_1
+    t2 = eta_G*k_2
+    t3 = eta_G*k_3
+    C_v_out = np.zeros((*batch, 12, 12), dtype)
+    C_v_out[..., 3, 3] = b_D
+    C_v_out[..., 4, 4] = b_D
+    C_v_out[..., 5, 5] = b_D
+    K_loss_out = np.zeros((*batch, 12, 12), dtype)
+    K_loss_out[..., 0, 0] = t1
+    K_loss_out[..., 0, 3] = K_loss_out[..., 3, 0] = -t1
+    K_loss_out[..., 1, 1] = t2
+    K_loss_out[..., 1, 4] = K_loss_out[..., 4, 1] = -t2
+    K_loss_out[..., 2, 2] = t3
+    K_loss_out[..., 2, 5] = K_loss_out[..., 5, 2] = -t3
+    K_loss_out[..., 3, 3] = t1
+    K_loss_out[..., 4, 4] = t2
+    K_loss_out[..., 5, 5] = t3
+    return C_v_out, K_loss_out
+
+
+def joint_loss():
+    """Loss factors of the springs of the released joints.
+
+    Parameters
+    ----------
+
+    Returns
+    -------
+    eta : array, shape (..., 6) [1]
+        Loss factor of each released coordinate, in order.
+
+    Notes
+    -----
+    Complex stiffness k (1 + i eta) of each.
+    0 operations; 0 with every named value expanded.
+    """
+    batch, dtype = _batch()
+    eta_out = np.zeros((*batch, 6), dtype)
+    return eta_out
 
 
 def extended_static_equilibrium(p, parameters, effects):

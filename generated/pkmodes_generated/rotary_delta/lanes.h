@@ -41,7 +41,7 @@
 #define LANES_DIRECTIONS 3
 #define LANES_BASE 6
 #define LANES_ALL 12
-#define LANES_GRADIENT 89
+#define LANES_GRADIENT 91
 #define LANES_MARGINS 13
 
 /* How many numbers each margin of a pose has, and how they must compare. */
@@ -626,10 +626,10 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     const double a_R_2 = effects[1];
     const double a_R_3 = effects[2];
     const double k_C = effects[3];
-    const double I_G = effects[4];
-    const double m_L = effects[5];
-    const double k_S = effects[6];
-    const double m_F = effects[9];
+    const double I_G = effects[5];
+    const double m_L = effects[6];
+    const double k_S = effects[8];
+    const double m_F = effects[11];
     const double y_1_x = a_1_y*z_1_z - a_1_z*z_1_y;
     const double y_1_y = -a_1_x*z_1_z + a_1_z*z_1_x;
     const double y_1_z = a_1_x*z_1_y - a_1_y*z_1_x;
@@ -1729,7 +1729,7 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         const lane adjoint_r_1_z = adjoint_A_1*z_1_z + adjoint_B_1*y_1_z + adjoint_s_1_z + r_1_z*t116;
         const lane adjoint_r_1_y = adjoint_A_1*z_1_y + adjoint_B_1*y_1_y + adjoint_s_1_y + r_1_y*t116;
         const lane adjoint_r_1_x = adjoint_A_1*z_1_x + adjoint_B_1*y_1_x + adjoint_s_1_x + r_1_x*t116;
-        lanes_clear(gradient, 89);
+        lanes_clear(gradient, 91);
         gradient[0] = LANES(adjoint_forward_t32 + adjoint_forward_t43);
         gradient[1] = LANES(adjoint_forward_t33*forward_t32 + d_1_x*t95 + d_2_x*t94 + d_3_x*t93);
         gradient[2] = LANES(adjoint_forward_t34*forward_t32 + d_1_y*t95 + d_2_y*t94 + d_3_y*t93);
@@ -1797,9 +1797,9 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         gradient[64] = LANES(2.0*I_m_1*adjoint_I_1*i_g_1);
         gradient[65] = LANES(2.0*I_m_2*adjoint_I_2*i_g_2);
         gradient[66] = LANES(2.0*I_m_3*adjoint_I_3*i_g_3);
-        gradient[86] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
-        gradient[87] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
-        gradient[88] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
+        gradient[88] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
+        gradient[89] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
+        gradient[90] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
     }
 }
 
@@ -1887,7 +1887,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
     const double a_R_2 = effects[1];
     const double a_R_3 = effects[2];
     const double k_C = effects[3];
-    const double m_L = effects[5];
+    const double m_L = effects[6];
     const double y_1_x = a_1_y*z_1_z - a_1_z*z_1_y;
     const double y_1_y = -a_1_x*z_1_z + a_1_z*z_1_x;
     const double y_1_z = a_1_x*z_1_y - a_1_y*z_1_x;
@@ -2829,7 +2829,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_r_1_z = adjoint_A_1*z_1_z + adjoint_B_1*y_1_z + adjoint_s_1_z + r_1_z*t261;
         const lane adjoint_r_1_y = adjoint_A_1*z_1_y + adjoint_B_1*y_1_y + adjoint_s_1_y + r_1_y*t261;
         const lane adjoint_r_1_x = adjoint_A_1*z_1_x + adjoint_B_1*y_1_x + adjoint_s_1_x + r_1_x*t261;
-        lanes_clear(gradient, 89);
+        lanes_clear(gradient, 91);
         gradient[0] = LANES(adjoint_forward_t38);
         gradient[1] = LANES(adjoint_forward_t40*forward_t39 + d_1_x*t240 + d_2_x*t239 + d_3_x*t238);
         gradient[2] = LANES(adjoint_forward_t41*forward_t39 + d_1_y*t240 + d_2_y*t239 + d_3_y*t238);
@@ -2922,13 +2922,13 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + t73*(D_delta_x_2*D_p_x_1 + D_delta_y_2*D_p_y_1 + D_delta_z_2*D_p_z_1)
             + t75*(D_delta_x_3*D_p_x_1 + D_delta_y_3*D_p_y_1 + D_delta_z_3*D_p_z_1) + t77*(D_p_x_1*D_p_x_3
             + D_p_y_1*D_p_y_3 + D_p_z_1*D_p_z_3) + t93 + t94 + t95);
-        gradient[80] = LANES(adjoint_I_1 + adjoint_I_2 + adjoint_I_3);
-        gradient[81] = LANES(adjoint_forward_t38);
-        gradient[82] = LANES(t185 + t186 + t187);
-        gradient[85] = LANES(adjoint_forward_t96);
-        gradient[86] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
-        gradient[87] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
-        gradient[88] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
+        gradient[81] = LANES(adjoint_I_1 + adjoint_I_2 + adjoint_I_3);
+        gradient[82] = LANES(adjoint_forward_t38);
+        gradient[84] = LANES(t185 + t186 + t187);
+        gradient[87] = LANES(adjoint_forward_t96);
+        gradient[88] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
+        gradient[89] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
+        gradient[90] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
     }
 }
 
@@ -3022,7 +3022,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
     const double a_R_2 = effects[1];
     const double a_R_3 = effects[2];
     const double k_C = effects[3];
-    const double m_L = effects[5];
+    const double m_L = effects[6];
     const double y_1_x = a_1_y*z_1_z - a_1_z*z_1_y;
     const double y_1_y = -a_1_x*z_1_z + a_1_z*z_1_x;
     const double y_1_z = a_1_x*z_1_y - a_1_y*z_1_x;
@@ -3418,22 +3418,22 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane along_78 = direction[77];
         const lane along_79 = direction[78];
         const lane along_80 = direction[79];
-        const lane along_81 = direction[80];
         const lane along_82 = direction[81];
         const lane along_83 = direction[82];
-        const lane along_86 = direction[85];
-        const lane along_87 = direction[86];
+        const lane along_85 = direction[84];
         const lane along_88 = direction[87];
         const lane along_89 = direction[88];
-        const lane tangent_r_1_x = along_32 - along_5 + along_87;
-        const lane tangent_r_1_y = along_33 - along_6 + along_88;
-        const lane tangent_r_1_z = along_34 - along_7 + along_89;
-        const lane tangent_r_2_x = along_35 - along_8 + along_87;
-        const lane tangent_r_2_y = along_36 + along_88 - along_9;
-        const lane tangent_r_2_z = -along_10 + along_37 + along_89;
-        const lane tangent_r_3_x = -along_11 + along_38 + along_87;
-        const lane tangent_r_3_y = -along_12 + along_39 + along_88;
-        const lane tangent_r_3_z = -along_13 + along_40 + along_89;
+        const lane along_90 = direction[89];
+        const lane along_91 = direction[90];
+        const lane tangent_r_1_x = along_32 - along_5 + along_89;
+        const lane tangent_r_1_y = along_33 - along_6 + along_90;
+        const lane tangent_r_1_z = along_34 - along_7 + along_91;
+        const lane tangent_r_2_x = along_35 - along_8 + along_89;
+        const lane tangent_r_2_y = along_36 - along_9 + along_90;
+        const lane tangent_r_2_z = -along_10 + along_37 + along_91;
+        const lane tangent_r_3_x = -along_11 + along_38 + along_89;
+        const lane tangent_r_3_y = -along_12 + along_39 + along_90;
+        const lane tangent_r_3_z = -along_13 + along_40 + along_91;
         const lane tangent_A_1 = tangent_r_1_x*z_1_x + tangent_r_1_y*z_1_y + tangent_r_1_z*z_1_z;
         const lane tangent_B_1 = tangent_r_1_x*y_1_x + tangent_r_1_y*y_1_y + tangent_r_1_z*y_1_z;
         const lane tangent_rho2_1 = 2.0*A_1*tangent_A_1 + 2.0*B_1*tangent_B_1;
@@ -3605,16 +3605,16 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_U_3_x_3 = tangent_D_p_x_3 - tangent_forward_t22;
         const lane tangent_U_3_y_3 = tangent_D_p_y_3 - tangent_forward_t23;
         const lane tangent_U_3_z_3 = tangent_D_p_z_3 - tangent_forward_t24;
-        const lane tangent_I_1 = 2.0*I_m_1*along_65*i_g_1 + along_62*(i_g_1*i_g_1) + along_81;
-        const lane tangent_I_2 = 2.0*I_m_2*along_66*i_g_2 + along_63*(i_g_2*i_g_2) + along_81;
-        const lane tangent_I_3 = 2.0*I_m_3*along_67*i_g_3 + along_64*(i_g_3*i_g_3) + along_81;
+        const lane tangent_I_1 = 2.0*I_m_1*along_65*i_g_1 + along_62*(i_g_1*i_g_1) + along_82;
+        const lane tangent_I_2 = 2.0*I_m_2*along_66*i_g_2 + along_63*(i_g_2*i_g_2) + along_82;
+        const lane tangent_I_3 = 2.0*I_m_3*along_67*i_g_3 + along_64*(i_g_3*i_g_3) + along_82;
         const lane tangent_k_1 = along_59*(a_R_1 + 1.0) + along_77*k_r_1;
         const lane tangent_k_2 = along_60*(a_R_2 + 1.0) + along_78*k_r_2;
         const lane tangent_k_3 = along_61*(a_R_3 + 1.0) + along_79*k_r_3;
         const lane tangent_forward_t35 = (1.0/2.0)*along_56;
         const lane tangent_forward_t36 = (1.0/2.0)*along_57;
         const lane tangent_forward_t37 = (1.0/2.0)*along_58;
-        const lane tangent_forward_t38 = along_1 + along_82;
+        const lane tangent_forward_t38 = along_1 + along_83;
         const lane tangent_forward_t39 =
             tangent_forward_t35 + tangent_forward_t36 + tangent_forward_t37 + tangent_forward_t38;
         const lane tangent_forward_t40 = along_2*forward_t39 + g_x*tangent_forward_t39;
@@ -3687,7 +3687,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_forward_t94 = 2.0*D_delta_y_3*tangent_D_delta_y_3;
         const lane tangent_forward_t95 = 2.0*D_delta_z_3*tangent_D_delta_z_3;
         const lane tangent_forward_t96 =
-            along_44 + along_45 + along_46 + along_56 + along_57 + along_58 + along_86 + tangent_forward_t38;
+            along_44 + along_45 + along_46 + along_56 + along_57 + along_58 + along_88 + tangent_forward_t38;
         const lane tangent_forward_t97 =
             L_a_1*tangent_forward_t35 + along_41*forward_t35 + tangent_forward_t65;
         const lane tangent_forward_t98 = 2.0*D_p_x_1*tangent_D_p_x_1;
@@ -4067,9 +4067,9 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         stiffness_rate[33] = stiffness_rate[110] = LANES(D_p_x_3*along_80 + k_C*tangent_D_p_x_3);
         stiffness_rate[34] = stiffness_rate[122] = LANES(D_p_y_3*along_80 + k_C*tangent_D_p_y_3);
         stiffness_rate[35] = stiffness_rate[134] = LANES(D_p_z_3*along_80 + k_C*tangent_D_p_z_3);
-        stiffness_rate[39] = LANES(along_83 + tangent_k_1);
-        stiffness_rate[52] = LANES(along_83 + tangent_k_2);
-        stiffness_rate[65] = LANES(along_83 + tangent_k_3);
+        stiffness_rate[39] = LANES(along_85 + tangent_k_1);
+        stiffness_rate[52] = LANES(along_85 + tangent_k_2);
+        stiffness_rate[65] = LANES(along_85 + tangent_k_3);
         stiffness_rate[78] =
             LANES(along_80*t76 + t109*tangent_forward_t81 + t109*tangent_forward_t82
             + t109*tangent_forward_t83 - t76*tangent_mu_2 - t76*tangent_mu_3 + tangent_mu_1*(1.0 - t76));

@@ -58,10 +58,14 @@ typedef struct {
     pkmodes_real axis_reducer_stiffness_factor_3;
     /* [N/m] isotropic stiffness from the platform centre to ground */
     pkmodes_real cable_stiffness_stiffness;
+    /* [N m s/rad] viscous friction of every motor, seen at the driven rotor */
+    pkmodes_real drive_friction_viscous;
     /* [kg m^2] extra inertia on every driven pulley */
     pkmodes_real gearbox_inertia_inertia;
     /* [kg] point mass at the platform centre */
     pkmodes_real payload_mass;
+    /* [1] loss factor of every reducer, or gearbox that winds up */
+    pkmodes_real reducer_loss_loss_factor;
     /* [N m/rad] torsional stiffness to ground at every motor, seen at the driven rotor */
     pkmodes_real servo_stiffness_stiffness;
     /* [m/N] axial compliance of every linkage */

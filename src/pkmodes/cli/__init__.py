@@ -27,6 +27,7 @@ from pkmodes.cli.generate import generate
 from pkmodes.cli.map import map_
 from pkmodes.cli.modes import modes
 from pkmodes.cli.printing import echo
+from pkmodes.cli.response import response
 from pkmodes.cli.sensitivities import sensitivities
 from pkmodes.cli.show import show
 
@@ -43,7 +44,7 @@ def cli() -> None:
     """Vibration modes of parallel robots with compliant transmissions."""
 
 
-for command in (generate, check, modes, map_, figures, show, sensitivities, compare, diagnose):
+for command in (generate, check, modes, map_, figures, show, sensitivities, response, compare, diagnose):
     cli.add_command(command)
 
 

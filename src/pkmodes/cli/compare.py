@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from pkmodes.diagnosis.compare import ComparedRow
     from pkmodes.robot.robot import Robot
 
+DAMPING = ("damping [%]", "sigma", "model")
+
 
 class RowDocument(Document, omit_defaults=True):
     """A measured mode and its partner in the model."""
@@ -61,6 +63,12 @@ class RowDocument(Document, omit_defaults=True):
         Size | None, Meta(description="Modal assurance criterion; null where no shape was measured.")
     ]
     load: Settings = field(name="set", default_factory=dict)
+    damping: Annotated[
+        float | None,
+        Meta(description="Measured damping ratio; present only where it was measured, like the next two."),
+    ] = None
+    sigma_damping: Annotated[float | None, Meta(description="Its standard deviation.")] = None
+    predicted_damping: Annotated[float | None, Meta(description="Damping ratio of the paired mode.")] = None
 
 
 class CompareDocument(Document):
@@ -145,14 +153,22 @@ def _print(robot: Robot, modes: Path, result: Comparison) -> None:
     titles = ["pose", *(["motors"] if mixed else []), "line", *(["own"] if numbered else [])]
     titles += ["mode", "measured", "sigma", "predicted"]
     loads = any(row.load for row in result.rows)
-    titles += ["diff [%]", "sigmas", *(["MAC"] if shapes else []), *(["set"] if loads else [])]
+    damped = any(row.damping is not None for row in result.rows)
+    titles += [
+        "diff [%]",
+        "sigmas",
+        *(DAMPING if damped else []),
+        *(["MAC"] if shapes else []),
+        *(["set"] if loads else []),
+    ]
     poses = {pose: i for i, pose in enumerate(dict.fromkeys(row.pose for row in result.rows))}
     rows, previous = [], None
     for row in sorted(result.rows, key=lambda row: (poses[row.pose], row.measured)):
         new = row.pose != previous
         cells = [row.pose if new else "", *([row.drives or "" if new else ""] if mixed else [])]
         cells += [str(row.line), *([row.mode] if numbered else [])]
-        cells += [*_numbers(row, result.rigid), *([_or_blank(row.mac, ".3f")] if shapes else [])]
+        cells += [*_numbers(row, result.rigid), *(_damping(row) if damped else [])]
+        cells += [*([_or_blank(row.mac, ".3f")] if shapes else [])]
         cells += [setting(robot.mechanism, row.load) if new else ""] if loads else []
         rows.append(cells)
         previous = row.pose
@@ -186,6 +202,14 @@ def _numbers(row: ComparedRow, rigid: int) -> list[str]:
         "" if row.predicted is None else _hertz(row.predicted),
         _or_blank(None if row.residual is None else 100.0 * row.residual, "+.2f"),
         _or_blank(row.sigmas, "+.1f"),
+    ]
+
+
+def _damping(row: ComparedRow) -> list[str]:
+    """Return the ratios in per cent, under the headings `DAMPING`."""
+    return [
+        "" if ratio is None else f"{100.0 * ratio:.3g}"
+        for ratio in (row.damping, row.sigma_damping, row.predicted_damping)
     ]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal, cast
 
@@ -11,7 +12,7 @@ import numpy as np
 from msgspec import UNSET, Meta, UnsetType
 
 from pkmodes.base.documents import Count, Document
-from pkmodes.base.drives import DRIVES
+from pkmodes.base.drives import DRIVES, HELD
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import drives_option, json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
@@ -20,6 +21,7 @@ from pkmodes.dataset.fields import FIELDS, INDEPENDENT, Field, of_modes
 from pkmodes.mechanism.poses import placed
 from pkmodes.model.loading import load
 from pkmodes.model.model import Model
+from pkmodes.response.poles import notes_on_damping
 from pkmodes.solve.backends import SOLVERS
 from pkmodes.solve.results import Modes, Statics
 
@@ -47,9 +49,16 @@ _AFTER: tuple[tuple[str, Any, str], ...] = (
         list[float],
         "Torque of each drive that holds the pose against gravity, positive with its coordinate [N m].",
     ),
+    (
+        "poles",
+        list[tuple[float, float]],
+        "Real and imaginary part of every pole [1/s], by ascending magnitude; of a pair, the one with positive "
+        "imaginary part first.",
+    ),
     ("rigid_modes", Count, "Number of modes that strain no elastic element; they come first."),
     ("drives", _literal[DRIVES], "What the motors do: turn freely, or are held."),
     ("backend", _literal[tuple(SOLVERS)], "What evaluated the modes."),
+    ("notes", list[str], "What to know of these numbers."),
 )
 
 
@@ -73,10 +82,10 @@ def _type_of(field: Field) -> Any:
     """Return the type of a field in JSON: by name along the independent coordinates, lists along other axes."""
     if field.dims == (INDEPENDENT,):
         return dict[str, float]
-    kind: Any = float
+    kind: Any = float | None if field.nullable else float
     for _ in field.dims:
         kind = list[kind]
-    return kind
+    return kind | None if field.only == HELD else kind
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245")
@@ -96,11 +105,12 @@ def modes(robot: Path, pose: str, drives: str, json_file: str | None) -> None:
     point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
     result, statics = model.modes(point, drives=drives), model.statics(point)
-    document = modes_document()(**as_json(model, result, statics))
-    deliver(json_file, document.as_json(), lambda: _print(model, result, statics))
+    notes = notes_on_damping(model.dynamics, result.poses, result.damping_ratios, drives)
+    document = modes_document()(**as_json(model, result, statics, notes))
+    deliver(json_file, document.as_json(), lambda: _print(model, result, statics, notes))
 
 
-def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
+def as_json(model: Model, result: Modes, statics: Statics, notes: Sequence[str] = ()) -> dict[str, Any]:
     """Return the result of one pose with the documented JSON keys."""
     fields = [FIELDS[name] for name in Modes.fields_of(model.mechanism) if FIELDS[name].key]
     values = {field.key: _in_json(field, result, model) for field in fields}
@@ -110,22 +120,26 @@ def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
         "coordinates": list(result.coordinates),
         **{field.key: values[field.key] for field in fields if not field.same_as},
         "static_torques": statics.torques.tolist(),
+        "poles": [(s.real, s.imag) for s in model.poles(result.poses, drives=result.drives).tolist()],
         "rigid_modes": result.rigid_modes,
         "drives": result.drives,
         "backend": result.backend,
+        "notes": list(notes),
         **{field.key: values[field.key] for field in fields if field.same_as},
     }
 
 
 def _in_json(field: Field, result: Modes, model: Model) -> Any:
     """Return the value of a field: by name along the independent coordinates, except under another name of these."""
+    if field.only == HELD and result.drives != HELD:
+        return None
     value = getattr(result, field.name).tolist()
     if field.dims == (INDEPENDENT,) and not field.same_as:
         return dict(zip(model.mechanism.independent, value, strict=True))
     return value
 
 
-def _print(model: Model, result: Modes, statics: Statics) -> None:
+def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) -> None:
     """Print one column per mode and one row per component, so that nine modes fit a terminal."""
     from rich.console import Console
     from rich.table import Table
@@ -140,6 +154,8 @@ def _print(model: Model, result: Modes, statics: Statics) -> None:
     for number in numbers:
         table.add_column(str(number) if number > 0 else "rigid", justify="right", no_wrap=True)
     table.add_row("f [Hz]", *map(_frequency, result.frequencies))
+    if model.robot.dissipates:
+        table.add_row("damping [%]", *map(_per_cent, result.damping_ratios))
     scaled, symbols = result.shapes.copy(), {}
     for scale in model.mechanism.scales:
         k = result.coordinates.index(scale.coordinate)
@@ -165,6 +181,12 @@ def _print(model: Model, result: Modes, statics: Statics) -> None:
         console.print(
             f"{label} [{unit}]: {', '.join(f'{round(v, 4) + 0.0:.4f}' for v in values)}", markup=False
         )
+    for note in notes:
+        console.print(note, markup=False)
+
+
+def _per_cent(ratio: float) -> str:
+    return "" if np.isnan(ratio) else f"{100.0 * ratio:.3g}"
 
 
 def _frequency(value: float) -> str:

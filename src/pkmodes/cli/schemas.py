@@ -14,6 +14,7 @@ from pkmodes.cli.figures import FiguresDocument
 from pkmodes.cli.generate import GenerateDocument
 from pkmodes.cli.map import MapDocument
 from pkmodes.cli.modes import modes_document
+from pkmodes.cli.response import ResponseDocument
 from pkmodes.cli.sensitivities import SensitivitiesDocument
 from pkmodes.cli.show import ShowDocument
 from pkmodes.diagnosis.verdict.document import DiagnoseDocument
@@ -27,6 +28,7 @@ DOCUMENTS: dict[str, type[Document]] = {
     "figures": FiguresDocument,
     "show": ShowDocument,
     "sensitivities": SensitivitiesDocument,
+    "response": ResponseDocument,
     "compare": CompareDocument,
     "diagnose": DiagnoseDocument,
 }

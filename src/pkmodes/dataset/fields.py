@@ -6,16 +6,20 @@ fields, or quantities of `pkmodes.solve.at_poses.RobotAtPoses`, such as ``eigenv
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
+from pkmodes.base.drives import HELD
 from pkmodes.dataset.motion import in_plane, out_of_plane
+from pkmodes.linalg.damping import damping_ratios
 from pkmodes.linalg.eigen import natural_frequencies
+from pkmodes.linalg.statics import amplitudes_of_steps, softest
 from pkmodes.mechanism.registry import Mechanism
+from pkmodes.robot.robot import Robot
 
 Array = NDArray[Any]
 #: Axes after those of the poses.  In maps, modes are those of vibration, and independent coordinates are entries of
@@ -23,6 +27,9 @@ Array = NDArray[Any]
 MODE, DIRECTION, COORDINATE, DRIVE, INDEPENDENT = "mode", "direction", "coordinate", "drive", "independent"
 NORMALISED = "mass-normalised, phi^T M phi = 1: displacements in 1/sqrt(kg), rotations in 1/(sqrt(kg) m)"
 PER_MODE = "of the platform in each vibration mode"
+#: Conditions under which maps have a field: mode shapes are kept, a robot dissipates, the motors are held.
+SHAPES, DISSIPATION = "shapes", "dissipation"
+EVERY = frozenset({SHAPES, DISSIPATION, HELD})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,8 +60,13 @@ class Field:
         What it is, for maps; {plane}, {normal} and {independent} are replaced.
     symbol : str
         Heading in the table of a notebook, followed by the number of the mode; empty if it has no columns there.
-    with_shapes : bool
-        Whether maps keep it only on request, with the mode shapes.
+    only : {"", "shapes", "dissipation", "held"}
+        Under which condition maps have it (`conditions`), if not always.  With ``"held"`` it is null in JSON where
+        motors are free.
+    signed : bool
+        Whether it changes its sign with the sign of the mode shape.
+    nullable : bool
+        Whether its numbers may be null in JSON.
     same_as : str
         Another field whose values it has, for mechanisms whose independent coordinates have its name.
     """
@@ -72,8 +84,10 @@ class Field:
     comment: str = ""
     symbol: str = ""
     dtype: str = "f8"
-    with_shapes: bool = False
+    only: str = ""
+    signed: bool = False
     same_as: str = ""
+    nullable: bool = False
 
     def is_of(self, mechanism: Mechanism) -> bool:
         """Return whether results of a mechanism have it."""
@@ -91,6 +105,40 @@ class Field:
 
 def _itself(values: Array) -> Array:
     return values
+
+
+def _damping_ratios(
+    eigenvalues: Array, shapes: Array, dissipation: Any, points: Array, rigid_modes: int
+) -> Array:
+    if not dissipation:
+        ratios = np.zeros(eigenvalues.shape)
+        ratios[:, :rigid_modes] = np.nan
+        return ratios
+    viscous, loss = dissipation.matrices(points)
+    return damping_ratios(eigenvalues, shapes, viscous, loss, dissipation.ratio, rigid_modes)
+
+
+def _vibration_amplitudes(
+    eigenvalues: Array,
+    shapes: Array,
+    platform_shapes: Array,
+    mass_matrix: Array,
+    points: Array,
+    rigid_modes: int,
+    strain_free_motions: Callable[[Array], Array] | None,
+) -> Array:
+    if strain_free_motions is None:
+        return np.full(platform_shapes.shape, np.nan)
+    momenta = mass_matrix @ strain_free_motions(points)
+    amplitudes = amplitudes_of_steps(eigenvalues, shapes, platform_shapes, momenta)
+    amplitudes[:, :rigid_modes] = np.nan
+    return amplitudes
+
+
+def _softest_stiffness(stiffness_matrix: Array, platform_motion: Array, kept: Array | None) -> Array:
+    if kept is None:
+        return np.full(len(stiffness_matrix), np.nan)
+    return softest(kept.T @ stiffness_matrix @ kept, platform_motion @ kept)
 
 
 def _platform_shapes(shapes: Array, platform_motion: Array) -> Array:
@@ -127,6 +175,19 @@ FIELDS: dict[str, Field] = {
             symbol="f",
         ),
         Field(
+            name="damping_ratios",
+            dims=(MODE,),
+            needs=("eigenvalues", "shapes", "dissipation", "points", "rigid_modes"),
+            of=_damping_ratios,
+            variable="damping_ratio",
+            key="damping_ratios",
+            key_text="Damping ratio of each mode, as for light damping; null for the rigid ones.",
+            nullable=True,
+            text="damping ratio",
+            comment="as for light damping",
+            only=DISSIPATION,
+        ),
+        Field(
             name="shapes",
             dims=(MODE, COORDINATE),
             needs=("shapes",),
@@ -136,7 +197,8 @@ FIELDS: dict[str, Field] = {
             key_text="One list of n components for each mode, mass-normalised: phi^T M phi = 1 in SI units.",
             text="mode shape",
             comment=NORMALISED,
-            with_shapes=True,
+            only=SHAPES,
+            signed=True,
         ),
         Field(
             name="platform_shapes",
@@ -149,6 +211,31 @@ FIELDS: dict[str, Field] = {
             "pose, with the scale of the shape.",
             text=f"motion {PER_MODE}",
             comment=NORMALISED,
+            signed=True,
+        ),
+        Field(
+            name="vibration_amplitudes",
+            dims=(MODE, DIRECTION),
+            needs=(
+                "eigenvalues",
+                "shapes",
+                "platform_shapes",
+                "mass_matrix",
+                "points",
+                "rigid_modes",
+                "strain_free_motions",
+            ),
+            of=_vibration_amplitudes,
+            variable="vibration_amplitude",
+            key="vibration_amplitudes",
+            key_text="With held motors: for each mode the amplitude with which the platform rings after a step of "
+            "its acceleration along each linear component of the pose, per acceleration [s^2].",
+            nullable=True,
+            units="s^2",
+            text="vibration of the platform in each mode after a step of its acceleration, per acceleration",
+            comment="norm over all directions, for a step along each; where frequencies are equal, it depends on the "
+            "shapes chosen for them",
+            only=HELD,
         ),
         Field(
             name="in_plane",
@@ -225,6 +312,18 @@ FIELDS: dict[str, Field] = {
             variable="condition",
             text="condition number of the platform Jacobian D_p",
         ),
+        Field(
+            name="softest_stiffness",
+            dims=(),
+            needs=("stiffness_matrix", "platform_motion", "kept"),
+            of=_softest_stiffness,
+            in_modes=False,
+            variable="softest_stiffness",
+            units="N/m",
+            text="stiffness of the platform in the direction in which it is softest",
+            comment="smallest eigenvalue of the inverse of the compliance, with held motors",
+            only=HELD,
+        ),
     )
 }
 
@@ -238,13 +337,28 @@ def of_modes(mechanism: Mechanism | None = None) -> tuple[str, ...]:
     )
 
 
-def of_maps(shapes: bool) -> tuple[Field, ...]:
-    """Return the fields of maps, with or without those that are kept with the mode shapes, which come last."""
-    listed = [field for field in FIELDS.values() if field.variable]
-    return (
-        *(field for field in listed if not field.with_shapes),
-        *(field for field in listed if field.with_shapes and shapes),
-    )
+def conditions(robots: Iterable[Robot], shapes: bool, drives: str) -> frozenset[str]:
+    """Return which of the conditions hold under which maps have a field.
+
+    Parameters
+    ----------
+    robots : iterable of Robot
+        All of a map: a field of damping is there if any of them dissipates.
+    shapes : bool
+        Whether mode shapes are kept.
+    drives : {"free", "held"}
+        What the motors do.
+    """
+    holds = {SHAPES: shapes, DISSIPATION: any(one.dissipates for one in robots), HELD: drives == HELD}
+    return frozenset(name for name, held in holds.items() if held)
+
+
+def of_maps(holding: frozenset[str]) -> tuple[Field, ...]:
+    """Return the fields of maps where some conditions hold; those that are kept with the mode shapes come last."""
+    there = [
+        field for field in FIELDS.values() if field.variable and (not field.only or field.only in holding)
+    ]
+    return tuple(sorted(there, key=lambda field: field.only == SHAPES))
 
 
 def missing(dtype: DTypeLike) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pkmodes.dataset.fields import MODE, of_maps
+from pkmodes.dataset.fields import EVERY, MODE, of_maps
 from pkmodes.dataset.variables import LIST, OF_POSES, OF_TRACKING, dims_of
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ ORDER = ((True, False), (False, False), (True, True), (False, True))
 
 def _dims() -> dict[str, tuple[str, ...]]:
     """Return the axes of each variable after those of the poses."""
-    of_fields = {field.variable: dims_of(field) for field in of_maps(shapes=True)}
+    of_fields = {field.variable: dims_of(field) for field in of_maps(EVERY)}
     return of_fields | {variable.name: variable.dims for variable in (*OF_TRACKING, *OF_POSES)}
 
 

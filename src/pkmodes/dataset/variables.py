@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from pkmodes.dataset.fields import COORDINATE, INDEPENDENT, MODE, Field, of_maps
+from pkmodes.dataset.fields import COORDINATE, INDEPENDENT, MODE, SHAPES, Field, of_maps
 from pkmodes.mechanism.registry import Mechanism
 
 #: The axis of poses that are not on a grid.
@@ -50,21 +50,26 @@ OF_TRACKING = (
 )
 
 
-def variables(mechanism: Mechanism, normal: str | None, shapes: bool, tracked: bool) -> tuple[Variable, ...]:
+def variables(
+    mechanism: Mechanism, normal: str | None, holding: frozenset[str], tracked: bool
+) -> tuple[Variable, ...]:
     """Return the variables of a map.
 
     Parameters
     ----------
     normal : str or None
         Direction perpendicular to the plane of the grid.
-    shapes, tracked : bool
-        Whether shapes are kept, and modes tracked.
+    holding : frozenset of str
+        From `pkmodes.dataset.fields.conditions`.
+    tracked : bool
+        Whether modes are tracked.
     """
-    of_fields = [(field, _variable(field, mechanism, normal, shapes)) for field in of_maps(shapes)]
+    shapes = SHAPES in holding
+    of_fields = [(field, _variable(field, mechanism, normal, shapes)) for field in of_maps(holding)]
     return (
-        *(variable for field, variable in of_fields if not field.with_shapes),
+        *(variable for field, variable in of_fields if field.only != SHAPES),
         *OF_POSES,
-        *(variable for field, variable in of_fields if field.with_shapes),
+        *(variable for field, variable in of_fields if field.only == SHAPES),
         *(OF_TRACKING if tracked else ()),
     )
 

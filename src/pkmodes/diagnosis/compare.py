@@ -36,6 +36,10 @@ class ComparedRow(MeasuredMode):
         Modal assurance criterion, if a shape was measured.
     load : mapping of str to float
         Values set at its pose, by name.
+    damping, sigma_damping : float or None
+        Measured damping ratio and its standard deviation, where known.
+    predicted_damping : float or None
+        Damping ratio of its partner, beside a measured one, for structures that know it.
     """
 
     predicted: float | None
@@ -44,6 +48,9 @@ class ComparedRow(MeasuredMode):
     sigmas: float | None
     mac: float | None
     load: Mapping[str, float] = field(default_factory=dict)
+    damping: float | None = None
+    sigma_damping: float | None = None
+    predicted_damping: float | None = None
 
 
 @dataclass(frozen=True)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.dataset.fields import MODE, of_maps
+from pkmodes.dataset.fields import EVERY, MODE, of_maps
 from pkmodes.maps.storage import Stored
 from pkmodes.maps.tracking import Tracked
 
@@ -83,15 +84,14 @@ def _tracked(fields: Mapping[str, Any], tracked: Tracked, shape: tuple[int, ...]
     if not isinstance(valid, np.ndarray):
         order, signs, events = (_lazy(values, shape) for values in (order, signs, events))
     reordered = {}
-    for field in of_maps(shapes=True):
+    for field in of_maps(EVERY):
         values = fields.get(field.variable)
         if values is None or field.dims[:1] != (MODE,):
             continue
-        if field.dims == (MODE,):
-            reordered[field.variable] = _each(_reordered, values.dtype, values, order)
-        else:
-            places, factors = order[..., None], signs[..., None]
-            reordered[field.variable] = _each(_reordered, values.dtype, values, places, factors)
+        further = (..., *[None] * (len(field.dims) - 1))
+        factors = (signs[further],) if field.signed else ()
+        along = partial(_reordered, axis=-len(field.dims))
+        reordered[field.variable] = _each(along, values.dtype, values, order[further], *factors)
     reordered["rank"] = _each(
         lambda places, good: np.where(good, places + 1, 0).astype(np.int8), np.dtype(np.int8), order, valid
     )
@@ -99,8 +99,15 @@ def _tracked(fields: Mapping[str, Any], tracked: Tracked, shape: tuple[int, ...]
     return reordered
 
 
-def _reordered(values: Array, places: Array, factors: Array | None = None) -> Array:
-    """Return values of modes in another order; those along a further axis are multiplied by factors."""
-    if factors is None:
-        return np.take_along_axis(values, places, axis=-1)
-    return np.take_along_axis(values, places, axis=-2) * factors
+def _reordered(values: Array, places: Array, factors: Array | None = None, *, axis: int) -> Array:
+    """Return values of modes in another order, multiplied by factors if there are any.
+
+    Parameters
+    ----------
+    places, factors : ndarray
+        Of length 1 along axes after that of the modes.
+    axis : int
+        That of the modes.
+    """
+    ordered = np.take_along_axis(values, places, axis=axis)
+    return ordered if factors is None else ordered * factors

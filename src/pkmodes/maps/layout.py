@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from pkmodes.dataset.fields import of_maps, sizes_of, tail
+from pkmodes.dataset.fields import SHAPES, conditions, of_maps, sizes_of, tail
 from pkmodes.robot.robot import Robot
 from pkmodes.system.evaluation import evaluation, number_of_modes
 from pkmodes.system.motors import solved_system
@@ -21,17 +21,26 @@ class Layout:
         Largest number of vibration modes of any robot.
     coordinates : tuple of str
         All coordinates of any robot.
-    shapes : bool
-        Whether mode shapes are kept.
+    holding : frozenset of str
+        Conditions under which fields are there, from `pkmodes.dataset.fields.conditions`.
     backend, drives : str
         As for `pkmodes.Model.modes`.
     """
 
     modes: int
     coordinates: tuple[str, ...]
-    shapes: bool
+    holding: frozenset[str]
     backend: str
     drives: str
+
+    @property
+    def shapes(self) -> bool:
+        """Whether mode shapes are kept."""
+        return SHAPES in self.holding
+
+    def without_shapes(self) -> Layout:
+        """Return the layout of a map that does not keep mode shapes."""
+        return replace(self, holding=self.holding - {SHAPES})
 
 
 def tails(robot: Robot, layout: Layout) -> dict[str, tuple[tuple[int, ...], str]]:
@@ -39,7 +48,7 @@ def tails(robot: Robot, layout: Layout) -> dict[str, tuple[tuple[int, ...], str]
     coordinates = len(layout.coordinates)
     independent = coordinates if layout.shapes else None
     sizes = sizes_of(robot.mechanism, layout.modes, coordinates, independent)
-    fields = {field.variable: (tail(field, sizes), field.dtype) for field in of_maps(layout.shapes)}
+    fields = {field.variable: (tail(field, sizes), field.dtype) for field in of_maps(layout.holding)}
     return {**fields, "code": ((), "i1")}
 
 
@@ -53,4 +62,5 @@ def layout_of(robots: Sequence[Robot], shapes: bool, backend: str, drives: str) 
         order.update(dict.fromkeys(system.coordinates))
     released = [q.name for effect in robots[0].mechanism.effects.values() for q in effect.coordinates]
     every = [q.name for q in robots[0].mechanism.coordinates] + released
-    return Layout(modes, tuple(sorted(order, key=every.index)), shapes, backend, drives)
+    coordinates = tuple(sorted(order, key=every.index))
+    return Layout(modes, coordinates, conditions(robots, shapes, drives), backend, drives)

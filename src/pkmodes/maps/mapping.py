@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from hashlib import sha256
 from math import prod
 from os import PathLike
@@ -142,7 +142,7 @@ def map_of(
             store.remove()
             _refuse_outside(plan)
         tracked_modes = track_plan(plan, store.arrays) if tracked else None
-        wanted = replace(layout, shapes=shapes)
+        wanted = layout if shapes else layout.without_shapes()
         return dataset_of(model.robot, places, variants, wanted, store.arrays, tracked_modes)
 
     if file is None:

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 
 from pkmodes.base.errors import OutputError
 from pkmodes.base.writing import refusal
-from pkmodes.dataset.fields import of_maps
+from pkmodes.dataset.fields import EVERY, of_maps
 
 Array = NDArray[Any]
 #: Shape at one pose, and type, of each field.
@@ -172,7 +172,7 @@ class OnDisk:
     def remove(self) -> None:
         """Remove the files of the map, which is complete, or has nothing to continue; and the folder, once empty."""
         self.close()
-        fields = {field.variable for field in of_maps(shapes=True)} | {"code", DONE, CHECKS}
+        fields = {field.variable for field in of_maps(EVERY)} | {"code", DONE, CHECKS}
         for name in [PLAN, f"{PLAN}.new", *(f"{field}.npy" for field in fields)]:
             (self.folder / name).unlink(missing_ok=True)
 

@@ -12,7 +12,28 @@ from types import ModuleType
 
 import msgspec
 
-from pkmodes_description import FILE_NAME, Description, Effect, decode
+from pkmodes_description import FILE_NAME, Description, Effect, Key, Table, decode
+
+#: The table ``[damping]`` of every robot file: nothing is derived from it.
+DAMPING = Table(
+    "damping",
+    "what every vibration mode dissipates, in addition to the effects",
+    (
+        Key(
+            "ratio",
+            "quantity",
+            "",
+            "number",
+            "damping ratio of every vibration mode",
+            at_least=0.0,
+            below=1.0,
+            default=0.0,
+            suspected=False,
+        ),
+    ),
+)
+#: The path of its only key.
+DAMPING_RATIO = "damping.ratio"
 
 
 class Mechanism(Description, frozen=True, eq=False, dict=True, kw_only=True):
@@ -61,4 +82,6 @@ def described(package: str) -> Mechanism:
         If the description is invalid.
     """
     description = decode((files(package) / FILE_NAME).read_bytes())
-    return Mechanism(package=package, **msgspec.structs.asdict(description))
+    content = msgspec.structs.asdict(description)
+    content["tables"] = (*description.tables, DAMPING)
+    return Mechanism(package=package, **content)

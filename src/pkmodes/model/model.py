@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from pkmodes.base.drives import FREE, checked_drives
 from pkmodes.mechanism.poses import MAX_CONDITION, OnError
+from pkmodes.model.responses import Responses
 from pkmodes.robot.robot import Robot
 from pkmodes.solve.backends import AUTO, checked_threads
 from pkmodes.solve.dynamics import Dynamics
@@ -47,7 +48,7 @@ def _of_dynamics(method: Callable[Concatenate[Dynamics, P], R]) -> Callable[Conc
     return of_model
 
 
-class Model:
+class Model(Responses):
     """Evaluator of one robot.
 
     Every method takes one pose of shape (d,) or an array of shape (..., d), in SI units and with the mechanism's

@@ -42,6 +42,10 @@ def mode_table(result: Diagnosis | Comparison, evidence: Evidence, setting: Sett
     for stage in evidence.stages:
         columns += [Column(FREQUENCY.value.heading), Column("diff. [%]"), Column("diff. [\u03c3]")]
         groups.append((f"model {stage.title}", 3))
+    damped = any(isinstance(row, ComparedRow) and row.damping is not None for row in rows)
+    if damped:
+        columns += [Column("measured [%]"), Column("\u03c3 [%]"), Column("model [%]")]
+        groups.append(("damping ratio", 3))
     columns += [Column("MAC")] if shapes else []
     columns += [Column("remark", numbers=False)] if any(remarks) else []
     columns += [Column("set", numbers=False)] if loads else []
@@ -54,6 +58,7 @@ def mode_table(result: Diagnosis | Comparison, evidence: Evidence, setting: Sett
         cells += [Cell(str(row.line), row.line, pointer("rows", i, "line"))]
         cells += [Cell(clean(row.mode))] if own else []
         cells += _numbers(result, evidence, i)
+        cells += _damping(row, i) if damped and isinstance(row, ComparedRow) else []
         cells += [number(row.mac, ".3f", pointer("rows", i, "mac"))] if shapes else []
         cells += [Cell(remarks[i])] if any(remarks) else []
         cells += [Cell(setting.load(row.load))] if loads else []
@@ -88,6 +93,11 @@ def _numbers(result: Diagnosis | Comparison, evidence: Evidence, i: int) -> list
             else number(sigmas, "+.1f"),
         ]
     return cells
+
+
+def _damping(row: ComparedRow, i: int) -> list[Cell]:
+    keys = ("damping", "sigma_damping", "predicted_damping")
+    return [number(getattr(row, key), ".3g", pointer("rows", i, key), scale=100.0) for key in keys]
 
 
 def _remark(row: Row | ComparedRow, evidence: Evidence, i: int) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pkmodes.mechanism import registry
-from pkmodes.mechanism.described import Mechanism
+from pkmodes.mechanism.described import DAMPING_RATIO, Mechanism
 from pkmodes.robot.layout import OF_QUANTITIES, Item, items
 from pkmodes.robot.units import Quantity
 from pkmodes.robot.usable import Limits
@@ -89,6 +89,25 @@ class Declaration:
     def mechanism(self) -> Mechanism:
         """The mechanism: description and generated functions."""
         return registry.mechanism(self.mechanism_name)
+
+    @property
+    def damping_ratio(self) -> float:
+        """Damping ratio of every vibration mode, in addition to what effects dissipate."""
+        given = self.quantities.get(DAMPING_RATIO)
+        return 0.0 if given is None else given.value
+
+    @property
+    def effects_dissipate(self) -> bool:
+        """Whether any effect dissipates."""
+        catalogue = self.mechanism.effects
+        return any(
+            value and catalogue[path.partition(".")[0]].dissipates for path, value in self.effects.items()
+        )
+
+    @property
+    def dissipates(self) -> bool:
+        """Whether anything does: an effect, or the damping ratio of every vibration mode."""
+        return self.effects_dissipate or self.damping_ratio > 0.0
 
     @property
     def declared(self) -> dict[str, object]:

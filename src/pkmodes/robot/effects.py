@@ -92,7 +92,7 @@ def _read_effect(
 
 
 def _value(parameter: EffectParameter, raw: Any) -> Quantity:
-    """Read a parameter; zero is the null value and always allowed, otherwise the physical bound applies."""
+    """Read a parameter; zero is the null value and always allowed, otherwise the physical bounds apply."""
     dimension = _dimension(parameter.unit)
     quantity = schema.quantity(raw, dimension)
     least = parameter.greater_than
@@ -102,6 +102,10 @@ def _value(parameter: EffectParameter, raw: Any) -> Quantity:
             f"expected {article(dimension)} greater than {bound}, or 0 for no effect, found {shown(raw)}",
             "check the sign and the number",
         )
+    if parameter.less_than is not None and quantity.value >= parameter.less_than:
+        bound = f"{parameter.less_than:g}" + ("" if parameter.unit == "1" else f" {parameter.unit}")
+        what = f"expected {article(dimension)} less than {bound}, found {shown(raw)}"
+        raise schema.RefusedError(what, "check the number and its unit")
     return quantity
 
 

@@ -43,7 +43,8 @@ class Number:
     unit : str
         SI unit.
     slot : Slot or None
-        None for a value that the entries of a repeated table share: it is stored in the slots of the entries.
+        None for a value that the entries of a repeated table share: it is stored in the slots of the entries; and for
+        a value that changes neither M nor K, such as a damping ratio.
     place : tuple of str and int
         Its keys in the parsed file.
     """
@@ -94,7 +95,7 @@ class Item:
 
     def _slot(self, element: tuple[int, ...]) -> Slot | None:
         if not self.key.field:
-            return (self.key.effect, ())
+            return (self.key.effect, ()) if self.key.effect else None
         return None if self.index is None else (self.key.field, (*self.index, *element))
 
 

@@ -59,7 +59,7 @@ def value_of(raw: Any, key: Key) -> Value:
         If the key does not accept the value.
     """
     if key.kind == "quantity":
-        return quantity(raw, key.dimension, key.at_least, key.above, key.at_most)
+        return quantity(raw, key.dimension, key.at_least, key.above, key.at_most, key.below)
     if key.kind == "direction":
         return _direction(raw, key.elements or XYZ)
     if key.kind == "signs":
@@ -81,6 +81,7 @@ def quantity(
     at_least: float | None = None,
     above: float | None = None,
     at_most: float | None = None,
+    below: float | None = None,
 ) -> Quantity:
     """Read a bare number, text with a unit, or a table with a standard deviation; bounds are in SI units."""
     sigma_raw = None
@@ -106,6 +107,8 @@ def quantity(
         bound = f"greater than {above:g}"
     elif at_most is not None and value > at_most:
         bound = f"of at most {at_most:g}"
+    elif below is not None and value >= below:
+        bound = f"less than {below:g}"
     if bound is not None:
         what = f"expected {article(dimension)} {bound}{_unit(dimension)}, found {shown(raw)}"
         raise RefusedError(what, "check the sign and the number")

@@ -43,6 +43,8 @@ EXAMPLES = {
     "angle": "30 deg",
     "force": "50 N",
     "reciprocal force": "1e-3 1/N",
+    "viscous friction": "20 N*s/m",
+    "torsional viscous friction": "1e-3 N*m*s/rad",
     "number": "10",
 }
 #: Dimensions by name, with the SI unit and an example.

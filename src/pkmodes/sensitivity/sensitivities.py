@@ -16,6 +16,7 @@ from pkmodes.compiled.lanes import Terms
 from pkmodes.linalg.eigen import has_stiff_joint, magnitude
 from pkmodes.measured.pose_table import poses_by_name
 from pkmodes.mechanism.poses import OnError, check_poses
+from pkmodes.robot.layout import EFFECTS
 from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
@@ -205,6 +206,12 @@ def _chosen(robot: Robot, parameters: Sequence[str] | None) -> list[ParameterPat
             whole.path
             for whole in robot.mechanism.parameter_groups
             if whole.kind == "radius" and not getattr(robot.parameters, whole.field).any(axis=1).all()
+        }
+        still |= {
+            f"{EFFECTS}.{effect.name}.{parameter.name}"
+            for effect in robot.mechanism.effects.values()
+            if effect.dissipates
+            for parameter in effect.parameters
         }
         return resolve_all(robot, [path for path in paths(robot) if path not in still])
     wanted = listed(parameters, "parameter paths", "parameters", '"platform.mass"')

@@ -22,6 +22,7 @@ from pkmodes.solve.kinematics import Kinematics
 from pkmodes.solve.mode_fields import ModeFields
 from pkmodes.solve.results import Modes, Statics
 from pkmodes.solve.solver import Solver
+from pkmodes.system.dissipation import Dissipation
 from pkmodes.system.evaluation import Evaluation, evaluation, matrices
 from pkmodes.system.motors import solved_system
 
@@ -41,6 +42,7 @@ class Dynamics:
     robot : Robot
     kinematics : Kinematics
     system : Evaluation
+    dissipation : Dissipation
     coordinates : tuple of str
         Names of the generalised coordinates (docs/model.md).
     """
@@ -48,6 +50,7 @@ class Dynamics:
     def __init__(self, kinematics: Kinematics) -> None:
         self.kinematics, self.robot = kinematics, kinematics.robot
         self.system = evaluation(self.robot)
+        self.dissipation = Dissipation(self.robot, self.system)
         self.coordinates = self.system.coordinates
         self._solvers: dict[tuple[str, str], Solver] = {}
         self._solved: dict[str, Evaluation] = {FREE: self.system}
@@ -214,9 +217,8 @@ class Dynamics:
         key = (solver, *names)
         fields = None if given else self._plans.get(key)
         if fields is None:
-            fields = ModeFields(
-                solver, self.system, self.solved(drives), self.robot.source, names, given or {}
-            )
+            known = {"dissipation": self.dissipation, **(given or {})}
+            fields = ModeFields(solver, self.system, self.solved(drives), self.robot.source, names, known)
             if not given:
                 self._plans[key] = fields
         return batch.run(fields.job(threads), self.robot, self.kinematics.max_condition, poses, on_error, out)

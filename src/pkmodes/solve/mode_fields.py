@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.dataset.fields import FIELDS, missing, sizes_of, tail
+from pkmodes.linalg.statics import strain_free
+from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.poses import CHUNK
 from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.solve.backends import solver_of
@@ -16,6 +19,7 @@ from pkmodes.solve.batch import Job, Rows
 from pkmodes.solve.numpy_solver import NumpySolver
 from pkmodes.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
 from pkmodes.system.evaluation import Evaluation, may_be_refused, number_of_modes
+from pkmodes.system.motors import MotorsHeld
 
 Array = NDArray[np.float64]
 #: Poses for which quantities are kept that are not among the fields, for each thread.
@@ -47,7 +51,7 @@ class ModeFields:
         given: Mapping[str, Any],
     ) -> None:
         self._solver, self._system, self._solved = solver, system, solved
-        self._source, self._given = source, given
+        self._source, self._given = source, {**_given_by_motors(system, solved), **given}
         self._names = tuple(names)
         self._derived = [name for name in self._names if name not in solver.fields]
         self._needed = _needed(self._derived, solver.fields) - {*self._names}
@@ -121,6 +125,52 @@ class ModeFields:
             part = RobotAtPoses(self._system, at.points[some], self._source, known)
             for name in self._derived:
                 rows[name][some] = part[name]
+
+
+def _given_by_motors(system: Evaluation, solved: Evaluation) -> dict[str, Any]:
+    """Return what fields need to know of the motors.
+
+    Returns
+    -------
+    dict of str to object
+        ``rigid_modes``, the number of rigid modes; ``strain_free_motions``, from N poses the motions of all
+        coordinates, None with free motors; ``kept``, all coordinates per unit of those that remain with held motors,
+        (n, r), None with free motors or if a motion remains that nothing elastic resists.
+    """
+    given: dict[str, Any] = {"rigid_modes": solved.rigid_modes, "strain_free_motions": None, "kept": None}
+    if isinstance(solved, MotorsHeld):
+        given["strain_free_motions"] = partial(strain_free_motions, system)
+        given["kept"] = None if solved.rigid_modes else solved.motions()[0]
+    return given
+
+
+def strain_free_motions(system: Evaluation, points: Array) -> Array:
+    """Return the motions that move the platform by 1 along each linear component of the pose and strain nothing.
+
+    They are those of rigid links, belts, reducers and joints: released joints do not move, and springs to ground
+    count as no strain.  Other components of the pose, such as angles, do not change.
+
+    Parameters
+    ----------
+    system : Evaluation
+        With free motors.
+    points : ndarray, shape (N, d)
+
+    Returns
+    -------
+    ndarray, shape (N, n, directions)
+        In all n coordinates, motors included.
+    """
+    mechanism, extended = system.mechanism, system.mechanism.extended
+    names, pose = [q.name for q in mechanism.coordinates], [c.name for c in mechanism.pose]
+    _, elastic, _ = Generated(extended, system.parameters, extended.Effects()).extended_matrices(points)
+    jacobian = Generated(mechanism.model, system.parameters).platform_jacobian(points)
+    rates = np.linalg.pinv(jacobian)[..., [pose.index(name) for name in mechanism.directions]]
+    base = len(names)
+    motions = np.zeros((len(points), len(system.coordinates), rates.shape[-1]))
+    independent = [names.index(name) for name in mechanism.independent]
+    motions[:, :base] = strain_free(elastic[..., :base, :base], independent, rates)
+    return motions
 
 
 def _empty(count: int, shape: tuple[int, ...], dtype: str) -> Array:

@@ -121,12 +121,20 @@ class Modes(ChosenFields):
         Why the others could not (`pkmodes.Model.reasons`), ``""`` where valid; for a single pose a string.
     frequencies : ndarray, shape (..., m)
         sqrt(abs(lambda)) / (2 pi) with the sign of lambda [Hz].
+    damping_ratios : ndarray, shape (..., m)
+        As for light damping (docs/model.md); NaN for rigid-body modes, 0 where nothing dissipates.
     shapes : ndarray, shape (..., m, n)
         ``shapes[..., i, :]`` is mode i, mass-normalised (phi^T M phi = 1) with a deterministic sign.  A held motor
         has no motion in it.
     platform_shapes : ndarray, shape (..., m, directions)
         Absolute motion of the platform centre in each mode, in the base frame, by the linear pose components: D_p
         times the independent coordinates' components, plus the motion of released joints and the frame.
+    vibration_amplitudes : ndarray, shape (..., m, directions)
+        With held motors, how the platform rings after a step of its acceleration of 1 m/s^2 along each linear pose
+        component d [s^2]: |J_p phi_i| |phi_i^T M r_d| / omega_i^2, with the motion r_d of all coordinates, motors
+        included, that moves the platform by 1 along d and strains nothing; the norm is over all directions.  NaN for
+        rigid-body modes, and with free motors.  In a group of equal frequencies it depends on the shapes that stand
+        for the group.
     joint_positions : ndarray, shape (..., k)
         The independent coordinates, which follow from the pose.
     carriage_positions : ndarray, shape (..., k)
@@ -150,8 +158,10 @@ class Modes(ChosenFields):
     backend: str = "numpy"
     drives: str = "free"
     frequencies: Array = field(init=False)
+    damping_ratios: Array = field(init=False)
     shapes: Array = field(init=False)
     platform_shapes: Array = field(init=False)
+    vibration_amplitudes: Array = field(init=False)
     joint_positions: Array = field(init=False)
     carriage_positions: Array = field(init=False)
     mass_matrix: Array = field(init=False)

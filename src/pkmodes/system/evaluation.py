@@ -332,7 +332,7 @@ def may_be_refused(system: Evaluation) -> bool:
 
 
 def evaluation(robot: Robot) -> Evaluation:
-    """Choose the model of a robot: the base model if every effect is null, else the extended model."""
+    """Choose the model of a robot: the base model if no effect changes M or K, else the extended model."""
     mechanism = robot.mechanism
-    active = active_effects(mechanism, robot.effects)
+    active = [e for e in active_effects(mechanism, robot.effects) if not mechanism.effects[e].dissipates]
     return ExtendedSystem.of(robot) if active else BaseEvaluation(mechanism, robot.parameters)

@@ -46,6 +46,8 @@ class MotorsHeld(ExtendedSystem):
         Indices of the coordinates that remain.
     coordinates : tuple of str, length r
         Their names.
+    rotors : list of int
+        Index of the rotor that each motor drives.
     """
 
     basis: Array
@@ -60,7 +62,7 @@ class MotorsHeld(ExtendedSystem):
         motion = np.asarray(Generated(mechanism.extended, parameters, self.effects).motor_motion())
         remaining = _remaining(mechanism, motion.tobytes(), self.free.tobytes())
         self._listed, self.free, self.basis = self.free, remaining.free, remaining.basis
-        self.coordinates = remaining.coordinates
+        self.coordinates, self.rotors = remaining.coordinates, remaining.rotors
         self.first -= len(motion)
         self.rigid_modes = 0 if self.springs_to_ground else remaining.loose
         self.held_motions = remaining.loose - self.rigid_modes
@@ -79,6 +81,11 @@ class MotorsHeld(ExtendedSystem):
         """Which coordinates with free motors move no inertia, (n,)."""
         return self._zero_inertia(self._listed)
 
+    def motions(self) -> tuple[Array, Array]:
+        """Return all coordinates with free motors per unit of those that remain, (n, r), and of motors, (n, j)."""
+        listed = self.basis[self._listed]
+        return listed[:, self.free], listed[:, self.rotors]
+
     def part_with_free_motors(self, vectors: Array) -> Array:
         """Return vectors in the coordinates that remain, (..., r), in those with free motors, (..., n)."""
         return np.asarray(vectors @ self.basis[np.ix_(self._listed, self.free)].T)
@@ -88,6 +95,7 @@ class _Remaining(NamedTuple):
     """What remains of some coordinates: see `MotorsHeld`; and how many motions strain nothing elastic."""
 
     free: NDArray[np.intp]
+    rotors: list[int]
     coordinates: tuple[str, ...]
     basis: Array
     loose: int
@@ -109,7 +117,7 @@ def _remaining(mechanism: Mechanism, motion: bytes, listed: bytes) -> _Remaining
     rotors, basis = _following(of_all, first)
     free = np.setdiff1d(np.frombuffer(listed, dtype=np.intp), rotors)
     loose = _loose(mechanism, of_all[:, :first].tobytes())
-    return _Remaining(free, tuple(names[i] for i in free), basis, loose)
+    return _Remaining(free, rotors, tuple(names[i] for i in free), basis, loose)
 
 
 class _Inert(NamedTuple):
@@ -186,6 +194,17 @@ def _inert(mechanism: Mechanism) -> _Inert:
 def _all_of(name: str, effect: Any, without: set[str]) -> bool:
     fields = [f"{name}_{parameter.name}" for parameter in effect.parameters]
     return not effect.coordinates and all(field in without for field in fields)
+
+
+def motor_motion(system: Evaluation) -> Array:
+    """Return the angle of each motor per unit of each coordinate with free motors, (drives, n)."""
+    mechanism = system.mechanism
+    extended = (
+        system if isinstance(system, ExtendedSystem) else ExtendedSystem(mechanism, system.parameters, {})
+    )
+    generated = Generated(mechanism.extended, extended.parameters, extended.effects)
+    motion: Array = np.asarray(generated.motor_motion())[:, extended.free]
+    return motion
 
 
 def solved_system(system: Evaluation, drives: str) -> Evaluation:

@@ -13,6 +13,7 @@ from pkmodes.linalg.threads import one_blas_thread
 from pkmodes.measured.measurements import Measurements
 from pkmodes.model.model import Model
 from pkmodes.robot.robot import Robot
+from pkmodes.updating.damping import with_damping
 from pkmodes.updating.measured_robot import MeasuredRobot
 
 
@@ -29,7 +30,7 @@ def compare(robot: Robot | Model, data: Measurements) -> Comparison:
     Returns
     -------
     Comparison
-        One row for each measured mode, in the order of the file.
+        One row for each measured mode, in the order of the file, with the damping where it was measured.
 
     Raises
     ------
@@ -37,7 +38,7 @@ def compare(robot: Robot | Model, data: Measurements) -> Comparison:
         If a pose cannot be reached, or a set value is refused.
     """
     measured = MeasuredRobot.of(robot, data)
-    return diagnosis.compare(measured.structure(candidates=()), measured.data)
+    return with_damping(diagnosis.compare(measured.structure(candidates=()), measured.data), measured)
 
 
 @one_blas_thread()

@@ -146,6 +146,9 @@ def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
     """Return a candidate that is not suspected by default, such as a value of one axis."""
     path = name.removeprefix(PREFIX)
     effects = robot.mechanism.effects
+    if name in effects and effects[name].dissipates:
+        what = f"the effect {name} only dissipates: no frequency depends on it"
+        raise PkmodesError(what, "candidates", "leave it out")
     if name in effects:
         _refuse_declared(robot, f"the effect {name}", _declared_parameters(robot, effects[name]))
     effect = name.removeprefix(EFFECTS).partition(".")[0]
@@ -202,6 +205,8 @@ def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
     robots = (robot, *(case.robot for case in loads.cases))
     there = {path for one in robots for path, value in {**one.constants, **one.effects}.items() if value}
     for effect in robot.mechanism.effects.values():
+        if effect.dissipates:
+            continue
         names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.fitted]
         # A parameter that is multiplied by a constant given nowhere, such as a tension, has no effect.
         absent = [p for p in effect.parameters if not p.fitted and f"{effect.name}.{p.name}" not in there]

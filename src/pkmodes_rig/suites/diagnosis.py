@@ -35,8 +35,8 @@ from pkmodes_rig.suites.tables import confusion, grouped, in_words, listed, tabl
 
 #: Seeds used during the development of the diagnosis.
 SEEN = (
-    f"{SEED}, 101 to 120, 7001, 7002, 7011 to 7013, 20261121, 20261122, 20261130, 20261201, 20261202, 20261203"
-    " and 20261204"
+    f"{SEED}, 101 to 120, 7001, 7002, 7011 to 7013, 20261121, 20261122, 20261130, 20261201, 20261202, 20261203,"
+    " 20261204 and 20261211"
 )
 #: Suites with single causes and realistic measurements, and suites of difficult measurements.
 REALISTIC = ("one effect, realistic", "wrong parameter, realistic", "modes missed")

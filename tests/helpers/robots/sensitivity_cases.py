@@ -70,6 +70,15 @@ CROSSING = {"published": [0.579, 0.047, -0.279], "published-active": [0.635, 0.0
 CASES = [f"{robot}{kind}" for robot in ("published", "tower", "random") for kind in ("", "-active", "-clamp")]
 
 
+#: Effects that frequencies do not depend on.
+DISSIPATING = ("belt_loss", "reducer_loss", "rail_friction", "drive_friction")
+
+
+def moving(robot: Robot) -> list[str]:
+    """Return the paths that frequencies may depend on."""
+    return [path for path in paths(robot) if path.split(".")[1] not in DISSIPATING]
+
+
 class Case:
     """A robot with its poses, its sensitivities and its modes."""
 
@@ -86,7 +95,7 @@ class Case:
         self.typical = SMALL if kind == "tower" else LARGE
         effects = {"": {}, "active": self.typical, "clamp": {CLAMP: self.typical[CLAMP]}}[detail]
         self.robot, self.poses = robot_of(parameters, effects), np.array(poses)
-        self.names = [p for p in paths(self.robot) if p != "axis.joint_radius" or parameters.joint.any()]
+        self.names = [p for p in moving(self.robot) if p != "axis.joint_radius" or parameters.joint.any()]
         self.moves = [resolve(self.robot, path) for path in self.names]
         self.sizes = np.array([size(self.robot, move, self.typical) for move in self.moves])
         self.found: Sensitivities = pkmodes.Model(self.robot).sensitivities(self.poses, self.names)

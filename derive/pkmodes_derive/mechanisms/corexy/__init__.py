@@ -117,6 +117,8 @@ def declare(m: Machine) -> None:
     m.platform = (x, y, zero)
     m.points.append(PointMass(m_h, m.platform))
     m.points.append(PointMass(m_g, (zero, y, zero)))
+    m.rail(x)
+    m.rail(y)
 
     # Belts, pulleys and motors --------------------------------------------------------------------------------
     torque = [

@@ -179,6 +179,7 @@ def declare(m: Machine) -> None:
             )
             for k in (0, 1)
         ]
+        m.rail(x[j])
         m.drive(list(zip(rotors, driven[j], strict=True)), i_g[j] ** 2 * I_m[j], torque[j])
         clamp = Clamp()
         carriage_end = ({x[j]: 1}, clamp)

@@ -1,0 +1,35 @@
+"""Drive friction: a viscous torque on every motor."""
+
+from collections.abc import Mapping, Sequence
+
+from sympy import Add, Rational, Symbol
+
+from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
+from pkmodes_derive.machine import Machine
+
+
+def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
+    """Add b omega^2 / 2 for the speed of each motor, seen at the rotor that it drives."""
+    rates = dict(zip(machine.coordinates, machine.velocities, strict=True))
+    for drive in machine.drives:
+        for rotor, selected in drive.rotors:
+            speed = Add(rates[rotor.coordinate], *(c.rate for c in drive.wind_up))
+            machine.add_dissipation(Rational(1, 2) * parameters["viscous"] * selected * speed**2)
+
+
+EFFECT = Effect(
+    name="drive_friction",
+    sentence="the motors have viscous friction",
+    parts=lambda machine: machine.drives,
+    parameters=(
+        EffectParameter(
+            "viscous",
+            "N m s/rad",
+            "viscous friction of every motor, seen at the driven rotor",
+            "b_D",
+            "b_D",
+        ),
+    ),
+    apply=apply,
+    dissipates=True,
+)

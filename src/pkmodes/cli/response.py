@@ -1,0 +1,235 @@
+"""``pkmodes response``: frequency response functions and a state space model at a pose."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import click
+import numpy as np
+from msgspec import Meta
+from numpy.typing import NDArray
+
+from pkmodes.base.documents import Document
+from pkmodes.base.drives import Drives
+from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.cli.delivery import ResultFile, deliver
+from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options
+from pkmodes.cli.poses import check_metres, parse_pose, pose_option
+from pkmodes.cli.targets import Target, check_targets
+from pkmodes.mechanism.poses import placed
+from pkmodes.model.loading import load
+
+if TYPE_CHECKING:
+    from pkmodes.mechanism.registry import Mechanism
+    from pkmodes.response.frequency_response import FrequencyResponse
+
+QUANTITIES = ("displacement", "velocity", "acceleration")
+OPTIONS = {
+    "inputs": "--inputs",
+    "outputs": "--outputs",
+    "frequencies": "--frequencies",
+    "quantity": "--quantity",
+    "modes": "--modes",
+}
+
+
+class ResponseDocument(Document):
+    """The response of F frequencies at a pose, for exp(+i omega t)."""
+
+    robot: Annotated[str, Meta(description="Name of the robot.")]
+    pose: Annotated[list[float], Meta(description="The components of the mechanism's pose, in SI units.")]
+    drives: Drives
+    quantity: Annotated[str, Meta(description="Of every output: displacement, velocity or acceleration.")]
+    inputs: Annotated[list[str], Meta(description="Names of the inputs.")]
+    outputs: Annotated[list[str], Meta(description="Names of the outputs.")]
+    units: Annotated[list[list[str]], Meta(description="Of each output (rows) per input (columns).")]
+    frequencies_hz: Annotated[list[float], Meta(description="The F frequencies [Hz].")]
+    real: Annotated[
+        list[list[list[float]]], Meta(description="Real parts: for each frequency, outputs by inputs.")
+    ]
+    imaginary: Annotated[list[list[list[float]]], Meta(description="Imaginary parts, likewise.")]
+
+
+@click.command(
+    epilog="\b\nExample:\n  pkmodes response robots/linear-delta-2022.toml --pose 0.6,0,-0.245 --drives held "
+    "--inputs motor_1,force_x --outputs p_x,p_z --frequencies 5:400:1000"
+)
+@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@pose_option
+@click.option(
+    "--inputs",
+    metavar="NAME,...",
+    required=True,
+    help="torque_1 of a free motor, the prescribed angle motor_1 of a held one, force_x on the platform.",
+)
+@click.option(
+    "--outputs",
+    metavar="NAME,...",
+    required=True,
+    help="p_x of the platform, another direction of it such as nozzle=1:1:0, motor_1, or any coordinate.",
+)
+@click.option(
+    "--frequencies",
+    metavar="FIRST:LAST:COUNT",
+    required=True,
+    help="In Hz, such as 1:400:1000, both included.",
+)
+@click.option("--log", is_flag=True, help="Space the frequencies by equal ratios.")
+@click.option(
+    "--quantity",
+    type=click.Choice(QUANTITIES),
+    default="displacement",
+    show_default=True,
+    help="What is asked of every output.",
+)
+@click.option(
+    "--out",
+    metavar="FILE.csv",
+    type=click.Path(path_type=Path),
+    default=None,
+    help="Table to write: frequency, and the real and the imaginary part of each channel.",
+)
+@click.option(
+    "--state-space",
+    "model_file",
+    metavar="FILE.mat",
+    type=click.Path(path_type=Path),
+    default=None,
+    help="MATLAB file to write: A, B, C, D of the same inputs and outputs.",
+)
+@click.option(
+    "--modes",
+    metavar="N",
+    type=int,
+    default=None,
+    help="Modes kept in the state space model; by default all.",
+)
+@drives_option
+@mechanism_option
+@json_option
+def response(
+    robot: Path,
+    pose: str,
+    inputs: str,
+    outputs: str,
+    frequencies: str,
+    log: bool,
+    quantity: str,
+    out: Path | None,
+    model_file: Path | None,
+    modes: int | None,
+    drives: str,
+    json_file: str | None,
+) -> None:
+    """Compute how the machine answers its motors and forces, as functions of frequency.
+
+    Prints the largest response of each channel; --out writes all of it.
+    """
+    targets = (
+        Target("--out", out, "the table", (".csv",)),
+        Target("--state-space", model_file, "the state space model", (".mat",)),
+    )
+    check_targets(json_file, [robot], *targets)
+    given = _frequencies(frequencies, log)
+    if modes is not None and model_file is None:
+        what = "--modes is for the state space model, which is not written"
+        raise PkmodesError(what, "--modes", "add --state-space FILE.mat, or leave --modes out")
+    model = load(robot)
+    point = parse_pose(pose, model.mechanism)
+    check_metres(model, pose, point)
+    into, shown_by = _names(inputs), [_output(name) for name in _names(outputs)]
+    with named_as_options(OPTIONS):
+        found = model.frf(point, given, into, shown_by, drives=drives, quantity=quantity)
+        system = None
+        if model_file is not None:
+            system = model.state_space(point, into, shown_by, drives=drives, modes=modes, quantity=quantity)
+    document = ResponseDocument.of(
+        found,
+        robot=model.robot.name,
+        pose=found.poses.tolist(),
+        frequencies_hz=found.frequencies.tolist(),
+        real=found.values.real.tolist(),
+        imaginary=found.values.imag.tolist(),
+    )
+    files = [ResultFile(out, found.to_csv, lambda path: (f"wrote {path}",))]
+    if system is not None:
+        files.append(ResultFile(model_file, system.to_mat, lambda path: (f"wrote {path}",)))
+    deliver(json_file, document.as_json(), lambda: _print(model.mechanism, found), *files)
+
+
+def _names(text: str) -> list[str]:
+    return [part.strip() for part in text.split(",") if part.strip()]
+
+
+def _output(name: str) -> str | Mapping[str, Sequence[float]]:
+    """Read an output: a name, or a direction such as ``nozzle=1:1:0``."""
+    label, equals, direction = name.partition("=")
+    if not equals:
+        return name
+    try:
+        return {label: [float(part) for part in direction.split(":")]}
+    except ValueError:
+        what = f"expected the components of a direction, found {shown(direction)}"
+        raise PkmodesError(what, f"--outputs {label}", "for example: nozzle=1:1:0") from None
+
+
+def _frequencies(text: str, log: bool) -> NDArray[np.float64]:
+    """Read ``FIRST:LAST:COUNT``.
+
+    Raises
+    ------
+    PkmodesError
+        If it is not three numbers that define frequencies.
+    """
+    example = "write --frequencies FIRST:LAST:COUNT in Hz, such as 1:400:1000"
+    try:
+        first, last, count = text.split(":")
+        low, high, number = float(first), float(last), int(count)
+    except ValueError:
+        what = f"expected the first and the last frequency and their number, found {shown(text)}"
+        raise PkmodesError(what, "--frequencies", example) from None
+    if number < 1 or not 0.0 <= low <= high < np.inf or (number == 1 and low != high):
+        what = f"expected frequencies of at least 0 Hz, ascending, found {shown(text)}"
+        raise PkmodesError(what, "--frequencies", example)
+    if log and low == 0.0:
+        raise PkmodesError(
+            "equal ratios cannot begin at 0 Hz", "--log", "begin above 0 Hz, or leave --log out"
+        )
+    return np.geomspace(low, high, number) if log else np.linspace(low, high, number)
+
+
+def _print(mechanism: Mechanism, found: FrequencyResponse) -> None:
+    from pkmodes.cli.terminal import Terminal
+
+    terminal = Terminal()
+    at = placed(mechanism, found.poses, "g")
+    terminal.heading(f"{found.robot.name} at {at}, motors {found.drives}, {found.quantity}")
+    terminal.line()
+    size = np.abs(found.values)
+    rows = []
+    for o, output in enumerate(found.outputs):
+        for i, into in enumerate(found.inputs):
+            peak = int(size[:, o, i].argmax())
+            value = found.values[peak, o, i]
+            rows.append(
+                [
+                    f"{output}/{into}",
+                    found.units[o][i],
+                    f"{size[0, o, i]:.4g}",
+                    f"{size[peak, o, i]:.4g}",
+                    f"{found.frequencies[peak]:.3f}",
+                    f"{np.degrees(np.angle(value)):.0f}",
+                ]
+            )
+    titles = ["channel", "unit", "first", "largest", "at [Hz]", "phase [deg]"]
+    terminal.table(titles, rows, left=("channel", "unit"))
+    terminal.line()
+    first, last = found.frequencies[0], found.frequencies[-1]
+    terminal.line(
+        f"magnitude at the first frequency and the largest of {len(found.frequencies)} from {first:g} to {last:g} "
+        "Hz, with its phase, for exp(+i omega t)"
+    )
+    if not found.robot.dissipates:
+        terminal.line("the robot dissipates nothing: a resonance has no height of its own; see [damping]")

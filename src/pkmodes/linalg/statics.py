@@ -1,0 +1,77 @@
+"""Statics of small vibration problems: motions without strain, the softest direction, what a step excites."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+def strain_free(stiffness: Array, prescribed: Sequence[int], values: Array) -> Array:
+    """Return motions in which the coordinates that are not prescribed follow without force.
+
+    Where the prescribed coordinates determine a motion that strains nothing, it is that one.
+
+    Parameters
+    ----------
+    stiffness : ndarray, shape (N, n, n)
+        Elastic, without gravity.
+    prescribed : sequence of int, length k
+        Indices of these coordinates.
+    values : ndarray, shape (N, k, j)
+        Of these coordinates in each of j motions.
+
+    Returns
+    -------
+    ndarray, shape (N, n, j)
+    """
+    given = np.asarray(prescribed)
+    others = np.setdiff1d(np.arange(stiffness.shape[-1]), given)
+    motions = np.zeros((*stiffness.shape[:-1], values.shape[-1]))
+    motions[:, given] = values
+    forces = stiffness[:, others[:, None], given] @ values
+    motions[:, others] = -np.linalg.solve(stiffness[:, others[:, None], others], forces)
+    return motions
+
+
+def softest(stiffness: Array, motion: Array) -> Array:
+    """Return the smallest eigenvalue of the stiffness against forces on some outputs, (N,).
+
+    This stiffness is the inverse of the compliance L K^-1 L^T, which has all outputs free; it is negative where the
+    system is not stable.
+
+    Parameters
+    ----------
+    stiffness : ndarray, shape (N, r, r)
+        K.
+    motion : ndarray, shape (N, d, r)
+        L, the outputs per unit of the coordinates.
+    """
+    compliance = motion @ np.linalg.solve(stiffness, np.swapaxes(motion, -1, -2))
+    values = np.linalg.eigvalsh(0.5 * (compliance + np.swapaxes(compliance, -1, -2)))
+    with np.errstate(divide="ignore"):
+        return np.asarray((1.0 / values).min(axis=-1))
+
+
+def amplitudes_of_steps(eigenvalues: Array, shapes: Array, outputs: Array, momenta: Array) -> Array:
+    r"""Return the amplitude with which each mode rings after a step of acceleration, (N, m, j).
+
+    .. math:: |l \phi_i| \, |\phi_i^T M r_j| \, / \, \omega_i^2
+
+    Parameters
+    ----------
+    eigenvalues : ndarray, shape (N, m)
+        omega_i^2 [1/s^2].
+    shapes : ndarray, shape (N, m, n)
+        phi_i, mass-normalised.
+    outputs : ndarray, shape (N, m, d)
+        l phi_i: the norm over the d outputs counts.
+    momenta : ndarray, shape (N, n, j)
+        M r_j, with the motion r_j that is accelerated by 1.
+    """
+    moved = np.linalg.norm(outputs, axis=-1, keepdims=True)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(moved * np.abs(shapes @ momenta) / np.abs(eigenvalues)[..., None])

@@ -1,0 +1,230 @@
+"""What a model says of a machine that is driven: poles, frequency responses, state space, compliance."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.base.drives import FREE
+from pkmodes.mechanism.poses import OnError
+from pkmodes.solve.backends import AUTO
+from pkmodes.solve.dynamics import Dynamics
+
+if TYPE_CHECKING:
+    from pkmodes.response.frequency_response import FrequencyResponse
+    from pkmodes.response.ports import Output
+    from pkmodes.response.state_space import StateSpace
+
+
+class Responses:
+    """Methods of `pkmodes.Model` for a machine that is driven."""
+
+    dynamics: Dynamics
+
+    def poles(
+        self,
+        poses: ArrayLike,
+        on_error: OnError = "raise",
+        *,
+        drives: str = FREE,
+        backend: str = AUTO,
+    ) -> NDArray[np.complex128]:
+        """Compute the poles of small vibrations, whatever the damping (docs/response.md).
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            As for `modes`.
+        drives : {"free", "held"}
+            As for `modes`.
+        backend : {"auto", "numpy", "compiled"}
+            As for `modes`: what solves the undamped eigenproblem.
+
+        Returns
+        -------
+        ndarray of complex128, shape (..., 2 m)
+            In 1/s, by ascending magnitude; of a pair, the one with positive imaginary part first.  They are exact for
+            viscous friction and damping ratios; a loss factor is the viscous damping that it is at the frequency of
+            each mode.
+
+        Examples
+        --------
+        >>> import pkmodes
+        >>> model = pkmodes.load("robots/linear-delta-2022.toml").with_values({"damping.ratio": 0.02})
+        >>> model.poles([0.6, 0.0, -0.245], drives="held")[:2].round(2)
+        array([-4.05+202.7j, -4.05-202.7j])
+        """
+        from pkmodes.response.poles import poles_at
+
+        return poles_at(self.dynamics, poses, on_error, drives=drives, backend=backend)
+
+    def frf(
+        self,
+        poses: ArrayLike,
+        frequencies: ArrayLike,
+        inputs: Sequence[str],
+        outputs: Sequence[Output],
+        *,
+        drives: str = FREE,
+        quantity: str = "displacement",
+        on_error: OnError = "raise",
+        backend: str = AUTO,
+    ) -> FrequencyResponse:
+        """Compute frequency response functions, for exp(+i omega t) (docs/response.md).
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        frequencies : array_like, shape (F,)
+            In Hz; 0 only where no rigid mode exists.
+        inputs : sequence of str
+            ``torque_j`` of a free motor [N m], the prescribed angle ``motor_j`` of a held one [rad], and
+            ``force_<component>`` on the platform [N].
+        outputs : sequence of str or mapping
+            ``p_<component>``, ``{"name": [dx, dy, dz]}`` for another direction of the platform, ``motor_j``, and
+            every coordinate of the robot.
+        drives : {"free", "held"}
+            As for `modes`.
+        quantity : {"displacement", "velocity", "acceleration"}
+            Of every output.
+        on_error : {"raise", "nan"}
+            As for `modes`.
+        backend : {"auto", "numpy", "compiled"}
+            As for `modes`: what solves the undamped eigenproblem.
+
+        Returns
+        -------
+        FrequencyResponse
+            ``values`` of shape (..., F, outputs, inputs).
+
+        Raises
+        ------
+        PkmodesError
+            If a port is unknown (the message suggests the nearest) or is not one with these drives, or a frequency is
+            invalid.
+
+        Examples
+        --------
+        >>> import numpy as np, pkmodes
+        >>> model = pkmodes.load("robots/linear-delta-2022.toml").with_values({"damping.ratio": 0.02})
+        >>> found = model.frf([0.6, 0.0, -0.245], np.linspace(10, 60, 501), ["force_x"], ["p_x"], drives="held")
+        >>> float(found.frequencies[abs(found.values[:, 0, 0]).argmax()].round(1))
+        36.3
+        """
+        from pkmodes.response.frequency_response import frequency_response
+
+        return frequency_response(
+            self.dynamics,
+            poses,
+            frequencies,
+            inputs,
+            outputs,
+            drives=drives,
+            quantity=quantity,
+            on_error=on_error,
+            backend=backend,
+        )
+
+    def state_space(
+        self,
+        poses: ArrayLike,
+        inputs: Sequence[str],
+        outputs: Sequence[Output],
+        *,
+        drives: str = FREE,
+        modes: int | None = None,
+        residual: bool = True,
+        quantity: str = "displacement",
+        on_error: OnError = "raise",
+        backend: str = AUTO,
+    ) -> StateSpace:
+        """Build state space models in modal coordinates (docs/response.md).
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        inputs, outputs : sequence
+            As for `frf`.
+        drives : {"free", "held"}
+            As for `modes`.
+        modes : int, optional
+            Number of modes kept, the lowest, rigid ones included; all by default.
+        residual : bool
+            Whether the static contribution of omitted modes is kept, in D (of displacements only).
+        quantity : {"displacement", "velocity", "acceleration"}
+            Of every output.
+        on_error : {"raise", "nan"}
+            As for `modes`.
+        backend : {"auto", "numpy", "compiled"}
+            As for `modes`: what solves the undamped eigenproblem.
+
+        Returns
+        -------
+        StateSpace
+            ``A``, ``B``, ``C`` and ``D`` with the leading axes of the poses.  The states are the coordinate and the
+            rate of each mode.  Shapes of neighbouring poses may differ in sign and order: interpolate transfer
+            functions, not these matrices.
+
+        Raises
+        ------
+        PkmodesError
+            If a port is unknown or is not one with these drives, the number of modes is not possible, or a velocity
+            or an acceleration would contain a derivative of an input.
+
+        Examples
+        --------
+        >>> import pkmodes
+        >>> model = pkmodes.load("robots/linear-delta-2022.toml").with_values({"damping.ratio": 0.02})
+        >>> system = model.state_space([0.6, 0.0, -0.245], ["motor_1"], ["p_x"], drives="held", modes=3)
+        >>> system.A.shape, system.D.shape
+        ((6, 6), (1, 1))
+        >>> system.discretized(0.001).at().dt
+        0.001
+        """
+        from pkmodes.response.state_space import state_space
+
+        return state_space(
+            self.dynamics,
+            poses,
+            inputs,
+            outputs,
+            drives=drives,
+            modes=modes,
+            residual=residual,
+            quantity=quantity,
+            on_error=on_error,
+            backend=backend,
+        )
+
+    def compliance(self, poses: ArrayLike, on_error: OnError = "raise") -> NDArray[np.float64]:
+        """Compute how far the platform gives way to a force while the motors are held (docs/response.md).
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            As for `modes`.
+
+        Returns
+        -------
+        ndarray, shape (..., d, d)
+            In m/N: displacement (rows) per force (columns), of the whole potential energy, gravity included.
+
+        Examples
+        --------
+        >>> import pkmodes
+        >>> model = pkmodes.load("robots/linear-delta-2022.toml")
+        >>> (1e6 * model.compliance([0.6, 0.0, -0.245])).round(2)[0]  # um/N
+        array([2.98, 0.  , 1.16])
+        """
+        from pkmodes.response.compliance import compliance
+
+        return compliance(self.dynamics, poses, on_error)

@@ -1,0 +1,181 @@
+"""Frequency response functions of a robot at poses."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.base.arguments import check_argument, one_of
+from pkmodes.base.drives import FREE, checked_drives
+from pkmodes.base.errors import PkmodesError
+from pkmodes.mechanism.poses import OnError
+from pkmodes.response.channels import Channels
+from pkmodes.response.equations import equations
+from pkmodes.response.ports import (
+    QUANTITIES,
+    Output,
+    Port,
+    input_vectors,
+    inputs_of,
+    output_vectors,
+    outputs_of,
+    prescribed,
+    units_of,
+)
+from pkmodes.response.vibrating import Vibrating, nan_in_both_parts
+from pkmodes.solve.backends import AUTO
+from pkmodes.solve.dynamics import Dynamics
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class FrequencyResponse(Channels):
+    """Responses of outputs to inputs, for exp(+i omega t).
+
+    Attributes
+    ----------
+    values : ndarray of complex128, shape (..., F, outputs, inputs)
+        NaN where a pose could not be evaluated.
+    frequencies : ndarray, shape (F,)
+        [Hz].
+    """
+
+    values: Complex
+    frequencies: Array
+
+    def __repr__(self) -> str:
+        shape = self.values.shape
+        return (
+            f"FrequencyResponse({shape}, {self.quantity} of {', '.join(self.outputs)}, motors {self.drives})"
+        )
+
+    def to_dataset(self) -> Dataset:
+        """Return the responses as a dataset: dimensions of the poses, then ``frequency``, ``output``, ``input``.
+
+        Raises
+        ------
+        MissingExtraError
+            If the libraries of the extra ``map`` are not installed.
+        """
+        from pkmodes.response.exports import response_dataset
+
+        return response_dataset(self, self.values, self.frequencies)
+
+    def to_control(self, index: tuple[int, ...] | int = ()) -> Any:
+        """Return the response at one pose as a `control.FrequencyResponseData`.
+
+        Parameters
+        ----------
+        index : int or tuple of int
+            Of the pose; not needed for a single one.
+
+        Raises
+        ------
+        MissingExtraError
+            If python-control is not installed.
+        """
+        from pkmodes.response.exports import response_to_control
+
+        return response_to_control(self, self.values[index], self.frequencies)
+
+    def to_csv(self, path: str | PathLike[str], index: tuple[int, ...] | int = ()) -> None:
+        """Write the response at one pose: ``frequency`` and ``re:OUTPUT/INPUT``, ``im:OUTPUT/INPUT``.
+
+        Raises
+        ------
+        OutputError
+            If the file cannot be written.
+        """
+        from pkmodes.response.exports import response_to_csv
+
+        response_to_csv(self, self.values, self.frequencies, Path(path), index)
+
+
+def frequency_response(
+    dynamics: Dynamics,
+    poses: ArrayLike,
+    frequencies: ArrayLike,
+    inputs: Sequence[str],
+    outputs: Sequence[Output],
+    *,
+    drives: str = FREE,
+    quantity: str = "displacement",
+    on_error: OnError = "raise",
+    backend: str = AUTO,
+) -> FrequencyResponse:
+    """Compute frequency responses: see `pkmodes.Model.frf`."""
+    checked_drives(drives)
+    check_argument(quantity, one_of(QUANTITIES), "quantity", 'for example: "acceleration"')
+    into, out = inputs_of(dynamics, inputs, drives), outputs_of(dynamics, outputs)
+    given = checked_frequencies(frequencies, dynamics.solved(drives).rigid_modes, drives)
+    omega = 2.0 * np.pi * given
+    kinematics = dynamics.kinematics
+    checked = kinematics.checked(poses, on_error)
+
+    def at(points: Array) -> Complex:
+        return responses(Vibrating(dynamics, points, drives, backend), into, out, omega, quantity)
+
+    (values,) = kinematics.evaluated(at, checked)
+    return FrequencyResponse(
+        codes=checked.codes.reshape(checked.batch),
+        known=checked.known,
+        poses=checked.points.reshape((*checked.batch, -1)),
+        values=nan_in_both_parts(np.asarray(values, dtype=complex)),
+        frequencies=given,
+        inputs=tuple(port.name for port in into),
+        outputs=tuple(port.name for port in out),
+        units=units_of(into, out, quantity),
+        quantity=quantity,
+        drives=drives,
+        robot=dynamics.robot,
+    )
+
+
+def responses(
+    at: Vibrating, inputs: Sequence[Port], outputs: Sequence[Port], omega: Array, quantity: str
+) -> Complex:
+    """Return responses at N poses, (N, F, outputs, inputs), at angular frequencies [rad/s]."""
+    B, L = input_vectors(at, inputs), output_vectors(at, outputs)
+    motors = prescribed(inputs, at.prescribed.shape[1])
+    values = np.empty((len(at.points), len(omega), len(outputs), len(inputs)), dtype=complex)
+    for pose in range(len(at.points)):
+        values[pose] = equations(at, pose, B[pose], motors, L[pose]).response(omega)
+    return np.asarray(values * (1j * omega[:, None, None]) ** QUANTITIES[quantity])
+
+
+def checked_frequencies(frequencies: ArrayLike, rigid: int, drives: str) -> Array:
+    """Return frequencies [Hz] as an array.
+
+    Raises
+    ------
+    PkmodesError
+        If they are not finite numbers of at least 0, or 0 although the robot has rigid modes.
+    """
+    try:
+        given = np.atleast_1d(np.asarray(frequencies, dtype=float))
+    except (TypeError, ValueError):
+        given = np.empty((0, 0))
+    if given.ndim != 1 or not given.size:
+        what = "expected a list of frequencies in Hz"
+        raise PkmodesError(what, "frequencies", "for example: numpy.linspace(1, 400, 1000)")
+    bad = ~(np.isfinite(given) & (given >= 0.0))
+    if bad.any():
+        what = f"expected frequencies of at least 0 Hz, found {given[int(np.argmax(bad))]:g}"
+        raise PkmodesError(what, "frequencies", "give finite numbers in Hz")
+    if rigid and (given == 0.0).any():
+        what = (
+            f"found 0 Hz, but with motors {drives} the machine has {rigid} rigid modes: it moves without end"
+        )
+        raise PkmodesError(what, "frequencies", 'begin above 0 Hz, or use drives="held"')
+    return given

@@ -1,0 +1,60 @@
+"""Poles of a robot at poses, and where the ratio of light damping is not that of the pole."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.base.drives import FREE, checked_drives
+from pkmodes.linalg.damping import poles, ratios_of_poles
+from pkmodes.mechanism.poses import OnError
+from pkmodes.response.vibrating import Vibrating, nan_in_both_parts
+from pkmodes.solve.backends import AUTO
+from pkmodes.solve.dynamics import Dynamics
+
+#: A ratio that differs from that of its pole by more than this fraction is named.
+DIFFERENT = 0.1
+
+
+def poles_at(
+    dynamics: Dynamics,
+    poses: ArrayLike,
+    on_error: OnError = "raise",
+    *,
+    drives: str = FREE,
+    backend: str = AUTO,
+) -> NDArray[np.complex128]:
+    """Compute the poles of a robot: see `pkmodes.Model.poles`."""
+    checked_drives(drives)
+    kinematics = dynamics.kinematics
+
+    def at(points: NDArray[np.float64]) -> NDArray[np.complex128]:
+        return poles(Vibrating(dynamics, points, drives, backend).damping)
+
+    (values,) = kinematics.evaluated(at, kinematics.checked(poses, on_error))
+    return nan_in_both_parts(np.asarray(values, dtype=complex))
+
+
+def notes_on_damping(
+    dynamics: Dynamics, pose: ArrayLike, ratios: NDArray[np.float64], drives: str, backend: str = AUTO
+) -> list[str]:
+    """Return sentences on the modes at a pose whose ratio of light damping is not that of their pole.
+
+    Parameters
+    ----------
+    ratios : ndarray, shape (m,)
+        Of `pkmodes.Modes.damping_ratios`.
+    """
+    if not np.nan_to_num(ratios).any():
+        return []
+    points = np.atleast_2d(np.asarray(pose, dtype=float))
+    vibrating = Vibrating(dynamics, points, drives, backend)
+    exact = ratios_of_poles(vibrating.damping)[0]
+    notes = []
+    for i in range(vibrating.rigid, len(ratios)):
+        if abs(ratios[i] - exact[i]) > DIFFERENT * exact[i]:
+            notes.append(
+                f"mode {i + 1 - vibrating.rigid}: the damping ratio {ratios[i]:.3g} is that of light damping, but "
+                f"that of the pole is {exact[i]:.3g}: use the poles"
+            )
+    return notes

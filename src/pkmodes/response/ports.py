@@ -1,0 +1,195 @@
+"""Inputs and outputs of a machine by name: torques, prescribed motor angles, forces, motions.
+
+Another kind of port is an entry of `INPUTS` or `OUTPUTS` (docs/response.md).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.base.drives import FREE, HELD
+from pkmodes.base.errors import PkmodesError, nearest, shown
+from pkmodes.response.vibrating import Vibrating
+from pkmodes.solve.dynamics import Dynamics
+
+Array = NDArray[np.float64]
+TORQUE, MOTOR, FORCE, PLATFORM = "torque_", "motor_", "force_", "p_"
+Output = str | Mapping[str, Sequence[float]]
+#: What a quantity multiplies a displacement by: powers of i omega.
+QUANTITIES = {"displacement": 0, "velocity": 1, "acceleration": 2}
+
+
+@dataclass(frozen=True)
+class Port:
+    """An input or an output.
+
+    Attributes
+    ----------
+    name, unit : str
+    kind : str
+        ``torque``, ``motor``, ``force``, ``platform`` or ``coordinate``.
+    index : int
+        Of the drive, the direction or the coordinate.
+    direction : tuple of float
+        For an output of kind ``platform``: unit vector along the linear components of the pose.
+    """
+
+    name: str
+    unit: str
+    kind: str
+    index: int = 0
+    direction: tuple[float, ...] = ()
+
+
+def inputs_of(dynamics: Dynamics, names: Sequence[str], drives: str) -> tuple[Port, ...]:
+    """Return the inputs by name.
+
+    Raises
+    ------
+    PkmodesError
+        If a name is unknown or repeated, a torque is given to a held motor, or the angle of a free one is prescribed.
+    """
+    mechanism = dynamics.robot.mechanism
+    known: dict[str, Port] = {}
+    for j, drive in enumerate(mechanism.drives):
+        known[f"{TORQUE}{drive.name}"] = Port(f"{TORQUE}{drive.name}", "N m", "torque", j)
+        known[f"{MOTOR}{drive.name}"] = Port(f"{MOTOR}{drive.name}", "rad", "motor", j)
+    for k, name in enumerate(mechanism.directions):
+        known[f"{FORCE}{name}"] = Port(f"{FORCE}{name}", "N", "force", k)
+    chosen = _chosen("inputs", names, known)
+    for port in chosen:
+        if port.kind == "torque" and drives == HELD:
+            what = f"{port.name} is the torque of a motor, but the motors are held"
+            raise PkmodesError(
+                what, "inputs", f'use motor_{port.name.removeprefix(TORQUE)}, or drives="free"'
+            )
+        if port.kind == "motor" and drives == FREE:
+            what = f"{port.name} is a prescribed angle, but the motors are free"
+            raise PkmodesError(
+                what, "inputs", f'use torque_{port.name.removeprefix(MOTOR)}, or drives="held"'
+            )
+    return chosen
+
+
+def outputs_of(dynamics: Dynamics, names: Sequence[str | Mapping[str, Any]]) -> tuple[Port, ...]:
+    """Return the outputs: by name, or directions at the platform centre as ``{"name": [dx, dy, dz]}``.
+
+    Raises
+    ------
+    PkmodesError
+        If a name is unknown or repeated, or a direction is not one.
+    """
+    mechanism, system = dynamics.robot.mechanism, dynamics.system
+    units = {component.name: component.unit for component in mechanism.pose}
+    count = len(mechanism.directions)
+    known: dict[str, Port] = {}
+    for k, name in enumerate(mechanism.directions):
+        axis = tuple(float(i == k) for i in range(count))
+        known[f"{PLATFORM}{name}"] = Port(f"{PLATFORM}{name}", units[name], "platform", direction=axis)
+    for j, drive in enumerate(mechanism.drives):
+        known[f"{MOTOR}{drive.name}"] = Port(f"{MOTOR}{drive.name}", "rad", "motor", j)
+    extended = mechanism.extended
+    every = dict(zip(extended.COORDINATES, extended.COORDINATE_UNITS, strict=True))
+    for i, name in enumerate(system.coordinates):
+        known.setdefault(name, Port(name, every[name], "coordinate", i))
+    given: list[Any] = []
+    for one in _several("outputs", names):
+        if isinstance(one, Mapping):
+            for name, direction in one.items():
+                if name in known:
+                    what = f"the direction {shown(name)} has the name of another output"
+                    raise PkmodesError(what, "outputs", "choose another name")
+                known[str(name)] = _direction(str(name), direction, mechanism.directions, units)
+                given.append(str(name))
+        else:
+            given.append(one)
+    return _chosen("outputs", given, known)
+
+
+def _direction(name: str, given: Any, directions: Sequence[str], units: Mapping[str, str]) -> Port:
+    where = f"outputs: {name}"
+    try:
+        vector = np.array(given, dtype=float)
+    except (TypeError, ValueError):
+        vector = np.empty(0)
+    if vector.shape != (len(directions),) or not np.isfinite(vector).all() or not vector.any():
+        what = f"expected a direction along {', '.join(directions)}, found {shown(given)}"
+        raise PkmodesError(what, where, f"give {len(directions)} numbers, not all of them 0")
+    vector = vector / np.abs(vector).max()  # the squares of tiny and huge numbers are not numbers
+    unit = vector / np.linalg.norm(vector)
+    return Port(name, units[directions[0]], "platform", direction=tuple(unit.tolist()))
+
+
+def _several(where: str, names: Any) -> list[Any]:
+    """Return one name, or several, as a list."""
+    if isinstance(names, str | Mapping):
+        return [names]
+    if not isinstance(names, Iterable):
+        raise PkmodesError(f"expected names of {where}, found {shown(names)}", where, "give a list of names")
+    return list(names)
+
+
+def _chosen(where: str, names: Any, known: Mapping[str, Port]) -> tuple[Port, ...]:
+    listed = _several(where, names)
+    if not listed:
+        raise PkmodesError(
+            f"expected at least one of the {where}, found none", where, f"known: {', '.join(known)}"
+        )
+    for i, name in enumerate(listed):
+        if not isinstance(name, str) or name not in known:
+            raise PkmodesError(f"unknown name {shown(name)}", where, nearest(str(name), known))
+        if name in listed[:i]:
+            raise PkmodesError(f"{shown(name)} is given twice", where, "give each name once")
+    return tuple(known[name] for name in listed)
+
+
+def input_vectors(at: Vibrating, ports: Sequence[Port]) -> Array:
+    """Return the generalised force of each input, (N, n, inputs); 0 for prescribed motor angles."""
+    N, _, n = at.platform.shape
+    B = np.zeros((N, n, len(ports)))
+    for i, port in enumerate(ports):
+        if port.kind == "force":
+            B[:, :, i] = at.platform[:, port.index]
+        elif port.kind == "torque":
+            B[:, :, i] = at.motors[port.index]
+    return B
+
+
+def output_vectors(at: Vibrating, ports: Sequence[Port]) -> Array:
+    """Return what each output shows of the coordinates, (N, outputs, n)."""
+    N, _, n = at.platform.shape
+    L = np.zeros((N, len(ports), n))
+    for i, port in enumerate(ports):
+        if port.kind == "platform":
+            L[:, i] = np.array(port.direction) @ at.platform
+        elif port.kind == "motor":
+            L[:, i] = at.motors[port.index]
+        else:
+            L[:, i, port.index] = 1.0
+    return L
+
+
+def prescribed(ports: Sequence[Port], drives: int) -> Array:
+    """Return the angle that each input prescribes of each motor, (drives, inputs)."""
+    motors = np.zeros((drives, len(ports)))
+    for i, port in enumerate(ports):
+        if port.kind == "motor":
+            motors[port.index, i] = 1.0
+    return motors
+
+
+def units_of(inputs: Sequence[Port], outputs: Sequence[Port], quantity: str) -> tuple[tuple[str, ...], ...]:
+    """Return the unit of a quantity of each output (rows) per input (columns)."""
+    rate = ("", "/s", "/s^2")[QUANTITIES[quantity]]
+    return tuple(tuple(_ratio(port.unit + rate, into.unit) for into in inputs) for port in outputs)
+
+
+def _ratio(output: str, into: str) -> str:
+    if output == into:
+        return "1"
+    return f"{output}/{into}" if " " not in into else f"{output}/({into})"

@@ -1,0 +1,282 @@
+r"""State space models of a robot at poses, in modal coordinates.
+
+With the modes :math:`y = \Phi \eta` of the coordinates that are solved for, and prescribed motor angles u,
+
+.. math:: \ddot\eta + D \dot\eta + \Lambda \eta = \Phi^T B f - (g \ddot u + c \dot u + k u) ,
+
+where g, c and k are inertia, damping and stiffness between the modes and the prescribed motions.  The states
+:math:`\xi = \eta + g u` and :math:`v = \dot\xi - h u`, with :math:`h = D g - c`, need no derivative of u:
+
+.. math:: \dot\xi = v + h u , \qquad
+    \dot v = -\Lambda \xi - D v + \Phi^T B f + (\Lambda g - k - D h) u .
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.linalg import expm
+
+from pkmodes.base.arguments import check_argument, one_of
+from pkmodes.base.drives import FREE, checked_drives
+from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.mechanism.poses import OnError
+from pkmodes.response.channels import Channels
+from pkmodes.response.ports import (
+    QUANTITIES,
+    Output,
+    Port,
+    input_vectors,
+    inputs_of,
+    output_vectors,
+    outputs_of,
+    prescribed,
+    units_of,
+)
+from pkmodes.response.vibrating import Vibrating
+from pkmodes.solve.backends import AUTO
+from pkmodes.solve.dynamics import Dynamics
+
+if TYPE_CHECKING:
+    from scipy.signal import StateSpace as OfScipy
+
+Array = NDArray[np.float64]
+Index = tuple[int, ...] | int
+#: A direct part below this fraction of what the states contribute statically is rounding.
+NOTHING = 1e-12
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class StateSpace(Channels):
+    """State space models, one for each pose.
+
+    Attributes
+    ----------
+    A : ndarray, shape (..., 2 k, 2 k)
+        The states are the coordinate and the rate of each of the k modes, ascending.  NaN, like the others, where a
+        pose could not be evaluated.
+    B : ndarray, shape (..., 2 k, inputs)
+    C : ndarray, shape (..., outputs, 2 k)
+    D : ndarray, shape (..., outputs, inputs)
+    frequencies : ndarray, shape (..., k)
+        Of these modes [Hz].
+    tick : float or None
+        Period of a discrete model [s]; None for a continuous one.
+    """
+
+    A: Array
+    B: Array
+    C: Array
+    D: Array
+    frequencies: Array
+    tick: float | None
+
+    def __repr__(self) -> str:
+        time = "continuous" if self.tick is None else f"every {self.tick:g} s"
+        return (
+            f"StateSpace({self.A.shape}, {self.quantity} of {', '.join(self.outputs)}, {time}, "
+            f"motors {self.drives})"
+        )
+
+    def at(self, index: Index = ()) -> OfScipy[Any, Any]:
+        """Return the model at one pose as a `scipy.signal.StateSpace`.
+
+        Parameters
+        ----------
+        index : int or tuple of int
+            Of the pose; not needed for a single one.
+        """
+        from scipy.signal import StateSpace as OfScipy
+
+        matrices = self._matrices(index)
+        return OfScipy(*matrices) if self.tick is None else OfScipy(*matrices, dt=self.tick)
+
+    def to_control(self, index: Index = ()) -> Any:
+        """Return the model at one pose as a `control.StateSpace`, with the names of its inputs and outputs.
+
+        Raises
+        ------
+        MissingExtraError
+            If python-control is not installed.
+        """
+        from pkmodes.response.exports import state_space_to_control
+
+        return state_space_to_control(self, self._matrices(index), self.tick)
+
+    def to_mat(self, path: str | PathLike[str], index: Index = ()) -> None:
+        """Write the model at one pose for MATLAB: A, B, C, D, ``inputs``, ``outputs``, ``units``, ``pose``.
+
+        Raises
+        ------
+        OutputError
+            If the file cannot be written.
+        """
+        from pkmodes.response.exports import state_space_to_mat
+
+        state_space_to_mat(self, self._matrices(index), self.tick, Path(path), index)
+
+    def _matrices(self, index: Index) -> tuple[Array, Array, Array, Array]:
+        return self.A[index], self.B[index], self.C[index], self.D[index]
+
+    def discretized(self, tick: float) -> StateSpace:
+        """Return discrete models for inputs that are held between ticks (zero-order hold).
+
+        Parameters
+        ----------
+        tick : float
+            [s].
+
+        Raises
+        ------
+        PkmodesError
+            If the models are discrete already, the period is not a positive number, or a mode is above half the
+            sampling rate: leave it out with ``modes``.
+        """
+        if self.tick is not None:
+            what = f"these models are discrete already, every {self.tick:g} s"
+            raise PkmodesError(what, "tick", "discretise the continuous models")
+        if not isinstance(tick, int | float | np.number) or not np.isfinite(tick) or tick <= 0.0:
+            raise PkmodesError(f"expected a period in s, found {shown(tick)}", "tick", "for example: 0.001")
+        highest = float(np.nanmax(np.abs(self.frequencies), initial=0.0))
+        if highest > 0.5 / tick:
+            what = (
+                f"a mode at {highest:.4g} Hz is above half the sampling rate, {0.5 / tick:.4g} Hz: samples "
+                "every {:g} s do not show it".format(tick)
+            )
+            raise PkmodesError(what, "tick", "keep fewer modes (modes=), or take a shorter period")
+        states, inputs = self.B.shape[-2:]
+        both = np.zeros((*self.A.shape[:-2], states + inputs, states + inputs))
+        both[..., :states, :states], both[..., :states, states:] = self.A, self.B
+        there = np.isfinite(both).all(axis=(-1, -2))
+        stepped = np.full_like(both, np.nan)
+        stepped[there] = expm(both[there] * tick)
+        A, B = stepped[..., :states, :states], stepped[..., :states, states:]
+        return replace(self, A=A, B=B, tick=float(tick))
+
+
+def state_space(
+    dynamics: Dynamics,
+    poses: ArrayLike,
+    inputs: Sequence[str],
+    outputs: Sequence[Output],
+    *,
+    drives: str = FREE,
+    modes: int | None = None,
+    residual: bool = True,
+    quantity: str = "displacement",
+    on_error: OnError = "raise",
+    backend: str = AUTO,
+) -> StateSpace:
+    """Build state space models: see `pkmodes.Model.state_space`."""
+    checked_drives(drives)
+    check_argument(quantity, one_of(QUANTITIES), "quantity", 'for example: "acceleration"')
+    into, out = inputs_of(dynamics, inputs, drives), outputs_of(dynamics, outputs)
+    system, kinematics = dynamics.solved(drives), dynamics.kinematics
+    count = int(len(system.coordinates) - system.massless().sum())
+    kept = _checked_modes(modes, count, system.rigid_modes)
+    checked = kinematics.checked(poses, on_error)
+
+    def at(points: Array) -> tuple[Array, ...]:
+        vibrating = Vibrating(dynamics, points, drives, backend)
+        parts = _matrices(vibrating, into, out, kept, residual and quantity == "displacement")
+        return _differentiated(parts, QUANTITIES[quantity], into, out, quantity)
+
+    A, B, C, D, frequencies = kinematics.evaluated(at, checked)
+    return StateSpace(
+        codes=checked.codes.reshape(checked.batch),
+        known=checked.known,
+        poses=checked.points.reshape((*checked.batch, -1)),
+        A=A,
+        B=B,
+        C=C,
+        D=D,
+        frequencies=frequencies,
+        inputs=tuple(port.name for port in into),
+        outputs=tuple(port.name for port in out),
+        units=units_of(into, out, quantity),
+        quantity=quantity,
+        drives=drives,
+        tick=None,
+        robot=dynamics.robot,
+    )
+
+
+def _checked_modes(modes: int | None, count: int, rigid: int) -> int:
+    """Return the number of modes kept of a model with some rigid ones."""
+    least = max(rigid, 1)
+    if modes is None:
+        return count
+    if isinstance(modes, bool) or not isinstance(modes, int | np.integer) or not least <= modes <= count:
+        what = f"expected a number of modes from {least} to {count}, found {shown(modes)}"
+        which = f"; the {rigid} rigid ones are counted and kept" if rigid else ""
+        raise PkmodesError(what, "modes", f"give the number of the lowest modes that are kept{which}")
+    return int(modes)
+
+
+def _matrices(
+    at: Vibrating, inputs: Sequence[Port], outputs: Sequence[Port], kept: int, residual: bool
+) -> tuple[Array, ...]:
+    """Return A, B, C, D and the frequencies of the modes kept, at N poses."""
+    own, eigenvalues, N = at.own_shapes, at.eigenvalues, len(at.points)  # own: N, m, k
+    damping, rigid = at.damping.matrix, at.rigid
+    forces, L = at.kept.T @ input_vectors(at, inputs), output_vectors(at, outputs) @ at.kept
+    motors = prescribed(inputs, at.prescribed.shape[1])
+    M, K, viscous, loss = (block.prescribed @ motors for block in (*at.matrices, *at.dissipation))
+    omega = np.sqrt(np.abs(eigenvalues))
+    g, k, c = own @ M, own @ K, own @ viscous
+    c[:, rigid:] += (2.0 * at.dynamics.dissipation.ratio * omega[:, rigid:])[..., None] * g[:, rigid:]
+    if loss.any():
+        c[:, rigid:] += (own[:, rigid:] @ loss) / omega[:, rigid:, None]
+    shown_by = L @ np.swapaxes(own, -1, -2)  # N, outputs, m
+    D = output_vectors(at, outputs) @ at.prescribed @ motors + _massless(at, forces - K, L)
+    push, use = own @ forces, slice(0, kept)
+    if residual:
+        omitted = (push - k)[:, kept:] / eigenvalues[:, kept:, None]
+        D = D + shown_by[:, :, kept:] @ omitted
+    D = D - shown_by[:, :, use] @ g[:, use]
+    d = damping[:, use, use]
+    h = d @ g[:, use] - c[:, use]
+    A, B = np.zeros((N, 2 * kept, 2 * kept)), np.zeros((N, 2 * kept, len(inputs)))
+    C = np.zeros((N, len(outputs), 2 * kept))
+    place = np.arange(kept)
+    A[:, 2 * place, 2 * place + 1] = 1.0
+    A[:, 2 * place + 1, 2 * place] = -eigenvalues[:, use]
+    A[:, 1::2, 1::2] = -d
+    B[:, 0::2] = h
+    B[:, 1::2] = push[:, use] + eigenvalues[:, use, None] * g[:, use] - k[:, use] - d @ h
+    C[:, :, 0::2] = shown_by[:, :, use]
+    return A, B, C, D, np.sign(eigenvalues[:, use]) * omega[:, use] / (2.0 * np.pi)
+
+
+def _massless(at: Vibrating, forces: Array, L: Array) -> Array:
+    """Return how far coordinates without inertia give way to the inputs themselves, as the outputs show it."""
+    r = at.massless
+    if not r.any():
+        return np.zeros((len(L), L.shape[1], forces.shape[-1]))
+    K = at.matrices[1].own[:, r][:, :, r]
+    return np.asarray(L[..., r] @ np.linalg.solve(K, forces[:, r]))
+
+
+def _differentiated(
+    parts: tuple[Array, ...], times: int, inputs: Sequence[Port], outputs: Sequence[Port], quantity: str
+) -> tuple[Array, ...]:
+    """Differentiate the outputs in time, which nothing that follows the inputs at once allows."""
+    A, B, C, D, frequencies = parts
+    for _ in range(times):
+        scale = np.abs(C) @ np.abs(B) / np.maximum(np.abs(A).max(axis=(1, 2)), 1.0)[:, None, None]
+        direct = np.abs(D) > NOTHING * np.maximum(scale, np.finfo(float).tiny)
+        if direct.any():
+            _, o, i = np.argwhere(direct)[0]
+            what = (
+                f"the displacement of {outputs[o].name} follows {inputs[i].name} at once, so that its {quantity} "
+                "contains a derivative of the input, which no proper system has"
+            )
+            raise PkmodesError(what, "quantity", 'take "displacement", or the frequency responses (frf)')
+        C, D = C @ A, C @ B
+    return A, B, C, D, frequencies

@@ -1,0 +1,136 @@
+r"""The equations of small motions of one robot at poses, with everything that a response needs.
+
+With the coordinates r that are solved for (with held motors the angles of these are prescribed instead),
+
+.. math:: M \ddot q + (C_v + C_m) \dot q + (K + i K'') q = B u ,
+
+where q are the coordinates of the robot with free motors, and C_m is the damping of a ratio zeta of every mode.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.linalg.damping import ModalDamping, modal_damping
+from pkmodes.linalg.eigen import generalised_eigh
+from pkmodes.solve.dynamics import Dynamics
+from pkmodes.solve.solutions import solved
+from pkmodes.system.motors import MotorsHeld, motor_motion
+
+Array = NDArray[np.float64]
+
+
+class Blocks(NamedTuple):
+    """Blocks of a matrix at N poses, of the k coordinates that are solved for.
+
+    Attributes
+    ----------
+    own : ndarray, shape (N, k, k)
+    prescribed : ndarray, shape (N, k, drives)
+        Forces on these coordinates per unit of each prescribed motor angle; 0 where motors are free.
+    """
+
+    own: Array
+    prescribed: Array
+
+
+class Vibrating:
+    """A robot at N poses that can be evaluated, with free or held motors.
+
+    Parameters
+    ----------
+    points : ndarray, shape (N, d)
+
+    Attributes
+    ----------
+    eigenvalues, own_shapes : ndarray, shape (N, m) and (N, m, k)
+        Modes in the k coordinates that are solved for.
+    kept, prescribed : ndarray, shape (n, k) and (n, drives)
+        The n coordinates per unit of these, and of each motor angle where motors are held.
+    massless : ndarray of bool, shape (k,)
+        Which of the k coordinates have no inertia.
+    rigid : int
+        Number of rigid modes.
+    """
+
+    def __init__(self, dynamics: Dynamics, points: Array, drives: str, backend: str) -> None:
+        self.dynamics, self.points, self.drives = dynamics, points, drives
+        system = self.system = dynamics.solved(drives)
+        at = solved(dynamics.solver(backend, drives).inner, system, points, dynamics.robot.source)
+        self.rigid, self.massless = system.rigid_modes, system.massless()
+        n, drives_count = len(dynamics.system.coordinates), len(dynamics.robot.mechanism.drives)
+        self.kept, self.prescribed = np.eye(n), np.zeros((n, drives_count))
+        if isinstance(system, MotorsHeld):
+            self.kept, self.prescribed = system.motions()
+        self.eigenvalues, self.own_shapes = self._with_digits(at["eigenvalues"], at["shapes"])
+
+    def _with_digits(self, eigenvalues: Array, shapes: Array) -> tuple[Array, Array]:
+        """Return the modes, the rigid ones from an eigenproblem of their own.
+
+        Otherwise they have the rounding of the largest eigenvalue, which shows at low frequencies.
+        """
+        rigid = self.rigid
+        if rigid:
+            eigenvalues, shapes = eigenvalues.copy(), shapes.copy()
+            R = shapes[:, :rigid]
+            M, K = (R @ matrix.own @ np.swapaxes(R, -1, -2) for matrix in self.matrices)
+            eigenvalues[:, :rigid], turned = generalised_eigh(M, K)
+            shapes[:, :rigid] = turned @ R
+        return eigenvalues, shapes
+
+    @cached_property
+    def matrices(self) -> tuple[Blocks, Blocks]:
+        """M and K."""
+        M, K = (self._blocks(matrix) for matrix in self.system.all_coordinates(self.points))
+        return M, K
+
+    @cached_property
+    def dissipation(self) -> tuple[Blocks, Blocks]:
+        """C_v and K''."""
+        of, system = self.dynamics.dissipation, self.system
+        if isinstance(system, MotorsHeld) and of.by_effects:
+            viscous, loss = (self._blocks(system.in_basis(matrix)) for matrix in of.of_model(self.points))
+            return viscous, loss
+        viscous, loss = (
+            Blocks(matrix[:, : len(self.kept.T), : len(self.kept.T)], self._nothing)
+            for matrix in of.matrices(self.points)
+        )
+        return viscous, loss
+
+    def _blocks(self, matrix: Array) -> Blocks:
+        """Return the blocks of a matrix in all coordinates of the system that is solved."""
+        system = self.system
+        if isinstance(system, MotorsHeld):
+            # Without motor inertia and servos, which have no influence: nothing large cancels.
+            return Blocks(system.free_part(matrix), matrix[:, system.free[:, None], system.rotors])
+        return Blocks(system.free_part(matrix), self._nothing)
+
+    @property
+    def _nothing(self) -> Array:
+        return np.zeros((len(self.points), self.kept.shape[1], self.prescribed.shape[1]))
+
+    @cached_property
+    def damping(self) -> ModalDamping:
+        """Damping in modal coordinates."""
+        viscous, loss = self.dissipation
+        ratio = self.dynamics.dissipation.ratio
+        return modal_damping(self.eigenvalues, self.own_shapes, viscous.own, loss.own, ratio, self.rigid)
+
+    @cached_property
+    def motors(self) -> Array:
+        """The angle of each motor per unit of each of the n coordinates, (drives, n)."""
+        return motor_motion(self.dynamics.system)
+
+    @cached_property
+    def platform(self) -> Array:
+        """Absolute motion of the platform per unit of each of the n coordinates, (N, directions, n)."""
+        return self.dynamics.system.platform_motion(self.points)
+
+
+def nan_in_both_parts(values: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """Return values whose imaginary part is NaN too where the real part is: at poses that cannot be evaluated."""
+    return np.where(np.isnan(values), complex(np.nan, np.nan), values)

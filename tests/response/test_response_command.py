@@ -1,0 +1,155 @@
+"""``pkmodes response``, damping in ``pkmodes modes`` and ``compare``: what they print and write, what they refuse."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.io import loadmat
+
+import pkmodes
+from pkmodes.cli import run
+
+ROBOT = Path("robots/linear-delta-2022.toml")
+POSE = ("--pose", "0.6,0.05,-0.245")
+DAMPING = """
+[damping]
+ratio = "2 %"
+
+[effects.belt_loss]
+loss_factor = 0.02
+
+[effects.rail_friction]
+viscous = "20 N*s/m"
+"""
+HELD = ("--drives", "held", "--inputs", "motor_1,force_x", "--outputs", "p_x,nozzle=1:1:0,x_2")
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> str:
+    path = tmp_path / "robot.toml"
+    path.write_text(ROBOT.read_text(encoding="utf-8") + DAMPING, encoding="utf-8")
+    return str(path)
+
+
+def test_the_table_and_the_model_are_those_of_python(
+    robot: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, mat = tmp_path / "r.csv", tmp_path / "r.mat"
+    arguments = ("response", robot, *POSE, *HELD, "--frequencies", "5:200:40", "--log", "--modes", "3")
+    assert (
+        run([*arguments, "--out", str(out), "--state-space", str(mat), "--json", str(tmp_path / "r.json")])
+        == 0
+    )
+    printed = capsys.readouterr().out
+    model, pose = pkmodes.load(robot), [0.6, 0.05, -0.245]
+    outputs = ["p_x", {"nozzle": [1.0, 1.0, 0.0]}, "x_2"]
+    f = np.geomspace(5, 200, 40)
+    found = model.frf(pose, f, ["motor_1", "force_x"], outputs, drives="held")
+    lines = out.read_text(encoding="utf-8").splitlines()
+    comments = [line for line in lines if line.startswith("#")]
+    assert "# pose: [0.6, 0.05, -0.245] m" in comments
+    assert "# drives: held" in comments
+    assert "# unit: nozzle/motor_1 = m/rad" in comments
+    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    assert len(rows) == 40
+    for k, row in enumerate(rows):
+        assert float(row["frequency"]) == f[k]
+        for o, output in enumerate(found.outputs):
+            for i, into in enumerate(found.inputs):
+                value = complex(float(row[f"re:{output}/{into}"]), float(row[f"im:{output}/{into}"]))
+                assert value == found.values[k, o, i]
+    document = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))
+    np.testing.assert_array_equal(
+        np.array(document["real"]) + 1j * np.array(document["imaginary"]), found.values
+    )
+    system = model.state_space(pose, ["motor_1", "force_x"], outputs, drives="held", modes=3)
+    np.testing.assert_array_equal(loadmat(mat)["A"], system.A)
+    peak = np.abs(found.values[:, 0, 1]).max()
+    line = next(line for line in printed.splitlines() if line.startswith("p_x/force_x"))
+    assert f"{peak:.4g}" in line
+    assert "motors held" in printed
+
+
+@pytest.mark.parametrize(
+    ("arguments", "what"),
+    [
+        (("--inputs", "motor_1", "--outputs", "p_x", "--frequencies", "1:9:9"), "motors are free"),
+        (("--inputs", "torque_1", "--outputs", "p_w", "--frequencies", "1:9:9"), '"p_w"'),
+        (("--inputs", "torque_1", "--outputs", "tip=a:b", "--frequencies", "1:9:9"), "direction"),
+        (("--inputs", "torque_1", "--outputs", "tip=0:0:0", "--frequencies", "1:9:9"), "not all of them 0"),
+        (("--inputs", "torque_1", "--outputs", "p_x", "--frequencies", "1:9"), "FIRST:LAST:COUNT"),
+        (("--inputs", "torque_1", "--outputs", "p_x", "--frequencies", "9:1:5"), "ascending"),
+        (("--inputs", "torque_1", "--outputs", "p_x", "--frequencies", "0:9:9"), "rigid modes"),
+        (("--inputs", "torque_1", "--outputs", "p_x", "--frequencies", "0:9:9", "--log"), "0 Hz"),
+        (
+            ("--inputs", "torque_1", "--outputs", "p_x", "--frequencies", "1:9:9", "--modes", "3"),
+            "--state-space",
+        ),
+        (("--inputs", "torque_1", "--outputs", "p_x", "--frequencies", "1:9:9", "--out", "a.txt"), ".csv"),
+    ],
+)
+def test_mistakes_are_named(
+    arguments: tuple[str, ...], what: str, robot: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["response", robot, *POSE, *arguments]) == 2
+    error = capsys.readouterr().err
+    assert error.startswith("error: ")
+    assert what in error
+    assert "Traceback" not in error
+
+
+def test_modes_show_damping_and_poles(robot: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["modes", robot, *POSE, "--json", "-"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    model = pkmodes.load(robot)
+    modes = model.modes([0.6, 0.05, -0.245])
+    assert document["damping_ratios"][:3] == [None] * 3
+    assert document["damping_ratios"][3:] == modes.damping_ratios[3:].tolist()
+    poles = model.poles([0.6, 0.05, -0.245])
+    assert document["poles"] == [[s.real, s.imag] for s in poles]
+    assert document["notes"] == []
+    assert run(["modes", robot, *POSE]) == 0
+    row = next(line for line in capsys.readouterr().out.splitlines() if line.startswith("damping [%]"))
+    assert row.split()[2:] == [f"{100 * ratio:.3g}" for ratio in modes.damping_ratios[3:]]
+    assert run(["modes", str(ROBOT), *POSE]) == 0
+    assert "damping" not in capsys.readouterr().out
+
+
+def test_strong_friction_is_noted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "robot.toml"
+    text = ROBOT.read_text(encoding="utf-8") + '\n[effects.rail_friction]\nviscous = "2000 N*s/m"\n'
+    path.write_text(text, encoding="utf-8")
+    assert run(["modes", str(path), *POSE, "--drives", "held"]) == 0
+    assert "use the poles" in capsys.readouterr().out
+
+
+def test_compare_shows_measured_damping_beside_that_of_the_model(
+    robot: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    model = pkmodes.load(robot)
+    poses = {"A": [0.6, 0.05, -0.245], "B": [0.5, 0.0, -0.25]}
+    rows = ["pose,x,y,z,frequency,sigma,damping,sigma_damping,drives"]
+    expected = []
+    for label, drives in (("A", "held"), ("B", "free")):
+        modes = model.modes(poses[label], drives=drives)
+        for i in range(modes.rigid_modes, modes.rigid_modes + 3):
+            damping = "" if i == modes.rigid_modes else "0.03"
+            values = (*poses[label], modes.frequencies[i], 0.1)
+            rows.append(f"{label},{','.join(map(str, values))},{damping},,{drives}")
+            expected.append((damping, modes.damping_ratios[i]))
+    file = tmp_path / "modes.csv"
+    file.write_text("\n".join(rows) + "\n", encoding="utf-8")
+    assert run(["compare", robot, str(file), "--json", "-"]) == 0
+    for row, (damping, ratio) in zip(json.loads(capsys.readouterr().out)["rows"], expected, strict=True):
+        assert row.get("damping") == (0.03 if damping else None)
+        if damping:
+            assert row["sigma_damping"] == pytest.approx(0.3 * 0.03)
+            assert row["predicted_damping"] == pytest.approx(ratio, rel=1e-12)
+        else:
+            assert not {"sigma_damping", "predicted_damping"} & row.keys()
+    assert run(["compare", robot, str(file)]) == 0
+    assert "damping [%]" in capsys.readouterr().out
