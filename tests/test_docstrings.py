@@ -6,7 +6,7 @@ import doctest
 import importlib
 import inspect
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
 
@@ -24,8 +24,13 @@ MODULES = {
     "pkmodes.figures": (),
     "pkmodes.view": (),
     "pkmodes.report": (),
+    "pkmodes.shaping": ("Shaper", "residual", "shaper"),
+    "pkmodes.response.frequency_response": ("FrequencyResponse",),
+    "pkmodes.response.state_space": ("StateSpace",),
     "pkmodes.mechanism": ("add_folder", "mechanism", "names"),  # the rest is for the runtime
 }
+#: Methods of public classes that these inherit.
+INHERITED = {"pkmodes.model.responses": ("Responses",)}
 #: Format, summaries, parameters, results and exceptions.  An extended summary, an example and See Also are not asked
 #: of every name.
 CHECKS = re.compile(r"GL0[35-9]|GL10|SS0[1-6]|PR0[1-9]|PR10|RT0[1-5]|YD01")
@@ -35,7 +40,12 @@ ENGINE = ("pkmodes.diagnosis.problem.Structure", "pkmodes.diagnosis.matrices.Mat
 
 def public() -> Iterator[tuple[str, object]]:
     """Yield the public names with what they name."""
-    for module, chosen in MODULES.items():
+    yield from named_in(MODULES)
+
+
+def named_in(modules: Mapping[str, tuple[str, ...]]) -> Iterator[tuple[str, object]]:
+    """Yield names of modules, by default all that they export, with what they name."""
+    for module, chosen in modules.items():
         found = importlib.import_module(module)
         for name in chosen or found.__all__:
             if not inspect.ismodule(getattr(found, name)):  # it has its own entry
@@ -44,7 +54,7 @@ def public() -> Iterator[tuple[str, object]]:
 
 def documented() -> Iterator[str]:
     """Yield functions, classes, and the public methods that these define, by the module that defines them."""
-    for _, thing in public():
+    for _, thing in (*public(), *named_in(INHERITED)):
         name = f"{thing.__module__}.{thing.__qualname__}"
         yield name
         for attribute, value in vars(thing).items() if inspect.isclass(thing) else ():

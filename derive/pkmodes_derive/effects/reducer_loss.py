@@ -10,8 +10,10 @@ from pkmodes_derive.machine import Machine
 
 def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Give every reducer and every gearbox that may wind up the loss factor."""
-    for part in (*machine.reducers, *machine.drives):
-        part.loss += parameters["loss_factor"]
+    for reducer in machine.reducers:
+        reducer.loss += parameters["loss_factor"]
+    for drive in machine.drives:
+        drive.loss += parameters["loss_factor"]
 
 
 EFFECT = Effect(

@@ -61,7 +61,12 @@ class FrequencyResponse(Channels):
         )
 
     def to_dataset(self) -> Dataset:
-        """Return the responses as a dataset: dimensions of the poses, then ``frequency``, ``output``, ``input``.
+        """Return the responses as a dataset.
+
+        Returns
+        -------
+        xarray.Dataset
+            ``response`` with the dimensions of the poses, then ``frequency``, ``output``, ``input``.
 
         Raises
         ------
@@ -73,12 +78,17 @@ class FrequencyResponse(Channels):
         return response_dataset(self, self.values, self.frequencies)
 
     def to_control(self, index: tuple[int, ...] | int = ()) -> Any:
-        """Return the response at one pose as a `control.FrequencyResponseData`.
+        """Return the response at one pose as a ``control.FrequencyResponseData``.
 
         Parameters
         ----------
         index : int or tuple of int
             Of the pose; not needed for a single one.
+
+        Returns
+        -------
+        control.FrequencyResponseData
+            With the names of inputs and outputs.
 
         Raises
         ------
@@ -91,6 +101,13 @@ class FrequencyResponse(Channels):
 
     def to_csv(self, path: str | PathLike[str], index: tuple[int, ...] | int = ()) -> None:
         """Write the response at one pose: ``frequency`` and ``re:OUTPUT/INPUT``, ``im:OUTPUT/INPUT``.
+
+        Parameters
+        ----------
+        path : str or path
+            CSV file; an existing one is replaced.
+        index : int or tuple of int
+            Of the pose; not needed for a single one.
 
         Raises
         ------

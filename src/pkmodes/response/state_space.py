@@ -85,12 +85,17 @@ class StateSpace(Channels):
         )
 
     def at(self, index: Index = ()) -> OfScipy[Any, Any]:
-        """Return the model at one pose as a `scipy.signal.StateSpace`.
+        """Return the model at one pose as a ``scipy.signal.StateSpace``.
 
         Parameters
         ----------
         index : int or tuple of int
             Of the pose; not needed for a single one.
+
+        Returns
+        -------
+        scipy.signal.StateSpace
+            With the period of a discrete model.
         """
         from scipy.signal import StateSpace as OfScipy
 
@@ -98,7 +103,17 @@ class StateSpace(Channels):
         return OfScipy(*matrices) if self.tick is None else OfScipy(*matrices, dt=self.tick)
 
     def to_control(self, index: Index = ()) -> Any:
-        """Return the model at one pose as a `control.StateSpace`, with the names of its inputs and outputs.
+        """Return the model at one pose as a ``control.StateSpace``, with the names of its inputs and outputs.
+
+        Parameters
+        ----------
+        index : int or tuple of int
+            Of the pose; not needed for a single one.
+
+        Returns
+        -------
+        control.StateSpace
+            With the period of a discrete model.
 
         Raises
         ------
@@ -111,6 +126,13 @@ class StateSpace(Channels):
 
     def to_mat(self, path: str | PathLike[str], index: Index = ()) -> None:
         """Write the model at one pose for MATLAB: A, B, C, D, ``inputs``, ``outputs``, ``units``, ``pose``.
+
+        Parameters
+        ----------
+        path : str or path
+            MATLAB file; an existing one is replaced.
+        index : int or tuple of int
+            Of the pose; not needed for a single one.
 
         Raises
         ------
@@ -131,6 +153,11 @@ class StateSpace(Channels):
         ----------
         tick : float
             [s].
+
+        Returns
+        -------
+        StateSpace
+            A and B for one tick; C and D as before.
 
         Raises
         ------

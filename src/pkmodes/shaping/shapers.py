@@ -40,8 +40,8 @@ def shaper(kind: str, frequencies: ArrayLike, damping_ratios: ArrayLike) -> Shap
     Parameters
     ----------
     kind : str
-        One of `KINDS`, or factors joined by `*`, such as "zv*zv*ei": one shaper for several modes, the convolution of
-        the shapers for each of them.
+        One of ``KINDS``, or factors joined by ``*``, such as "zv*zv*ei": one shaper for several modes, the
+        convolution of the shapers for each of them.
     frequencies : array_like, shape (...); (..., k) for a product of k factors
         Undamped natural frequencies [Hz].  Factor j of a product is for the mode at index j of the last axis.
     damping_ratios : array_like

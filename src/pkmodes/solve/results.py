@@ -131,7 +131,7 @@ class Modes(ChosenFields):
         times the independent coordinates' components, plus the motion of released joints and the frame.
     vibration_amplitudes : ndarray, shape (..., m, directions)
         With held motors, how the platform rings after a step of its acceleration of 1 m/s^2 along each linear pose
-        component d [s^2]: |J_p phi_i| |phi_i^T M r_d| / omega_i^2, with the motion r_d of all coordinates, motors
+        component d [s^2]: ``|J_p phi_i| |phi_i^T M r_d| / omega_i^2``, with the motion r_d of all coordinates, motors
         included, that moves the platform by 1 along d and strains nothing; the norm is over all directions.  NaN for
         rigid-body modes, and with free motors.  In a group of equal frequencies it depends on the shapes that stand
         for the group.
