@@ -1,0 +1,94 @@
+"""Time of 1,000 frequencies of the responses at a pose, beside linear systems that are solved for each of them.
+
+    python benchmarks/frequency_responses.py
+
+Both begin with the matrices and modes of the pose; NumPy solves the linear systems in one batch, on one core.  The
+error is the largest difference between the two in parts of the peak of a channel.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+import pkmodes
+from pkmodes.linalg.threads import one_blas_thread
+from pkmodes.response.equations import Equations, equations
+from pkmodes.response.ports import input_vectors, inputs_of, output_vectors, outputs_of, prescribed
+from pkmodes.response.vibrating import Vibrating
+
+FREQUENCIES = np.linspace(0.5, 400.0, 1000)
+ROBOTS = {
+    "linear-delta-2022": [0.6, 0.05, -0.245],
+    "clavel-delta": [0.03, 0.02, -0.45],
+    "corexy-printer": [0.02, 0.05],
+}
+#: Of these, a robot gets the effects that its mechanism has.
+EFFECTS = {
+    "": {},
+    "soft joints": {"gearbox_compliance.compliance": 2e-3, "link_compliance.compliance": 1e-7},
+}
+DAMPING = {
+    "ratio": {},
+    "ratio and losses": {
+        "belt_loss.loss_factor": 0.02,
+        "reducer_loss.loss_factor": 0.02,
+        "rail_friction.viscous": 20.0,
+    },
+}
+
+
+def equations_of(model: pkmodes.Model, pose: Sequence[float], drives: str) -> Equations:
+    mechanism, dynamics = model.mechanism, model.dynamics
+    drive = "motor_" if drives == "held" else "torque_"
+    inputs = inputs_of(
+        dynamics, [f"{drive}{mechanism.drives[0].name}", f"force_{mechanism.directions[0]}"], drives
+    )
+    outputs = outputs_of(dynamics, [*(f"p_{name}" for name in mechanism.directions), model.coordinates[0]])
+    at = Vibrating(dynamics, np.array([pose]), drives, "auto")
+    motors = prescribed(inputs, len(mechanism.drives))
+    return equations(at, 0, input_vectors(at, inputs)[0], motors, output_vectors(at, outputs)[0])
+
+
+def best(
+    function: Callable[[NDArray[np.float64]], NDArray[np.complex128]],
+) -> tuple[float, NDArray[np.complex128]]:
+    """Return the shortest of several times [s], and the result."""
+    omega, times = 2.0 * np.pi * FREQUENCIES, []
+    for _ in range(15):
+        start = time.perf_counter()
+        found = function(omega)
+        times.append(time.perf_counter() - start)
+    return min(times), found
+
+
+def main() -> None:
+    print(f"{'robot':52s} {'motors':6s} {'size':>4s} {'ms':>7s} {'ratio':>6s} {'error':>8s}")
+    for name, pose in ROBOTS.items():
+        loaded = pkmodes.load(f"robots/{name}.toml")
+        for effect, values in EFFECTS.items():
+            for damping, also in DAMPING.items():
+                effects = {
+                    f"effects.{path}": value
+                    for path, value in {**values, **also}.items()
+                    if path.partition(".")[0] in loaded.mechanism.effects
+                }
+                model = loaded.with_values({"damping.ratio": 0.02, **effects})
+                for drives in ("free", "held"):
+                    case = equations_of(model, pose, drives)
+                    direct, expected = best(case.by_frequency)
+                    ours, found = best(case.response)
+                    peak = np.abs(expected).max(axis=0)
+                    scale = np.maximum(peak, 1e-3 * peak.max(axis=0))
+                    error = (np.abs(found - expected).max(axis=0) / scale).max()
+                    what = ", ".join(filter(None, (name, effect, damping)))
+                    figures = f"{len(case.M):4d} {1e3 * ours:7.2f} {direct / ours:6.1f} {error:8.0e}"
+                    print(f"{what:52s} {drives:6s} {figures}")
+
+
+if __name__ == "__main__":
+    with one_blas_thread():
+        main()
