@@ -159,6 +159,30 @@ def test_impossible_numbers_of_modes_are_refused(modes: object) -> None:
         model.state_space(pose, ["motor_1"], ["p_x"], drives="held", modes=modes)  # type: ignore[arg-type]
 
 
+@pytest.mark.parametrize("index", [(), 2, (0, 0), "first", 1.5])
+def test_an_index_selects_one_pose(index: object, tmp_path: Path) -> None:
+    model, pose = model_of("linear_delta", "plain")
+    poses = np.array([pose, pose])
+    system = model.state_space(poses, ["motor_1"], ["p_x"], drives="held")
+    response = model.frf(poses, [10.0], ["motor_1"], ["p_x"], drives="held")
+    for take in (
+        system.at,
+        lambda i: system.to_mat(tmp_path / "a.mat", i),
+        lambda i: response.to_csv(tmp_path / "a.csv", i),
+    ):
+        with pytest.raises(PkmodesError, match="index of one of the poses"):
+            take(index)  # type: ignore[arg-type]
+    assert not [*tmp_path.iterdir()]
+
+
+def test_a_pose_that_cannot_be_evaluated_has_no_system() -> None:
+    model, pose = model_of("linear_delta", "plain")
+    system = model.state_space([pose, [9.0, 9.0, 9.0]], ["motor_1"], ["p_x"], drives="held", on_error="nan")
+    assert system.at(0).A.shape == (12, 12)
+    with pytest.raises(PkmodesError, match="could not be evaluated"):
+        system.at(1)
+
+
 def test_rigid_modes_are_kept() -> None:
     model, pose = model_of("linear_delta", "plain")
     with pytest.raises(PkmodesError, match=r"from 3 to 9.*rigid"):

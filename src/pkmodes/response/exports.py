@@ -14,14 +14,13 @@ from pkmodes.base.extras import require
 from pkmodes.base.writing import write_file
 from pkmodes.dataset.attributes import imported
 from pkmodes.mechanism.poses import placed
-from pkmodes.response.channels import Channels
+from pkmodes.response.channels import Channels, Index
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-Index = tuple[int, ...] | int
 
 
 def response_dataset(response: Channels, values: Complex, frequencies: Array) -> Dataset:
@@ -94,7 +93,7 @@ def response_to_csv(
         text.write(f"# unit: {name} = {response.units[o][i]}\n")
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(["frequency", *(f"{part}:{name}" for _, _, name in channels for part in ("re", "im"))])
-    for f, row in zip(frequencies, values[index], strict=True):
+    for f, row in zip(frequencies, values, strict=True):
         cells = [number for o, i, _ in channels for number in (row[o, i].real, row[o, i].imag)]
         writer.writerow([repr(float(f)), *(repr(float(cell)) for cell in cells)])
     write_file(path, text.getvalue())

@@ -97,7 +97,7 @@ class FrequencyResponse(Channels):
         """
         from pkmodes.response.exports import response_to_control
 
-        return response_to_control(self, self.values[index], self.frequencies)
+        return response_to_control(self, self.values[self.one(index)], self.frequencies)
 
     def to_csv(self, path: str | PathLike[str], index: tuple[int, ...] | int = ()) -> None:
         """Write the response at one pose: ``frequency`` and ``re:OUTPUT/INPUT``, ``im:OUTPUT/INPUT``.
@@ -116,7 +116,8 @@ class FrequencyResponse(Channels):
         """
         from pkmodes.response.exports import response_to_csv
 
-        response_to_csv(self, self.values, self.frequencies, Path(path), index)
+        where = self.one(index)
+        response_to_csv(self, self.values[where], self.frequencies, Path(path), where)
 
 
 def frequency_response(
@@ -180,9 +181,10 @@ def checked_frequencies(frequencies: ArrayLike, rigid: int, drives: str) -> Arra
         If they are not finite numbers of at least 0, or 0 although the robot has rigid modes.
     """
     try:
-        given = np.atleast_1d(np.asarray(frequencies, dtype=float))
-    except (TypeError, ValueError):
-        given = np.empty((0, 0))
+        numbers = np.atleast_1d(np.asarray(frequencies))
+    except ValueError:
+        numbers = np.empty((0, 0))
+    given = numbers.astype(float) if numbers.dtype.kind in "iuf" else np.empty((0, 0))
     if given.ndim != 1 or not given.size:
         what = "expected a list of frequencies in Hz"
         raise PkmodesError(what, "frequencies", "for example: numpy.linspace(1, 400, 1000)")

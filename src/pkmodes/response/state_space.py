@@ -27,7 +27,7 @@ from pkmodes.base.arguments import check_argument, one_of
 from pkmodes.base.drives import FREE, checked_drives
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.mechanism.poses import OnError
-from pkmodes.response.channels import Channels
+from pkmodes.response.channels import Channels, Index
 from pkmodes.response.ports import (
     QUANTITIES,
     Output,
@@ -47,7 +47,6 @@ if TYPE_CHECKING:
     from scipy.signal import StateSpace as OfScipy
 
 Array = NDArray[np.float64]
-Index = tuple[int, ...] | int
 #: A direct part below this fraction of what the states contribute statically is rounding.
 NOTHING = 1e-12
 
@@ -141,10 +140,11 @@ class StateSpace(Channels):
         """
         from pkmodes.response.exports import state_space_to_mat
 
-        state_space_to_mat(self, self._matrices(index), self.tick, Path(path), index)
+        state_space_to_mat(self, self._matrices(index), self.tick, Path(path), self.one(index))
 
     def _matrices(self, index: Index) -> tuple[Array, Array, Array, Array]:
-        return self.A[index], self.B[index], self.C[index], self.D[index]
+        where = self.one(index)
+        return self.A[where], self.B[where], self.C[where], self.D[where]
 
     def discretized(self, tick: float) -> StateSpace:
         """Return discrete models for inputs that are held between ticks (zero-order hold).
