@@ -66,7 +66,7 @@ def applies(effects: tuple[str, ...], name: str) -> bool:
 
 
 def robot(name: str, effects: tuple[str, ...], **tables: dict) -> pkmodes.Model:
-    content = {**document(name), "name": "sample", "effects": {effect: VALUES[effect] for effect in effects}}
+    content = {**document(name), "name": "sample", "effects": {e: (VALUES | DISSIPATING)[e] for e in effects}}
     content.update({key: {**content.get(key, {}), **table} for key, table in tables.items()})
     return pkmodes.Model(robot_from_document(content, "sample.toml"))
 
@@ -97,6 +97,13 @@ def sample(shared: Shared) -> Sample:
 NAMES = tuple(sorted(path.name for path in ROBOTS.glob("*.toml")))
 #: Combinations of effects for the linear delta, then for a robot of each kind.
 COMBINED = [pytest.param(c, id="+".join(c)) for c in COMBINATIONS if applies(c, ROBOT)]
+#: Effects that only dissipate.
+DISSIPATING: dict[str, dict[str, float]] = {
+    "belt_loss": {"loss_factor": 0.02},
+    "reducer_loss": {"loss_factor": 0.03},
+    "rail_friction": {"viscous": 20.0},
+    "drive_friction": {"viscous": 1e-3},
+}
 CASES = [
     pytest.param(name, effects, id=f"{name}-{'+'.join(effects)}")
     for name in NAMES
@@ -115,9 +122,38 @@ def prototypes(texts: dict[str, str]) -> set[str]:
 
 
 def test_every_effect_has_a_case_here() -> None:
-    assert VALUES.keys() == {
-        effect for name in NAMES for effect in mechanism(document(name)["mechanism"]).effects
-    }
+    every = {effect for name in NAMES for effect in mechanism(document(name)["mechanism"]).effects}
+    assert VALUES.keys() | DISSIPATING.keys() == every
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("joints", [(), ("gearbox_compliance",), ("clamp_compliance",)])
+def test_what_dissipates_is_that_of_the_extended_model(
+    sample: Sample, name: str, joints: tuple[str, ...]
+) -> None:
+    """In modal coordinates, where massless ones follow: damping of modes is all that these matrices are for."""
+    known = mechanism(document(name)["mechanism"]).effects
+    if not set(joints) <= known.keys():
+        pytest.skip("the mechanism has no such joint")
+    effects = (*joints, *(effect for effect in DISSIPATING if effect in known))
+    model, module, texts = sample(name, effects)
+    pose = POSES[model.robot.mechanism_name]
+    viscous, loss = module.damping_matrix(pose), module.loss_matrix(pose)
+    modes = model.modes(pose)
+    shapes = modes.shapes
+    if hasattr(module, "condensation"):
+        shapes = shapes[:, [model.coordinates.index(q) for q in module.COORDINATES]]
+    expected = [
+        shapes_by(modes.shapes, matrix[0]) for matrix in model.dynamics.dissipation.matrices(np.array([pose]))
+    ]
+    for found, exact in zip((viscous, loss), expected, strict=True):
+        assert np.abs(found).max() > 0.0
+        np.testing.assert_allclose(shapes_by(shapes, found), exact, rtol=0, atol=1e-10 * np.abs(exact).max())
+    assert {"damping_matrix", "loss_matrix"} <= prototypes(texts)
+
+
+def shapes_by(shapes: np.ndarray, matrix: np.ndarray) -> np.ndarray:
+    return np.asarray(shapes @ matrix @ shapes.T)
 
 
 @pytest.mark.parametrize("effects", COMBINED)
