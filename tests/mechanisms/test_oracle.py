@@ -142,11 +142,13 @@ def test_names_are_those_of_the_contract(name: str) -> None:
         "rotary_delta": {
             *("payload", "gearbox_inertia", "servo_stiffness", "cable_stiffness"),
             *("link_compliance", "frame_compliance", "axis_reducer_stiffness"),
+            *("reducer_loss", "drive_friction"),
         },
         "corexy": {
             *("payload", "gearbox_inertia", "servo_stiffness", "cable_stiffness", "belt_end_compliance"),
             *("axis_belt_stiffness", "gearbox_compliance", "clamp_compliance", "frame_compliance"),
             *("belt_mass", "belt_tension_stiffness"),
+            *("belt_loss", "reducer_loss", "rail_friction", "drive_friction"),
         },
     }
     assert set(effect_names(name)) == applying[name]

@@ -60,11 +60,12 @@ from pkmodes_rig.suites.sizes import (
     WRONG_TARGETS,
 )
 
-#: Effects of the suites, without the effect of belt tension, which does nothing where no tension is declared.
+#: Effects of the suites, without those that only dissipate, and without that of belt tension, which does nothing
+#: where no tension is declared.
 CATALOGUE = {
     name: effect
     for name, effect in mechanism("linear_delta").effects.items()
-    if name != "belt_tension_stiffness"
+    if name != "belt_tension_stiffness" and not effect.dissipates
 }
 
 #: Standard deviation of ln f, and the number of modes sought beyond the first three.

@@ -43,6 +43,10 @@ TYPICAL = {
     "link_compliance_compliance": 3e-7,
     "frame_compliance_compliance": 2e-6,
     "frame_compliance_mass": 40.0,
+    "belt_loss_loss_factor": 0.02,
+    "reducer_loss_loss_factor": 0.03,
+    "rail_friction_viscous": 20.0,
+    "drive_friction_viscous": 1e-3,
 }
 #: Effects that are tried together, by their names; one that does not apply is left out.
 TOGETHER = {
