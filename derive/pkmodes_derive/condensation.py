@@ -7,7 +7,7 @@ A massless coordinate r is always in equilibrium, :math:`K_{rr} x_r + K_{rq} x_q
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from sympy import Add, Expr, Integer
 
@@ -37,23 +37,22 @@ def follow(K: Rows, kept: Sequence[int], massless: Sequence[int]) -> list[list[E
 
 def condensed(K: Rows, kept: Sequence[int], massless: Sequence[int], by: Rows) -> list[list[Expr]]:
     """Return K_qq + K_qr F, with `by` from `follow`; the lower triangle repeats the upper one."""
-    upper = {
-        (a, b): Add(K[i][j], *(K[i][r] * by[r][b] for r in massless))
-        for a, i in enumerate(kept)
-        for b, j in enumerate(kept)
-        if a <= b
-    }
-    n = range(len(kept))
-    return [[upper[min(a, b), max(a, b)] for b in n] for a in n]
+    return _symmetric(
+        len(kept),
+        lambda a, b: Add(K[kept[a]][kept[b]], *(K[kept[a]][r] * by[r][b] for r in massless)),
+    )
 
 
 def projected(matrix: Rows, by: Rows) -> list[list[Expr]]:
     """Return T^T A T of a symmetric matrix A in all coordinates, with T from `follow`."""
-    n, every = range(len(by[0])), range(len(by))
-    upper = {
-        (a, b): Add(*(by[i][a] * matrix[i][j] * by[j][b] for i in every for j in every))
-        for a in n
-        for b in n
-        if a <= b
-    }
+    every = range(len(by))
+    return _symmetric(
+        len(by[0]), lambda a, b: Add(*(by[i][a] * matrix[i][j] * by[j][b] for i in every for j in every))
+    )
+
+
+def _symmetric(size: int, entry: Callable[[int, int], Expr]) -> list[list[Expr]]:
+    """Return a matrix from the entries of its upper triangle."""
+    n = range(size)
+    upper = {(a, b): entry(a, b) for a in n for b in n if a <= b}
     return [[upper[min(a, b), max(a, b)] for b in n] for a in n]

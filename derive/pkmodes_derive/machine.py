@@ -324,6 +324,10 @@ class Machine:
         """Return the small rotation of a rotor from the reference configuration [rad]."""
         return self.displacements[self.coordinates.index(rotor.coordinate)]
 
+    def rotation_rate(self, rotor: Rotor) -> Symbol:
+        """Return the rate of a rotor [rad/s]."""
+        return self.velocities[self.coordinates.index(rotor.coordinate)]
+
     @property
     def frame_rate(self) -> tuple[Expr, ...]:
         """Velocity of the frame in the base frame, three components [m/s]."""

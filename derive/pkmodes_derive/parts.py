@@ -130,6 +130,11 @@ class Drive:
         """Angle by which the motor turns further than the rotor [rad]."""
         return Add(*(coordinate.position for coordinate in self.wind_up))
 
+    @property
+    def wound_rate(self) -> Expr:
+        """Rate of this angle [rad/s]."""
+        return Add(*(coordinate.rate for coordinate in self.wind_up))
+
 
 @dataclass(eq=False)
 class Clamp:
@@ -184,6 +189,11 @@ class Belt:
     factor: Expr = S.One
     compliance: Expr = S.Zero
     loss: Expr = S.Zero
+
+    @property
+    def effective_modulus(self) -> Expr:
+        """Stiffness of a span times its length, with what effects change [N]."""
+        return self.modulus * (1 + self.change) * self.factor
 
 
 @dataclass

@@ -167,14 +167,16 @@ def _structure(machine: Machine) -> Expr:
 
 def _transmissions(machine: Machine, inertias: Sequence[Expr]) -> Expr:
     """Return the kinetic energy of rotors and motors; wind-up turns a motor further than its driven rotor."""
-    rate = dict(zip(machine.coordinates, machine.velocities, strict=True))
     T = Add(
-        *(HALF * moment * rate[r.coordinate] ** 2 for moment, r in zip(inertias, machine.rotors, strict=True))
+        *(
+            HALF * moment * machine.rotation_rate(rotor) ** 2
+            for moment, rotor in zip(inertias, machine.rotors, strict=True)
+        )
     )
     for drive in machine.drives:
-        wind_up = Add(*(c.rate for c in drive.wind_up))
+        wound = drive.wound_rate
         for rotor, driven in drive.rotors:
-            T += driven * drive.motor * (rate[rotor.coordinate] * wind_up + HALF * wind_up**2)
+            T += driven * drive.motor * (machine.rotation_rate(rotor) * wound + HALF * wound**2)
     return T
 
 
@@ -266,7 +268,7 @@ def _define_belts(machine: Machine) -> tuple[Symbol, ...]:
     displacements, and derivatives with respect to displacements do not differentiate the stiffnesses.
     """
     for belt in machine.belts:
-        modulus = belt.modulus * (1 + belt.change) * belt.factor
+        modulus = belt.effective_modulus
         for run in belt.runs:
             machine.define(run.length, run.free_length)
             # 1/k = l/(w k_sp (1 + a)) + c, rearranged so that c = 0 is not a special case.
@@ -284,7 +286,7 @@ def _losses(machine: Machine) -> Expr:
     """Return the energy with imaginary stiffnesses: that of a span is eta k^2 l/(w k_sp), lossless in series."""
     V = []
     for belt in machine.belts:
-        modulus = belt.modulus * (1 + belt.change) * belt.factor
+        modulus = belt.effective_modulus
         for run in belt.runs:
             a, b = (machine.displacement(*end) for end in run.ends)
             V.append(HALF * belt.loss * run.stiffness**2 * run.length / modulus * (a - b) ** 2)

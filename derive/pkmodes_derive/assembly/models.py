@@ -8,14 +8,7 @@ from sympy import Add, Expr, Symbol, diff
 
 from pkmodes_derive.assembly import chapters, sensitivity
 from pkmodes_derive.assembly.condensed import Condensed
-from pkmodes_derive.assembly.derived import (
-    Derived,
-    added,
-    derive,
-    flat,
-    units_of_mass,
-    units_of_stiffness,
-)
+from pkmodes_derive.assembly.derived import Derived, added, derive, flat, units_of_mass, units_of_stiffness
 from pkmodes_derive.assembly.dissipation import dissipation, loss_of_joints
 from pkmodes_derive.assembly.kinematics import Kinematics
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output, Relation

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from sympy import Add, Rational, Symbol
+from sympy import Rational, Symbol
 
 from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
 from pkmodes_derive.machine import Machine
@@ -10,10 +10,9 @@ from pkmodes_derive.machine import Machine
 
 def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Add b omega^2 / 2 for the speed of each motor, seen at the rotor that it drives."""
-    rates = dict(zip(machine.coordinates, machine.velocities, strict=True))
     for drive in machine.drives:
         for rotor, selected in drive.rotors:
-            speed = Add(rates[rotor.coordinate], *(c.rate for c in drive.wind_up))
+            speed = machine.rotation_rate(rotor) + drive.wound_rate
             machine.add_dissipation(Rational(1, 2) * parameters["viscous"] * selected * speed**2)
 
 

@@ -66,8 +66,9 @@ def modal_damping(
     D = shapes @ viscous @ np.swapaxes(shapes, -1, -2)
     omega = np.sqrt(np.abs(eigenvalues[:, rigid:]))
     of_loss = np.einsum("Nia,Nab,Nib->Ni", shapes[:, rigid:], loss, shapes[:, rigid:])
+    diagonal = rates_of_ratio(eigenvalues, ratio, rigid)[:, rigid:]
     with np.errstate(divide="ignore", invalid="ignore"):
-        diagonal = 2.0 * ratio * omega + np.where(of_loss == 0.0, 0.0, of_loss / omega)
+        diagonal += np.where(of_loss == 0.0, 0.0, of_loss / omega)
     place = np.arange(rigid, eigenvalues.shape[1])
     D[:, place, place] += diagonal
     if loss.any():
@@ -76,6 +77,13 @@ def modal_damping(
             coupling = phi @ loss[pose] @ phi.T / omega[pose, group.start - rigid : group.stop - rigid].mean()
             D[pose, group, group] += coupling - np.diag(np.diag(coupling))
     return ModalDamping(eigenvalues, D, rigid)
+
+
+def rates_of_ratio(eigenvalues: Array, ratio: float, rigid: int) -> Array:
+    """Return the diagonal damping 2 zeta omega_i of a ratio of every vibration mode [1/s], (..., m)."""
+    rates = 2.0 * ratio * np.sqrt(np.abs(eigenvalues))
+    rates[..., :rigid] = 0.0
+    return np.asarray(rates)
 
 
 def damping_ratios(

@@ -37,11 +37,8 @@ def strain_free(stiffness: Array, prescribed: Sequence[int], values: Array) -> A
     return motions
 
 
-def softest(stiffness: Array, motion: Array) -> Array:
-    """Return the smallest eigenvalue of the stiffness against forces on some outputs, (N,).
-
-    This stiffness is the inverse of the compliance L K^-1 L^T, which has all outputs free; it is negative where the
-    system is not stable.
+def compliance(stiffness: Array, motion: Array) -> Array:
+    """Return the displacement of some outputs per force on them, L K^-1 L^T, symmetric, (N, d, d).
 
     Parameters
     ----------
@@ -50,8 +47,16 @@ def softest(stiffness: Array, motion: Array) -> Array:
     motion : ndarray, shape (N, d, r)
         L, the outputs per unit of the coordinates.
     """
-    compliance = motion @ np.linalg.solve(stiffness, np.swapaxes(motion, -1, -2))
-    values = np.linalg.eigvalsh(0.5 * (compliance + np.swapaxes(compliance, -1, -2)))
+    found = motion @ np.linalg.solve(stiffness, np.swapaxes(motion, -1, -2))
+    return np.asarray(0.5 * (found + np.swapaxes(found, -1, -2)))
+
+
+def softest(stiffness: Array, motion: Array) -> Array:
+    """Return the smallest eigenvalue of the stiffness against forces on some outputs, (N,).
+
+    It is that of the inverse of the `compliance`, negative where the system is not stable.  Arguments are the same.
+    """
+    values = np.linalg.eigvalsh(compliance(stiffness, motion))
     with np.errstate(divide="ignore"):
         return np.asarray((1.0 / values).min(axis=-1))
 

@@ -53,6 +53,11 @@ class Mechanism(Description, frozen=True, eq=False, dict=True, kw_only=True):
         return {effect.name: effect for effect in self.effects_in_order}
 
     @cached_property
+    def conservative_effects(self) -> dict[str, Effect]:
+        """Those that change M or K: all but those that only dissipate."""
+        return {name: effect for name, effect in self.effects.items() if not effect.dissipates}
+
+    @cached_property
     def differences(self) -> dict[str, str]:
         """Fields that enter only as the difference from another field, which carries the sensitivities."""
         return dict(self.difference_pairs)

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.drives import HELD
 from pkmodes.base.errors import PkmodesError
+from pkmodes.linalg import statics
 from pkmodes.mechanism.poses import OnError
 from pkmodes.solve.dynamics import Dynamics
 from pkmodes.system.evaluation import Evaluation, matrices
@@ -43,5 +44,4 @@ def platform_compliance(system: Evaluation, held: Evaluation, points: Array) -> 
     moved = system.platform_motion(points)  # N, d, n
     if isinstance(held, MotorsHeld):
         moved = moved @ held.motions()[0]
-    found = moved @ np.linalg.solve(K, np.swapaxes(moved, -1, -2))
-    return np.asarray(0.5 * (found + np.swapaxes(found, -1, -2)))
+    return statics.compliance(K, moved)

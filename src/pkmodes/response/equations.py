@@ -14,14 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.linalg.receptance import receptance
-from pkmodes.response.vibrating import Vibrating
+from pkmodes.response.linearised import LinearisedRobot
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 
 @dataclass(frozen=True)
-class Equations:
+class EquationsOfMotion:
     """At one pose, with k coordinates y and I inputs.
 
     Attributes
@@ -99,7 +99,9 @@ class Equations:
         return Z, shapes, motion, forces, direct
 
 
-def equations(at: Vibrating, pose: int, inputs: Array, motors: Array, outputs: Array) -> Equations:
+def equations(
+    at: LinearisedRobot, pose: int, inputs: Array, motors: Array, outputs: Array
+) -> EquationsOfMotion:
     """Return the equations at one pose.
 
     Parameters
@@ -114,12 +116,9 @@ def equations(at: Vibrating, pose: int, inputs: Array, motors: Array, outputs: A
     T, own = at.kept, at.own_shapes[pose]
     M, K, C, loss = (matrix.own[pose] for matrix in (*at.matrices, *at.dissipation))
     M_u, K_u, C_u, loss_u = (matrix.prescribed[pose] @ motors for matrix in (*at.matrices, *at.dissipation))
-    rates = np.zeros(len(at.eigenvalues[pose]))
-    rates[at.rigid :] = (
-        2.0 * at.dynamics.dissipation.ratio * np.sqrt(np.abs(at.eigenvalues[pose, at.rigid :]))
-    )
+    rates = at.rates[pose]
     momenta = (M @ own.T) * rates
-    return Equations(
+    return EquationsOfMotion(
         M=M,
         C=C,
         K=K + 1j * loss,

@@ -17,6 +17,7 @@ from pkmodes.base.errors import PkmodesError
 from pkmodes.mechanism.poses import OnError
 from pkmodes.response.channels import Channels
 from pkmodes.response.equations import equations
+from pkmodes.response.linearised import LinearisedRobot, nan_in_both_parts
 from pkmodes.response.ports import (
     QUANTITIES,
     Output,
@@ -28,7 +29,6 @@ from pkmodes.response.ports import (
     prescribed,
     units_of,
 )
-from pkmodes.response.vibrating import Vibrating, nan_in_both_parts
 from pkmodes.solve.backends import AUTO
 from pkmodes.solve.dynamics import Dynamics
 
@@ -142,7 +142,7 @@ def frequency_response(
     checked = kinematics.checked(poses, on_error)
 
     def at(points: Array) -> Complex:
-        return responses(Vibrating(dynamics, points, drives, backend), into, out, omega, quantity)
+        return responses(LinearisedRobot(dynamics, points, drives, backend), into, out, omega, quantity)
 
     (values,) = kinematics.evaluated(at, checked)
     return FrequencyResponse(
@@ -161,7 +161,7 @@ def frequency_response(
 
 
 def responses(
-    at: Vibrating, inputs: Sequence[Port], outputs: Sequence[Port], omega: Array, quantity: str
+    at: LinearisedRobot, inputs: Sequence[Port], outputs: Sequence[Port], omega: Array, quantity: str
 ) -> Complex:
     """Return responses at N poses, (N, F, outputs, inputs), at angular frequencies [rad/s]."""
     B, L = input_vectors(at, inputs), output_vectors(at, outputs)

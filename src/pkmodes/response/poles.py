@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.base.drives import FREE, checked_drives
 from pkmodes.linalg.damping import poles, ratios_of_poles
 from pkmodes.mechanism.poses import OnError
-from pkmodes.response.vibrating import Vibrating, nan_in_both_parts
+from pkmodes.response.linearised import LinearisedRobot, nan_in_both_parts
 from pkmodes.solve.backends import AUTO
 from pkmodes.solve.dynamics import Dynamics
 
@@ -29,7 +29,7 @@ def poles_at(
     kinematics = dynamics.kinematics
 
     def at(points: NDArray[np.float64]) -> NDArray[np.complex128]:
-        return poles(Vibrating(dynamics, points, drives, backend).damping)
+        return poles(LinearisedRobot(dynamics, points, drives, backend).damping)
 
     (values,) = kinematics.evaluated(at, kinematics.checked(poses, on_error))
     return nan_in_both_parts(np.asarray(values, dtype=complex))
@@ -48,13 +48,13 @@ def notes_on_damping(
     if not np.nan_to_num(ratios).any():
         return []
     points = np.atleast_2d(np.asarray(pose, dtype=float))
-    vibrating = Vibrating(dynamics, points, drives, backend)
-    exact = ratios_of_poles(vibrating.damping)[0]
+    linearised = LinearisedRobot(dynamics, points, drives, backend)
+    exact = ratios_of_poles(linearised.damping)[0]
     notes = []
-    for i in range(vibrating.rigid, len(ratios)):
+    for i in range(linearised.rigid, len(ratios)):
         if abs(ratios[i] - exact[i]) > DIFFERENT * exact[i]:
             notes.append(
-                f"mode {i + 1 - vibrating.rigid}: the damping ratio {ratios[i]:.3g} is that of light damping, but "
+                f"mode {i + 1 - linearised.rigid}: the damping ratio {ratios[i]:.3g} is that of light damping, but "
                 f"that of the pole is {exact[i]:.3g}: use the poles"
             )
     return notes

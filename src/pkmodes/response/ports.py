@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from pkmodes.base.drives import FREE, HELD
 from pkmodes.base.errors import PkmodesError, nearest, shown
-from pkmodes.response.vibrating import Vibrating
+from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.solve.dynamics import Dynamics
 
 Array = NDArray[np.float64]
@@ -148,7 +148,7 @@ def _chosen(where: str, names: Any, known: Mapping[str, Port]) -> tuple[Port, ..
     return tuple(known[name] for name in listed)
 
 
-def input_vectors(at: Vibrating, ports: Sequence[Port]) -> Array:
+def input_vectors(at: LinearisedRobot, ports: Sequence[Port]) -> Array:
     """Return the generalised force of each input, (N, n, inputs); 0 for prescribed motor angles."""
     N, _, n = at.platform.shape
     B = np.zeros((N, n, len(ports)))
@@ -160,7 +160,7 @@ def input_vectors(at: Vibrating, ports: Sequence[Port]) -> Array:
     return B
 
 
-def output_vectors(at: Vibrating, ports: Sequence[Port]) -> Array:
+def output_vectors(at: LinearisedRobot, ports: Sequence[Port]) -> Array:
     """Return what each output shows of the coordinates, (N, outputs, n)."""
     N, _, n = at.platform.shape
     L = np.zeros((N, len(ports), n))

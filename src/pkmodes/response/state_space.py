@@ -28,6 +28,7 @@ from pkmodes.base.drives import FREE, checked_drives
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.mechanism.poses import OnError
 from pkmodes.response.channels import Channels, Index
+from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.ports import (
     QUANTITIES,
     Output,
@@ -39,7 +40,6 @@ from pkmodes.response.ports import (
     prescribed,
     units_of,
 )
-from pkmodes.response.vibrating import Vibrating
 from pkmodes.solve.backends import AUTO
 from pkmodes.solve.dynamics import Dynamics
 
@@ -210,7 +210,7 @@ def state_space(
     checked = kinematics.checked(poses, on_error)
 
     def at(points: Array) -> tuple[Array, ...]:
-        vibrating = Vibrating(dynamics, points, drives, backend)
+        vibrating = LinearisedRobot(dynamics, points, drives, backend)
         parts = _matrices(vibrating, into, out, kept, residual and quantity == "displacement")
         return _differentiated(parts, QUANTITIES[quantity], into, out, quantity)
 
@@ -247,7 +247,7 @@ def _checked_modes(modes: int | None, count: int, rigid: int) -> int:
 
 
 def _matrices(
-    at: Vibrating, inputs: Sequence[Port], outputs: Sequence[Port], kept: int, residual: bool
+    at: LinearisedRobot, inputs: Sequence[Port], outputs: Sequence[Port], kept: int, residual: bool
 ) -> tuple[Array, ...]:
     """Return A, B, C, D and the frequencies of the modes kept, at N poses."""
     own, eigenvalues, N = at.own_shapes, at.eigenvalues, len(at.points)  # own: N, m, k
@@ -257,7 +257,7 @@ def _matrices(
     M, K, viscous, loss = (block.prescribed @ motors for block in (*at.matrices, *at.dissipation))
     omega = np.sqrt(np.abs(eigenvalues))
     g, k, c = own @ M, own @ K, own @ viscous
-    c[:, rigid:] += (2.0 * at.dynamics.dissipation.ratio * omega[:, rigid:])[..., None] * g[:, rigid:]
+    c += at.rates[..., None] * g
     if loss.any():
         c[:, rigid:] += (own[:, rigid:] @ loss) / omega[:, rigid:, None]
     shown_by = L @ np.swapaxes(own, -1, -2)  # N, outputs, m
@@ -281,7 +281,7 @@ def _matrices(
     return A, B, C, D, np.sign(eigenvalues[:, use]) * omega[:, use] / (2.0 * np.pi)
 
 
-def _massless(at: Vibrating, forces: Array, L: Array) -> Array:
+def _massless(at: LinearisedRobot, forces: Array, L: Array) -> Array:
     """Return how far coordinates without inertia give way to the inputs themselves, as the outputs show it."""
     r = at.massless
     if not r.any():

@@ -4,7 +4,7 @@
 """
 
 from pkmodes.shaping.kinds import KINDS
-from pkmodes.shaping.left import residual
+from pkmodes.shaping.residual_vibration import residual
 from pkmodes.shaping.shapers import Shaper, shaper
 
 __all__ = ["KINDS", "Shaper", "residual", "shaper"]

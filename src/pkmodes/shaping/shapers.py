@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.errors import PkmodesError
+from pkmodes.shaping.arguments import checked_modes
 from pkmodes.shaping.kinds import Kind, factors
-from pkmodes.shaping.modes import checked_modes
 
 Array = NDArray[np.float64]
 

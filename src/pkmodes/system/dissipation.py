@@ -29,14 +29,14 @@ class Dissipation:
     """
 
     def __init__(self, robot: Robot, system: Evaluation) -> None:
-        self.ratio = robot.damping_ratio
-        self.by_effects = robot.effects_dissipate
+        self.ratio, self.by_effects = robot.damping_ratio, robot.effects_dissipate
+        self._dissipates = robot.dissipates
         self._size = len(system.coordinates)
         self._system = system if isinstance(system, ExtendedSystem) else ExtendedSystem.of(robot)
 
     def __bool__(self) -> bool:
         """Whether the robot dissipates anything."""
-        return self.by_effects or self.ratio > 0.0
+        return self._dissipates
 
     def matrices(self, p: Array) -> tuple[Array, Array]:
         """Return C_v [N s/m, N s, N m s] and K'' [N/m, N, N m] in the coordinates of the robot, each (N, n, n)."""

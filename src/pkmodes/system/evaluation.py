@@ -334,5 +334,5 @@ def may_be_refused(system: Evaluation) -> bool:
 def evaluation(robot: Robot) -> Evaluation:
     """Choose the model of a robot: the base model if no effect changes M or K, else the extended model."""
     mechanism = robot.mechanism
-    active = [e for e in active_effects(mechanism, robot.effects) if not mechanism.effects[e].dissipates]
+    active = {*active_effects(mechanism, robot.effects)} & mechanism.conservative_effects.keys()
     return ExtendedSystem.of(robot) if active else BaseEvaluation(mechanism, robot.parameters)

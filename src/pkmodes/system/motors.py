@@ -8,7 +8,7 @@ follows the wind-up, theta = -psi.
 from __future__ import annotations
 
 from functools import cache, cached_property, lru_cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -198,13 +198,16 @@ def _all_of(name: str, effect: Any, without: set[str]) -> bool:
 
 def motor_motion(system: Evaluation) -> Array:
     """Return the angle of each motor per unit of each coordinate with free motors, (drives, n)."""
-    mechanism = system.mechanism
-    extended = (
-        system if isinstance(system, ExtendedSystem) else ExtendedSystem(mechanism, system.parameters, {})
-    )
-    generated = Generated(mechanism.extended, extended.parameters, extended.effects)
+    extended = _extended(system)
+    generated = Generated(extended.mechanism.extended, extended.parameters, extended.effects)
     motion: Array = np.asarray(generated.motor_motion())[:, extended.free]
     return motion
+
+
+@overload
+def solved_system(system: ExtendedSystem, drives: str) -> ExtendedSystem: ...
+@overload
+def solved_system(system: Evaluation, drives: str) -> Evaluation: ...
 
 
 def solved_system(system: Evaluation, drives: str) -> Evaluation:
@@ -216,8 +219,11 @@ def solved_system(system: Evaluation, drives: str) -> Evaluation:
         The robot with free motors.
     drives : {"free", "held"}
     """
-    if drives == FREE:
+    return system if drives == FREE else MotorsHeld(_extended(system))
+
+
+def _extended(system: Evaluation) -> ExtendedSystem:
+    """Return a system evaluated by the extended model, which alone knows motors."""
+    if isinstance(system, ExtendedSystem):
         return system
-    if not isinstance(system, ExtendedSystem):  # held motors are evaluated by the extended model
-        system = ExtendedSystem(system.mechanism, system.parameters, {})
-    return MotorsHeld(system)
+    return ExtendedSystem(system.mechanism, system.parameters, {})

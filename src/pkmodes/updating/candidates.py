@@ -204,9 +204,7 @@ def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
     candidates = {}
     robots = (robot, *(case.robot for case in loads.cases))
     there = {path for one in robots for path, value in {**one.constants, **one.effects}.items() if value}
-    for effect in robot.mechanism.effects.values():
-        if effect.dissipates:
-            continue
+    for effect in robot.mechanism.conservative_effects.values():
         names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.fitted]
         # A parameter that is multiplied by a constant given nowhere, such as a tension, has no effect.
         absent = [p for p in effect.parameters if not p.fitted and f"{effect.name}.{p.name}" not in there]

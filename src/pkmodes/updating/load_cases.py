@@ -21,7 +21,7 @@ from pkmodes.robot.layout import Slot, effect_parameters, items
 from pkmodes.robot.paths import ParameterPath, resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.system.evaluation import ExtendedSystem
-from pkmodes.system.motors import MotorsHeld
+from pkmodes.system.motors import solved_system
 
 Index = NDArray[np.intp]
 Known = frozenset[Slot]
@@ -52,8 +52,7 @@ class LoadCase:
 
     def system(self, robot: Robot) -> ExtendedSystem:
         """Return what is solved for a robot of this case."""
-        free = ExtendedSystem.of(robot)
-        return MotorsHeld(free) if self.drives == HELD else free
+        return solved_system(ExtendedSystem.of(robot), self.drives)
 
     def left(self, path: ParameterPath) -> ParameterPath:
         """Return a path without the slots that are known."""

@@ -51,8 +51,7 @@ SEEN = "1 to 9"
 def cases() -> Iterator[ClearCase]:
     """Yield the cases of all suites."""
     for name, machines in MACHINES.items():
-        moving = (e for e, effect in mechanism(name).effects.items() if not effect.dissipates)
-        effects = [e for e in moving if e != "belt_tension_stiffness"]
+        effects = [e for e in mechanism(name).conservative_effects if e != "belt_tension_stiffness"]
         pairs = list(itertools.combinations(effects, 2))
         drawn = np.random.default_rng(0).permutation(len(pairs))
         for n in range(CASES):

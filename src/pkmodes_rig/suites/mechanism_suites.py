@@ -163,8 +163,7 @@ def sizes() -> dict[str, dict[str, dict[str, list[float]]]]:
     for name in KINDS:
         suites = sizes_of[name] = {suite: {} for suite in SIZED}
         # A coefficient of a constant that the file does not give, such as a tension, has no effect.
-        moving = (e for e, effect in mechanism(name).effects.items() if not effect.dissipates)
-        effects = [e for e in moving if e != "belt_tension_stiffness"]
+        effects = [e for e in mechanism(name).conservative_effects if e != "belt_tension_stiffness"]
         for kind in (*effects, "one alone"):
             given = ADDING[name].get(kind)
             suites["one effect"][kind] = given or [_size(name, "one effect", kind, t) for t in TARGETS]

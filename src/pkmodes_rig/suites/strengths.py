@@ -64,8 +64,8 @@ from pkmodes_rig.suites.sizes import (
 #: where no tension is declared.
 CATALOGUE = {
     name: effect
-    for name, effect in mechanism("linear_delta").effects.items()
-    if name != "belt_tension_stiffness" and not effect.dissipates
+    for name, effect in mechanism("linear_delta").conservative_effects.items()
+    if name != "belt_tension_stiffness"
 }
 
 #: Standard deviation of ln f, and the number of modes sought beyond the first three.

@@ -1,10 +1,9 @@
 r"""The equations of small motions of one robot at poses, with everything that a response needs.
 
-With the coordinates r that are solved for (with held motors the angles of these are prescribed instead),
-
 .. math:: M \ddot q + (C_v + C_m) \dot q + (K + i K'') q = B u ,
 
-where q are the coordinates of the robot with free motors, and C_m is the damping of a ratio zeta of every mode.
+where q are the coordinates of the robot with free motors, and C_m is the damping of a ratio zeta of every mode.  With
+held motors their angles are prescribed, and the other coordinates are solved for.
 """
 
 from __future__ import annotations
@@ -15,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.linalg.damping import ModalDamping, modal_damping
+from pkmodes.linalg.damping import ModalDamping, modal_damping, rates_of_ratio
 from pkmodes.linalg.eigen import generalised_eigh
 from pkmodes.solve.dynamics import Dynamics
 from pkmodes.solve.solutions import solved
@@ -38,7 +37,7 @@ class Blocks(NamedTuple):
     prescribed: Array
 
 
-class Vibrating:
+class LinearisedRobot:
     """A robot at N poses that can be evaluated, with free or held motors.
 
     Parameters
@@ -58,17 +57,17 @@ class Vibrating:
     """
 
     def __init__(self, dynamics: Dynamics, points: Array, drives: str, backend: str) -> None:
-        self.dynamics, self.points, self.drives = dynamics, points, drives
+        self.dynamics, self.points = dynamics, points
         system = self.system = dynamics.solved(drives)
         at = solved(dynamics.solver(backend, drives).inner, system, points, dynamics.robot.source)
         self.rigid, self.massless = system.rigid_modes, system.massless()
-        n, drives_count = len(dynamics.system.coordinates), len(dynamics.robot.mechanism.drives)
-        self.kept, self.prescribed = np.eye(n), np.zeros((n, drives_count))
+        n, motors = len(dynamics.system.coordinates), len(dynamics.robot.mechanism.drives)
+        self.kept, self.prescribed = np.eye(n), np.zeros((n, motors))
         if isinstance(system, MotorsHeld):
             self.kept, self.prescribed = system.motions()
-        self.eigenvalues, self.own_shapes = self._with_digits(at["eigenvalues"], at["shapes"])
+        self.eigenvalues, self.own_shapes = self._with_exact_rigid_modes(at["eigenvalues"], at["shapes"])
 
-    def _with_digits(self, eigenvalues: Array, shapes: Array) -> tuple[Array, Array]:
+    def _with_exact_rigid_modes(self, eigenvalues: Array, shapes: Array) -> tuple[Array, Array]:
         """Return the modes, the rigid ones from an eigenproblem of their own.
 
         Otherwise they have the rounding of the largest eigenvalue, which shows at low frequencies.
@@ -92,13 +91,13 @@ class Vibrating:
     def dissipation(self) -> tuple[Blocks, Blocks]:
         """C_v and K''."""
         of, system = self.dynamics.dissipation, self.system
-        if isinstance(system, MotorsHeld) and of.by_effects:
+        if not of.by_effects:
+            nothing = Blocks(np.zeros((len(self.points), *2 * self.kept.shape[1:])), self._nothing)
+            return nothing, nothing
+        if isinstance(system, MotorsHeld):
             viscous, loss = (self._blocks(system.in_basis(matrix)) for matrix in of.of_model(self.points))
-            return viscous, loss
-        viscous, loss = (
-            Blocks(matrix[:, : len(self.kept.T), : len(self.kept.T)], self._nothing)
-            for matrix in of.matrices(self.points)
-        )
+        else:
+            viscous, loss = (Blocks(matrix, self._nothing) for matrix in of.matrices(self.points))
         return viscous, loss
 
     def _blocks(self, matrix: Array) -> Blocks:
@@ -112,6 +111,11 @@ class Vibrating:
     @property
     def _nothing(self) -> Array:
         return np.zeros((len(self.points), self.kept.shape[1], self.prescribed.shape[1]))
+
+    @cached_property
+    def rates(self) -> Array:
+        """Diagonal damping of the modes by the damping ratio [1/s], (N, m)."""
+        return rates_of_ratio(self.eigenvalues, self.dynamics.dissipation.ratio, self.rigid)
 
     @cached_property
     def damping(self) -> ModalDamping:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.errors import PkmodesError
-from pkmodes.shaping.modes import checked_modes
+from pkmodes.shaping.arguments import checked_modes
 from pkmodes.shaping.shapers import Shaper
 
 Array = NDArray[np.float64]
