@@ -70,15 +70,16 @@ benchmark: $(VENV)/.benchmark  ## tables of docs/compiled.md and docs/maps.md, a
 	$(BIN)/python benchmarks/diagnosis.py
 	$(BIN)/python benchmarks/map.py
 
-figures: $(VENV)/.dev  ## the pictures of the README, and the pictures and the table of docs/figures.md
+figures: $(VENV)/.dev  ## the pictures of the README and docs/figures.md, and the tables of docs/figures.md and docs/shapers.md
 	$(BIN)/python -m pkmodes figures $(IDENTIFIED) --out docs/figures/identified --format png --grid $(PLANE)
 	$(BIN)/python -m pkmodes figures $(ROBOT) --out docs/figures/declared \
 	    --format png --grid x=0.24:0.92:103,y=-0.12:0.12:37,z=-0.245
 	rm docs/figures/declared/influence.png docs/figures/declared/dominant.png docs/figures/declared/mac.png
 	$(BIN)/python -m pkmodes show $(IDENTIFIED) --pose=$(POSE) --mode 2 --out docs/figures/mode.gif
 	$(BIN)/python docs/studies/published_figures/claims.py
+	$(BIN)/python docs/studies/shaped_moves/table.py
 
-suites: $(VENV)/.dev  ## error rates of the diagnosis on the virtual test rig, about an hour and a half on two cores
+suites: $(VENV)/.dev  ## error rates of the diagnosis on the virtual test rig, three to four hours on two cores
 	$(BIN)/python -m pkmodes_rig.suites.diagnosis --seed 20261216 --out docs/diagnosis-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.mechanism_suites --seed 20261215 --out docs/mechanisms-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.limits --seed 20261213 --out docs/limits-measured.md

@@ -8,17 +8,17 @@ error is the largest difference between the two in parts of the peak of a channe
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 import pkmodes
 from pkmodes.linalg.threads import one_blas_thread
-from pkmodes.response.equations import Equations, equations
+from pkmodes.response.equations import EquationsOfMotion, equations
+from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.ports import input_vectors, inputs_of, output_vectors, outputs_of, prescribed
-from pkmodes.response.vibrating import Vibrating
+from timing import interleaved
 
 FREQUENCIES = np.linspace(0.5, 400.0, 1000)
 ROBOTS = {
@@ -41,31 +41,20 @@ DAMPING = {
 }
 
 
-def equations_of(model: pkmodes.Model, pose: Sequence[float], drives: str) -> Equations:
+def equations_of(model: pkmodes.Model, pose: Sequence[float], drives: str) -> EquationsOfMotion:
     mechanism, dynamics = model.mechanism, model.dynamics
     drive = "motor_" if drives == "held" else "torque_"
     inputs = inputs_of(
         dynamics, [f"{drive}{mechanism.drives[0].name}", f"force_{mechanism.directions[0]}"], drives
     )
     outputs = outputs_of(dynamics, [*(f"p_{name}" for name in mechanism.directions), model.coordinates[0]])
-    at = Vibrating(dynamics, np.array([pose]), drives, "auto")
+    at = LinearisedRobot(dynamics, np.array([pose]), drives, "auto")
     motors = prescribed(inputs, len(mechanism.drives))
     return equations(at, 0, input_vectors(at, inputs)[0], motors, output_vectors(at, outputs)[0])
 
 
-def best(
-    function: Callable[[NDArray[np.float64]], NDArray[np.complex128]],
-) -> tuple[float, NDArray[np.complex128]]:
-    """Return the shortest of several times [s], and the result."""
-    omega, times = 2.0 * np.pi * FREQUENCIES, []
-    for _ in range(15):
-        start = time.perf_counter()
-        found = function(omega)
-        times.append(time.perf_counter() - start)
-    return min(times), found
-
-
 def main() -> None:
+    omega = 2.0 * np.pi * FREQUENCIES
     print(f"{'robot':52s} {'motors':6s} {'size':>4s} {'ms':>7s} {'ratio':>6s} {'error':>8s}")
     for name, pose in ROBOTS.items():
         loaded = pkmodes.load(f"robots/{name}.toml")
@@ -79,8 +68,13 @@ def main() -> None:
                 model = loaded.with_values({"damping.ratio": 0.02, **effects})
                 for drives in ("free", "held"):
                     case = equations_of(model, pose, drives)
-                    direct, expected = best(case.by_frequency)
-                    ours, found = best(case.response)
+                    ways = {
+                        "direct": partial(case.by_frequency, omega),
+                        "ours": partial(case.response, omega),
+                    }
+                    expected, found = (way() for way in ways.values())
+                    times = interleaved(ways)
+                    direct, ours = times["direct"], times["ours"]
                     peak = np.abs(expected).max(axis=0)
                     scale = np.maximum(peak, 1e-3 * peak.max(axis=0))
                     error = (np.abs(found - expected).max(axis=0) / scale).max()

@@ -81,8 +81,8 @@ def test_the_table_and_the_model_are_those_of_python(
         (("--inputs", "torque_1", "--outputs", "p_w", "--frequencies", "1:9:9"), '"p_w"'),
         (("--inputs", "torque_1", "--outputs", "tip=a:b", "--frequencies", "1:9:9"), "direction"),
         (("--inputs", "torque_1", "--outputs", "tip=0:0:0", "--frequencies", "1:9:9"), "not all of them 0"),
-        (("--inputs", "torque_1", "--outputs", "p_x", "--frequencies", "1:9"), "FIRST:LAST:COUNT"),
-        (("--inputs", "torque_1", "--outputs", "p_x", "--frequencies", "9:1:5"), "ascending"),
+        (("--inputs", "torque_1", "--outputs", "p_x", "--frequencies", "1:9"), "start:stop:count"),
+        (("--inputs", "torque_1", "--outputs", "p_x", "--frequencies", "9:1:5"), "ends below its start"),
         (("--inputs", "torque_1", "--outputs", "p_x", "--frequencies", "0:9:9"), "rigid modes"),
         (("--inputs", "torque_1", "--outputs", "p_x", "--frequencies", "0:9:9", "--log"), "0 Hz"),
         (

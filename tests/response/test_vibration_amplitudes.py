@@ -13,7 +13,7 @@ from scipy.linalg import eigh
 import pkmodes
 from helpers.robots.one_of_each import FILES, POSES, ROBOTS
 from pkmodes.cli import run
-from pkmodes.solve.mode_fields import strain_free_motions
+from pkmodes.system.strain_free import strain_free_motions
 
 #: Effects that change modes, those with springs to ground apart.
 EFFECTS = {

@@ -289,10 +289,14 @@ def peak(call: Callable[[], object]) -> int:
 def test_a_pose_takes_the_memory_of_its_result(
     model: pkmodes.Model, fields: tuple[str, ...] | None, numbers: int
 ) -> None:
-    """Besides the requested fields, a pose takes its copy, three numbers, and some bytes of bookkeeping."""
+    """Besides the requested fields, a pose takes its copy, three numbers, and some bytes of bookkeeping.
+
+    With one thread, both batches are longer than the part for which more is kept, such as eigenvalues.
+    """
     some, more = (around(POSE, n) for n in (6000, 18000))
-    peaks = [peak(lambda p=p: model.modes(p, fields=fields)) for p in (some, more)]
-    assert (peaks[1] - peaks[0]) / 12000 < 8 * (numbers + 3) + 30
+    assert len(some) > mode_fields.PART
+    peaks = [peak(lambda p=p: model.modes(p, fields=fields, threads=1)) for p in (some, more)]
+    assert (peaks[1] - peaks[0]) / 12000 < 8 * (numbers + 3) + 20
 
 
 def test_sensitivities_take_the_memory_of_their_result(model: pkmodes.Model) -> None:

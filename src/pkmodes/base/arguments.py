@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.errors import PkmodesError, shown
 
@@ -59,6 +60,30 @@ def is_integer(value: object) -> bool:
 def is_number(value: object) -> bool:
     """Whether a value is a real number of Python or NumPy; truth values are none."""
     return is_integer(value) or isinstance(value, float | np.floating)
+
+
+def real_numbers(given: ArrayLike, what: str, where: str, remedy: str) -> NDArray[np.float64]:
+    """Return real numbers as an array of any shape; texts and truth values are none.
+
+    Parameters
+    ----------
+    what : str
+        What is expected, in words.
+    where, remedy : str
+        As for `check_argument`.
+
+    Raises
+    ------
+    PkmodesError
+        "expected ..., found ..."
+    """
+    try:
+        array = np.asarray(given)
+    except ValueError:  # rows of different lengths
+        array = np.asarray(None)
+    if array.dtype.kind not in "iuf":
+        raise PkmodesError(f"expected {what}, found {shown(given)}", where, remedy)
+    return array.astype(float)
 
 
 def alternatives(words: Iterable[str]) -> str:

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from pkmodes.diagnosis.compare import ComparedRow
     from pkmodes.robot.robot import Robot
 
+#: Headings of the measured damping ratio, its standard deviation and the ratio of the model, all in per cent.
 DAMPING = ("damping [%]", "sigma", "model")
 
 

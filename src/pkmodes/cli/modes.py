@@ -18,11 +18,13 @@ from pkmodes.cli.options import drives_option, json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.cli.targets import check_targets
 from pkmodes.dataset.fields import FIELDS, INDEPENDENT, Field, of_modes
+from pkmodes.linalg.damping import poles
 from pkmodes.mechanism.poses import placed
 from pkmodes.model.loading import load
 from pkmodes.model.model import Model
+from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.poles import notes_on_damping
-from pkmodes.solve.backends import SOLVERS
+from pkmodes.solve.backends import AUTO, SOLVERS
 from pkmodes.solve.results import Modes, Statics
 
 
@@ -105,13 +107,15 @@ def modes(robot: Path, pose: str, drives: str, json_file: str | None) -> None:
     point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
     result, statics = model.modes(point, drives=drives), model.statics(point)
-    notes = notes_on_damping(model.dynamics, result.poses, result.damping_ratios, drives)
-    document = modes_document()(**as_json(model, result, statics, notes))
-    deliver(json_file, document.as_json(), lambda: _print(model, result, statics, notes))
+    content = as_json(model, result, statics)
+    document = modes_document()(**content)
+    deliver(json_file, document.as_json(), lambda: _print(model, result, statics, content["notes"]))
 
 
-def as_json(model: Model, result: Modes, statics: Statics, notes: Sequence[str] = ()) -> dict[str, Any]:
+def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
     """Return the result of one pose with the documented JSON keys."""
+    # Both poles and notes need it.
+    linearised = LinearisedRobot(model.dynamics, result.poses[None], result.drives, AUTO)
     fields = [FIELDS[name] for name in Modes.fields_of(model.mechanism) if FIELDS[name].key]
     values = {field.key: _in_json(field, result, model) for field in fields}
     return {
@@ -120,11 +124,11 @@ def as_json(model: Model, result: Modes, statics: Statics, notes: Sequence[str] 
         "coordinates": list(result.coordinates),
         **{field.key: values[field.key] for field in fields if not field.same_as},
         "static_torques": statics.torques.tolist(),
-        "poles": [(s.real, s.imag) for s in model.poles(result.poses, drives=result.drives).tolist()],
+        "poles": [(s.real, s.imag) for s in poles(linearised.damping)[0].tolist()],
         "rigid_modes": result.rigid_modes,
         "drives": result.drives,
         "backend": result.backend,
-        "notes": list(notes),
+        "notes": notes_on_damping(linearised, result.damping_ratios),
         **{field.key: values[field.key] for field in fields if field.same_as},
     }
 

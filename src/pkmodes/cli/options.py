@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from pkmodes.base.drives import DRIVES, FREE
-from pkmodes.base.errors import PkmodesError
+from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.base.pasting import pasted
 
 json_option = click.option(
@@ -85,6 +85,29 @@ def band_of(text: str | None) -> tuple[float, float] | None:
     from pkmodes.measured.statements import parse_band
 
     return parse_band(text, "--band", "write --band 10,400")
+
+
+def comma_list(text: str, option: str, example: str, what: str = "names") -> list[str]:
+    """Return names that are separated by commas, each once.
+
+    Parameters
+    ----------
+    example : str
+        The option as it should be written, for messages.
+    what : str
+        What they are names of, for messages.
+
+    Raises
+    ------
+    PkmodesError
+        If one is empty.
+    """
+    names = [name.strip() for name in text.split(",")]
+    if not all(names):
+        raise PkmodesError(
+            f"expected {what} separated by commas, found {shown(text)}", option, f"for example: {example}"
+        )
+    return list(dict.fromkeys(names))
 
 
 def check_order(robot: Path, modes: Path, command: str) -> None:

@@ -15,17 +15,17 @@ from pkmodes.base.documents import Document
 from pkmodes.base.drives import Drives
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.cli.delivery import ResultFile, deliver
-from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options
+from pkmodes.cli.options import comma_list, drives_option, json_option, mechanism_option, named_as_options
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.cli.targets import Target, check_targets
 from pkmodes.mechanism.poses import placed
 from pkmodes.model.loading import load
+from pkmodes.response.ports import QUANTITIES
 
 if TYPE_CHECKING:
     from pkmodes.mechanism.registry import Mechanism
     from pkmodes.response.frequency_response import FrequencyResponse
 
-QUANTITIES = ("displacement", "velocity", "acceleration")
 OPTIONS = {
     "inputs": "--inputs",
     "outputs": "--outputs",
@@ -72,9 +72,9 @@ class ResponseDocument(Document):
 )
 @click.option(
     "--frequencies",
-    metavar="FIRST:LAST:COUNT",
+    metavar="START:STOP:COUNT",
     required=True,
-    help="In Hz, such as 1:400:1000, both included.",
+    help="In Hz, such as 1:400:1000, both ends included, or one value.",
 )
 @click.option("--log", is_flag=True, help="Space the frequencies by equal ratios.")
 @click.option(
@@ -139,7 +139,8 @@ def response(
     model = load(robot)
     point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
-    into, shown_by = _names(inputs), [_output(name) for name in _names(outputs)]
+    into = comma_list(inputs, "--inputs", "--inputs torque_1,force_x")
+    shown_by = [_output(name) for name in comma_list(outputs, "--outputs", "--outputs p_x,nozzle=1:1:0")]
     with named_as_options(OPTIONS):
         found = model.frf(point, given, into, shown_by, drives=drives, quantity=quantity)
         system = None
@@ -159,10 +160,6 @@ def response(
     deliver(json_file, document.as_json(), lambda: _print(model.mechanism, found), *files)
 
 
-def _names(text: str) -> list[str]:
-    return [part.strip() for part in text.split(",") if part.strip()]
-
-
 def _output(name: str) -> str | Mapping[str, Sequence[float]]:
     """Read an output: a name, or a direction such as ``nozzle=1:1:0``."""
     label, equals, direction = name.partition("=")
@@ -176,28 +173,25 @@ def _output(name: str) -> str | Mapping[str, Sequence[float]]:
 
 
 def _frequencies(text: str, log: bool) -> NDArray[np.float64]:
-    """Read ``FIRST:LAST:COUNT``.
+    """Read ``START:STOP:COUNT`` in Hz.
 
     Raises
     ------
     PkmodesError
-        If it is not three numbers that define frequencies.
+        If it is not a range of frequencies, or not one that equal ratios divide.
     """
-    example = "write --frequencies FIRST:LAST:COUNT in Hz, such as 1:400:1000"
-    try:
-        first, last, count = text.split(":")
-        low, high, number = float(first), float(last), int(count)
-    except ValueError:
-        what = f"expected the first and the last frequency and their number, found {shown(text)}"
-        raise PkmodesError(what, "--frequencies", example) from None
-    if number < 1 or not 0.0 <= low <= high < np.inf or (number == 1 and low != high):
-        what = f"expected frequencies of at least 0 Hz, ascending, found {shown(text)}"
-        raise PkmodesError(what, "--frequencies", example)
-    if log and low == 0.0:
+    from pkmodes.maps.ranges import parse_range
+
+    values = parse_range(text, "1", "--frequencies")
+    first, last = float(values[0]), float(values[-1])
+    if first < 0.0:
+        what = f"expected frequencies of at least 0 Hz, found {shown(text)}"
+        raise PkmodesError(what, "--frequencies", "for example: --frequencies 1:400:1000")
+    if log and first == 0.0:
         raise PkmodesError(
             "equal ratios cannot begin at 0 Hz", "--log", "begin above 0 Hz, or leave --log out"
         )
-    return np.geomspace(low, high, number) if log else np.linspace(low, high, number)
+    return np.geomspace(first, last, len(values)) if log else values
 
 
 def _print(mechanism: Mechanism, found: FrequencyResponse) -> None:

@@ -13,9 +13,8 @@ from numpy.typing import NDArray
 
 from pkmodes.base.documents import Count, Document, Matrix
 from pkmodes.base.drives import Drives
-from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import drives_option, json_option, mechanism_option
+from pkmodes.cli.options import comma_list, drives_option, json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.cli.targets import check_targets
 from pkmodes.mechanism.poses import placed
@@ -27,6 +26,8 @@ if TYPE_CHECKING:
     from pkmodes.solve.results import Modes
 
 Array = NDArray[np.float64]
+#: Of --parameters, for messages.
+EXAMPLE = "--parameters platform.mass,axis.span; or omit the option"
 #: Derivatives below these bounds are rounding and shown as 0: relative change of the frequency per relative change of
 #: the value, or per SI unit if the value is 0.
 NOTHING, NOTHING_BY_UNIT = 1e-9, 1e-15
@@ -103,7 +104,7 @@ def sensitivities(robot: Path, pose: str, parameters: str | None, drives: str, j
     platform pose and all other quantities are held constant; docs/sensitivities.md lists the paths.
     """
     check_targets(json_file, [robot])
-    paths = None if parameters is None else _paths(parameters)
+    paths = None if parameters is None else comma_list(parameters, "--parameters", EXAMPLE, "parameter paths")
     model = load(robot)
     point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
@@ -123,17 +124,6 @@ def sensitivities(robot: Path, pose: str, parameters: str | None, drives: str, j
         eigenvalue_derivatives=derivatives.eigenvalues.tolist(),
     )
     deliver(json_file, document.as_json(), lambda: _print(model, modes, derivatives, relative))
-
-
-def _paths(text: str) -> list[str]:
-    paths = [path.strip() for path in text.split(",")]
-    if not all(paths):
-        raise PkmodesError(
-            f"expected parameter paths separated by commas, found {shown(text)}",
-            "--parameters",
-            "for example: --parameters platform.mass,axis.span; or omit the option",
-        )
-    return list(dict.fromkeys(paths))
 
 
 def _relative(derivatives: Sensitivities, frequencies: Array) -> Array:

@@ -61,7 +61,7 @@ class Field:
     symbol : str
         Heading in the table of a notebook, followed by the number of the mode; empty if it has no columns there.
     only : {"", "shapes", "dissipation", "held"}
-        Under which condition maps have it (`conditions`), if not always.  With ``"held"`` it is null in JSON where
+        Under which condition maps have it (`conditions_of`), if not always.  With ``"held"`` it is null in JSON where
         motors are free.
     signed : bool
         Whether it changes its sign with the sign of the mode shape.
@@ -337,7 +337,7 @@ def of_modes(mechanism: Mechanism | None = None) -> tuple[str, ...]:
     )
 
 
-def conditions(robots: Iterable[Robot], shapes: bool, drives: str) -> frozenset[str]:
+def conditions_of(robots: Iterable[Robot], shapes: bool, drives: str) -> frozenset[str]:
     """Return which of the conditions hold under which maps have a field.
 
     Parameters
@@ -353,10 +353,10 @@ def conditions(robots: Iterable[Robot], shapes: bool, drives: str) -> frozenset[
     return frozenset(name for name, held in holds.items() if held)
 
 
-def of_maps(holding: frozenset[str]) -> tuple[Field, ...]:
+def of_maps(conditions: frozenset[str]) -> tuple[Field, ...]:
     """Return the fields of maps where some conditions hold; those that are kept with the mode shapes come last."""
     there = [
-        field for field in FIELDS.values() if field.variable and (not field.only or field.only in holding)
+        field for field in FIELDS.values() if field.variable and (not field.only or field.only in conditions)
     ]
     return tuple(sorted(there, key=lambda field: field.only == SHAPES))
 

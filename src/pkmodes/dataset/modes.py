@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.dataset.attributes import attributes_of, imported, labels_of, meanings_of
-from pkmodes.dataset.fields import INDEPENDENT, MODE, Field, conditions, of_maps
-from pkmodes.dataset.variables import LIST, variables
+from pkmodes.dataset.fields import INDEPENDENT, MODE, Field, conditions_of, of_maps
+from pkmodes.dataset.variables import dims_of_poses, variables
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.robot import Robot
 
@@ -42,9 +42,9 @@ def dataset_of_modes(
     mechanism = robot.mechanism
     normal = mechanism.directions[2] if len(mechanism.directions) > 2 else None
     axes = poses.ndim - 1
-    leading = (LIST,) if axes == 1 else tuple(f"{LIST}_{i + 1}" for i in range(axes))
-    holding = conditions([robot], "shapes" in arrays, drives)
-    fields = [field for field in of_maps(holding) if field.name in arrays]
+    leading = dims_of_poses(axes)
+    conditions = conditions_of([robot], "shapes" in arrays, drives)
+    fields = [field for field in of_maps(conditions) if field.name in arrays]
     values = {field.name: arrays[field.name] for field in fields}
     vibrations: Any = (*[slice(None)] * axes, slice(rigid_modes, None))
     for field in fields:
@@ -52,7 +52,7 @@ def dataset_of_modes(
             values[field.name] = arrays[field.name][vibrations]
     # The others that follow from those at hand, such as the parts of the platform's motion.
     known = {**values, "directions": mechanism.directions, "normal": normal}
-    for field in of_maps(holding):
+    for field in of_maps(conditions):
         if not field.in_modes and known.keys() >= {*field.needs}:
             fields.append(field)
             values[field.name] = field.of(*(known[name] for name in field.needs))
@@ -61,7 +61,7 @@ def dataset_of_modes(
     named |= {field.variable: _along(field, values[field.name], mechanism, shown) for field in fields}
     data = {
         v.name: ((*leading, *v.dims), named[v.name], {**v.attributes, **meanings_of(robot, v.name)})
-        for v in variables(mechanism, normal, holding, False)
+        for v in variables(mechanism, normal, conditions, False)
         if v.name in named
     }
     about = {c.name: {"units": c.unit, "long_name": c.description} for c in mechanism.pose}

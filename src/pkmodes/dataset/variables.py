@@ -51,7 +51,7 @@ OF_TRACKING = (
 
 
 def variables(
-    mechanism: Mechanism, normal: str | None, holding: frozenset[str], tracked: bool
+    mechanism: Mechanism, normal: str | None, conditions: frozenset[str], tracked: bool
 ) -> tuple[Variable, ...]:
     """Return the variables of a map.
 
@@ -59,19 +59,24 @@ def variables(
     ----------
     normal : str or None
         Direction perpendicular to the plane of the grid.
-    holding : frozenset of str
-        From `pkmodes.dataset.fields.conditions`.
+    conditions : frozenset of str
+        From `pkmodes.dataset.fields.conditions_of`.
     tracked : bool
         Whether modes are tracked.
     """
-    shapes = SHAPES in holding
-    of_fields = [(field, _variable(field, mechanism, normal, shapes)) for field in of_maps(holding)]
+    shapes = SHAPES in conditions
+    of_fields = [(field, _variable(field, mechanism, normal, shapes)) for field in of_maps(conditions)]
     return (
         *(variable for field, variable in of_fields if field.only != SHAPES),
         *OF_POSES,
         *(variable for field, variable in of_fields if field.only == SHAPES),
         *(OF_TRACKING if tracked else ()),
     )
+
+
+def dims_of_poses(axes: int) -> tuple[str, ...]:
+    """Return the names of the axes of poses that are not on a grid: ``pose``, or ``pose_1``, ``pose_2``, ..."""
+    return (LIST,) if axes == 1 else tuple(f"{LIST}_{i + 1}" for i in range(axes))
 
 
 def dims_of(field: Field) -> tuple[str, ...]:

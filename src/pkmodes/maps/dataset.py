@@ -58,15 +58,15 @@ def dataset_of(
     shape = (*variants.shape, *places.shape)
     coordinates = layout.coordinates if layout.shapes else mechanism.independent
     # Shapes may have been needed for tracking only.
-    kept = {field.variable for field in of_maps(layout.holding)}
+    kept = {field.variable for field in of_maps(layout.conditions)}
     shown = [name for name in arrays if name in kept or name == "code"]
     fields = fields_of({name: arrays[name] for name in shown}, shape, np.array(codes_of(mechanism)), tracked)
     if len(shown) < len(arrays):
         columns = [layout.coordinates.index(name) for name in coordinates]
-        for field in of_maps(layout.holding):
+        for field in of_maps(layout.conditions):
             if INDEPENDENT in field.dims:
                 fields[field.variable] = fields[field.variable][..., columns]
-    known = variables(mechanism, normal, layout.holding, tracked is not None)
+    known = variables(mechanism, normal, layout.conditions, tracked is not None)
     data = {
         v.name: (
             (*leading, *v.dims),

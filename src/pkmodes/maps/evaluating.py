@@ -79,7 +79,7 @@ def evaluate(task: Task) -> dict[str, Array]:
 
 def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
     layout, model = task.layout, Dynamics.of(robot, task.max_condition)
-    fields = of_maps(layout.holding)
+    fields = of_maps(layout.conditions)
     # One thread: tasks run side by side.
     checked, values = model.fields_at(
         points,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from pkmodes.dataset.fields import SHAPES, conditions, of_maps, sizes_of, tail
+from pkmodes.dataset.fields import SHAPES, conditions_of, of_maps, sizes_of, tail
 from pkmodes.robot.robot import Robot
 from pkmodes.system.evaluation import evaluation, number_of_modes
 from pkmodes.system.motors import solved_system
@@ -21,26 +21,26 @@ class Layout:
         Largest number of vibration modes of any robot.
     coordinates : tuple of str
         All coordinates of any robot.
-    holding : frozenset of str
-        Conditions under which fields are there, from `pkmodes.dataset.fields.conditions`.
+    conditions : frozenset of str
+        Conditions under which fields are there, from `pkmodes.dataset.fields.conditions_of`.
     backend, drives : str
         As for `pkmodes.Model.modes`.
     """
 
     modes: int
     coordinates: tuple[str, ...]
-    holding: frozenset[str]
+    conditions: frozenset[str]
     backend: str
     drives: str
 
     @property
     def shapes(self) -> bool:
         """Whether mode shapes are kept."""
-        return SHAPES in self.holding
+        return SHAPES in self.conditions
 
     def without_shapes(self) -> Layout:
         """Return the layout of a map that does not keep mode shapes."""
-        return replace(self, holding=self.holding - {SHAPES})
+        return replace(self, conditions=self.conditions - {SHAPES})
 
 
 def tails(robot: Robot, layout: Layout) -> dict[str, tuple[tuple[int, ...], str]]:
@@ -48,7 +48,7 @@ def tails(robot: Robot, layout: Layout) -> dict[str, tuple[tuple[int, ...], str]
     coordinates = len(layout.coordinates)
     independent = coordinates if layout.shapes else None
     sizes = sizes_of(robot.mechanism, layout.modes, coordinates, independent)
-    fields = {field.variable: (tail(field, sizes), field.dtype) for field in of_maps(layout.holding)}
+    fields = {field.variable: (tail(field, sizes), field.dtype) for field in of_maps(layout.conditions)}
     return {**fields, "code": ((), "i1")}
 
 
@@ -63,4 +63,4 @@ def layout_of(robots: Sequence[Robot], shapes: bool, backend: str, drives: str) 
     released = [q.name for effect in robots[0].mechanism.effects.values() for q in effect.coordinates]
     every = [q.name for q in robots[0].mechanism.coordinates] + released
     coordinates = tuple(sorted(order, key=every.index))
-    return Layout(modes, coordinates, conditions(robots, shapes, drives), backend, drives)
+    return Layout(modes, coordinates, conditions_of(robots, shapes, drives), backend, drives)

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 import operator
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.base.arguments import check_argument, one_of
+from pkmodes.base.drives import checked_drives
 from pkmodes.base.errors import PkmodesError
+from pkmodes.mechanism.poses import CheckedPoses
+from pkmodes.response.ports import QUANTITIES, Output, Port, inputs_of, outputs_of, units_of
 from pkmodes.robot.robot import Robot
+from pkmodes.solve.dynamics import Dynamics
 from pkmodes.solve.results import AtPoses
 
 Index = tuple[int, ...] | int
@@ -59,3 +66,44 @@ class Channels(AtPoses):
             what = f"the pose {where} could not be evaluated: {self.reason[where]}"
             raise PkmodesError(what, "index", "choose another pose")
         return where
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What is asked of a robot: a quantity of some outputs per some inputs."""
+
+    dynamics: Dynamics
+    inputs: tuple[Port, ...]
+    outputs: tuple[Port, ...]
+    quantity: str
+    drives: str
+
+    @classmethod
+    def of(
+        cls, dynamics: Dynamics, inputs: Sequence[str], outputs: Sequence[Output], quantity: str, drives: str
+    ) -> Asked:
+        """Return what is asked by name.
+
+        Raises
+        ------
+        PkmodesError
+            If a name is unknown, or a port is not one with these drives.
+        """
+        checked_drives(drives)
+        check_argument(quantity, one_of(QUANTITIES), "quantity", 'for example: "acceleration"')
+        into, out = inputs_of(dynamics, inputs, drives), outputs_of(dynamics, outputs)
+        return cls(dynamics, into, out, quantity, drives)
+
+    def fields(self, checked: CheckedPoses) -> dict[str, Any]:
+        """Return the fields of `Channels` at poses."""
+        return {
+            "codes": checked.codes.reshape(checked.batch),
+            "known": checked.known,
+            "poses": checked.points.reshape((*checked.batch, -1)),
+            "inputs": tuple(port.name for port in self.inputs),
+            "outputs": tuple(port.name for port in self.outputs),
+            "units": units_of(self.inputs, self.outputs, self.quantity),
+            "quantity": self.quantity,
+            "drives": self.drives,
+            "robot": self.dynamics.robot,
+        }

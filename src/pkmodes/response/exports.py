@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from pkmodes.base.extras import require
 from pkmodes.base.writing import write_file
 from pkmodes.dataset.attributes import imported
+from pkmodes.dataset.variables import dims_of_poses
 from pkmodes.mechanism.poses import placed
 from pkmodes.response.channels import Channels, Index
 
@@ -26,8 +27,7 @@ Complex = NDArray[np.complex128]
 def response_dataset(response: Channels, values: Complex, frequencies: Array) -> Dataset:
     """Return responses as a dataset: see `FrequencyResponse.to_dataset`."""
     xr = imported()
-    axes = response.poses.ndim - 1
-    leading = ("pose",) if axes == 1 else tuple(f"pose_{i + 1}" for i in range(axes))
+    leading = dims_of_poses(response.poses.ndim - 1)
     components = {
         component.name: (leading, response.poses[..., i], {"units": component.unit})
         for i, component in enumerate(response.robot.mechanism.pose)

@@ -11,24 +11,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.arguments import check_argument, one_of
-from pkmodes.base.drives import FREE, checked_drives
+from pkmodes.base.arguments import real_numbers
+from pkmodes.base.drives import FREE
 from pkmodes.base.errors import PkmodesError
 from pkmodes.mechanism.poses import OnError
-from pkmodes.response.channels import Channels
+from pkmodes.response.channels import Asked, Channels
 from pkmodes.response.equations import equations
 from pkmodes.response.linearised import LinearisedRobot, nan_in_both_parts
-from pkmodes.response.ports import (
-    QUANTITIES,
-    Output,
-    Port,
-    input_vectors,
-    inputs_of,
-    output_vectors,
-    outputs_of,
-    prescribed,
-    units_of,
-)
+from pkmodes.response.ports import QUANTITIES, Output, Port, input_vectors, output_vectors, prescribed
 from pkmodes.solve.backends import AUTO
 from pkmodes.solve.dynamics import Dynamics
 
@@ -133,30 +123,21 @@ def frequency_response(
     backend: str = AUTO,
 ) -> FrequencyResponse:
     """Compute frequency responses: see `pkmodes.Model.frf`."""
-    checked_drives(drives)
-    check_argument(quantity, one_of(QUANTITIES), "quantity", 'for example: "acceleration"')
-    into, out = inputs_of(dynamics, inputs, drives), outputs_of(dynamics, outputs)
+    asked = Asked.of(dynamics, inputs, outputs, quantity, drives)
     given = checked_frequencies(frequencies, dynamics.solved(drives).rigid_modes, drives)
     omega = 2.0 * np.pi * given
     kinematics = dynamics.kinematics
     checked = kinematics.checked(poses, on_error)
 
     def at(points: Array) -> Complex:
-        return responses(LinearisedRobot(dynamics, points, drives, backend), into, out, omega, quantity)
+        linearised = LinearisedRobot(dynamics, points, drives, backend)
+        return responses(linearised, asked.inputs, asked.outputs, omega, quantity)
 
     (values,) = kinematics.evaluated(at, checked)
     return FrequencyResponse(
-        codes=checked.codes.reshape(checked.batch),
-        known=checked.known,
-        poses=checked.points.reshape((*checked.batch, -1)),
+        **asked.fields(checked),
         values=nan_in_both_parts(np.asarray(values, dtype=complex)),
         frequencies=given,
-        inputs=tuple(port.name for port in into),
-        outputs=tuple(port.name for port in out),
-        units=units_of(into, out, quantity),
-        quantity=quantity,
-        drives=drives,
-        robot=dynamics.robot,
     )
 
 
@@ -180,14 +161,11 @@ def checked_frequencies(frequencies: ArrayLike, rigid: int, drives: str) -> Arra
     PkmodesError
         If they are not finite numbers of at least 0, or 0 although the robot has rigid modes.
     """
-    try:
-        numbers = np.atleast_1d(np.asarray(frequencies))
-    except ValueError:
-        numbers = np.empty((0, 0))
-    given = numbers.astype(float) if numbers.dtype.kind in "iuf" else np.empty((0, 0))
+    example = "for example: numpy.linspace(1, 400, 1000)"
+    given = np.atleast_1d(real_numbers(frequencies, "frequencies in Hz", "frequencies", example))
     if given.ndim != 1 or not given.size:
-        what = "expected a list of frequencies in Hz"
-        raise PkmodesError(what, "frequencies", "for example: numpy.linspace(1, 400, 1000)")
+        what = f"expected a list of frequencies in Hz, found an array of shape {given.shape}"
+        raise PkmodesError(what, "frequencies", example)
     bad = ~(np.isfinite(given) & (given >= 0.0))
     if bad.any():
         what = f"expected frequencies of at least 0 Hz, found {given[int(np.argmax(bad))]:g}"

@@ -35,20 +35,18 @@ def poles_at(
     return nan_in_both_parts(np.asarray(values, dtype=complex))
 
 
-def notes_on_damping(
-    dynamics: Dynamics, pose: ArrayLike, ratios: NDArray[np.float64], drives: str, backend: str = AUTO
-) -> list[str]:
+def notes_on_damping(linearised: LinearisedRobot, ratios: NDArray[np.float64]) -> list[str]:
     """Return sentences on the modes at a pose whose ratio of light damping is not that of their pole.
 
     Parameters
     ----------
+    linearised : LinearisedRobot
+        At the one pose.
     ratios : ndarray, shape (m,)
         Of `pkmodes.Modes.damping_ratios`.
     """
     if not np.nan_to_num(ratios).any():
         return []
-    points = np.atleast_2d(np.asarray(pose, dtype=float))
-    linearised = LinearisedRobot(dynamics, points, drives, backend)
     exact = ratios_of_poles(linearised.damping)[0]
     notes = []
     for i in range(linearised.rigid, len(ratios)):

@@ -19,6 +19,7 @@ from pkmodes.solve.dynamics import Dynamics
 
 Array = NDArray[np.float64]
 TORQUE, MOTOR, FORCE, PLATFORM = "torque_", "motor_", "force_", "p_"
+#: An output as the caller gives it: a name, or directions of the platform, ``{"name": [dx, dy, dz]}``.
 Output = str | Mapping[str, Sequence[float]]
 #: What a quantity multiplies a displacement by: powers of i omega.
 QUANTITIES = {"displacement": 0, "velocity": 1, "acceleration": 2}

@@ -23,23 +23,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.linalg import expm
 
-from pkmodes.base.arguments import check_argument, one_of
-from pkmodes.base.drives import FREE, checked_drives
+from pkmodes.base.drives import FREE
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.mechanism.poses import OnError
-from pkmodes.response.channels import Channels, Index
+from pkmodes.response.channels import Asked, Channels, Index
 from pkmodes.response.linearised import LinearisedRobot
-from pkmodes.response.ports import (
-    QUANTITIES,
-    Output,
-    Port,
-    input_vectors,
-    inputs_of,
-    output_vectors,
-    outputs_of,
-    prescribed,
-    units_of,
-)
+from pkmodes.response.ports import QUANTITIES, Output, Port, input_vectors, output_vectors, prescribed
 from pkmodes.solve.backends import AUTO
 from pkmodes.solve.dynamics import Dynamics
 
@@ -201,9 +190,8 @@ def state_space(
     backend: str = AUTO,
 ) -> StateSpace:
     """Build state space models: see `pkmodes.Model.state_space`."""
-    checked_drives(drives)
-    check_argument(quantity, one_of(QUANTITIES), "quantity", 'for example: "acceleration"')
-    into, out = inputs_of(dynamics, inputs, drives), outputs_of(dynamics, outputs)
+    asked = Asked.of(dynamics, inputs, outputs, quantity, drives)
+    into, out = asked.inputs, asked.outputs
     system, kinematics = dynamics.solved(drives), dynamics.kinematics
     count = int(len(system.coordinates) - system.massless().sum())
     kept = _checked_modes(modes, count, system.rigid_modes)
@@ -216,21 +204,13 @@ def state_space(
 
     A, B, C, D, frequencies = kinematics.evaluated(at, checked)
     return StateSpace(
-        codes=checked.codes.reshape(checked.batch),
-        known=checked.known,
-        poses=checked.points.reshape((*checked.batch, -1)),
+        **asked.fields(checked),
         A=A,
         B=B,
         C=C,
         D=D,
         frequencies=frequencies,
-        inputs=tuple(port.name for port in into),
-        outputs=tuple(port.name for port in out),
-        units=units_of(into, out, quantity),
-        quantity=quantity,
-        drives=drives,
         tick=None,
-        robot=dynamics.robot,
     )
 
 

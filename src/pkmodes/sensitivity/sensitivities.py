@@ -16,7 +16,7 @@ from pkmodes.compiled.lanes import Terms
 from pkmodes.linalg.eigen import has_stiff_joint, magnitude
 from pkmodes.measured.pose_table import poses_by_name
 from pkmodes.mechanism.poses import OnError, check_poses
-from pkmodes.robot.layout import EFFECTS
+from pkmodes.robot.layout import effect_parameters
 from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
@@ -201,18 +201,15 @@ def _in_parts(at: Callable[[Array], Mapping[str, Array]], p: Array) -> dict[str,
 
 def _chosen(robot: Robot, parameters: Sequence[str] | None) -> list[ParameterPath]:
     if parameters is None:
+        mechanism = robot.mechanism
         # A zero vector has no direction along which its radius could change; it was not requested by name.
         still = {
             whole.path
-            for whole in robot.mechanism.parameter_groups
+            for whole in mechanism.parameter_groups
             if whole.kind == "radius" and not getattr(robot.parameters, whole.field).any(axis=1).all()
         }
-        still |= {
-            f"{EFFECTS}.{effect.name}.{parameter.name}"
-            for effect in robot.mechanism.effects.values()
-            if effect.dissipates
-            for parameter in effect.parameters
-        }
+        dissipating = mechanism.effects.keys() - mechanism.conservative_effects.keys()
+        still |= {path for path in effect_parameters(mechanism) if path.split(".")[1] in dissipating}
         return resolve_all(robot, [path for path in paths(robot) if path not in still])
     wanted = listed(parameters, "parameter paths", "parameters", '"platform.mass"')
     return resolve_all(robot, wanted)

@@ -5,9 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.base.arguments import real_numbers
+from pkmodes.base.errors import PkmodesError
 
 Array = NDArray[np.float64]
+#: What to do about arguments that are no numbers.
+GIVE = "give a number, or an array of numbers"
 
 
 def checked_modes(frequencies: ArrayLike, damping_ratios: ArrayLike) -> tuple[Array, Array]:
@@ -18,8 +21,8 @@ def checked_modes(frequencies: ArrayLike, damping_ratios: ArrayLike) -> tuple[Ar
     PkmodesError
         If a frequency is not a positive finite number, a ratio is not in [0, 1), or the shapes do not go together.
     """
-    f = _numbers(frequencies, "frequencies", "frequencies in Hz")
-    zeta = _numbers(damping_ratios, "damping_ratios", "damping ratios")
+    f = real_numbers(frequencies, "frequencies in Hz", "frequencies", GIVE)
+    zeta = real_numbers(damping_ratios, "damping ratios", "damping_ratios", GIVE)
     _refuse(
         f,
         ~(np.isfinite(f) & (f > 0.0)),
@@ -40,19 +43,6 @@ def checked_modes(frequencies: ArrayLike, damping_ratios: ArrayLike) -> tuple[Ar
         what = f"expected one ratio, or one for each of the frequencies {f.shape}, found {zeta.shape}"
         raise PkmodesError(what, "damping_ratios", "give arrays of the same shape") from None
     return f, zeta
-
-
-def _numbers(given: ArrayLike, where: str, what: str) -> Array:
-    """Return real numbers as an array; texts and truth values are none."""
-    try:
-        array = np.asarray(given)
-    except ValueError:  # rows of different lengths
-        array = np.asarray(None)
-    if array.dtype.kind not in "iuf":
-        raise PkmodesError(
-            f"expected {what}, found {shown(given)}", where, "give a number, or an array of numbers"
-        )
-    return array.astype(float)
 
 
 def _refuse(values: Array, bad: NDArray[np.bool_], where: str, expected: str, remedy: str) -> None:

@@ -10,8 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.dataset.fields import FIELDS, missing, sizes_of, tail
-from pkmodes.linalg.statics import strain_free
-from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.poses import CHUNK
 from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.solve.backends import solver_of
@@ -20,6 +18,7 @@ from pkmodes.solve.numpy_solver import NumpySolver
 from pkmodes.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
 from pkmodes.system.evaluation import Evaluation, may_be_refused, number_of_modes
 from pkmodes.system.motors import MotorsHeld
+from pkmodes.system.strain_free import strain_free_motions
 
 Array = NDArray[np.float64]
 #: Poses for which quantities are kept that are not among the fields, for each thread.
@@ -142,35 +141,6 @@ def _given_by_motors(system: Evaluation, solved: Evaluation) -> dict[str, Any]:
         given["strain_free_motions"] = partial(strain_free_motions, system)
         given["kept"] = None if solved.rigid_modes else solved.motions()[0]
     return given
-
-
-def strain_free_motions(system: Evaluation, points: Array) -> Array:
-    """Return the motions that move the platform by 1 along each linear component of the pose and strain nothing.
-
-    They are those of rigid links, belts, reducers and joints: released joints do not move, and springs to ground
-    count as no strain.  Other components of the pose, such as angles, do not change.
-
-    Parameters
-    ----------
-    system : Evaluation
-        With free motors.
-    points : ndarray, shape (N, d)
-
-    Returns
-    -------
-    ndarray, shape (N, n, directions)
-        In all n coordinates, motors included.
-    """
-    mechanism, extended = system.mechanism, system.mechanism.extended
-    names, pose = [q.name for q in mechanism.coordinates], [c.name for c in mechanism.pose]
-    _, elastic, _ = Generated(extended, system.parameters, extended.Effects()).extended_matrices(points)
-    jacobian = Generated(mechanism.model, system.parameters).platform_jacobian(points)
-    rates = np.linalg.pinv(jacobian)[..., [pose.index(name) for name in mechanism.directions]]
-    base = len(names)
-    motions = np.zeros((len(points), len(system.coordinates), rates.shape[-1]))
-    independent = [names.index(name) for name in mechanism.independent]
-    motions[:, :base] = strain_free(elastic[..., :base, :base], independent, rates)
-    return motions
 
 
 def _empty(count: int, shape: tuple[int, ...], dtype: str) -> Array:
