@@ -29,6 +29,7 @@ from pkmodes.cli.modes import modes
 from pkmodes.cli.printing import echo
 from pkmodes.cli.response import response
 from pkmodes.cli.sensitivities import sensitivities
+from pkmodes.cli.shaper import shaper
 from pkmodes.cli.show import show
 
 DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
@@ -44,7 +45,19 @@ def cli() -> None:
     """Vibration modes of parallel robots with compliant transmissions."""
 
 
-for command in (generate, check, modes, map_, figures, show, sensitivities, response, compare, diagnose):
+for command in (
+    generate,
+    check,
+    modes,
+    map_,
+    figures,
+    show,
+    sensitivities,
+    response,
+    shaper,
+    compare,
+    diagnose,
+):
     cli.add_command(command)
 
 

@@ -15,6 +15,7 @@ from pkmodes.base.documents import Document
 from pkmodes.base.drives import Drives
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options, report_option
+from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.model.loading import load
@@ -77,20 +78,8 @@ class MapDocument(Document):
     "--out map.nc",
 )
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
-@click.option(
-    "--grid",
-    metavar="X=START:STOP:COUNT,...",
-    default=None,
-    help="For each component of the pose start:stop:count, both ends included, or one value; in SI units or with "
-    "units.  By default the reachable workspace, within the [usable] limits of the robot file.",
-)
-@click.option(
-    "--poses",
-    metavar="FILE.csv",
-    type=click.Path(path_type=Path),
-    default=None,
-    help="Poses instead of a grid: one row each, with the components of the pose as columns, such as x,y,z.",
-)
+@grid_option
+@poses_option
 @click.option(
     "--set",
     "settings",
@@ -150,12 +139,10 @@ def map_(
     map_target = Target("--out", out, "the map", anywhere=True)
     check_targets(json_file, inputs, map_target, report_target(report_to))
     sources = sources_of(report_to, {"robot file": robot})
-    if grid is not None and poses is not None:
-        raise click.UsageError("--grid and --poses exclude each other", click.get_current_context())
     model = load(robot)
     with named_as_options(OPTIONS), _continued(out), _progress() as progress:
         dataset = model.map(
-            _places(model, grid, poses),
+            places_given(model, grid, poses),
             sweep=_sweep(model, settings),
             samples=samples,
             seed=seed,
@@ -187,18 +174,6 @@ def _page(model: Model, dataset: Dataset, content: dict[str, Any], sources: Sequ
 
     view = view_of(model, start=middle_of(model, dataset), drives=content["drives"])
     return map_report(model, dataset, content, sources, view)
-
-
-def _places(model: Model, grid: str | None, poses: Path | None) -> Any:
-    if grid is not None:
-        from pkmodes.maps.ranges import parse_grid
-
-        return parse_grid(grid, model.mechanism, "--grid")
-    if poses is not None:
-        from pkmodes.maps.pose_file import read_poses
-
-        return read_poses(poses, model.mechanism)
-    return None
 
 
 def _sweep(model: Model, settings: tuple[str, ...]) -> dict[str, Any] | None:

@@ -1,8 +1,9 @@
-"""A pose on the command line: its components, separated by commas."""
+"""Poses on the command line: the components of one, a grid of them, or a table."""
 
 from __future__ import annotations
 
 import re
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -10,6 +11,7 @@ import click
 from pkmodes.base.errors import PoseError
 
 if TYPE_CHECKING:
+    from pkmodes.maps.poses import Places
     from pkmodes.mechanism.registry import Mechanism
     from pkmodes.model.model import Model
 
@@ -19,6 +21,22 @@ pose_option = click.option(
     required=True,
     help="The components of the mechanism's pose, such as the platform centre X,Y,Z: numbers in SI units, or "
     "quantities with their units.",
+)
+
+grid_option = click.option(
+    "--grid",
+    metavar="X=START:STOP:COUNT,...",
+    default=None,
+    help="For each component of the pose start:stop:count, both ends included, or one value; in SI units or with "
+    "units.  By default the reachable workspace, within the [usable] limits of the robot file.",
+)
+
+poses_option = click.option(
+    "--poses",
+    metavar="FILE.csv",
+    type=click.Path(path_type=Path),
+    default=None,
+    help="Poses instead of a grid: one row each, with the components of the pose as columns, such as x,y,z.",
 )
 
 
@@ -67,3 +85,26 @@ def check_metres(model: Model, text: str, point: list[float]) -> None:
         )
         remedy = f'the numbers look like millimetres: write --pose "{given}"'
         raise PoseError(str(model.check(point).sentences).partition(";")[0], "--pose", remedy)
+
+
+def places_given(model: Model, grid: str | None, poses: Path | None) -> Places | None:
+    """Return the poses of the two options, None without either.
+
+    Raises
+    ------
+    click.UsageError
+        If both are given.
+    """
+    if grid is not None and poses is not None:
+        raise click.UsageError("--grid and --poses exclude each other", click.get_current_context())
+    if grid is not None:
+        from pkmodes.maps.poses import places_of
+        from pkmodes.maps.ranges import parse_grid
+
+        return places_of(model.mechanism, parse_grid(grid, model.mechanism, "--grid"))
+    if poses is not None:
+        from pkmodes.maps.pose_file import read_poses
+        from pkmodes.maps.poses import places_of
+
+        return places_of(model.mechanism, read_poses(poses, model.mechanism))
+    return None

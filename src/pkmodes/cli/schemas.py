@@ -16,6 +16,7 @@ from pkmodes.cli.map import MapDocument
 from pkmodes.cli.modes import modes_document
 from pkmodes.cli.response import ResponseDocument
 from pkmodes.cli.sensitivities import SensitivitiesDocument
+from pkmodes.cli.shaper import ShaperDocument
 from pkmodes.cli.show import ShowDocument
 from pkmodes.diagnosis.verdict.document import DiagnoseDocument
 
@@ -29,6 +30,7 @@ DOCUMENTS: dict[str, type[Document]] = {
     "show": ShowDocument,
     "sensitivities": SensitivitiesDocument,
     "response": ResponseDocument,
+    "shaper": ShaperDocument,
     "compare": CompareDocument,
     "diagnose": DiagnoseDocument,
 }

@@ -15,8 +15,11 @@ from pkmodes.solve.dynamics import Dynamics
 
 if TYPE_CHECKING:
     from pkmodes.response.frequency_response import FrequencyResponse
+    from pkmodes.response.moves import Move
     from pkmodes.response.ports import Output
     from pkmodes.response.state_space import StateSpace
+    from pkmodes.shaping.choice import Choice
+    from pkmodes.shaping.shapers import Shaper
 
 
 class Responses:
@@ -228,3 +231,130 @@ class Responses:
         from pkmodes.response.compliance import compliance
 
         return compliance(self.dynamics, poses, on_error)
+
+    def shaper(self, kind: str, poses: ArrayLike, *, modes: int | None = None) -> Shaper:
+        """Design shapers for the modes of held motors at poses (docs/shapers.md).
+
+        Parameters
+        ----------
+        kind : str
+            One of `pkmodes.shaping.KINDS`, or a product such as "zv*zv*zv", factor k of which is for mode k.
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        modes : int, optional
+            For a single kind: how many of the lowest modes count.  It is for their mean frequency, weighted by the
+            squared ``vibration_amplitudes``; by default three.
+
+        Returns
+        -------
+        Shaper
+            ``amplitudes`` and ``delays`` with the leading axes of the poses, then the impulses.
+
+        Raises
+        ------
+        PkmodesError
+            If the kind is unknown, or has more factors than the machine has modes; or a mode is not stable.
+
+        Examples
+        --------
+        >>> import pkmodes
+        >>> model = pkmodes.load("robots/linear-delta-2022-identified.toml")
+        >>> (1e3 * model.shaper("zv*zv*zv", [0.6, 0.0, -0.244]).durations).round(1)  # ms
+        np.float64(47.9)
+        """
+        from pkmodes.shaping.at_poses import shaper_at
+
+        return shaper_at(self.dynamics, kind, poses, modes)
+
+    def shapers(
+        self,
+        poses: ArrayLike,
+        kinds: Sequence[str] | None = None,
+        *,
+        modes: int | None = None,
+        left: float = 0.1,
+        length: float | None = None,
+        tick: float = 1e-3,
+    ) -> Choice:
+        """Compare shapers over poses: the best fixed one of each kind, and those that follow the pose.
+
+        Parameters
+        ----------
+        poses : array_like, shape (N, d)
+            Such as a grid over the workspace; those that cannot be evaluated are left out.
+        kinds : sequence of str, optional
+            By default all for one mode, and products of zv up to the number of modes.
+        modes : int, optional
+            The lowest modes that count; by default three.
+        left : float
+            Share of the vibration that a fixed shaper may leave at the worst pose to be good enough.
+        length : float, optional
+            Longest duration of a shaper [s].
+        tick : float
+            Time between two commands of the controller [s]; shapers shorter than two ticks are left out.
+
+        Returns
+        -------
+        Choice
+            ``candidates``, and ``recommended``: the index of the shortest fixed shaper that is good enough, else of
+            the one that leaves least at its worst pose.
+
+        Raises
+        ------
+        PkmodesError
+            If an argument is invalid, or no fixed shaper is long or short enough.
+        PoseError
+            If no pose can be evaluated.
+        """
+        from pkmodes.shaping.choice import choose
+        from pkmodes.shaping.ringing import ringing
+
+        return choose(ringing(self.dynamics, poses, modes), kinds, left=left, length=length, tick=tick)
+
+    def simulate(
+        self, time: ArrayLike, poses: ArrayLike, *, shaper: Shaper | None = None, damping: float | None = None
+    ) -> Move:
+        """Simulate how the platform rings while held motors follow a command (docs/shapers.md).
+
+        Modes, inertia and motion are those of the commanded pose of each moment; vibrations are small, and forces
+        that grow with the square of the speed are left out.
+
+        Parameters
+        ----------
+        time : array_like, shape (T,)
+            Ascending [s].  Before the first sample the machine is at rest; between samples the command is a straight
+            line, so sample it as the controller does.
+        poses : array_like, shape (T, d)
+            The command, in SI units.  Components that are no lengths stay constant.
+        shaper : Shaper, optional
+            With which the command is convolved: one, amplitudes and delays (n,), or one for each time, (T, n), which
+            splits what the command moves up to this time: `shaper` designs them for the commanded poses.
+        damping : float, optional
+            Damping ratio of every mode, instead of that of the robot file.
+
+        Returns
+        -------
+        Move
+            ``poses``, which the motors follow: the command after the shaper; and ``deviation``, how far the platform
+            is from them [m], both (T, d).
+
+        Raises
+        ------
+        PkmodesError
+            If the times do not ascend, or shapes do not go together.
+        PoseError
+            If the path leaves the workspace; the message says when and where.
+
+        Examples
+        --------
+        >>> import numpy as np, pkmodes
+        >>> model = pkmodes.load("robots/linear-delta-2022-identified.toml")
+        >>> t = np.arange(0.0, 0.4, 0.001)  # 0.1 m/s within 10 ms, then on
+        >>> x = 0.5 + np.where(t < 0.01, 5.0 * t**2, 0.1 * t - 0.0005)
+        >>> move = model.simulate(t, np.stack([x, 0.0 * x, 0.0 * x - 0.245], axis=-1), damping=0.01)
+        >>> bool(move.largest(after=0.05) > 1e-4)
+        True
+        """
+        from pkmodes.response.moves import simulate
+
+        return simulate(self.dynamics, time, poses, shaper, damping)

@@ -94,7 +94,7 @@ def factors(kind: str) -> tuple[Kind, ...]:
     PkmodesError
         If a factor is no kind of shaper (the message suggests the nearest).
     """
-    names = [name.strip() for name in kind.split(PRODUCT)] if isinstance(kind, str) else [kind]
+    names = names_of(kind)
     for name in names:
         if not isinstance(name, str) or name not in _KINDS:
             of = f" in {shown(kind)}" if len(names) > 1 else ""
@@ -103,3 +103,8 @@ def factors(kind: str) -> tuple[Kind, ...]:
             )
             raise PkmodesError(what, "kind", nearest(name, KINDS))
     return tuple(_KINDS[name] for name in names)
+
+
+def names_of(kind: str) -> tuple[str, ...]:
+    """Return the names of the factors of a product, or the one name."""
+    return tuple(name.strip() for name in kind.split(PRODUCT)) if isinstance(kind, str) else (kind,)

@@ -1,0 +1,265 @@
+"""``pkmodes shaper``: input shapers for a machine with held motors, compared over the workspace."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import click
+import numpy as np
+from msgspec import Meta
+
+from pkmodes.base.documents import Count, Document, Size
+from pkmodes.base.drives import Drives
+from pkmodes.cli.delivery import deliver
+from pkmodes.cli.options import comma_list, json_option, mechanism_option, named_as_options, report_option
+from pkmodes.cli.poses import grid_option, places_given, poses_option
+from pkmodes.cli.reporting import report_file, sources_of
+from pkmodes.cli.targets import check_targets, report_target
+from pkmodes.model.loading import load
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from pkmodes.model.model import Model
+    from pkmodes.shaping.choice import Candidate, Choice
+
+OPTIONS = {
+    "kind": "--kinds",
+    "kinds": "--kinds",
+    "modes": "--modes",
+    "left": "--left",
+    "length": "--length",
+    "tick": "--tick",
+    "grid": "--grid",
+    "poses": "--grid",
+}
+
+
+class UnshapedDocument(Document):
+    """Vibration of the platform without a shaper, for a step of its acceleration by 1 m/s^2."""
+
+    rms: Annotated[Size, Meta(description="Root mean square over the poses [s^2].")]
+    worst: Annotated[Size, Meta(description="Largest value [s^2].")]
+    pose: Annotated[list[float], Meta(description="Where it is largest, in SI units.")]
+
+
+class LeftDocument(Document):
+    """Vibration that a shaper leaves, relative to none."""
+
+    rms: Annotated[Size, Meta(description="Root mean square over that without a shaper.")]
+    worst: Annotated[Size, Meta(description="Largest value over the largest without a shaper.")]
+    pose: Annotated[list[float], Meta(description="Where most is left, in SI units.")]
+    rms_uncertain: Annotated[
+        Size | None,
+        Meta(
+            description="rms with frequencies spread by the standard deviations of the robot file; null without any."
+        ),
+    ]
+
+
+class CandidateDocument(Document):
+    """A shaper."""
+
+    kind: Annotated[str, Meta(description="Such as zv, or zv*zv for two modes.")]
+    follows_pose: Annotated[bool, Meta(description="Whether it is designed anew for the modes of each pose.")]
+    frequencies_hz: Annotated[
+        list[float] | None,
+        Meta(
+            description="Of the design, one for each factor [Hz]; null if it follows the pose, as the next three."
+        ),
+    ]
+    damping_ratios: Annotated[list[float] | None, Meta(description="Of the design, likewise.")]
+    amplitudes: Annotated[list[float] | None, Meta(description="Of the impulses; their sum is 1.")]
+    delays_s: Annotated[list[float] | None, Meta(description="Of the impulses [s].")]
+    duration_s: Annotated[Size, Meta(description="Delay of the last impulse [s]; the longest of all poses.")]
+    left: Annotated[LeftDocument, Meta(description="Vibration that it leaves.")]
+
+
+class ShaperDocument(Document):
+    """Shapers for the modes of held motors, compared over poses."""
+
+    robot: Annotated[str, Meta(description="Name of the robot.")]
+    drives: Drives
+    poses: Annotated[Count, Meta(description="Number of poses that count.")]
+    modes: Annotated[Count, Meta(description="Number of modes that count, the lowest.")]
+    unshaped: Annotated[UnshapedDocument, Meta(description="Without a shaper.")]
+    shapers: Annotated[
+        list[CandidateDocument],
+        Meta(description="The best fixed one of each kind, then those that follow the pose."),
+    ]
+    recommended: Annotated[Count, Meta(description="Index of the recommended one, which is fixed.")]
+    firmware: Annotated[
+        dict[str, str | None],
+        Meta(description="Lines for klipper, marlin and reprapfirmware; null where it has no such shaper."),
+    ]
+    notes: Annotated[list[str], Meta(description="What the reader should know.")]
+
+
+@click.command(
+    epilog="\b\nExample:\n  pkmodes shaper robots/linear-delta-2022-identified.toml "
+    "--grid x=0.32:0.82:26,y=-0.1:0.1:11,z=-0.24:-0.16:9"
+)
+@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@grid_option
+@poses_option
+@click.option(
+    "--kinds",
+    metavar="KIND,...",
+    default=None,
+    help="zv, zvd, zvdd, mzv, ei, 2hump_ei, 3hump_ei, or products such as zv*zv for as many modes; by default all "
+    "of these.",
+)
+@click.option(
+    "--modes",
+    metavar="N",
+    type=click.IntRange(1),
+    default=None,
+    help="How many modes count, the lowest ones; by default 3.",
+)
+@click.option(
+    "--left",
+    metavar="SHARE",
+    type=float,
+    default=0.1,
+    show_default=True,
+    help="What the recommended shaper may leave of the vibration at the worst pose.",
+)
+@click.option(
+    "--length", metavar="SECONDS", type=float, default=None, help="How long the recommended shaper may last."
+)
+@click.option(
+    "--tick",
+    metavar="SECONDS",
+    type=float,
+    default=1e-3,
+    show_default=True,
+    help="Time between two commands of the controller; shapers shorter than two are left out.",
+)
+@mechanism_option
+@report_option
+@json_option
+def shaper(
+    robot: Path,
+    grid: str | None,
+    poses: Path | None,
+    kinds: str | None,
+    modes: int | None,
+    left: float,
+    length: float | None,
+    tick: float,
+    report_to: Path | None,
+    json_file: str | None,
+) -> None:
+    """Choose an input shaper: the best fixed one of each kind, beside those that follow the pose.
+
+    Motors are held.  Prints what each leaves of the vibration, and lines for the firmware of printers.
+    """
+    check_targets(json_file, [robot, *([poses] if poses else [])], report_target(report_to))
+    sources = sources_of(report_to, {"robot file": robot})
+    model = load(robot)
+    with named_as_options({**OPTIONS, **({"poses": "--poses"} if poses else {})}):
+        points = _points(model, grid, poses)
+        names = None if kinds is None else comma_list(kinds, "--kinds", "--kinds zv,mzv,zv*zv")
+        choice = model.shapers(points, names, modes=modes, left=left, length=length, tick=tick)
+    document = _document(model, choice)
+    report = report_file(report_to, lambda: _page(model, choice, document.as_json(), sources))
+    deliver(json_file, document.as_json(), lambda: _print(model, choice, document), report)
+
+
+def _points(model: Model, grid: str | None, poses: Path | None) -> NDArray[np.float64]:
+    """Return the poses, by default those of the workspace that can be evaluated."""
+    from pkmodes.maps.workspace import reachable
+
+    places = places_given(model, grid, poses)
+    if places is not None:
+        return np.asarray(places.points(np.arange(int(np.prod(places.shape)))))
+    whole = reachable(model.kinematics)
+    points = whole.points(np.arange(int(np.prod(whole.shape))))
+    return np.asarray(points[model.check(points).valid])
+
+
+def _document(model: Model, choice: Choice) -> ShaperDocument:
+    from pkmodes.shaping.firmware import firmware
+
+    best = choice.candidates[choice.recommended]
+    unshaped = choice.unshaped
+    return ShaperDocument(
+        robot=model.robot.name,
+        drives="held",
+        poses=len(choice.ringing.poses),
+        modes=choice.ringing.frequencies.shape[1],
+        unshaped=UnshapedDocument(unshaped.rms, unshaped.worst, unshaped.pose.tolist()),
+        shapers=[_candidate(one) for one in choice.candidates],
+        recommended=choice.recommended,
+        firmware=firmware(best.kind, best.frequencies, best.damping_ratio, best.shaper),
+        notes=list(choice.notes),
+    )
+
+
+def _candidate(one: Candidate) -> CandidateDocument:
+    fixed = not one.follows_pose
+    return CandidateDocument(
+        kind=one.kind,
+        follows_pose=one.follows_pose,
+        frequencies_hz=list(one.frequencies) if fixed else None,
+        damping_ratios=[one.damping_ratio] * len(one.frequencies) if fixed else None,
+        amplitudes=one.shaper.amplitudes.tolist() if fixed else None,
+        delays_s=one.shaper.delays.tolist() if fixed else None,
+        duration_s=one.duration,
+        left=LeftDocument(one.left.rms, one.left.worst, one.left.pose.tolist(), one.left.rms_uncertain),
+    )
+
+
+def _page(model: Model, choice: Choice, content: dict[str, Any], sources: Any) -> str:
+    from pkmodes.report.shaper import shaper_report
+
+    return shaper_report(model, choice, content, sources)
+
+
+def _print(model: Model, choice: Choice, document: ShaperDocument) -> None:
+    from pkmodes.cli.terminal import Terminal
+    from pkmodes.mechanism.poses import placed
+
+    terminal = Terminal()
+    at, unshaped = choice.ringing, choice.unshaped
+    low, high = at.frequencies.min(axis=0), at.frequencies.max(axis=0)
+    terminal.heading(f"{document.robot}, motors {document.drives}: {document.poses:,} poses")
+    ranges = ", ".join(f"{a:.1f} to {b:.1f}" for a, b in zip(low, high, strict=True))
+    terminal.line(f"modes that count [Hz]: {ranges}", "  ")
+    place = placed(model.mechanism, unshaped.pose, ".4g")
+    terminal.line(
+        f"without a shaper {1e6 * unshaped.rms:.3g} um of vibration for a step of 1 m/s^2 (rms), at most "
+        f"{1e6 * unshaped.worst:.3g} um, at {place}",
+        "  ",
+    )
+    terminal.line()
+    uncertain = any(one.left.rms_uncertain is not None for one in choice.candidates)
+    titles = [
+        "shaper",
+        "design [Hz]",
+        "lasts [ms]",
+        "left, rms",
+        "worst",
+        *(["uncertain"] if uncertain else []),
+    ]
+    rows = [_row(i, one, choice, uncertain) for i, one in enumerate(choice.candidates)]
+    terminal.table(titles, rows, left=("shaper", "design [Hz]"))
+    terminal.line()
+    terminal.line("left: vibration relative to none, in per cent; * is recommended")
+    for name, lines in document.firmware.items():
+        terminal.line()
+        terminal.line(f"{name}:" if lines else f"{name}: has no such shaper")
+        for line in (lines or "").splitlines():
+            terminal.line(line, "  ")
+    for note in document.notes:
+        terminal.line()
+        terminal.line(f"note: {note}")
+
+
+def _row(i: int, one: Candidate, choice: Choice, uncertain: bool) -> list[str]:
+    left = one.left
+    design = "of the pose" if one.follows_pose else ", ".join(f"{f:.2f}" for f in one.frequencies)
+    cells = [f"{one.kind}{' *' if i == choice.recommended else ''}", design, f"{1e3 * one.duration:.1f}"]
+    numbers = [left.rms, left.worst, *([left.rms_uncertain] if uncertain else [])]
+    return cells + ["-" if value is None else f"{100.0 * value:.2f}" for value in numbers]

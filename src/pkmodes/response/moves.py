@@ -1,0 +1,160 @@
+"""A move of a robot whose motors follow the command: how far the platform is from where it should be."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.base.arguments import Constraint, check_argument, is_number
+from pkmodes.base.drives import HELD
+from pkmodes.base.errors import PkmodesError, PoseError, shown
+from pkmodes.response.path_vibration import deviation_along
+from pkmodes.shaping.shapers import Shaper
+from pkmodes.solve.dynamics import Dynamics
+
+Array = NDArray[np.float64]
+RATIO = Constraint(
+    "a damping ratio of at least 0 and below 1", lambda value: is_number(value) and 0.0 <= value < 1.0
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Move:
+    """A move of a robot with held motors, at T times.
+
+    Attributes
+    ----------
+    time : ndarray, shape (T,)
+        In s.
+    poses : ndarray, shape (T, d)
+        What the motors follow: the command, after the shaper.  The platform is at ``poses + deviation``.
+    deviation : ndarray, shape (T, d)
+        Of the platform from `poses` [m].  Static sag under gravity is no part of it.
+    """
+
+    time: Array
+    poses: Array
+    deviation: Array
+
+    def largest(self, after: float = -np.inf) -> float:
+        """Return the largest distance of the platform from `poses` [m], from a time [s] on."""
+        distance = np.linalg.norm(self.deviation[self.time >= after], axis=-1)
+        return float(distance.max(initial=0.0))
+
+
+def simulate(
+    dynamics: Dynamics, time: ArrayLike, poses: ArrayLike, shaper: Shaper | None, damping: float | None
+) -> Move:
+    """Integrate a move: see `pkmodes.Model.simulate`."""
+    t = _times(time)
+    command = _command(dynamics, poses, t)
+    shaped = command if shaper is None else shaped_command(t, command, shaper)
+    _check_path(dynamics, t, shaped)
+    if damping is not None:
+        dynamics = _with_ratio(dynamics, damping)
+    if rigid := dynamics.solved(HELD).rigid_modes:
+        what = f"with motors held the machine still has {rigid} rigid modes: they would drift away"
+        raise PkmodesError(what, dynamics.robot.source, "check the drives of the mechanism")
+    return Move(t, shaped, deviation_along(dynamics, t, shaped))
+
+
+def shaped_command(time: Array, command: Array, shaper: Shaper) -> Array:
+    """Return a command after a shaper, (T, d).
+
+    Every increment of the command is split into parts that arrive later.  A shaper for each time splits the increment
+    up to this time, while the machine is still underway: in the middle of the impulses it has about the commanded
+    pose of that time.  All parts arrive, so the shaped command ends where the command does.
+
+    Parameters
+    ----------
+    time : ndarray, shape (T,)
+        Before the first one the machine rests.
+    command : ndarray, shape (T, d)
+        A straight line between times.
+    shaper : Shaper
+        One for all times, amplitudes and delays (n,), or one for each, (T, n).
+
+    Raises
+    ------
+    PkmodesError
+        If the shaper has neither shape, or its delays shorten faster than time passes.
+    """
+    amplitudes, delays = np.broadcast_arrays(np.asarray(shaper.amplitudes), np.asarray(shaper.delays))
+    if delays.ndim not in (1, 2) or (delays.ndim == 2 and len(delays) != len(time)):
+        what = f"expected impulses of shape (n,), or ({len(time)}, n) for as many times, found {delays.shape}"
+        raise PkmodesError(what, "shaper", "design one shaper, or one for each time")
+    delays = np.broadcast_to(delays, (len(time), delays.shape[-1]))
+    arrival = time[:, None] + delays
+    overtaken = np.flatnonzero((np.diff(arrival, axis=0) < 0.0).any(axis=1))
+    if len(overtaken):
+        what = f"the delays shorten faster than time passes at {time[overtaken[0]]:.6g} s"
+        raise PkmodesError(what, "shaper", "move more slowly, or sample the command more finely")
+    increments = np.diff(command, axis=0, prepend=command[:1])
+    parts = np.cumsum(amplitudes[..., None] * increments[:, None, :], axis=0)  # T, n, d
+    shaped = np.repeat(command[:1], len(time), axis=0)
+    for i, k in np.ndindex(*parts.shape[1:]):
+        shaped[:, k] += np.interp(time, arrival[:, i], parts[:, i, k])
+    return shaped
+
+
+def _times(time: ArrayLike) -> Array:
+    try:
+        t = np.array(time, dtype=float)
+    except (TypeError, ValueError):
+        t = np.empty(0)
+    if t.ndim != 1 or len(t) < 2 or not np.isfinite(t).all():
+        what = f"expected at least two finite times in s, found {shown(time)}"
+        raise PkmodesError(what, "time", "give an array of shape (T,)")
+    late = np.flatnonzero(np.diff(t) <= 0.0)
+    if len(late):
+        k = int(late[0])
+        what = f"expected ascending times, found {t[k + 1]:.9g} s after {t[k]:.9g} s, at index {k + 1}"
+        raise PkmodesError(what, "time", "sort the samples, and give each time once")
+    return t
+
+
+def _command(dynamics: Dynamics, poses: ArrayLike, time: Array) -> Array:
+    mechanism = dynamics.robot.mechanism
+    names = [component.name for component in mechanism.pose]
+    try:
+        p = np.array(poses, dtype=float)
+    except (TypeError, ValueError):
+        p = np.empty(0)
+    if p.shape != (len(time), len(names)):
+        what = f"expected a pose {', '.join(names)} for each of the {len(time)} times, found {shown(poses)}"
+        if p.size:
+            what = f"expected poses of shape ({len(time)}, {len(names)}), one for each time, found {p.shape}"
+        raise PkmodesError(what, "poses", f"give {', '.join(names)} at every time")
+    turning = [i for i, name in enumerate(names) if name not in mechanism.directions]
+    if turning and np.ptp(p[:, turning], axis=0).any():
+        what = f"{names[turning[0]]} changes along the move; only {', '.join(mechanism.directions)} may"
+        raise PkmodesError(what, "poses", "keep the other components constant")
+    return p
+
+
+def _check_path(dynamics: Dynamics, time: Array, poses: Array) -> None:
+    """Refuse a path that leaves the workspace.
+
+    Raises
+    ------
+    PoseError
+        With the time at which it does, the pose and the reason.
+    """
+    codes = dynamics.kinematics.checked(poses, "nan").codes
+    outside = np.flatnonzero(codes)
+    if not len(outside):
+        return
+    k = int(outside[0])
+    try:
+        dynamics.kinematics.checked(poses[k], "raise")
+    except PoseError as error:
+        what = f"the path leaves the workspace at {time[k]:.6g} s: {error.what}"
+        raise PoseError(what, f"poses[{k}]", error.remedy) from None
+
+
+def _with_ratio(dynamics: Dynamics, damping: float) -> Dynamics:
+    check_argument(damping, RATIO, "damping", "give the ratio of every mode, such as 0.01")
+    robot = dynamics.robot.with_values({"damping.ratio": float(damping)})
+    return Dynamics.of(robot, dynamics.kinematics.max_condition)

@@ -1,0 +1,173 @@
+r"""Vibrations along a path: integration of the modes of held motors while the pose changes.
+
+The motors are held to the command.  The platform then follows its commanded pose p but for a deviation delta, which
+the modes make: with the motion r of all coordinates that moves the platform by 1 and strains nothing,
+
+.. math:: \ddot\eta + D \dot\eta + \Lambda \eta = -\Phi^T M r \, \ddot p - \Phi^T C_v r \, \dot p , \qquad
+    \delta = J_p \Phi \eta ,
+
+where :math:`\Lambda`, :math:`\Phi`, M, r and D are those of the commanded pose of the moment.  D has the viscous
+friction, the damping ratio, and the loss factors as in `pkmodes.linalg.damping`.  Ratio and loss factors damp the
+vibration alone, friction resists the move too.  Forces that grow with the square of the speed are left out.
+
+Between samples the command is a straight line, so that its acceleration is a jump of the velocity at each sample.
+Every sample's matrices hold for half an interval before and after it; in between, displacements
+:math:`y = \Phi \eta` and momenta :math:`M \dot y` continue.  This transformation is canonical, so that a pose that
+changes slowly leaves the vibration its action, energy over frequency.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import expm
+
+from pkmodes.base.drives import HELD
+from pkmodes.response.linearised import LinearisedRobot
+from pkmodes.solve.backends import AUTO
+from pkmodes.solve.dynamics import Dynamics
+from pkmodes.system.strain_free import strain_free_motions
+
+Array = NDArray[np.float64]
+#: Samples whose matrices are kept at a time.
+PART = 2000
+#: Angle between two samples [rad] above which a mode is so fast that it follows without vibrating.
+FAST = 1e3
+#: Time steps that differ by less than this fraction are equal.
+EQUAL = 1e-9
+
+
+def deviation_along(dynamics: Dynamics, time: Array, poses: Array) -> Array:
+    """Return how far the platform is from its commanded pose, at rest at first, (T, d).
+
+    Parameters
+    ----------
+    dynamics : Dynamics
+        Of a robot without rigid modes while its motors are held.
+    time : ndarray, shape (T,)
+        Ascending [s].
+    poses : ndarray, shape (T, d)
+        The command, in the workspace; only its linear components change.
+    """
+    mechanism = dynamics.robot.mechanism
+    linear = [i for i, component in enumerate(mechanism.pose) if component.name in mechanism.directions]
+    steps = _evened(np.diff(time))
+    still = np.zeros((1, len(linear)))
+    velocity = np.vstack([still, np.diff(poses[:, linear], axis=0) / steps[:, None]])  # before each sample
+    jumps = np.diff(velocity, axis=0, append=velocity[-1:])
+    deviation, state = np.zeros_like(poses), None
+    for start in range(0, len(time), PART):
+        first, stop = max(start - 1, 0), min(start + PART, len(time))
+        at = _Vibration(dynamics, poses[first:stop], float(steps.min()))
+        onward = at.steps(steps[first : stop - 1], velocity[first + 1 : stop])
+        kicks = np.einsum("smj,sj->sm", at.kick, jumps[first:stop])
+        if state is None:
+            state = np.concatenate([np.zeros(at.modes), kicks[0]])
+        seen = np.zeros((stop - first, at.modes))
+        for i, (step, drag) in enumerate(zip(*onward, strict=True), start=1):
+            state = step @ state + drag
+            seen[i] = state[: at.modes]
+            state[at.modes :] += kicks[i]
+        deviation[first + 1 : stop, linear] = np.einsum("sdm,sm->sd", at.seen[1:], seen[1:])
+    return deviation
+
+
+def _evened(steps: Array) -> Array:
+    """Return equal time steps as equal numbers."""
+    if np.ptp(steps) <= EQUAL * steps.max():
+        return np.full_like(steps, steps.mean())
+    return steps
+
+
+class _Steps(NamedTuple):
+    """From just after each sample to just before the next one.
+
+    Attributes
+    ----------
+    of_state : ndarray, shape (S - 1, 2 m, 2 m)
+        What becomes of displacements and rates of the modes.
+    drag : ndarray, shape (S - 1, 2 m)
+        What friction adds that resists the move.
+    """
+
+    of_state: Array
+    drag: Array
+
+
+class _Vibration:
+    """The vibration at S samples, in m modes, with j linear components of the pose.
+
+    Attributes
+    ----------
+    kick : ndarray, shape (S, m, j)
+        Change of the rates per change of the velocity of the command.
+    seen : ndarray, shape (S, j, m)
+        Motion of the platform per displacement of the modes.
+    """
+
+    def __init__(self, dynamics: Dynamics, poses: Array, step: float) -> None:
+        points, self._of = _distinct(poses)
+        at = LinearisedRobot(dynamics, points, HELD, AUTO)
+        shapes, M, viscous = at.own_shapes, at.matrices[0], at.dissipation[0]
+        names = dynamics.system.coordinates
+        moved = strain_free_motions(dynamics.system, points)
+        own, motors = moved[:, [names.index(name) for name in at.system.coordinates]], at.motors @ moved
+        self.modes = shapes.shape[1]
+        self._drag = -shapes @ (viscous.own @ own + viscous.prescribed @ motors)
+        self._rates(at, step)
+        every = self._of
+        self.kick = -(shapes @ (M.own @ own + M.prescribed @ motors))[every]
+        self.seen = (at.platform @ at.kept @ np.swapaxes(shapes, -1, -2))[every]
+        behind, ahead = shapes[every[:-1]], shapes[every[1:]]
+        inertia = M.own[every]
+        self._positions = ahead @ inertia[1:] @ np.swapaxes(behind, -1, -2)
+        self._momenta = ahead @ inertia[:-1] @ np.swapaxes(behind, -1, -2)
+
+    def _rates(self, at: LinearisedRobot, step: float) -> None:
+        """Set the matrices of the states' rates: those of displacements, rates and velocities of the command."""
+        m, limit = self.modes, (FAST / step) ** 2
+        D, eigenvalues = at.damping.matrix.copy(), at.eigenvalues
+        fast = eigenvalues > limit
+        D[fast[:, :, None] | fast[:, None, :]] = 0.0
+        size = 2 * m + self._drag.shape[-1]
+        A = np.zeros((len(D), size, size))
+        i = np.arange(m)
+        A[:, i, m + i] = 1.0
+        A[:, m + i, i] = -np.minimum(eigenvalues, limit)
+        A[:, m : 2 * m, m : 2 * m] = -D
+        A[:, m + i, m + i] -= np.where(fast, 2.0 * np.sqrt(limit), 0.0)
+        A[:, m : 2 * m, 2 * m :] = self._drag
+        self._A = A
+
+    def steps(self, duration: Array, velocity: Array) -> _Steps:
+        """Return the steps between samples.
+
+        Parameters
+        ----------
+        duration : ndarray, shape (S - 1,)
+            In s.
+        velocity : ndarray, shape (S - 1, j)
+            Of the command.
+        """
+        n = 2 * self.modes
+        begin, end = (self._passed(0.5 * duration, of) for of in (self._of[:-1], self._of[1:]))
+        across = np.zeros((len(begin), n, n))
+        across[:, : self.modes, : self.modes] = self._positions
+        across[:, self.modes :, self.modes :] = self._momenta
+        onward = end[:, :n, :n] @ across
+        drag = onward @ begin[:, :n, n:] + end[:, :n, n:]
+        return _Steps(onward @ begin[:, :n, :n], np.einsum("snj,sj->sn", drag, velocity))
+
+    def _passed(self, duration: Array, of: NDArray[np.intp]) -> Array:
+        """Return what becomes of the states in some time, with the matrices of one of the distinct samples each."""
+        pairs, where = np.unique(np.column_stack([of, duration]), axis=0, return_inverse=True)
+        matrices = self._A[pairs[:, 0].astype(int)] * pairs[:, 1, None, None]
+        return np.asarray(expm(matrices))[np.ravel(where)]
+
+
+def _distinct(poses: Array) -> tuple[Array, NDArray[np.intp]]:
+    """Return the distinct poses, and which of them each pose is: a machine at rest is evaluated once."""
+    points, of = np.unique(poses, axis=0, return_inverse=True)
+    return points, np.ravel(of)

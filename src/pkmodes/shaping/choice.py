@@ -1,0 +1,228 @@
+"""The choice of a shaper over the workspace: the best fixed one of each kind, and those that follow the pose."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.base.arguments import Constraint, check_argument, is_number
+from pkmodes.base.errors import PkmodesError
+from pkmodes.shaping.at_poses import own_shapers
+from pkmodes.shaping.fixed import best_fixed
+from pkmodes.shaping.kinds import KINDS, PRODUCT, factors
+from pkmodes.shaping.residual_vibration import residual
+from pkmodes.shaping.ringing import Ringing
+from pkmodes.shaping.shapers import Shaper
+
+Array = NDArray[np.float64]
+#: A fixed shaper is good enough if it leaves this share of the vibration at the worst pose.
+LEFT = 0.1
+#: Time between two commands of the controller [s].
+TICK = 1e-3
+#: A shaper needs as many ticks at least: its impulses would fall together.
+TICKS = 2
+SHARE = Constraint("a share above 0 and at most 1", lambda value: is_number(value) and 0.0 < value <= 1.0)
+TIME = Constraint("a positive time in s", lambda value: is_number(value) and 0.0 < value < np.inf)
+
+
+@dataclass(frozen=True)
+class Amplitude:
+    """Vibration over all poses.
+
+    Attributes
+    ----------
+    rms, worst : float
+        Root mean square and largest value.
+    pose : ndarray, shape (d,)
+        Where it is largest.
+    rms_uncertain : float or None
+        The root mean square with frequencies spread by the standard deviations of the robot file, where it has any.
+    """
+
+    rms: float
+    worst: float
+    pose: Array
+    rms_uncertain: float | None = None
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A shaper for all poses, or one for each.
+
+    Attributes
+    ----------
+    kind : str
+    follows_pose : bool
+    frequencies : tuple of float
+        Of the design [Hz], one for each factor; empty if it follows the pose.
+    damping_ratio : float
+        Of the design; NaN if it follows the pose.
+    shaper : Shaper
+        Impulses (n,), or (N, n) if it follows the pose.
+    left : Amplitude
+        Relative to no shaper: the root mean square and the largest value over those without a shaper.
+    left_at : ndarray, shape (N,)
+        The same at each pose, relative to no shaper there.
+    """
+
+    kind: str
+    follows_pose: bool
+    frequencies: tuple[float, ...]
+    damping_ratio: float
+    shaper: Shaper
+    left: Amplitude
+    left_at: Array
+
+    @property
+    def duration(self) -> float:
+        """How much longer a command takes [s], at most."""
+        return float(np.max(self.shaper.durations))
+
+
+@dataclass(frozen=True)
+class Choice:
+    """Shapers for a machine, and the one that is recommended.
+
+    Attributes
+    ----------
+    ringing : Ringing
+        Of the machine.
+    unshaped : Amplitude
+        In s^2: m of platform vibration for a step of 1 m/s^2.
+    candidates : tuple of Candidate
+        The fixed ones, then those that follow the pose.
+    recommended : int
+        Index of a fixed one.
+    notes : tuple of str
+    """
+
+    ringing: Ringing
+    unshaped: Amplitude
+    candidates: tuple[Candidate, ...]
+    recommended: int
+    notes: tuple[str, ...]
+
+
+def default_kinds(modes: int) -> tuple[str, ...]:
+    """Return the kinds that are compared by default: all of one mode, and products of zv for several."""
+    return (*KINDS, *(PRODUCT.join(["zv"] * count) for count in range(2, modes + 1)))
+
+
+def choose(
+    at: Ringing,
+    kinds: Iterable[str] | None = None,
+    *,
+    left: float = LEFT,
+    length: float | None = None,
+    tick: float = TICK,
+) -> Choice:
+    """Compare shapers: see `pkmodes.Model.shapers`."""
+    check_argument(left, SHARE, "left", "for example: 0.1")
+    check_argument(tick, TIME, "tick", "for example: 0.001")
+    if length is not None:
+        check_argument(length, TIME, "length", "for example: 0.05")
+    names = default_kinds(at.frequencies.shape[1]) if kinds is None else tuple(kinds)
+    for name in names:
+        if len(factors(name)) > at.frequencies.shape[1]:
+            what = f"{name} is for {len(factors(name))} modes, and {at.frequencies.shape[1]} count"
+            raise PkmodesError(what, "kinds", "leave out a factor, or count more modes")
+    if not names:
+        raise PkmodesError(
+            "expected at least one kind of shaper, found none", "kinds", f"known: {', '.join(KINDS)}"
+        )
+    both = [*(_fixed(name, at) for name in names), *(_following(name, at) for name in names)]
+    candidates = tuple(one for one in both if np.min(one.shaper.durations) >= TICKS * tick)
+    if not any(not one.follows_pose for one in candidates):
+        longest = max(one.duration for one in both)
+        what = f"the shapers last {1e3 * longest:.3g} ms at most, less than two ticks of {1e3 * tick:.3g} ms"
+        raise PkmodesError(what, "tick", "shorten the tick, or choose a longer kind")
+    recommended, notes = _recommended(candidates, left, length)
+    short = dict.fromkeys(one.kind for one in both if one not in candidates)
+    if short:
+        notes.append(f"{', '.join(short)}: left out, shorter than two ticks of {1e3 * tick:.3g} ms")
+    return Choice(at, _amplitude(at, at.unshaped), candidates, recommended, (*_about(at), *notes))
+
+
+def _about(at: Ringing) -> list[str]:
+    notes = []
+    if at.left_out:
+        notes.append(
+            f"{at.left_out} poses are left out: they cannot be evaluated, or a mode is not stable there"
+        )
+    if not at.damping_ratios.any():
+        notes.append("the robot dissipates nothing: shapers are designed for no damping; see [damping]")
+    return notes
+
+
+def _recommended(
+    candidates: tuple[Candidate, ...], left: float, length: float | None
+) -> tuple[int, list[str]]:
+    """Return the index of the shortest fixed shaper that is good enough, or else of the best one."""
+    fixed = [i for i, one in enumerate(candidates) if not one.follows_pose]
+    allowed = [i for i in fixed if length is None or candidates[i].duration <= length]
+    notes: list[str] = []
+    if not allowed:
+        what = f"no fixed shaper lasts at most {1e3 * (length or 0.0):.4g} ms"
+        shortest = min(candidates[i].duration for i in fixed)
+        raise PkmodesError(what, "length", f"the shortest one lasts {1e3 * shortest:.4g} ms")
+    good = [i for i in allowed if candidates[i].left.worst <= left]
+    if good:
+        return min(good, key=lambda i: candidates[i].duration), notes
+    best = min(allowed, key=lambda i: candidates[i].left.worst)
+    notes.append(
+        f"no fixed shaper leaves at most {100 * left:.3g} % at the worst pose; the best one is recommended"
+    )
+    following = [one for one in candidates if one.follows_pose and (length is None or one.duration <= length)]
+    if following:
+        one = min(following, key=lambda each: (each.left.worst, each.duration))
+        uncertain = one.left.rms_uncertain
+        spread = (
+            "" if uncertain is None else f", {100 * uncertain:.2g} % on average with uncertain frequencies"
+        )
+        notes.append(
+            f"following the pose, {one.kind} leaves {100 * one.left.worst:.2g} % at the worst pose{spread}, and more "
+            "while the machine moves (pkmodes.Model.simulate)"
+        )
+    return best, notes
+
+
+def _fixed(kind: str, at: Ringing) -> Candidate:
+    frequencies, one = best_fixed(kind, at)
+    return _candidate(kind, False, frequencies, at.mean_ratio, one, at)
+
+
+def _following(kind: str, at: Ringing) -> Candidate:
+    return _candidate(kind, True, (), np.nan, own_shapers(kind, at), at)
+
+
+def _candidate(
+    kind: str, follows: bool, frequencies: tuple[float, ...], zeta: float, one: Shaper, at: Ringing
+) -> Candidate:
+    left = residual(one, at.frequencies, at.damping_ratios)
+    shaped, before = at.shaped(left), np.sqrt(np.mean(at.unshaped**2))
+    amplitude = _amplitude(at, shaped)
+    squares = [
+        share * np.mean(at.shaped(residual(one, f, at.damping_ratios)) ** 2) for share, f in at.at_spread()
+    ]
+    return Candidate(
+        kind,
+        follows,
+        frequencies,
+        zeta,
+        one,
+        Amplitude(
+            float(amplitude.rms / before),
+            float(amplitude.worst / at.unshaped.max()),
+            amplitude.pose,
+            float(np.sqrt(sum(squares)) / before) if squares else None,
+        ),
+        shaped / at.unshaped,
+    )
+
+
+def _amplitude(at: Ringing, values: Array) -> Amplitude:
+    where = int(np.argmax(values))
+    return Amplitude(float(np.sqrt(np.mean(values**2))), float(values[where]), at.poses[where])

@@ -1,0 +1,70 @@
+"""Lines that set a fixed shaper in the firmware of a printer: formats as their manuals describe them.
+
+Klipper: ``[input_shaper]`` of printer.cfg (klipper3d.org/Config_Reference.html).  Marlin: ``M593`` for zv, ``M493``
+of fixed-time motion for the others (marlinfw.org/docs/gcode; the letters of ``M493`` changed between versions, and
+are those of its source in 2026).  RepRapFirmware: ``M593``, with the impulses themselves where it has no name for the
+shaper (version 3.6 and later; docs.duet3d.com).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pkmodes.shaping.kinds import TOLERANCE
+from pkmodes.shaping.shapers import Shaper
+
+KLIPPER = ("zv", "mzv", "zvd", "ei", "2hump_ei", "3hump_ei")
+#: Numbers of the shapers of fixed-time motion, and those that have a tolerance.
+MARLIN = {"zvd": 2, "zvdd": 3, "ei": 5, "2hump_ei": 6, "3hump_ei": 7, "mzv": 8}
+TOLERANT = ("ei", "2hump_ei", "3hump_ei")
+#: The least damping ratio that fixed-time motion accepts.
+LEAST = 0.01
+REPRAPFIRMWARE = {"zvd": "zvd", "zvdd": "zvdd", "mzv": "mzv", "2hump_ei": "ei2", "3hump_ei": "ei3"}
+#: Impulses of a shaper of its own at most, and delays that it can tell apart [s].
+IMPULSES, APART = 5, 1e-5
+
+
+def firmware(kind: str, frequencies: tuple[float, ...], zeta: float, shaper: Shaper) -> dict[str, str | None]:
+    """Return the lines by firmware; None where it has no such shaper.
+
+    Parameters
+    ----------
+    kind : str
+    frequencies : tuple of float
+        Of the design [Hz].
+    zeta : float
+        Damping ratio of the design.
+    shaper : Shaper
+        Its impulses, (n,).
+    """
+    f = frequencies[0]
+    return {
+        "klipper": _klipper(kind, f, zeta) if kind in KLIPPER else None,
+        "marlin": _marlin(kind, f, zeta),
+        "reprapfirmware": _reprapfirmware(kind, f, zeta, shaper),
+    }
+
+
+def _klipper(kind: str, f: float, zeta: float) -> str:
+    lines = ["[input_shaper]", f"shaper_type: {kind}"]
+    lines += [f"shaper_freq_{axis}: {f:.2f}" for axis in "xy"]
+    return "\n".join(lines + [f"damping_ratio_{axis}: {zeta:.4f}" for axis in "xy"])
+
+
+def _marlin(kind: str, f: float, zeta: float) -> str | None:
+    if kind == "zv":
+        return f"M593 F{f:.2f} D{zeta:.4f}"
+    if kind not in MARLIN:
+        return None
+    tolerance = f" Q{TOLERANCE:g}" if kind in TOLERANT else ""
+    return f"M493 S1 X Y C{MARLIN[kind]} A{f:.2f} I{max(zeta, LEAST):.4f}{tolerance}"
+
+
+def _reprapfirmware(kind: str, f: float, zeta: float, shaper: Shaper) -> str | None:
+    if kind in REPRAPFIRMWARE:
+        return f'M593 P"{REPRAPFIRMWARE[kind]}" F{f:.2f} S{zeta:.4f}'
+    if len(shaper.delays) > IMPULSES or (np.diff(shaper.delays) < APART).any():
+        return None
+    amplitudes = ":".join(f"{a:.4f}" for a in shaper.amplitudes[:-1])
+    delays = ":".join(f"{t:.5f}" for t in shaper.delays[1:])
+    return f'M593 P"custom" H{amplitudes} T{delays}'

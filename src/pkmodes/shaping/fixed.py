@@ -1,0 +1,127 @@
+"""The best fixed shaper of a kind: frequencies that leave the least vibration at the worst pose."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import combinations_with_replacement, product
+from math import comb
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import minimize, minimize_scalar
+
+from pkmodes.shaping.kinds import names_of
+from pkmodes.shaping.residual_vibration import residual
+from pkmodes.shaping.ringing import Ringing
+from pkmodes.shaping.shapers import Shaper, shaper
+
+Array = NDArray[np.float64]
+#: Frequencies tried for each factor at most, and combinations of them.
+TRIED, COMBINATIONS = 160, 20_000
+#: Poses among which frequencies are looked for at most: those that ring most, and others evenly among the rest.
+POSES = 1200
+#: Frequencies tried reach this far beyond those of the machine: robust shapers are best beside them.
+BEYOND = 1.5
+#: Accuracy of the frequencies, relative: no shaper notices it.
+CLOSE = 1e-5
+#: Combinations evaluated together.
+TOGETHER = 100
+#: From how many of the best the search goes on, and how many steps these are apart at least.
+STARTS, APART = 5, 3
+
+
+def best_fixed(kind: str, at: Ringing) -> tuple[tuple[float, ...], Shaper]:
+    """Return design frequencies [Hz], one for each factor, and the shaper, for the mean damping ratio."""
+    names, zeta, some = names_of(kind), at.mean_ratio, _chosen(at.unshaped)
+    modes, weights = (at.frequencies[some], at.damping_ratios[some]), at.weights[some]
+
+    def worst(log_frequencies: Array) -> float:
+        left = residual(fixed_shaper(kind, np.exp(log_frequencies), zeta), *modes)
+        return float(np.linalg.norm(weights * left, axis=-1).max())
+
+    low, high = modes[0].min() / BEYOND, modes[0].max() * BEYOND
+    tried = np.geomspace(low, high, _resolution(names))
+    tables = {name: _table(name, tried, zeta, *modes) for name in names}
+    starts = _best_combinations([tables[name] for name in names], weights, alike=len(set(names)) == 1)
+    found = [_refined(worst, np.log(tried), start) for start in starts]
+    best = np.exp(min(found, key=worst))
+    if len(set(names)) == 1:
+        best = np.sort(best)
+    return tuple(best.tolist()), fixed_shaper(kind, best, zeta)
+
+
+def fixed_shaper(kind: str, frequencies: Array, zeta: float) -> Shaper:
+    """Return the shaper with one frequency for each factor."""
+    return shaper(kind, frequencies if len(frequencies) > 1 else frequencies[0], zeta)
+
+
+def _chosen(unshaped: Array) -> NDArray[np.intp]:
+    """Return which poses the search looks at."""
+    if len(unshaped) <= POSES:
+        return np.arange(len(unshaped))
+    order = np.argsort(-unshaped)
+    most, others = order[: POSES // 2], order[POSES // 2 :]
+    even = others[np.linspace(0, len(others) - 1, POSES - len(most)).astype(int)]
+    return np.concatenate([most, even])
+
+
+def _resolution(names: tuple[str, ...]) -> int:
+    """Return how many frequencies are tried for each factor."""
+    k, alike = len(names), len(set(names)) == 1
+    count = TRIED
+    while (comb(count + k - 1, k) if alike else count**k) > COMBINATIONS:
+        count -= 1
+    return count
+
+
+def _table(name: str, tried: Array, zeta: float, f: Array, ratios: Array) -> Array:
+    """Return the squared vibration that a factor leaves, for every frequency that is tried, (G, N, m)."""
+    return np.stack([residual(shaper(name, frequency, zeta), f, ratios) ** 2 for frequency in tried])
+
+
+def _best_combinations(tables: list[Array], weights: Array, *, alike: bool) -> list[tuple[int, ...]]:
+    """Return the best combinations of frequencies by index: what factors leave multiplies."""
+    count, k = len(tables[0]), len(tables)
+    every = combinations_with_replacement(range(count), k) if alike else product(range(count), repeat=k)
+    indices = np.array(list(every))
+    worst = np.empty(len(indices))
+    squares = (weights**2).astype(np.float32)
+    small = [table.astype(np.float32) for table in tables]  # a start need not be exact
+    for first in range(0, len(indices), TOGETHER):
+        some = indices[first : first + TOGETHER]
+        left = small[0][some[:, 0]]
+        for table, index in zip(small[1:], some.T[1:], strict=True):
+            left = left * table[index]
+        worst[first : first + TOGETHER] = np.einsum("cnm,nm->cn", left, squares).max(axis=1)
+    return _apart(indices[np.argsort(worst, kind="stable")])
+
+
+def _apart(combinations: NDArray[np.intp]) -> list[tuple[int, ...]]:
+    """Return the first few combinations that are no neighbours of each other."""
+    chosen = [combinations[0]]
+    for one in combinations[1:]:
+        if len(chosen) == STARTS:
+            break
+        if all(np.abs(one - other).max() >= APART for other in chosen):
+            chosen.append(one)
+    return [tuple(one.tolist()) for one in chosen]
+
+
+def _refined(worst: Callable[[Array], float], tried: Array, start: tuple[int, ...]) -> Array:
+    """Return the logarithms of the best frequencies near a start."""
+    step = float(tried[1] - tried[0])
+    if len(start) == 1:
+        middle = float(tried[start[0]])
+        along = minimize_scalar(
+            lambda x: worst(np.array([x])),
+            bounds=(middle - step, middle + step),
+            method="bounded",
+            options={"xatol": CLOSE},
+        )
+        return np.array([along.x])
+    begin = tried[list(start)]
+    simplex = np.vstack([begin, begin + 0.5 * step * np.eye(len(start))])
+    options: Any = {"xatol": CLOSE, "fatol": 0.0, "maxfev": 150 * len(start), "initial_simplex": simplex}
+    found = minimize(worst, begin, method="Nelder-Mead", options=options)
+    return np.asarray(found.x)

@@ -1,0 +1,152 @@
+"""How a machine with held motors rings at poses: the lowest modes, and how much each moves the platform."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.base.arguments import POSITIVE_INTEGER, check_argument
+from pkmodes.base.drives import HELD
+from pkmodes.base.errors import PkmodesError, PoseError
+from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.sensitivities import ResolvedPaths, sensitivities
+from pkmodes.solve.backends import AUTO
+from pkmodes.solve.dynamics import Dynamics
+
+Array = NDArray[np.float64]
+#: Modes that count by default: the lowest ones.
+MODES = 3
+#: Points and weights of the average over a normal distribution (Gauss and Hermite): exact for polynomials up to
+#: degree 17, and good to 1e-3 for what shapers leave of vibrations.
+SPREAD, SHARE = (np.array(column) for column in np.polynomial.hermite_e.hermegauss(9))
+
+
+@dataclass(frozen=True, eq=False)
+class Ringing:
+    """The lowest m modes of a machine with held motors at N poses.
+
+    Attributes
+    ----------
+    poses : ndarray, shape (N, d)
+        Those that can be evaluated and are stable.
+    frequencies, damping_ratios : ndarray, shape (N, m)
+        In Hz, and 1.
+    weights : ndarray, shape (N, m)
+        Amplitude of the platform in each mode after a step of its acceleration by 1 m/s^2: the root of the sum of
+        squares over the directions of the step [s^2].
+    spread : ndarray, shape (N, m), or None
+        Relative standard deviations of the frequencies, from those in the robot file; None where it has none.
+    left_out : int
+        Poses that were given but cannot be evaluated, or at which a mode is not stable.
+    """
+
+    poses: Array
+    frequencies: Array
+    damping_ratios: Array
+    weights: Array
+    spread: Array | None
+    left_out: int
+
+    @cached_property
+    def unshaped(self) -> Array:
+        """Amplitude of all modes together without a shaper [s^2], (N,)."""
+        return np.asarray(np.linalg.norm(self.weights, axis=-1))
+
+    def shaped(self, left: Array) -> Array:
+        """Return the same with a shaper that leaves some of each mode, (N, m), as (N,) [s^2]."""
+        return np.asarray(np.linalg.norm(self.weights * left, axis=-1))
+
+    @property
+    def mean_ratio(self) -> float:
+        """Damping ratio of all modes and poses, weighted by their squared amplitudes."""
+        return float(np.average(self.damping_ratios, weights=self.weights**2))
+
+    def at_spread(self) -> list[tuple[float, Array]]:
+        """Return frequencies that differ from the declared ones as their standard deviations say, (N, m).
+
+        Each comes with its share of the average over all of them; empty without standard deviations.
+        """
+        if self.spread is None:
+            return []
+        shares = SHARE / SHARE.sum()
+        return [
+            (float(w), self.frequencies * np.exp(x * self.spread))
+            for x, w in zip(SPREAD, shares, strict=True)
+        ]
+
+
+def ringing(dynamics: Dynamics, poses: ArrayLike, modes: int | None = None) -> Ringing:
+    """Evaluate the modes of a machine with held motors.
+
+    Parameters
+    ----------
+    poses : array_like, shape (N, d)
+        Those that cannot be evaluated are left out.
+    modes : int, optional
+        How many modes count, the lowest; by default three, or all if there are fewer.
+
+    Raises
+    ------
+    PkmodesError
+        If the machine has fewer modes, or rigid ones although its motors are held.
+    PoseError
+        If no pose is left.
+    """
+    count = _count(dynamics, modes)
+    fields = ("frequencies", "damping_ratios", "vibration_amplitudes")
+    checked, found = dynamics.fields_at(poses, "nan", fields, AUTO, drives=HELD)
+    f, zeta, w = (found[name][:, :count] for name in fields)
+    good = np.asarray((f > 0.0).all(axis=-1) & np.isfinite(w).all(axis=(-2, -1)))
+    if not good.any():
+        what = f"expected poses at which the machine can ring, found none among {len(good)}"
+        raise PoseError(what, "poses", "give poses in the workspace")
+    points = checked.points[good]
+    return Ringing(
+        points,
+        f[good],
+        zeta[good],
+        np.linalg.norm(w[good], axis=-1),
+        _spread(dynamics, points, f[good]),
+        int(np.count_nonzero(~good)),
+    )
+
+
+def _count(dynamics: Dynamics, modes: int | None) -> int:
+    held = dynamics.solved(HELD)
+    if held.rigid_modes:
+        what = (
+            f"with motors held the machine still has {held.rigid_modes} rigid modes: no shaper cancels these"
+        )
+        raise PkmodesError(what, dynamics.robot.source, "check the drives of the mechanism")
+    available = len(held.coordinates) - int(np.count_nonzero(held.massless()))
+    if modes is None:
+        return min(MODES, available)
+    check_argument(modes, POSITIVE_INTEGER, "modes", "for example: 3")
+    if modes > available:
+        what = f"expected at most the {available} modes that the machine has with motors held, found {modes}"
+        raise PkmodesError(what, "modes", f"give 1 to {available}")
+    return modes
+
+
+def _spread(dynamics: Dynamics, points: Array, f: Array) -> Array | None:
+    """Return the relative standard deviations of frequencies: declared values err independently, and little."""
+    robot: Robot = dynamics.robot
+    sigmas = {path: q.sigma for path, q in robot.quantities.items() if q.sigma}
+    if not sigmas:
+        return None
+    rates = sensitivities(
+        ResolvedPaths(robot, tuple(sigmas), HELD),
+        points,
+        "raise",
+        dynamics.kinematics.max_condition,
+        1e-6,
+        ("frequencies",),
+        None,
+        dynamics.solver(AUTO, HELD),
+        1,
+    ).frequencies[..., : f.shape[1]]
+    scaled = np.nan_to_num(rates) * np.array(list(sigmas.values()))[:, None]
+    return np.asarray(np.linalg.norm(scaled, axis=1) / f)

@@ -1,0 +1,66 @@
+"""Lines for firmware: the impulses that each makes of them, by its own formulas, are those of the design."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+
+from pkmodes.shaping import KINDS, shaper
+from pkmodes.shaping.firmware import firmware
+
+F, ZETA = 31.27, 0.02
+
+
+def lines(kind: str, f: tuple[float, ...] = (F,)) -> dict[str, str | None]:
+    return firmware(kind, f, ZETA, shaper(kind, f if len(f) > 1 else f[0], ZETA))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_klipper_gets_a_section_with_the_names_of_its_manual(kind: str) -> None:
+    text = lines(kind)["klipper"]
+    if kind == "zvdd":
+        assert text is None
+        return
+    assert text is not None
+    assert text.splitlines() == [
+        "[input_shaper]",
+        f"shaper_type: {kind}",
+        "shaper_freq_x: 31.27",
+        "shaper_freq_y: 31.27",
+        "damping_ratio_x: 0.0200",
+        "damping_ratio_y: 0.0200",
+    ]
+
+
+def test_marlin_gets_m593_for_zv_and_fixed_time_motion_for_the_others() -> None:
+    assert lines("zv")["marlin"] == "M593 F31.27 D0.0200"
+    assert lines("mzv")["marlin"] == "M493 S1 X Y C8 A31.27 I0.0200"
+    assert lines("2hump_ei")["marlin"] == "M493 S1 X Y C6 A31.27 I0.0200 Q0.05"
+    assert lines("zv*zv", (20.0, 33.0))["marlin"] is None
+    # It accepts no damping ratio below 1 %.
+    assert firmware("zvd", (F,), 0.0, shaper("zvd", F, 0.0))["marlin"] == "M493 S1 X Y C2 A31.27 I0.0100"
+
+
+def test_reprapfirmware_gets_its_names_where_it_has_them() -> None:
+    assert lines("zvd")["reprapfirmware"] == 'M593 P"zvd" F31.27 S0.0200'
+    assert lines("3hump_ei")["reprapfirmware"] == 'M593 P"ei3" F31.27 S0.0200'
+
+
+@pytest.mark.parametrize(("kind", "f"), [("zv", (F,)), ("ei", (F,)), ("zv*zv", (20.0, 33.0))])
+def test_reprapfirmware_gets_the_impulses_where_it_has_no_name(kind: str, f: tuple[float, ...]) -> None:
+    """H: amplitudes of all but the last; T: delays of all but the first, in s (its manual, version 3.6)."""
+    text = lines(kind, f)["reprapfirmware"]
+    assert text is not None
+    found = re.fullmatch(r'M593 P"custom" H([\d.:]+) T([\d.:]+)', text)
+    assert found is not None
+    H, T = ([float(number) for number in group.split(":")] for group in found.groups())
+    one = shaper(kind, f if len(f) > 1 else f[0], ZETA)
+    np.testing.assert_allclose([*H, 1.0 - sum(H)], one.amplitudes, rtol=0, atol=3e-4)
+    np.testing.assert_allclose([0.0, *T], one.delays, rtol=0, atol=1e-5)
+
+
+def test_reprapfirmware_takes_no_more_than_five_impulses_and_none_that_coincide() -> None:
+    assert lines("zv*zv*zv", (20.0, 33.0, 47.0))["reprapfirmware"] is None
+    assert lines("zv*zv", (20.0, 20.0))["reprapfirmware"] is None

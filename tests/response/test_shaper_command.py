@@ -1,0 +1,120 @@
+"""``pkmodes shaper``: what it prints and writes, and what it refuses."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pkmodes
+from pkmodes.cli import run
+
+ROOT = Path(__file__).parents[2]
+ROBOT = ROOT / "robots/linear-delta-2022-identified.toml"
+GRID = ("--grid", "x=0.36:0.8:5,y=0,z=-0.22:-0.18:2")
+DAMPING = """
+[damping]
+ratio = "1 %"
+"""
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> str:
+    path = tmp_path / "robot.toml"
+    path.write_text(ROBOT.read_text(encoding="utf-8") + DAMPING, encoding="utf-8")
+    return str(path)
+
+
+def test_the_numbers_are_those_of_python(
+    robot: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, page = tmp_path / "s.json", tmp_path / "s.html"
+    arguments = [
+        "shaper",
+        robot,
+        *GRID,
+        "--kinds",
+        "zv,2hump_ei,zv*zv",
+        "--json",
+        str(file),
+        "--report",
+        str(page),
+    ]
+    assert run(arguments) == 0
+    printed = capsys.readouterr().out
+    found = json.loads(file.read_text(encoding="utf-8"))
+    model = pkmodes.load(robot)
+    x, z = np.meshgrid(np.linspace(0.36, 0.8, 5), np.linspace(-0.22, -0.18, 2), indexing="ij")
+    choice = model.shapers(np.stack([x, 0.0 * x, z], axis=-1).reshape(-1, 3), ["zv", "2hump_ei", "zv*zv"])
+    assert found["drives"] == "held"
+    assert found["poses"] == len(choice.ringing.poses)
+    assert found["modes"] == 3
+    assert found["unshaped"]["worst"] == pytest.approx(choice.unshaped.worst, rel=1e-12)
+    assert found["recommended"] == choice.recommended
+    assert [one["follows_pose"] for one in found["shapers"]] == [False] * 3 + [True] * 3
+    for one, expected in zip(found["shapers"], choice.candidates, strict=True):
+        assert one["kind"] == expected.kind
+        assert one["duration_s"] == pytest.approx(expected.duration, rel=1e-12)
+        assert one["left"]["worst"] == pytest.approx(expected.left.worst, rel=1e-9, abs=1e-12)
+        assert one["left"]["rms_uncertain"] is None
+        fixed = not expected.follows_pose
+        assert (one["frequencies_hz"] is None, one["amplitudes"] is None) == (not fixed, not fixed)
+        if fixed:
+            assert sum(one["amplitudes"]) == pytest.approx(1.0)
+            assert len(one["damping_ratios"]) == len(one["frequencies_hz"])
+    assert set(found["firmware"]) == {"klipper", "marlin", "reprapfirmware"}
+    recommended = found["shapers"][found["recommended"]]
+    assert f"{recommended['kind']} *" in printed
+    assert "motors held" in printed
+    text = page.read_text(encoding="utf-8")
+    assert "Left over the workspace" in text
+    assert "Against frequency error" in text
+
+
+def test_a_robot_file_with_standard_deviations_has_an_uncertain_column(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "s.json"
+    arguments = ("--grid", "x=0.1:0.2:3,y=0.1:0.2:2", "--kinds", "zv", "--json", str(file))
+    assert run(["shaper", str(ROOT / "robots/corexy-printer.toml"), *arguments]) == 0
+    assert "uncertain" in capsys.readouterr().out
+    left = json.loads(file.read_text(encoding="utf-8"))["shapers"][0]["left"]
+    assert left["rms_uncertain"] > left["rms"]
+
+
+def test_poses_from_a_table_and_the_whole_workspace(
+    robot: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    table = tmp_path / "poses.csv"
+    table.write_text("x [mm],y,z\n600,0,-0.22\n650,0.05,-0.2\n", encoding="utf-8")
+    assert run(["shaper", robot, "--poses", str(table), "--kinds", "mzv", "--modes", "2"]) == 0
+    assert "motors held: 2 poses" in " ".join(capsys.readouterr().out.split())
+    assert run(["shaper", str(ROOT / "robots/corexy-printer.toml"), "--kinds", "zv"]) == 0
+    printed = " ".join(capsys.readouterr().out.split())
+    assert "shaper_type: zv" in printed
+    assert "M593 F" in printed
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--kinds", "zv,,ei"], 'expected names separated by commas, found "zv,,ei" (--kinds)'),
+        (["--kinds", "zvx"], 'found "zvx" (--kinds); did you mean'),
+        (
+            ["--modes", "9"],
+            "expected at most the 6 modes that the machine has with motors held, found 9 (--modes)",
+        ),
+        (["--left", "2"], "expected a share above 0 and at most 1, found 2.0 (--left)"),
+        (["--tick", "0"], "expected a positive time in s, found 0.0 (--tick)"),
+        (["--length", "0.001"], "no fixed shaper lasts at most 1 ms (--length)"),
+        (["--tick", "0.1"], "less than two ticks of 100 ms (--tick)"),
+        (["--poses", "poses.csv"], "--grid and --poses exclude each other"),
+    ],
+)
+def test_wrong_options_are_refused(
+    robot: str, arguments: list[str], message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["shaper", robot, *GRID, *arguments]) == 2
+    assert message in " ".join(capsys.readouterr().err.split())
