@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -106,6 +106,20 @@ class ResponseDocument(Document):
     default=None,
     help="Modes kept in the state space model; by default all.",
 )
+@click.option(
+    "--figure",
+    metavar="FILE.svg",
+    type=click.Path(path_type=Path),
+    default=None,
+    help="Picture to write: magnitude and phase of each channel; .svg, .png or .pdf.",
+)
+@click.option(
+    "--measured",
+    metavar="FILE.csv",
+    type=click.Path(path_type=Path),
+    default=None,
+    help="Measured responses to draw over those of the model: a table like that of --out.",
+)
 @drives_option
 @mechanism_option
 @json_option
@@ -120,6 +134,8 @@ def response(
     out: Path | None,
     model_file: Path | None,
     modes: int | None,
+    figure: Path | None,
+    measured: Path | None,
     drives: str,
     json_file: str | None,
 ) -> None:
@@ -130,12 +146,16 @@ def response(
     targets = (
         Target("--out", out, "the table", (".csv",)),
         Target("--state-space", model_file, "the state space model", (".mat",)),
+        Target("--figure", figure, "the picture", (".svg", ".png", ".pdf")),
     )
-    check_targets(json_file, [robot], *targets)
+    check_targets(json_file, [robot, *([measured] if measured else [])], *targets)
     given = _frequencies(frequencies, log)
     if modes is not None and model_file is None:
         what = "--modes is for the state space model, which is not written"
         raise PkmodesError(what, "--modes", "add --state-space FILE.mat, or leave --modes out")
+    if measured is not None and figure is None:
+        what = "--measured is for the picture, which is not written"
+        raise PkmodesError(what, "--measured", "add --figure FILE.svg, or leave --measured out")
     model = load(robot)
     point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
@@ -154,10 +174,27 @@ def response(
         real=found.values.real.tolist(),
         imaginary=found.values.imag.tolist(),
     )
-    files = [ResultFile(out, found.to_csv, lambda path: (f"wrote {path}",))]
+    files = [
+        ResultFile(out, found.to_csv, lambda path: (f"wrote {path}",)),
+        ResultFile(figure, _picture(found, figure, measured), lambda path: (f"wrote {path}",)),
+    ]
     if system is not None:
         files.append(ResultFile(model_file, system.to_mat, lambda path: (f"wrote {path}",)))
     deliver(json_file, document.as_json(), lambda: _print(model.mechanism, found), *files)
+
+
+def _picture(found: FrequencyResponse, figure: Path | None, measured: Path | None) -> Callable[[Path], None]:
+    """Return what writes the picture; it is drawn before anything is written."""
+    if figure is None:
+        return lambda path: None
+    from pkmodes.base.writing import write_file
+    from pkmodes.figures.files import rendered
+    from pkmodes.figures.response_picture import response_picture
+    from pkmodes.response.measured import read_response
+
+    over = None if measured is None else read_response(measured)
+    content = rendered(response_picture(found, over), figure.suffix[1:].lower())
+    return lambda path: write_file(path, content)
 
 
 def _output(name: str) -> str | Mapping[str, Sequence[float]]:

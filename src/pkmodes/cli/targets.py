@@ -92,9 +92,12 @@ def _check_place(file: str, option: str) -> None:
 
 
 def _check_ending(target: Target, path: Path) -> None:
-    """Reject a name that no browser would open as a page; a pipe or a device may have any name."""
+    """Reject a name that no program would open as what it is; a pipe or a device may have any name."""
     special = path.exists() and not path.is_file()
-    if not special and path.suffix.lower() not in (".htm", *target.endings):
+    also = (".htm",) if ".html" in target.endings else ()
+    if not special and path.suffix.lower() not in (*also, *target.endings):
         what = f"expected a name that ends in {' or '.join(target.endings)}, found {shown(path.name)}"
         given = target.file if isinstance(target.file, Path) else shown(target.file)
-        raise OutputError(what, f"{target.option} {given}", f"write {pasted(path.with_suffix('.html'))}")
+        raise OutputError(
+            what, f"{target.option} {given}", f"write {pasted(path.with_suffix(target.endings[0]))}"
+        )
