@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.dissipating import dissipating
 from pkmodes.mechanism.registry import mechanism
 from pkmodes_rig.engine import EFFECTS, OUTSIDE, Rig, TrueModes, true_modes
 from pkmodes_rig.mujoco_engine import Engine
@@ -127,7 +128,7 @@ def assert_same_modes(found: pkmodes.Modes, expected: TrueModes) -> None:
 
 
 def test_every_effect_that_moves_frequencies_has_a_strength_here() -> None:
-    moving = {name for name, effect in CATALOGUE.items() if not effect.dissipates}
+    moving = CATALOGUE.keys() - set(dissipating("linear_delta"))
     assert {path.split(".")[0] for path in EFFECTS} == STRENGTHS.keys() == moving
     assert OUTSIDE.keys() == {*STRANGE, "thermal_drift"}
 

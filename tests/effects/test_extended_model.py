@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
+from helpers.robots.dissipating import dissipating
 from helpers.robots.sample_robots import random_robot
 from pkmodes.mechanism.registry import mechanism
 from pkmodes_generated.linear_delta import Parameters, extended, model
@@ -62,6 +63,8 @@ def test_the_catalogue_has_the_effects_parameters_and_coordinates_of_the_contrac
         "rail_friction": ["viscous"],
         "drive_friction": ["viscous"],
     }
+    only_dissipate = {"belt_loss", "reducer_loss", "rail_friction", "drive_friction"}
+    assert set(dissipating("linear_delta")) == only_dissipate
     released = [f"{stem}_{j}" for stem in ("psi", "delta", "eps") for j in (1, 2, 3)] + ["u_x", "u_y", "u_z"]
     assert list(extended.COORDINATES) == [*model.COORDINATES, *released]
 

@@ -1,4 +1,7 @@
-"""Robots with ``[effects.*]`` tables: results of the evaluator, and refusals."""
+"""Robots with ``[effects.*]`` tables: results of the evaluator, and refusals.
+
+Effects that only dissipate change neither M nor K: see test_dissipation_matrices.py.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +14,7 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.dissipating import dissipating
 from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.base.errors import RobotFileError
 from pkmodes.cli import run
@@ -35,10 +39,6 @@ VALUES = {
 }
 
 
-#: Effects that change neither M nor K: see test_dissipation.py.
-DISSIPATING = {"belt_loss", "reducer_loss", "rail_friction", "drive_friction"}
-
-
 def table(name: str, values: dict[str, str]) -> str:
     return f"\n[effects.{name}]\n" + "".join(f'{key} = "{value}"\n' for key, value in values.items())
 
@@ -56,7 +56,7 @@ def problem(tmp_path: Path, *tables: str) -> str:
 
 
 def test_every_effect_of_the_catalogue_has_a_case_here() -> None:
-    assert VALUES.keys() == CATALOGUE.keys() - DISSIPATING
+    assert VALUES.keys() == CATALOGUE.keys() - set(dissipating("linear_delta"))
 
 
 @pytest.mark.parametrize("name", list(VALUES))

@@ -12,6 +12,7 @@ import pytest
 
 from helpers.references.coordinate_blocks import kinds, worst
 from helpers.references.high_precision_mechanisms import Compared, Reference
+from helpers.robots.dissipating import dissipating
 from helpers.robots.sample_mechanisms import (
     NAMES,
     SEEDS,
@@ -152,6 +153,7 @@ def test_names_are_those_of_the_contract(name: str) -> None:
         },
     }
     assert set(effect_names(name)) == applying[name]
+    assert set(dissipating(name)) == applying[name] & set(dissipating("linear_delta"))
     assert set(extended(name).Effects._fields) <= set(TYPICAL)
 
 

@@ -11,9 +11,9 @@ import pytest
 from scipy.io import loadmat
 
 import pkmodes
+from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
 
-ROBOT = Path("robots/linear-delta-2022.toml")
 POSE = ("--pose", "0.6,0.05,-0.245")
 DAMPING = """
 [damping]
@@ -31,7 +31,7 @@ HELD = ("--drives", "held", "--inputs", "motor_1,force_x", "--outputs", "p_x,noz
 @pytest.fixture
 def robot(tmp_path: Path) -> str:
     path = tmp_path / "robot.toml"
-    path.write_text(ROBOT.read_text(encoding="utf-8") + DAMPING, encoding="utf-8")
+    path.write_text(published() + DAMPING, encoding="utf-8")
     return str(path)
 
 
@@ -115,13 +115,13 @@ def test_modes_show_damping_and_poles(robot: str, capsys: pytest.CaptureFixture[
     assert run(["modes", robot, *POSE]) == 0
     row = next(line for line in capsys.readouterr().out.splitlines() if line.startswith("damping [%]"))
     assert row.split()[2:] == [f"{100 * ratio:.3g}" for ratio in modes.damping_ratios[3:]]
-    assert run(["modes", str(ROBOT), *POSE]) == 0
+    assert run(["modes", str(PUBLISHED), *POSE]) == 0
     assert "damping" not in capsys.readouterr().out
 
 
 def test_strong_friction_is_noted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "robot.toml"
-    text = ROBOT.read_text(encoding="utf-8") + '\n[effects.rail_friction]\nviscous = "2000 N*s/m"\n'
+    text = published() + '\n[effects.rail_friction]\nviscous = "2000 N*s/m"\n'
     path.write_text(text, encoding="utf-8")
     assert run(["modes", str(path), *POSE, "--drives", "held"]) == 0
     assert "use the poles" in capsys.readouterr().out

@@ -224,3 +224,11 @@ def test_a_hundred_moves_leave_what_the_page_says(study: ModuleType) -> None:
     assert following.rms <= 0.25 * min(left.rms for left in fixed)
     # The worst of the hundred misses the quarter: 0.30, as the page says.
     assert following.worst <= 0.31 * min(left.worst for left in fixed)
+
+
+def test_poses_near_singular_ones_that_decide_everything_are_said() -> None:
+    rows = [[[30.0]] * 9, [[1e-5]] * 8 + [[1e-3]]]
+    notes = choose(made_up(*rows), ["zv"]).notes
+    assert any(note.startswith("the machine rings 100 times as much at the worst pose") for note in notes)
+    calm = choose(made_up(rows[0], [[1e-5]] * 9), ["zv"]).notes
+    assert not any("worst pose as at half" in note for note in calm)

@@ -10,13 +10,14 @@ from scipy.io import loadmat
 from scipy.signal import dlsim, lsim
 
 import pkmodes
+from helpers.robots.one_of_each import ROBOTS
 from pkmodes.base.errors import PkmodesError
 from pkmodes.response.state_space import StateSpace
 
-ROBOTS = {
-    "linear_delta": ("robots/linear-delta-2022.toml", [0.6, 0.05, -0.245]),
-    "rotary_delta": ("robots/clavel-delta.toml", [0.03, 0.02, -0.45]),
-    "corexy": ("robots/corexy-printer.toml", [0.02, 0.05]),
+MECHANISMS = {
+    "linear_delta": ("linear-delta-2022.toml", [0.6, 0.05, -0.245]),
+    "rotary_delta": ("clavel-delta.toml", [0.03, 0.02, -0.45]),
+    "corexy": ("corexy-printer.toml", [0.02, 0.05]),
 }
 CASES = {
     "plain": {},
@@ -29,8 +30,8 @@ FREQUENCIES = np.geomspace(1.0, 600.0, 160)
 
 
 def model_of(mechanism: str, case: str, **values: float) -> tuple[pkmodes.Model, list[float]]:
-    path, pose = ROBOTS[mechanism]
-    model = pkmodes.load(path)
+    file, pose = MECHANISMS[mechanism]
+    model = pkmodes.load(ROBOTS / file)
     known = model.mechanism.effects
     effects = {f"effects.{k}": v for k, v in CASES[case].items() if k.split(".")[0] in known}
     return model.with_values({"damping.ratio": 0.02, **effects, **values}), pose
@@ -63,7 +64,7 @@ def assert_channels(found: np.ndarray, expected: np.ndarray, tolerance: float) -
 
 @pytest.mark.parametrize("drives", ["free", "held"])
 @pytest.mark.parametrize("case", CASES)
-@pytest.mark.parametrize("mechanism", ROBOTS)
+@pytest.mark.parametrize("mechanism", MECHANISMS)
 def test_all_modes_give_the_frequency_responses(mechanism: str, case: str, drives: str) -> None:
     model, pose = model_of(mechanism, case)
     inputs, outputs = ports(model, drives)
@@ -72,7 +73,7 @@ def test_all_modes_give_the_frequency_responses(mechanism: str, case: str, drive
     assert_channels(at_frequencies(system, FREQUENCIES), expected, 1e-10)
 
 
-@pytest.mark.parametrize("mechanism", ROBOTS)
+@pytest.mark.parametrize("mechanism", MECHANISMS)
 def test_residual_flexibility_thirds_the_error_of_omitted_modes(mechanism: str) -> None:
     """Below half the frequency of the first omitted mode.
 
@@ -211,7 +212,7 @@ def test_other_programs_get_the_same_model(tmp_path: Path) -> None:
     assert str(read["units"][0, 0][0]) == "m/rad"
 
 
-@pytest.mark.parametrize("mechanism", ROBOTS)
+@pytest.mark.parametrize("mechanism", MECHANISMS)
 def test_compliance_is_the_response_at_0_hz(mechanism: str) -> None:
     model, pose = model_of(mechanism, "gearbox")
     names = model.mechanism.directions
@@ -226,7 +227,7 @@ def test_compliance_is_the_response_at_0_hz(mechanism: str) -> None:
 
 def test_compliance_of_a_corexy_is_that_of_its_belts() -> None:
     """By hand: each belt has two runs of stiffness w k_sp / length that a motion along its direction strains."""
-    model = pkmodes.load("robots/corexy-printer.toml")
+    model = pkmodes.load(ROBOTS / "corexy-printer.toml")
     p, robot = np.array([0.02, 0.05]), model.robot.parameters
     K = np.zeros((2, 2))
     for j in range(2):

@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
 import pkmodes
-from helpers.robots.one_of_each import FILES, POSES, ROBOTS
+from helpers.robots.one_of_each import FILES, POSES, ROBOTS, model_of
 from pkmodes.cli import run
 from pkmodes.system.strain_free import strain_free_motions
 
@@ -30,15 +30,6 @@ EFFECTS = {
     "stiff": {"clamp_compliance.compliance": 1e-16, "frame_compliance.compliance": 1e-20},
 }
 GROUNDED = {"cable_stiffness.stiffness": 3e3, "servo_stiffness.stiffness": 40.0}
-
-
-def model_of(mechanism: str, effects: dict[str, float]) -> pkmodes.Model:
-    """The supplied robot with effects, without those that do not apply to its mechanism."""
-    plain = pkmodes.load(ROBOTS / FILES[mechanism])
-    known = plain.mechanism.effects
-    return plain.with_values(
-        {f"effects.{path}": value for path, value in effects.items() if path.split(".")[0] in known}
-    )
 
 
 def rigid_motion(model: pkmodes.Model, p: np.ndarray) -> np.ndarray:

@@ -1,10 +1,14 @@
-"""A supplied robot of each mechanism, and a pose without symmetry."""
+"""A supplied robot of each mechanism, with any effects, and a pose without symmetry."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
+
+import pkmodes
+from pkmodes.mechanism.registry import Mechanism, mechanism
 
 ROBOTS = Path(__file__).resolve().parents[3] / "robots"
 FILES = {
@@ -17,3 +21,18 @@ POSES = {
     "rotary_delta": np.array([0.1, 0.05, -0.5]),
     "corexy": np.array([0.1, 0.05]),
 }
+
+
+def model_of(name: str, *effects: Mapping[str, float], ratio: float = 0.0) -> pkmodes.Model:
+    """The robot of a mechanism with effects, without those that do not apply to it."""
+    given = {path: value for some in effects for path, value in some.items()}
+    # One that applies to no mechanism is misspelt.
+    assert given.keys() <= set().union(*(_effect_paths(mechanism(each)) for each in FILES))
+    plain = pkmodes.load(ROBOTS / FILES[name])
+    known = _effect_paths(plain.mechanism)
+    values = {f"effects.{path}": value for path, value in given.items() if path in known}
+    return plain.with_values({**values, "damping.ratio": ratio} if ratio else values)
+
+
+def _effect_paths(of: Mechanism) -> set[str]:
+    return {f"{effect.name}.{p.name}" for effect in of.effects.values() for p in effect.parameters}

@@ -12,6 +12,7 @@ import numpy as np
 
 import pkmodes
 from helpers.references.sensitivity_references import at_poses, robot_of, size
+from helpers.robots.dissipating import dissipating
 from helpers.robots.sample_robots import published, random_robot, tower_printer
 from pkmodes.robot.paths import paths, resolve
 from pkmodes.robot.robot import Robot
@@ -70,13 +71,10 @@ CROSSING = {"published": [0.579, 0.047, -0.279], "published-active": [0.635, 0.0
 CASES = [f"{robot}{kind}" for robot in ("published", "tower", "random") for kind in ("", "-active", "-clamp")]
 
 
-#: Effects that frequencies do not depend on.
-DISSIPATING = ("belt_loss", "reducer_loss", "rail_friction", "drive_friction")
-
-
 def moving(robot: Robot) -> list[str]:
     """Return the paths that frequencies may depend on."""
-    return [path for path in paths(robot) if path.split(".")[1] not in DISSIPATING]
+    without = dissipating(robot.mechanism_name)
+    return [path for path in paths(robot) if path.split(".")[1] not in without]
 
 
 class Case:
