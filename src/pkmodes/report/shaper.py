@@ -69,7 +69,7 @@ def _summary(choice: Choice, content: dict[str, Any]) -> Summary:
         kind="Shaper",
         verdict="",
         headline=f"{best.kind} leaves at most {100.0 * best.left.worst:.2g} % of the vibration",
-        reason=f"The best fixed shaper at {_design(best)}, motors held, over {content['poses']} poses.",
+        reason=f"The recommended fixed shaper, for {_design(best)}; motors held, {content['poses']} poses.",
         tone="plain",
         notes=[clean(note) for note in content["notes"]],
         facts=[

@@ -24,6 +24,8 @@ LEFT = 0.1
 TICK = 1e-3
 #: A shaper needs as many ticks at least: its impulses would fall together.
 TICKS = 2
+#: Largest amplitude over the median from which on a few poses decide everything.
+DOMINATING = 20.0
 SHARE = Constraint("a share above 0 and at most 1", lambda value: is_number(value) and 0.0 < value <= 1.0)
 TIME = Constraint("a positive time in s", lambda value: is_number(value) and 0.0 < value < np.inf)
 
@@ -151,6 +153,12 @@ def _about(at: Ringing) -> list[str]:
     if at.left_out:
         notes.append(
             f"{at.left_out} poses are left out: they cannot be evaluated, or a mode is not stable there"
+        )
+    beyond = float(at.unshaped.max() / np.median(at.unshaped))
+    if beyond > DOMINATING:
+        notes.append(
+            f"the machine rings {beyond:.0f} times as much at the worst pose as at half of them: poses near singular "
+            "ones decide; give the part of the workspace that is used, as a grid or as [usable] in the robot file"
         )
     if not at.damping_ratios.any():
         notes.append("the robot dissipates nothing: shapers are designed for no damping; see [damping]")
