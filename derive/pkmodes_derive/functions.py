@@ -139,6 +139,31 @@ class FieldGroup:
 
 
 @dataclass(frozen=True)
+class HeldMotors:
+    """What remains of a robot whose motors are held.
+
+    Attributes
+    ----------
+    coordinates : tuple of str
+        Those that remain and have inertia, in order.
+    functions : tuple of Function
+        The function of its matrices; none if its modes cannot be computed.
+    dissipates : bool
+        Whether the matrices include damping.
+    ratio : float
+        Damping ratio of every mode, in addition to it.
+    reason : str
+        Why its modes cannot be computed, as a sentence without its end; empty if they can.
+    """
+
+    coordinates: tuple[str, ...]
+    functions: tuple[Function, ...] = field(repr=False, default=())
+    dissipates: bool = False
+    ratio: float = 0.0
+    reason: str = ""
+
+
+@dataclass(frozen=True)
 class Model:
     """A derived mechanism, ready for emission.
 
@@ -164,6 +189,8 @@ class Model:
         Conditions on a pose; none for a model whose poses are checked with another one.
     notes : tuple of str
         Notes for users of the code, one paragraph each.
+    held : HeldMotors or None
+        The robot with held motors, whose functions are among those of the model; None for a whole mechanism.
     """
 
     mechanism: str
@@ -176,6 +203,7 @@ class Model:
     constants: tuple[tuple[str, str, tuple[object, ...]], ...] = field(repr=False, default=())
     notes: tuple[str, ...] = field(repr=False, default=())
     conditions: tuple[Margin, ...] = field(repr=False, default=())
+    held: HeldMotors | None = field(repr=False, default=None)
 
     @property
     def fields(self) -> tuple[Field, ...]:

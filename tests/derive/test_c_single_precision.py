@@ -22,7 +22,7 @@ pytestmark = pytest.mark.compiler
 ERROR = 1e-5
 #: Condition number up to which the rounding of the kinematics does not dominate.
 REGULAR = 100.0
-FUNCTIONS = ("sqrt", "fabs", "fmax", "copysign", "sin", "cos", "sincos", "acos", "atan2")
+FUNCTIONS = ("sqrt", "fabs", "fmax", "fmin", "copysign", "sin", "cos", "sincos", "acos", "atan2", "exp")
 
 
 def regular(robot: Robot, count: int) -> np.ndarray:

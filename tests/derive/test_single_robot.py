@@ -15,12 +15,12 @@ from scipy.linalg import eigh
 
 import pkmodes
 from helpers.generated.compiled import build, call
+from helpers.robots.dissipating import dissipating
 from helpers.robots.sample_robots import ROBOTS
 from helpers.runs.shared import Shared
 from pkmodes.codegen.generation import specification
 from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.reading import robot_from_document
-from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import product
 
 #: Makes the model, the generated module and the texts of a robot file with some effects.
@@ -47,9 +47,14 @@ VALUES: dict[str, dict[str, float]] = {
     "link_compliance": {"compliance": 1e-7},
     "clamp_compliance": {"compliance": 1e-7},
     "frame_compliance": {"compliance": 1e-8},
+    "belt_loss": {"loss_factor": 0.02},
+    "reducer_loss": {"loss_factor": 0.03},
+    "rail_friction": {"viscous": 20.0},
+    "drive_friction": {"viscous": 1e-3},
 }
+#: Those that change M or K, and some of them together.
 COMBINATIONS = (
-    *((name,) for name in VALUES),
+    *((name,) for name in VALUES if not any(name in dissipating(each) for each in POSES)),
     ("belt_mass", "clamp_compliance"),
     ("payload", "gearbox_compliance", "clamp_compliance"),
     ("cable_stiffness", "clamp_compliance", "frame_compliance"),
@@ -66,7 +71,7 @@ def applies(effects: tuple[str, ...], name: str) -> bool:
 
 
 def robot(name: str, effects: tuple[str, ...], **tables: dict) -> pkmodes.Model:
-    content = {**document(name), "name": "sample", "effects": {e: (VALUES | DISSIPATING)[e] for e in effects}}
+    content = {**document(name), "name": "sample", "effects": {e: VALUES[e] for e in effects}}
     content.update({key: {**content.get(key, {}), **table} for key, table in tables.items()})
     return pkmodes.Model(robot_from_document(content, "sample.toml"))
 
@@ -97,18 +102,18 @@ def sample(shared: Shared) -> Sample:
 NAMES = tuple(sorted(path.name for path in ROBOTS.glob("*.toml")))
 #: Combinations of effects for the linear delta, then for a robot of each kind.
 COMBINED = [pytest.param(c, id="+".join(c)) for c in COMBINATIONS if applies(c, ROBOT)]
-#: Effects that only dissipate.
-DISSIPATING: dict[str, dict[str, float]] = {
-    "belt_loss": {"loss_factor": 0.02},
-    "reducer_loss": {"loss_factor": 0.03},
-    "rail_friction": {"viscous": 20.0},
-    "drive_friction": {"viscous": 1e-3},
-}
 CASES = [
     pytest.param(name, effects, id=f"{name}-{'+'.join(effects)}")
     for name in NAMES
     for effects in COMBINATIONS
     if applies(effects, name)
+]
+#: Effects that only dissipate, alone and behind a joint that gives way.
+DISSIPATING = [
+    pytest.param(name, (*joints, *dissipating(document(name)["mechanism"])), id="-".join((name, *joints)))
+    for name in NAMES
+    for joints in ((), ("gearbox_compliance",), ("clamp_compliance",))
+    if applies(joints, name)
 ]
 
 
@@ -118,24 +123,20 @@ def functions(module: types.ModuleType) -> set[str]:
 
 
 def prototypes(texts: dict[str, str]) -> set[str]:
-    return set(re.findall(r"^void sample_(\w+)\(", texts["sample.h"], flags=re.MULTILINE))
+    """Names of the derived functions in C, where shapers are the same for every robot, too."""
+    return set(re.findall(r"^void sample_(?!shaped_)(\w+)\(", texts["sample.h"], flags=re.MULTILINE))
 
 
 def test_every_effect_has_a_case_here() -> None:
     every = {effect for name in NAMES for effect in mechanism(document(name)["mechanism"]).effects}
-    assert VALUES.keys() | DISSIPATING.keys() == every
+    assert VALUES.keys() == every
 
 
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("joints", [(), ("gearbox_compliance",), ("clamp_compliance",)])
+@pytest.mark.parametrize(("name", "effects"), DISSIPATING)
 def test_what_dissipates_is_that_of_the_extended_model(
-    sample: Sample, name: str, joints: tuple[str, ...]
+    sample: Sample, name: str, effects: tuple[str, ...]
 ) -> None:
     """In modal coordinates, where massless ones follow: damping of modes is all that these matrices are for."""
-    known = mechanism(document(name)["mechanism"]).effects
-    if not set(joints) <= known.keys():
-        pytest.skip("the mechanism has no such joint")
-    effects = (*joints, *(effect for effect in DISSIPATING if effect in known))
     model, module, texts = sample(name, effects)
     pose = POSES[model.robot.mechanism_name]
     viscous, loss = module.damping_matrix(pose), module.loss_matrix(pose)
@@ -162,7 +163,7 @@ def test_the_interface_is_that_of_a_robot_without_effects(sample: Sample, effect
     model, module, texts = sample(ROBOT, effects)
     condensed = "clamp_compliance" in effects and "belt_mass" not in effects
     own = {"platform_motion"} | ({"condensation", "uncondensed_matrices"} if condensed else set())
-    assert len(functions(plain)) == 24
+    assert len(functions(plain)) == 25
     assert functions(module) == functions(plain) | own
     assert prototypes(plain_texts) == functions(plain)
     assert prototypes(texts) == functions(module)
@@ -252,9 +253,10 @@ def test_every_function_is_that_of_a_robot_declared_so(
 ) -> None:
     """Declaring the effect's contribution in the robot file instead gives the same results from the base model."""
     _, module, _ = sample("linear-delta-2022.toml", (effect,))
-    declared = executed(emitted(robot("linear-delta-2022.toml", (), **tables)))
+    plain = robot("linear-delta-2022.toml", (), **tables)
+    declared = executed(emitted(plain))
     given = arguments(module, np.random.default_rng(5))
-    product_functions = mechanisms.base("linear_delta").functions
+    product_functions = product.of_robot(specification(plain.robot, "sample.toml")).functions
     assert {f.name for f in product_functions} == functions(declared)
     for function in product_functions:
         inputs = [given[a.name] for a in function.arguments]

@@ -302,9 +302,7 @@ def single(machine: Machine, zeros: Set[tuple[str, int]]) -> Model:
     zeros : set of (field, index)
         Parameters that are zero for this robot.
     """
-    fields = (*machine.tables.fields, *machine.effect_fields)
-    absent = {s for field in fields for i, s in enumerate(field.symbols) if (field.name, i) in zeros}
-    c, v = Condensed(derive(machine), absent), machine.vocabulary
+    c, v = Condensed(derive(machine), absent(machine, zeros)), machine.vocabulary
     every = tuple(q.name for q in machine.all_coordinates)
     listed = (
         "All coordinates, including those without inertia, in the order of `condensation`.",
@@ -322,6 +320,12 @@ def single(machine: Machine, zeros: Set[tuple[str, int]]) -> Model:
         constants=(listed,) if c.massless else (),
         notes=_notes(c),
     )
+
+
+def absent(machine: Machine, zeros: Set[tuple[str, int]]) -> frozenset[Symbol]:
+    """Return the symbols of parameters that are zero for a robot, by field and index."""
+    fields = (*machine.tables.fields, *machine.effect_fields)
+    return frozenset(s for field in fields for i, s in enumerate(field.symbols) if (field.name, i) in zeros)
 
 
 def _notes(c: Condensed) -> tuple[str, ...]:

@@ -95,17 +95,22 @@ def parametric(mechanism: str, definition: str = "") -> dict[str, str]:
 
 def of_robot(specification: Specification) -> Model:
     """Return the model of a robot, base or with its effects, before its parameters are folded in."""
-    if not specification.effects:
-        base: Model = mechanisms.base(specification.mechanism)
-        return base
-    zeros = frozenset(
+    name, zeros = specification.mechanism, _zeros(specification)
+    plain = not specification.effects
+    model: Model = mechanisms.base(name) if plain else mechanisms.single(name, specification.effects, zeros)
+    held = mechanisms.held(name, specification.effects, zeros)
+    held = replace(held, ratio=specification.damping_ratio)
+    return replace(model, functions=(*model.functions, *held.functions), held=held)
+
+
+def _zeros(specification: Specification) -> frozenset[tuple[str, int]]:
+    """Return the field and the index of every parameter that is zero for a robot."""
+    return frozenset(
         (name, i)
         for name, value in specification.fields.items()
         for i, entry in enumerate(_flat(value))
         if entry == 0.0
     )
-    single: Model = mechanisms.single(specification.mechanism, specification.effects, zeros)
-    return single
 
 
 def specialised(specification: Specification) -> dict[str, str]:
@@ -141,7 +146,7 @@ def specialised(specification: Specification) -> dict[str, str]:
         model = replace(model, notes=(*model.notes, note))
     texts, programs = written((specialise(model, values), provenance))
     if specification.effects:
-        base = mechanisms.base(specification.mechanism)
+        base = of_robot(replace(specification, effects=()))
         without_effects = replace(
             provenance,
             name=beside,

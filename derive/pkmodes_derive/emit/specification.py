@@ -29,6 +29,8 @@ class Specification:
         Values of the robot file by dotted path, in SI units, recorded so that a change can be named.
     effects : tuple of str
         Names of the active effects; their parameters are among the fields, as ``<effect>_<parameter>``.
+    damping_ratio : float
+        Damping ratio of every vibration mode, in addition to what effects dissipate.
     definition : str
         Path of a user-defined mechanism, its file or the folder of its code, relative to the product; empty for a
         mechanism of pkmodes.
@@ -40,6 +42,7 @@ class Specification:
     fields: Mapping[str, object]
     values: Mapping[str, object]
     effects: tuple[str, ...] = ()
+    damping_ratio: float = 0.0
     definition: str = ""
 
     @property

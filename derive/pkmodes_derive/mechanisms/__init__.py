@@ -16,12 +16,13 @@ from types import ModuleType
 from pkmodes_derive import definition
 from pkmodes_derive.assembly import models
 from pkmodes_derive.assembly.drawing import drawing as model_and_drawing
+from pkmodes_derive.assembly.held import held_motors
 from pkmodes_derive.declaration_checks import check_declared, check_model, check_names
 from pkmodes_derive.definition import DefinitionError, as_definition_errors
 from pkmodes_derive.effect import Effect
 from pkmodes_derive.effect_application import apply_effects
 from pkmodes_derive.effects import catalogue
-from pkmodes_derive.functions import Model
+from pkmodes_derive.functions import HeldMotors, Model
 from pkmodes_derive.machine import Machine
 from pkmodes_description import Description, Drawing
 
@@ -58,7 +59,7 @@ def add(name: str, text: str, place: str) -> None:
         return
     module = definition.read(name, text, place)
     _added[name] = text, module
-    for known in (base, extended, drawing, single):
+    for known in (base, extended, drawing, single, held):
         known.cache_clear()
     machine(name)
 
@@ -140,8 +141,19 @@ def single(name: str, chosen: tuple[str, ...], zeros: frozenset[tuple[str, int]]
 
     `zeros` are the (field, index) of the robot's zero parameters: a coordinate without inertia has no mode.
     """
-    some = tuple(effect for effect in effects(name) if effect.name in chosen)
-    return models.single(machine(name, some), zeros)
+    return models.single(machine(name, _some(name, chosen)), zeros)
+
+
+@cache
+def held(name: str, chosen: tuple[str, ...], zeros: frozenset[tuple[str, int]]) -> HeldMotors:
+    """Return a robot with some effects whose motors are held, for one robot; derived once per process."""
+    declared = machine(name, _some(name, chosen))
+    with _reported(name, ", during the derivation with held motors"):
+        return held_motors(declared, models.absent(declared, zeros))
+
+
+def _some(name: str, chosen: tuple[str, ...]) -> tuple[Effect, ...]:
+    return tuple(effect for effect in effects(name) if effect.name in chosen)
 
 
 def description(name: str) -> Description:

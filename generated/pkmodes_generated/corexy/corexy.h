@@ -72,7 +72,7 @@ extern "C" {
 /* version of the generator */
 #define COREXY_VERSION "0.1.0"
 /* SHA-256 of the C source, first digits: other code has another */
-#define COREXY_HASH "06acdf0077194161"
+#define COREXY_HASH "43f60c99a4016389"
 /* components of a pose */
 #define COREXY_POSE 2
 /* coordinates, and modes */

@@ -77,7 +77,7 @@ extern "C" {
 /* version of the generator */
 #define ROTARY_DELTA_VERSION "0.1.0"
 /* SHA-256 of the C source, first digits: other code has another */
-#define ROTARY_DELTA_HASH "894258c11ed0150c"
+#define ROTARY_DELTA_HASH "e1c4830f3868bce3"
 /* components of a pose */
 #define ROTARY_DELTA_POSE 3
 /* coordinates, and modes */

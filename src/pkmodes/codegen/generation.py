@@ -56,6 +56,7 @@ def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
         | {path.replace(".", "_"): value for path, value in robot.effects.items()},
         values=robot.declared,
         effects=active_effects(robot.mechanism, robot.effects),
+        damping_ratio=robot.damping_ratio,
         definition=definition,
     )
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from pkmodes.shaping.kinds import TOLERANCE
 from pkmodes.shaping.shapers import Shaper
+from pkmodes_description.shapers import TOLERANCE
 
 KLIPPER = ("zv", "mzv", "zvd", "ei", "2hump_ei", "3hump_ei")
 #: Numbers of the shapers of fixed-time motion, and those that have a tolerance.

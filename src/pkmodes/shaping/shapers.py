@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.errors import PkmodesError
 from pkmodes.shaping.arguments import checked_modes
-from pkmodes.shaping.kinds import Kind, factors
+from pkmodes.shaping.kinds import factors
+from pkmodes_description.shapers import Kind
 
 Array = NDArray[np.float64]
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import functools
-import os
 import shutil
 import threading
 from collections.abc import Iterator
@@ -14,7 +13,7 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any, Literal
 
-import pytest
+from helpers.runs.programs import absent
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 #: WebGL without a graphics card.
@@ -74,9 +73,7 @@ def opened(
     Where there is none, the test is skipped, but not where CI is set: there it fails.
     """
     if CHROMIUM is None:
-        if os.environ.get("CI"):
-            pytest.fail("needs Chromium: install the Debian package chromium")
-        pytest.skip("needs Chromium: install the Debian package chromium")
+        absent("Chromium: install the Debian package chromium")
     with _playing():
         context = _browser(arguments).new_context(
             viewport={"width": width, "height": height},

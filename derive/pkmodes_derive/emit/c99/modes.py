@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from importlib.resources import files
 from math import prod
 
+from pkmodes_derive.emit.c99 import shaper, vibration
 from pkmodes_derive.emit.constants import Constant, constants, pose, status_name
 from pkmodes_derive.emit.provenance import Provenance
 from pkmodes_derive.emit.templating import render
@@ -14,8 +15,15 @@ from pkmodes_derive.functions import FieldGroup, Function, Model, Output
 from pkmodes_description import Margin
 
 COMPARED = {"at_least_zero": ">= 0", "above_zero": "> 0"}
-#: What a controller calls.
+#: What a controller calls of every model.
 FUNCTIONS = ("status", "natural_frequencies", "modes")
+
+
+def functions(model: Model) -> tuple[str, ...]:
+    """Return the names of what a controller calls, without the prefix."""
+    if model.held is None:
+        return FUNCTIONS
+    return *FUNCTIONS, *(vibration.FUNCTIONS if model.held.functions else ()), *shaper.FUNCTIONS
 
 
 @dataclass(frozen=True)
@@ -62,6 +70,7 @@ def source(model: Model, name: str, groups: Sequence[FieldGroup]) -> str:
         vibration="0" if model.rigid_modes is None else f"{upper}_RIGID_MODES",
         arguments=arguments(model, groups),
         passed=", ".join(taken),
+        parts=_of_one_robot(model, name, groups, taken),
         solver=files(__package__).joinpath("eigen.c").read_text(encoding="utf-8").rstrip(),
         checks=[
             _check(
@@ -74,6 +83,16 @@ def source(model: Model, name: str, groups: Sequence[FieldGroup]) -> str:
             for number, margin in enumerate(model.conditions, start=2)
         ],
     )
+
+
+def _of_one_robot(model: Model, name: str, groups: Sequence[FieldGroup], taken: list[str]) -> list[str]:
+    """Return the functions that only the model of a robot has."""
+    if model.held is None:
+        return []
+    parts = [shaper.source(name, len(pose(model).symbols))]
+    if model.held.functions:
+        parts.insert(0, vibration.source(model.held, name, arguments(model, groups), taken))
+    return [part.rstrip("\n") for part in parts]
 
 
 def example(model: Model, name: str, groups: Sequence[FieldGroup]) -> list[str]:

@@ -6,8 +6,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from pkmodes_derive.emit import commentary, layout
-from pkmodes_derive.emit.c99 import modes
+from pkmodes_derive.emit.c99 import modes, shaper
 from pkmodes_derive.emit.c99.printer import expression
+from pkmodes_derive.emit.constants import pose
 from pkmodes_derive.emit.program import Program, Result
 from pkmodes_derive.emit.provenance import Provenance
 from pkmodes_derive.emit.templating import render
@@ -62,12 +63,16 @@ def files(model: Model, programs: Mapping[str, Program], provenance: Provenance)
         "callable": [f.name for f in emitted],
         "definitions": [],
         "controller": "",
+        "held": None,
     }
     if model.conditions:
         values["controller"] = modes.source(model, provenance.name, groups)
         values["example"] = modes.example(model, provenance.name, groups)
         values["arguments"] = modes.arguments(model, groups)
-        values["callable"] = [*(f.name for f in emitted), *modes.FUNCTIONS]
+        values["callable"] = [*(f.name for f in emitted), *modes.functions(model)]
+        if model.held is not None:
+            values["held"] = model.held
+            values["shaper"] = shaper.declarations(provenance.name, len(pose(model).symbols))
         values["n"] = len(model.coordinates)
         values["headers"] = ["math.h", "stddef.h", "string.h"]
     source = render(__package__, "source.c.j2", **values)

@@ -16,8 +16,8 @@ RULES = {
     "above_zero": "np.greater, 0.0",
     "at_most_limit": "np.less_equal, MAX_CONDITION",
 }
-#: Constants of C only: lengths of arrays, which in Python have their names, and a status that is an exception here.
-OF_C = {"POSE", "COORDINATES", "RIGID_MODES", "UNSOLVED"}
+#: Constants of C only: lengths of arrays, in Python the names of their entries; and a status, here an exception.
+OF_C = {"POSE", "COORDINATES", "RIGID_MODES", "HELD_MODES", "UNSOLVED"}
 FUNCTIONS = ("status", "natural_frequencies", "modes")
 
 

@@ -1,0 +1,218 @@
+r"""The matrices of one robot whose motors are held.
+
+A motor turns by a linear form in the coordinates: its rotor, and the wind-up of its gearbox.  With the motor at rest
+the rotor follows the wind-up, so all coordinates are :math:`q = T r` with those that remain, r, and a matrix A of
+free motors becomes :math:`T^T A T`.  The inertia of the motors has no influence; it is left out before anything is
+derived, so that nothing large cancels.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence, Set
+
+from sympy import Add, Expr, Integer, Matrix, Symbol, default_sort_key, prime
+
+from pkmodes_derive import condensation
+from pkmodes_derive.assembly.derived import (
+    Derived,
+    added,
+    derive,
+    flat,
+    joint_losses,
+    units_of_damping,
+    units_of_mass,
+    units_of_stiffness,
+)
+from pkmodes_derive.functions import Function, HeldMotors, Output
+from pkmodes_derive.machine import Machine
+
+Rows = list[list[Expr]]
+NAME = "held_matrices"
+
+
+def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset()) -> HeldMotors:
+    """Derive what remains of a machine with its motors held, or say why it has no modes of vibration.
+
+    Parameters
+    ----------
+    machine : Machine
+        With the active effects; changed here.
+    zeros : set of sympy.Symbol
+        Parameters that are zero for the robot: they select the driven rotors, and coordinates without inertia are
+        condensed.
+    """
+    for drive in machine.drives:
+        drive.motor = Integer(0)
+    d = derive(machine)
+    null = _all_zeros(d, zeros)
+    driven = {
+        selected: Integer(selected not in zeros)
+        for drive in machine.drives
+        for _, selected in drive.rotors
+        if isinstance(selected, Symbol)
+    }
+    remaining, T = _following(machine, driven)
+
+    def held(matrix: Sequence[Sequence[Expr]]) -> Rows:
+        return condensation.projected([[entry.xreplace(driven) for entry in row] for row in matrix], T)
+
+    K_el = [list(row) for row in d.K_el]
+    K_loss = [list(row) for row in d.K_loss]
+    springs = zip(machine.compliances, joint_losses(machine), strict=True)
+    for i, (compliance, loss) in enumerate(springs, start=machine.base):
+        K_el[i][i] += 1 / compliance
+        K_loss[i][i] += loss / compliance
+    M, K_el, K_g, C_v, K_loss = map(held, (d.M, K_el, d.K_g, d.C_v, K_loss))
+    massless = [
+        a for a, i in enumerate(remaining) if i >= machine.base and not any(e.xreplace(null) for e in M[a])
+    ]
+    kept = [a for a in range(len(remaining)) if a not in massless]
+    follow = condensation.follow(K_el, kept, massless)
+    K_el = condensation.condensed(K_el, kept, massless, follow)
+    names = tuple(machine.all_coordinates[remaining[a]].name for a in kept)
+    rates = _platform_rates(d)
+    reason = _loose(K_el) or _without_inertia(names, [M[a][a].xreplace(null) for a in kept])
+    if rates is None:
+        reason = reason or "the pose does not determine how the coordinates move"
+    if rates is None or reason:
+        return HeldMotors(names, reason=reason)
+    moved = [
+        [entry.xreplace(driven) for entry in row] for row in _product(d.M, _rigid_motion(machine, rates))
+    ]
+    momenta = _product(_transposed(T), moved)
+    platform = _product(_product(d.platform_motion(machine.rates), T), follow)
+    damping: tuple[tuple[Expr, ...], ...] = ()
+    if any(effect.dissipates for effect in machine.effects):
+        damping = tuple(flat(condensation.projected(matrix, follow)) for matrix in (C_v, K_loss))
+    K = added(K_el, [[K_g[a][b] for b in kept] for a in kept])
+    return HeldMotors(
+        names,
+        (
+            _function(
+                d,
+                names,
+                flat([[M[a][b] for b in kept] for a in kept]),
+                flat(K),
+                flat(platform),
+                tuple(momenta[a][m] for m in range(len(machine.directions)) for a in kept),
+                damping,
+            ),
+        ),
+        dissipates=bool(damping),
+    )
+
+
+def _function(
+    d: Derived,
+    names: Sequence[str],
+    M: tuple[Expr, ...],
+    K: tuple[Expr, ...],
+    platform: tuple[Expr, ...],
+    momenta: tuple[Expr, ...],
+    damping: tuple[tuple[Expr, ...], ...],
+) -> Function:
+    m, n = d.machine, len(names)
+    across = (len(m.directions), n)
+    outputs = [
+        Output("M", (n, n), M, units_of_mass(m), "mass matrix"),
+        Output("K", (n, n), K, units_of_stiffness(m), "stiffness matrix, symmetric"),
+        Output("J_p", across, platform, "1, m", "dp_i/dr_k: absolute motion of the platform"),
+        Output(
+            "momenta",
+            across,
+            momenta,
+            "kg, kg m",
+            "of coordinate k where the platform moves along i with speed 1, the motors too, and nothing is strained",
+        ),
+    ]
+    if damping:
+        C_v, K_loss = damping
+        outputs += [
+            Output("C_v", (n, n), C_v, units_of_damping(m), "viscous damping matrix, symmetric"),
+            Output(
+                "K_loss", (n, n), K_loss, units_of_stiffness(m), "imaginary part of the elastic stiffness"
+            ),
+        ]
+    return Function(
+        NAME,
+        "Matrices of the vibrations with motors held, evaluated together.",
+        "T^T A T with q = T r for motors at rest; momenta T^T M q_dot for rigid transmissions",
+        (d.pose,),
+        tuple(outputs),
+        d.kin.definitions,
+        f"The coordinates r are {', '.join(names)}.",
+    )
+
+
+def _all_zeros(d: Derived, zeros: Set[Symbol]) -> dict[Symbol, Expr]:
+    """Return parameters that are zero, and named values that are zero with them, such as an inertia."""
+    null: dict[Symbol, Expr] = dict.fromkeys(zeros, Integer(0))
+    for symbol, value in d.kin.definitions.items():
+        if value.free_symbols & null.keys() and value.xreplace(null) == 0:
+            null[symbol] = Integer(0)
+    return null
+
+
+def _following(machine: Machine, driven: dict[Symbol, Expr]) -> tuple[list[int], Rows]:
+    """Return the coordinates that remain, and all coordinates per unit of these: driven rotors undo the wind-up."""
+    every, follows = list(machine.all_coordinates), {}
+    for drive in machine.drives:
+        for rotor, selected in drive.rotors:
+            if driven.get(selected, selected) != 0:  # a number where a mechanism leaves no choice
+                follows[every.index(rotor.coordinate)] = [every.index(c.position) for c in drive.wind_up]
+    remaining = [i for i in range(len(every)) if i not in follows]
+    T = [[Integer(i == r) for r in remaining] for i in range(len(every))]
+    for rotor_index, wound in follows.items():
+        T[rotor_index] = [-Integer(r in wound) for r in remaining]
+    return remaining, T
+
+
+def _platform_rates(d: Derived) -> Matrix | None:
+    """Return the rates of the independent coordinates per unit of the platform's; None if they do not follow."""
+    if d.machine.links:  # D_l p_dot = D_r q_dot with a diagonal D_r
+        n = len(d.machine.independent)
+        return Matrix(n, d.kin.D_l.shape[1], lambda k, m: d.kin.D_l[k, m] / d.kin.D_r[k, k])
+    D = d.kin.D_p
+    if D.shape[0] != D.shape[1] or D.det() == 0:
+        return None
+    return D.inv()
+
+
+def _rigid_motion(machine: Machine, rates: Matrix) -> Rows:
+    """Return all coordinates per unit of the platform's motion with rigid transmissions and locked joints."""
+    motion = []
+    for q in machine.all_coordinates:
+        form = machine.follows.get(q, q) if q in machine.coordinates else Integer(0)
+        motion.append(
+            [
+                form.xreplace(dict(zip(machine.independent, rates[:, m], strict=True)))
+                for m in range(rates.shape[1])
+            ]
+        )
+    return motion
+
+
+def _loose(K_el: Sequence[Sequence[Expr]]) -> str:
+    """Return why there are not only vibrations: from the exact rank of the stiffness at unrelated values (primes)."""
+    if not K_el:
+        return "nothing moves"
+    symbols = sorted({s for row in K_el for entry in row for s in entry.free_symbols}, key=default_sort_key)
+    values = {symbol: Integer(prime(i)) for i, symbol in enumerate(symbols, start=1)}
+    loose = len(K_el) - int(Matrix([[e.xreplace(values) for e in row] for row in K_el]).rank())
+    motions = "motion strains" if loose == 1 else "motions strain"
+    return f"{loose} {motions} nothing elastic" if loose else ""
+
+
+def _without_inertia(names: Sequence[str], diagonal: Sequence[Expr]) -> str:
+    none = [name for name, entry in zip(names, diagonal, strict=True) if entry == 0]
+    return f"{', '.join(none)} moves no inertia" if none else ""
+
+
+def _product(a: Sequence[Sequence[Expr]], b: Sequence[Sequence[Expr]]) -> Rows:
+    return [
+        [Add(*(x * y for x, y in zip(row, column, strict=True))) for column in _transposed(b)] for row in a
+    ]
+
+
+def _transposed(rows: Sequence[Sequence[Expr]]) -> Rows:
+    return [list(column) for column in zip(*rows, strict=True)]
