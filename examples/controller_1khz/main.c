@@ -1,8 +1,7 @@
-/* A 1 kHz loop that shapes the command for the natural frequency of the present pose.
+/* A 1 kHz loop that shapes the command for the modes of the present pose, with the motors held as they are in use.
  *
- * The machine makes random straight moves, as fast as its speed and acceleration allow.  A simulated
- * vibration, whose frequency is that of the pose in each moment, shows what each shaper leaves of it after a
- * move.  Every tick is timed.  README.md explains the output.
+ * The machine makes random straight moves, as fast as its speed and acceleration allow.  The shaped commands go to a
+ * file: plant.py simulates the machine that follows them.  Every tick is timed.  README.md explains the output.
  */
 #define _POSIX_C_SOURCE 199309L /* clock_gettime */
 
@@ -12,61 +11,58 @@
 #include <time.h>
 
 #include "linear_delta_2022.h"
-#include "shaper.h"
 
 #define TICK 1e-3         /* [s] */
-#define DAMPING 0.01      /* damping ratio of the mode, for the shaper and in the simulation */
+#define DAMPING 0.01      /* damping ratio where the robot file has none */
 #define SPEED 1.0         /* [m/s] */
 #define ACCELERATION 15.0 /* [m/s^2] */
-#define FIXED 51.0        /* [Hz] for shapers that do not follow the pose: the middle of the range */
-#define SMOOTHING 0.015   /* [s] time constant of the frequency that a shaper follows */
 #define SLOW 20.0         /* [us] longer ticks are counted */
 
 enum {
     AXES = LINEAR_DELTA_2022_POSE,
-    MODES = LINEAR_DELTA_2022_COORDINATES,
-    LOWEST = LINEAR_DELTA_2022_RIGID_MODES, /* the first mode of vibration */
-    SUBSTEPS = 20,                          /* of the simulation, in a tick */
-    SETTLE = 100,                           /* ticks in which the vibration after a move is observed */
-    REPEATS = 5                             /* calls at one pose, of which the fastest counts */
+    MODES = LINEAR_DELTA_2022_HELD_MODES,
+    MOST = 3,       /* factors of a shaper */
+    SETTLE = 150,   /* ticks after a move in which the machine is watched */
+    LONGEST = 1500, /* ticks of a move, shaping and settling included */
+    MOVES = 1000
 };
 
-/* One way to shape the command, with the vibration that it leaves. */
+static const pkmodes_real MIDDLE[AXES] = {(pkmodes_real)0.57, 0, (pkmodes_real)-0.2}; /* for which fixed shapers are designed */
+
+/* One way to shape the command. */
 typedef struct {
     const char *name;
-    shaper_kind kind;
-    int follows;      /* the pose */
-    double frequency; /* of the impulses [Hz] */
-    shaper_impulses impulses;
-    shaper_history history[AXES];
-    double output[AXES], before[AXES]; /* shaped command of this tick and of the last one */
-    double q[AXES], q_dot[AXES];       /* the vibration: position and speed */
-    double residual;                   /* its largest amplitude after a move [m] */
-    double *times;                     /* of the ticks [us] */
+    int kind, factors; /* one for each of the lowest modes; no factors: the command as it is */
+    int follows;       /* the pose */
+    linear_delta_2022_shaper shaper;
+    linear_delta_2022_shaped shaped;
+    pkmodes_real output[AXES];
+    double *times; /* of the ticks [us] */
 } loop;
 
-/* What a controller does in a tick: 0, or the status of a pose for which it has kept the impulses.
- *
- * The frequency is smoothed: where two modes cross, the lowest one has a kink, and a delay that suddenly
- * changes at another rate is a jump of the speed, which excites the vibration.
- */
-static int tick(loop *l, const double command[AXES])
+/* Design the shaper for the modes of a pose: 0, or a status, and then the shaper is the last one. */
+static int design(loop *l, const pkmodes_real pose[AXES])
 {
-    pkmodes_real p[AXES], f[MODES];
-    int status = 0;
-    if (l->follows) {
-        for (int i = 0; i < AXES; ++i)
-            p[i] = (pkmodes_real)l->output[i]; /* where the machine is */
-        status = linear_delta_2022_natural_frequencies(p, f);
-        if (status == 0) {
-            l->frequency += TICK/SMOOTHING*((double)f[LOWEST] - l->frequency);
-            shaper_design(l->kind, l->frequency, DAMPING, &l->impulses);
-        }
+    linear_delta_2022_shaper found = {0}, factor;
+    pkmodes_real f[MODES], zeta[MODES], amplitude[MODES];
+    const int status = linear_delta_2022_vibration(pose, f, zeta, amplitude);
+    if (status != 0)
+        return status;
+    for (int i = 0; i < l->factors; ++i) {
+        const pkmodes_real ratio = zeta[i] > 0 ? zeta[i] : (pkmodes_real)DAMPING;
+        if (linear_delta_2022_shaper_design(l->kind, f[i], ratio, i == 0 ? &found : &factor) != 0
+            || (i > 0 && linear_delta_2022_shaper_multiply(&found, &factor) != 0))
+            return -1;
     }
-    for (int i = 0; i < AXES; ++i) {
-        shaper_append(&l->history[i], command[i]);
-        l->output[i] = shaper_output(&l->history[i], &l->impulses, TICK);
-    }
+    l->shaper = found;
+    return 0;
+}
+
+/* What a controller does in a tick: 0, or what kept it from following the pose. */
+static int tick(loop *l, const pkmodes_real command[AXES])
+{
+    const int status = l->follows ? design(l, command) : 0;
+    linear_delta_2022_shaped_command(&l->shaped, &l->shaper, (pkmodes_real)TICK, command, l->output);
     return status;
 }
 
@@ -75,60 +71,6 @@ static double now(void)
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return 1e6*(double)t.tv_sec + 1e-3*(double)t.tv_nsec; /* [us] */
-}
-
-/* Time that the natural frequencies of a pose take [us]: the fastest call is one without interruption. */
-static double undisturbed(const double pose[AXES])
-{
-    pkmodes_real p[AXES], f[MODES];
-    double least = 1e9;
-    for (int i = 0; i < AXES; ++i)
-        p[i] = (pkmodes_real)pose[i];
-    for (int i = 0; i < REPEATS; ++i) {
-        const double start = now();
-        linear_delta_2022_natural_frequencies(p, f);
-        least = fmin(least, now() - start);
-    }
-    return least;
-}
-
-/* Angular frequency of the simulated vibration at a pose. */
-static double omega(const double pose[AXES])
-{
-    pkmodes_real p[AXES], f[MODES];
-    for (int i = 0; i < AXES; ++i)
-        p[i] = (pkmodes_real)pose[i];
-    if (linear_delta_2022_natural_frequencies(p, f) != 0) {
-        fprintf(stderr, "error: the path leaves the workspace\n");
-        exit(1);
-    }
-    return 6.283185307179586*(double)f[LOWEST];
-}
-
-/* q'' + 2 DAMPING w q' + w^2 (q - u) = 0 for one tick, in which u goes straight to the output. */
-static void vibrate(loop *l)
-{
-    const double w = omega(l->output), h = TICK/SUBSTEPS;
-    for (int i = 0; i < AXES; ++i)
-        for (int k = 0; k < SUBSTEPS; ++k) {
-            const double u = l->before[i] + (k + 0.5)/SUBSTEPS*(l->output[i] - l->before[i]);
-            const double a = -2.0*DAMPING*w*l->q_dot[i] - w*w*(l->q[i] - u);
-            const double half = l->q_dot[i] + 0.5*h*a, q = l->q[i] + 0.5*h*l->q_dot[i];
-            l->q[i] += h*half;
-            l->q_dot[i] += h*(-2.0*DAMPING*w*half - w*w*(q - u));
-        }
-    for (int i = 0; i < AXES; ++i)
-        l->before[i] = l->output[i];
-}
-
-/* Amplitude of the vibration about the output [m]. */
-static double amplitude(const loop *l)
-{
-    const double w = omega(l->output);
-    double sum = 0.0;
-    for (int i = 0; i < AXES; ++i)
-        sum += pow(l->q[i] - l->output[i], 2.0) + pow(l->q_dot[i]/w, 2.0);
-    return sqrt(sum);
 }
 
 /* Travel after time t of a move from rest to rest over a distance, and its duration. */
@@ -146,6 +88,14 @@ static double travel(double t, double distance, double *duration)
     return distance - 0.5*ACCELERATION*(end - t)*(end - t);
 }
 
+static double length(const pkmodes_real from[AXES], const pkmodes_real to[AXES])
+{
+    double squares = 0.0;
+    for (int i = 0; i < AXES; ++i)
+        squares += pow((double)(to[i] - from[i]), 2.0);
+    return sqrt(squares);
+}
+
 /* A number between 0 and 1, the same sequence everywhere. */
 static double chance(void)
 {
@@ -154,11 +104,14 @@ static double chance(void)
     return (double)(state >> 11)/9007199254740992.0;
 }
 
-static void choose(double target[AXES])
+/* Where the next move goes: to a pose of the workspace that is not nearly where it starts. */
+static void choose(const pkmodes_real from[AXES], pkmodes_real to[AXES])
 {
-    target[0] = 0.32 + 0.5*chance();
-    target[1] = -0.1 + 0.2*chance();
-    target[2] = -0.24 + 0.08*chance();
+    do {
+        to[0] = (pkmodes_real)(0.32 + 0.5*chance());
+        to[1] = (pkmodes_real)(-0.1 + 0.2*chance());
+        to[2] = (pkmodes_real)(-0.24 + 0.08*chance());
+    } while (linear_delta_2022_status(to) != 0 || length(from, to) < 0.01);
 }
 
 static int ascending(const void *a, const void *b)
@@ -167,84 +120,91 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* Make a move and write it; return the number of ticks in which a shaper could not follow the pose. */
+static int make(
+    loop *l, int move, const pkmodes_real from[AXES], const pkmodes_real to[AXES], int *ticks, FILE *file)
+{
+    const double distance = length(from, to);
+    double duration;
+    int kept = 0;
+    linear_delta_2022_shaped_rest(&l->shaped, from);
+    travel(0.0, distance, &duration);
+    for (int k = 0, arrived = 0, settled = 0; settled < SETTLE && k < LONGEST; ++k) {
+        const pkmodes_real part = (pkmodes_real)(travel(k*TICK, distance, &duration)/distance);
+        pkmodes_real command[AXES];
+        for (int i = 0; i < AXES; ++i)
+            command[i] = from[i] + part*(to[i] - from[i]);
+        const double start = now();
+        kept += tick(l, command) != 0;
+        l->times[(*ticks)++] = now() - start;
+        arrived = k*TICK >= duration;
+        for (int i = 0; i < AXES; ++i) /* exactly: nothing is on its way any more */
+            arrived = arrived && l->output[i] == command[i];
+        settled += arrived;
+        fprintf(file, "\"%s\",%d,%.3f,%d", l->name, move, k*TICK, arrived);
+        for (int i = 0; i < AXES; ++i)
+            fprintf(file, ",%.12g", (double)l->output[i]);
+        fprintf(file, "\n");
+    }
+    return kept;
+}
+
+static void print_times(loop *l, int ticks)
+{
+    int slow = 0;
+    qsort(l->times, (size_t)ticks, sizeof(double), ascending);
+    while (slow < ticks && l->times[ticks - 1 - slow] > SLOW)
+        ++slow;
+    printf("%-22s %8d %11.2f %7.2f %7.2f %9.2f %6d\n", l->name, ticks, l->times[0], l->times[ticks/2],
+           l->times[(int)(0.999*ticks)], l->times[ticks - 1], slow);
+}
+
 int main(int count, char **arguments)
 {
     static loop loops[] = {
-        {.name = "none", .kind = SHAPER_NONE},
-        {.name = "ZV, fixed", .kind = SHAPER_ZV},
-        {.name = "ZV, of the pose", .kind = SHAPER_ZV, .follows = 1},
-        {.name = "MZV, fixed", .kind = SHAPER_MZV},
-        {.name = "MZV, of the pose", .kind = SHAPER_MZV, .follows = 1},
+        {.name = "none"},
+        {.name = "zv, fixed", .kind = LINEAR_DELTA_2022_SHAPER_ZV, .factors = 1},
+        {.name = "zv, of the pose", .kind = LINEAR_DELTA_2022_SHAPER_ZV, .factors = 1, .follows = 1},
+        {.name = "mzv, fixed", .kind = LINEAR_DELTA_2022_SHAPER_MZV, .factors = 1},
+        {.name = "zv*zv*zv, fixed", .kind = LINEAR_DELTA_2022_SHAPER_ZV, .factors = MOST},
+        {.name = "zv*zv*zv, of the pose", .kind = LINEAR_DELTA_2022_SHAPER_ZV, .factors = MOST, .follows = 1},
     };
-    const int ways = (int)(sizeof loops/sizeof loops[0]), moves = count > 1 ? atoi(arguments[1]) : 100;
-    const int most = moves*1000;
-    double from[AXES] = {0.6, 0.0, -0.2}, to[AXES];
-    double slowest = 0.0;
-    int ticks = 0, kept = 0;
-    if (moves < 1 || moves > 100000) {
-        fprintf(stderr, "usage: %s [number of moves]\n", arguments[0]);
+    static pkmodes_real poses[MOVES + 1][AXES] = {{(pkmodes_real)0.6, 0, (pkmodes_real)-0.2}};
+    const int ways = (int)(sizeof loops/sizeof loops[0]), moves = count > 2 ? atoi(arguments[2]) : 30;
+    pkmodes_real f[MODES], zeta[MODES], amplitude[MODES];
+    if (count < 2 || count > 3 || moves < 1 || moves > MOVES) {
+        fprintf(stderr, "usage: %s COMMANDS.csv [number of moves, at most %d]\n", arguments[0], MOVES);
         return 2;
     }
-    printf("%s, pkmodes %s, model %s\n", LINEAR_DELTA_2022_NAME, LINEAR_DELTA_2022_VERSION,
+    FILE *file = fopen(arguments[1], "w");
+    if (!file) {
+        perror(arguments[1]);
+        return 1;
+    }
+    printf("%s, pkmodes %s, model %s\n\n", LINEAR_DELTA_2022_NAME, LINEAR_DELTA_2022_VERSION,
            LINEAR_DELTA_2022_HASH);
+    if (linear_delta_2022_vibration(MIDDLE, f, zeta, amplitude) != 0)
+        return 1;
+    printf("motors held, in the middle: mode [Hz], and the ringing after a step of the acceleration [um per m/s^2]\n");
+    for (int i = 0; i < MODES; ++i)
+        printf("%10.2f %8.3f\n", (double)f[i], 1e6*(double)amplitude[i]);
+    printf("\n%-22s %8s %11s %7s %7s %9s %6s\n", "shaper", "ticks", "tick [us]", "median", "99.9 %", "largest",
+           "slow");
+    fprintf(file, "shaper,move,time,arrived,x,y,z\n");
+    for (int move = 0; move < moves; ++move)
+        choose(poses[move], poses[move + 1]);
+    int kept = 0;
     for (int w = 0; w < ways; ++w) {
         loop *l = &loops[w];
-        l->times = malloc((size_t)most*sizeof(double));
-        if (!l->times)
-            return 2;
-        l->frequency = l->follows ? omega(from)/6.283185307179586 : FIXED;
-        shaper_design(l->kind, l->frequency, DAMPING, &l->impulses);
-        for (int i = 0; i < AXES; ++i) {
-            shaper_rest(&l->history[i], from[i]);
-            l->output[i] = l->before[i] = l->q[i] = from[i];
-        }
-    }
-    for (int move = 0; move < moves; ++move) {
-        double distance = 0.0, duration = 0.0;
-        pkmodes_real target[AXES];
-        choose(to);
-        for (int i = 0; i < AXES; ++i) {
-            target[i] = (pkmodes_real)to[i];
-            distance += pow(to[i] - from[i], 2.0);
-        }
-        distance = sqrt(distance);
-        if (linear_delta_2022_status(target) != 0 || distance < 0.01)
-            continue; /* the status says why: its values are macros of the header */
-        travel(0.0, distance, &duration);
-        const int last = (int)ceil(duration/TICK), settled = last + 25; /* the longest shaper: 17 ms */
-        for (int k = 1; k <= settled + SETTLE && ticks < most; ++k, ++ticks) {
-            const double part = travel(k*TICK, distance, &duration)/distance;
-            double command[AXES];
-            for (int i = 0; i < AXES; ++i)
-                command[i] = from[i] + part*(to[i] - from[i]);
-            for (int w = 0; w < ways; ++w) {
-                const double start = now();
-                kept += tick(&loops[w], command) != 0;
-                loops[w].times[ticks] = now() - start;
-                vibrate(&loops[w]);
-                if (w == 0)
-                    slowest = fmax(slowest, undisturbed(loops[w].output));
-                if (k > settled)
-                    loops[w].residual = fmax(loops[w].residual, amplitude(&loops[w]));
-            }
-        }
-        for (int i = 0; i < AXES; ++i)
-            from[i] = to[i];
-    }
-    printf("%d ticks; impulses kept at %d\n\n", ticks, kept);
-    printf("%-18s %13s %8s %11s %7s %7s %9s %6s\n", "shaper", "residual [um]", "of none", "tick [us]",
-           "median", "99.9 %", "largest", "slow");
-    for (int w = 0; w < ways; ++w) {
-        loop *l = &loops[w];
-        qsort(l->times, (size_t)ticks, sizeof(double), ascending);
-        int slow = 0;
-        while (slow < ticks && l->times[ticks - 1 - slow] > SLOW)
-            ++slow;
-        printf("%-18s %13.2f %8.4f %11.2f %7.2f %7.2f %9.2f %6d\n", l->name, 1e6*l->residual,
-               l->residual/loops[0].residual, l->times[0], l->times[ticks/2], l->times[(int)(0.999*ticks)],
-               l->times[ticks - 1], slow);
+        int ticks = 0;
+        l->times = malloc((size_t)moves*LONGEST*sizeof(double));
+        if (!l->times || design(l, MIDDLE) != 0)
+            return 1;
+        for (int move = 0; move < moves; ++move)
+            kept += make(l, move, poses[move], poses[move + 1], &ticks, file);
+        print_times(l, ticks);
         free(l->times);
     }
-    printf("\nnatural frequencies at the slowest pose, fastest of %d calls: %.2f us\n", REPEATS, slowest);
-    return 0;
+    printf("\nticks in which a shaper could not follow the pose: %d\n", kept);
+    return fclose(file) == 0 ? 0 : 1;
 }
