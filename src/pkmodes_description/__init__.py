@@ -3,6 +3,9 @@
 It has its tables, poses, conditions, effects and drawing, so that the runtime reads robot files, checks poses and
 writes reports without code for any particular mechanism.  `structure` is its only definition, from which `encoding`
 follows; `references` checks what types cannot.
+
+`shapers` is another table that both share: kinds of input shapers, which the derivation prints into C and the runtime
+designs with.
 """
 
 from pkmodes_description.encoding import FILE_NAME, DescriptionError, decode, encode

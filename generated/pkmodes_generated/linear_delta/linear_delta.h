@@ -466,7 +466,8 @@ void linear_delta_modal_matrices(const pkmodes_real p[3], const linear_delta_par
  */
 int linear_delta_status(const pkmodes_real p[3], const linear_delta_parameters *parameters);
 
-/* Natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz], ascending, rigid-body modes first.
+/* Natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz], ascending, rigid-body modes first,
+ * of motors that are free to turn.
  * Return 0, or the status of the pose; f then has no meaning.
  *
  * The error of lambda is rounding of the largest one.  So the relative error of a frequency f is some 1e-15,
