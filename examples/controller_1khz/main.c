@@ -62,8 +62,9 @@ static int design(loop *l, const pkmodes_real pose[AXES])
 static int tick(loop *l, const pkmodes_real command[AXES])
 {
     const int status = l->follows ? design(l, command) : 0;
-    linear_delta_2022_shaped_command(&l->shaped, &l->shaper, (pkmodes_real)TICK, command, l->output);
-    return status;
+    const int taken =
+        linear_delta_2022_shaped_command(&l->shaped, &l->shaper, (pkmodes_real)TICK, command, l->output);
+    return status != 0 ? status : taken;
 }
 
 static double now(void)

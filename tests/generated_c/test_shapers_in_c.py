@@ -5,12 +5,14 @@ from __future__ import annotations
 import ctypes
 import math
 import re
+import subprocess
 from itertools import product
 from typing import Any
 
 import numpy as np
 import pytest
 
+from helpers.generated.compiled import COMPILER
 from helpers.generated.held_robots import HeldRobot, build, library_of
 from helpers.runs.shared import Shared
 from pkmodes.response.moves import shaped_command
@@ -70,10 +72,11 @@ class Shapers:
         """One component rests at the command, the other one at twice as much."""
         self.function("shaped_rest")(ctypes.byref(self.state), (self.real * POSE)(command, 2.0 * command))
 
-    def shaped(self, command: float, impulses: Any) -> float:
-        result = (self.real * POSE)()
-        given = ctypes.byref(self.state), ctypes.byref(impulses), self.real(TICK)
-        self.function("shaped_command")(*given, (self.real * POSE)(command, 2.0 * command), result)
+    def shaped(self, command: float, impulses: Any, status: int = 0, tick: float = TICK) -> float:
+        result = (self.real * POSE)(math.pi, 2.0 * math.pi)
+        given = ctypes.byref(self.state), ctypes.byref(impulses), self.real(tick)
+        pose = (self.real * POSE)(command, 2.0 * command)
+        assert self.function("shaped_command")(*given, pose, result) == status
         assert result[1] == 2.0 * result[0]
         return float(result[0])
 
@@ -166,6 +169,7 @@ def test_a_product_with_too_many_impulses_is_refused(double: Shapers) -> None:
         (len(KINDS), 50.0, 0.0),
         *((0, f, 0.01) for f in (0.0, -1.0, math.nan, math.inf)),
         *((0, 50.0, zeta) for zeta in (-0.01, 1.0, math.nan)),
+        *((0, f, 0.01) for f in (1e-320, 5e-324)),  # delays beyond all numbers
     ],
 )
 def test_what_is_no_mode_leaves_the_shaper_as_it_was(
@@ -237,7 +241,7 @@ def test_delays_beyond_the_longest_are_shortened(double: Shapers) -> None:
         impulses.delay[0] = delay
         double.rest(0.0)
         for k in range(1, 2 * TICKS):
-            found = double.shaped(float(k), impulses)
+            found = double.shaped(float(k), impulses, status=int(delay != (TICKS - 1) * TICK))
         assert found == 2 * TICKS - 1 - (TICKS - 1)
 
 
@@ -247,7 +251,9 @@ def test_a_command_that_only_rises_does_so_shaped_however_the_shaper_changes(dou
     found = []
     for k in range(2000):
         _, impulses = double.design(int(rng.integers(len(KINDS))), 10.0 ** rng.uniform(-1, 3), 0.01)
-        found.append(double.shaped(1.0 + min(max(k - 500, 0), 500) / 500.0, impulses))
+        command = 1.0 + min(max(k - 500, 0), 500) / 500.0
+        too_long = impulses.delay[impulses.count - 1] > (TICKS - 1) * TICK
+        found.append(double.shaped(command, impulses, status=int(too_long)))
     assert (np.diff(found) > -1e-12).all()
     assert set(found[:500]) == {1.0}
     assert set(found[1000 + TICKS :]) == {2.0}
@@ -257,3 +263,67 @@ def test_lengths_can_be_chosen(robot: HeldRobot, tmp_path: Any) -> None:
     upper = robot.name.upper()
     further = [f"-D{upper}_SHAPER_IMPULSES=8", f"-D{upper}_SHAPER_TICKS=1000"]
     build(robot.source, tmp_path / "own.so", False, further=further)
+
+
+def test_a_wrong_tick_or_shaper_takes_nothing(double: Shapers) -> None:
+    _, impulses = double.design(KINDS.index("zv"), 40.0, 0.0)
+    double.rest(1.0)
+    double.shaped(2.0, impulses)
+    before = bytes(double.state)
+    for tick in (0.0, -TICK, math.nan):
+        assert double.shaped(3.0, impulses, status=-1, tick=tick) == math.pi
+    for count in (-1, MOST + 1):
+        assert double.shaped(3.0, double.impulses(count), status=-1) == math.pi
+    assert bytes(double.state) == before
+    assert double.shaped(3.0, double.impulses(0)) == 3.0 - 0.5  # what is underway arrives later
+
+
+def test_single_precision_adds_no_more_than_rounding(single: Shapers) -> None:
+    """A pose of about half a metre: parts that are summed first are rounded once."""
+    impulses = single.product("zv*zv*zv", np.array([27.7, 33.1, 42.3]), np.zeros(3))
+    amplitudes, delays = arrays(impulses)
+    time = TICK * np.arange(800)
+    command = (0.5 + 0.05 * (1.0 - np.cos(np.pi * np.clip(time / 0.5, 0.0, 1.0)))).astype(np.float32)
+    single.rest(float(command[0]))
+    found = np.array([single.shaped(float(each), impulses) for each in command])
+    exact = command.astype(float)
+    expected = sum(a * np.interp(time - d, time, exact) for a, d in zip(amplitudes, delays, strict=True))
+    assert np.abs(found - expected).max() <= 1.5 * 2.0**-24  # half a unit in the last place, and a little
+    assert (np.diff(found) >= 0.0).all()
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("#define {upper}_SHAPER_IMPULSES 4\n{include}", "SHAPER_IMPULSES: give 5 or more"),
+        ("#define {upper}_SHAPER_TICKS 1\n{include}", "SHAPER_TICKS: give 2 or more"),
+        ("{include}#define PKMODES_FLOAT\n{other}", "define PKMODES_FLOAT before the first header"),
+        (
+            "#define PKMODES_FLOAT\n{include}#undef PKMODES_FLOAT\n{other}",
+            "for all headers of robots in a file",
+        ),
+    ],
+)
+def test_what_would_not_fit_together_does_not_compile(
+    robot: HeldRobot, tmp_path: Any, text: str, said: str
+) -> None:
+    header = next(robot.source.parent.glob("*.h"))
+    other = tmp_path / "other.h"  # that of another robot
+    other.write_text(
+        robot.header.replace(robot.name, "other").replace(robot.name.upper(), "OTHER"), encoding="utf-8"
+    )
+    parts = {
+        "upper": robot.name.upper(),
+        "include": f'#include "{header}"\n',
+        "other": f'#include "{other}"\n',
+    }
+    file = tmp_path / "main.c"
+    file.write_text(text.format(**parts) + "int main(void) { return 0; }\n", encoding="utf-8")
+    done = subprocess.run(
+        [COMPILER or "cc", "-std=c99", "-c", str(file), "-o", str(tmp_path / "main.o")],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode != 0
+    assert said in done.stderr

@@ -25,14 +25,19 @@
 #ifndef COREXY_H
 #define COREXY_H
 
-/* The type of every number. */
-#ifndef PKMODES_REAL
-#define PKMODES_REAL
+/* The type of every number, and its digits. */
 #ifdef PKMODES_FLOAT
+#if defined(PKMODES_REAL) && PKMODES_REAL != 24
+#error "define PKMODES_FLOAT before the first header of a robot, or in none of them"
+#elif !defined(PKMODES_REAL)
+#define PKMODES_REAL 24
 typedef float pkmodes_real;
-#else
-typedef double pkmodes_real;
 #endif
+#elif defined(PKMODES_REAL) && PKMODES_REAL != 53
+#error "define PKMODES_FLOAT for all headers of robots in a file, or for none"
+#elif !defined(PKMODES_REAL)
+#define PKMODES_REAL 53
+typedef double pkmodes_real;
 #endif
 
 /* In single precision the functions have other names: a program can have both, and calls none by mistake. */
@@ -383,14 +388,14 @@ void corexy_stiffness_matrix(const pkmodes_real p[2], const corexy_parameters *p
 void corexy_modal_matrices(const pkmodes_real p[2], const corexy_parameters *parameters,
     pkmodes_real M[4][4], pkmodes_real K[4][4]);
 
-/* Why a pose cannot be evaluated: a status above, or 0 where it can.  The functions before do not check the
+/* Why a pose cannot be evaluated: a status above, or 0 where it can.  The functions above do not check the
  * pose, and return NaN or numbers without meaning where this is not 0.
  */
 int corexy_status(const pkmodes_real p[2], const corexy_parameters *parameters);
 
 /* Natural frequencies sqrt(|lambda|)/(2 pi) with the sign of lambda [Hz], ascending, rigid-body modes first,
  * of motors that are free to turn.
- * Return 0, or the status of the pose; f then has no meaning.
+ * Return 0; otherwise the status of the pose or COREXY_UNSOLVED, and f has no meaning.
  *
  * The error of lambda is rounding of the largest one.  So the relative error of a frequency f is some 1e-15,
  * in single precision 1e-6, times the square of (highest frequency / f), and larger near singular poses.
@@ -401,7 +406,7 @@ int corexy_natural_frequencies(
     const pkmodes_real p[2], const corexy_parameters *parameters, pkmodes_real f[4]);
 
 /* The same with mode shapes: row i of phi is mode i, mass-normalised (phi^T M phi = 1).  phi may be NULL.
- * Return 0, or the status of the pose; f and phi then have no meaning.
+ * Return 0; otherwise a status as above, and f and phi have no meaning.
  */
 int corexy_modes(
     const pkmodes_real p[2], const corexy_parameters *parameters,

@@ -27,14 +27,19 @@
 
 #include "rotary_delta.h"
 
-/* The type of every number. */
-#ifndef PKMODES_REAL
-#define PKMODES_REAL
+/* The type of every number, and its digits. */
 #ifdef PKMODES_FLOAT
+#if defined(PKMODES_REAL) && PKMODES_REAL != 24
+#error "define PKMODES_FLOAT before the first header of a robot, or in none of them"
+#elif !defined(PKMODES_REAL)
+#define PKMODES_REAL 24
 typedef float pkmodes_real;
-#else
-typedef double pkmodes_real;
 #endif
+#elif defined(PKMODES_REAL) && PKMODES_REAL != 53
+#error "define PKMODES_FLOAT for all headers of robots in a file, or for none"
+#elif !defined(PKMODES_REAL)
+#define PKMODES_REAL 53
+typedef double pkmodes_real;
 #endif
 
 /* In single precision the functions have other names: a program can have both, and calls none by mistake. */
