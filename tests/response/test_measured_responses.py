@@ -40,7 +40,7 @@ def test_measured_curves_lie_over_those_of_the_model(tmp_path: Path) -> None:
         "# hammer\nfreq,coh:p_y,re:p_y/force_x,im:p_y/force_x\n10,1,1e-6,2e-6\n20,1,3e-6,-1e-6\n"
     )
     picture = response_picture(found, read_response(table))
-    assert "with measured ones" in picture.description
+    assert "with measured responses" in picture.description
     panels = [axes for axes in picture.figure.axes if axes.get_title("left")]
     assert [axes.get_title("left") for axes in panels] == ["p_y/force_x", "p_x/force_x"]
     model, measured = panels[0].lines
@@ -109,3 +109,51 @@ def test_a_table_without_a_channel_of_the_response_is_refused(tmp_path: Path) ->
     with pytest.raises(PkmodesError) as error:
         response_picture(response(), read_response(file))
     assert "expected a channel of p_x/force_x, p_y/force_x, found p_z/force_x" in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        (
+            "# unit: p_x/force_x = mm/N",
+            'expected unit p_x/force_x m/N as in the model\'s response, found "mm/N"',
+        ),
+        ("# quantity: acceleration,,", "expected quantity displacement"),
+        ("# Drives: free", 'expected drives held as in the model\'s response, found "free"'),
+    ],
+)
+def test_a_table_that_says_that_it_is_of_something_else_is_refused(
+    tmp_path: Path, line: str, message: str
+) -> None:
+    table = tmp_path / "m.csv"
+    table.write_text(f"{line}\n{HEADER}\n10,1e-6,2e-6\n20,3e-6,-1e-6\n", encoding="utf-8")
+    with pytest.raises(PkmodesError) as error:
+        response_picture(response(), read_response(table))
+    assert message in str(error.value)
+    assert str(table) in str(error.value)
+
+
+def test_labels_are_read_without_formulas_and_channels_without_response_are_named() -> None:
+    """Figures parse no formulas: matplotlib's own labels of logarithmic axes would stand as they are."""
+    model = pkmodes.load(ROBOT).with_values({"damping.ratio": 0.02})
+    f = np.geomspace(5.0, 400.0, 300)
+    found = model.frf([0.6, 0.0, -0.245], f, ["force_x"], ["p_x", "p_y"], drives="held")
+    picture = response_picture(found)
+    picture.figure.canvas.draw()
+    texts = [
+        t.get_text()
+        for axes in picture.figure.axes
+        for t in (*axes.get_xticklabels(which="both"), *axes.get_yticklabels(which="both"))
+    ]
+    assert not [text for text in texts if "$" in text]
+    assert {"10", "100", "200"} <= set(texts)
+    assert "10\u207b\u2075" in texts
+    assert "No response in p_y/force_x." in picture.description
+    assert picture.figure.axes[0].get_title("left") == "p_x/force_x"
+
+
+@pytest.mark.filterwarnings("error")
+def test_one_frequency_is_a_point() -> None:
+    model = pkmodes.load(ROBOT).with_values({"damping.ratio": 0.02})
+    picture = response_picture(model.frf(POSE, [30.0], ["force_x"], ["p_x"], drives="held"))
+    assert picture.figure.axes[0].lines[0].get_marker() == "."

@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
 from pkmodes.base.errors import printable
+
+if TYPE_CHECKING:
+    from matplotlib.axis import Axis
 
 #: Longest label of an axis.
 LONGEST = 18
+#: Decades below which an axis has labels between them.
+FEW = 2.0
 MINUS, TIMES = "\u2212", "\u2009\u00d7\u2009"
 RAISED = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079")
 
@@ -33,4 +42,21 @@ def typeset(text: str) -> str:
     if not any(c in "123456789" for c in digits):
         digits = digits.replace("-", "").replace("+", "")  # no sign of a zero
     digits = digits.replace("-", MINUS)
+    if power and digits == "1":
+        return f"10{str(int(power)).translate(RAISED)}"
     return digits if not power else f"{digits}{TIMES}10{str(int(power)).translate(RAISED)}"
+
+
+def decades(axis: Axis, write: Callable[[float], str]) -> None:
+    """Label a logarithmic axis: at its decades, and where it has few of them at others too.
+
+    Matplotlib's own labels of such axes are formulas, which figures of pkmodes do not parse.
+    """
+    from matplotlib.ticker import LogLocator, NullFormatter
+
+    low, high = sorted(axis.get_view_interval())
+    few = low <= 0.0 or math.log10(high / low) < FEW
+    subs = (1.0, 2.0, 5.0) if few else (1.0,)
+    axis.set_major_locator(LogLocator(subs=subs, numticks=8))
+    axis.set_major_formatter(lambda value, _: write(value))
+    axis.set_minor_formatter(NullFormatter())

@@ -1,4 +1,4 @@
-"""Frequency responses: magnitude and phase of each channel, measured ones over those of the model."""
+"""Frequency responses: magnitude and phase of each channel, measured ones beneath those of the model."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.plots.labels import typeset
+from pkmodes.plots.labels import decades, typeset
 from pkmodes.plots.style import BLUE, VERMILLION, WIDTH, figure
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 Array = NDArray[Any]
@@ -21,6 +22,9 @@ HEIGHT, MOST = 2.4, 12
 NOTHING = 1e-10
 #: Ratio of the last to the first frequency from which on the axis is logarithmic.
 DECADES = 30.0
+#: Styles: the line of the model stays visible on a measured one that it fits.
+MODEL = {"color": BLUE, "linewidth": 1.1, "label": "model", "zorder": 3}
+MEASURED = {"color": VERMILLION, "linewidth": 2.4, "alpha": 0.55, "label": "measured", "zorder": 2}
 
 
 def responses(
@@ -28,6 +32,7 @@ def responses(
     model: Mapping[str, Array],
     units: Mapping[str, str],
     measured: tuple[Array, Mapping[str, Array]] | None = None,
+    title: str = "",
 ) -> Figure:
     """Draw responses: two channels side by side, magnitude above phase.
 
@@ -41,49 +46,76 @@ def responses(
         Of the magnitudes, by channel.
     measured : tuple of ndarray and mapping, optional
         Frequencies, and responses by channel.
+    title : str
+        Above all.
     """
-    names = list(model)[:MOST]
+    names, silent = list(model)[:MOST], without_response(model, units)
     columns = min(2, len(names))
     rows = -(-len(names) // columns)
-    drawn = figure(HEIGHT * rows + 0.3, WIDTH)
+    drawn = figure(HEIGHT * rows + 0.3 + (0.25 if title else 0.0), WIDTH)
+    if title:
+        drawn.suptitle(title, fontsize=8.5, x=0.01, ha="left", wrap=True)
     panels = drawn.subplots(
         2 * rows, columns, squeeze=False, sharex=True, gridspec_kw={"height_ratios": [2.2, 1.0] * rows}
     )
+    explained = False
     for k, name in enumerate(names):
         row, column = divmod(k, columns)
         above, below = panels[2 * row, column], panels[2 * row + 1, column]
-        curves: list[tuple[Array, Array, dict[str, Any]]] = [
-            (frequencies, model[name], {"color": BLUE, "label": "model"})
-        ]
+        curves: list[tuple[Array, Array, dict[str, Any]]] = [(frequencies, model[name], MODEL)]
         if measured is not None and name in measured[1]:
-            over = {"color": VERMILLION, "linewidth": 0.9, "label": "measured"}
-            curves.append((measured[0], measured[1][name], over))
-        largest = max(np.abs(model[other]).max() for other in model if units[other] == units[name])
-        if np.abs(model[name]).max() <= NOTHING * largest:
+            curves.append((measured[0], measured[1][name], MEASURED))
+        if name in silent:
             curves = curves[1:]
             above.annotate("no response in the model", (0.5, 0.5), xycoords="axes fraction", ha="center")
-        for f, values, style in curves:
-            seen = (f >= frequencies[0]) & (f <= frequencies[-1])
-            size = np.abs(values[seen])
-            above.semilogy(f[seen], np.where(size > 0.0, size, np.nan), **style)
-            below.plot(f[seen], np.degrees(np.angle(values[seen])), **style)
+        _channel(above, below, curves, (float(frequencies[0]), float(frequencies[-1])))
         above.set_title(name)
         above.set_ylabel(f"[{units[name]}]")
-        below.set_ylim(-190.0, 190.0)
-        below.set_yticks([-180, 0, 180])
-        below.set_ylabel("phase [deg]")
-        if curves:
-            above.yaxis.set_major_formatter(lambda value, _: typeset(f"{value:.0e}"))
-        else:
-            above.set_yticks([])
-        above.set_xlim(frequencies[0], frequencies[-1])
-        if len(curves) > 1:
+        if len(curves) > 1 and not explained:
             above.legend()
-        if frequencies[0] > 0.0 and frequencies[-1] / frequencies[0] > DECADES:
-            below.set_xscale("log")
+            explained = True
         if row == rows - 1:
             below.set_xlabel("frequency [Hz]")
     if len(names) % columns:
         for panel in panels[2 * rows - 2 :, columns - 1]:
             panel.set_visible(False)
     return drawn
+
+
+def without_response(model: Mapping[str, Array], units: Mapping[str, str]) -> list[str]:
+    """Return the channels in which nothing but rounding is seen, beside the others of the same unit."""
+    largest: dict[str, float] = {}
+    for name, values in model.items():
+        largest[units[name]] = max(largest.get(units[name], 0.0), float(np.abs(values).max()))
+    return [name for name, values in model.items() if np.abs(values).max() <= NOTHING * largest[units[name]]]
+
+
+def _channel(
+    above: Axes, below: Axes, curves: list[tuple[Array, Array, dict[str, Any]]], ends: tuple[float, float]
+) -> None:
+    """Draw one channel: its magnitude and its phase, between two frequencies."""
+    alone = ends[0] == ends[1]
+    for f, values, style in curves:
+        seen = (f >= ends[0]) & (f <= ends[1])
+        size, look = np.abs(values[seen]), {**style, "marker": "." if alone else ""}
+        above.semilogy(f[seen], np.where(size > 0.0, size, np.nan), **look)
+        below.plot(*_unbroken(f[seen], np.degrees(np.angle(values[seen]))), **look)
+    below.set_ylim(-190.0, 190.0)
+    below.set_yticks([-180, 0, 180])
+    below.set_ylabel("phase [deg]")
+    if curves:
+        decades(above.yaxis, lambda value: typeset(f"{value:.0e}"))
+    else:
+        above.set_yticks([])
+    if alone:
+        return
+    above.set_xlim(*ends)
+    if ends[0] > 0.0 and ends[1] / ends[0] > DECADES:
+        below.set_xscale("log")
+        decades(below.xaxis, lambda value: f"{value:g}")
+
+
+def _unbroken(f: Array, phase: Array) -> tuple[Array, Array]:
+    """Return a phase without the lines that would join +180 and -180 degrees."""
+    jumps = np.flatnonzero(np.abs(np.diff(phase)) > 180.0) + 1
+    return np.insert(f, jumps, f[jumps]), np.insert(phase, jumps, np.nan)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from os import PathLike, fspath
 from pathlib import Path
 
@@ -17,6 +19,7 @@ from pkmodes.measured.csv_rows import read_lines
 Array = NDArray[np.float64]
 FREQUENCY = ("frequency", "freq", "frequency [Hz]", "freq [Hz]")
 REAL, IMAGINARY = "re:", "im:"
+STATEMENT = re.compile(r"#\s*(unit|quantity|drives)\s*:\s*(.+?)\s*", re.IGNORECASE)
 REMEDY = "a table has the columns frequency [Hz], and re:OUTPUT/INPUT and im:OUTPUT/INPUT for each channel"
 
 
@@ -32,11 +35,32 @@ class MeasuredResponse:
         Ascending [Hz].
     channels : dict of str to ndarray, complex128, shape (F,)
         By ``OUTPUT/INPUT``, in the units of the model's response.
+    stated : dict of str to str
+        What the table's comments say of it: ``quantity``, ``drives``, and ``unit OUTPUT/INPUT``.
     """
 
     source: str
     frequencies: Array
     channels: dict[str, NDArray[np.complex128]]
+    stated: dict[str, str] = field(default_factory=dict)
+
+    def check(self, known: Mapping[str, str]) -> None:
+        """Refuse a table that says itself that it is of something else.
+
+        Parameters
+        ----------
+        known : mapping of str to str
+            What the model's response is, by the words of `stated`.
+
+        Raises
+        ------
+        PkmodesError
+            If the table states another unit, quantity or state of the motors.
+        """
+        for name, value in self.stated.items():
+            if name in known and value != known[name]:
+                what = f"expected {name} {known[name]} as in the model's response, found {shown(value)}"
+                raise PkmodesError(what, self.source, "ask the model for the same, or convert the table")
 
     def among(self, known: list[str]) -> dict[str, NDArray[np.complex128]]:
         """Return the channels that a response of the model has too.
@@ -60,7 +84,8 @@ def read_response(path: str | PathLike[str]) -> MeasuredResponse:
     ----------
     path : path-like
         CSV with a column ``frequency`` [Hz], and ``re:OUTPUT/INPUT`` and ``im:OUTPUT/INPUT`` for each channel; other
-        columns and lines that begin with ``#`` are ignored.
+        columns are ignored.  Comments may state ``# quantity: ...``, ``# drives: ...`` and ``# unit: OUTPUT/INPUT =
+        ...``.
 
     Returns
     -------
@@ -73,7 +98,8 @@ def read_response(path: str | PathLike[str]) -> MeasuredResponse:
         If the file cannot be read or is invalid, with line and column.
     """
     source = fspath(path)
-    lines = read_lines(read_text(Path(path), source, "the responses", "give a CSV file of responses"), source)
+    text = read_text(Path(path), source, "the responses", "give a CSV file of responses")
+    lines = read_lines(text, source)
     if not lines.records:
         raise MeasurementError("expected a header and rows, found none", source, REMEDY)
     (number, header), records = lines.records[0], lines.records[1:]
@@ -109,7 +135,24 @@ def read_response(path: str | PathLike[str]) -> MeasuredResponse:
     channels = {
         name: table[:, 1 + 2 * k] + 1j * table[:, 2 + 2 * k] for k, name in enumerate(list(places)[1:])
     }
-    return MeasuredResponse(source, table[:, 0], channels)
+    return MeasuredResponse(source, table[:, 0], channels, _stated(text))
+
+
+def _stated(text: str) -> dict[str, str]:
+    """Return what the comments of a table state."""
+    found = {}
+    for line in text.splitlines():
+        match = STATEMENT.fullmatch(line.rstrip(" ,;\t"))
+        if match is None:
+            continue
+        word, value = match[1].lower(), match[2]
+        if word == "unit":
+            channel, equals, value = (part.strip() for part in value.partition("="))
+            if not equals:
+                continue
+            word = f"unit {channel}"
+        found[word] = value
+    return found
 
 
 def _places(names: list[str], where: str) -> dict[str, tuple[int, ...]]:
