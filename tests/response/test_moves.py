@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -215,10 +216,14 @@ REST = np.tile([0.5, 0.0, -0.22], (11, 1))
     [
         (TIME[::-1], REST, {}, "expected ascending times, found 0.09 s after 0.1 s, at index 1 (time); sort"),
         (np.zeros(11), REST, {}, "expected ascending times, found 0 s after 0 s"),
-        ("now", REST, {}, "expected at least two finite times in s"),
-        ([0.0, np.nan], REST[:2], {}, "expected at least two finite times in s"),
+        ("now", REST, {}, 'expected times in s, found "now" (time)'),
+        (1j * TIME, REST, {}, "expected times in s, found [0.+0.j"),
+        ([0.0], REST[:1], {}, "expected at least two times in s"),
+        ([0.0, np.nan], REST[:2], {}, "expected finite times in s, found nan at index 1 (time)"),
+        (np.ma.masked_equal([0.0, 1.0], 1.0), REST[:2], {}, "found nan at index 1 (time)"),
         (TIME, REST[:5], {}, "expected poses of shape (11, 3), one for each time, found (5, 3)"),
-        (TIME, "there", {}, "expected a pose x, y, z for each of the 11 times"),
+        (TIME, "there", {}, 'expected a pose x, y, z for each time, found "there" (poses)'),
+        (TIME, 1j * REST, {}, "expected a pose x, y, z for each time"),
         (
             TIME,
             REST,
@@ -235,8 +240,25 @@ REST = np.tile([0.5, 0.0, -0.22], (11, 1))
         (
             TIME,
             REST,
-            {"shaper": Shaper(np.ones((11, 1)), np.linspace(0.5, 0.0, 11)[:, None])},
+            {"shaper": Shaper(np.full((11, 2), 0.5), np.linspace(0.5, 0.0, 11)[:, None] * [0.0, 1.0])},
             "the delays shorten faster than time passes at 0 s (shaper)",
+        ),
+        *(
+            (TIME, REST, {"shaper": given}, message)
+            for given, message in (
+                ("zv", "expected a shaper with as many amplitudes as delays"),
+                (Shaper(np.array([0.5, 0.5]), np.array([0.0])), "as many amplitudes as delays"),
+                (
+                    Shaper(np.array([0.7, 0.7]), np.array([0.0, 0.01])),
+                    "with the sum 1, found 0.7, 0.7 (shaper)",
+                ),
+                (Shaper(np.array([-0.5, 1.5]), np.array([0.0, 0.01])), "amplitudes that are not negative"),
+                (Shaper(np.array([np.nan, 0.5]), np.array([0.0, 0.01])), "amplitudes that are not negative"),
+                (Shaper(np.array([0.5, 0.5]), np.array([0.01, 0.0])), "delays in s that ascend from 0"),
+                (Shaper(np.array([0.5, 0.5]), np.array([-0.01, 0.0])), "delays in s that ascend from 0"),
+                (Shaper(np.array([0.5, 0.5]), np.array([0.0, np.inf])), "delays in s that ascend from 0"),
+                (Shaper(np.empty(0), np.empty(0)), "expected a shaper with impulses, found none"),
+            )
         ),
     ],
 )
@@ -250,5 +272,40 @@ def test_a_path_out_of_the_workspace_is_refused_with_time_and_pose() -> None:
     poses = REST + np.linspace(0.0, 1.5, 11)[:, None] * np.array([1.0, 0.0, 0.0])
     with pytest.raises(PoseError) as error:
         delta().simulate(TIME, poses)
-    assert "the path leaves the workspace at 0.05 s: " in str(error.value)
-    assert "poses[5]" in str(error.value)
+    found = re.search(
+        r"the path leaves the workspace at ([\d.]+) s, \[([\d.]+), 0, -0.22\] m: ", str(error.value)
+    )
+    assert found is not None
+    time, x = float(found[1]), float(found[2])
+    assert x == pytest.approx(0.5 + 15.0 * time, abs=1e-5)
+    # Between the samples, too: the first place along the straight line.
+    assert not delta().check([x, 0.0, -0.22]).valid
+    assert delta().check([x - 0.0035, 0.0, -0.22]).valid
+
+
+def test_a_straight_line_through_poses_out_of_the_workspace_is_refused() -> None:
+    with pytest.raises(PoseError, match=r"leaves the workspace at 0\.07"):
+        delta().simulate([0.0, 0.05, 0.1], [[0.6, 0.0, -0.245], [0.6, 0.0, -0.245], [0.6, 0.0, 0.245]])
+
+
+def test_a_command_with_few_samples_is_that_line_with_many() -> None:
+    model = delta(damping__ratio=0.01)
+    few = np.array([0.0, 0.2, 0.25, 0.3])
+    ends = np.array([[0.4, 0.0, -0.22], [0.55, 0.05, -0.2], [0.55, 0.05, -0.2], [0.55, 0.05, -0.2]])
+    many = np.union1d(np.linspace(0.0, 0.3, 1201), few)
+    poses = np.stack([np.interp(many, few, component) for component in ends.T], axis=-1)
+    expected = model.simulate(many, poses).deviation[np.isin(many, few)]
+    found = model.simulate(few, ends).deviation
+    assert np.abs(found - expected).max() < 1e-3 * np.abs(expected).max()
+
+
+def test_long_steps_keep_their_vibration() -> None:
+    """Without damping a mode of 30 Hz rings on for ever."""
+    model = delta()
+    ends = np.array([[0.6, 0.0, -0.22]] + [[0.61, 0.0, -0.22]] * 4)
+    found = model.simulate([0.0, 10.0, 20.0, 30.0, 40.0], ends).deviation
+    finer = np.union1d(np.arange(0.0, 40.0, 0.05), [10.0, 20.0, 30.0, 40.0])
+    poses = np.stack([np.interp(finer, np.arange(5) * 10.0, component) for component in ends.T], axis=-1)
+    expected = model.simulate(finer, poses).deviation[np.isin(finer, np.arange(5) * 10.0)]
+    assert np.abs(expected).max() > 1e-7
+    np.testing.assert_allclose(found, expected, rtol=0, atol=0.02 * np.abs(expected).max())

@@ -63,7 +63,7 @@ def is_number(value: object) -> bool:
 
 
 def real_numbers(given: ArrayLike, what: str, where: str, remedy: str) -> NDArray[np.float64]:
-    """Return real numbers as an array of any shape; texts and truth values are none.
+    """Return real numbers as an array of any shape, NaN where masked; texts and truth values are none.
 
     Parameters
     ----------
@@ -83,7 +83,8 @@ def real_numbers(given: ArrayLike, what: str, where: str, remedy: str) -> NDArra
         array = np.asarray(None)
     if array.dtype.kind not in "iuf":
         raise PkmodesError(f"expected {what}, found {shown(given)}", where, remedy)
-    return array.astype(float)
+    numbers = array.astype(float)
+    return np.ma.filled(np.ma.asanyarray(given).astype(float), np.nan) if np.ma.is_masked(given) else numbers
 
 
 def alternatives(words: Iterable[str]) -> str:

@@ -33,8 +33,9 @@ from pkmodes.system.strain_free import strain_free_motions
 Array = NDArray[np.float64]
 #: Samples whose matrices are kept at a time.
 PART = 2000
-#: Angle between two samples [rad] above which a mode is so fast that it follows without vibrating.
-FAST = 1e3
+#: Angle between two samples [rad], and frequency [rad/s], above which a mode is so fast that it follows without
+#: vibrating.
+FAST, FASTER = 1e3, 1e4
 #: Time steps that differ by less than this fraction are equal.
 EQUAL = 1e-9
 
@@ -127,7 +128,7 @@ class _Vibration:
 
     def _rates(self, at: LinearisedRobot, step: float) -> None:
         """Set the matrices of the states' rates: those of displacements, rates and velocities of the command."""
-        m, limit = self.modes, (FAST / step) ** 2
+        m, limit = self.modes, max(FAST / step, FASTER) ** 2
         D, eigenvalues = at.damping.matrix.copy(), at.eigenvalues
         fast = eigenvalues > limit
         D[fast[:, :, None] | fast[:, None, :]] = 0.0

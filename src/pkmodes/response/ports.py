@@ -5,6 +5,7 @@ Another kind of port is an entry of `INPUTS` or `OUTPUTS` (docs/response.md).
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -102,14 +103,22 @@ def outputs_of(dynamics: Dynamics, names: Sequence[str | Mapping[str, Any]]) -> 
     for one in _several("outputs", names):
         if isinstance(one, Mapping):
             for name, direction in one.items():
-                if name in known:
-                    what = f"the direction {shown(name)} has the name of another output"
-                    raise PkmodesError(what, "outputs", "choose another name")
-                known[str(name)] = _direction(str(name), direction, mechanism.directions, units)
-                given.append(str(name))
+                _check_name(name, known)
+                known[name] = _direction(name, direction, mechanism.directions, units)
+                given.append(name)
         else:
             given.append(one)
     return _chosen("outputs", given, known)
+
+
+def _check_name(name: Any, known: Mapping[str, Port]) -> None:
+    """Refuse a name of a direction that tables of responses could not have in the names of their columns."""
+    if name in known:
+        what = f"the direction {shown(name)} has the name of another output"
+        raise PkmodesError(what, "outputs", "choose another name")
+    if not isinstance(name, str) or re.fullmatch(r"[\w. +-]*\w[\w. +-]*", name) is None:
+        what = f"expected the name of a direction, found {shown(name)}"
+        raise PkmodesError(what, "outputs", "use letters, digits, and any of _ . + -")
 
 
 def _direction(name: str, given: Any, directions: Sequence[str], units: Mapping[str, str]) -> Port:
@@ -119,11 +128,16 @@ def _direction(name: str, given: Any, directions: Sequence[str], units: Mapping[
     except (TypeError, ValueError):
         vector = np.empty(0)
     if vector.shape != (len(directions),) or not np.isfinite(vector).all() or not vector.any():
-        what = f"expected a direction along {', '.join(directions)}, found {shown(given)}"
+        what = f"expected a direction along {', '.join(directions)}, found {_as_given(given)}"
         raise PkmodesError(what, where, f"give {len(directions)} numbers, not all of them 0")
     vector = vector / np.abs(vector).max()  # the squares of tiny and huge numbers are not numbers
     unit = vector / np.linalg.norm(vector)
     return Port(name, units[directions[0]], "platform", direction=tuple(unit.tolist()))
+
+
+def _as_given(direction: Any) -> str:
+    text = str(direction)
+    return text if isinstance(direction, list | tuple | np.ndarray) and len(text) < 60 else shown(direction)
 
 
 def _several(where: str, names: Any) -> list[Any]:

@@ -1,16 +1,21 @@
-"""Frequencies and damping ratios from the caller."""
+"""Frequencies, damping ratios and shapers from the caller."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.arguments import real_numbers
-from pkmodes.base.errors import PkmodesError
+from pkmodes.base.errors import PkmodesError, shown
 
 Array = NDArray[np.float64]
 #: What to do about arguments that are no numbers.
 GIVE = "give a number, or an array of numbers"
+DESIGN = "design it with pkmodes.shaping.shaper or Model.shaper"
+#: Error of the sum of a shaper's amplitudes, which rounding and few decimal digits make.
+SUM = 1e-3
 
 
 def checked_modes(frequencies: ArrayLike, damping_ratios: ArrayLike) -> tuple[Array, Array]:
@@ -43,6 +48,35 @@ def checked_modes(frequencies: ArrayLike, damping_ratios: ArrayLike) -> tuple[Ar
         what = f"expected one ratio, or one for each of the frequencies {f.shape}, found {zeta.shape}"
         raise PkmodesError(what, "damping_ratios", "give arrays of the same shape") from None
     return f, zeta
+
+
+def checked_impulses(shaper: Any) -> tuple[Array, Array]:
+    """Return the amplitudes and delays of a shaper as arrays of one shape (..., n).
+
+    Raises
+    ------
+    PkmodesError
+        If it is no shaper, an amplitude is negative, their sum is not 1, or the delays do not ascend from 0.
+    """
+    try:
+        given = [np.asarray(part, dtype=float) for part in (shaper.amplitudes, shaper.delays)]
+        if given[0].shape[-1:] != given[1].shape[-1:]:
+            raise ValueError
+        amplitudes, delays = np.broadcast_arrays(*given)
+    except (AttributeError, TypeError, ValueError):
+        what = f"expected a shaper with as many amplitudes as delays, found {shown(shaper)}"
+        raise PkmodesError(what, "shaper", DESIGN) from None
+    if not delays.ndim or not delays.shape[-1]:
+        raise PkmodesError("expected a shaper with impulses, found none", "shaper", DESIGN)
+    sums = amplitudes.sum(axis=-1)
+    if not (amplitudes >= 0.0).all() or not (np.abs(sums - 1.0) <= SUM).all():
+        worst = np.unravel_index(np.argmax(np.abs(sums - 1.0)), sums.shape)
+        found = ", ".join(f"{amplitude:.4g}" for amplitude in amplitudes[worst])
+        what = f"expected amplitudes that are not negative, with the sum 1, found {found}"
+        raise PkmodesError(what, "shaper", DESIGN)
+    if not (np.isfinite(delays).all() and (delays[..., 0] == 0.0).all() and (np.diff(delays) >= 0.0).all()):
+        raise PkmodesError("expected delays in s that ascend from 0", "shaper", DESIGN)
+    return amplitudes, delays
 
 
 def _refuse(values: Array, bad: NDArray[np.bool_], where: str, expected: str, remedy: str) -> None:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.errors import PkmodesError
-from pkmodes.shaping.arguments import checked_modes
+from pkmodes.shaping.arguments import checked_impulses, checked_modes
 from pkmodes.shaping.shapers import Shaper
 
 Array = NDArray[np.float64]
@@ -43,10 +43,11 @@ def residual(shaper: Shaper, frequencies: ArrayLike, damping_ratios: ArrayLike) 
     Raises
     ------
     PkmodesError
-        If a frequency is not positive and finite, a ratio is not in [0, 1), or the shapes do not go together.
+        If the shaper is none, a frequency is not positive and finite, a ratio is not in [0, 1), or the shapes do not
+        go together.
     """
     f, zeta = checked_modes(frequencies, damping_ratios)
-    amplitudes, delays = np.broadcast_arrays(np.asarray(shaper.amplitudes), np.asarray(shaper.delays))
+    amplitudes, delays = checked_impulses(shaper)
     given, leading = f.shape, delays.shape[:-1]
     # Of the two, one lacks axes at most: the other gets none, as (1,) times a negative number is ().
     more = (1,) * (len(given) - len(leading))
