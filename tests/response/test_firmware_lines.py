@@ -64,3 +64,18 @@ def test_reprapfirmware_gets_the_impulses_where_it_has_no_name(kind: str, f: tup
 def test_reprapfirmware_takes_no_more_than_five_impulses_and_none_that_coincide() -> None:
     assert lines("zv*zv*zv", (20.0, 33.0, 47.0))["reprapfirmware"] is None
     assert lines("zv*zv", (20.0, 20.0))["reprapfirmware"] is None
+
+
+def test_what_firmware_would_refuse_is_not_printed() -> None:
+    """Limits of Klipper's damping ratios; of Marlin's frequencies and damping ratios in fixed-time motion."""
+
+    def of(kind: str, f: float, zeta: float) -> dict[str, str | None]:
+        return firmware(kind, (f,), zeta, shaper(kind, f, zeta))
+
+    assert of("3hump_ei", F, 0.2)["klipper"] is not None
+    assert of("3hump_ei", F, 0.21)["klipper"] is None
+    assert of("mzv", 19.9, 0.02)["marlin"] is None
+    assert of("mzv", F, 0.26)["marlin"] is None
+    assert of("zv", 19.9, 0.02)["marlin"] == "M593 F19.90 D0.0200"
+    # With damping its humps are those of other formulas: the impulses instead of the name.
+    assert str(of("2hump_ei", F, 0.1)["reprapfirmware"]).startswith('M593 P"custom" H')

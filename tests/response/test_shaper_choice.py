@@ -232,3 +232,43 @@ def test_poses_near_singular_ones_that_decide_everything_are_said() -> None:
     assert any(note.startswith("the machine rings 100 times as much at the worst pose") for note in notes)
     calm = choose(made_up(rows[0], [[1e-5]] * 9), ["zv"]).notes
     assert not any("worst pose as at half" in note for note in calm)
+
+
+def test_poses_of_any_shape_kinds_twice_and_one_name() -> None:
+    model = pkmodes.load(ROBOT)
+    pose = [0.6, 0.0, -0.22]
+    alone = model.shapers(pose, "zv").candidates
+    assert [one.kind for one in alone] == ["zv", "zv"]
+    batch = model.shapers(np.tile(pose, (2, 2, 2, 1)), [" zv", "zv", "zv * zv"])
+    assert [one.kind for one in batch.candidates] == ["zv", "zv*zv"] * 2
+    assert batch.ringing.poses.shape == (8, 3)
+    assert batch.candidates[0].left.worst == pytest.approx(alone[0].left.worst)
+
+
+def test_an_uncertain_damping_ratio_spreads_no_frequency(tmp_path: Path) -> None:
+    file = tmp_path / "robot.toml"
+    text = ROBOT.read_text(encoding="utf-8")
+    file.write_text(f"{text}\n[damping]\nratio = {{ value = 0.02, sigma = 0.01 }}\n", encoding="utf-8")
+    assert pkmodes.load(file).shapers([0.6, 0.0, -0.22], "zv").candidates[0].left.rms_uncertain is None
+
+
+def test_poses_at_which_a_mode_does_not_oscillate_are_left_out() -> None:
+    model = pkmodes.load(ROBOT).with_values({"effects.rail_friction.viscous": 1010.0})
+    poses = np.stack([np.linspace(0.36, 0.8, 9), np.zeros(9), np.full(9, -0.22)], axis=-1)
+    ratios = model.modes(poses, drives="held").damping_ratios[:, :3]
+    over = int((ratios >= 1.0).any(axis=1).sum())
+    assert 0 < over < 9
+    choice = model.shapers(poses, "zv")
+    assert choice.ringing.left_out == over
+    assert any("left out: not reachable, or a mode does not oscillate there" in note for note in choice.notes)
+
+
+def test_only_the_variants_that_are_too_short_are_said_to_be_left_out() -> None:
+    model = pkmodes.load(ROBOT)
+    poses = np.stack([np.linspace(0.36, 0.8, 9), np.zeros(9), np.full(9, -0.22)], axis=-1)
+    both = model.shapers(poses, "zv").candidates
+    fixed, following = (float(np.min(one.shaper.durations)) for one in both)
+    assert following < fixed
+    choice = model.shapers(poses, "zv", tick=0.25 * (following + fixed))
+    assert [one.follows_pose for one in choice.candidates] == [False]
+    assert any(note.startswith("zv of the pose: left out, shorter than two ticks") for note in choice.notes)

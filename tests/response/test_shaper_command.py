@@ -35,7 +35,7 @@ def test_the_numbers_are_those_of_python(
         "shaper",
         robot,
         *GRID,
-        "--kinds",
+        "--shapers",
         "zv,2hump_ei,zv*zv",
         "--json",
         str(file),
@@ -77,7 +77,7 @@ def test_a_robot_file_with_standard_deviations_has_an_uncertain_column(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path / "s.json"
-    arguments = ("--grid", "x=0.1:0.2:3,y=0.1:0.2:2", "--kinds", "zv", "--json", str(file))
+    arguments = ("--grid", "x=0.1:0.2:3,y=0.1:0.2:2", "--shapers", "zv", "--json", str(file))
     assert run(["shaper", str(ROOT / "robots/corexy-printer.toml"), *arguments]) == 0
     assert "uncertain" in capsys.readouterr().out
     left = json.loads(file.read_text(encoding="utf-8"))["shapers"][0]["left"]
@@ -89,9 +89,9 @@ def test_poses_from_a_table_and_the_whole_workspace(
 ) -> None:
     table = tmp_path / "poses.csv"
     table.write_text("x [mm],y,z\n600,0,-0.22\n650,0.05,-0.2\n", encoding="utf-8")
-    assert run(["shaper", robot, "--poses", str(table), "--kinds", "mzv", "--modes", "2"]) == 0
+    assert run(["shaper", robot, "--poses", str(table), "--shapers", "mzv", "--modes", "2"]) == 0
     assert "motors held: 2 poses" in " ".join(capsys.readouterr().out.split())
-    assert run(["shaper", str(ROOT / "robots/corexy-printer.toml"), "--kinds", "zv"]) == 0
+    assert run(["shaper", str(ROOT / "robots/corexy-printer.toml"), "--shapers", "zv"]) == 0
     printed = " ".join(capsys.readouterr().out.split())
     assert "shaper_type: zv" in printed
     assert "M593 F" in printed
@@ -100,14 +100,20 @@ def test_poses_from_a_table_and_the_whole_workspace(
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--kinds", "zv,,ei"], 'expected names separated by commas, found "zv,,ei" (--kinds)'),
-        (["--kinds", "zvx"], 'found "zvx" (--kinds); did you mean'),
+        (["--shapers", "zv,,ei"], 'expected names separated by commas, found "zv,,ei" (--shapers)'),
+        (["--shapers", "zvx"], 'found "zvx" (--shapers); did you mean'),
         (
             ["--modes", "9"],
             "expected at most the 6 modes that the machine has with motors held, found 9 (--modes)",
         ),
         (["--left", "2"], "expected a share above 0 and at most 1, found 2.0 (--left)"),
         (["--tick", "0"], "expected a positive time in s, found 0.0 (--tick)"),
+        (["--left", "50 ms"], 'whose unit "ms" does not belong there (--left); for example: --left "10 %"'),
+        (
+            ["--length", "60 mm"],
+            'expected a time such as "60 ms", found "60 mm", which is a length (--length)',
+        ),
+        (["--grid", "x=0.3:0.8:9999,y=-0.1:0.1:9999,z=-0.2"], "is given more than once"),
         (["--length", "0.001"], "no fixed shaper lasts at most 1 ms (--length)"),
         (["--tick", "0.1"], "less than two ticks of 100 ms (--tick)"),
         (["--poses", "poses.csv"], "--grid and --poses exclude each other"),
@@ -118,3 +124,76 @@ def test_wrong_options_are_refused(
 ) -> None:
     assert run(["shaper", robot, *GRID, *arguments]) == 2
     assert message in " ".join(capsys.readouterr().err.split())
+
+
+def test_values_may_have_units(robot: str, tmp_path: Path) -> None:
+    found = []
+    for options in (
+        ["--left", "4 %", "--length", "46 ms", "--tick", "2 ms"],
+        ["--left", "0.04", "--length", "0.046", "--tick", "0.002"],
+    ):
+        file = tmp_path / "s.json"
+        assert (
+            run(
+                [
+                    "shaper",
+                    robot,
+                    *GRID,
+                    "--shapers",
+                    "zv,mzv,2hump_ei,3hump_ei",
+                    *options,
+                    "--json",
+                    str(file),
+                ]
+            )
+            == 0
+        )
+        found.append(json.loads(file.read_text(encoding="utf-8")))
+    assert found[0] == found[1]
+    assert found[0]["shapers"][found[0]["recommended"]]["duration_s"] <= 0.046
+
+
+def test_more_poses_than_fit_into_memory_are_refused(robot: str, capsys: pytest.CaptureFixture[str]) -> None:
+    grid = "x=0.3:0.8:100000,y=-0.1:0.1:100000,z=-0.2"
+    assert run(["shaper", robot, "--grid", grid]) == 2
+    assert "expected at most 1,000,000 poses, found 10,000,000,000 (--grid)" in capsys.readouterr().err
+
+
+def test_firmware_without_the_recommended_shaper_is_told_which_it_has(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "s.json"
+    arguments = [
+        "--grid",
+        "x=0.05:0.25:5,y=0.05:0.25:5",
+        "--shapers",
+        "ei,zv*zv",
+        "--left",
+        "6 %",
+        "--json",
+        str(file),
+    ]
+    assert run(["shaper", str(ROOT / "robots/corexy-printer.toml"), *arguments]) == 0
+    found = json.loads(file.read_text(encoding="utf-8"))
+    assert found["shapers"][found["recommended"]]["kind"] == "zv*zv"
+    assert found["firmware"]["klipper"] is found["firmware"]["marlin"] is None
+    worst = found["shapers"][0]["left"]["worst"]
+    said = f"no zv*zv in Klipper and Marlin; of those compared, ei leaves least there: {100 * worst:.2g} % at the"
+    assert [note for note in found["notes"] if said in note]
+
+
+@pytest.mark.parametrize(
+    ("grid", "said"),
+    [
+        ("x=0.6,y=0,z=-0.22", "There is one pose only"),
+        ("x=0.4:0.8:9,y=0,z=-0.22", "Left over the workspace"),
+        ("x=0.6,y=-0.05:0.05:5,z=-0.24:-0.2:5", "Left over the workspace"),
+    ],
+)
+def test_the_page_shows_what_varies(robot: str, tmp_path: Path, grid: str, said: str) -> None:
+    page = tmp_path / "s.html"
+    assert run(["shaper", robot, "--grid", grid, "--shapers", "mzv,zv*zv*zv", "--report", str(page)]) == 0
+    text = page.read_text(encoding="utf-8")
+    assert said in text
+    assert ("y [mm]" in text and "z [mm]" in text) == ("y=-0.05" in grid)
+    assert "shaper_type: mzv" in text or "Klipper has no such shaper" in text

@@ -14,6 +14,8 @@ from helpers.robots.one_of_each import ROBOTS
 from pkmodes.base.errors import PkmodesError
 from pkmodes.response.state_space import StateSpace
 
+ROOT = Path(__file__).parents[2]
+
 MECHANISMS = {
     "linear_delta": ("linear-delta-2022.toml", [0.6, 0.05, -0.245]),
     "rotary_delta": ("clavel-delta.toml", [0.03, 0.02, -0.45]),
@@ -236,3 +238,24 @@ def test_compliance_of_a_corexy_is_that_of_its_belts() -> None:
         stiffness = (robot.belt_width[j] * robot.belt_specific_stiffness[j] / lengths).sum()
         K += stiffness * np.outer(g, g)
     np.testing.assert_allclose(model.compliance(p), np.linalg.inv(K), rtol=1e-12)
+
+
+def test_the_largest_velocity_gain_of_the_page_is_where_the_loop_becomes_unstable() -> None:
+    """The Nyquist curve of the frequency response, with the delay as it is, passes through -1."""
+    control = pytest.importorskip("control")
+    model = pkmodes.load(ROOT / "robots/linear-delta-2022-identified.toml").with_values(
+        {"damping.ratio": 0.01}
+    )
+    for pose, gain in (([1.2, 0.1, -0.24], 0.793), ([0.32, 0.0, -0.24], 2.829)):
+        f = np.arange(100.0, 1500.0, 0.01)
+        mobility = model.frf(pose, f, ["torque_1"], ["motor_1"], quantity="velocity").values[:, 0, 0]
+        loop = mobility * np.exp(-2j * np.pi * f * 1e-3)
+        at = np.flatnonzero((np.diff(np.sign(loop.imag)) != 0.0) & (loop.real[1:] < 0.0))
+        assert -1.0 / loop.real[at].min() == pytest.approx(gain, rel=2e-3)
+        # Just below and above it: poles of the closed loop, with a delay that is exact far beyond these frequencies.
+        system = model.state_space(pose, ["torque_1"], ["motor_1"], quantity="velocity").to_control()
+        delay = control.tf(*control.pade(1e-3, 8))
+        rigid = 10.0  # 1/s: far below the vibrations
+        for factor, stable in ((0.98, True), (1.02, False)):
+            poles = control.feedback(delay * system, factor * gain).poles()
+            assert (poles.real[np.abs(poles) > rigid].max() < 0.0) == stable

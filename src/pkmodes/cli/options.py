@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -110,6 +111,30 @@ def comma_list(text: str, option: str, example: str, what: str = "names") -> lis
     return list(dict.fromkeys(names))
 
 
+def quantity_option(name: str, unit: str, example: str, **settings: Any) -> Callable[[Any], Any]:
+    """Return an option that is a number in SI units, or a number with its unit.
+
+    Parameters
+    ----------
+    unit : str
+        The SI unit.
+    example : str
+        A value with its unit, for messages.
+    """
+
+    def read(_: click.Context, __: click.Parameter, text: str | None) -> float | None:
+        from pkmodes.robot.units import QuantityError, parse_number_or_quantity
+
+        if text is None:
+            return None
+        try:
+            return parse_number_or_quantity(text, unit)
+        except QuantityError as error:
+            raise PkmodesError(str(error), name, f'for example: {name} "{example}"') from None
+
+    return click.option(name, callback=read, **settings)
+
+
 def check_order(robot: Path, modes: Path, command: str) -> None:
     """Reject swapped robot and measurement files, recognised by their names."""
     if modes.suffix.lower() == ".toml" and robot.suffix.lower() != ".toml":
@@ -127,6 +152,7 @@ def named_as_options(options: Mapping[str, str]) -> Iterator[None]:
     ----------
     options : mapping of str to str
         Options by argument.  The place of an error is an argument, alone or before a colon: ``sweep: platform.mass``.
+        A remedy may give an argument a value: ``drives="held"``.
     """
     try:
         yield
@@ -134,4 +160,9 @@ def named_as_options(options: Mapping[str, str]) -> Iterator[None]:
         argument, _, rest = error.where.partition(": ")
         if argument not in options:
             raise
-        raise type(error)(error.what, f"{options[argument]} {rest}".rstrip(), error.remedy) from None
+        remedy = re.sub(
+            r'\b(\w+)="(\w+)"',
+            lambda found: f"{options[found[1]]} {found[2]}" if found[1] in options else found[0],
+            error.remedy,
+        )
+        raise type(error)(error.what, f"{options[argument]} {rest}".rstrip(), remedy) from None

@@ -32,6 +32,7 @@ OPTIONS = {
     "frequencies": "--frequencies",
     "quantity": "--quantity",
     "modes": "--modes",
+    "drives": "--drives",
 }
 
 
@@ -263,4 +264,4 @@ def _print(mechanism: Mechanism, found: FrequencyResponse) -> None:
         "Hz, with its phase, for exp(+i omega t)"
     )
     if not found.robot.dissipates:
-        terminal.line("the robot dissipates nothing: a resonance has no height of its own; see [damping]")
+        terminal.line("the robot file has no damping: a resonance has no height of its own; see [damping]")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,8 +12,16 @@ from msgspec import Meta
 
 from pkmodes.base.documents import Count, Document, Size
 from pkmodes.base.drives import Drives
+from pkmodes.base.errors import PkmodesError
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import comma_list, json_option, mechanism_option, named_as_options, report_option
+from pkmodes.cli.options import (
+    comma_list,
+    json_option,
+    mechanism_option,
+    named_as_options,
+    quantity_option,
+    report_option,
+)
 from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import check_targets, report_target
@@ -24,9 +33,11 @@ if TYPE_CHECKING:
     from pkmodes.model.model import Model
     from pkmodes.shaping.choice import Candidate, Choice
 
+#: Poses that are compared at most: all of them are held at once.
+POSES = 1_000_000
 OPTIONS = {
-    "kind": "--kinds",
-    "kinds": "--kinds",
+    "kind": "--shapers",
+    "kinds": "--shapers",
     "modes": "--modes",
     "left": "--left",
     "length": "--length",
@@ -104,7 +115,8 @@ class ShaperDocument(Document):
 @grid_option
 @poses_option
 @click.option(
-    "--kinds",
+    "--shapers",
+    "kinds",
     metavar="KIND,...",
     default=None,
     help="zv, zvd, zvdd, mzv, ei, 2hump_ei, 3hump_ei, or products such as zv*zv for as many modes; by default all "
@@ -117,22 +129,28 @@ class ShaperDocument(Document):
     default=None,
     help="How many modes count, the lowest ones; by default 3.",
 )
-@click.option(
+@quantity_option(
     "--left",
+    "1",
+    "10 %",
     metavar="SHARE",
-    type=float,
-    default=0.1,
+    default="10 %",
     show_default=True,
     help="What the recommended shaper may leave of the vibration at the worst pose.",
 )
-@click.option(
-    "--length", metavar="SECONDS", type=float, default=None, help="How long the recommended shaper may last."
+@quantity_option(
+    "--length",
+    "s",
+    "60 ms",
+    metavar="TIME",
+    help='How long the recommended shaper may last: "60 ms", or a number in s.',
 )
-@click.option(
+@quantity_option(
     "--tick",
-    metavar="SECONDS",
-    type=float,
-    default=1e-3,
+    "s",
+    "1 ms",
+    metavar="TIME",
+    default="1 ms",
     show_default=True,
     help="Time between two commands of the controller; shapers shorter than two are left out.",
 )
@@ -160,7 +178,7 @@ def shaper(
     model = load(robot)
     with named_as_options({**OPTIONS, **({"poses": "--poses"} if poses else {})}):
         points = _points(model, grid, poses)
-        names = None if kinds is None else comma_list(kinds, "--kinds", "--kinds zv,mzv,zv*zv")
+        names = None if kinds is None else comma_list(kinds, "--shapers", "--shapers zv,mzv,zv*zv")
         choice = model.shapers(points, names, modes=modes, left=left, length=length, tick=tick)
     document = _document(model, choice)
     report = report_file(report_to, lambda: _page(model, choice, document.as_json(), sources))
@@ -172,6 +190,12 @@ def _points(model: Model, grid: str | None, poses: Path | None) -> NDArray[np.fl
     from pkmodes.maps.workspace import reachable
 
     places = places_given(model, grid, poses)
+    count = 0 if places is None else math.prod(places.shape)
+    if count > POSES:
+        what = f"expected at most {POSES:,} poses, found {count:,}"
+        raise PkmodesError(
+            what, "--grid" if grid else "--poses", "give fewer: shapers differ little between neighbours"
+        )
     if places is not None:
         return np.asarray(places.points(np.arange(int(np.prod(places.shape)))))
     whole = reachable(model.kinematics)
@@ -180,7 +204,7 @@ def _points(model: Model, grid: str | None, poses: Path | None) -> NDArray[np.fl
 
 
 def _document(model: Model, choice: Choice) -> ShaperDocument:
-    from pkmodes.shaping.firmware import firmware
+    from pkmodes.shaping.firmware import firmware, remarks
 
     best = choice.candidates[choice.recommended]
     unshaped = choice.unshaped
@@ -193,7 +217,7 @@ def _document(model: Model, choice: Choice) -> ShaperDocument:
         shapers=[_candidate(one) for one in choice.candidates],
         recommended=choice.recommended,
         firmware=firmware(best.kind, best.frequencies, best.damping_ratio, best.shaper),
-        notes=list(choice.notes),
+        notes=[*choice.notes, *remarks(choice)],
     )
 
 
@@ -220,12 +244,15 @@ def _page(model: Model, choice: Choice, content: dict[str, Any], sources: Any) -
 def _print(model: Model, choice: Choice, document: ShaperDocument) -> None:
     from pkmodes.cli.terminal import Terminal
     from pkmodes.mechanism.poses import placed
+    from pkmodes.shaping.firmware import NAMES
 
     terminal = Terminal()
     at, unshaped = choice.ringing, choice.unshaped
     low, high = at.frequencies.min(axis=0), at.frequencies.max(axis=0)
-    terminal.heading(f"{document.robot}, motors {document.drives}: {document.poses:,} poses")
-    ranges = ", ".join(f"{a:.1f} to {b:.1f}" for a, b in zip(low, high, strict=True))
+    poses = "one pose" if document.poses == 1 else f"{document.poses:,} poses"
+    terminal.heading(f"{document.robot}, motors {document.drives}: {poses}")
+    pairs = [tuple(dict.fromkeys(f"{f:.1f}" for f in ends)) for ends in zip(low, high, strict=True)]
+    ranges = ", ".join(" to ".join(pair) for pair in pairs)
     terminal.line(f"modes that count [Hz]: {ranges}", "  ")
     place = placed(model.mechanism, unshaped.pose, ".4g")
     terminal.line(
@@ -246,10 +273,13 @@ def _print(model: Model, choice: Choice, document: ShaperDocument) -> None:
     rows = [_row(i, one, choice, uncertain) for i, one in enumerate(choice.candidates)]
     terminal.table(titles, rows, left=("shaper", "design [Hz]"))
     terminal.line()
-    terminal.line("left: vibration relative to none, in per cent; * is recommended")
+    terminal.line(
+        "left, in per cent: root mean square over the poses, relative to that without a shaper; worst: the largest "
+        "value, relative to the largest without a shaper; * is recommended"
+    )
     for name, lines in document.firmware.items():
         terminal.line()
-        terminal.line(f"{name}:" if lines else f"{name}: has no such shaper")
+        terminal.line(f"{NAMES[name]}:" if lines else f"{NAMES[name]}: has no such shaper")
         for line in (lines or "").splitlines():
             terminal.line(line, "  ")
     for note in document.notes:

@@ -253,7 +253,7 @@ class Responses:
         Raises
         ------
         PkmodesError
-            If the kind is unknown, or has more factors than the machine has modes; or a mode is not stable.
+            If the kind is unknown, or has more factors than the machine has modes; or a mode does not oscillate.
 
         Examples
         --------
@@ -280,9 +280,10 @@ class Responses:
 
         Parameters
         ----------
-        poses : array_like, shape (N, d)
-            Such as a grid over the workspace; those that cannot be evaluated are left out.
-        kinds : sequence of str, optional
+        poses : array_like, shape (..., d)
+            Such as a grid over the workspace; those that cannot be evaluated, or at which a mode does not oscillate,
+            are left out.
+        kinds : str or sequence of str, optional
             By default all for one mode, and products of zv up to the number of modes.
         modes : int, optional
             The lowest modes that count; by default three.

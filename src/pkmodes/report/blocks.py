@@ -143,6 +143,15 @@ class Difference:
 
 
 @dataclass(frozen=True)
+class Lines:
+    """Lines to copy, as they stand."""
+
+    name: str
+    lines: Sequence[str]
+    kind: str = "lines"
+
+
+@dataclass(frozen=True)
 class Foreign:
     """Finished HTML from another module of pkmodes, which is placed as it is: the view in three dimensions."""
 
@@ -150,7 +159,7 @@ class Foreign:
     kind: str = "foreign"
 
 
-Block = Table | Picture | Paragraph | Listing | Facts | Difference | Foreign
+Block = Table | Picture | Paragraph | Listing | Facts | Difference | Lines | Foreign
 
 
 @dataclass(frozen=True)

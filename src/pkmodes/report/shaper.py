@@ -6,15 +6,17 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pkmodes.plots import shapers
 from pkmodes.plots.style import styled
-from pkmodes.report.blocks import Cell, Column, Facts, Listing, Paragraph, Picture, Section, Summary, Table
+from pkmodes.report.blocks import Cell, Column, Facts, Lines, Paragraph, Picture, Section, Summary, Table
 from pkmodes.report.formatting import clean, number, pointer
 from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.robot.units import SHOWN
+from pkmodes.shaping.firmware import NAMES
 from pkmodes.shaping.residual_vibration import residual
 
 if TYPE_CHECKING:
@@ -25,6 +27,10 @@ if TYPE_CHECKING:
 ERRORS = np.linspace(-0.2, 0.2, 81)
 #: Shapers drawn over the frequency error at most, and poses at which they are evaluated.
 CURVES, POSES = 5, 400
+#: Poses whose components differ by less are in one layer [SI].
+SAME = 1e-9
+#: Poses in a layer, of those that a layer of a regular grid would have, at least.
+LAYER = 0.3
 
 
 def shaper_report(
@@ -53,6 +59,7 @@ def shaper_report(
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     sections = [
         Section("shapers", "Shapers", [_table(content)]),
+        Section("machine", "The machine", [_machine(model, choice, content)]),
         Section("workspace", "Over the workspace", [_over_workspace(model, choice)]),
         Section("errors", "Where frequencies differ from the model's", [_against_error(choice)]),
         Section("firmware", "Lines for firmware", _firmware(content)),
@@ -62,22 +69,54 @@ def shaper_report(
 
 
 def _summary(choice: Choice, content: dict[str, Any]) -> Summary:
-    best = choice.candidates[choice.recommended]
+    best, unshaped = choice.candidates[choice.recommended], choice.unshaped
     at = pointer("shapers", choice.recommended, "left", "worst")
+    share = float(best.left_at.max())
     return Summary(
         subject=clean(content["robot"]),
         kind="Shaper",
         verdict="",
-        headline=f"{best.kind} leaves at most {100.0 * best.left.worst:.2g} % of the vibration",
-        reason=f"The recommended fixed shaper, for {_design(best)}; motors held, {content['poses']} poses.",
+        headline=f"{best.kind} leaves {100.0 * best.left.worst:.2g} % of the largest vibration",
+        reason=(
+            f"The recommended fixed shaper, for {_design(best)}; motors held. Where it leaves most, the vibration is "
+            f"{100.0 * best.left.worst:.2g} % of the largest one without a shaper."
+        ),
         tone="plain",
-        notes=[clean(note) for note in content["notes"]],
+        notes=[clean(note, None) for note in content["notes"]],
         facts=[
             ("lasts", Cell(f"{1e3 * best.duration:.3g} ms", best.duration)),
-            ("left at the worst pose", Cell(f"{100.0 * best.left.worst:.3g} %", best.left.worst, at)),
-            ("modes that count", Cell(str(content["modes"]), content["modes"], pointer("modes"))),
+            (
+                "largest vibration left, of the largest without",
+                Cell(_per_cent(best.left.worst), best.left.worst, at),
+            ),
+            ("most left at one pose, of the vibration there", Cell(_per_cent(share), share)),
+            (
+                "largest vibration without, for a step of 1 m/s^2",
+                Cell(f"{1e6 * unshaped.worst:.3g} um", unshaped.worst, pointer("unshaped", "worst")),
+            ),
         ],
     )
+
+
+def _per_cent(share: float) -> str:
+    return f"{100.0 * share:.3g} %" if share >= 1e-6 else "nothing"
+
+
+def _machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
+    """Return the poses and the modes that count."""
+    at = choice.ringing
+    entries = [("poses", [Cell(f"{content['poses']:,}", content["poses"], pointer("poses"))])]
+    for i, component in enumerate(model.mechanism.pose):
+        unit, factor = SHOWN[component.unit]
+        entries.append((component.name, [Cell(f"{_range(at.poses[:, i] * factor, '.5g')} {unit}")]))
+    for k in range(at.frequencies.shape[1]):
+        entries.append((f"mode {k + 1}", [Cell(f"{_range(at.frequencies[:, k], '.1f')} Hz")]))
+    return Facts(entries)
+
+
+def _range(values: NDArray[np.float64], form: str) -> str:
+    ends = dict.fromkeys(format(end, form) for end in (values.min() + 0.0, values.max() + 0.0))
+    return " to ".join(ends)
 
 
 def _design(one: Candidate) -> str:
@@ -85,13 +124,15 @@ def _design(one: Candidate) -> str:
 
 
 def _table(content: dict[str, Any]) -> Table:
+    keys = {"rms": "left, rms [%]", "worst": "worst [%]", "rms_uncertain": "rms, uncertain [%]"}
+    uncertain = any(one["left"]["rms_uncertain"] is not None for one in content["shapers"])
+    if not uncertain:
+        del keys["rms_uncertain"]
     columns = [
         Column("shaper", numbers=False),
         Column("design [Hz]", numbers=False),
         Column("lasts [ms]"),
-        Column("left, rms [%]"),
-        Column("worst [%]"),
-        Column("rms, uncertain [%]"),
+        *(Column(title) for title in keys.values()),
     ]
     rows = []
     for i, one in enumerate(content["shapers"]):
@@ -102,16 +143,21 @@ def _table(content: dict[str, Any]) -> Table:
             Cell("of the pose" if design is None else ", ".join(f"{f:.2f}" for f in design)),
             number(one["duration_s"], ".1f", scale=1e3),
         ]
-        for key in ("rms", "worst", "rms_uncertain"):
-            value = left[key]
-            cells.append(Cell("\u2013") if value is None else number(value, ".2f", scale=100.0))
+        cells += [number(left[key], ".2f", scale=100.0) for key in keys]
         rows.append(cells)
     caption = (
-        "What shapers leave of the vibration, relative to none: root mean square over the poses, largest value over "
-        "the largest without a shaper, and the root mean square where frequencies are spread by the standard "
-        "deviations of the robot file. The recommended one is bold."
+        "What shapers leave of the vibration: the root mean square over the poses, of that without a shaper; the "
+        "largest value, of the largest without a shaper"
     )
-    return Table(caption, columns, rows)
+    if uncertain:
+        caption += (
+            "; the root mean square where frequencies are spread by the standard deviations of the robot file"
+        )
+    note = (
+        "The recommended one is bold. Those of the pose are judged at rest and for the model as it is: a move, and "
+        "frequencies that differ from the model's, add to what they leave."
+    )
+    return Table(f"{caption}.", columns, rows, note=note)
 
 
 def _picked(choice: Choice) -> dict[str, Candidate]:
@@ -125,28 +171,45 @@ def _picked(choice: Choice) -> dict[str, Candidate]:
     return picked
 
 
-def _over_workspace(model: Model, choice: Choice) -> Picture:
-    poses, components = choice.ringing.poses, model.mechanism.pose
-    shown = [0, 1] if poses.shape[1] > 1 else [0, 0]
-    worst = choice.candidates[choice.recommended].left.pose
-    others = [i for i in range(poses.shape[1]) if i not in shown]
-    plane = np.isclose(poses[:, others], worst[others], rtol=0.0, atol=1e-9).all(axis=1)
-    layer = "".join(
-        f", at {components[i].name} = {worst[i] * SHOWN[components[i].unit][1]:.4g} {SHOWN[components[i].unit][0]}"
-        for i in others
-    )
-    caption = (
-        f"Vibration that is left, relative to that without a shaper at the same pose{layer}, where the recommended "
-        "shaper leaves most. A shaper that follows the pose is judged at rest; a move adds to it."
-    )
+def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
+    at, components = choice.ringing, model.mechanism.pose
+    varying = [i for i in range(len(components)) if np.ptp(at.poses[:, i]) > SAME]
+    shares = {
+        name: 100.0 * one.left_at * at.unshaped / at.unshaped.max() for name, one in _picked(choice).items()
+    }
+    if not varying:
+        share = ", ".join(f"{name}: {_per_cent(values[0] / 100.0)}" for name, values in shares.items())
+        return Paragraph(f"There is one pose only. Left of the vibration there: {share}.")
+    named = [components[i].name for i in varying]
+    units = [SHOWN[components[i].unit] for i in varying]
+    caption = "Vibration that is left, in per cent of the largest one without a shaper"
+    judged = ". A shaper that follows the pose is judged at rest; a move adds to it."
     with styled():
-        drawn = shapers.left_over(
-            poses[plane][:, shown],
-            [components[i].name for i in shown],
-            [SHOWN[components[i].unit] for i in shown],
-            {name: one.left_at[plane] for name, one in _picked(choice).items()},
-        )
-        return Picture.of(drawn, "Left over the workspace", caption, caption)
+        if len(varying) == 1:
+            drawn = shapers.along_line(at.poses[:, varying[0]], named[0], units[0], shares)
+        else:
+            plane, layer = _plane(at.poses, choice.candidates[choice.recommended].left.pose, varying[2:])
+            for i, value in layer.items():
+                unit, factor = SHOWN[components[i].unit]
+                caption += f", at {components[i].name} = {value * factor:.4g} {unit}"
+            caption += ", where the recommended shaper leaves most" if layer else ""
+            drawn = shapers.over_plane(
+                at.poses[plane][:, varying[:2]],
+                named,
+                units,
+                {name: share[plane] for name, share in shares.items()},
+            )
+        return Picture.of(drawn, "Left over the workspace", caption + judged, caption + judged)
+
+
+def _plane(
+    poses: NDArray[np.float64], through: NDArray[np.float64], others: Sequence[int]
+) -> tuple[NDArray[np.bool_], dict[int, float]]:
+    """Return the poses in the layer through one of them, and its place; all poses where they form no layers."""
+    layer = np.asarray((np.abs(poses[:, others] - through[others]) < SAME).all(axis=1))
+    if layer.sum() < LAYER * len(poses) ** (2.0 / poses.shape[1]):
+        return np.ones(len(poses), dtype=bool), {}
+    return layer, {i: float(through[i]) for i in others}
 
 
 def _against_error(choice: Choice) -> Picture:
@@ -162,10 +225,10 @@ def _against_error(choice: Choice) -> Picture:
         if one.follows_pose:
             impulses = type(impulses)(impulses.amplitudes[some], impulses.delays[some])
         all_left = np.array([residual(impulses, f * (1.0 + error), ratios) for error in ERRORS])
-        left[name] = np.sqrt(np.mean(np.sum((weights * all_left) ** 2, axis=2), axis=1)) / before
+        left[name] = 100.0 * np.sqrt(np.mean(np.sum((weights * all_left) ** 2, axis=2), axis=1)) / before
     caption = (
         "Root mean square over the poses of the vibration that is left if all frequencies differ from those of the "
-        "model by the same share, such as belts of another stiffness: 10 % in stiffness are 5 % in frequency."
+        "model by the same share. Belts that are 10 % stiffer raise them by 5 %."
     )
     spread = None if at.spread is None else float(at.spread.mean())
     if spread is not None:
@@ -176,12 +239,15 @@ def _against_error(choice: Choice) -> Picture:
         )
 
 
-def _firmware(content: dict[str, Any]) -> list[Paragraph | Listing]:
-    blocks: list[Paragraph | Listing] = [
-        Paragraph("For the recommended shaper. Check which axes your firmware shapes: many leave out z.")
+def _firmware(content: dict[str, Any]) -> list[Paragraph | Lines]:
+    blocks: list[Paragraph | Lines] = [
+        Paragraph(
+            "For the recommended shaper. Check which axes your firmware shapes: usually x and y, not z."
+        )
     ]
     for name, lines in content["firmware"].items():
-        blocks.append(Paragraph(clean(name) if lines else f"{clean(name)} has no such shaper."))
         if lines:
-            blocks.append(Listing([clean(line) for line in lines.splitlines()], names=True))
+            blocks.append(Lines(NAMES[name], [clean(line) for line in lines.splitlines()]))
+        else:
+            blocks.append(Paragraph(f"{NAMES[name]} has no such shaper."))
     return blocks

@@ -47,8 +47,8 @@ EXAMPLES = {
     "torsional viscous friction": "1e-3 N*m*s/rad",
     "number": "10",
 }
-#: Dimensions by name, with the SI unit and an example.
-DIMENSIONS = {name: (unit, EXAMPLES[name]) for name, unit in UNITS.items()}
+#: Dimensions by name, with the SI unit and an example; the last one is of commands, not of robots.
+DIMENSIONS = {name: (unit, EXAMPLES[name]) for name, unit in UNITS.items()} | {"time": ("s", "60 ms")}
 
 
 #: Units of lengths and angles of a pose as people read them, with the factor from SI.

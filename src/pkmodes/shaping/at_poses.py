@@ -20,8 +20,8 @@ def shaper_at(dynamics: Dynamics, kind: str, poses: ArrayLike, modes: int | None
     checked = dynamics.kinematics.checked(poses, "raise")
     at = ringing(dynamics, checked.points, count if modes is None and count > 1 else modes)
     if at.left_out:
-        what = f"at {at.left_out} of the poses a mode is not stable: it does not ring"
-        raise PkmodesError(what, "poses", "pkmodes modes --drives held shows its frequency as negative")
+        what = f"at {at.left_out} of the poses a mode does not oscillate"
+        raise PkmodesError(what, "poses", "pkmodes modes --drives held shows its frequency and damping ratio")
     found = own_shapers(kind, at)
     return Shaper(*(part.reshape(*checked.batch, -1) for part in found))
 

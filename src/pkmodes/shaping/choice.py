@@ -12,7 +12,7 @@ from pkmodes.base.arguments import Constraint, check_argument, is_number
 from pkmodes.base.errors import PkmodesError
 from pkmodes.shaping.at_poses import own_shapers
 from pkmodes.shaping.fixed import best_fixed
-from pkmodes.shaping.kinds import KINDS, PRODUCT, factors
+from pkmodes.shaping.kinds import KINDS, PRODUCT, factors, plain
 from pkmodes.shaping.residual_vibration import residual
 from pkmodes.shaping.ringing import Ringing
 from pkmodes.shaping.shapers import Shaper
@@ -126,7 +126,11 @@ def choose(
     check_argument(tick, TIME, "tick", "for example: 0.001")
     if length is not None:
         check_argument(length, TIME, "length", "for example: 0.05")
-    names = default_kinds(at.frequencies.shape[1]) if kinds is None else tuple(kinds)
+    if isinstance(kinds, str):
+        kinds = (kinds,)
+    names = (
+        default_kinds(at.frequencies.shape[1]) if kinds is None else tuple(dict.fromkeys(map(plain, kinds)))
+    )
     for name in names:
         if len(factors(name)) > at.frequencies.shape[1]:
             what = f"{name} is for {len(factors(name))} modes, and {at.frequencies.shape[1]} count"
@@ -136,24 +140,33 @@ def choose(
             "expected at least one kind of shaper, found none", "kinds", f"known: {', '.join(KINDS)}"
         )
     both = [*(_fixed(name, at) for name in names), *(_following(name, at) for name in names)]
-    candidates = tuple(one for one in both if np.min(one.shaper.durations) >= TICKS * tick)
+    short = [one for one in both if np.min(one.shaper.durations) < TICKS * tick]
+    candidates = tuple(one for one in both if all(one is not each for each in short))
     if not any(not one.follows_pose for one in candidates):
         longest = max(one.duration for one in both)
         what = f"the shapers last {1e3 * longest:.3g} ms at most, less than two ticks of {1e3 * tick:.3g} ms"
         raise PkmodesError(what, "tick", "shorten the tick, or choose a longer kind")
     recommended, notes = _recommended(candidates, left, length)
-    short = dict.fromkeys(one.kind for one in both if one not in candidates)
     if short:
-        notes.append(f"{', '.join(short)}: left out, shorter than two ticks of {1e3 * tick:.3g} ms")
+        kept = {one.kind for one in candidates}
+        listed = dict.fromkeys(f"{one.kind}{_variant(one) if one.kind in kept else ''}" for one in short)
+        notes.append(f"{', '.join(listed)}: left out, shorter than two ticks of {1e3 * tick:.3g} ms")
     return Choice(at, _amplitude(at, at.unshaped), candidates, recommended, (*_about(at), *notes))
+
+
+def _per_cent(share: float) -> str:
+    return f"{100 * share:.2g} %" if share >= 1e-6 else "nothing"
+
+
+def _variant(one: Candidate) -> str:
+    return " of the pose" if one.follows_pose else ", fixed"
 
 
 def _about(at: Ringing) -> list[str]:
     notes = []
     if at.left_out:
-        notes.append(
-            f"{at.left_out} poses are left out: they cannot be evaluated, or a mode is not stable there"
-        )
+        are = "pose is" if at.left_out == 1 else "poses are"
+        notes.append(f"{at.left_out} {are} left out: not reachable, or a mode does not oscillate there")
     beyond = float(at.unshaped.max() / np.median(at.unshaped))
     if beyond > DOMINATING:
         notes.append(
@@ -161,7 +174,7 @@ def _about(at: Ringing) -> list[str]:
             "ones decide; give the part of the workspace that is used, as a grid or as [usable] in the robot file"
         )
     if not at.damping_ratios.any():
-        notes.append("the robot dissipates nothing: shapers are designed for no damping; see [damping]")
+        notes.append("the robot file has no damping: shapers are designed for none; see [damping]")
     return notes
 
 
@@ -185,13 +198,13 @@ def _recommended(
     )
     following = [one for one in candidates if one.follows_pose and (length is None or one.duration <= length)]
     if following:
-        one = min(following, key=lambda each: (each.left.worst, each.duration))
+        one = min(following, key=lambda each: (round(each.left.worst, 6), each.duration))
         uncertain = one.left.rms_uncertain
         spread = (
             "" if uncertain is None else f", {100 * uncertain:.2g} % on average with uncertain frequencies"
         )
         notes.append(
-            f"following the pose, {one.kind} leaves {100 * one.left.worst:.2g} % at the worst pose{spread}, and more "
+            f"following the pose, {one.kind} leaves {_per_cent(one.left.worst)} at the worst pose{spread}, and more "
             "while the machine moves (pkmodes.Model.simulate)"
         )
     return best, notes

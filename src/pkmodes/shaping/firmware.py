@@ -10,15 +10,21 @@ from __future__ import annotations
 
 import numpy as np
 
+from pkmodes.shaping.choice import Candidate, Choice
 from pkmodes.shaping.shapers import Shaper
 from pkmodes_description.shapers import TOLERANCE
 
-KLIPPER = ("zv", "mzv", "zvd", "ei", "2hump_ei", "3hump_ei")
+#: Names as they are written.
+NAMES = {"klipper": "Klipper", "marlin": "Marlin", "reprapfirmware": "RepRapFirmware"}
+#: The largest damping ratio that Klipper accepts, by shaper.
+KLIPPER = {"zv": 0.99, "mzv": 0.99, "zvd": 0.99, "ei": 0.4, "2hump_ei": 0.3, "3hump_ei": 0.2}
 #: Numbers of the shapers of fixed-time motion, and those that have a tolerance.
 MARLIN = {"zvd": 2, "zvdd": 3, "ei": 5, "2hump_ei": 6, "3hump_ei": 7, "mzv": 8}
 TOLERANT = ("ei", "2hump_ei", "3hump_ei")
-#: The least damping ratio that fixed-time motion accepts.
-LEAST = 0.01
+#: The least and the largest damping ratio, and the least frequency [Hz], that fixed-time motion accepts.
+LEAST, MOST, LOWEST = 0.01, 0.25, 20.0
+#: Damping ratio from which on firmware with formulas of its own for the humps makes other impulses of them.
+DAMPED = 0.03
 REPRAPFIRMWARE = {"zvd": "zvd", "zvdd": "zvdd", "mzv": "mzv", "2hump_ei": "ei2", "3hump_ei": "ei3"}
 #: Impulses of a shaper of its own at most, and delays that it can tell apart [s].
 IMPULSES, APART = 5, 1e-5
@@ -39,10 +45,43 @@ def firmware(kind: str, frequencies: tuple[float, ...], zeta: float, shaper: Sha
     """
     f = frequencies[0]
     return {
-        "klipper": _klipper(kind, f, zeta) if kind in KLIPPER else None,
+        "klipper": _klipper(kind, f, zeta) if zeta <= KLIPPER.get(kind, -1.0) else None,
         "marlin": _marlin(kind, f, zeta),
         "reprapfirmware": _reprapfirmware(kind, f, zeta, shaper),
     }
+
+
+def remarks(choice: Choice) -> list[str]:
+    """Return sentences on firmware that lacks the recommended shaper, or makes another one of its lines."""
+    best = choice.candidates[choice.recommended]
+    notes = _substitutes(choice, best)
+    if best.kind in TOLERANT and DAMPED < best.damping_ratio <= KLIPPER[best.kind]:
+        notes.append(
+            f"with a damping ratio of {best.damping_ratio:.2g} Klipper makes slightly other impulses of {best.kind}, "
+            "by formulas of its own: it leaves somewhat more than is said here"
+        )
+    if best.kind in MARLIN and best.damping_ratio < LEAST:
+        notes.append(
+            f"Marlin takes damping ratios from {LEAST:g} on: its line has that instead of the model's"
+        )
+    return notes
+
+
+def _substitutes(choice: Choice, best: Candidate) -> list[str]:
+    """Name the best shaper of those that a firmware has, where it lacks the recommended one."""
+    fixed = sorted((one for one in choice.candidates if not one.follows_pose), key=lambda one: one.left.worst)
+    lacking: dict[str, list[str]] = {}
+    for name in (name for name, line in _lines(best).items() if line is None):
+        one = next((one for one in fixed if _lines(one)[name]), None)
+        if one is not None:
+            worst = f"{100 * one.left.worst:.2g} % at the worst pose"
+            instead = f"of those compared, {one.kind} leaves least there: {worst}"
+            lacking.setdefault(f"{instead} (--shapers {one.kind} prints its lines)", []).append(NAMES[name])
+    return [f"no {best.kind} in {' and '.join(names)}; {instead}" for instead, names in lacking.items()]
+
+
+def _lines(one: Candidate) -> dict[str, str | None]:
+    return firmware(one.kind, one.frequencies, one.damping_ratio, one.shaper)
 
 
 def _klipper(kind: str, f: float, zeta: float) -> str:
@@ -54,14 +93,14 @@ def _klipper(kind: str, f: float, zeta: float) -> str:
 def _marlin(kind: str, f: float, zeta: float) -> str | None:
     if kind == "zv":
         return f"M593 F{f:.2f} D{zeta:.4f}"
-    if kind not in MARLIN:
+    if kind not in MARLIN or f < LOWEST or zeta > MOST:
         return None
     tolerance = f" Q{TOLERANCE:g}" if kind in TOLERANT else ""
     return f"M493 S1 X Y C{MARLIN[kind]} A{f:.2f} I{max(zeta, LEAST):.4f}{tolerance}"
 
 
 def _reprapfirmware(kind: str, f: float, zeta: float, shaper: Shaper) -> str | None:
-    if kind in REPRAPFIRMWARE:
+    if kind in REPRAPFIRMWARE and not (kind in TOLERANT and zeta > DAMPED):
         return f'M593 P"{REPRAPFIRMWARE[kind]}" F{f:.2f} S{zeta:.4f}'
     if len(shaper.delays) > IMPULSES or (np.diff(shaper.delays) < APART).any():
         return None

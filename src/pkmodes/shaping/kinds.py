@@ -30,6 +30,11 @@ def factors(kind: str) -> tuple[Kind, ...]:
     return tuple(SHAPERS[name] for name in names)
 
 
+def plain(kind: str) -> str:
+    """Return the name of a kind without blanks."""
+    return PRODUCT.join(names_of(kind)) if isinstance(kind, str) else kind
+
+
 def names_of(kind: str) -> tuple[str, ...]:
     """Return the names of the factors of a product, or the one name."""
     return tuple(name.strip() for name in kind.split(PRODUCT)) if isinstance(kind, str) else (kind,)

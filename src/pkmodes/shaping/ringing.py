@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.base.arguments import POSITIVE_INTEGER, check_argument
 from pkmodes.base.drives import HELD
 from pkmodes.base.errors import PkmodesError, PoseError
+from pkmodes.robot.paths import paths
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.sensitivities import ResolvedPaths, sensitivities
 from pkmodes.solve.backends import AUTO
@@ -31,7 +32,7 @@ class Ringing:
     Attributes
     ----------
     poses : ndarray, shape (N, d)
-        Those that can be evaluated and are stable.
+        Those that can be evaluated and at which all these modes oscillate.
     frequencies, damping_ratios : ndarray, shape (N, m)
         In Hz, and 1.
     weights : ndarray, shape (N, m)
@@ -40,7 +41,7 @@ class Ringing:
     spread : ndarray, shape (N, m), or None
         Relative standard deviations of the frequencies, from those in the robot file; None where it has none.
     left_out : int
-        Poses that were given but cannot be evaluated, or at which a mode is not stable.
+        Poses that were given but cannot be evaluated, or at which a mode does not oscillate.
     """
 
     poses: Array
@@ -83,8 +84,8 @@ def ringing(dynamics: Dynamics, poses: ArrayLike, modes: int | None = None) -> R
 
     Parameters
     ----------
-    poses : array_like, shape (N, d)
-        Those that cannot be evaluated are left out.
+    poses : array_like, shape (..., d)
+        Those that cannot be evaluated, or at which a mode does not oscillate, are left out.
     modes : int, optional
         How many modes count, the lowest; by default three, or all if there are fewer.
 
@@ -98,11 +99,14 @@ def ringing(dynamics: Dynamics, poses: ArrayLike, modes: int | None = None) -> R
     count = _count(dynamics, modes)
     fields = ("frequencies", "damping_ratios", "vibration_amplitudes")
     checked, found = dynamics.fields_at(poses, "nan", fields, AUTO, drives=HELD)
-    f, zeta, w = (found[name][:, :count] for name in fields)
-    good = np.asarray((f > 0.0).all(axis=-1) & np.isfinite(w).all(axis=(-2, -1)))
+    f, zeta, w = (
+        found[name].reshape(len(checked.points), *found[name].shape[len(checked.batch) :])[:, :count]
+        for name in fields
+    )
+    good = np.asarray((f > 0.0).all(axis=-1) & (zeta < 1.0).all(axis=-1) & np.isfinite(w).all(axis=(-2, -1)))
     if not good.any():
         what = f"expected poses at which the machine can ring, found none among {len(good)}"
-        raise PoseError(what, "poses", "give poses in the workspace")
+        raise PoseError(what, "poses", "give poses in the workspace, at which the modes that count oscillate")
     points = checked.points[good]
     return Ringing(
         points,
@@ -134,7 +138,8 @@ def _count(dynamics: Dynamics, modes: int | None) -> int:
 def _spread(dynamics: Dynamics, points: Array, f: Array) -> Array | None:
     """Return the relative standard deviations of frequencies: declared values err independently, and little."""
     robot: Robot = dynamics.robot
-    sigmas = {path: q.sigma for path, q in robot.quantities.items() if q.sigma}
+    known = set(paths(robot))  # damping changes no frequency
+    sigmas = {path: q.sigma for path, q in robot.quantities.items() if q.sigma and path in known}
     if not sigmas:
         return None
     rates = sensitivities(
