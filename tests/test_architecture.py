@@ -113,6 +113,7 @@ FLOORS = (
     "mechanism",
     "robot",
     "measured",
+    "signals",
     "diagnosis",
     "dataset",
     "compiled",

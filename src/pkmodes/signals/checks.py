@@ -1,0 +1,53 @@
+"""Checks that measured signals of every format must pass."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.base.errors import MeasurementError
+from pkmodes.signals.functions import Array
+
+#: A frequency response needs two lines to have a spacing, a signal two samples to have a rate.
+FEWEST = 2
+
+
+def check_finite(values: NDArray[Any], where: str, before: int = 0) -> None:
+    """Refuse values that are not finite.
+
+    Parameters
+    ----------
+    before : int
+        How many values of the same signal came before them.
+
+    Raises
+    ------
+    MeasurementError
+        With the number of the first one.
+    """
+    bad = np.flatnonzero(~np.isfinite(values))
+    if bad.size:
+        what = f"expected finite numbers, found {values[bad[0]]} as value {before + bad[0] + 1}"
+        raise MeasurementError(what, where, "export the file again, or leave this signal out of it")
+
+
+def check_abscissa(abscissa: Array, where: str) -> None:
+    """Refuse an abscissa that is too short, not finite or not ascending.
+
+    Raises
+    ------
+    MeasurementError
+        With the number of the first wrong point.
+    """
+    if abscissa.size < FEWEST:
+        what = f"expected at least {FEWEST} points, found {abscissa.size or 'none'}"
+        raise MeasurementError(what, where, "export the whole measurement")
+    check_finite(abscissa, where)
+    late = np.flatnonzero(np.diff(abscissa) <= 0.0)
+    if late.size:
+        before, after = abscissa[late[0]], abscissa[late[0] + 1]
+        what = f"expected ascending times or frequencies, found {after:.10g} after {before:.10g}"
+        remedy = "sort the points, and give each time or frequency once, with enough digits"
+        raise MeasurementError(what, f"{where}, point {late[0] + 2}", remedy)

@@ -1,0 +1,120 @@
+"""What a file of measured signals holds: functions of time or frequency, and identified mode shapes."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+class Kind(enum.StrEnum):
+    """What a function is."""
+
+    TIME = "time"
+    FRF = "frf"
+    COHERENCE = "coherence"
+    SPECTRUM = "spectrum"
+
+
+@dataclass(frozen=True, eq=False)
+class Function:
+    """A measured function of time or frequency, in the numbers and units of its file.
+
+    Attributes
+    ----------
+    kind : Kind
+        What it is.
+    response : str
+        Name of the sensor: of the column, or of the degree of freedom of a universal file, such as ``12:+X``; ``12``
+        without a direction.
+    reference : str
+        Name of the excitation, likewise; empty where there is none, or it has no name.
+    abscissa : ndarray, shape (n,)
+        Strictly ascending: time [s], or frequency [Hz].
+    values : ndarray, shape (n,)
+        complex128 for a frequency response, float64 otherwise.
+    unit : str or None
+        Of the values, of a frequency response that of its numerator; None where the file does not say.
+    reference_unit : str or None
+        Of the denominator of a frequency response; None where the file does not say.
+    force : bool
+        Whether this is the excitation, in time.
+    """
+
+    kind: Kind
+    response: str
+    reference: str
+    abscissa: Array
+    values: Array | Complex
+    unit: str | None
+    reference_unit: str | None
+    force: bool
+
+
+@dataclass(frozen=True, eq=False)
+class StoredFunction(Function):
+    """A function whose values stay in its file: each access to ``values`` reads them again.
+
+    A file of single precision would otherwise need twice its size in memory.
+
+    Attributes
+    ----------
+    load : callable
+        Reads the values.  Raises `MeasurementError` if the file has changed.
+    """
+
+    load: Callable[[], Array | Complex]
+    values: Array | Complex = field(init=False, repr=False)
+
+    def __getattr__(self, name: str) -> Array | Complex:
+        # Called only for what the instance does not have; `values` is never set.
+        if name == "values":
+            return self.load()
+        raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+
+
+@dataclass(frozen=True, eq=False)
+class ModeShape:
+    """An identified mode.
+
+    Attributes
+    ----------
+    frequency : float
+        Undamped natural frequency [Hz].
+    damping : float or None
+        Ratio of critical damping; None where the file does not say.
+    shape : dict of str to complex
+        Components by degree of freedom, ``12:+X`` or ``12:+RX``.
+    """
+
+    frequency: float
+    damping: float | None
+    shape: dict[str, complex]
+
+
+@dataclass(frozen=True, eq=False)
+class SignalFile:
+    """The content of a file.
+
+    Attributes
+    ----------
+    source : str
+        The file, for messages.
+    functions : tuple of Function
+        In the order of the file.
+    modes : tuple of ModeShape
+        In the order of the file.
+    messages : tuple of str
+        What the user must know of a file that could be read: lost samples that it states, parts that were skipped.
+    """
+
+    source: str
+    functions: tuple[Function, ...]
+    modes: tuple[ModeShape, ...]
+    messages: tuple[str, ...]

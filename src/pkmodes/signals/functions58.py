@@ -1,0 +1,169 @@
+"""From dataset 58 to functions: kinds, names, units, and what each kind requires."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from pkmodes.base.errors import MeasurementError
+from pkmodes.signals.checks import FEWEST
+from pkmodes.signals.dataset58 import Points, Stored
+from pkmodes.signals.formats import Asked
+from pkmodes.signals.functions import Array, Complex, Function, Kind, StoredFunction
+from pkmodes.signals.header58 import Axis, Header, name_of, rotates
+from pkmodes.signals.units import NO_UNIT, FileUnits, hertz_in, quotient, seconds_in, unit_text
+
+#: Function types that are read.
+KINDS = {
+    1: Kind.TIME,
+    2: Kind.SPECTRUM,
+    3: Kind.SPECTRUM,
+    4: Kind.FRF,
+    6: Kind.COHERENCE,
+    9: Kind.SPECTRUM,
+}
+#: Specific data types: of an ordinate, and of an abscissa, where 0 and 1 say nothing.
+FORCE = 13
+TIMES, FREQUENCIES = (0, 1, 17), (0, 1, 18)
+
+
+@dataclass
+class Abscissas:
+    """Even abscissas in s or Hz by start, step and number of points: functions share them."""
+
+    known: dict[tuple[float, float, int], Array] = field(default_factory=dict)
+
+    def of(self, points: Points, factor: float) -> Array:
+        """Return the abscissa of a dataset, times a factor."""
+        if points.abscissa is not None:
+            return points.abscissa * factor
+        header = points.header
+        key = (header.start * factor, header.step * factor, header.count)
+        if key not in self.known:
+            even = np.arange(header.count, dtype=np.float64)
+            even *= key[1]  # in place: a long record fills much of the memory
+            even += key[0]
+            even.flags.writeable = False
+            self.known[key] = even
+        return self.known[key]
+
+
+@dataclass(frozen=True)
+class Load:
+    """Reads the values of a function from its file."""
+
+    stored: Stored
+    kind: Kind
+
+    def __call__(self) -> Array | Complex:
+        """Return the values in double precision."""
+        return converted(self.stored.read("y"), self.kind)
+
+
+def converted(values: Array | Complex, kind: Kind) -> Array | Complex:
+    """Return values as their kind has them: a cross spectrum by its magnitude, a coherence real."""
+    if kind is Kind.FRF or not np.iscomplexobj(values):
+        return values
+    return np.abs(values) if kind is Kind.SPECTRUM else np.real(values).copy()
+
+
+def function_of(
+    points: Points, units: FileUnits, abscissas: Abscissas, asked: Asked
+) -> Function | str | None:
+    """Return the function in a dataset 58.
+
+    Parameters
+    ----------
+    points : Points
+        The dataset.
+    units : FileUnits
+        Of the file.
+    abscissas : Abscissas
+        Of the functions before it; one is added.
+    asked : Asked
+        What is wanted of the file.
+
+    Returns
+    -------
+    Function, str or None
+        The function, None if its sensor is not wanted, or why it is skipped.
+
+    Raises
+    ------
+    MeasurementError
+        If it is not what its type requires.
+    """
+    header = points.header
+    kind = KINDS.get(header.function)
+    if kind is None:
+        return f"function type {header.function} is none of time, frequency response, coherence and spectrum"
+    if header.abscissa.data_type not in (TIMES if kind is Kind.TIME else FREQUENCIES):
+        return f"data type {header.abscissa.data_type} of its abscissa is not that of a {kind} function"
+    of_force = header.ordinate.data_type == FORCE
+    if of_force and kind is Kind.SPECTRUM:
+        return "it is the spectrum of a force"
+    response = name_of(header.response)
+    force = of_force and kind is Kind.TIME
+    if not (force or asked.wants(response)):
+        return None
+    _check(points, kind)
+    unit, reference_unit = _units(header, kind, units)
+    factor = (seconds_in if kind is Kind.TIME else hertz_in)(header.abscissa.label) or 1.0
+    known: dict[str, Any] = {
+        "kind": kind,
+        "response": response,
+        "reference": _reference(header, kind),
+        "abscissa": abscissas.of(points, factor),
+        "unit": unit,
+        "reference_unit": reference_unit,
+        "force": force,
+    }
+    if isinstance(points.values, Stored):
+        return StoredFunction(load=Load(points.values, kind), **known)
+    return Function(values=converted(points.values, kind), **known)
+
+
+def _check(points: Points, kind: Kind) -> None:
+    """Refuse data that a kind of function cannot have."""
+    header, remedy = points.header, "export it again as what it is"
+    if kind is Kind.FRF and not header.complex:
+        what = "expected complex values of a frequency response, found real ones, which have no phase"
+        raise MeasurementError(what, points.where, remedy)
+    if kind is Kind.TIME and header.complex:
+        raise MeasurementError(
+            "expected real values of a time signal, found complex ones", points.where, remedy
+        )
+    if header.count < FEWEST:
+        what = f"expected at least {FEWEST} points, found {header.count}"
+        raise MeasurementError(what, points.where, "export the whole measurement")
+
+
+def _reference(header: Header, kind: Kind) -> str:
+    """Return the name of the excitation; an automatic spectrum has its own sensor there, which is none."""
+    own = kind is Kind.SPECTRUM and header.reference == header.response
+    return "" if kind is Kind.TIME or own or header.reference == (0, 0) else name_of(header.reference)
+
+
+def _units(header: Header, kind: Kind, units: FileUnits) -> tuple[str | None, str | None]:
+    """Return the units of the values, and of the force of a frequency response.
+
+    A label says what the numbers are in; the units of the file hold for functions without one.
+    """
+
+    def of_axis(axis: Axis, dof: tuple[int, int]) -> str | None:
+        if axis.label.lower() not in NO_UNIT:
+            return unit_text(axis.label)
+        return units.of_data(axis.data_type, rotates(dof))
+
+    if kind is Kind.COHERENCE:
+        return None, None
+    if kind is Kind.SPECTRUM:
+        return unit_text(header.ordinate.label), None
+    unit = of_axis(header.ordinate, header.response)
+    if kind is Kind.TIME:
+        return unit, None
+    reference = of_axis(header.denominator, header.reference)
+    both = quotient(header.ordinate.label)
+    return (both[0], both[1]) if both[1] is not None else (unit, reference)

@@ -1,0 +1,84 @@
+"""Read measured signals from a file of any of the known formats."""
+
+from __future__ import annotations
+
+import os
+from os import PathLike, fspath
+from pathlib import Path
+
+from pkmodes.base.errors import MeasurementError
+from pkmodes.signals.formats import Asked, SignalFormat
+from pkmodes.signals.functions import SignalFile
+from pkmodes.signals.matlab import MATLAB
+from pkmodes.signals.table import TABLE
+from pkmodes.signals.universal_file import UNIVERSAL_FILE
+
+#: Formats by name, in the order in which they are tried.
+FORMATS = {known.name: known for known in (UNIVERSAL_FILE, MATLAB, TABLE)}
+#: Number of bytes from which a format is recognised.
+HEAD = 4096
+EVERYTHING = Asked()
+REMEDY = "give a universal file, a MATLAB file or a table in text"
+
+
+def format_of(path: Path, head: bytes) -> SignalFormat | None:
+    """Return the format of a file: by its first bytes, then by its suffix; None if neither is known.
+
+    Any text may be a table, so there the suffix decides first: a universal file whose beginning is lost is none.
+    """
+    by_content = [one for one in FORMATS.values() if one.recognises(head)]
+    by_suffix = [one for one in FORMATS.values() if path.suffix.lower() in one.suffixes]
+    certain = [one for one in by_content if one is not TABLE]
+    return next(iter([*certain, *by_suffix, *by_content]), None)
+
+
+def read_signals(path: str | PathLike[str], asked: Asked = EVERYTHING) -> SignalFile:
+    """Read the measured signals or identified modes in a file.
+
+    Parameters
+    ----------
+    path : path-like
+        A universal file with datasets 58, 58b or 55; a MATLAB file up to version 7; or a table in text.
+    asked : Asked
+        What is wanted of it; everything by default.
+
+    Returns
+    -------
+    SignalFile
+        Its functions and modes.
+
+    Raises
+    ------
+    MeasurementError
+        If the file cannot be read, is incomplete or invalid, with the place in it.
+    """
+    source, place = fspath(path), Path(path)
+    head = _head(place, source)
+    if not head:
+        raise MeasurementError("expected measured signals, found an empty file", source, REMEDY)
+    known = format_of(place, head)
+    if known is None:
+        what = "expected a file of measured signals, found another kind of content"
+        raise MeasurementError(what, source, REMEDY)
+    try:
+        return known.read(place, asked)
+    except OSError as error:
+        raise _unreadable(error, source) from None
+
+
+def _head(path: Path, source: str) -> bytes:
+    """Return the first bytes of a file."""
+    try:
+        if path.exists() and not path.is_file():
+            kind = "a folder" if path.is_dir() else "not a regular file"
+            raise MeasurementError(f"cannot read the signals: it is {kind}", source, REMEDY)
+        with path.open("rb") as file:
+            return file.read(HEAD)
+    except (OSError, ValueError) as error:  # ValueError: a path with a null character
+        raise _unreadable(error, source) from None
+
+
+def _unreadable(error: Exception, source: str) -> MeasurementError:
+    reason = (os.strerror(error.errno) if isinstance(error, OSError) and error.errno else str(error)).lower()
+    remedy = "check its permissions" if isinstance(error, PermissionError) else "check the path"
+    return MeasurementError(f"cannot read the signals: {reason}", source, remedy)

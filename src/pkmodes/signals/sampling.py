@@ -1,0 +1,135 @@
+"""Times of samples: even parts of a record, and the gaps between them.
+
+Steps that differ by less than 1 % are even.  Loggers write times in whole microseconds, which moves a step by up to
+one of them; over a record this averages out, so that the mean step is that of the clock.  The uneven abscissa of a
+universal file has six digits: the steps of a whole record then differ, by no more than the last digit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.base.errors import MeasurementError
+from pkmodes.signals.checks import FEWEST
+from pkmodes.signals.functions import Array
+
+TOLERANCE = 0.01
+#: Resolutions of times in files [s], and the part of a step below which one of them is possible.
+MICROSECOND, COARSE, FINE = 1e-6, (1e-2, 1e-3, 1e-4, 1e-5), 0.25
+#: Samples at the end of a record from which its resolution is told: late times have the fewest digits.
+TAIL = 1000
+#: Share of uneven steps above which a record is sampled unevenly rather than interrupted.
+MOST_GAPS = 0.05
+#: Samples that are looked at together.
+PART = 1_000_000
+
+
+@dataclass(frozen=True)
+class Piece:
+    """An evenly sampled part of a record.
+
+    Attributes
+    ----------
+    part : slice
+        Its samples.
+    step : float
+        Mean interval of sampling [s].
+    """
+
+    part: slice
+    step: float
+
+
+def even_pieces(time: Array, where: str) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
+    """Split a record at its gaps.
+
+    Parameters
+    ----------
+    time : ndarray, shape (n,)
+        Strictly ascending [s].
+    where : str
+        The record, for messages.
+
+    Returns
+    -------
+    pieces : tuple of Piece
+        In the order of time; single samples between two gaps are left out.
+    messages : tuple of str
+        One sentence for each gap.
+
+    Raises
+    ------
+    MeasurementError
+        If there are fewer than two samples, or the sampling is uneven throughout.
+    """
+    if time.size < FEWEST:
+        raise MeasurementError(
+            f"expected at least {FEWEST} samples, found {time.size}", where, "measure longer"
+        )
+    usual, most = _usual_step(time), max(1.0, MOST_GAPS * (time.size - 1))
+    tolerance = TOLERANCE * usual + 4.0 * _precision(time)
+    fine = MICROSECOND if _are_multiples(time, MICROSECOND) and FINE * usual >= MICROSECOND else 0.0
+    breaks = _breaks(time, usual, tolerance + fine)
+    if breaks.size > most:  # uneven throughout: perhaps times were written with few digits
+        coarse = [one for one in COARSE if one <= FINE * usual and _are_multiples(time[-TAIL:], one)]
+        breaks = _breaks(time, usual, tolerance + coarse[0]) if coarse else breaks
+    if breaks.size > most:
+        worst = time[breaks[0] + 1] - time[breaks[0]]
+        what = (
+            f"expected even sampling, found {breaks.size} of {time.size - 1} steps that differ by 1 % or more"
+        )
+        what += f" from {usual:.6g} s, first {worst:.6g} s after {time[breaks[0]]:.6g} s"
+        raise MeasurementError(what, where, "resample the signals evenly, or export times with more digits")
+    edges = [0, *(int(i) + 1 for i in breaks), time.size]
+    pieces = [
+        Piece(slice(low, high), float(time[high - 1] - time[low]) / (high - low - 1))
+        for low, high in pairwise(edges)
+        if high - low >= FEWEST
+    ]
+    messages = [
+        f"{where}: the step from {time[i]:.6g} s to {time[i + 1]:.6g} s is"
+        f" {(time[i + 1] - time[i]) / usual:.4g} times the usual one: the record is split there"
+        for i in breaks
+    ]
+    return tuple(pieces), tuple(messages)
+
+
+def _breaks(time: Array, usual: float, tolerance: float) -> NDArray[np.intp]:
+    """Return the samples after which a step differs from the usual one by more than a tolerance."""
+    found = [low + np.flatnonzero(np.abs(np.diff(part) - usual) > tolerance) for low, part in _parts(time)]
+    return np.concatenate(found)
+
+
+def _are_multiples(time: Array, unit: float) -> bool:
+    """Return whether times are whole multiples of a unit, as far as numbers of their size can tell."""
+    doubt = 0.05 + 4.0 * _precision(time) / unit
+    counts = (part / unit for _, part in _parts(time))
+    return doubt < 0.5 and not any(np.any(np.abs(one - np.round(one)) > doubt) for one in counts)
+
+
+def _precision(time: Array) -> float:
+    """Return the distance of the largest time to the next number, in single precision if all are of that."""
+    tail = time[[0, *range(-min(TAIL, time.size), 0)]]
+    single = tail.astype(np.float32)
+    largest = int(np.abs(tail).argmax())
+    return float(np.spacing((single if np.array_equal(single, tail) else tail)[largest]))
+
+
+def _usual_step(time: Array) -> float:
+    """Return the median of the steps, of a long record that of some of them."""
+    first = np.arange(0, time.size - 1, 1 + time.size // PART)
+    return float(np.median(time[first + 1] - time[first]))
+
+
+def _parts(time: Array) -> Iterator[tuple[int, Array]]:
+    """Yield parts of the times that share a sample with the next, and the number of their first one.
+
+    A long record fills much of the memory: nothing else here is as long.
+    """
+    for low in range(0, time.size - 1, PART):
+        yield low, time[low : low + PART + 1]

@@ -1,0 +1,164 @@
+"""The structure of universal files: datasets between delimiters, each read line by line or as a block of bytes.
+
+A dataset is opened and closed by a line ``-1`` in the first six columns; its number is in the first six columns of
+the line after the opening.  A ``b`` in column seven marks a binary dataset, which states its numbers of header lines
+and of bytes (https://www.ceas3.uc.edu/sdrluff/files/58b.asc): there, a delimiter may be part of the data.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import BinaryIO, NoReturn
+
+from pkmodes.base.errors import MeasurementError, shown
+
+DELIMITER = b"    -1"
+#: The longest line of text, far above the 80 columns of the format: longer ones are binary data.
+LONGEST_LINE = 4096
+INCOMPLETE = "the file is damaged or incomplete: copy or export it again"
+
+
+@dataclass(frozen=True)
+class Binary:
+    """What the first line of a binary dataset declares: its byte order, header lines and bytes."""
+
+    order: str
+    lines: int
+    bytes: int
+
+
+@dataclass(frozen=True)
+class Dataset:
+    """The beginning of a dataset: its number, and how its data are stored."""
+
+    number: int
+    where: str
+    binary: Binary | None
+
+
+class Scanner:
+    """A universal file that is read from its beginning to its end.
+
+    Parameters
+    ----------
+    file : binary file
+        Open for reading.
+    size : int
+        Of the file [bytes].
+    source : str
+        The file, for messages.
+    """
+
+    def __init__(self, file: BinaryIO, size: int, source: str) -> None:
+        self.file, self.size, self.source = file, size, source
+        self.where = source
+
+    @property
+    def left(self) -> int:
+        """Number of bytes after the current position."""
+        return self.size - self.file.tell()
+
+    def datasets(self) -> Iterator[Dataset]:
+        """Yield each dataset at the first line after its number; its reader must leave the file after its end."""
+        count = 0
+        while (line := self._next_line()) is not None:
+            if not line.strip():
+                continue
+            count += 1
+            start = self.file.tell() - len(line)
+            self.where = f"{self.source}: dataset {count} at byte {start}"
+            if not is_delimiter(line):
+                what = f"expected a line -1 that opens a dataset, found {shown(text_of(line).strip())}"
+                self.refuse(what)
+            yield self._opened(self.line("the number of a dataset"))
+        if count == 0:
+            self.refuse("expected datasets, found none")
+
+    def line(self, expected: str) -> bytes:
+        """Return the next line with its line end.
+
+        Raises
+        ------
+        MeasurementError
+            If there is none.
+        """
+        line = self._next_line()
+        if line is None:
+            self.refuse(f"expected {expected}, found the end of the file")
+        return line
+
+    def skip_to_end(self) -> None:
+        """Skip the lines of a dataset and the one that closes it."""
+        while not is_delimiter(self.line("a line -1 that closes the dataset")):
+            pass
+
+    def close(self) -> None:
+        """Read the line that closes a dataset, which may follow binary data without a line end."""
+        line = self.line("a line -1 that closes the dataset")
+        if not line.strip():
+            line = self.line("a line -1 that closes the dataset")
+        if not is_delimiter(line):
+            self.refuse(f"expected a line -1 after the declared data, found {shown(text_of(line).strip())}")
+
+    def skip_bytes(self, count: int) -> int:
+        """Skip a block of data; return where it begins."""
+        self.check_left(count)
+        start = self.file.tell()
+        self.file.seek(count, 1)
+        return start
+
+    def check_left(self, count: int) -> None:
+        """Refuse a dataset that declares more bytes than the file has."""
+        if count > self.left:
+            self.refuse(f"expected {count} bytes of data, found {self.left} to the end of the file")
+
+    def refuse(self, what: str, remedy: str = INCOMPLETE) -> NoReturn:
+        """Raise an error at the current dataset."""
+        raise MeasurementError(what, self.where, remedy)
+
+    def _next_line(self) -> bytes | None:
+        line = self.file.readline(LONGEST_LINE)
+        if len(line) == LONGEST_LINE:
+            self.refuse("expected lines of text, found binary data")
+        return line or None
+
+    def _opened(self, line: bytes) -> Dataset:
+        number, flag, rest = line[:6].strip(), line[6:7], line[7:]
+        if not number.isdigit() or flag not in (b"", b" ", b"b", b"\r", b"\n"):
+            self.refuse(f"expected the number of a dataset, found {shown(text_of(line).strip())}")
+        self.where = self.where.replace(" at byte", f" ({number.decode()}{flag.decode().strip()}) at byte")
+        binary = self._binary(rest) if flag == b"b" else None
+        return Dataset(int(number), self.where, binary)
+
+    def _binary(self, rest: bytes) -> Binary:
+        fields = rest.split()
+        if len(fields) < 4 or not all(field.isdigit() for field in fields[:4]):
+            what = "expected the byte order, the format and the numbers of lines and bytes after 58b"
+            self.refuse(f"{what}, found {shown(text_of(rest).strip())}")
+        order, form, lines, size = map(int, fields[:4])
+        if order not in (1, 2):
+            self.refuse(f"expected byte order 1 (little endian) or 2 (big endian), found {order}")
+        if form != 2:
+            remedy = "export the file with IEEE numbers, or as text"
+            self.refuse(f"expected numbers of format 2 (IEEE 754), found format {form}", remedy)
+        return Binary("<" if order == 1 else ">", lines, size)
+
+
+def is_delimiter(line: bytes) -> bool:
+    """Return whether a line opens or closes a dataset."""
+    return line.startswith(DELIMITER) and line.rstrip() == DELIMITER
+
+
+def text_of(line: bytes) -> str:
+    """Return a line as text: UTF-8, or what most old measuring systems write."""
+    try:
+        return line.decode("utf-8")
+    except UnicodeDecodeError:
+        return line.decode("latin-1")
+
+
+def begins_with_a_dataset(head: bytes) -> bool:
+    """Return whether a file begins with the opening of a dataset."""
+    lines = head.lstrip(b"\r\n").splitlines()
+    return len(lines) > 1 and is_delimiter(lines[0]) and lines[1][:6].strip().isdigit()

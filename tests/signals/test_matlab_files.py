@@ -1,0 +1,165 @@
+"""MATLAB files: what is read, what is skipped, and what is refused."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.io import savemat
+
+from pkmodes.base.errors import MeasurementError
+from pkmodes.signals.formats import Asked
+from pkmodes.signals.functions import Kind, SignalFile
+from pkmodes.signals.reading import read_signals
+
+TIME = np.array([0.0, 0.5, 1.0])
+RESPONSE = np.array([1 + 2j, 3 - 4j, 5j])
+
+
+def read(folder: Path, asked: Asked = Asked(), form: str = "5", **content: object) -> SignalFile:  # noqa: B008
+    path = folder / "signals.mat"
+    savemat(path, content, format=form)
+    return read_signals(path, asked)
+
+
+@pytest.mark.parametrize("form", ["4", "5"])
+@pytest.mark.parametrize("shape", [(-1, 1), (1, -1)])
+def test_signals_in_time(tmp_path: Path, form: str, shape: tuple[int, int]) -> None:
+    content = {"time": TIME.reshape(shape), "force": np.array([0, 9, 0]), "acc_1": TIME.reshape(shape) ** 2}
+    found = {one.response: one for one in read(tmp_path, form=form, **content).functions}
+    assert set(found) == {"force", "acc_1"}
+    assert found["acc_1"].values.tolist() == [0.0, 0.25, 1.0]
+    assert (found["force"].force, found["force"].values.dtype) == (True, np.float64)
+    assert found["acc_1"].abscissa.tolist() == TIME.tolist()
+    assert (found["acc_1"].kind, found["acc_1"].unit) == (Kind.TIME, None)
+
+
+def test_frequency_responses_and_spectra(tmp_path: Path) -> None:
+    found = read(tmp_path, frequency=TIME, acc_1=RESPONSE, acc_2__hammer_1=RESPONSE, psd=TIME).functions
+    assert [(one.kind, one.response, one.reference) for one in found] == [
+        (Kind.FRF, "acc_1", ""),
+        (Kind.FRF, "acc_2", "hammer_1"),
+        (Kind.SPECTRUM, "psd", ""),
+    ]
+    assert found[1].values.tolist() == RESPONSE.tolist()
+
+
+def test_names_with_two_underscores_are_whole_in_time(tmp_path: Path) -> None:
+    (found,) = read(tmp_path, time=TIME, acc__1=TIME).functions
+    assert (found.response, found.reference) == ("acc__1", "")
+
+
+def test_other_variables_are_skipped_and_said(tmp_path: Path) -> None:
+    others = {"note": "text", "setup": {"rate": 1.0}, "fs": 3200.0, "table": np.ones((3, 2))}
+    found = read(tmp_path, time=TIME, acc_1=TIME, **others)
+    assert [one.response for one in found.functions] == ["acc_1"]
+    assert [name for name in others if any(f": {name}: skipped" in one for one in found.messages)] == list(
+        others
+    )
+
+
+def test_a_rate_stands_in_for_times(tmp_path: Path) -> None:
+    (found,) = read(tmp_path, Asked(rate=2.0), acc_1=np.array([1.0, 2.0, 3.0])).functions
+    assert found.abscissa.tolist() == [0.0, 0.5, 1.0]
+    asked = Asked(rate=2.0, sensors=frozenset({"acc_1"}))
+    (found,) = read(tmp_path, asked, a_calibration=TIME[:2], acc_1=TIME).functions
+    assert found.abscissa.tolist() == [0.0, 0.5, 1.0]
+
+
+def test_only_wanted_sensors_are_kept(tmp_path: Path) -> None:
+    asked = Asked(sensors=frozenset({"acc_2"}))
+    found = read(tmp_path, asked, time=TIME, acc_1=TIME[:2], acc_2=TIME, force=TIME)
+    assert {one.response for one in found.functions} == {"acc_2", "force"}
+
+
+FAULTS = {
+    "no abscissa": ({"acc_1": TIME}, "time or frequency"),
+    "two abscissas": ({"time": TIME, "frequency": TIME}, "both"),
+    "another length": ({"time": TIME, "acc_1": TIME[:2]}, "found 2"),
+    "not a number": ({"time": TIME, "acc_1": np.array([1.0, np.nan, 1.0])}, "value 2"),
+    "complex in time": ({"time": TIME, "acc_1": RESPONSE}, "complex"),
+    "falling times": ({"time": TIME[::-1], "acc_1": TIME}, "ascending"),
+    "one line": ({"frequency": TIME[:1], "acc_1": RESPONSE[:1]}, "time or frequency"),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_faults_are_refused(tmp_path: Path, fault: str) -> None:
+    content, what = FAULTS[fault]
+    with pytest.raises(MeasurementError, match=what) as caught:
+        read(tmp_path, **content)
+    assert "signals.mat" in caught.value.where
+
+
+def test_a_matrix_for_a_wanted_sensor_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(MeasurementError, match="vector") as caught:
+        read(tmp_path, Asked(sensors=frozenset({"acc_1"})), time=TIME, acc_1=np.ones((3, 2)))
+    assert "acc_1" in caught.value.where
+
+
+def test_version_7_3_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "new.mat"
+    path.write_bytes(b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(512) + b"\x89HDF\r\n\x1a\n" + bytes(100))
+    with pytest.raises(MeasurementError, match="save -v7"):
+        read_signals(path)
+
+
+def test_a_file_cut_anywhere_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "cut.mat"
+    savemat(path, {"time": TIME, "acc_1": TIME, "force": TIME})
+    whole = path.read_bytes()
+    complete = 0
+    for size in range(len(whole)):
+        path.write_bytes(whole[:size])
+        try:
+            found = read_signals(path)
+        except MeasurementError:
+            continue
+        complete += 1
+        # a cut exactly between two variables leaves a whole file of fewer
+        assert len(found.functions) in (0, 1)
+    assert complete <= 2
+
+
+def test_compressed_files_and_all_types_of_numbers(tmp_path: Path) -> None:
+    path = tmp_path / "types.mat"
+    kinds = ["f8", "f4", "i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "?", ">f8"]
+    content = {f"v_{number}": np.array([[0, 1, 1]]).astype(kind) for number, kind in enumerate(kinds)}
+    savemat(path, {"time": TIME, **content, "empty": np.zeros((0, 0))}, do_compression=True)
+    found = read_signals(path).functions
+    assert [one.values.tolist() for one in found] == [[0.0, 1.0, 1.0]] * len(kinds)
+
+
+def test_a_changed_byte_is_refused_or_changes_only_values(tmp_path: Path) -> None:
+    """SciPy's reader crashes the interpreter on some of these."""
+    path = tmp_path / "changed.mat"
+    savemat(path, {"time": TIME, "acc_1": RESPONSE.real, "setup": {"rate": 1.0}, "note": "text"})
+    whole = path.read_bytes()
+    for place in range(124, len(whole)):
+        for byte in (0, 1, 255, whole[place] ^ 8):
+            path.write_bytes(whole[:place] + bytes([byte]) + whole[place + 1 :])
+            try:
+                found = read_signals(path)
+            except MeasurementError:
+                continue
+            assert all(one.values.shape == (3,) for one in found.functions)
+
+
+def test_a_vector_that_is_shorter_than_its_dimensions_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "short.mat"
+    savemat(path, {"time": TIME, "acc_1": TIME})
+    dimensions = np.array([1, 3], "<i4").tobytes()
+    whole = path.read_bytes()
+    assert whole.count(dimensions) == 2
+    path.write_bytes(whole.replace(dimensions, np.array([1, 4], "<i4").tobytes()))
+    with pytest.raises(MeasurementError, match="expected 4 values of time"):
+        read_signals(path)
+    path.write_bytes(whole[:-8])
+    with pytest.raises(MeasurementError, match="bytes of an element"):
+        read_signals(path)
+
+
+def test_what_a_file_has_instead_is_named(tmp_path: Path) -> None:
+    with pytest.raises(MeasurementError, match=r"data \(a struct\)"):
+        read(tmp_path, data={"x": TIME})

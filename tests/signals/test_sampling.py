@@ -1,0 +1,96 @@
+"""Times of samples: even steps, rounding to microseconds, and gaps."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pkmodes.base.errors import MeasurementError
+from pkmodes.signals.sampling import even_pieces
+
+
+@pytest.mark.parametrize("rate", [3208.0, 3272.0, 12800.0, 25600.0])
+@pytest.mark.parametrize("start", [0.0, 2712.154836])
+def test_times_rounded_to_microseconds_are_even(rate: float, start: float) -> None:
+    time = np.round(start + np.arange(20_000) / rate, 6)
+    pieces, messages = even_pieces(time, "record")
+    assert [piece.part for piece in pieces] == [slice(0, 20_000)]
+    assert pieces[0].step == pytest.approx(1.0 / rate, rel=1e-5)
+    assert messages == ()
+
+
+@given(
+    at=st.integers(2, 97), missing=st.integers(1, 50), rate=st.floats(10.0, 20_000.0), rounded=st.booleans()
+)
+@settings(max_examples=100, deadline=None)
+def test_a_gap_of_any_number_of_samples_splits_the_record(
+    at: int, missing: int, rate: float, rounded: bool
+) -> None:
+    numbers = np.arange(100)
+    numbers[at:] += missing
+    time = numbers / rate
+    if rounded:
+        time = np.round(time, 6)
+    pieces, messages = even_pieces(time, "record")
+    assert [piece.part for piece in pieces] == [slice(0, at), slice(at, 100)]
+    assert len(messages) == 1
+    assert messages[0].startswith("record: ")
+
+
+def test_steps_within_one_per_cent_are_even_and_beyond_are_not() -> None:
+    steps = np.full(100, 1e-3)
+    steps[50] *= 1.0099
+    assert len(even_pieces(np.cumsum(steps), "record")[0]) == 1
+    steps[50] = 1.0112345e-3
+    assert len(even_pieces(np.cumsum(steps), "record")[0]) == 2
+
+
+def test_a_single_sample_between_two_gaps_is_left_out() -> None:
+    time = np.array([0, 1, 2, 3, 4, 9, 14, *range(15, 60)]) * 1e-3
+    pieces, messages = even_pieces(time, "record")
+    assert [piece.part for piece in pieces] == [slice(0, 5), slice(6, 52)]
+    assert len(messages) == 2
+
+
+@pytest.mark.parametrize("spread", [0.05, 0.5])
+def test_uneven_sampling_is_refused(spread: float) -> None:
+    time = np.cumsum(1e-3 * np.random.default_rng(0).uniform(1.0 - spread, 1.0 + spread, 100))
+    with pytest.raises(MeasurementError, match="even sampling"):
+        even_pieces(time, "record")
+    with pytest.raises(MeasurementError, match="at least 2"):
+        even_pieces(time[:1], "record")
+
+
+def test_gaps_are_found_in_long_records_too() -> None:
+    numbers = np.arange(2_100_000)
+    numbers[1_000_000:] += 1
+    numbers[2_000_001:] += 3
+    pieces, messages = even_pieces(numbers / 3200.0, "record")
+    assert [piece.part.start for piece in pieces] == [0, 1_000_000, 2_000_001]
+    assert len(messages) == 2
+
+
+def test_times_with_six_digits_as_in_universal_files_are_even() -> None:
+    time = np.array([float(f"{k / 1024:.5E}") for k in range(20_000)])  # to 19.5 s, the last ones in 0.1 ms
+    pieces, messages = even_pieces(time, "record")
+    assert [piece.part for piece in pieces] == [slice(0, 20_000)]
+    assert pieces[0].step == pytest.approx(1 / 1024, rel=1e-5)
+    assert messages == ()
+    with_gap = np.concatenate([time[:5000], time[5010:]])
+    assert [piece.part for piece in even_pieces(with_gap, "record")[0]] == [
+        slice(0, 5000),
+        slice(5000, 19_990),
+    ]
+
+
+def test_times_of_single_precision_are_even() -> None:
+    time = (10.0 + np.arange(20_000) / 12800.0).astype(np.float32).astype(float)
+    assert len(even_pieces(time, "record")[0]) == 1
+
+
+def test_one_step_longer_by_a_tenth_is_a_gap_although_times_are_round() -> None:
+    time = np.arange(200) * 1e-3
+    time[100:] += 1e-4
+    assert [piece.part for piece in even_pieces(time, "record")[0]] == [slice(0, 100), slice(100, 200)]

@@ -1,0 +1,193 @@
+"""Whole universal files: those of measuring systems, and damaged ones."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pkmodes.base.errors import MeasurementError
+from pkmodes.signals.functions import Kind
+from pkmodes.signals.reading import read_signals
+from signals.universal import dataset, dataset58, dataset58b, packed
+
+#: From github.com/ladisk/pyuff at 44a12ca, with its licence.  The expected values are read off the files by eye.
+DATA = Path(__file__).parent / "data"
+
+
+def test_binary_double_precision() -> None:
+    (sine,) = read_signals(DATA / "binary8byte.uff").functions
+    assert (sine.kind, sine.response, sine.unit, sine.abscissa.size) == (Kind.TIME, "1", "g0", 250)
+    assert sine.abscissa[-1] == pytest.approx(2.49)
+    # the file says: sine 5 Hz, sampled at 100 Hz; the time step of single precision adds up
+    np.testing.assert_allclose(sine.values, np.sin(2 * np.pi * 5.0 * sine.abscissa), atol=1e-5)
+
+
+def test_a_header_outside_ascii() -> None:
+    (response,) = read_signals(DATA / "non_ascii_header.uff").functions
+    assert (response.kind, response.unit, response.reference_unit) == (Kind.FRF, "m/s^2", "N")
+    np.testing.assert_allclose(response.abscissa, 0.195313 * np.arange(6), rtol=1e-12)
+    assert response.values[0] == 0.407994
+    assert response.values[-1] == 3.75037 + 2.93363j
+
+
+def test_an_incomplete_last_line() -> None:
+    (signal,) = read_signals(DATA / "time-history-not-all-columns-filled.uff").functions
+    assert (signal.values.size, signal.values[0], signal.values[-1]) == (13, -3.81956, -5.84096)
+    assert signal.unit == "m/s^2"
+    assert signal.abscissa[-1] == pytest.approx(6e-4)
+
+
+def test_uneven_lines_of_a_spectrum() -> None:
+    (spectrum,) = read_signals(DATA / "sample_dataset58_psd.uff").functions
+    assert (spectrum.kind, spectrum.unit, spectrum.abscissa.size) == (Kind.SPECTRUM, "g0^2/Hz", 3201)
+    assert spectrum.abscissa[:3].tolist() == [0.0, 1.0, 2.0]
+    assert spectrum.values[:3].tolist() == [0.0, 1.255863e-06, 4.311770e-07]
+
+
+def test_minus_one_inside_a_header(tmp_path: Path) -> None:
+    """The sample declares more values than it has: it is refused, and read once it declares its 42."""
+    content = (DATA / "dataset_milestone_in_header.uff").read_bytes()
+    path = tmp_path / "corrected.uff"
+    path.write_bytes(content)
+    with pytest.raises(MeasurementError, match="2508876"):
+        read_signals(path)
+    path.write_bytes(content.replace(b"   2508876", b"        42"))
+    (signal,) = read_signals(path).functions
+    assert (signal.values.size, signal.values[0], signal.values[-1]) == (42, -6.73633e-3, 5.39653e-3)
+    assert (signal.response, signal.unit, signal.abscissa[0]) == ("1:+X", "Pa", 1.11858e-5)
+
+
+@pytest.mark.parametrize("name", ["heat_engine_housing.uff", "TestLab 161 164 18 15 82.uff"])
+def test_files_of_geometry_hold_no_signals(name: str) -> None:
+    found = read_signals(DATA / name)
+    assert (found.functions, found.modes, found.messages) == ((), (), ())
+
+
+def test_real_and_complex_modes() -> None:
+    modes = read_signals(DATA / "uff55_translation.uff").modes
+    assert [(mode.frequency, mode.damping) for mode in modes[:2]] == [(10.0, None), (12.0, None)]
+    assert modes[0].shape["4:+Z"] == 0.724863
+    assert modes[1].shape["2:+X"] == -3.98226e-2
+    assert len(modes[0].shape) == 12
+    (mode,) = read_signals(DATA / "uff55 sample_test record10.uff").modes
+    # eigenvalue -0.1111111 + 41.11111j
+    assert mode.frequency == pytest.approx(abs(-0.1111111 + 41.11111j) / (2 * np.pi), rel=1e-12)
+    assert mode.damping == pytest.approx(0.1111111 / abs(-0.1111111 + 41.11111j), rel=1e-12)
+    assert mode.shape == {
+        "111111:+X": 0,
+        "111111:+Y": 0.1111111 + 0.09111111j,
+        "111111:+Z": 0.007111111 + 0.004111111j,
+        "60101:+X": 0,
+        "60101:+Y": 0,
+        "60101:+Z": -0.04111111 - 0.01111111j,
+    }
+
+
+def mode55(
+    analysis: int, reals: list[float], values: list[float], characteristic: int, components: int
+) -> bytes:
+    kind = [1, analysis, characteristic, 8, 2 if analysis == 2 else 5, components]
+    lines = ["NONE"] * 5 + ["".join(f"{one:10d}" for one in kind), f"{2:10d}{len(reals):10d}{1:10d}{3:10d}"]
+    lines += ["".join(f"{one:13.5E}" for one in reals), f"{77:10d}"]
+    lines += ["".join(f"{one:13.5E}" for one in values[i : i + 6]) for i in range(0, len(values), 6)]
+    return dataset(55, "".join(f"{line}\n" for line in lines).encode())
+
+
+def test_damping_and_rotations_of_modes(tmp_path: Path) -> None:
+    path = tmp_path / "modes.uff"
+    six = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
+    viscous = mode55(2, [40.0, 1.0, 0.02, 0.0], six, 3, 6)
+    structural = mode55(2, [50.0, 1.0, 0.0, 0.06], six[:3], 2, 3)
+    rigid = mode55(2, [0.0, 1.0, 0.0, 0.0], six[:3], 2, 3)
+    forced = mode55(5, [50.0, 1.0, 0.0, 0.0], six[:3], 2, 3)
+    second_order = mode55(7, [-3.0, 4.0, 0, 0, 0, 0], [*six, *six], 3, 6)
+    path.write_bytes(viscous + structural + rigid + forced + second_order)
+    found = read_signals(path)
+    assert [mode.damping for mode in found.modes] == [0.02, 0.03, 0.6]
+    assert found.modes[2].frequency == pytest.approx(5.0 / (2 * np.pi))
+    assert found.modes[2].shape["77:+Z"] == 5 + 6j
+    directions = ["+X", "+Y", "+Z", "+RX", "+RY", "+RZ"]
+    assert found.modes[0].shape == {f"77:{one}": n for one, n in zip(directions, six, strict=True)}
+    assert ["frequency 0" in found.messages[0], "analysis type 5" in found.messages[1]] == [True, True]
+
+
+SETS = [
+    dataset(151, b"NONE\n"),
+    dataset58([0.5, 1.5, 2.5, 3.5], response=(1, 1)),
+    dataset58b(packed([0.5, 1.5, 2.5, 3.5], "f"), response=(2, 1)),
+    dataset58b(packed([0.5, 1.5, 2.5, 3.5], "d", 2), order=2, ordinate=4, response=(3, 1), close=b"    -1\n"),
+    mode55(2, [40.0, 1.0, 0.02, 0.0], [1.0, 2.0, 3.0], 2, 3),
+]
+
+
+def test_a_file_cut_anywhere_is_refused_except_between_datasets(tmp_path: Path) -> None:
+    path, whole = tmp_path / "cut.uff", b"".join(SETS)
+    # Complete from the last character of a closing delimiter to the blanks of the next opening one.
+    ends = np.cumsum([len(one) for one in SETS])
+    complete = {int(end) - after for end in ends for after in range(-4, 2)}
+    for size in range(len(whole)):
+        path.write_bytes(whole[:size])
+        if size in complete:
+            found = read_signals(path)
+            expected = sum(end - 1 <= size for end in ends[1:].tolist())
+            assert len(found.functions) + len(found.modes) == expected
+        else:
+            with pytest.raises(MeasurementError):
+                read_signals(path)
+
+
+@given(place=st.integers(0, sum(map(len, SETS)) - 1), byte=st.integers(0, 255))
+@settings(max_examples=150, deadline=None)
+def test_a_changed_byte_never_loses_a_dataset(
+    place: int, byte: int, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    content = bytearray(b"".join(SETS))
+    content[place] = byte
+    path = tmp_path_factory.getbasetemp() / "changed.uff"
+    path.write_bytes(content)
+    try:
+        found = read_signals(path)
+    except MeasurementError:
+        return
+    # A changed type or number of a dataset is another dataset: then it is skipped, which is said for type 58.
+    assert len(found.functions) + len(found.modes) + len(found.messages) >= 3
+
+
+def test_random_bytes_are_refused(tmp_path: Path) -> None:
+    numbers = random.Random(0)
+    for number in range(200):
+        path = tmp_path / f"random{number % 4}{('.uff', '.mat', '.csv', '')[number % 4]}"
+        path.write_bytes(numbers.randbytes(numbers.randrange(1, 4000)))
+        with pytest.raises(MeasurementError):
+            read_signals(path)
+
+
+@pytest.mark.parametrize("content", [b"", b"\n\n", b"    -1\n", b"    -1\n    -1\n", b"text"])
+@pytest.mark.parametrize("suffix", [".uff", ".csv", ".mat", ".bin"])
+def test_files_without_content_are_refused(tmp_path: Path, content: bytes, suffix: str) -> None:
+    path = tmp_path / f"empty{suffix}"
+    path.write_bytes(content)
+    with pytest.raises(MeasurementError, match=r"expected|cannot read") as caught:
+        read_signals(path)
+    assert str(path) in caught.value.where
+
+
+def test_folders_and_missing_files_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(MeasurementError, match="a folder"):
+        read_signals(tmp_path)
+    with pytest.raises(MeasurementError, match="no such file"):
+        read_signals(tmp_path / "missing.uff")
+    with pytest.raises(MeasurementError, match="null"):
+        read_signals("null\0.uff")
+
+
+def test_a_universal_file_whose_beginning_is_lost_is_not_taken_for_a_table(tmp_path: Path) -> None:
+    path = tmp_path / "lost.uff"
+    path.write_bytes(SETS[1][10:] + SETS[1])
+    with pytest.raises(MeasurementError, match="opens a dataset"):
+        read_signals(path)
