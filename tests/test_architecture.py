@@ -110,6 +110,7 @@ def test_the_runtime_is_light_to_import() -> None:
 FLOORS = (
     "base",
     "linalg",
+    "identification",
     "mechanism",
     "robot",
     "measured",

@@ -1,0 +1,1 @@
+"""Modal identification: modes from frequency responses, impacts and ambient vibration."""

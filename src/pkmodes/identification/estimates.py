@@ -1,0 +1,127 @@
+"""Results of modal identification: modes with what their fit leaves open, and what is drawn of it.
+
+A shape is complex, at any scale and phase.  It is turned to be as real as possible, which is the angle at which the
+sum of squares of its imaginary parts is least; how close it then is to real is the modal phase collinearity (Pappa,
+Elliott and Schenk, Journal of Guidance, Control, and Dynamics 16(5), 1993, without removing the mean: the origin of
+a motion is known).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True, eq=False)
+class Mode:
+    """An identified mode.
+
+    Attributes
+    ----------
+    pole : complex
+        With positive imaginary part [1/s].
+    shape : ndarray of complex128, shape (S,)
+        At the responses, at any scale; NaN where undetermined.
+    sigma_frequency : float
+        One standard deviation of what the fit leaves open [Hz].
+    sigma_damping : float
+        Likewise.
+    sigma_shape : float
+        One standard deviation of the real part of a component of the shape turned as real as possible, relative to
+        its largest component.
+    found_in : tuple of int
+        In how many model orders, of how many.
+    """
+
+    pole: complex
+    shape: Complex
+    sigma_frequency: float
+    sigma_damping: float
+    sigma_shape: float
+    found_in: tuple[int, int]
+
+    @property
+    def frequency(self) -> float:
+        """Undamped natural frequency |lambda| / (2 pi) [Hz]."""
+        return abs(self.pole) / (2.0 * math.pi)
+
+    @property
+    def damping(self) -> float:
+        """Damping ratio -Re(lambda) / |lambda|."""
+        return -self.pole.real / abs(self.pole)
+
+    @property
+    def complexity(self) -> float:
+        """Modal phase collinearity, from 0 to 1 (a real shape); NaN if no component is determined."""
+        return collinearity(self.shape)
+
+
+@dataclass(frozen=True, eq=False)
+class Stabilisation:
+    """Poles over model orders, for a stabilisation diagram.
+
+    Attributes
+    ----------
+    orders : ndarray of int64, shape (K,)
+        Ascending.
+    poles : tuple of ndarray of complex128
+        For each order, those with positive imaginary part [1/s].
+    """
+
+    orders: NDArray[np.int64]
+    poles: tuple[Complex, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Estimate:
+    """Modes of one measurement, and its functions.
+
+    Attributes
+    ----------
+    modes : tuple of Mode
+        By ascending frequency.
+    stabilisation : Stabilisation
+    frequencies : ndarray, shape (F,)
+        Of the lines inside the band [Hz].
+    measured, synthesised : ndarray of complex128, shape (F, S, R)
+        NaN where not measured.
+    """
+
+    modes: tuple[Mode, ...]
+    stabilisation: Stabilisation
+    frequencies: Array
+    measured: Complex
+    synthesised: Complex
+
+
+def collinearity(shape: Complex) -> float:
+    """Return the modal phase collinearity of a shape (S,), NaN where undetermined."""
+    known = shape[np.isfinite(shape)]
+    xx, yy, xy = _moments(known)
+    total = xx + yy
+    return (math.hypot(xx - yy, 2.0 * xy) / total) ** 2 if total > 0.0 else math.nan
+
+
+def turned_real(shape: Complex) -> Complex:
+    """Return a shape (S,) turned as real as possible and relative to its largest real part, which becomes 1.
+
+    NaN where undetermined.
+    """
+    known = np.isfinite(shape)
+    xx, yy, xy = _moments(shape[known])
+    turned = shape * np.exp(-0.5j * math.atan2(2.0 * xy, xx - yy))
+    parts = turned.real[known]
+    largest = parts[np.argmax(np.abs(parts))] if parts.size else 0.0
+    return np.asarray(turned / largest) if largest else np.asarray(turned)
+
+
+def _moments(values: Complex) -> tuple[float, float, float]:
+    """Return the sums of x^2, y^2 and x y of the real and imaginary parts."""
+    x, y = values.real, values.imag
+    return float(x @ x), float(y @ y), float(x @ y)

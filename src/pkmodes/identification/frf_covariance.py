@@ -1,0 +1,173 @@
+r"""What the fit of modes leaves open: the covariance of poles and shapes.
+
+Least squares of a model with Jacobian J and weights W has
+
+.. math:: \operatorname{cov} = (J^H W J)^{-1}\, J^H W V W J\, (J^H W J)^{-1}
+
+where V is the covariance of the data, which need not be the inverse of W (the sandwich estimator: White,
+Econometrica 50, 1982).  V is taken as the product of the correlation between lines, common to the band, and the
+covariance between channels, from the residual in the window, which holds model errors as well as noise.  Estimated
+parameters are circular: half of the variance is that of each real part.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import erf
+
+from pkmodes.identification.frf_noise import correlated
+from pkmodes.identification.frf_polish import Fit, Window, basis, columns
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+#: A component of a shape known no better than this, relative to the largest one, is left blank.
+DETERMINED = 0.5
+
+
+@dataclass(frozen=True, eq=False)
+class Uncertainty:
+    """What the fit of N modes leaves open.
+
+    Attributes
+    ----------
+    poles : ndarray, shape (N, 2)
+        One standard deviation of the real part and of the imaginary part [1/s].
+    shapes : ndarray of complex128, shape (N, S, S)
+        Covariances of the shapes at their scale.
+    strength : ndarray, shape (N,)
+        The energy of each mode over that of noise, of which one unit is expected at each channel without the mode.
+    """
+
+    poles: Array
+    shapes: Complex
+    strength: Array
+
+
+def residual(at: Window, fit: Fit) -> Complex:
+    """Return what the fit leaves, (F, S, R)."""
+    E = basis(at, fit.poles)[:, : len(fit.poles)]
+    return np.asarray(at.H - np.tensordot(E, fit.residues, 1))
+
+
+def removed(at: Window, fit: Fit) -> Complex:
+    """Return orthonormal columns that a fit takes from the noise of the lines, (F, K).
+
+    With several channels a pole is shared, and takes less than a column from each: the derivative is left out from
+    two channels on.
+    """
+    N = len(fit.poles)
+    E = basis(at, fit.poles)
+    E = E if np.count_nonzero(at.weights) == 1 else E[:, :N]
+    space = np.linalg.svd(E / np.linalg.norm(E, axis=0), full_matrices=False)[0]
+    return np.concatenate([at.smooth, space], axis=1)
+
+
+def channel_covariance(at: Window, fit: Fit, place: NDArray[np.int64], correlation: Complex) -> Complex:
+    """Return the covariance of the noise between channels, (S R, S R), from the residual."""
+    left = residual(at, fit).reshape(len(at.s), -1)
+    space = removed(at, fit)
+    taken = float(np.einsum("fk,fk->", space.conj(), correlated(space, place, correlation)).real)
+    lines = max(len(at.s) - taken, 1.0)
+    return np.asarray(left.T @ left.conj() / lines)
+
+
+def uncertainty(
+    at: Window, fit: Fit, channels: Complex, place: NDArray[np.int64], correlation: Complex
+) -> Uncertainty:
+    """Return what a fit leaves open.
+
+    Parameters
+    ----------
+    at : Window
+    fit : Fit
+    channels : ndarray of complex128, shape (S R, S R)
+        Covariance of the noise between channels.
+    place : ndarray of int64, shape (F,)
+        Of the lines on the grid.
+    correlation : ndarray of complex128, shape (L,)
+        Of the noise of lines, from lag 0.
+
+    References
+    ----------
+    White 1982.
+    """
+    N, S = fit.shapes.shape
+    E = basis(at, fit.poles)
+    functions, vectors = columns(fit.poles, fit.shapes, fit.participation)
+    P = len(functions)
+    gram, spread = E.conj().T @ E, E.conj().T @ correlated(E, place, correlation)
+    weighted = (vectors * at.weights).reshape(P, -1)
+    normal = (weighted.conj() @ vectors.reshape(P, -1).T) * gram[np.ix_(functions, functions)]
+    middle = (weighted.conj() @ channels @ weighted.T) * spread[np.ix_(functions, functions)]
+    size = np.sqrt(np.maximum(normal.diagonal().real, 1e-300))
+    inverse = np.linalg.pinv(normal / np.outer(size, size), rcond=1e-13, hermitian=True) / np.outer(
+        size, size
+    )
+    covariance = inverse @ middle @ inverse
+    poles = np.sqrt(np.maximum(covariance.diagonal().real[:N], 0.0) / 2.0)
+    shapes = np.array([covariance[_of(m, N, S), _of(m, N, S)] for m in range(N)])
+    return Uncertainty(np.stack([poles, poles], axis=1), shapes, _strength(at, fit, channels, gram, spread))
+
+
+def _of(m: int, N: int, S: int) -> slice:
+    return slice(N + m * S, N + (m + 1) * S)
+
+
+def component_sigmas(shape: Complex, covariance: Complex) -> Array:
+    """Return the standard deviations of the real parts of shape / largest component, (S,); 0 for this one itself."""
+    if not shape.size:
+        return np.zeros(0)
+    largest = int(np.argmax(np.abs(shape)))
+    scale = shape[largest] if shape[largest] != 0.0 else 1.0
+    D = np.eye(len(shape), dtype=complex)
+    D[:, largest] -= shape / scale
+    D /= scale
+    variance = np.einsum("ij,jk,ik->i", D, covariance, D.conj()).real
+    sigmas = np.sqrt(np.maximum(variance, 0.0) / 2.0)
+    sigmas[largest] = 0.0
+    return np.asarray(sigmas)
+
+
+def determined(shape: Complex, covariance: Complex) -> NDArray[np.bool_]:
+    """Return which components of a shape (S,) are known to a part `DETERMINED` of the largest that stands out.
+
+    A sensor that only a reference near a node of the mode was measured with says nothing about it.
+    """
+    size, sigma = np.abs(shape), np.sqrt(np.maximum(covariance.diagonal().real, 0.0))
+    sure = size * (size > 3.0 * sigma)
+    return np.asarray((size > 0.0) & (sigma < DETERMINED * sure.max(initial=0.0)))
+
+
+def common_sigma(sigmas: Array) -> float:
+    """Return the one sigma for several components of which twice covers as many errors as if all were equal.
+
+    The root mean square would cover fewer: components with more noise than others exceed it more often than the
+    others stay below.
+    """
+    sigmas = sigmas[sigmas > 0.0]
+    if not sigmas.size:
+        return 0.0
+    low, high = 0.0, float(sigmas.max())
+    for _ in range(50):
+        middle = 0.5 * (low + high)
+        covered = np.mean(erf(math.sqrt(2.0) * middle / sigmas))
+        low, high = (middle, high) if covered < math.erf(math.sqrt(2.0)) else (low, middle)
+    return high
+
+
+def _strength(at: Window, fit: Fit, channels: Complex, gram: Complex, spread: Complex) -> Array:
+    """Return the energy of each mode that the others cannot stand in for, over that of noise."""
+    N = len(fit.poles)
+    own = gram[:N, :N]
+    size = np.sqrt(own.diagonal().real)
+    inverse = np.linalg.pinv(own / np.outer(size, size), rcond=1e-13, hermitian=True) / np.outer(size, size)
+    variance = (inverse @ spread[:N, :N] @ inverse).diagonal().real  # of a residue, for unit noise
+    noise = channels.diagonal().real.reshape(at.weights.shape)
+    known = at.weights > 0.0
+    energy = (np.abs(fit.residues[:, known]) ** 2 / np.maximum(noise[known], 1e-300)).sum(axis=1)
+    return np.asarray(energy / np.maximum(variance, 1e-300) + math.ulp(0.0))

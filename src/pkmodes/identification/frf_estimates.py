@@ -1,0 +1,179 @@
+r"""Frequency response functions of impacts, from force and responses in time.
+
+The H1 estimate over the blows of a file and its coherence (Bendat and Piersol, Random Data, 4th edition, 2010,
+sections 6.1 and 9.1), with the force outside of its pulses set to zero, where it is noise only (Fladung and Rost,
+Mechanical Systems and Signal Processing 11, 1997).
+
+The responses get no window.  A decay that the record cuts off at T has, at the lines k/T, the same form as a complete
+one, times 1 - exp(lambda T), if the record begins with the blow: its poles are exact, and a window would only add
+damping and noise.  One that an analyser has multiplied with exp(-t/tau) has its poles shifted by -1/tau.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.base.errors import MeasurementError
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+#: A blow's force exceeds this part of the highest one of the file; weaker ones in between are bounces.
+BLOW = 0.3
+#: A second pulse of the force above this part of the blow is a double hit; a hammer's own ringing is below.
+BOUNCE = 0.05
+#: Above this many standard deviations of its noise as well.
+NOISE = 8.0
+#: Samples kept before the force begins.
+LEAD = 4
+#: Pulses of one contact are no further apart than this [s].
+CONTACT = 0.003
+#: Equal extreme samples in a row that mean overload.
+FLAT = 3
+#: unless it is where the signal rests, within this part of its range.
+RESTING = 0.05
+
+
+@dataclass(frozen=True, eq=False)
+class ImpactEstimate:
+    """Functions of one file of blows.
+
+    Attributes
+    ----------
+    frequencies : ndarray, shape (F,)
+        From 0 [Hz].
+    H : ndarray of complex128, shape (F, S, 1)
+        Response per force.
+    coherence : ndarray, shape (F, S, 1), or None
+        None for a single blow.
+    averages : int
+        Number of blows.
+    messages : tuple of str
+        Double hits and overloads.
+    """
+
+    frequencies: Array
+    H: Complex
+    coherence: Array | None
+    averages: int
+    messages: tuple[str, ...]
+
+
+def impact_estimate(
+    step: float, force: Array, responses: Array, *, hits: int = 1, exponential: float | None = None
+) -> ImpactEstimate:
+    """Return the functions of the blows in a file.
+
+    Parameters
+    ----------
+    step : float
+        Between samples [s].
+    force : ndarray, shape (N,)
+    responses : ndarray, shape (N, S)
+    hits : int
+        Number of blows.
+    exponential : float, optional
+        Time constant of a window that the responses have had, from the first sample [s].
+
+    Raises
+    ------
+    MeasurementError
+        If there are fewer blows.
+
+    References
+    ----------
+    Bendat and Piersol 2010, section 9.1.
+    """
+    offset = float(np.median(force))
+    pulses = force - offset
+    pulses = pulses if pulses.max() >= -pulses.min() else -pulses  # the hammer's sign is only its own
+    sign = 1.0 if force[int(np.argmax(np.abs(force - offset)))] >= offset else -1.0
+    starts = _blows(pulses, step, hits)
+    edges = [*starts, len(force)]
+    length = min(edges[i + 1] - edges[i] for i in range(len(starts)))
+    messages = [*overloads(force[:, None], ("force",)), *overloads(responses)]
+    X = np.empty((len(starts), length // 2 + 1), complex)
+    Y = np.empty((*X.shape, responses.shape[1]), complex)
+    for i, start in enumerate(starts):
+        piece = pulses[start : start + length]
+        contact = _contact(piece, step)
+        if _bounces(piece, step):
+            messages.append(f"blow {i + 1} at {start * step:.3g} s is a double hit")
+        X[i] = np.fft.rfft(sign * np.where(contact, piece, 0.0))
+        level = np.exp(start * step / exponential) if exponential else 1.0
+        Y[i] = np.fft.rfft(responses[start : start + length], axis=0) * level
+    return ImpactEstimate(
+        np.asarray(np.fft.rfftfreq(length, step), dtype=float), *h1(X, Y), len(starts), tuple(messages)
+    )
+
+
+def h1(X: Complex, Y: Complex) -> tuple[Complex, Array | None]:
+    """Return the H1 estimate (F, S, 1) and its coherence, None for one average, from spectra (B, F) and (B, F, S)."""
+    force = (np.abs(X) ** 2).sum(axis=0)[:, None]
+    cross = (X.conj()[..., None] * Y).sum(axis=0)
+    H = cross / np.where(force > 0.0, force, np.inf)
+    if len(X) == 1:
+        return H[..., None], None
+    power = force * (np.abs(Y) ** 2).sum(axis=0)
+    return H[..., None], (np.abs(cross) ** 2 / np.where(power > 0.0, power, np.inf))[..., None]
+
+
+def without_window(pole: complex, time_constant: float | None) -> complex:
+    """Return a pole without the damping of an exponential window, None for no window."""
+    return pole + 1.0 / time_constant if time_constant else pole
+
+
+def overloads(signals: Array, names: tuple[str, ...] | None = None) -> list[str]:
+    """Return a sentence for each signal (N, S) that stays at its extreme value: its range was exceeded."""
+    found = []
+    for s, signal in enumerate(signals.T):
+        name = names[s] if names else f"response {s + 1}"
+        for extreme in (signal.max(), signal.min()):
+            flat = np.concatenate([[False], signal == extreme, [False]])
+            edges = np.flatnonzero(flat[1:] != flat[:-1])
+            away = abs(extreme - np.median(signal)) > RESTING * np.ptp(signal)
+            if away and (edges[1::2] - edges[::2]).max() >= FLAT:
+                found.append(f"{name} is overloaded: it stays at {extreme:.4g}")
+                break
+    return found
+
+
+def _blows(pulses: Array, step: float, hits: int) -> list[int]:
+    """Return the first sample of each of the strongest blows."""
+    order = np.argsort(-pulses, kind="stable")
+    apart = max(len(pulses) // (4 * hits), round(CONTACT / step), 1)
+    peaks: list[int] = []
+    for i in order:
+        if len(peaks) == hits or pulses[i] < BLOW * pulses[order[0]]:
+            break
+        if all(abs(int(i) - peak) > apart for peak in peaks):
+            peaks.append(int(i))
+    if len(peaks) < hits or pulses[order[0]] <= 0.0:
+        remedy = "state the number of blows in each file as hits"
+        raise MeasurementError(f"expected {hits} blows, found {len(peaks)}", "the force", remedy)
+    starts = []
+    for peak in sorted(peaks):
+        before = np.flatnonzero(pulses[:peak] < 0.02 * pulses[peak])
+        starts.append(max((int(before[-1]) if before.size else 0) - LEAD, 0))
+    return starts
+
+
+def _noise(piece: Array) -> float:
+    """Return the standard deviation of the force's noise, from its second half."""
+    return 1.4826 * float(np.median(np.abs(piece[len(piece) // 2 :])))
+
+
+def _contact(piece: Array, step: float) -> NDArray[np.bool_]:
+    """Return where the force is more than noise, with its flanks."""
+    strong = np.abs(piece) > max(0.01 * piece.max(), NOISE * _noise(piece))
+    width = max(round(0.3 * CONTACT / step), 2)
+    return np.asarray(np.convolve(strong, np.ones(2 * width + 1), "same") > 0.5)
+
+
+def _bounces(piece: Array, step: float) -> bool:
+    """Return whether the force comes back after the contact."""
+    strong = np.flatnonzero(piece > max(BOUNCE * piece.max(), NOISE * _noise(piece)))
+    return bool((np.diff(strong) > max(round(CONTACT / step), 2)).any())

@@ -1,0 +1,213 @@
+"""Modes from frequency response functions.
+
+Poles of many model orders (`lscf`), clusters of them (`clusters`), and a fit by maximum likelihood to the lines
+around each group of clusters (`frf_refinement`), which decides what is a mode and says what it leaves open.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.identification.clusters import candidates, usable_poles
+from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
+from pkmodes.identification.frf_covariance import Uncertainty, common_sigma, component_sigmas, determined
+from pkmodes.identification.frf_lines import at_tones, line_weights, used_lines
+from pkmodes.identification.frf_refinement import Lines, Modes, refined, significant
+from pkmodes.identification.frf_search import hidden
+from pkmodes.identification.lscf import OrderPoles, lscf
+from pkmodes.identification.residues import lsfd, with_residual_terms
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+#: Poles of the highest order, and the number of orders up to it: some three times as many poles as a machine has
+#: modes in a band, as residual terms, noise and the hammer's spectrum take poles as well.
+MOST_POLES, ORDERS = 60, 20
+#: Searches of what is left; each finds all modes that no stronger one hides.
+MOST_SEARCHES = 4
+#: Modes this part of the band outside it are fitted as well, and not reported.
+MARGIN = 0.04
+#: A resonance near a tone has a half bandwidth of at least this part of the line spacing; a tone has none.
+RESONANCE = 0.3
+#: Half bandwidth, in line spacings, of a single line that stands out: no resonance that the lines resolve.
+NO_BANDWIDTH = 0.1
+
+
+def identify_frf(
+    frequencies: Array,
+    H: Complex,
+    *,
+    band: tuple[float, float],
+    power: int,
+    coherence: Array | None = None,
+    averages: int | None = None,
+    exponential: float | None = None,
+    tones: Sequence[float] = (),
+) -> Estimate:
+    """Identify the modes in a band.
+
+    Parameters
+    ----------
+    frequencies : ndarray, shape (F,)
+        Ascending [Hz].
+    H : ndarray of complex128, shape (F, S, R)
+        Sensors may have different units.  Columns that were not measured are NaN.
+    band : tuple of float
+        [Hz].
+    power : int
+        0 for displacement, 1 for velocity, 2 for acceleration.
+    coherence : ndarray, shape (F, S, R), optional
+    averages : int, optional
+        Behind the coherence: then it gives the variance of the noise, otherwise only where there is more of it.
+    exponential : float, optional
+        Time constant of an exponential window of the responses [s].
+    tones : sequence of float
+        Lines at these frequencies and their multiples are no modes [Hz].
+
+    Raises
+    ------
+    MeasurementError
+        If the band holds too few lines, or no function is complete.
+    """
+    inside = (frequencies >= band[0]) & (frequencies <= band[1]) & (frequencies > 0.0)
+    f, measured = frequencies[inside], H[inside]
+    data, scale = used_lines(
+        f, measured, None if coherence is None else coherence[inside], averages, exponential, tones
+    )
+    by_order = _by_order(data)
+    margin = MARGIN * (band[1] - band[0])
+    low, high = band[0] - margin, band[1] + margin
+    start = _candidates(by_order, data, low, high)
+    modes, bounds = _with_hidden(data, *refined(data, start, low, high), low, high, power)
+    kept = _in_band(modes, data, band, exponential, tones)
+    found = _reported(modes, bounds, kept, scale, exponential, by_order)
+    return Estimate(
+        modes=found,
+        stabilisation=_stabilisation(by_order, band),
+        frequencies=f,
+        measured=measured,
+        synthesised=_response(data, modes, power, f) * scale[:, None],
+    )
+
+
+def _by_order(data: Lines) -> list[OrderPoles]:
+    """Return poles from all complete sensors; without any, from all functions as those of a single reference."""
+    known = np.isfinite(data.H).all(axis=0)
+    complete = np.logical_and.reduce(known, axis=1)
+    if complete.any():
+        values, variance = data.H[:, complete], data.variance[:, complete]
+    else:
+        values, variance = data.H[:, known][..., None], data.variance[:, known][..., None]
+    R = values.shape[2]
+    top = min(MOST_POLES // R, max(len(data.frequencies) // (3 * R), 2))
+    orders = np.unique(np.round(np.linspace(max(2, top // 8), top, ORDERS)).astype(int))
+    weights = 1.0 / np.sqrt(variance.mean(axis=2))
+    return lscf(data.frequencies, values, weights / weights.max(), [int(n) for n in orders])
+
+
+def _candidates(by_order: list[OrderPoles], data: Lines, low: float, high: float) -> Modes:
+    """Return the clusters as a starting point, with participations of 1 if the poles have others."""
+    found = candidates(by_order, low, high)
+    R, N = data.H.shape[2], len(found)
+    poles = np.array([one.pole for one in found], complex)
+    shared = all(one.participation.size == R for one in found)
+    parts = np.array([one.participation if shared else np.ones(R) for one in found], complex).reshape(N, R)
+    first = lsfd(data.frequencies, data.H, line_weights(data), poles, parts, 0)
+    return Modes(poles, np.nan_to_num(first.shapes), parts)
+
+
+def _with_hidden(
+    data: Lines, modes: Modes, bounds: Uncertainty, low: float, high: float, power: int
+) -> tuple[Modes, Uncertainty]:
+    """Return the modes with those that a search finds in what they leave."""
+    known = np.isfinite(data.H).all(axis=0)
+    for _ in range(MOST_SEARCHES):
+        fit = _response(data, modes, power, data.frequencies)
+        left = data.H - fit
+        correlation = np.ones(1, complex) if data.correlation is None else data.correlation
+        poles = hidden(
+            data.frequencies, data.place, left[:, known], fit[:, known], correlation, significant(data)
+        )
+        if not len(poles):
+            break
+        more, more_bounds = refined(data, _joined(modes, poles, data.frequencies, left), low, high)
+        if len(more.poles) <= len(modes.poles):
+            break
+        modes, bounds = more, more_bounds
+    return modes, bounds
+
+
+def _response(data: Lines, modes: Modes, power: int, frequencies: Array) -> Complex:
+    """Return the modes with residual terms, in the units of `data`, (F, S, R), at frequencies [Hz]."""
+    shapes = modes.shapes / modes.poles[:, None] ** power  # of the displacement
+    full = with_residual_terms(
+        data.frequencies, data.H, line_weights(data), modes.poles, shapes, modes.participation, power
+    )
+    return full.response(frequencies)
+
+
+def _joined(modes: Modes, poles: Complex, frequencies: Array, left: Complex) -> Modes:
+    """Return modes with further poles, whose shapes and participations are those of what is left there."""
+    left = np.nan_to_num(left)
+    nearest = np.abs(frequencies - poles.imag[:, None] / (2.0 * math.pi)).argmin(axis=1)
+    peaks = left[nearest] * -poles.real[:, None, None]
+    parts = np.linalg.svd(peaks)[2][:, 0]
+    return Modes(
+        np.concatenate([modes.poles, poles]),
+        np.concatenate([modes.shapes, np.einsum("nsr,nr->ns", peaks, parts.conj())]),
+        np.concatenate([modes.participation, parts]),
+    )
+
+
+def _in_band(
+    modes: Modes, data: Lines, band: tuple[float, float], exponential: float | None, tones: Sequence[float]
+) -> NDArray[np.bool_]:
+    poles = modes.poles + (1.0 / exponential if exponential else 0.0)
+    frequency = np.abs(poles) / (2.0 * math.pi)
+    step = float(np.median(np.diff(data.frequencies)))
+    narrow = np.abs(modes.poles.real) / (2.0 * math.pi) < RESONANCE * step
+    tone = at_tones(frequency, tones, 2.0 * step) & narrow
+    line = np.abs(modes.poles.real) / (2.0 * math.pi) < NO_BANDWIDTH * step
+    return np.asarray((frequency >= band[0]) & (frequency <= band[1]) & (poles.real < 0.0) & ~tone & ~line)
+
+
+def _reported(
+    modes: Modes,
+    bounds: Uncertainty,
+    kept: NDArray[np.bool_],
+    scale: Array,
+    exponential: float | None,
+    by_order: list[OrderPoles],
+) -> tuple[Mode, ...]:
+    found = []
+    for m in np.flatnonzero(kept):
+        pole = complex(modes.poles[m]) + (1.0 / exponential if exponential else 0.0)
+        known = determined(modes.shapes[m] * scale, scale[:, None] * bounds.shapes[m] * scale)
+        shape = np.where(known, modes.shapes[m] * scale, complex(np.nan, np.nan))
+        spread = (scale[:, None] * bounds.shapes[m] * scale)[np.ix_(known, known)]
+        found.append(
+            Mode(
+                pole=pole,
+                shape=np.asarray(shape),
+                sigma_frequency=float(bounds.poles[m, 1]) / (2.0 * math.pi),
+                sigma_damping=float(bounds.poles[m, 0]) / abs(pole),
+                sigma_shape=common_sigma(component_sigmas(shape[known], spread)) if known.any() else math.nan,
+                found_in=(_orders_with(modes.poles[m], by_order), len(by_order)),
+            )
+        )
+    return tuple(sorted(found, key=lambda one: one.frequency))
+
+
+def _orders_with(pole: complex, by_order: list[OrderPoles]) -> int:
+    """Return in how many orders a pole is within the half bandwidth of a mode."""
+    return sum(bool((np.abs(one.poles - pole) < abs(pole.real)).any()) for one in by_order)
+
+
+def _stabilisation(by_order: list[OrderPoles], band: tuple[float, float]) -> Stabilisation:
+    orders = np.array([one.order for one in by_order], np.int64)
+    poles = tuple(one.poles[usable_poles(one.poles, *band)] for one in by_order)
+    return Stabilisation(orders, tuple(one[np.argsort(one.imag)] for one in poles))

@@ -1,0 +1,163 @@
+r"""Noise of frequency responses: from differences of neighbouring lines, from coherence, and its correlation.
+
+The H1 estimate of n averages has the variance
+
+.. math:: \sigma_H^2 = |H|^2 \frac{1 - \gamma^2}{\gamma^2 (n - 1)}
+
+per line (Bendat and Piersol, Random Data, 4th edition, 2010, section 9.1.4, with the n - 1 degrees of freedom that
+the estimated coherence leaves).  Without coherence, the third difference of neighbouring lines cancels what is smooth
+and leaves 20 times the variance; its median does not see narrow peaks.
+
+An exponential window exp(-t/tau) on a response that is as noisy at its end as at its beginning correlates the noise
+of neighbouring lines: their covariance is the Fourier transform of the window's square.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import nnls
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+#: The noise may change over the band, as the force does: it is estimated in this many parts.
+PARTS = 12
+#: Relative to the mean square of a channel: the noise of a function without any.
+NOISELESS = 1e-16
+#: Sum of squares of the coefficients 1, -3, 3, -1; and the median of |e|^2 for circular noise of unit variance.
+DIFFERENCE, MEDIAN = 20.0, math.log(2.0)
+#: Noise that overlapping or tapered blocks have coloured is correlated over two lines; a few more show other causes.
+LAGS = 5
+
+
+def difference_variance(H: Complex) -> Array:
+    """Return the variance of the noise of each line, (F, S, R), from third differences of the lines; NaN as in H.
+
+    Parameters
+    ----------
+    H : ndarray of complex128, shape (F, S, R)
+        F at least 8.
+    """
+    F = len(H)
+    squares = np.abs(np.diff(H, 3, axis=0)) ** 2 / (DIFFERENCE * MEDIAN)
+    parts = max(1, min(PARTS, len(squares) // 16))
+    blocks = np.array_split(np.arange(len(squares)), parts)
+    middles = np.array([block.mean() + 1.5 for block in blocks])
+    medians = np.stack([np.median(squares[block], axis=0) for block in blocks]).reshape(parts, -1)
+    lines = np.arange(F)
+    over = np.stack([np.interp(lines, middles, column) for column in medians.T], axis=1).reshape(H.shape)
+    floor = NOISELESS * (np.abs(H) ** 2).mean(axis=0)
+    return np.asarray(np.where(np.isfinite(H), np.maximum(over, np.maximum(floor, 1e-300)), np.nan))
+
+
+def coherence_variance(H: Complex, coherence: Array, averages: int) -> Array:
+    """Return the variance of the noise of each line, (F, S, R), of an H1 estimate.
+
+    References
+    ----------
+    Bendat and Piersol 2010, section 9.1.4.
+    """
+    gamma = np.clip(coherence, 1e-6, 1.0)
+    return np.asarray(np.abs(H) ** 2 * (1.0 - gamma) / (gamma * max(averages - 1, 1)))
+
+
+def exponential_correlation(step: float, tau: float, lags: int) -> Complex:
+    """Return the correlation of the noise at lags 0 ... of lines, under an exponential window.
+
+    Parameters
+    ----------
+    step : float
+        Line spacing, the inverse of the length of the record [Hz].
+    tau : float
+        Time constant of the window, that the responses were multiplied with [s].
+    lags : int
+        The highest lag.
+    """
+    length = 1.0 / step
+    rate = 2.0 / tau + 2j * math.pi * step * np.arange(lags + 1)
+    values = (1.0 - np.exp(-rate * length)) / rate
+    return np.asarray(values / values[0])
+
+
+def line_sigma(residual: Complex, fit: Complex) -> Array:
+    """Return the relative noise of each line, (F,), of variance a + b |fit|^2 with a and b not negative, rms 1.
+
+    Noise of the force, or of the gain, is in proportion to the response: most of it is at the peak, where it tells
+    most.
+
+    Parameters
+    ----------
+    residual, fit : ndarray of complex128, shape (F, C)
+        Relative to the noise of each channel.
+    """
+    squares, size = (np.abs(residual) ** 2).mean(axis=1), (np.abs(fit) ** 2).mean(axis=1)
+    if not size.any() or not squares.any():
+        return np.ones(len(residual))
+    A = np.stack([np.ones(len(size)), size / size.max()], axis=1)
+    variance = np.full(len(size), squares.mean())
+    for _ in range(4):  # each line's square scatters by its own variance
+        found = nnls(A / variance[:, None], squares / variance)[0]
+        variance = np.maximum(A @ found, 1e-3 * squares.mean())
+    return np.asarray(np.sqrt(variance / variance.mean()))
+
+
+def residual_correlation(
+    residuals: Sequence[Complex], places: Sequence[NDArray[np.int64]], spaces: Sequence[Complex]
+) -> Complex:
+    """Return the correlation of the noise at lags 0 to `LAGS` of lines, from the residuals of several fits.
+
+    A fit takes the part of the noise that its columns span, which leaves negative correlation in its residual even
+    where the noise has none.  That part is as strong as the noise is at slow variation over the lines, by which the
+    correction is scaled.
+
+    Parameters
+    ----------
+    residuals : sequence of ndarray of complex128, shape (F, C)
+        Relative to the noise of each channel.
+    places : sequence of ndarray of int64, shape (F,)
+        Of the lines on the grid, ascending.
+    spaces : sequence of ndarray of complex128, shape (F, K)
+        Orthonormal columns that each fit has removed.
+    """
+    sums, taken, pairs = np.zeros(LAGS + 1, complex), np.zeros(LAGS + 1, complex), np.zeros(LAGS + 1)
+    for residual, place, space in zip(residuals, places, spaces, strict=True):
+        for lag in range(LAGS + 1):
+            later, same = _pairs(place, lag)
+            sums[lag] += (residual[later] * residual[same].conj()).sum()
+            taken[lag] += residual.shape[1] * (space[later] * space[same].conj()).sum()
+            pairs[lag] += residual.shape[1] * len(same)
+    if not len(residuals) or sums[0].real <= 0.0:
+        return np.array([1.0] + [0.0] * LAGS, complex)
+    raw, removed = sums / np.maximum(pairs, 1.0), taken / np.maximum(pairs, 1.0)
+    correlation = raw / raw[0].real
+    for _ in range(10):  # a contraction: each pass takes the part `removed` of the one before
+        slow = max(1.0 + 2.0 * float((_taper(LAGS) * correlation)[1:].real.sum()), 0.0)
+        estimate = raw + slow * removed * raw[0].real / (1.0 - slow * removed[0].real)
+        correlation = estimate / estimate[0].real
+    return np.asarray(_taper(LAGS) * correlation, dtype=complex)
+
+
+def correlated(functions: Complex, place: NDArray[np.int64], correlation: Complex) -> Complex:
+    """Return the correlation matrix of the lines (F, F) times functions (F, K)."""
+    total = functions * correlation[0]
+    for lag in range(1, len(correlation)):
+        later, same = _pairs(place, lag)
+        total[later] += correlation[lag] * functions[same]
+        total[same] += correlation[lag].conj() * functions[later]
+    return np.asarray(total)
+
+
+def _pairs(place: NDArray[np.int64], lag: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Return the indices of the lines that have another one `lag` places before, and of those."""
+    before = np.searchsorted(place, place - lag)
+    there = place[np.minimum(before, len(place) - 1)] == place - lag
+    return np.flatnonzero(there), before[there].astype(np.int64)
+
+
+def _taper(lags: int) -> Array:
+    """Bartlett's window, which keeps the variance of every sum positive (Newey and West, Econometrica 55, 1987)."""
+    return np.asarray(1.0 - np.arange(lags + 1) / (lags + 1.0))

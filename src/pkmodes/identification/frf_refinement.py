@@ -1,0 +1,269 @@
+"""Refinement of candidates: groups of modes are fitted in turn, and what is no mode is dropped.
+
+A candidate is dropped if
+
+- its fit does not converge, or leaves the band or the range of damping of a mode;
+- it is a copy of a neighbour: nearer than half of a bandwidth and with nearly the same shape, as a peak attracts that
+  no single mode fits exactly, or one that is not at the same place for all references;
+- its energy could be that of noise.  The energy of a mode, relative to the noise of each channel, has a gamma
+  distribution if there is only noise, with as many degrees of freedom as channels; and the search has tried each line
+  (a matched filter over many places: Kay, Fundamentals of Statistical Signal Processing, Vol. 2, 1998, section 7.6).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import gamma
+
+from pkmodes.identification.clusters import HIGHEST_DAMPING
+from pkmodes.identification.frf_covariance import (
+    Uncertainty,
+    channel_covariance,
+    removed,
+    residual,
+    uncertainty,
+)
+from pkmodes.identification.frf_groups import groups, lines_around
+from pkmodes.identification.frf_noise import line_sigma, residual_correlation
+from pkmodes.identification.frf_polish import Fit, Window, polish, window
+from pkmodes.identification.frf_references import between, by_reference
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+#: The fits of neighbours settle in two or three sweeps; each drop needs another.
+MOST_SWEEPS = 10
+#: Relative change of the poles in a sweep, in units of their damping, below which the fits have settled.
+SETTLED = 1e-3
+#: Probability that noise alone makes a mode somewhere in a measurement.
+FALSE_ALARM = 0.01
+#: Damping ratios that a search tells apart at each line.
+DAMPINGS = 4
+#: A copy: nearer than this part of a bandwidth, with shapes of at least this MAC.
+COPY_NEAR, COPY_ALIKE = 0.5, 0.9
+
+
+@dataclass(frozen=True, eq=False)
+class Lines:
+    """Functions to be fitted.
+
+    Attributes
+    ----------
+    frequencies : ndarray, shape (F,)
+        [Hz].
+    place : ndarray of int64, shape (F,)
+        On the grid of lines.
+    H : ndarray of complex128, shape (F, S, R)
+        NaN where not measured.
+    variance : ndarray, shape (F, S, R)
+        Of the noise, as far as it is known beforehand.
+    correlation : ndarray of complex128 or None
+        Of the noise at lags of lines, if known.
+    stated : bool
+        Whether the variance is absolute, and not only right in its relative size.
+    """
+
+    frequencies: Array
+    place: NDArray[np.int64]
+    H: Complex
+    variance: Array
+    correlation: Complex | None
+    stated: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Modes:
+    """Modes in the course of refinement: poles (N,) [1/s], shapes (N, S), participation (N, R)."""
+
+    poles: Complex
+    shapes: Complex
+    participation: Complex
+
+    def only(self, kept: NDArray[np.bool_]) -> Modes:
+        """Return some of the modes."""
+        return Modes(self.poles[kept], self.shapes[kept], self.participation[kept])
+
+
+@dataclass(frozen=True, eq=False)
+class GroupFit:
+    """The fit of a group of modes: which, in which window, at which lines."""
+
+    members: NDArray[np.int64]
+    at: Window
+    place: NDArray[np.int64]
+    lines: NDArray[np.int64]
+    fit: Fit
+
+
+def refined(data: Lines, start: Modes, low: float, high: float) -> tuple[Modes, Uncertainty]:
+    """Return the modes that are left of candidates, with what their fit leaves open.
+
+    Parameters
+    ----------
+    data : Lines
+    start : Modes
+        Candidates; their shapes are not used.
+    low, high : float
+        Range of frequencies that a mode may have [Hz].
+    """
+    threshold = significant(data)
+    modes, settled = start, False
+    for _ in range(MOST_SWEEPS):
+        before = modes
+        fits, modes = _sweep(data, modes)
+        doubtful = _not_modes(modes, fits, low, high)
+        if not doubtful.any():
+            bounds = _uncertainties(data, modes, fits)
+            doubtful = _weakest(modes, bounds.strength, fits, threshold) | _copies(
+                modes, bounds.strength, fits
+            )
+            settled = bool((np.abs(modes.poles - before.poles) < SETTLED * np.abs(modes.poles.real)).all())
+        if doubtful.any():
+            modes = modes.only(~doubtful)
+            if not len(modes.poles):
+                break
+        elif settled:
+            return modes, _with_references(modes, bounds, fits)
+    if not len(modes.poles):
+        none, S = np.zeros(0), data.H.shape[1]
+        return modes, Uncertainty(np.zeros((0, 2)), np.zeros((0, S, S), complex), none)
+    fits, modes = _sweep(data, modes)
+    return modes, _with_references(modes, _uncertainties(data, modes, fits), fits)
+
+
+def _with_references(modes: Modes, bounds: Uncertainty, fits: list[GroupFit]) -> Uncertainty:
+    """Return uncertainties with the scatter between references, at modes that several of them see."""
+    (N, R), size = modes.participation.shape, np.abs(modes.poles)
+    if R < 2:
+        return bounds
+    poles, variances = np.full((R, N), np.nan, complex), np.full((R, N), np.nan)
+    for one in fits:
+        poles[:, one.members], variances[:, one.members] = by_reference(one.at, one.fit)
+    several = [m for m in range(N) if np.isfinite(variances[:, m]).sum() >= 2]
+    sigmas = bounds.poles.copy()
+    for part in range(2):
+        values, spreads = [], []
+        for m in several:
+            known = np.isfinite(variances[:, m])
+            each = variances[known, m]
+            each = each * sigmas[m, part] ** 2 * (1.0 / each).sum()  # those of one fit, with its correlations
+            alone = poles[known, m]
+            values.append((alone.real if part == 0 else alone.imag) / size[m])
+            spreads.append(each / size[m] ** 2)
+        more = between(values, spreads)
+        seen = np.maximum(np.isfinite(variances).sum(axis=0), 1)
+        sigmas[:, part] = np.sqrt(sigmas[:, part] ** 2 + more * size**2 / seen)
+    return replace(bounds, poles=sigmas)
+
+
+def significant(data: Lines) -> float:
+    """Return the energy over noise that noise alone exceeds with probability `FALSE_ALARM` in a measurement."""
+    channels = int(np.isfinite(data.H).all(axis=0).sum())
+    return float(gamma.isf(FALSE_ALARM / (DAMPINGS * len(data.frequencies)), max(channels, 1)))
+
+
+def _sweep(data: Lines, modes: Modes) -> tuple[list[GroupFit], Modes]:
+    """Fit each group in turn, with the newest of the others subtracted."""
+    fits = []
+    poles, shapes, parts = modes.poles.copy(), modes.shapes.copy(), modes.participation.copy()
+    for members in groups(poles):
+        lines = lines_around(data.frequencies, poles[members])
+        others = np.setdiff1d(np.arange(len(poles)), members)
+        s = 2j * math.pi * data.frequencies[lines]
+        residues = shapes[:, :, None] * parts[:, None, :]
+        H = data.H[lines] - np.tensordot(1.0 / (s[:, None] - poles[others]), residues[others], 1)
+        H -= np.tensordot(1.0 / (s[:, None] - poles.conj()), residues.conj(), 1)
+        variance = data.variance[lines].mean(axis=0)
+        at = window(data.frequencies[lines], H, _inverse(variance), np.ones(len(lines)))
+        fit = polish(at, poles[members], parts[members])
+        weights = _inverse(_noise_of(at, fit, variance))
+        at = window(data.frequencies[lines], H, weights, _line_sigma(at, fit, weights, data.H[lines]))
+        fit = polish(at, fit.poles, fit.participation)
+        poles[members], shapes[members], parts[members] = fit.poles, fit.shapes, fit.participation
+        fits.append(GroupFit(members, at, data.place[lines], lines, fit))
+    return fits, Modes(poles, shapes, parts)
+
+
+def _line_sigma(at: Window, fit: Fit, weights: Array, H: Complex) -> Array:
+    known = weights > 0.0
+    scale = np.sqrt(weights[known])
+    left = residual(at, fit)
+    return line_sigma(left[:, known] * scale, (H - left)[:, known] * scale)
+
+
+def _noise_of(at: Window, fit: Fit, variance: Array) -> Array:
+    """Return the variance of each channel from its residual."""
+    squares = (np.abs(residual(at, fit)) ** 2).sum(axis=0) / max(len(at.s) - removed(at, fit).shape[1], 1)
+    return np.asarray(np.where(at.weights > 0.0, np.maximum(squares, 1e-12 * np.abs(variance)), np.nan))
+
+
+def _inverse(variance: Array) -> Array:
+    return np.where(np.isfinite(variance), 1.0 / np.where(variance > 0.0, variance, np.inf), 0.0)
+
+
+def _uncertainties(data: Lines, modes: Modes, fits: list[GroupFit]) -> Uncertainty:
+    correlation = data.correlation if data.correlation is not None else _correlation(fits)
+    N, S = modes.shapes.shape
+    poles, shapes, strength = np.empty((N, 2)), np.empty((N, S, S), complex), np.empty(N)
+    for one in fits:
+        channels = channel_covariance(one.at, one.fit, one.place, correlation)
+        if data.stated:
+            channels = _at_least(channels, np.nan_to_num(data.variance[one.lines].mean(axis=0)).ravel())
+        bounds = uncertainty(one.at, one.fit, channels, one.place, correlation)
+        poles[one.members], shapes[one.members] = bounds.poles, bounds.shapes
+        strength[one.members] = bounds.strength
+    return Uncertainty(poles, shapes, strength)
+
+
+def _at_least(channels: Complex, variance: Array) -> Complex:
+    """Return a covariance with variances not below given ones, with its correlations kept."""
+    own = channels.diagonal().real
+    more = np.sqrt(np.maximum(variance / np.maximum(own, 1e-300), 1.0))
+    more = np.where(own > 0.0, more, 1.0)
+    return np.asarray(channels * np.outer(more, more))
+
+
+def _correlation(fits: list[GroupFit]) -> Complex:
+    relative = [residual(one.at, one.fit) * np.sqrt(one.at.weights) for one in fits]
+    known = [one.at.weights > 0.0 for one in fits]
+    return residual_correlation(
+        [left[:, use] for left, use in zip(relative, known, strict=True)],
+        [one.place for one in fits],
+        [removed(one.at, one.fit) for one in fits],
+    )
+
+
+def _not_modes(modes: Modes, fits: list[GroupFit], low: float, high: float) -> NDArray[np.bool_]:
+    """Return which fits failed or have left the ranges of a mode."""
+    frequency = np.abs(modes.poles) / (2.0 * math.pi)
+    damping = -modes.poles.real / np.abs(modes.poles)
+    wrong = (frequency < low) | (frequency > high) | (damping <= 0.0) | (damping > HIGHEST_DAMPING)
+    for one in fits:
+        wrong[one.members] |= not np.isfinite(one.fit.cost)
+    return wrong
+
+
+def _weakest(modes: Modes, strength: Array, fits: list[GroupFit], threshold: float) -> NDArray[np.bool_]:
+    """Return the weakest mode of each group, if it is not significant: without it, its neighbours are stronger."""
+    drop = np.zeros(len(modes.poles), bool)
+    for one in fits:
+        weakest = one.members[np.argmin(strength[one.members])]
+        drop[weakest] = strength[weakest] < threshold
+    return drop
+
+
+def _copies(modes: Modes, strength: Array, fits: list[GroupFit]) -> NDArray[np.bool_]:
+    drop = np.zeros(len(modes.poles), bool)
+    for one in fits:
+        for a, i in enumerate(one.members):
+            for b, k in enumerate(one.members[:a]):
+                x, y = one.fit.shapes[a], one.fit.shapes[b]
+                alike = abs(np.vdot(x, y)) ** 2 / max(np.vdot(x, x).real * np.vdot(y, y).real, 1e-300)
+                width = abs(modes.poles[i].real) + abs(modes.poles[k].real)
+                if alike > COPY_ALIKE and abs(modes.poles[i] - modes.poles[k]) < COPY_NEAR * width:
+                    drop[i if strength[i] < strength[k] else k] = True
+    return drop

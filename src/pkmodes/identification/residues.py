@@ -1,0 +1,155 @@
+r"""Shapes and residual terms of known poles by the least-squares frequency-domain method (LSFD).
+
+With shared participations L of the references (Peeters et al., Shock and Vibration 11, 2004, equation 16),
+
+.. math:: H_{sr}(\omega) = (j \omega)^p \left( \sum_m \frac{\phi_{sm} L_{rm}}{j \omega - \lambda_m}
+    + \frac{\bar\phi_{sm} \bar L_{rm}}{j \omega - \bar\lambda_m} + U_{sr} - \frac{D_{sr}}{\omega^2} \right)
+
+where p is 0, 1 or 2 for displacement, velocity or acceleration, and the upper and lower residual terms U and D stand
+for the modes above the band and below it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True, eq=False)
+class Residues:
+    """Modes with residual terms.
+
+    Attributes
+    ----------
+    poles : ndarray of complex128, shape (N,)
+        [1/s].
+    shapes : ndarray of complex128, shape (N, S)
+        phi, of the displacement; NaN where not measured.
+    participation : ndarray of complex128, shape (N, R)
+        L.
+    upper, lower : ndarray of complex128, shape (S, R)
+        U and D, NaN where not measured.
+    power : int
+        p.
+    """
+
+    poles: Complex
+    shapes: Complex
+    participation: Complex
+    upper: Complex
+    lower: Complex
+    power: int
+
+    def response(self, frequencies: Array) -> Complex:
+        """Return the synthesised functions, (F, S, R), at frequencies [Hz]."""
+        w = 2.0 * math.pi * frequencies[:, None, None]
+        residues = self.shapes[:, :, None] * self.participation[:, None, :]
+        total = modal_part(frequencies, self.poles, residues) + self.upper - self.lower / w**2
+        return np.asarray((1j * w) ** self.power * total)
+
+
+def modal_part(frequencies: Array, poles: Complex, residues: Complex) -> Complex:
+    """Return the sum of modes and their conjugates without differentiation, (F, S, R)."""
+    s = 2j * math.pi * frequencies[:, None]
+    return np.asarray(
+        np.tensordot(1.0 / (s - poles), residues, 1)
+        + np.tensordot(1.0 / (s - poles.conj()), residues.conj(), 1)
+    )
+
+
+def lsfd(
+    frequencies: Array, H: Complex, weights: Array, poles: Complex, parts: Complex, power: int
+) -> Residues:
+    """Fit shapes and residual terms.
+
+    Parameters
+    ----------
+    frequencies : ndarray, shape (F,)
+        Above 0 [Hz].
+    H : ndarray of complex128, shape (F, S, R)
+        Columns that were not measured are NaN.
+    weights : ndarray, shape (F, S)
+        Inverse standard deviations of the lines.
+    poles : ndarray of complex128, shape (N,)
+        [1/s].
+    parts : ndarray of complex128, shape (N, R)
+        Participations, at any scale.
+    power : int
+        p.
+
+    References
+    ----------
+    Peeters et al. 2004, equation 16.
+    """
+    (F, S, R), N = H.shape, len(poles)
+    s: Complex = np.asarray(2j * math.pi * frequencies, dtype=complex)
+    derivative: Complex = np.asarray(s**power, dtype=complex)
+    ahead, behind = (derivative[:, None] / (s[:, None] - p) for p in (poles, poles.conj()))
+    shapes = np.full((N, S), np.nan, complex)
+    upper, lower = np.full((S, R), np.nan, complex), np.full((S, R), np.nan, complex)
+    for o in range(S):
+        known = np.flatnonzero(np.isfinite(H[:, o]).all(axis=0))
+        if not known.size:
+            continue
+        one = ahead[:, None] * parts[:, known].T
+        other = behind[:, None] * parts[:, known].T.conj()
+        shared = np.concatenate([one + other, 1j * (one - other)], axis=2)  # of the real and imaginary parts
+        own = np.zeros((F, known.size, known.size, 4), complex)
+        place = np.arange(known.size)
+        own[:, place, place] = _terms(derivative, s)[:, None]
+        A = np.concatenate([shared, own.reshape(F, known.size, -1)], axis=2) * weights[:, o, None, None]
+        found = _least_squares(A.reshape(F * known.size, -1), (H[:, o, known] * weights[:, o, None]).ravel())
+        shapes[:, o] = found[:N] + 1j * found[N : 2 * N]
+        rest = found[2 * N :].reshape(known.size, 4)
+        upper[o, known] = rest[:, 0] + 1j * rest[:, 1]
+        lower[o, known] = rest[:, 2] + 1j * rest[:, 3]
+    return Residues(poles, shapes, parts, upper, lower, power)
+
+
+def with_residual_terms(
+    frequencies: Array,
+    H: Complex,
+    weights: Array,
+    poles: Complex,
+    shapes: Complex,
+    parts: Complex,
+    power: int,
+) -> Residues:
+    """Fit the residual terms alone, to known shapes (N, S) of the displacement; see `lsfd`."""
+    s: Complex = np.asarray(2j * math.pi * frequencies, dtype=complex)
+    derivative: Complex = np.asarray(s**power, dtype=complex)
+    residues = shapes[:, :, None] * parts[:, None, :]
+    left = H - derivative[:, None, None] * modal_part(frequencies, poles, residues)
+    terms = _terms(derivative, s)[:, [0, 2]]
+    upper, lower = np.full(H.shape[1:], np.nan, complex), np.full(H.shape[1:], np.nan, complex)
+    for o in range(H.shape[1]):
+        known = np.isfinite(H[:, o]).all(axis=0)
+        if not known.any():
+            continue
+        A = terms * weights[:, o, None]
+        size = np.linalg.norm(A, axis=0)
+        found = np.linalg.lstsq(A / size, left[:, o, known] * weights[:, o, None], rcond=None)[0]
+        upper[o, known], lower[o, known] = found / size[:, None]
+    return Residues(poles, shapes, parts, upper, lower, power)
+
+
+def _terms(derivative: Complex, s: Complex) -> Complex:
+    """Return the columns of the real and imaginary parts of U and D, (F, 4)."""
+    one, other = derivative, derivative / s**2  # -1/omega^2 is 1/s^2
+    return np.stack([one, 1j * one, other, 1j * other], axis=1)
+
+
+def _least_squares(A: NDArray[Any], b: NDArray[Any]) -> Array:
+    """Return the real solution of complex equations."""
+    both = np.concatenate([A.real, A.imag])
+    size = np.linalg.norm(both, axis=0)
+    size = np.where(size > 0.0, size, 1.0)
+    found = np.linalg.lstsq(both / size, np.concatenate([b.real, b.imag]), rcond=1e-12)[0]
+    return np.asarray(found / size)

@@ -1,0 +1,160 @@
+r"""Frequencies from power spectra without phase, whose lines may be far apart.
+
+Klipper's spectra have lines 1.6 Hz apart, from averaged windowed pieces of a sweep.  The width of a peak is then that
+of the window as much as that of the mode, so that no damping is found.  Around each peak of the sum over directions,
+the power of a mode of one degree of freedom over a flat background,
+
+.. math:: P(f) = \frac{a\, f^4 / (f + f_0)^2}{1 + (f - f_0)^2 / w^2} + b ,
+
+whose slow factor is that of an acceleration, is fitted to a few lines, one mode at a time.  A spectrum from averages
+has relative errors, so that logarithms are fitted.  The standard deviation is at least 0.29 of the distance of the
+lines, that of a uniform error of a line: other modes, which the same force drives, shift a peak coherently, and there
+is no phase to tell.  The model is that of Brandt (Noise and Vibration Analysis, Wiley, 2011) for an accelerance.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import least_squares
+
+from pkmodes.base.errors import MeasurementError
+from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
+
+Array = NDArray[np.float64]
+#: Least standard deviation in distances of lines.
+LEAST = 0.29
+#: Lines on either side of a peak that are fitted.
+SIDE = 4
+#: A peak exceeds the higher of the lowest points between it and higher power, on either side, by this factor.
+PROMINENT = 1.6
+#: Power relative to the highest in the band below which nothing is a mode.
+LOWEST = 3e-3
+#: No mode is damped more: its peak is gone.
+HIGHEST_DAMPING = 0.2
+
+
+@dataclass(frozen=True)
+class _Peak:
+    frequency: float
+    sigma: float
+    height: float
+    width: float
+    floor: float
+
+
+def identify_spectrum(
+    frequencies: Array, power: Array, *, band: tuple[float, float]
+) -> tuple[Estimate, tuple[str, ...]]:
+    """Identify frequencies from power spectra.
+
+    Parameters
+    ----------
+    frequencies : ndarray, shape (F,)
+        Ascending [Hz].
+    power : ndarray, shape (F, S)
+        Power spectral densities of S responses, at any scale.
+    band : tuple of float
+        Where modes are wanted [Hz].
+
+    Returns
+    -------
+    Estimate
+        Poles are imaginary, as no damping is known, shapes and their standard deviations NaN.  The functions are
+        the spectra, (F, S, 1).
+    tuple of str
+        Sentences on what was found besides modes.
+
+    Raises
+    ------
+    MeasurementError
+        If the band has fewer than eight lines.
+    """
+    inside = (frequencies >= band[0]) & (frequencies <= band[1])
+    f, P = frequencies[inside], np.asarray(power, float)[inside]
+    if len(f) < 8:
+        raise MeasurementError(
+            f"{len(f)} lines between {band[0]:g} and {band[1]:g} Hz, a spectrum needs eight",
+            "band",
+            "widen it, or measure with a finer resolution",
+        )
+    total = P.sum(axis=1)
+    peaks = [_fitted(f, total, k) for k in _tops(total)]
+    kept, said = _apart([peak for peak in peaks if peak is not None], float(np.median(np.diff(f))))
+    modes = tuple(_mode(peak, P.shape[1]) for peak in kept)
+    stabilisation = Stabilisation(np.zeros(0, np.int64), ())
+    drawn = np.array([_shape(f, peak) - peak.floor for peak in kept]).reshape(len(kept), len(f)).sum(axis=0)
+    share = P / np.where(total > 0.0, total, 1.0)[:, None]
+    synthesised = (drawn[:, None] * share)[:, :, None].astype(complex)
+    return Estimate(modes, stabilisation, f, P[:, :, None].astype(complex), synthesised), said
+
+
+def _tops(total: Array) -> list[int]:
+    """Return the lines that are prominent maxima."""
+    found = []
+    for k in range(1, len(total) - 1):
+        if total[k] <= LOWEST * total.max() or total[k] < total[k - 1] or total[k] <= total[k + 1]:
+            continue
+        higher = np.flatnonzero(total > total[k])
+        before, after = higher[higher < k], higher[higher > k]
+        left = total[(before[-1] if before.size else 0) : k].min()
+        right = total[k + 1 : (after[0] + 1 if after.size else len(total))].min()
+        if total[k] > PROMINENT * max(left, right):
+            found.append(k)
+    return found
+
+
+def _shape(f: Array, peak: _Peak) -> Array:
+    slow = (f / peak.frequency) ** 4 * (2.0 * peak.frequency / (f + peak.frequency)) ** 2
+    return np.asarray(peak.height * slow / (1.0 + ((f - peak.frequency) / peak.width) ** 2) + peak.floor)
+
+
+def _fitted(f: Array, total: Array, k: int) -> _Peak | None:
+    """Return the peak around line k, None if it is no mode."""
+    around = slice(max(k - SIDE, 0), k + SIDE + 1)
+    at, P, step = f[around], total[around], float(f[min(k + 1, len(f) - 1)] - f[k - 1]) / 2.0
+
+    def peak(p: Array) -> _Peak:
+        return _Peak(float(p[0]), 0.0, math.exp(p[1]), math.exp(p[2]), math.exp(p[3]))
+
+    # the width is at least that of half a line: narrower ones cannot be told from it
+    top, low = math.log(total[k]), math.log(max(P.min(), 1e-9 * total[k]))
+    start = np.array([f[k], top, math.log(step), low - 0.5])
+    lowest = [f[k] - step, top - 3.0, math.log(0.3 * step), low - 20.0]
+    highest = [f[k] + step, top + 5.0, math.log(8.0 * step), top + 1.0]
+
+    def misfit(p: Array) -> Array:
+        return np.asarray(np.log(_shape(at, peak(p))) - np.log(np.maximum(P, 1e-9 * total[k])))
+
+    result = least_squares(misfit, start, bounds=(lowest, highest))
+    best = peak(result.x)
+    if best.width > HIGHEST_DAMPING * best.frequency and best.width > 2.0 * step:
+        return None
+    freedom = max(len(at) - 4, 1)
+    jacobian = np.asarray(result.jac)
+    covariance = np.linalg.pinv(jacobian.T @ jacobian) * 2.0 * result.cost / freedom
+    sigma = math.hypot(LEAST * step, min(math.sqrt(max(covariance[0, 0], 0.0)), step))
+    return _Peak(best.frequency, sigma, best.height, best.width, best.floor)
+
+
+def _apart(peaks: list[_Peak], step: float) -> tuple[list[_Peak], tuple[str, ...]]:
+    """Return one row for peaks closer than a line, and what to say of the others."""
+    kept: list[_Peak] = []
+    said: list[str] = []
+    for peak in sorted(peaks, key=lambda one: -one.height):
+        near = [one for one in kept if abs(one.frequency - peak.frequency) < step]
+        if near:
+            said.append(
+                f"peaks at {peak.frequency:.4g} and {near[0].frequency:.4g} Hz are closer than a line: one row"
+            )
+        else:
+            kept.append(peak)
+    return sorted(kept, key=lambda one: one.frequency), tuple(said)
+
+
+def _mode(peak: _Peak, sensors: int) -> Mode:
+    pole = complex(0.0, 2.0 * math.pi * peak.frequency)  # the size is what is known
+    return Mode(pole, np.full(sensors, complex(math.nan, math.nan)), peak.sigma, math.nan, math.nan, (1, 1))

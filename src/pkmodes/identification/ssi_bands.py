@@ -1,0 +1,148 @@
+r"""Correlation functions of narrow parts of a band, from spectral lines of the records.
+
+The lines Y(f) of a record in a part of the band are those of an analytic signal, and after a shift by its lower end
+f0 this signal has a low rate: its correlations are
+
+.. math:: R(\tau) = \Delta f \sum_f w(f)\, Y(f)\, Y(f)^H e^{2 \pi i (f - f_0) \tau} ,
+
+with a window w that falls smoothly to zero over guards on either side.  The record is padded with zeros, so that
+nothing wraps around.  A free decay in R remains one, but for the first lags, which the window widens and which sensor
+noise enters: they are left out.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+#: Ratio of the ends of a part of the band.
+RATIO = 1.4
+#: Least width of a part in lines of the longest piece.
+LEAST_LINES = 100
+#: Width of a guard relative to the part.
+GUARD = 0.3
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of the band.
+
+    Attributes
+    ----------
+    low, high : float
+        Where its modes are taken [Hz].
+    start, stop : float
+        Ends of its lines, which include the guards [Hz].
+    """
+
+    low: float
+    high: float
+    start: float
+    stop: float
+
+    @property
+    def rate(self) -> float:
+        """Sampling rate of the analytic signal [Hz]."""
+        return self.stop - self.start
+
+    def window(self, frequencies: Array) -> Array:
+        """Return w(f): 1 between the guards, and a squared cosine over each guard."""
+        below = (frequencies - self.start) / max(self.low - self.start, 1e-12)
+        above = (self.stop - frequencies) / max(self.stop - self.high, 1e-12)
+        inside = np.clip(np.minimum(below, above), 0.0, 1.0)
+        return np.asarray(np.sin(0.5 * math.pi * inside) ** 2)
+
+    def pole(self, value: Complex) -> Complex:
+        """Return poles [1/s] of eigenvalues of one step of the analytic signal."""
+        turn = np.mod(np.angle(value), 2.0 * math.pi)  # the lines are above the start
+        return np.asarray((np.log(np.abs(value)) + 1j * turn) * self.rate + 2j * math.pi * self.start)
+
+
+@dataclass(frozen=True, eq=False)
+class Lines:
+    """Spectral lines of one piece of a record.
+
+    Attributes
+    ----------
+    frequencies : ndarray, shape (F,)
+        In Hz.
+    values : ndarray, shape (F, S)
+        Of a transform that is normalised such that the sum of |Y|^2 over the lines times their step is a mean
+        square, weighted by the share of the piece in the record.
+    """
+
+    frequencies: Array
+    values: Complex
+
+    def within(self, part: Part) -> Lines:
+        """Return the lines of a part of the band."""
+        inside = slice(*np.searchsorted(self.frequencies, [part.start, part.stop]))
+        return Lines(self.frequencies[inside], self.values[inside])
+
+    @property
+    def step(self) -> float:
+        """Distance of the lines [Hz]."""
+        return float(self.frequencies[1] - self.frequencies[0])
+
+
+def parts(low: float, high: float, nyquist: float, seconds: float) -> list[Part]:
+    """Return the parts of a band [Hz] with guards that stay below the Nyquist frequency, for a length of record."""
+    least = min(LEAST_LINES / seconds, high - low)
+    ends = [low]
+    while ends[-1] < high:
+        ends.append(max(RATIO * ends[-1], ends[-1] + least))
+    if len(ends) > 2 and high - ends[-2] < 0.5 * (ends[-1] - ends[-2]):
+        del ends[-2]
+    ends[-1] = high
+    found = []
+    for a, b in pairwise(ends):
+        guard = GUARD * (b - a)
+        found.append(Part(a, b, max(a - guard, 0.0), min(b + guard, nyquist)))
+    return found
+
+
+def lines(pieces: Sequence[Array], t_step: float, longest: int = 0) -> list[Lines]:
+    """Return spectral lines of pieces of a record, without their means.
+
+    Parameters
+    ----------
+    pieces : sequence of ndarray, shape (N, S)
+    t_step : float
+        In s.
+    longest : int
+        Samples to pad each piece to with zeros; 0: no padding, so that the lines of noise are independent.
+    """
+    total = sum(len(piece) for piece in pieces) * t_step
+    found = []
+    for piece in pieces:
+        n = longest or len(piece)
+        spectrum = np.fft.rfft(piece - piece.mean(axis=0), n, axis=0) * t_step / math.sqrt(0.5 * total)
+        found.append(Lines(np.asarray(np.fft.rfftfreq(n, t_step), float), spectrum))
+    return found
+
+
+def correlations(padded: Sequence[Lines], part: Part, references: Array, lags: NDArray[np.int64]) -> Complex:
+    """Return correlations (K, S, r) of a part of the band at lags in samples of its analytic signal.
+
+    Parameters
+    ----------
+    padded : sequence of Lines
+        Of pieces padded to the same length.
+    part : Part
+    references : ndarray, shape (S, r)
+        Combinations of the responses.
+    lags : ndarray, shape (K,)
+    """
+    total: Complex = np.zeros((), dtype=complex)
+    for one in (piece.within(part) for piece in padded):
+        weighted = one.values * (part.window(one.frequencies) * one.step)[:, None]
+        total = total + weighted[:, :, None] * (one.values.conj() @ references)[:, None, :]
+    turns = np.exp(2j * math.pi * np.outer(lags, (one.frequencies - part.start) / part.rate))
+    return np.asarray(np.tensordot(turns, total, 1))

@@ -1,0 +1,194 @@
+r"""Frequency and damping of greatest likelihood, from the spectral lines around each mode.
+
+Correlations use a record poorly: errors of frequency and damping from subspace identification are three to five times
+the least possible ones, and their standard deviations are as uncertain as those errors.  The lines of a stationary
+record are independent and their power is exponentially distributed about the spectral density P, so that
+
+.. math:: -\log L = \sum_f \log P(f) + I(f) / P(f)
+
+(Whittle, Arkiv foer Matematik 2, 1953; for modes: Au, Mechanical Systems and Signal Processing 25(1), 2011).  I is
+the power of the modal coordinate, which the shapes of the subspace identification separate from its neighbours.  P is
+a peak for each mode and a background.  A peak is the expected periodogram of the decaying correlation over the length
+of the record, which resolves light damping (Sykulski et al., Biometrika 106(2), 2019), times the slow factor
+omega^4 / (omega + omega_d)^2 of an acceleration: without it, frequencies are off by twice the square of the damping
+ratio.  The inverse of the Fisher information is the covariance of the estimate.
+
+What the same force makes of other modes adds to a peak coherently: |r / s + c|^2 has an odd part Im(1 / s) besides.
+It would shift the frequency, and is fitted too; in noise, with a prior of its size.
+
+Decays and sweeps are not random: their I follows P smoothly.  The peak is then that of an infinite record, and the
+mean square of I / P - 1, times the number of lines over which it is correlated, replaces the exponential
+distribution in the covariance.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+#: Below this variance of I / P the response is a transient: it is 1 for noise.
+TRANSIENT = 0.25
+#: Largest odd part of a peak relative to the even one.
+ODD = 2.0
+#: One standard deviation of it before the fit, where the response is noise, most of which drives several modes.
+LIKELY_ODD = 0.2
+#: Iterations, and the change of the logarithm of the likelihood that ends them.
+MOST_STEPS, ENOUGH = 40, 1e-4
+#: Rates of decay stay between these times the distance of the lines and the width of the fitted range.
+LEAST_RATE = 1e-2
+
+
+@dataclass(frozen=True, eq=False)
+class Powers:
+    """Power of a modal coordinate on the lines of all pieces.
+
+    Attributes
+    ----------
+    frequencies : ndarray, shape (F,)
+        In Hz.
+    values : ndarray, shape (F,)
+        Of a spectral density, at any scale.
+    seconds : ndarray, shape (F,)
+        Length of the piece of each line.
+    """
+
+    frequencies: Array
+    values: Array
+    seconds: Array
+
+
+@dataclass(frozen=True, eq=False)
+class PeakFit:
+    """Peaks of a modal coordinate.
+
+    Attributes
+    ----------
+    frequencies, rates : ndarray, shape (m,)
+        Of the damped vibrations [Hz], and rates of decay [1/s].
+    covariance : ndarray, shape (m, 2, 2)
+        Of frequency and logarithm of the rate.
+    likelihood : float
+        Its logarithm.
+    scatter : float
+        Variance of I / P: 1 for noise.
+    density : ndarray, shape (F,)
+        P.
+    """
+
+    frequencies: Array
+    rates: Array
+    covariance: Array
+    likelihood: float
+    scatter: float
+    density: Array
+
+
+def fit_peaks(powers: Powers, frequencies: Sequence[float], rates: Sequence[float]) -> PeakFit:
+    """Return the fit of greatest likelihood of peaks and a background, linear in frequency in its logarithm.
+
+    Parameters
+    ----------
+    powers : Powers
+    frequencies, rates : sequence of float
+        Where to start [Hz], [1/s].
+    """
+    fit = _fit(powers, frequencies, rates, False)
+    if fit.scatter < TRANSIENT:
+        fit = _fit(powers, fit.frequencies.tolist(), fit.rates.tolist(), True)
+    return fit
+
+
+def _fit(powers: Powers, frequencies: Sequence[float], rates: Sequence[float], transient: bool) -> PeakFit:
+    m, power = len(frequencies), powers.values
+    ends = powers.frequencies[[0, -1]]
+    middle, half = float(ends.mean()), float(0.5 * np.ptp(ends))
+    x = (powers.frequencies - middle) / half
+    level = math.log(np.median(power) + 1e-300)
+    heights = [
+        math.log(power[np.argsort(np.abs(powers.frequencies - f))[:3]].mean() + 1e-300) for f in frequencies
+    ]
+    p = np.array([*frequencies, *np.log(rates), *heights, level - 0.7, 0.0, *([0.0] * m)])
+    low = np.array([ends[0]] * m + [math.log(LEAST_RATE / powers.seconds.max())] * m + [level - 40.0] * m)
+    high = np.array([ends[1]] * m + [math.log(2.0 * math.pi * half)] * m + [level + 40.0] * m)
+    odd = [ODD] * m
+    low = np.concatenate([low, [level - 40.0, -5.0], [-one for one in odd]])
+    high = np.concatenate([high, [level + 40.0, 5.0], odd])
+    p = np.clip(p, low, high)
+    density, slopes = _density(p, m, powers, x, transient)
+    prior = np.zeros(len(p))
+    prior[3 * m + 2 :] = 0.0 if transient else LIKELY_ODD**-2
+    value, damp = _likelihood(power, density) - 0.5 * float(prior @ p**2), 1e-3
+    for _ in range(MOST_STEPS):
+        gradient = slopes.T @ (power / density - 1.0) - prior * p
+        fisher = slopes.T @ slopes + np.diag(prior)
+        scale = np.diag(fisher) + 1e-9
+        step = np.linalg.solve(fisher + np.diag(damp * scale + 1e-9), gradient)
+        step[:m] = np.clip(step[:m], -0.3 * half, 0.3 * half)
+        step[m:] = np.clip(step[m:], -1.5, 1.5)
+        trial = np.clip(p + step, low, high)
+        new_density, new_slopes = _density(trial, m, powers, x, transient)
+        new = _likelihood(power, new_density) - 0.5 * float(prior @ trial**2)
+        if new > value:
+            done = new - value < ENOUGH
+            p, density, slopes, value, damp = trial, new_density, new_slopes, new, max(damp / 5.0, 1e-6)
+            if done:
+                break
+        elif damp > 1e4:
+            break
+        else:
+            damp *= 10.0
+    relative = power / density
+    scatter = 0.5 * float(np.mean(np.diff(relative) ** 2)) if len(relative) > 1 else 1.0
+    fisher = slopes.T @ slopes + np.diag(prior)
+    covariance = np.linalg.pinv(fisher + 1e-9 * np.diag(np.diag(fisher) + 1e-12), hermitian=True)
+    covariance *= _correlated(relative - 1.0) if transient else 1.0
+    both = np.arange(m)[:, None] + np.array([0, m])
+    return PeakFit(
+        p[:m], np.exp(p[m : 2 * m]), covariance[both[:, :, None], both[:, None, :]], value, scatter, density
+    )
+
+
+def _correlated(misfit: Array) -> float:
+    """Return the mean square of a misfit times the number of lines over which it is correlated."""
+    products = np.correlate(misfit, misfit, "full")[len(misfit) - 1 :] / len(misfit)
+    negative = np.flatnonzero(products <= 0.0)
+    reach = int(negative[0]) if negative.size else len(products)
+    return float(products[0] + 2.0 * products[1:reach].sum())
+
+
+def _likelihood(power: Array, density: Array) -> float:
+    return -float(np.sum(np.log(density) + power / density))
+
+
+def _density(p: Array, m: int, powers: Powers, x: Array, transient: bool) -> tuple[Array, Array]:
+    """Return P (F,) and the derivatives of its logarithm by the parameters (F, P)."""
+    background = np.exp(p[3 * m] + p[3 * m + 1] * x)
+    total, slopes = background.copy(), np.empty((len(x), len(p)))
+    slopes[:, 3 * m], slopes[:, 3 * m + 1] = background, background * x
+    for j in range(m):
+        away = 2.0 * math.pi * (powers.frequencies - p[j])
+        rate, height = math.exp(p[m + j]), math.exp(p[2 * m + j])
+        s = rate + 1j * away
+        if transient:
+            peak, by_s = rate / s, -rate / s**2
+        else:
+            T = powers.seconds
+            gone = np.exp(-s * T)
+            peak = rate * (1.0 / s - (1.0 - gone) / (s**2 * T))
+            by_s = rate * (-1.0 / s**2 - gone / s**2 + 2.0 * (1.0 - gone) / (s**3 * T))
+        factor = height * (powers.frequencies / p[j]) ** 4 * (2.0 * p[j] / (powers.frequencies + p[j])) ** 2
+        slopes[:, 3 * m + 2 + j] = factor * -peak.imag
+        skew = 1.0 + 1j * p[3 * m + 2 + j]
+        peak, by_s = skew * peak, skew * by_s
+        by_frequency = -2.0 / p[j] - 2.0 / (powers.frequencies + p[j])
+        total += factor * peak.real
+        slopes[:, 2 * m + j] = factor * peak.real
+        slopes[:, m + j] = factor * (peak.real + by_s.real * rate)
+        slopes[:, j] = factor * ((by_s * -2j * math.pi).real + by_frequency * peak.real)
+    total = np.maximum(total, 1e-6 * powers.values.max() + 1e-300)  # the odd part may exceed the even one
+    return total, slopes / total[:, None]

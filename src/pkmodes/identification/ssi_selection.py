@@ -1,0 +1,164 @@
+"""Choice of modes among the clusters of poles, by whether a peak of their own exceeds the background.
+
+A cluster over model orders (see `pkmodes.identification.clusters`) may also be a bump of the noise or a second
+description of a strong mode.  The shapes of modes accepted so far are removed from a candidate's by a modal filter,
+the row of the pseudo-inverse of the shapes: what is left of a second description is noise.  The candidate is accepted
+if a peak explains the power that passes its filter better than a smooth background, by a ratio of likelihoods
+(`pkmodes.identification.ssi_likelihood`).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.identification.ssi_bands import Lines
+from pkmodes.identification.ssi_likelihood import PeakFit, Powers, fit_peaks
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+#: Logarithm of the ratio of likelihoods above which a peak is more than a bump of noise: three parameters, tried at
+#: some hundred places.
+SIGNIFICANT = 12.0
+#: Half the range of a fit in half bandwidths and in lines.
+HALF_WIDTHS, LEAST_LINES = 10.0, 24.0
+#: A modal filter may reduce a mode by this factor relative to noise; neighbours beyond are fitted in the power.
+AMPLIFIED = 4.0
+#: Modes that are farther away are removed too, as what they add around a peak is coherent with it and shifts it, if
+#: that costs no more than this factor; to this ratio of frequencies.
+AMPLIFIED_FAR, FAR = 1.5, 3.0
+#: Rate of decay times length of record, below which a line has no bandwidth that can be seen.
+UNRESOLVED = 1.5
+#: Half bandwidths, those of both fits together, by which a fit may move a candidate, and a factor on its bandwidth.
+SHIFT, WIDENED = 0.75, 4.0
+#: Half bandwidths of a peak that must be seen on either side.
+SEEN = 1.2
+#: No more than this damping ratio is a mode with a peak.
+HIGHEST_DAMPING = 0.2
+
+
+@dataclass(frozen=True, eq=False)
+class Refined:
+    """A mode.
+
+    Attributes
+    ----------
+    frequency, rate : float
+        Of the damped vibration [Hz], rate of decay [1/s].
+    covariance : ndarray, shape (2, 2)
+        Of frequency and logarithm of the rate.
+    shape : ndarray, shape (S,)
+        In the scale of the lines.
+    gain : float
+        Logarithm of the ratio of likelihoods.
+    """
+
+    frequency: float
+    rate: float
+    covariance: Array
+    shape: Complex
+    gain: float
+
+    @property
+    def pole(self) -> complex:
+        """In 1/s."""
+        return complex(-self.rate, 2.0 * math.pi * self.frequency)
+
+
+def start(pole: complex, shape: Complex) -> Refined:
+    """Return a candidate at a pole, before any fit."""
+    return Refined(pole.imag / (2.0 * math.pi), -pole.real, np.zeros((2, 2)), shape, math.inf)
+
+
+def refined(
+    mode: Refined, others: Sequence[Refined], lines: Sequence[Lines], ends: tuple[float, float]
+) -> Refined | None:
+    """Return a mode refined beside others, None if no peak of its own is left.
+
+    Parameters
+    ----------
+    mode : Refined
+    others : sequence of Refined
+    lines : sequence of Lines
+        Of pieces without padding.
+    ends : tuple of float
+        Of the lines that may be used [Hz].
+    """
+    seconds = max(1.0 / piece.step for piece in lines)
+    half = max(HALF_WIDTHS * mode.rate / (2.0 * math.pi), LEAST_LINES / seconds)
+    low, high = max(mode.frequency - half, ends[0]), min(mode.frequency + half, ends[1])
+    reach = [one for one in others if low - 0.5 * half < one.frequency < high + 0.5 * half]
+    far = [one for one in others if one not in reach and 1 / FAR < one.frequency / mode.frequency < FAR]
+    row, beside = _filter(mode, reach, far)
+    beside = [one for one in beside if low < one.frequency < high]
+    powers = _powers(lines, row, low, high)
+    if len(powers.values) < 12:
+        return None
+    near = [one.frequency for one in beside], [max(one.rate, 0.5 / seconds) for one in beside]
+    alone = fit_peaks(powers, *near)
+    fit = fit_peaks(powers, [mode.frequency, *near[0]], [max(mode.rate, 0.5 / seconds), *near[1]])
+    return _accepted(mode, fit, fit.likelihood - alone.likelihood, reach, seconds, (low, high))
+
+
+def _accepted(
+    mode: Refined,
+    fit: PeakFit,
+    gain: float,
+    reach: Sequence[Refined],
+    seconds: float,
+    ends: tuple[float, float],
+) -> Refined | None:
+    f, rate = float(fit.frequencies[0]), float(fit.rates[0])
+    inside = ends[0] < f < ends[1] and rate < HIGHEST_DAMPING * 2.0 * math.pi * f
+    if gain < SIGNIFICANT or rate * seconds < UNRESOLVED or not inside:
+        return None
+    # what became another peak than the candidate's has the wrong shape
+    if abs(f - mode.frequency) > SHIFT * (rate + mode.rate) / (2.0 * math.pi) + 1.0 / seconds:
+        return None
+    width = rate / (2.0 * math.pi)
+    seen = ends[0] < f - SEEN * width and f + SEEN * width < ends[1]
+    if rate > WIDENED * (mode.rate + 5.0 / seconds) or not seen:
+        return None
+    for one in reach:
+        apart = 2.0 * math.pi * abs(f - one.frequency) / (rate + one.rate)
+        if apart < 0.5 and _mac(mode.shape, one.shape) > 0.9:
+            return None
+    return Refined(f, rate, fit.covariance[0], mode.shape, gain)
+
+
+def _filter(mode: Refined, reach: Sequence[Refined], far: Sequence[Refined]) -> tuple[Complex, list[Refined]]:
+    """Return the filter of a mode (S,), and the neighbours that it does not remove."""
+    removed: list[Refined] = []
+    left: list[Refined] = []
+    row = mode.shape.conj() / np.vdot(mode.shape, mode.shape).real
+    for some, limit in ((reach, AMPLIFIED), (far, AMPLIFIED_FAR)):
+        for one in sorted(some, key=lambda one: abs(one.frequency - mode.frequency)):
+            tried = [mode.shape, *(other.shape for other in removed), one.shape]
+            inverse = np.linalg.pinv(np.column_stack(tried))[0]
+            amplified = float(np.linalg.norm(inverse) * np.linalg.norm(mode.shape))
+            if len(tried) <= len(mode.shape) and amplified < limit:
+                removed.append(one)
+                row = inverse
+            else:
+                left.append(one)
+    return row, left
+
+
+def _powers(lines: Sequence[Lines], row: Complex, low: float, high: float) -> Powers:
+    """Return the power that passes a filter, between two frequencies."""
+    frequencies, values, seconds = [], [], []
+    for piece in lines:
+        inside = slice(*np.searchsorted(piece.frequencies, [max(low, 0.5 * piece.step), high]))
+        frequencies.append(piece.frequencies[inside])
+        values.append(np.abs(piece.values[inside] @ row) ** 2 * piece.step)
+        seconds.append(np.full(len(frequencies[-1]), 1.0 / piece.step))
+    return Powers(np.concatenate(frequencies), np.concatenate(values), np.concatenate(seconds))
+
+
+def _mac(one: Complex, other: Complex) -> float:
+    product = abs(np.vdot(one, other)) ** 2
+    return float(product / (np.vdot(one, one).real * np.vdot(other, other).real))

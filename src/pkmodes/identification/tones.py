@@ -1,0 +1,154 @@
+r"""Lines without bandwidth: mains, fans and motors.
+
+A tone is a sinusoid of constant amplitude and phase over the record; the response of a mode to noise loses its phase
+in the time of its decay, and its amplitude is Rayleigh distributed.  A line that stands out of its surroundings is
+followed over the record by complex demodulation: a tone has nearly the same complex amplitude in all segments, that
+of a mode has a mean near zero.  This is the distinction by statistics of the amplitude (Jacobsen, Andersen and
+Brincker, Proceedings of IOMAC 2007, who use the kurtosis) but needs no long record.  Tones are fitted by least
+squares and subtracted, which leaves modes beside them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+#: Power of a line relative to the median of its surroundings, and half the width of these in lines.
+STANDS_OUT, SURROUNDINGS = 40.0, 40
+#: Segments, and the least share of power with constant complex amplitude of a tone.
+SEGMENTS, CONSTANT = 12, 0.85
+#: A given tone is searched within this fraction of its frequency, and this many lines.
+NEAR, NEAR_LINES = 0.003, 2.0
+#: Times that a tone is fitted and subtracted, as the first leaves a little if its frequency drifts; and that each
+#: line is tried.
+PASSES = 2
+
+
+@dataclass(frozen=True)
+class Tone:
+    """A line without bandwidth.
+
+    Attributes
+    ----------
+    frequency : float
+        In Hz.
+    sentence : str
+        What to say of it.
+    """
+
+    frequency: float
+    sentence: str
+
+
+def find_tones(
+    t_step: float, pieces: Sequence[Array], band: tuple[float, float], given: Sequence[float] = ()
+) -> list[Tone]:
+    """Return the tones of a record in and near the band, by frequency.
+
+    Parameters
+    ----------
+    t_step : float
+        In s.
+    pieces : sequence of ndarray, shape (N, S)
+    band : tuple of float
+        In Hz.
+    given : sequence of float
+        Frequencies that, with their multiples, are tones whatever they look like [Hz].
+    """
+    piece = max(pieces, key=len)
+    signal = (piece - piece.mean(axis=0)) / np.where(piece.std(axis=0) > 0.0, piece.std(axis=0), np.inf)
+    seconds = len(signal) * t_step
+    power = (np.abs(np.fft.rfft(signal * np.hanning(len(signal))[:, None], axis=0)) ** 2).sum(axis=1)
+    f = np.asarray(np.fft.rfftfreq(len(signal), t_step), float)
+    found = [
+        Tone(at, f"{at:.4g} Hz is given as a tone or is a multiple of one: no mode")
+        for at in _given(f, power, band, given, seconds)
+    ]
+    peaks = _peaks(power, *np.searchsorted(f, [0.9 * band[0], 1.05 * band[1]]))
+    for k in PASSES * peaks:  # again, as a tone found later may have hidden this one
+        if any(abs(f[k] - tone.frequency) * seconds < 4.0 for tone in found):
+            continue
+        at = _refined(signal, t_step, float(f[k]))
+        if _constant_share(signal, t_step, at) > CONSTANT:
+            signal = signal - _sinusoid(signal, t_step, at)
+            found.append(Tone(at, f"{at:.4g} Hz is a line without bandwidth: a tone, no mode"))
+    return sorted(found, key=lambda tone: tone.frequency)
+
+
+def without_tones(
+    t_step: float, pieces: Sequence[Array], tones: Sequence[Tone], band: tuple[float, float]
+) -> list[Array]:
+    """Return the pieces of a record (N, S) without tones [Hz]."""
+    left = [np.array(piece, float) for piece in pieces]
+    inside = [tone for tone in tones if 0.5 * band[0] < tone.frequency < 2.0 * band[1]]
+    for piece in left:
+        for tone in inside:
+            for _ in range(PASSES):
+                at = _refined(piece, t_step, tone.frequency)
+                piece -= _sinusoid(piece, t_step, at)
+    return left
+
+
+def _given(
+    f: Array, power: Array, band: tuple[float, float], given: Sequence[float], seconds: float
+) -> list[float]:
+    """Return where the given tones and their multiples are in the band."""
+    found = []
+    for one in given:
+        for multiple in range(1, int(1.05 * band[1] / one) + 1):
+            at = multiple * one
+            reach = min(NEAR * at, 0.5) + NEAR_LINES / seconds
+            near = slice(*np.searchsorted(f, [at - reach, at + reach]))
+            if at > 0.9 * band[0] and power[near].size:
+                found.append(float(f[near][np.argmax(power[near])]))
+    return found
+
+
+def _peaks(power: Array, low: int, high: int) -> list[int]:
+    """Return the lines that stand out of their surroundings, the strongest first."""
+    found = []
+    for k in range(max(low, 2), min(high, len(power) - 2)):
+        if power[k] == power[k - 2 : k + 3].max():
+            around = np.median(power[max(k - SURROUNDINGS, 0) : k + SURROUNDINGS + 1])
+            if power[k] > STANDS_OUT * around:
+                found.append(k)
+    return sorted(found, key=lambda k: -power[k])
+
+
+def _refined(signal: Array, t_step: float, near: float) -> float:
+    """Return the frequency within a line whose sinusoid has the most power, by a search around its maximum."""
+    t = (np.arange(len(signal)) - 0.5 * (len(signal) - 1)) * t_step
+    seconds = len(signal) * t_step
+    window = np.hanning(len(signal))
+    # lines of a narrow band: the signal is averaged in blocks after a shift to zero frequency
+    shifted = signal * (window * np.exp(-2j * math.pi * near * t))[:, None]
+    block = max(len(signal) // 256, 1)
+    rows = len(signal) // block * block
+    short = shifted[:rows].reshape(-1, block, signal.shape[1]).sum(axis=1)
+    at = t[:rows].reshape(-1, block).mean(axis=1)
+    offsets = np.linspace(-1.5, 1.5, 121) / seconds
+    power = (np.abs(np.exp(-2j * math.pi * np.outer(offsets, at)) @ short) ** 2).sum(axis=1)
+    return near + float(offsets[np.argmax(power)])
+
+
+def _sinusoid(signal: Array, t_step: float, frequency: float) -> Array:
+    """Return the sinusoid of a frequency in the signal, by least squares."""
+    turns = np.exp(2j * math.pi * frequency * t_step * np.arange(len(signal)))
+    window = np.hanning(len(signal))
+    amplitude = 2.0 * (window * turns.conj()) @ signal / window.sum()
+    return np.asarray((turns[:, None] * amplitude).real)
+
+
+def _constant_share(signal: Array, t_step: float, frequency: float) -> float:
+    """Return the share of the power around a line whose complex amplitude is the same over the record."""
+    turns = np.exp(-2j * math.pi * frequency * t_step * np.arange(len(signal)))
+    length = len(signal) // SEGMENTS
+    shifted = (signal * turns[:, None])[: SEGMENTS * length].reshape(SEGMENTS, length, -1)
+    amplitudes = np.einsum("snc,n->sc", shifted, np.hanning(length))
+    return float((np.abs(amplitudes.mean(axis=0)) ** 2).sum() / (np.abs(amplitudes) ** 2).mean(axis=0).sum())
