@@ -127,6 +127,7 @@ FLOORS = (
     "maps",
     "model",
     "updating",
+    "campaign",
     "view",
     "plots",
     "figures",

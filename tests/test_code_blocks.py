@@ -19,6 +19,7 @@ from helpers.pages.documentation import ELSEWHERE, HINT, PAGES, ROOT, Block, blo
 from helpers.robots.robot_text import published
 from helpers.runs.processes import without_progress
 from pkmodes import updating
+from pkmodes.campaign.campaign import read_campaign
 from pkmodes.robot.reading import robot_from_document
 
 LANGUAGES = {"python", "sh", "text", "toml", "csv", "c"}
@@ -92,7 +93,11 @@ class Reader:
 
     def _toml(self, block: Block) -> None:
         tables = tomllib.loads(block.text)
-        if "fragment" not in block.hints and not block.hint("append"):
+        if "record" in tables:
+            path = self.folder / "block.toml"
+            path.write_text(block.text, encoding="utf-8")
+            read_campaign(path)
+        elif "fragment" not in block.hints and not block.hint("append"):
             path = self.folder / "block.toml"
             path.write_text(block.text, encoding="utf-8")
             pkmodes.read_robot(path)

@@ -24,6 +24,7 @@ from pkmodes.cli.delivery import silence
 from pkmodes.cli.diagnose import diagnose
 from pkmodes.cli.figures import figures
 from pkmodes.cli.generate import generate
+from pkmodes.cli.identify import identify
 from pkmodes.cli.map import map_
 from pkmodes.cli.modes import modes
 from pkmodes.cli.printing import echo
@@ -55,6 +56,7 @@ for command in (
     sensitivities,
     response,
     shaper,
+    identify,
     compare,
     diagnose,
 ):

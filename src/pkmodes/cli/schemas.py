@@ -12,6 +12,7 @@ from pkmodes.cli.check import CheckDocument
 from pkmodes.cli.compare import CompareDocument
 from pkmodes.cli.figures import FiguresDocument
 from pkmodes.cli.generate import GenerateDocument
+from pkmodes.cli.identify import IdentifyDocument
 from pkmodes.cli.map import MapDocument
 from pkmodes.cli.modes import modes_document
 from pkmodes.cli.response import ResponseDocument
@@ -31,6 +32,7 @@ DOCUMENTS: dict[str, type[Document]] = {
     "sensitivities": SensitivitiesDocument,
     "response": ResponseDocument,
     "shaper": ShaperDocument,
+    "identify": IdentifyDocument,
     "compare": CompareDocument,
     "diagnose": DiagnoseDocument,
 }

@@ -1,0 +1,290 @@
+"""A campaign: what was measured at which poses, with which sensors; checked, and in SI units."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
+from os import PathLike, fspath
+from pathlib import Path
+
+from pkmodes.base.errors import MeasurementError, PkmodesError, nearest, shown
+from pkmodes.campaign.description import CampaignTable, EditTable, RecordTable, read_description
+from pkmodes.campaign.quantities import band_of, frequency, quantity, share, uncertain
+from pkmodes.campaign.sensors import Place, Sensor, forces_of, sensors_of
+from pkmodes.model.loading import load
+from pkmodes.model.model import Model
+from pkmodes.updating.load_cases import settable
+from pkmodes.updating.robot_structure import channels
+
+#: What `repeatability` may say instead of a share: it is estimated from poses that were measured twice.
+REVISITS = "revisits"
+
+
+@dataclass(frozen=True)
+class Record:
+    """What was measured at one pose, in one load case.
+
+    Attributes
+    ----------
+    number : int
+        In the file, from 1.
+    point, point_sigma : mapping of str to float
+        Components of the pose in SI units, and their standard deviations.
+    settings : mapping of str to float
+        Known values of parameters by path, in SI units.
+    setups : mapping of str to tuple of Path
+        Files of each setup: repeats.  The only setup of a plain list is called "".
+    band : tuple of float
+        [Hz].
+    averages, hits : int or None
+    exponential, rate : float or None
+        Time constant of a window [s], and a sampling rate [Hz].
+    columns : mapping of str to str
+        Names of a table's columns, by those of a measurement file.
+    """
+
+    number: int
+    pose: str
+    point: Mapping[str, float]
+    point_sigma: Mapping[str, float]
+    settings: Mapping[str, float]
+    kind: str
+    setups: Mapping[str, tuple[Path, ...]]
+    band: tuple[float, float]
+    drives: str
+    averages: int | None
+    exponential: float | None
+    hits: int
+    rate: float | None
+    columns: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class Edit:
+    """The user's word on the modes of a record: frequencies [Hz]."""
+
+    pose: str
+    strike: tuple[float, ...]
+    add: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Campaign:
+    """A campaign.
+
+    Attributes
+    ----------
+    model : Model or None
+        Of the robot; None for another structure.
+    channels : mapping of str to str
+        Names that shape components may have, with their units; those of another structure may be lengths or angles,
+        and have none.
+    repeatability : float or None
+        Relative standard deviation of a frequency when a pose is approached again; None to estimate it.
+    tones : tuple of float
+        Of mains, fans and motors [Hz]: these and their multiples are no modes.
+    """
+
+    source: str
+    model: Model | None
+    channels: Mapping[str, str]
+    repeatability: float | None
+    tones: tuple[float, ...]
+    sensors: tuple[Sensor, ...]
+    forces: tuple[Place, ...]
+    records: tuple[Record, ...]
+    edits: tuple[Edit, ...]
+
+    def sensors_in(self, setup: str) -> dict[str, Sensor]:
+        """Return the sensors that hold in a setup, by name."""
+        return {one.name: one for one in self.sensors if one.setup in (None, setup)}
+
+    def forces_in(self, setup: str) -> dict[str, Place]:
+        """Return the forces that hold in a setup, by name."""
+        return {one.name: one for one in self.forces if one.setup in (None, setup)}
+
+    @property
+    def places(self) -> dict[str, Place]:
+        """Sensors and forces of all setups, by key."""
+        return {one.key: one for one in (*self.sensors, *self.forces)}
+
+
+def read_campaign(path: str | PathLike[str]) -> Campaign:
+    """Read and check a campaign file; the files that it names are not read.
+
+    Parameters
+    ----------
+    path : path-like
+        A TOML file, format 1.  Paths in it are relative to its folder.
+
+    Raises
+    ------
+    MeasurementError
+        If the file cannot be read, or anything in it is wrong: with the place in it.
+    RobotFileError
+        If the robot file is invalid.
+    """
+    source = fspath(path)
+    return campaign_of(read_description(Path(path)), source)
+
+
+def campaign_of(table: CampaignTable, source: str) -> Campaign:
+    """Check the tables of a campaign file; `source` is its path."""
+    folder = Path(source).parent
+    if (table.robot is None) == (table.channels is None):
+        what = "expected either a robot or channels, found " + (
+            "both" if table.robot is not None else "neither"
+        )
+        raise MeasurementError(
+            what, source, 'write robot = "robot.toml", or channels = ["floor_1"] for a structure'
+        )
+    model = None if table.robot is None else load(folder / table.robot)
+    known = dict.fromkeys(table.channels or (), "") if model is None else channels(model.mechanism)
+    directions = () if model is None else model.mechanism.directions
+    if not table.record:
+        raise MeasurementError(
+            "expected records, found none", f"{source}: record", "add [[record]] for each pose"
+        )
+    band = band_of(table.band, f"{source}: band")
+    records = tuple(
+        _record(record, i, table, model, folder, band, f"{source}: record.{i}")
+        for i, record in enumerate(table.record, start=1)
+    )
+    _check_labels(records, source)
+    used = {name for record in records for name in record.setups}
+    return Campaign(
+        source=source,
+        model=model,
+        channels=known,
+        repeatability=(
+            None
+            if table.repeatability == REVISITS
+            else share(table.repeatability, f"{source}: repeatability")
+        ),
+        tones=tuple(frequency(text, f"{source}: tones") for text in table.tones),
+        sensors=sensors_of(table.sensor, known, directions, used, source),
+        forces=forces_of(table.force, known, directions, used, source),
+        records=records,
+        edits=tuple(
+            _edit(edit, records, f"{source}: edit.{i}") for i, edit in enumerate(table.edit, start=1)
+        ),
+    )
+
+
+def _record(
+    given: RecordTable,
+    number: int,
+    table: CampaignTable,
+    model: Model | None,
+    folder: Path,
+    band: tuple[float, float],
+    where: str,
+) -> Record:
+    files = given.files if isinstance(given.files, dict) else {"": given.files}
+    if not files or not all(files.values()):
+        raise MeasurementError(
+            "expected files, found none", f"{where}.files", 'for example: files = ["p1.uff"]'
+        )
+    repeated = [
+        name
+        for name, count in Counter(name for listed in files.values() for name in listed).items()
+        if count > 1
+    ]
+    if repeated:
+        what = f"the file {shown(repeated[0])} is given twice"
+        raise MeasurementError(what, f"{where}.files", "a repeat is another measurement: give each file once")
+    if not given.pose.strip():
+        raise MeasurementError("expected a label, found none", f"{where}.pose", 'for example: pose = "P1"')
+    for name, count in (("averages", given.averages), ("hits", given.hits)):
+        if count is not None and count < 1:
+            what = f"expected at least 1, found {count}"
+            raise MeasurementError(what, f"{where}.{name}", "count what is in each file")
+    point, spread = _point(given, model, where)
+    return Record(
+        number=number,
+        pose=given.pose,
+        point=point,
+        point_sigma=spread,
+        settings=_settings(given, model, where),
+        kind=given.kind,
+        setups={name: tuple(folder / file for file in listed) for name, listed in files.items()},
+        band=band if given.band is None else band_of(given.band, f"{where}.band"),
+        drives=given.drives or table.drives,
+        averages=given.averages,
+        exponential=None if given.exponential is None else _time(given.exponential, f"{where}.exponential"),
+        hits=given.hits,
+        rate=None if given.rate is None else frequency(given.rate, f"{where}.rate", "3200 Hz"),
+        columns=given.columns,
+    )
+
+
+def _time(text: str, where: str) -> float:
+    value = quantity(text, "s", where)
+    if value <= 0.0:
+        raise MeasurementError(
+            f"expected a time above 0, found {shown(text)}", where, 'for example: "0.35 s"'
+        )
+    return value
+
+
+def _point(given: RecordTable, model: Model | None, where: str) -> tuple[dict[str, float], dict[str, float]]:
+    """Return the pose and its standard deviations; empty for a structure that is no robot."""
+    if model is None:
+        if given.at:
+            what = "a structure without a robot has no positions"
+            raise MeasurementError(what, f"{where}.at", "leave it out, or give the robot file")
+        return {}, {}
+    units = {component.name: component.unit for component in model.mechanism.pose}
+    for name in given.at:
+        if name not in units:
+            raise MeasurementError(f"unknown component {shown(name)}", f"{where}.at", nearest(name, units))
+    missing = [name for name in units if name not in given.at]
+    if missing:
+        what = f"expected {', '.join(units)}, found no {', '.join(missing)}"
+        raise MeasurementError(what, f"{where}.at", 'for example: at = { x = "600 mm", ... }')
+    both = {name: uncertain(given.at[name], unit, f"{where}.at.{name}") for name, unit in units.items()}
+    point = {name: value for name, (value, _) in both.items()}
+    try:
+        model.kinematics.checked(list(point.values()), "raise")
+    except PkmodesError as error:
+        raise MeasurementError(error.what, f"{where}.at", error.remedy) from None
+    return point, {name: sigma for name, (_, sigma) in both.items()}
+
+
+def _settings(given: RecordTable, model: Model | None, where: str) -> dict[str, float]:
+    if model is None:
+        if given.settings:
+            what = "a structure without a robot has no parameters"
+            raise MeasurementError(what, f"{where}.set", "leave it out, or give the robot file")
+        return {}
+    known = settable(model.mechanism, model.robot)
+    found = {}
+    for path, value in given.settings.items():
+        if path not in known:
+            what = f"unknown parameter path {shown(path)}"
+            raise MeasurementError(what, f"{where}.set", nearest(path, known, "see docs/sensitivities.md"))
+        found[path] = quantity(value, known[path], f"{where}.set.{path}")
+    return found
+
+
+def _check_labels(records: tuple[Record, ...], source: str) -> None:
+    first: dict[str, int] = {}
+    for record in records:
+        other = first.setdefault(record.pose, record.number)
+        if other != record.number:
+            what = f"the label {shown(record.pose)} is that of record {other}, too"
+            remedy = "give each record its own label; repeats are several files of one record"
+            raise MeasurementError(what, f"{source}: record.{record.number}.pose", remedy)
+
+
+def _edit(given: EditTable, records: tuple[Record, ...], where: str) -> Edit:
+    labels = [record.pose for record in records]
+    if given.pose not in labels:
+        what = f"no record has the label {shown(given.pose)}"
+        raise MeasurementError(what, f"{where}.pose", nearest(given.pose, labels))
+    return Edit(
+        given.pose,
+        tuple(frequency(text, f"{where}.strike") for text in given.strike),
+        tuple(frequency(text, f"{where}.add") for text in given.add),
+    )

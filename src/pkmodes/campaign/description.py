@@ -1,0 +1,168 @@
+"""The campaign file as it is written: which keys it has, and of which kinds their values are."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any, Literal, NoReturn
+
+import msgspec
+from msgspec import Struct, field
+
+from pkmodes.base.errors import MeasurementError, nearest, shown
+
+LARGEST_FILE = 1_000_000
+#: How msgspec says that a key is unknown or missing, and where something is wrong.
+UNKNOWN = re.compile(r"Object contains unknown field `(.*)`")
+MISSING = re.compile(r"Object missing required field `(.*)`")
+PLACE = re.compile(r"(.*) - at `\$(.*)`")
+
+
+class Part(Struct, frozen=True, forbid_unknown_fields=True):
+    """A table of the file: another key than its attributes is an error."""
+
+
+class Uncertain(Part, frozen=True):
+    """A quantity with its standard deviation."""
+
+    value: str | int | float
+    sigma: str | int | float = 0
+
+
+class SensorTable(Part, frozen=True):
+    """``[[sensor]]``: one measured direction."""
+
+    name: str
+    channel: str | None = None
+    direction: list[float] | None = None
+    unit: str | None = None
+    sensitivity: str | None = None
+    setup: str | None = None
+
+
+class ForceTable(Part, frozen=True):
+    """``[[force]]``: where a reference of the files acts."""
+
+    name: str
+    channel: str | None = None
+    direction: list[float] | None = None
+    setup: str | None = None
+
+
+class RecordTable(Part, frozen=True):
+    """``[[record]]``: what was measured at one pose, in one load case."""
+
+    pose: str
+    kind: str
+    files: list[str] | dict[str, list[str]]
+    at: dict[str, str | int | float | Uncertain] = {}
+    settings: dict[str, str | int | float] = field(name="set", default_factory=dict)
+    averages: int | None = None
+    exponential: str | None = None
+    hits: int = 1
+    band: list[str] | None = None
+    drives: Literal["free", "held"] | None = None
+    rate: str | None = None
+    columns: dict[str, str] = {}
+
+
+class EditTable(Part, frozen=True):
+    """``[[edit]]``: the user's word on the modes of a record."""
+
+    pose: str
+    strike: list[str] = []
+    add: list[str] = []
+
+
+class CampaignTable(Part, frozen=True):
+    """The whole file."""
+
+    format: Literal[1]
+    band: list[str]
+    record: list[RecordTable]
+    robot: str | None = None
+    channels: list[str] | None = None
+    repeatability: str = "0.2 %"
+    tones: list[str] = []
+    drives: Literal["free", "held"] = "free"
+    sensor: list[SensorTable] = []
+    force: list[ForceTable] = []
+    edit: list[EditTable] = []
+
+
+#: Tables by the last name of their place in the file.
+TABLES: dict[str, type[Part]] = {
+    "sensor": SensorTable,
+    "force": ForceTable,
+    "record": RecordTable,
+    "edit": EditTable,
+    "": CampaignTable,
+}
+
+
+def read_description(path: Path) -> CampaignTable:
+    """Read a campaign file.
+
+    Raises
+    ------
+    MeasurementError
+        If it cannot be read, is no TOML, or a key is unknown, missing or of another kind.
+    """
+    source = str(path)
+    try:
+        if path.stat().st_size > LARGEST_FILE:
+            _refuse(
+                "expected a campaign file in TOML, found a file larger than 1 MB", source, "check the path"
+            )
+        document = tomllib.loads(path.read_text(encoding="utf-8-sig"))
+    except UnicodeDecodeError as error:
+        _refuse(
+            f"expected UTF-8 text, found an invalid byte at offset {error.start}", source, "save it as UTF-8"
+        )
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        _refuse(f"not valid TOML: {error}", source, "fix the syntax at that place")
+    except (OSError, ValueError) as error:  # ValueError: a path with a null character
+        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        _refuse(f"cannot read the campaign file: {reason}", source, "check the path")
+    return described(document, source)
+
+
+def described(document: dict[str, Any], source: str) -> CampaignTable:
+    """Return the tables of a parsed file; `source` names it in messages."""
+    try:
+        return msgspec.convert(document, CampaignTable)
+    except msgspec.ValidationError as error:
+        _translate(str(error), source)
+
+
+def _translate(text: str, source: str) -> NoReturn:
+    """Raise the error of msgspec in the words of pkmodes."""
+    found = PLACE.fullmatch(text)
+    what, place = (found[1], found[2]) if found else (text, "")
+    place = re.sub(r"\[(\d+)\]", lambda index: f".{int(index[1]) + 1}", place).lstrip(".")
+    where = f"{source}: {place}" if place else source
+    keys = re.sub(r"\.?\d+$", "", place)
+    table = TABLES.get(keys.rpartition(".")[2])
+    known = [each.encode_name for each in msgspec.structs.fields(table)] if table else []
+    if match := UNKNOWN.fullmatch(what):
+        _refuse(f"unknown key {shown(match[1])}", where, nearest(match[1], known) if known else "remove it")
+    if match := MISSING.fullmatch(what):
+        _refuse(
+            f'expected the key "{match[1]}", found none', where, f"add it; known keys: {', '.join(known)}"
+        )
+    words = {
+        "`str`": "text",
+        "`int`": "an integer",
+        "`float`": "a number",
+        "`array`": "a list",
+        "`object`": "a table",
+    }
+    for word, plain in words.items():
+        what = what.replace(word, plain)
+    what = what.replace(", got ", ", found ").replace("`", '"').replace(" | ", " or ")
+    _refuse(f"{what[0].lower()}{what[1:]}", where, "see the campaign file in docs/signals.md")
+
+
+def _refuse(what: str, where: str, remedy: str) -> NoReturn:
+    raise MeasurementError(what, where, remedy) from None

@@ -1,0 +1,58 @@
+"""Records of modes that another program has identified: dataset 55 of universal files, and tables."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from pkmodes.base.errors import MeasurementError
+from pkmodes.campaign.campaign import Campaign, Record
+from pkmodes.campaign.found import Found
+from pkmodes.campaign.mode_tables import read_mode_table
+from pkmodes.campaign.shapes import by_channel
+from pkmodes.signals.reading import HEAD, read_signals
+from pkmodes.signals.universal_file import UNIVERSAL_FILE
+
+
+def identified_modes(
+    path: Path, record: Record, setup: str, campaign: Campaign
+) -> tuple[list[Found], list[str]]:
+    """Return the modes in a file, their shapes by channel, and sentences for the user.
+
+    Raises
+    ------
+    MeasurementError
+        If the file is faulty, or has no modes.
+    """
+    if not _universal(path):
+        return read_mode_table(path, record.columns, campaign.channels, record.pose), []
+    read = read_signals(path)
+    if not read.modes:
+        what = f"expected identified modes (dataset 55), found {len(read.functions)} functions and no mode"
+        remedy = 'choose another kind of record, such as kind = "frf"'
+        raise MeasurementError(what, read.source, remedy)
+    places = campaign.sensors_in(setup)
+    found = [
+        Found(
+            mode.frequency,
+            np.nan if mode.damping is None else mode.damping,
+            by_channel({name: value for name, value in mode.shape.items() if name in places}, places),
+        )
+        for mode in read.modes
+    ]
+    seen = {name for mode in read.modes for name in mode.shape}
+    messages = list(read.messages)
+    if places and not seen & places.keys():
+        messages.append(f"{read.source}: no sensor of the campaign is in the file: its shapes are left out")
+    return found, messages
+
+
+def _universal(path: Path) -> bool:
+    """Return whether a file is a universal file."""
+    try:
+        with path.open("rb") as file:
+            head = file.read(HEAD)
+    except (OSError, ValueError):  # the reader says why
+        head = b""
+    return UNIVERSAL_FILE.recognises(head) or path.suffix.lower() in UNIVERSAL_FILE.suffixes

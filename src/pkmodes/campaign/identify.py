@@ -1,0 +1,186 @@
+"""From the files of a campaign to modes with standard deviations."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from pkmodes.base.errors import MeasurementError, nearest, shown
+from pkmodes.campaign.averaging import Mean, averaged
+from pkmodes.campaign.campaign import Campaign, Edit, Record
+from pkmodes.campaign.found import Found
+from pkmodes.campaign.grouping import grouped
+from pkmodes.campaign.joining import joined
+from pkmodes.campaign.kinds import KINDS, Kind
+from pkmodes.campaign.results import Identification, IdentifiedMode, LeftOut, Parts, RecordResult
+from pkmodes.campaign.revisits import revisited
+from pkmodes.campaign.rows import measurements_of
+from pkmodes.campaign.sensors import Place
+from pkmodes.campaign.shapes import by_channel, real_shape
+from pkmodes.identification.estimates import collinearity
+
+#: A mode must be in this share of the repeats.
+OFTEN = 0.5
+#: A frequency of the user means the mode within this of it, relative.
+NEAR = 0.01
+#: Modal phase collinearity below which a shape is said to be complex.
+COMPLEX = 0.8
+
+
+def identify(campaign: Campaign, *, keep_going: bool = False) -> Identification:
+    """Identify the modes of a campaign.
+
+    Parameters
+    ----------
+    keep_going : bool
+        Whether faulty files are left out instead of refused.
+
+    Raises
+    ------
+    MeasurementError
+        If a file is faulty, an edit means no mode, or no mode is found at all.
+    """
+    means: list[tuple[Record, list[Mean], list[LeftOut], list[str]]] = []
+    for record in campaign.records:
+        kind = KINDS.get(record.kind)
+        where = f"{campaign.source}: record.{record.number}.kind"
+        if kind is None:
+            raise MeasurementError(f"unknown kind {shown(record.kind)}", where, nearest(record.kind, KINDS))
+        means.append((record, *_found(record, kind, campaign, keep_going)))
+    repeatability, notes = campaign.repeatability, list[str]()
+    if repeatability is None:
+        repeatability, notes = revisited([(record, each) for record, each, _, _ in means], campaign.source)
+    results = tuple(
+        _result(record, each, left_out, messages, campaign, repeatability)
+        for record, each, left_out, messages in means
+        if each or not left_out
+    )
+    return Identification(results, repeatability, measurements_of(results, campaign), tuple(notes))
+
+
+def _found(
+    record: Record, kind: Kind, campaign: Campaign, keep_going: bool
+) -> tuple[list[Mean], list[LeftOut], list[str]]:
+    """Return the modes of a record over its repeats and setups, the files left out, and sentences."""
+    setups: dict[str, list[Mean]] = {}
+    left_out: list[LeftOut] = []
+    messages: list[str] = []
+    for setup, paths in record.setups.items():
+        files: list[Sequence[Found]] = []
+        for path in paths:
+            try:
+                modes, said = kind.find(path, record, setup, campaign)
+            except MeasurementError as error:
+                if not keep_going:
+                    raise
+                left_out.append(LeftOut(str(path), f"{error.what} ({error.where})"))
+                continue
+            messages += said
+            files.append(
+                [_named(mode, setup, kind, campaign) for mode in _in_band(modes, record, path, messages)]
+            )
+        if files:
+            often = max(1.0, OFTEN * len(files))
+            setups[setup] = averaged([group for group in grouped(files) if len(group) >= often])
+            if len(files) == 1:
+                of = f" of the setup {setup}" if setup else ""
+                messages.append(f"{record.pose}: a single file{of}: the scatter of repeats is unknown")
+    if not setups:
+        return [], left_out, messages
+    means, notes = joined(setups)
+    return means, left_out, [*messages, *(f"{record.pose}: {note}" for note in notes)]
+
+
+def _in_band(modes: Sequence[Found], record: Record, path: Path, messages: list[str]) -> list[Found]:
+    low, high = record.band
+    inside = [mode for mode in modes if low <= mode.frequency <= high]
+    if len(inside) < len(modes):
+        outside = ", ".join(f"{mode.frequency:.4g}" for mode in modes if mode not in inside)
+        messages.append(f"{path}: outside the band, left out: {outside} Hz")
+    return inside
+
+
+def _named(mode: Found, setup: str, kind: Kind, campaign: Campaign) -> Found:
+    """Return a mode whose sensors have names of their own where they hold in one setup only."""
+    if kind.by_channel:
+        return mode
+    known = {**campaign.forces_in(setup), **campaign.sensors_in(setup)}
+    names = {name: place.key for name, place in known.items()}
+    return Found(**{**vars(mode), "shape": {names[name]: value for name, value in mode.shape.items()}})
+
+
+def _result(
+    record: Record,
+    means: Sequence[Mean],
+    left_out: Sequence[LeftOut],
+    messages: Sequence[str],
+    campaign: Campaign,
+    repeatability: float,
+) -> RecordResult:
+    said = list(messages)
+    places = {} if KINDS[record.kind].by_channel else campaign.places
+    modes = [_mode(mean, places, repeatability) for mean in means]
+    kept, struck = _edited(
+        modes, [edit for edit in campaign.edits if edit.pose == record.pose], campaign.source
+    )
+    for mode in kept:
+        if mode.complexity < COMPLEX:
+            said.append(
+                f"{record.pose}: the shape of the mode at {mode.frequency:.4g} Hz is complex: its modal phase "
+                f"collinearity is {mode.complexity:.2f}, and only its real part is used"
+            )
+    if any(mode.parts.scatter == mode.parts.fit == 0.0 for mode in kept):
+        said.append(
+            f"{record.pose}: sigma is the repeatability alone where neither repeats nor the file state more"
+        )
+    return RecordResult(record, tuple(kept), tuple(struck), tuple(left_out), tuple(said))
+
+
+def _mode(mean: Mean, places: Mapping[str, Place], repeatability: float) -> IdentifiedMode:
+    mode = mean.mode
+    shape = by_channel(mode.shape, places) if places else dict(mode.shape)
+    parts = Parts(
+        float(np.nan_to_num(mean.scatter)) * mode.frequency,
+        mode.sigma_frequency,
+        repeatability * mode.frequency,
+    )
+    damping = float(np.hypot(np.nan_to_num(mean.damping_scatter) * mode.damping, mode.sigma_damping))
+    of_shape = np.array([mean.shape_scatter, mode.sigma_shape])
+    return IdentifiedMode(
+        frequency=mode.frequency,
+        parts=parts,
+        damping=mode.damping,
+        sigma_damping=damping if damping > 0.0 else np.nan,
+        shape=real_shape(shape),
+        sigma_shape=float(np.sqrt(np.nansum(of_shape**2)))
+        if len(shape) > 1 and np.isfinite(of_shape).any()
+        else np.nan,
+        complexity=collinearity(np.array(list(shape.values()))) if shape else np.nan,
+        found_in=mode.found_in,
+        files=len(mean.files),
+    )
+
+
+def _edited(
+    modes: Sequence[IdentifiedMode], edits: Sequence[Edit], source: str
+) -> tuple[list[IdentifiedMode], list[float]]:
+    """Return the modes that the user leaves, and the frequencies of those struck out."""
+    kept, struck = list(modes), []
+    for edit in edits:
+        for wanted in edit.strike:
+            near = [mode for mode in kept if abs(mode.frequency / wanted - 1.0) <= NEAR]
+            if not near:
+                found = ", ".join(f"{mode.frequency:.4g}" for mode in kept) or "none"
+                what = f"no mode of {edit.pose} lies within 1 % of {wanted:g} Hz, found {found} Hz"
+                raise MeasurementError(what, f"{source}: edit", "correct the frequency, or leave it out")
+            mode = min(near, key=lambda each: abs(each.frequency - wanted))
+            kept.remove(mode)
+            struck.append(mode.frequency)
+        if edit.add:
+            what = (
+                f"no mode can be added at {edit.add[0]:g} Hz: the record of {edit.pose} has no signals to fit"
+            )
+            raise MeasurementError(what, f"{source}: edit", "add it to the file of modes")
+    return kept, struck

@@ -1,0 +1,96 @@
+"""Setups of a record: other excitations, hammer points or sensor places at one pose.
+
+Frequencies and damping are common to all setups; shapes are joined by the sensors that they share.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from pkmodes.campaign.averaging import Mean, mean_shape
+from pkmodes.campaign.grouping import grouped
+
+
+def joined(setups: Mapping[str, Sequence[Mean]]) -> tuple[list[Mean], list[str]]:
+    """Return the modes of all setups of a record, and sentences on shapes that could not be joined.
+
+    The mean over setups is weighted by their variances.  Where setups differ by more than these tell, their spread
+    counts instead.
+    """
+    if len(setups) == 1:
+        return list(next(iter(setups.values()))), []
+    names, listed = list(setups), list(setups.values())
+    means, notes = [], []
+    for group in grouped([[mean.mode for mean in each] for each in listed]):
+        members = [next(mean for mean in listed[i] if mean.mode is mode) for i, mode in sorted(group.items())]
+        mean, apart = _together(members)
+        if apart:
+            which = ", ".join(names[i] for i in sorted(group))
+            notes.append(
+                f"the shapes of the mode at {mean.mode.frequency:.4g} Hz share no sensor in the setups {which}: only "
+                "the one with most sensors is kept"
+            )
+        means.append(mean)
+    return means, notes
+
+
+def _together(members: Sequence[Mean]) -> tuple[Mean, bool]:
+    """Return one mode of several setups, and whether their shapes share no sensor."""
+    if len(members) == 1:
+        return members[0], False
+    modes = [one.mode for one in members]
+    frequency, sigma, scatter = _weighted(
+        [mode.frequency for mode in modes],
+        [mode.sigma_frequency for mode in modes],
+        [one.scatter * one.mode.frequency for one in members],
+    )
+    damping, sigma_damping, damping_scatter = _weighted(
+        [mode.damping for mode in modes],
+        [mode.sigma_damping for mode in modes],
+        [one.damping_scatter * one.mode.damping for one in members],
+    )
+    shapes = [mode.shape for mode in modes if mode.shape]
+    whole = max(shapes, key=len, default={})
+    linked = [shape for shape in shapes if shape.keys() & whole.keys()]
+    shape = mean_shape([whole, *(each for each in linked if each is not whole)])[0] if linked else {}
+    known = [mode.sigma_shape for mode in modes if np.isfinite(mode.sigma_shape)]
+    largest = [one.shape_scatter for one in members if np.isfinite(one.shape_scatter)]
+    mode = replace(
+        modes[0],
+        frequency=frequency,
+        damping=damping,
+        shape=shape,
+        sigma_frequency=sigma,
+        sigma_damping=sigma_damping,
+        sigma_shape=max(known, default=np.nan),
+        found_in=min(
+            (mode.found_in for mode in modes if mode.found_in), key=lambda one: one[0] / one[1], default=None
+        ),
+    )
+    files = tuple(sorted(i for one in members for i in one.files))
+    relative = damping_scatter / damping if damping > 0.0 else np.nan
+    joint = Mean(mode, scatter / frequency, relative, max(largest, default=np.nan), files)
+    return joint, len(linked) < len(shapes)
+
+
+def _weighted(
+    values: Sequence[float], fits: Sequence[float], scatters: Sequence[float]
+) -> tuple[float, float, float]:
+    """Return the weighted mean of values, and its standard deviations by the fits and by the scatter of repeats."""
+    x, fit, scatter = (np.array(each, dtype=float) for each in (values, fits, scatters))
+    good = np.isfinite(x)
+    if not good.any():
+        return np.nan, 0.0, np.nan
+    x, fit, scatter = x[good], fit[good], scatter[good]
+    variance = np.nan_to_num(scatter) ** 2 + fit**2
+    weights = 1.0 / variance if (variance > 0.0).all() else np.ones(len(x))
+    weights = weights / weights.sum()
+    mean = float(weights @ x)
+    left = float(np.sqrt(weights**2 @ fit**2))
+    stated = float(np.sqrt(weights**2 @ np.nan_to_num(scatter) ** 2))
+    spread = float(np.sqrt(weights @ (x - mean) ** 2 / max(len(x) - 1, 1))) if len(x) > 1 else 0.0
+    known = np.isfinite(scatter).any() or spread > np.hypot(stated, left)
+    return mean, left, max(stated, spread) if known else np.nan

@@ -1,0 +1,43 @@
+"""The kinds of records: how the modes of one file are found.
+
+Another kind is an entry of `KINDS` and a function.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from pkmodes.campaign.ambient_records import ambient_modes
+from pkmodes.campaign.campaign import Campaign, Record
+from pkmodes.campaign.found import Found
+from pkmodes.campaign.frf_records import frf_modes
+from pkmodes.campaign.identified_modes import identified_modes
+from pkmodes.campaign.impact_records import impact_modes
+from pkmodes.campaign.spectrum_records import spectrum_modes
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of record.
+
+    Attributes
+    ----------
+    find : callable
+        The modes of a file of a setup, their shapes by sensor or, if `by_channel`, by channel; and sentences for the
+        user.  Raises `MeasurementError` for a faulty file.
+    by_channel : bool
+    """
+
+    find: Callable[[Path, Record, str, Campaign], tuple[list[Found], list[str]]]
+    by_channel: bool = False
+
+
+KINDS = {
+    "frf": Kind(frf_modes),
+    "impact": Kind(impact_modes),
+    "ambient": Kind(ambient_modes),
+    "spectrum": Kind(spectrum_modes),
+    "modes": Kind(identified_modes, by_channel=True),
+}

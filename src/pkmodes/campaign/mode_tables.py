@@ -1,0 +1,183 @@
+"""Tables of modes that are already identified: the columns of a measurement file, under any names.
+
+The campaign says where the machine was, so that only the frequency is required.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from decimal import Decimal
+from pathlib import Path
+from typing import NoReturn
+
+import numpy as np
+
+from pkmodes.base.errors import MeasurementError, nearest, shown
+from pkmodes.campaign.found import Found
+from pkmodes.measured.cells import cells_of, number_in
+from pkmodes.measured.csv_format import read_text
+from pkmodes.measured.csv_rows import read_lines
+from pkmodes.measured.header import IN_BRACKETS, frequency_factor
+from pkmodes.measured.rules import SHAPE
+from pkmodes.robot.units import QuantityError, base_units
+
+#: Columns of numbers, with the kind of their units.
+NUMBERS = {"frequency": "Hz", "sigma": "Hz", "damping": "1", "sigma_damping": "1", "sigma_shape": "1"}
+SEPARATORS = (";", "\t", ",")
+PER_CENT = Decimal("0.01")
+
+
+def read_mode_table(
+    path: Path, columns: Mapping[str, str], channels: Mapping[str, str], pose: str
+) -> list[Found]:
+    """Read identified modes.
+
+    Parameters
+    ----------
+    columns : mapping of str to str
+        Names of columns of the table, by those of a measurement file.
+    channels : mapping of str to str
+        Names that a shape column may have, and their units.
+    pose : str
+        Label: of a table with a column ``pose``, only the rows with this one count.
+
+    Raises
+    ------
+    MeasurementError
+        If the file cannot be read or is invalid, with line and column.
+    """
+    source = str(path)
+    text = read_text(path, source, "the modes", "give a table of modes")
+    records = read_lines(text, source).records
+    if len(records) < 2:
+        _refuse("expected a header and rows, found none", source, "start with the names of the columns")
+    (number, header), rows = records[0], records[1:]
+    separator = max(SEPARATORS, key=header.count)
+    names = _cells(header, separator, f"{source}: line {number}")
+    places = _places(names, columns, channels, f"{source}: line {number}")
+    found, labels = [], set()
+    for line, record in rows:
+        where = f"{source}: line {line}"
+        cells = _cells(record, separator, where)
+        if len(cells) != len(names):
+            _refuse(
+                f"expected {len(names)} cells, found {len(cells)}",
+                where,
+                "give each row as many as the header",
+            )
+        if "pose" in places:
+            label = cells[places["pose"][0]]
+            labels.add(label)
+            if label != pose:
+                continue
+        found.append(_mode(cells, places, names, separator != ",", where))
+    if not found:
+        what = f"expected rows of the pose {shown(pose)}, found {', '.join(sorted(labels)) or 'none'}"
+        _refuse(what, source, "correct the label of the record, or leave the column out")
+    return found
+
+
+def _cells(line: str, separator: str, where: str) -> list[str]:
+    return cells_of(line, where) if separator == "," else [cell.strip(' "') for cell in line.split(separator)]
+
+
+def _places(
+    names: list[str], columns: Mapping[str, str], channels: Mapping[str, str], where: str
+) -> dict[str, tuple[int, Decimal | None]]:
+    """Return the place of each known column, and its factor to SI units or Hz."""
+    unknown = [key for key in columns if key not in NUMBERS and key != "pose" and not key.startswith(SHAPE)]
+    if unknown:
+        known = ["pose", *NUMBERS, *(f"{SHAPE}{name}" for name in channels)]
+        _refuse(f"unknown column {shown(unknown[0])} in columns", where, nearest(unknown[0], known))
+    theirs = {name: own for own, name in columns.items()}
+    found: dict[str, tuple[int, Decimal | None]] = {}
+    for i, cell in enumerate(names):
+        match = None if cell in theirs else IN_BRACKETS.fullmatch(cell)
+        name, unit = (match[1], match[2].strip()) if match else (cell, "")
+        name = theirs.get(name, theirs.get(cell, name))
+        if name.startswith(SHAPE) and name.removeprefix(SHAPE) not in channels:
+            wanted = name.removeprefix(SHAPE)
+            _refuse(f"unknown channel {shown(wanted)}", f"{where}, column {i + 1}", nearest(wanted, channels))
+        if name in NUMBERS or name == "pose" or name.startswith(SHAPE):
+            if name in found:
+                _refuse(
+                    f"the column {shown(name)} is repeated", f"{where}, column {i + 1}", "remove one of them"
+                )
+            found[name] = (i, _factor(name, unit, f"{where}, column {i + 1}") if unit else None)
+    missing = [
+        name
+        for name in columns.values()
+        if name not in names and name not in [n.partition(" [")[0] for n in names]
+    ]
+    if missing:
+        _refuse(f"expected the column {shown(missing[0])}, found none", where, nearest(missing[0], names))
+    if "frequency" not in found:
+        remedy = 'name it in the record: columns = { frequency = "f0" }'
+        _refuse("expected a column of frequencies, found none", where, remedy)
+    return found
+
+
+def _factor(name: str, unit: str, where: str) -> Decimal:
+    try:
+        if NUMBERS.get(name) == "Hz":
+            return frequency_factor(unit)
+        if name in NUMBERS:
+            if unit != "%":
+                raise QuantityError(f"{shown(unit)} is not the unit of a ratio")
+            return PER_CENT
+        return base_units(unit)[0]
+    except QuantityError as error:
+        _refuse(str(error), where, "correct the unit")
+
+
+def _mode(
+    cells: list[str],
+    places: Mapping[str, tuple[int, Decimal | None]],
+    names: list[str],
+    decimal_comma: bool,
+    where: str,
+) -> Found:
+    values: dict[str, float] = {}
+    shape: dict[str, complex] = {}
+    for name, (i, factor) in places.items():
+        cell = cells[i].replace(",", ".") if decimal_comma else cells[i]
+        if name == "pose" or not cell:
+            continue
+        value = number_in(cell, factor)
+        if value is None:
+            remedy = "write a plain number, or leave the cell blank"
+            _refuse(
+                f"expected a finite number, found {shown(cells[i])}", f"{where}, column {names[i]}", remedy
+            )
+        if name.startswith(SHAPE):
+            shape[name.removeprefix(SHAPE)] = complex(value)
+        else:
+            values[name] = value
+    place = f"{where}, column {names[places['frequency'][0]]}"
+    if values.get("frequency", 0.0) <= 0.0:
+        _refuse(
+            f"expected a frequency above 0, found {shown(cells[places['frequency'][0]])}", place, "correct it"
+        )
+    for name in ("sigma", "sigma_damping", "sigma_shape"):
+        if values.get(name, 1.0) <= 0.0:
+            _refuse(
+                "expected a standard deviation above 0",
+                f"{where}, column {name}",
+                "leave it blank if unknown",
+            )
+    if not 0.0 <= values.get("damping", 0.0) < 1.0:
+        _refuse(
+            "expected a damping ratio of at least 0 and below 1", f"{where}, column damping", "2 % is 0.02"
+        )
+    return Found(
+        values["frequency"],
+        values.get("damping") or np.nan,  # 0 is that of programs that know none
+        shape,
+        values.get("sigma", 0.0),
+        values.get("sigma_damping", 0.0),
+        values.get("sigma_shape", np.nan),
+    )
+
+
+def _refuse(what: str, where: str, remedy: str) -> NoReturn:
+    raise MeasurementError(what, where, remedy) from None

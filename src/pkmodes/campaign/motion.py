@@ -1,0 +1,82 @@
+"""What a sensor measures: a linear or angular displacement, velocity or acceleration, in a unit."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from pkmodes.base.errors import MeasurementError, shown
+from pkmodes.robot.units import QuantityError, base_units
+
+#: Standard gravity as pint knows it.  "g" alone is that of accelerometers' data sheets: no sensor measures grams.
+GRAVITY = re.compile(r"(?<![A-Za-z])(m?)g0?(?![A-Za-z0-9])")
+EXAMPLE = 'give an acceleration, velocity or displacement, such as "m/s^2", "g0", "mm/s", "um" or "rad/s^2"'
+NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.+?)\s*", re.DOTALL)
+
+
+@dataclass(frozen=True)
+class Motion:
+    """What the numbers of a sensor are.
+
+    Attributes
+    ----------
+    factor : float
+        To SI units.
+    derivative : int
+        0 for a displacement, 1 for a velocity, 2 for an acceleration.
+    angular : bool
+    """
+
+    factor: float
+    derivative: int
+    angular: bool
+
+
+def motion(unit: str, where: str) -> Motion:
+    """Return what a unit measures.
+
+    Raises
+    ------
+    MeasurementError
+        If it is not one of a displacement, a velocity or an acceleration.
+    """
+    factor, powers = _base(unit, where)
+    return _of(factor, powers, unit, where)
+
+
+def motion_of_voltage(sensitivity: str, where: str) -> Motion:
+    """Return what volts mean for a sensor of a sensitivity such as ``"100 mV/g"``.
+
+    Raises
+    ------
+    MeasurementError
+        If it is not a voltage per displacement, velocity or acceleration.
+    """
+    match = NUMBER.fullmatch(sensitivity)
+    value = float(match[1]) if match else 0.0
+    if match is None or value == 0.0:
+        what = f'expected a sensitivity such as "100 mV/g0", found {shown(sensitivity)}'
+        raise MeasurementError(what, where, "give the volts per unit of the motion")
+    factor, powers = _base(match[2], where)
+    volt, of_volt = base_units("V")
+    left = {name: float(str(power)) for name, power in of_volt.items()}
+    for name, power in powers.items():
+        left[name] = left.get(name, 0.0) - power
+    return _of(float(volt) / (value * factor), {n: p for n, p in left.items() if p}, sensitivity, where)
+
+
+def _base(unit: str, where: str) -> tuple[float, dict[str, float]]:
+    try:
+        factor, powers = base_units(GRAVITY.sub(r"\1gravity", unit))
+    except QuantityError as error:
+        raise MeasurementError(str(error), where, EXAMPLE) from None
+    return float(factor), {name: float(str(power)) for name, power in powers.items()}
+
+
+def _of(factor: float, powers: dict[str, float], text: str, where: str) -> Motion:
+    kind = next((name for name in ("meter", "radian") if powers.get(name) == 1.0), None)
+    derivative = -powers.get("second", 0.0)
+    if kind is None or derivative not in (0.0, 1.0, 2.0) or not powers.keys() <= {kind, "second"}:
+        what = f"expected the unit of a motion, found {shown(text)}"
+        raise MeasurementError(what, where, EXAMPLE)
+    return Motion(factor, int(derivative), kind == "radian")

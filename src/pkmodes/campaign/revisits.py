@@ -1,0 +1,55 @@
+"""How well frequencies repeat when a pose is left and approached again: from poses measured under several labels."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from pkmodes.base.errors import MeasurementError
+from pkmodes.campaign.averaging import Mean
+from pkmodes.campaign.campaign import Record
+from pkmodes.campaign.grouping import grouped
+
+#: Modes that must have been measured again.
+FEWEST = 3
+
+
+def revisited(records: Sequence[tuple[Record, Sequence[Mean]]], source: str) -> tuple[float, list[str]]:
+    """Return the relative standard deviation of a frequency over approaches, and a sentence on it.
+
+    What repeats leave open of the means, or the fit of a single file, is taken off the variance between labels.
+
+    Raises
+    ------
+    MeasurementError
+        If fewer than three modes were measured again.
+    """
+    alike: dict[object, list[Sequence[Mean]]] = {}
+    for record, means in records:
+        key = (tuple(record.point.items()), tuple(sorted(record.settings.items())), record.drives)
+        alike.setdefault(key, []).append(means)
+    squares, freedom, modes = 0.0, 0, 0
+    for visits in alike.values():
+        for group in grouped([[mean.mode for mean in visit] for visit in visits]):
+            if len(group) < 2:
+                continue
+            members = [next(mean for mean in visits[i] if mean.mode is mode) for i, mode in group.items()]
+            logs = np.log([mean.mode.frequency for mean in members])
+            within = [
+                mean.variance
+                if np.isfinite(mean.variance)
+                else (mean.mode.sigma_frequency / mean.mode.frequency) ** 2
+                for mean in members
+            ]
+            squares += (len(members) - 1) * (float(np.var(logs, ddof=1)) - float(np.mean(within)))
+            freedom += len(members) - 1
+            modes += 1
+    if modes < FEWEST:
+        what = (
+            f'expected at least {FEWEST} modes measured again for repeatability = "revisits", found {modes}'
+        )
+        remedy = 'measure a pose again under another label, or write a number such as "0.2 %"'
+        raise MeasurementError(what, f"{source}: repeatability", remedy)
+    value = float(np.sqrt(max(squares, 0.0) / freedom))
+    return value, [f"repeatability {100.0 * value:.2g} %, from {modes} modes that were measured again"]

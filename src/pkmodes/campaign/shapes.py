@@ -1,0 +1,53 @@
+"""From what sensors show to the components of a mode shape: least squares over all sensors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from pkmodes.campaign.sensors import Place
+from pkmodes.identification.estimates import turned_real
+
+#: A component is undetermined if a motion that no sensor shows has more than this part in it.
+HIDDEN = 1e-6
+
+
+def by_channel(shape: Mapping[str, complex], places: Mapping[str, Place]) -> dict[str, complex]:
+    """Return a shape by channel.
+
+    Parameters
+    ----------
+    shape : mapping of str to complex
+        By sensor.
+    places : mapping of str to Place
+        The sensors, by the same names; those without weights are in no shape.
+
+    Returns
+    -------
+    dict of str to complex
+        What the sensors determine; other channels are left out.
+    """
+    used = [name for name in shape if places[name].weights]
+    channels = list(dict.fromkeys(channel for name in used for channel in places[name].weights))
+    if not used:
+        return {}
+    A = np.array([[places[name].weights.get(channel, 0.0) for channel in channels] for name in used])
+    values = np.array([shape[name] for name in used])
+    U, s, Vh = np.linalg.svd(A)
+    rank = int((s > HIDDEN * s[0]).sum())
+    hidden = np.abs(Vh[rank:]).max(axis=0, initial=0.0) > HIDDEN
+    found = Vh[:rank].T @ ((U[:, :rank].T @ values) / s[:rank])
+    return {
+        channel: complex(found[i])
+        for i, channel in enumerate(channels)
+        if not hidden[i] and np.isfinite(found[i])
+    }
+
+
+def real_shape(shape: Mapping[str, complex]) -> dict[str, float]:
+    """Return a shape turned as real as possible, its real part relative to its largest component."""
+    if not shape:
+        return {}
+    turned = turned_real(np.array(list(shape.values())))
+    return dict(zip(shape, turned.real.tolist(), strict=True))

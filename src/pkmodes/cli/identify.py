@@ -1,0 +1,172 @@
+"""``pkmodes identify``: modes with standard deviations from the files of a measurement campaign."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import click
+import numpy as np
+from msgspec import Meta
+
+from pkmodes.base.documents import Count, Document, Probability, Size
+from pkmodes.cli.delivery import ResultFile, deliver
+from pkmodes.cli.options import json_option, mechanism_option
+from pkmodes.cli.printing import echo
+from pkmodes.cli.targets import Target, check_targets
+
+if TYPE_CHECKING:
+    from pkmodes.campaign.results import Identification, IdentifiedMode, LeftOut, RecordResult
+
+
+class PartsDocument(Document):
+    """What the standard deviation of a frequency consists of [Hz], added in quadrature."""
+
+    scatter: Annotated[Size, Meta(description="Of the mean over repeats; 0 for a single file.")]
+    fit: Annotated[Size, Meta(description="What the identification leaves open.")]
+    repeatability: Annotated[Size, Meta(description="What approaching the pose again changes.")]
+
+
+class ModeDocument(Document):
+    """A mode of a record."""
+
+    frequency: Annotated[Size, Meta(description="Undamped natural frequency [Hz].")]
+    sigma: Annotated[Size, Meta(description="Its standard deviation [Hz].")]
+    sigma_parts: Annotated[PartsDocument, Meta(description="What it consists of.")]
+    damping: Annotated[float | None, Meta(description="Damping ratio; null where unknown.")]
+    sigma_damping: Annotated[Size | None, Meta(description="Its standard deviation; null where unknown.")]
+    complexity: Annotated[
+        Probability | None,
+        Meta(description="Modal phase collinearity, 1 for a real shape; null without a shape."),
+    ]
+    found_in: Annotated[
+        list[int] | None,
+        Meta(description="In how many model orders, of how many; null for spectra and identified modes."),
+    ]
+    files: Annotated[Count, Meta(description="In how many files it was found.")]
+    edited: Annotated[str | None, Meta(description='"added" if the campaign asked for it.')]
+
+
+class LeftOutDocument(Document):
+    """A faulty file that was left out."""
+
+    file: Annotated[str, Meta(description="Its path.")]
+    reason: Annotated[str, Meta(description="What is wrong with it.")]
+
+
+class RecordDocument(Document):
+    """The modes of a record."""
+
+    pose: Annotated[str, Meta(description="Its label.")]
+    kind: Annotated[str, Meta(description="Of the record.")]
+    modes: Annotated[list[ModeDocument], Meta(description="Ascending in frequency.")]
+    struck: Annotated[
+        list[float], Meta(description="Frequencies of modes that the campaign strikes out [Hz].")
+    ]
+    left_out: Annotated[list[LeftOutDocument], Meta(description="Faulty files.")]
+    messages: Annotated[list[str], Meta(description="What the reader should know.")]
+
+
+class IdentifyDocument(Document):
+    """The modes of a campaign."""
+
+    records: Annotated[list[RecordDocument], Meta(description="In the order of the campaign.")]
+    repeatability: Annotated[
+        Size, Meta(description="Relative standard deviation of a frequency when a pose is approached again.")
+    ]
+
+
+@click.command(epilog="\b\nExample:\n  pkmodes identify examples/campaign/campaign.toml --out modes.csv")
+@click.argument("campaign", metavar="CAMPAIGN.toml", type=click.Path(path_type=Path))
+@click.option(
+    "--out",
+    metavar="MODES.csv",
+    type=click.Path(path_type=Path),
+    required=True,
+    help="Measurement file to write, which compare and diagnose take; an existing one is replaced.",
+)
+@click.option(
+    "--keep-going", is_flag=True, help="Leave faulty files out, and a record if none of its files remains."
+)
+@mechanism_option
+@json_option
+def identify(campaign: Path, out: Path, keep_going: bool, json_file: str | None) -> None:
+    """Identify modes from measured signals, or join those that another program has identified.
+
+    The campaign file says what was measured where, and with which sensors.  The result has a standard deviation for
+    every frequency, damping ratio and shape.
+    """
+    check_targets(json_file, [campaign], Target("--out", out, "the modes", (".csv",)))
+    from pkmodes.base.writing import write_file
+    from pkmodes.campaign.campaign import read_campaign
+    from pkmodes.campaign.identify import identify as identified
+    from pkmodes.measured.writing import as_csv
+
+    found = identified(read_campaign(campaign), keep_going=keep_going)
+    for message in _said(found):
+        echo(message, err=True)
+    text = as_csv(found.measurements, [f"modes identified by pkmodes identify from {campaign.name}"])
+    rows = len(found.measurements.frequency)
+    file = ResultFile(out, lambda path: write_file(path, text), lambda path: (f"wrote {path}: {rows} modes",))
+    deliver(json_file, _document(found).as_json(), lambda: _print(found), file)
+
+
+def _said(found: Identification) -> list[str]:
+    lines = []
+    for one in found.records:
+        lines += [f"left out: {each.file}: {each.reason}" for each in one.left_out]
+        lines += [f"note: {message}" for message in one.messages]
+    return [*lines, *(f"note: {message}" for message in found.messages)]
+
+
+def _document(found: Identification) -> IdentifyDocument:
+    return IdentifyDocument([_record(one) for one in found.records], found.repeatability)
+
+
+def _record(one: RecordResult) -> RecordDocument:
+    return RecordDocument(
+        pose=one.record.pose,
+        kind=one.record.kind,
+        modes=[_mode(mode) for mode in one.modes],
+        struck=list(one.struck),
+        left_out=[_left_out(each) for each in one.left_out],
+        messages=list(one.messages),
+    )
+
+
+def _left_out(one: LeftOut) -> LeftOutDocument:
+    return LeftOutDocument(one.file, one.reason)
+
+
+def _mode(mode: IdentifiedMode) -> ModeDocument:
+    return ModeDocument.of(
+        mode,
+        sigma_parts=PartsDocument.of(mode.parts),
+        found_in=None if mode.found_in is None else list(mode.found_in),
+    )
+
+
+def _print(found: Identification) -> None:
+    from pkmodes.cli.terminal import Terminal
+
+    terminal = Terminal()
+    for one in found.records:
+        terminal.heading(f"{one.record.pose}, {one.record.kind}, motors {one.record.drives}")
+        rows = []
+        for number, mode in enumerate(one.modes, start=1):
+            known, stated = np.isfinite(mode.damping), np.isfinite(mode.sigma_damping)
+            rows.append(
+                [
+                    str(number),
+                    f"{mode.frequency:.4f}",
+                    f"{mode.sigma:.2g}",
+                    f"{100.0 * mode.damping:.3g}" if known else "-",
+                    f"{100.0 * mode.sigma_damping:.2g}" if known and stated else "-",
+                    str(len(mode.shape)),
+                    str(mode.files),
+                ]
+            )
+        titles = ["mode", "frequency [Hz]", "sigma", "damping [%]", "sigma", "components", "files"]
+        terminal.table(titles, rows)
+        terminal.line()
+    terminal.line(f"repeatability {100.0 * found.repeatability:.2g} % of each frequency, in its sigma")

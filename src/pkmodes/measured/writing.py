@@ -1,0 +1,61 @@
+"""Measurements as a file in CSV, which the reader reads back to the last digit."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from pkmodes.measured.columns import Columns
+from pkmodes.measured.header import SPREAD
+from pkmodes.measured.quantities import QUANTITIES, SHAPE_SIGMA
+from pkmodes.measured.rules import SET, SHAPE
+
+
+def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
+    """Return measurements as CSV, in SI units and Hz; columns that hold nothing are left out.
+
+    Parameters
+    ----------
+    comments : sequence of str
+        Lines at the beginning.
+    """
+    text = io.StringIO()
+    for comment in comments:
+        text.write(f"# {comment}\n")
+    if data.band is not None:
+        low, high = (repr(float(limit)) for limit in data.band)
+        text.write(f"# band: {low} Hz, {high} Hz\n")
+    motors = dict.fromkeys(data.drives)
+    if len(motors) == 1:
+        text.write(f"# drives: {next(iter(motors))}\n")
+    columns: dict[str, list[str]] = {"pose": [data.labels[i] for i in data.pose]}
+    for k, name in enumerate(data.components):
+        columns[name] = _numbers(data.points[data.pose, k])
+        if data.point_sigma[:, k].any():
+            columns[f"{SPREAD}{name}"] = _numbers(data.point_sigma[data.pose, k])
+    for quantity in QUANTITIES.values():
+        known = np.isfinite(data.numbers[quantity.value.argument])
+        for number in (quantity.value, quantity.sigma):
+            # The usual standard deviation of a quantity that is not measured says nothing.
+            columns[number.column] = _numbers(np.where(known, data.numbers[number.argument], np.nan))
+    if len(motors) > 1:
+        columns["drives"] = [data.drives[i] for i in data.pose]
+    for k, name in enumerate(data.settings):
+        columns[f"{SET}{name}"] = _numbers(data.set_values[data.pose, k])
+    columns["mode"] = [str(mode) for mode in data.mode]
+    for k, name in enumerate(data.channels):
+        columns[f"{SHAPE}{name}"] = _numbers(data.shapes[:, k])
+    columns[SHAPE_SIGMA.column] = _numbers(data.shape_sigma)
+    columns = {name: cells for name, cells in columns.items() if any(cells)}
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows(zip(*columns.values(), strict=True))
+    return text.getvalue()
+
+
+def _numbers(values: Sequence[float] | np.ndarray) -> list[str]:
+    return ["" if math.isnan(value) else repr(float(value)) for value in values]

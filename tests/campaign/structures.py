@@ -1,0 +1,66 @@
+"""A structure of masses and springs with known modes, and files of its frequency response functions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from scipy import signal
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Three floors: modes and responses by NumPy alone."""
+
+    M: np.ndarray
+    K: np.ndarray
+    ratios: np.ndarray
+
+    @classmethod
+    def build(cls) -> Frame:
+        M = np.diag([4.0, 3.0, 2.0])
+        k = np.array([1.6e6, 1.1e6, 0.7e6])
+        K = np.array([[k[0] + k[1], -k[1], 0.0], [-k[1], k[1] + k[2], -k[2]], [0.0, -k[2], k[2]]])
+        return cls(M, K, np.array([0.012, 0.008, 0.02]))
+
+    def modes(self, factor: float = 1.0) -> tuple[np.ndarray, np.ndarray]:
+        """Frequencies [Hz], and shapes as columns, mass-normalised; for springs stiffer by a factor."""
+        root = np.diag(np.diag(self.M) ** -0.5)
+        values, vectors = np.linalg.eigh(factor * root @ self.K @ root)
+        return np.sqrt(values) / (2.0 * np.pi), root @ vectors
+
+    def accelerances(self, f: np.ndarray, factor: float = 1.0) -> np.ndarray:
+        """Acceleration of every floor per force on every floor, (F, 3, 3): a linear system for each line."""
+        natural, shapes = self.modes(factor)
+        damping = self.M @ shapes @ np.diag(4.0 * np.pi * natural * self.ratios) @ shapes.T @ self.M
+        omega = 2.0 * np.pi * f[:, None, None]
+        dynamic = factor * self.K + 1j * omega * damping - omega**2 * self.M
+        return -(omega**2) * np.linalg.inv(dynamic)
+
+
+def write_frf(
+    path: Path, f: np.ndarray, H: dict[str, np.ndarray], noise: float, rng: np.random.Generator
+) -> None:
+    """Write a table of functions with noise relative to the rms of each."""
+    columns, names = [f], ["frequency"]
+    for name, values in H.items():
+        sigma = noise * np.sqrt(np.mean(np.abs(values) ** 2) / 2.0)
+        noisy = values + sigma * (rng.normal(size=len(f)) + 1j * rng.normal(size=len(f)))
+        columns += [noisy.real, noisy.imag]
+        names += [f"re:{name}", f"im:{name}"]
+    np.savetxt(path, np.stack(columns, axis=1), delimiter=",", header=",".join(names), comments="")
+
+
+def accelerations(frame: Frame, step: float, force: np.ndarray, floor: int) -> np.ndarray:
+    """Accelerations of every floor (N, 3) after a force on one, a straight line between samples: exact."""
+    natural, shapes = frame.modes()
+    omega, found = 2.0 * np.pi * natural, np.zeros((len(force), 3))
+    for w, zeta, phi in zip(omega, frame.ratios, shapes.T, strict=True):
+        A = np.array([[0.0, 1.0], [-(w**2), -2.0 * zeta * w]])
+        B = np.array([[0.0], [phi[floor]]])
+        C = np.array([[-(w**2), -2.0 * zeta * w]])
+        system = signal.StateSpace(A, B, C, [[phi[floor]]])
+        _, q, _ = signal.lsim(system, force, step * np.arange(len(force)))
+        found += np.outer(q, phi)
+    return found

@@ -1,0 +1,91 @@
+"""Campaigns without a measured force: ambient vibration, and Klipper's spectra."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+
+from campaign.structures import Frame, accelerations
+from pkmodes.cli import run
+from pkmodes.measured.reading import read_modes
+
+CHANNELS = ("floor_1", "floor_2", "floor_3")
+HEAD = 'format = 1\nchannels = ["floor_1", "floor_2", "floor_3"]\nband = ["20 Hz", "200 Hz"]\n'
+SENSORS = "".join(
+    f'[[sensor]]\nname = "a{k}"\nchannel = "floor_{k}"\nunit = "{unit}"\n'
+    for k, unit in ((1, "m/s^2"), (2, "g0"), (3, "mm/s"))
+)
+STEP = 1.0 / 1024.0
+
+
+def identify(folder: Path, text: str) -> tuple[dict, Path]:
+    campaign, out, document = folder / "c.toml", folder / "modes.csv", folder / "modes.json"
+    campaign.write_text(text, encoding="utf-8")
+    assert run(["identify", str(campaign), "--out", str(out), "--json", str(document)]) == 0
+    return json.loads(document.read_text(encoding="utf-8")), out
+
+
+def write_ambient(path: Path, rng: np.random.Generator, seconds: float = 40.0) -> None:
+    """Noise forces on all floors, a fan at 150 Hz, a sensor of velocity on the third."""
+    count = round(seconds / STEP)
+    frame = Frame.build()
+    a = sum(accelerations(frame, STEP, rng.normal(size=count), floor) for floor in range(3))
+    t = STEP * np.arange(count)
+    a = a + 0.5 * np.sin(2.0 * np.pi * 150.0 * t)[:, None] * a.std(axis=0)
+    spectrum = np.fft.rfft(a[:, 2])
+    omega = 2.0 * np.pi * np.fft.rfftfreq(count, STEP)
+    velocity = np.fft.irfft(
+        np.where(omega > 6.0, spectrum / (1j * np.where(omega > 0.0, omega, 1.0)), 0.0), count
+    )
+    a = a + 0.02 * a.std(axis=0) * rng.normal(size=a.shape)
+    table = np.column_stack([t, a[:, 0], a[:, 1] / 9.80665, 1e3 * velocity])
+    np.savetxt(path, table, delimiter=",", header="time,a1,a2,a3", comments="", fmt="%.9g")
+
+
+def test_ambient_records_give_the_modes_and_the_fan_is_said(tmp_path: Path) -> None:
+    rng = np.random.default_rng(31)
+    for i in range(2):
+        write_ambient(tmp_path / f"a{i}.csv", rng)
+    text = HEAD + 'tones = ["150 Hz"]\n' + SENSORS
+    document, out = identify(
+        tmp_path, text + '[[record]]\npose = "P1"\nkind = "ambient"\nfiles = ["a0.csv", "a1.csv"]\n'
+    )
+    data, frame = read_modes(out, CHANNELS), Frame.build()
+    natural, shapes = frame.modes()
+    np.testing.assert_allclose(data.frequency, natural, rtol=4e-3)
+    np.testing.assert_allclose(data.numbers["damping"], frame.ratios, rtol=0.35)
+    for row, shape in zip(data.shapes, shapes.T, strict=True):
+        np.testing.assert_allclose(row, shape / shape[np.argmax(np.abs(shape))], rtol=0, atol=0.06)
+    assert any("150" in message for message in document["records"][0]["messages"])
+
+
+def test_spectra_give_frequencies_alone(tmp_path: Path) -> None:
+    """Klipper's table: lines 1.6 Hz apart, no phase."""
+    f = np.arange(4.8, 250.0, 1.6)
+    frame = Frame.build()
+    natural, _ = frame.modes()
+    power = np.abs(np.einsum("fkk->fk", frame.accelerances(f))) ** 2
+    table = np.column_stack([f, power, power.sum(axis=1)])
+    np.savetxt(
+        tmp_path / "k.csv",
+        table,
+        delimiter=",",
+        header="freq,psd_x,psd_y,psd_z,psd_xyz",
+        comments="",
+        fmt="%.6e",
+    )
+    sensor = "".join(f'[[sensor]]\nname = "{name}"\nchannel = "none"\n' for name in "xyz")
+    record = '[[record]]\npose = "P1"\nkind = "spectrum"\nfiles = ["k.csv"]\n'
+    document, out = identify(tmp_path, HEAD + sensor + record)
+    modes = document["records"][0]["modes"]
+    assert len(modes) == 3
+    for mode, expected in zip(modes, natural, strict=True):
+        assert abs(mode["frequency"] - expected) < 0.8
+        assert mode["sigma_parts"]["fit"] >= 0.4
+        assert mode["damping"] is None
+        assert mode["found_in"] is None
+    data = read_modes(out, CHANNELS)
+    assert not data.channels
+    assert np.isnan(data.numbers["damping"]).all()

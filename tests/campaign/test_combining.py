@@ -1,0 +1,125 @@
+"""Modes of several files: which are the same, and what their means and standard deviations are."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from pkmodes.campaign.averaging import Mean, averaged, mean_shape
+from pkmodes.campaign.found import Found, mac
+from pkmodes.campaign.grouping import grouped
+from pkmodes.campaign.joining import joined
+from pkmodes.campaign.revisits import revisited
+from pkmodes.campaign.sensors import Place
+from pkmodes.campaign.shapes import by_channel
+
+
+def test_neighbours_of_one_file_are_never_one_mode() -> None:
+    files = [[Found(50.0 + e), Found(50.2 + e)] for e in (-0.02, 0.01, 0.03)]
+    groups = grouped(files)
+    assert [len(group) for group in groups] == [3, 3]
+    assert [round(float(np.mean([mode.frequency for mode in group.values()])), 1) for group in groups] == [
+        50.0,
+        50.2,
+    ]
+
+
+def test_shapes_tell_modes_that_cross_apart() -> None:
+    """Frequencies alone would pair the lower ones of both files."""
+    one, other = {"a": 1.0 + 0j, "b": 0.1 + 0j}, {"a": -0.1 + 0j, "b": 1.0 + 0j}
+    groups = grouped(
+        [
+            [Found(50.0, shape=one), Found(50.2, shape=other)],
+            [Found(50.1, shape=other), Found(50.3, shape=one)],
+        ]
+    )
+    found = sorted(tuple(mode.frequency for _, mode in sorted(group.items())) for group in groups)
+    assert found == [(50.0, 50.3), (50.2, 50.1)]
+
+
+def test_setups_are_weighted_by_their_variances_and_their_spread_counts_where_it_is_larger() -> None:
+    def mean(frequency: float, sigma: float) -> Mean:
+        return Mean(Found(frequency, 0.01, {}, sigma, 1e-3), np.nan, np.nan, np.nan, (0,))
+
+    (near,), _ = joined({"x": [mean(50.0, 0.01)], "y": [mean(50.02, 0.02)]})
+    assert near.mode.frequency == pytest.approx((50.0 * 4 + 50.02 * 1) / 5)
+    assert near.mode.sigma_frequency == pytest.approx(1.0 / np.sqrt(1e4 + 2.5e3))
+    (apart,), _ = joined({"x": [mean(50.0, 0.01)], "y": [mean(50.2, 0.01)]})
+    assert apart.mode.frequency * apart.scatter == pytest.approx(0.1)  # half their difference
+
+
+def test_shapes_without_a_common_sensor_are_said() -> None:
+    def mean(shape: dict[str, complex]) -> Mean:
+        return Mean(Found(50.0, shape=shape), np.nan, np.nan, np.nan, (0,))
+
+    (found,), notes = joined({"x": [mean({"a": 1 + 0j, "b": 2 + 0j})], "y": [mean({"c": 1 + 0j})]})
+    assert set(found.mode.shape) == {"a", "b"}
+    assert "share no sensor in the setups x, y" in notes[0]
+
+
+@pytest.mark.parametrize(("truth", "within"), [(2e-3, 1e-4), (5e-4, 2e-3)])
+def test_scatter_within_visits_is_taken_off_that_between_them(truth: float, within: float) -> None:
+    rng = np.random.default_rng(1)
+    f = 50.0 + 10.0 * np.arange(12.0)
+    records = []
+    for _ in range(12):
+        visit = f * np.exp(truth * rng.normal(size=f.size))
+        files = [
+            [Found(value) for value in visit * np.exp(within * rng.normal(size=f.size))] for _ in range(4)
+        ]
+        record = SimpleNamespace(point={"x": 0.0}, settings={}, drives="free")
+        records.append((record, averaged(grouped(files))))
+    value, notes = revisited(records, "c.toml")
+    # 132 degrees of freedom; what is taken off has an error of its own.
+    assert value == pytest.approx(truth, rel=0.2 if truth > within else 0.6)
+    assert "12 modes" in notes[0]
+
+
+def test_shapes_of_any_scale_and_phase_have_one_mean() -> None:
+    rng = np.random.default_rng(2)
+    truth = np.array([1.0, -0.6, 0.3, 0.0])
+    scales = rng.normal(size=8) + 1j * rng.normal(size=8)
+    shapes = [dict(zip("abcd", s * (truth + 0.01 * rng.normal(size=4)), strict=True)) for s in scales]
+    mean, left = mean_shape(shapes)
+    found = np.array([mean[name] for name in "abcd"])
+    assert found[0] == pytest.approx(1.0)
+    np.testing.assert_allclose(found.real, truth, rtol=0, atol=0.01)
+    assert np.abs(left).max() < 0.05
+
+
+def test_the_modal_assurance_criterion_counts_common_components() -> None:
+    one = {"a": 1.0 + 0j, "b": 1.0 + 0j, "c": 5.0 + 0j}
+    assert mac(one, {"a": 2j, "b": 2j}) == pytest.approx(1.0)
+    assert mac(one, {"a": 1 + 0j, "b": -1 + 0j}) == pytest.approx(0.0)
+    assert mac(one, {"a": 7 + 0j}) == 1.0
+
+
+def test_sensors_in_oblique_directions_give_the_platform_by_least_squares() -> None:
+    def place(name: str, **weights: float) -> Place:
+        return Place(name, None, weights)
+
+    places = {
+        "u": place("u", p_x=0.6, p_y=0.8),
+        "v": place("v", p_x=-0.8, p_y=0.6),
+        "w": place("w", p_z=1.0),
+        "r": place("r", x_1=1.0),
+        "s": place("s", x_1=1.0),
+        "help": place("help"),
+    }
+    p = np.array([0.5, -1.0, 2.0])
+    shape = {
+        "u": 0.6 * p[0] + 0.8 * p[1],
+        "v": -0.8 * p[0] + 0.6 * p[1],
+        "w": p[2],
+        "r": 3.0,
+        "s": 4.0,
+        "help": 9.0,
+    }
+    found = by_channel({name: complex(value) for name, value in shape.items()}, places)
+    assert set(found) == {"p_x", "p_y", "p_z", "x_1"}
+    np.testing.assert_allclose([found[f"p_{axis}"] for axis in "xyz"], p, rtol=0, atol=1e-14)
+    assert found["x_1"] == pytest.approx(3.5)
+    # One oblique sensor determines neither component.
+    assert set(by_channel({"u": 1 + 0j, "w": 1 + 0j}, places)) == {"p_z"}

@@ -1,0 +1,172 @@
+"""Campaigns of frequency response functions of a structure whose modes NumPy gives: files to rows."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from campaign.structures import Frame, write_frf
+from pkmodes.cli import run
+from pkmodes.measured.reading import read_modes
+
+F = np.arange(10.0, 220.0, 0.25)
+CHANNELS = ("floor_1", "floor_2", "floor_3")
+HEAD = 'format = 1\nchannels = ["floor_1", "floor_2", "floor_3"]\nband = ["20 Hz", "200 Hz"]\n'
+SENSORS = "".join(
+    f'[[sensor]]\nname = "a{k}"\nchannel = "floor_{k}"\nunit = "{unit}"\n'
+    for k, unit in ((1, "m/s^2"), (2, "g0"), (3, "mm/s"))
+)
+
+
+def in_units(H: np.ndarray) -> dict[str, np.ndarray]:
+    """Responses to a force on the third floor, in the units of the sensors."""
+    velocity = H[:, 2, 2] / (2j * np.pi * F)
+    return {"a1": H[:, 0, 2], "a2": H[:, 1, 2] / 9.80665, "a3": 1e3 * velocity}
+
+
+def identify(folder: Path, text: str) -> tuple[dict, Path]:
+    campaign, out, document = folder / "c.toml", folder / "modes.csv", folder / "modes.json"
+    campaign.write_text(text, encoding="utf-8")
+    assert run(["identify", str(campaign), "--out", str(out), "--json", str(document)]) == 0
+    return json.loads(document.read_text(encoding="utf-8")), out
+
+
+def test_repeats_of_responses_in_several_units_give_the_modes_of_the_structure(tmp_path: Path) -> None:
+    frame, rng = Frame.build(), np.random.default_rng(5)
+    for i in range(4):
+        write_frf(tmp_path / f"r{i}.csv", F, in_units(frame.accelerances(F)), 0.02, rng)
+    files = ", ".join(f'"r{i}.csv"' for i in range(4))
+    document, out = identify(
+        tmp_path, HEAD + SENSORS + f'[[record]]\npose = "P1"\nkind = "frf"\nfiles = [{files}]\n'
+    )
+    data = read_modes(out, CHANNELS)
+    natural, shapes = frame.modes()
+    np.testing.assert_allclose(data.frequency, natural, rtol=3e-4)
+    np.testing.assert_allclose(data.numbers["damping"], frame.ratios, rtol=0.03)
+    for row, shape in zip(data.shapes, shapes.T, strict=True):
+        expected = shape / shape[np.argmax(np.abs(shape))]
+        np.testing.assert_allclose(row, expected, rtol=0, atol=0.02)
+    modes = document["records"][0]["modes"]
+    for mode, f in zip(modes, natural, strict=True):
+        parts = mode["sigma_parts"]
+        assert abs(mode["frequency"] - f) < 4.0 * np.hypot(parts["scatter"], parts["fit"])
+        assert 0.0 < np.hypot(parts["scatter"], parts["fit"]) < 5e-4 * f
+        assert mode["files"] == 4
+        assert mode["complexity"] > 0.99
+        found, of = mode["found_in"]
+        assert 0 < found <= of
+    assert (data.shape_sigma > 0.0).all()
+    assert (data.numbers["damping_sigma"] < 0.1 * frame.ratios).all()
+
+
+def test_a_single_file_gets_its_sigma_from_the_fit(tmp_path: Path) -> None:
+    frame = Frame.build()
+    write_frf(tmp_path / "r.csv", F, in_units(frame.accelerances(F)), 0.05, np.random.default_rng(6))
+    document, _ = identify(
+        tmp_path, HEAD + SENSORS + '[[record]]\npose = "P1"\nkind = "frf"\nfiles = ["r.csv"]\n'
+    )
+    record = document["records"][0]
+    assert any("a single file" in message for message in record["messages"])
+    for mode, f in zip(record["modes"], frame.modes()[0], strict=True):
+        assert mode["sigma_parts"]["scatter"] == 0.0
+        assert 0.0 < mode["sigma_parts"]["fit"] < 1e-3 * f
+        assert abs(mode["frequency"] - f) < 4.0 * mode["sigma_parts"]["fit"]
+
+
+def test_setups_are_joined_by_the_sensors_that_they_share(tmp_path: Path) -> None:
+    frame, rng = Frame.build(), np.random.default_rng(7)
+    H = frame.accelerances(F)
+    write_frf(tmp_path / "s.csv", F, {"ref": H[:, 2, 2], "moving": H[:, 0, 2]}, 0.01, rng)
+    write_frf(tmp_path / "t.csv", F, {"ref": 3.0 * H[:, 2, 2], "moving": 3.0 * H[:, 1, 2]}, 0.01, rng)
+    sensors = "".join(
+        f'[[sensor]]\nname = "{name}"\nchannel = "{channel}"\nunit = "m/s^2"\n{setup}'
+        for name, channel, setup in (
+            ("ref", "floor_3", ""),
+            ("moving", "floor_1", 'setup = "low"\n'),
+            ("moving", "floor_2", 'setup = "high"\n'),
+        )
+    )
+    record = '[[record]]\npose = "P1"\nkind = "frf"\nfiles = { low = ["s.csv"], high = ["t.csv"] }\n'
+    _, out = identify(tmp_path, HEAD + sensors + record)
+    data = read_modes(out, CHANNELS)
+    natural, shapes = frame.modes()
+    np.testing.assert_allclose(data.frequency, natural, rtol=3e-4)
+    for row, shape in zip(data.shapes, shapes.T, strict=True):
+        np.testing.assert_allclose(row, shape / shape[np.argmax(np.abs(shape))], rtol=0, atol=0.02)
+
+
+def test_a_roving_hammer_gives_the_shape_at_its_blows(tmp_path: Path) -> None:
+    """One sensor; the sign in the name of a reference is only a name, the campaign says what positive means."""
+    frame, rng = Frame.build(), np.random.default_rng(8)
+    H = frame.accelerances(F)
+    functions = {f"acc/{k + 1}:-X": -H[:, 2, k] for k in range(3)}
+    write_frf(tmp_path / "r.csv", F, functions, 0.01, rng)
+    forces = "".join(f'[[force]]\nname = "{k}:+X"\nchannel = "floor_{k}"\n' for k in (1, 2, 3))
+    sensor = '[[sensor]]\nname = "acc"\nchannel = "none"\nunit = "m/s^2"\n'
+    record = '[[record]]\npose = "P1"\nkind = "frf"\nfiles = ["r.csv"]\n'
+    _, out = identify(tmp_path, HEAD + sensor + forces + record)
+    data = read_modes(out, CHANNELS)
+    natural, shapes = frame.modes()
+    np.testing.assert_allclose(data.frequency, natural, rtol=3e-4)
+    for row, shape in zip(data.shapes, shapes.T, strict=True):
+        np.testing.assert_allclose(row, shape / shape[np.argmax(np.abs(shape))], rtol=0, atol=0.02)
+
+
+def test_the_damping_of_a_window_is_taken_off(tmp_path: Path) -> None:
+    """A window exp(-t/tau) on impulse responses moves every pole by -1/tau: so do responses of that damping."""
+    frame = Frame.build()
+    natural, shapes = frame.modes()
+    tau = 0.2
+    omega = 2.0 * np.pi * natural
+    poles = -frame.ratios * omega + 1j * omega * np.sqrt(1.0 - frame.ratios**2) - 1.0 / tau
+    s = 2j * np.pi * F[:, None]
+    terms = shapes[2] ** 2 / (2j * poles.imag)
+    receptance = (terms / (s - poles) - terms / (s - poles.conj())).sum(axis=1)
+    write_frf(tmp_path / "r.csv", F, {"a1": receptance}, 0.01, np.random.default_rng(9))
+    sensor = '[[sensor]]\nname = "a1"\nchannel = "floor_3"\nunit = "m"\n'
+    record = f'[[record]]\npose = "P1"\nkind = "frf"\nfiles = ["r.csv"]\nexponential = "{tau} s"\n'
+    document, out = identify(tmp_path, HEAD + sensor + record)
+    data = read_modes(out, CHANNELS)
+    fits = np.array([mode["sigma_parts"]["fit"] for mode in document["records"][0]["modes"]])
+    assert (fits < 5e-3 * natural).all()
+    assert (np.abs(data.frequency - natural) < 4.0 * fits).all()
+    np.testing.assert_allclose(data.numbers["damping"], frame.ratios, rtol=0.1)
+    assert 1.0 / tau > 0.2 * (frame.ratios * 2.0 * np.pi * natural).max()  # it would have shown
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (('name = "a1"', 'name = "b1"'), None),
+        (('unit = "m/s^2"\n', ""), "expected the unit of the sensor, found none in the file (r.csv: a1)"),
+        (
+            ('"200 Hz"', '"300 Hz"'),
+            "expected frequencies up to the end of the band, 300 Hz, found 219.75 Hz (r.csv)",
+        ),
+        (('"200 Hz"', '"21 Hz"'), "(r.csv: the band)"),
+    ],
+)
+def test_what_does_not_fit_the_campaign_is_refused(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    change: tuple[str, str],
+    message: str | None,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    frame = Frame.build()
+    write_frf(Path("r.csv"), F, in_units(frame.accelerances(F)), 0.02, np.random.default_rng(5))
+    text = HEAD + SENSORS + '[[record]]\npose = "P1"\nkind = "frf"\nfiles = ["r.csv"]\n'
+    assert change[0] in text
+    Path("c.toml").write_text(text.replace(*change), encoding="utf-8")
+    code = run(["identify", "c.toml", "--out", "modes.csv"])
+    said = " ".join(capsys.readouterr().err.split())
+    if message is None:  # two of the three sensors are in the file
+        assert code == 0
+    else:
+        assert code == 2
+        assert message in said
+        assert not Path("modes.csv").exists()

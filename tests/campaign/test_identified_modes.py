@@ -1,0 +1,192 @@
+"""``pkmodes identify`` on modes that another program has identified: repeats, setups, edits, rows."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pkmodes import updating
+from pkmodes.cli import run
+
+ROOT = Path(__file__).parents[2]
+ROBOT = ROOT / "robots/linear-delta-2022.toml"
+BEGIN = f"""
+format = 1
+robot = "{ROBOT}"
+band = ["10 Hz", "400 Hz"]
+"""
+POSE = 'at = { x = "600 mm", y = "0 mm", z = { value = "-245 mm", sigma = "1 mm" } }'
+
+
+def write(folder: Path, name: str, text: str) -> None:
+    (folder / name).write_text(text, encoding="utf-8")
+
+
+def campaign(folder: Path, text: str) -> Path:
+    path = folder / "campaign.toml"
+    path.write_text(BEGIN + text, encoding="utf-8")
+    return path
+
+
+def identify(folder: Path, path: Path, *options: str) -> tuple[int, dict, Path]:
+    out, document = folder / "modes.csv", folder / "modes.json"
+    code = run(["identify", str(path), "--out", str(out), "--json", str(document), *options])
+    return code, json.loads(document.read_text(encoding="utf-8")) if code == 0 else {}, out
+
+
+def test_a_table_becomes_rows_with_pose_band_drives_and_settings(tmp_path: Path) -> None:
+    write(tmp_path, "p1.csv", "f0;D [%];shape:x_1;shape:x_2\n55,5;2;1;-0,5\n134,2;0;;\n")
+    path = campaign(
+        tmp_path,
+        f"""
+        drives = "held"
+        [[record]]
+        pose = "P1"
+        {POSE}
+        set = {{ "effects.payload.mass" = "0.2 kg" }}
+        kind = "modes"
+        files = ["p1.csv"]
+        columns = {{ frequency = "f0", damping = "D" }}
+        """,
+    )
+    code, document, out = identify(tmp_path, path)
+    assert code == 0
+    data = updating.read(out, robot=None)
+    np.testing.assert_allclose(data.frequency, [55.5, 134.2], rtol=1e-15)
+    np.testing.assert_allclose(data.sigma, [0.002 * 55.5, 0.002 * 134.2], rtol=1e-12)  # the default alone
+    np.testing.assert_allclose(data.numbers["damping"], [0.02, np.nan])  # 0 means unknown
+    assert data.labels == ("P1",)
+    np.testing.assert_allclose(data.points, [[0.6, 0.0, -0.245]], rtol=1e-15)
+    np.testing.assert_allclose(data.point_sigma, [[0.0, 0.0, 0.001]], rtol=1e-15)
+    assert data.drives == ("held",)
+    assert data.band == (10.0, 400.0)
+    assert data.settings == ("effects.payload.mass",)
+    assert data.set_values[0, 0] == 0.2
+    assert data.channels == ("x_1", "x_2")
+    np.testing.assert_allclose(data.shapes[0], [1.0, -0.5])
+    assert np.isnan(data.shapes[1]).all()
+    record = document["records"][0]
+    assert document["repeatability"] == 0.002
+    assert any("repeatability alone" in message for message in record["messages"])
+    assert record["modes"][0]["sigma_parts"] == {
+        "scatter": 0.0,
+        "fit": 0.0,
+        "repeatability": pytest.approx(0.002 * 55.5),
+    }
+    assert (record["modes"][0]["found_in"], record["modes"][0]["edited"]) == (None, None)
+
+
+def repeats(folder: Path, count: int, more: str = "") -> Path:
+    """Three modes in files of a scatter of 0.1 %, drawn from a fixed seed; the last one is missed in one file."""
+    rng = np.random.default_rng(count)
+    for i in range(count):
+        rows = [
+            f"{f * (1.0 + 1e-3 * e):.12g},{0.01 + 0.001 * e}"
+            for f, e in zip((50.0, 50.6, 130.0), rng.normal(size=3), strict=True)
+        ]
+        write(folder, f"r{i}.csv", "frequency,damping\n" + "\n".join(rows[: 2 if i == 0 else 3]) + "\n")
+    files = ", ".join(f'"r{i}.csv"' for i in range(count))
+    return campaign(
+        folder,
+        f'repeatability = "0.1 %"\n{more}\n[[record]]\npose = "P1"\n{POSE}\nkind = "modes"\nfiles = [{files}]\n',
+    )
+
+
+def test_repeats_are_averaged_and_their_scatter_enters_sigma(tmp_path: Path) -> None:
+    code, document, out = identify(tmp_path, repeats(tmp_path, 40))
+    assert code == 0
+    tables = [np.loadtxt(tmp_path / f"r{i}.csv", delimiter=",", skiprows=1) for i in range(40)]
+    modes = document["records"][0]["modes"]
+    assert [mode["files"] for mode in modes] == [40, 40, 39]
+    for k, mode in enumerate(modes):
+        f = np.array([table[k, 0] for table in tables if len(table) > k])
+        assert mode["frequency"] == pytest.approx(f.mean(), rel=1e-12)
+        # Many repeats: their own scatter, drawn a little towards that of the others; Student's t is nearly normal.
+        assert mode["sigma_parts"]["scatter"] == pytest.approx(f.std(ddof=1) / np.sqrt(len(f)), rel=0.1)
+        parts = mode["sigma_parts"]
+        total = np.sqrt(parts["scatter"] ** 2 + parts["fit"] ** 2 + parts["repeatability"] ** 2)
+        assert mode["sigma"] == pytest.approx(total, rel=1e-12)
+        assert parts["repeatability"] == pytest.approx(1e-3 * mode["frequency"], rel=1e-9)
+    np.testing.assert_allclose(updating.read(out).sigma, [mode["sigma"] for mode in modes], rtol=1e-15)
+
+
+def test_a_mode_in_few_of_the_repeats_is_left_out(tmp_path: Path) -> None:
+    path = repeats(tmp_path, 5)
+    write(tmp_path, "r4.csv", (tmp_path / "r4.csv").read_text() + "77.7,0.01\n")
+    _, document, _ = identify(tmp_path, path)
+    assert [round(mode["frequency"]) for mode in document["records"][0]["modes"]] == [50, 51, 130]
+
+
+def test_edits_strike_modes_out_and_say_so(tmp_path: Path) -> None:
+    path = repeats(tmp_path, 4, '[[edit]]\npose = "P1"\nstrike = ["130.9 Hz"]\n')
+    _, document, _ = identify(tmp_path, path)
+    record = document["records"][0]
+    assert [round(mode["frequency"]) for mode in record["modes"]] == [50, 51]
+    assert record["struck"] == [pytest.approx(130.0, rel=2e-3)]
+
+
+def test_modes_outside_the_band_are_left_out_and_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write(tmp_path, "p1.csv", "frequency\n5\n60\n500\n")
+    path = campaign(tmp_path, f'[[record]]\npose = "P1"\n{POSE}\nkind = "modes"\nfiles = ["p1.csv"]\n')
+    code, document, _ = identify(tmp_path, path)
+    assert code == 0
+    assert [mode["frequency"] for mode in document["records"][0]["modes"]] == [60.0]
+    assert "outside the band, left out: 5, 500 Hz" in capsys.readouterr().err
+
+
+def revisits(folder: Path, truth: float, labels: int) -> Path:
+    rng = np.random.default_rng(3)
+    f = np.array([50.0, 80.0, 110.0, 150.0, 210.0])
+    text = 'repeatability = "revisits"\n'
+    for k in range(labels):
+        visit = f * np.exp(truth * rng.normal(size=f.size))
+        for i in range(3):
+            rows = visit * np.exp(1e-4 * rng.normal(size=f.size))
+            write(
+                folder, f"v{k}_{i}.csv", "frequency\n" + "\n".join(f"{value:.12g}" for value in rows) + "\n"
+            )
+        files = ", ".join(f'"v{k}_{i}.csv"' for i in range(3))
+        text += f'[[record]]\npose = "V{k}"\n{POSE}\nkind = "modes"\nfiles = [{files}]\n'
+    return campaign(folder, text)
+
+
+def test_the_repeatability_is_that_of_poses_measured_twice(tmp_path: Path) -> None:
+    code, document, _ = identify(tmp_path, revisits(tmp_path, 2e-3, 6))
+    assert code == 0
+    assert document["repeatability"] == pytest.approx(2e-3, rel=0.4)  # 25 degrees of freedom
+
+
+def test_revisits_need_three_modes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    code, _, out = identify(tmp_path, revisits(tmp_path, 2e-3, 1))
+    assert code == 2
+    assert (
+        'at least 3 modes measured again for repeatability = "revisits", found 0' in capsys.readouterr().err
+    )
+    assert not out.exists()
+
+
+@pytest.mark.parametrize("n", [2, 3, 5])
+def test_two_sigma_cover_the_truth_with_few_repeats(tmp_path: Path, n: int) -> None:
+    """Draws that share nothing with the estimate: of 600 modes, 95 % within the sampling error of that share."""
+    from pkmodes.campaign.averaging import averaged
+    from pkmodes.campaign.found import Found
+
+    rng = np.random.default_rng(20261124 + n)
+    covered, ratio = [], []
+    for _ in range(100):
+        scatter = 1e-3 * np.exp(0.5 * rng.normal(size=6))  # modes differ in how well they repeat
+        f = 50.0 * (1.0 + np.arange(6.0))
+        draws = f * np.exp(scatter * rng.normal(size=(n, 6)))
+        groups = [{i: Found(float(draws[i, k])) for i in range(n)} for k in range(6)]
+        for k, mean in enumerate(averaged(groups)):
+            error = np.log(mean.mode.frequency / f[k])
+            covered.append(abs(error) <= 2.0 * mean.scatter)
+            ratio.append((error**2, mean.scatter**2))
+    assert 0.93 <= np.mean(covered) <= 0.98
+    errors, sigmas = np.array(ratio).mean(axis=0)
+    assert 0.6 <= np.sqrt(errors / sigmas) <= 1.5

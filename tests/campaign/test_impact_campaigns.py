@@ -1,0 +1,130 @@
+"""Campaigns of hammer blows: force and responses in time to rows."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from campaign.structures import Frame, accelerations
+from pkmodes.cli import run
+from pkmodes.measured.reading import read_modes
+
+CHANNELS = ("floor_1", "floor_2", "floor_3")
+HEAD = 'format = 1\nchannels = ["floor_1", "floor_2", "floor_3"]\nband = ["20 Hz", "200 Hz"]\n'
+SENSORS = "".join(
+    f'[[sensor]]\nname = "a{k}"\nchannel = "floor_{k}"\nunit = "{unit}"\n'
+    for k, unit in ((1, "m/s^2"), (2, "g0"), (3, "m/s^2"))
+)
+STEP, BLOW, APART = 1.0 / 2048.0, 0.003, 2.0
+
+
+def write_blows(
+    path: Path,
+    rng: np.random.Generator,
+    hits: int = 1,
+    *,
+    bounce: float = 0.0,
+    limit: float = np.inf,
+    window: float = 0.0,
+) -> None:
+    """Write a table of blows on the third floor, two seconds apart, with noise of force and responses."""
+    t = STEP * np.arange(round((hits * APART + 0.05) / STEP))
+    force = np.zeros(len(t))
+    for k in range(hits):
+        for start, size in (
+            (0.05 + k * APART, 200.0 * rng.uniform(0.7, 1.3)),
+            (0.08 + k * APART, 200.0 * bounce),
+        ):
+            inside = (t >= start) & (t < start + BLOW)
+            force[inside] += size * np.sin(np.pi * (t[inside] - start) / BLOW)
+    a = accelerations(Frame.build(), STEP, force, 2)
+    if window:
+        a *= np.exp(-t / window)[:, None]
+    a += 0.003 * a.std(axis=0) * rng.normal(size=a.shape)
+    a = np.clip(a, -limit * np.abs(a).max(), limit * np.abs(a).max())
+    table = np.column_stack([t, force + 0.1 * rng.normal(size=len(t)), a / [1.0, 9.80665, 1.0]])
+    np.savetxt(path, table, delimiter=",", header="time,force,a1,a2,a3", comments="", fmt="%.9g")
+
+
+def identify(folder: Path, record: str) -> tuple[dict, Path]:
+    campaign, out, document = folder / "c.toml", folder / "modes.csv", folder / "modes.json"
+    campaign.write_text(
+        HEAD + SENSORS + '[[record]]\npose = "P1"\nkind = "impact"\n' + record, encoding="utf-8"
+    )
+    assert run(["identify", str(campaign), "--out", str(out), "--json", str(document)]) == 0
+    return json.loads(document.read_text(encoding="utf-8")), out
+
+
+@pytest.mark.parametrize("hits", [1, 3])
+def test_blows_give_the_modes_of_the_structure(tmp_path: Path, hits: int) -> None:
+    rng = np.random.default_rng(20 + hits)
+    for i in range(3):
+        write_blows(tmp_path / f"b{i}.csv", rng, hits)
+    document, out = identify(tmp_path, f'files = ["b0.csv", "b1.csv", "b2.csv"]\nhits = {hits}\n')
+    data, frame = read_modes(out, CHANNELS), Frame.build()
+    natural, shapes = frame.modes()
+    np.testing.assert_allclose(data.frequency, natural, rtol=1e-3)
+    np.testing.assert_allclose(data.numbers["damping"], frame.ratios, rtol=0.05)
+    for row, shape in zip(data.shapes, shapes.T, strict=True):
+        np.testing.assert_allclose(row, shape / shape[np.argmax(np.abs(shape))], rtol=0, atol=0.03)
+    assert not [message for message in document["records"][0]["messages"] if "double" in message]
+
+
+def test_double_hits_and_overloads_are_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    rng = np.random.default_rng(9)
+    write_blows(tmp_path / "b0.csv", rng, bounce=0.4)
+    write_blows(tmp_path / "b1.csv", rng, limit=0.3)
+    document, _ = identify(tmp_path, 'files = ["b0.csv", "b1.csv"]\n')
+    said = " ".join(document["records"][0]["messages"])
+    assert "b0.csv: blow 1 at" in said
+    assert "is a double hit" in said
+    assert "b1.csv: " in said
+    assert "overloaded" in said
+    assert "double hit" in capsys.readouterr().err
+
+
+def test_the_damping_of_a_window_is_taken_off(tmp_path: Path) -> None:
+    write_blows(tmp_path / "b.csv", np.random.default_rng(4), window=0.4)
+    _, out = identify(tmp_path, 'files = ["b.csv"]\nexponential = "0.4 s"\n')
+    np.testing.assert_allclose(read_modes(out, CHANNELS).numbers["damping"], Frame.build().ratios, rtol=0.1)
+
+
+@pytest.mark.parametrize(
+    ("record", "message"),
+    [
+        ("hits = 4\n", "expected 4 blows, found"),
+        (
+            'band = ["20 Hz", "1200 Hz"]\n',
+            "expected a band below half the sampling rate, 1024 Hz, found 1200 Hz (b.csv)",
+        ),
+    ],
+)
+def test_wrong_records_are_refused(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    record: str,
+    message: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    write_blows(Path("b.csv"), np.random.default_rng(4))
+    text = HEAD + SENSORS + '[[record]]\npose = "P1"\nkind = "impact"\nfiles = ["b.csv"]\n' + record
+    Path("c.toml").write_text(text, encoding="utf-8")
+    assert run(["identify", "c.toml", "--out", "modes.csv"]) == 2
+    assert message in " ".join(capsys.readouterr().err.split())
+    assert not Path("modes.csv").exists()
+
+
+def test_without_a_force_there_is_no_impact(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    write_blows(Path("b.csv"), np.random.default_rng(4))
+    Path("b.csv").write_text(Path("b.csv").read_text().replace("force", "hammer"), encoding="utf-8")
+    text = HEAD + SENSORS + '[[record]]\npose = "P1"\nkind = "impact"\nfiles = ["b.csv"]\n'
+    Path("c.toml").write_text(text, encoding="utf-8")
+    assert run(["identify", "c.toml", "--out", "modes.csv"]) == 2
+    assert "expected a force, found none (b.csv)" in " ".join(capsys.readouterr().err.split())
