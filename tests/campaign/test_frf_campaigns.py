@@ -170,3 +170,18 @@ def test_what_does_not_fit_the_campaign_is_refused(
         assert code == 2
         assert message in said
         assert not Path("modes.csv").exists()
+
+
+def test_dead_sensors_and_modes_beside_tones_are_said(tmp_path: Path) -> None:
+    frame = Frame.build()
+    H = in_units(frame.accelerances(F))
+    H["a2"] = 0.0 * H["a2"]
+    write_frf(tmp_path / "r.csv", F, H, 0.02, np.random.default_rng(5))
+    natural = frame.modes()[0]
+    text = HEAD + f'tones = ["{0.5 * natural[0] * 1.004:.4f} Hz"]\n' + SENSORS
+    document, out = identify(tmp_path, text + '[[record]]\npose = "P1"\nkind = "frf"\nfiles = ["r.csv"]\n')
+    said = document["records"][0]["messages"]
+    assert any("a2 shows nothing" in message for message in said)
+    beside = f"the mode at {natural[0]:.4g} Hz lies beside the tone at {1.004 * natural[0]:.4g} Hz"
+    assert any(beside in message for message in said)
+    assert read_modes(out, CHANNELS).channels == ("floor_1", "floor_3")

@@ -39,12 +39,15 @@ class Responses:
     coherence : ndarray, shape (F, S, R), or None
     names : tuple of str
         Of the S places in the shape.
+    dead : tuple of str
+        Sensors that show nothing.
     """
 
     frequencies: Array
     values: Complex
     coherence: Array | None
     names: tuple[str, ...]
+    dead: tuple[str, ...]
 
 
 def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> tuple[list[Found], list[str]]:
@@ -77,7 +80,15 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> tup
         )
     except MeasurementError as error:
         raise MeasurementError(error.what, f"{read.source}: {error.where}", error.remedy) from None
-    return [found_of(mode, given.names) for mode in estimate.modes], list(read.messages)
+    return [found_of(mode, given.names) for mode in estimate.modes], [
+        *read.messages,
+        *dead_channels(given.dead, read.source),
+    ]
+
+
+def dead_channels(names: Sequence[str], source: str) -> list[str]:
+    """Return a sentence for each sensor that shows nothing."""
+    return [f"{source}: {name} shows nothing: all its values are equal; it is in no shape" for name in names]
 
 
 def responses_of(
@@ -117,14 +128,15 @@ def responses_of(
             what = f"the function {one.response}/{one.reference} occurs twice"
             raise MeasurementError(what, read.source, "give repeats as files of their own")
         values[place] = one.values * _to_acceleration(one, sensors[one.response], channels, f, read.source)
+    dead = tuple(name for i, name in enumerate(rows) if not np.nan_to_num(values[:, i]).any())
     coherence = _coherence(read.functions, rows, columns, f)
     acting = {name: force for name in columns if (force := _of_reference(name, forces)) is not None}
     if acting:
         kept = [columns.index(name) for name in acting]
         turned = values[:, :, kept].transpose(0, 2, 1)
         of = None if coherence is None else coherence[:, :, kept].transpose(0, 2, 1)
-        return Responses(f, turned, of, tuple(force.name for force in acting.values()))
-    return Responses(f, values, coherence, tuple(rows))
+        return Responses(f, turned, of, tuple(force.name for force in acting.values()), dead)
+    return Responses(f, values, coherence, tuple(rows), dead)
 
 
 def _to_acceleration(

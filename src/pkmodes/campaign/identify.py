@@ -77,7 +77,7 @@ def _found(
                     raise
                 left_out.append(LeftOut(str(path), f"{error.what} ({error.where})"))
                 continue
-            messages += said
+            messages += [*said, *_beside_tones(modes, path, campaign.tones)]
             files.append(
                 [_named(mode, setup, kind, campaign) for mode in _in_band(modes, record, path, messages)]
             )
@@ -100,6 +100,19 @@ def _in_band(modes: Sequence[Found], record: Record, path: Path, messages: list[
         outside = ", ".join(f"{mode.frequency:.4g}" for mode in modes if mode not in inside)
         messages.append(f"{path}: outside the band, left out: {outside} Hz")
     return inside
+
+
+def _beside_tones(modes: Sequence[Found], path: Path, tones: Sequence[float]) -> list[str]:
+    """Name the modes that lie beside a stated tone or one of its multiples."""
+    found = []
+    for mode in modes:
+        for tone in tones:
+            multiple = max(1, round(mode.frequency / tone))
+            if abs(mode.frequency / (multiple * tone) - 1.0) <= NEAR:
+                found.append(
+                    f"{path}: the mode at {mode.frequency:.4g} Hz lies beside the tone at {multiple * tone:.4g} Hz"
+                )
+    return found
 
 
 def _named(mode: Found, setup: str, kind: Kind, campaign: Campaign) -> Found:

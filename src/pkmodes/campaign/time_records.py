@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.errors import MeasurementError, nearest, shown
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.frf_records import ACCELERATION, motion_of
+from pkmodes.campaign.frf_records import ACCELERATION, dead_channels, motion_of
 from pkmodes.campaign.sensors import Sensor, check_motion
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Function, Kind
@@ -81,6 +81,7 @@ def time_signals(path: Path, record: Record, setup: str, campaign: Campaign) -> 
         check_motion(found, sensors[one.response], campaign.channels, f"{read.source}: {one.response}")
     pieces, gaps = even_pieces(time, read.source)
     table = np.stack([one.values.real * of.factor for one, of in zip(used, motions, strict=True)], axis=1)
+    dead = [one.response for one, column in zip(used, table.T, strict=True) if not np.ptp(column)]
     if record.band[1] > 0.5 / pieces[0].step:
         half = 0.5 / pieces[0].step
         what = f"expected a band below half the sampling rate, {half:.6g} Hz, found {record.band[1]:g} Hz"
@@ -92,7 +93,7 @@ def time_signals(path: Path, record: Record, setup: str, campaign: Campaign) -> 
         tuple(np.asarray(force.values.real)[piece.part] for force in forces for piece in pieces),
         tuple(one.response for one in used),
         np.array([of.derivative for of in motions]),
-        (*read.messages, *gaps),
+        (*read.messages, *gaps, *dead_channels(dead, read.source)),
     )
 
 
