@@ -84,14 +84,14 @@ def test_the_command_writes_a_picture(tmp_path: Path, capsys: pytest.CaptureFixt
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "expected a header and rows, found none"),
-        (HEADER, "found only a header"),
-        ("f,re:a/b,im:a/b\n1,2,3", "expected one column of frequencies, found none"),
-        ("frequency,re:a/b\n1,2", 'expected one column "re:a/b" and one "im:a/b"'),
-        ("frequency,x\n1,2", "expected a channel, found none"),
-        (f"{HEADER}\n1,2", "line 2); give each row as many cells as the header"),
-        (f"{HEADER}\n1,2,nan", 'expected a finite number, found "nan"'),
-        (f"{HEADER}\n2,2,3\n1,2,3", "expected ascending frequencies, found 1 Hz after 2 Hz"),
+        ("", "found an empty file"),
+        (HEADER, "rows, found"),
+        ("f,re:a/b,im:a/b\n1,2,3\n2,2,3", "expected a column of times or frequencies, found none"),
+        ("frequency,re:a/b\n1,2\n2,2", 'expected one column "re:a/b" and one "im:a/b"'),
+        ("frequency,x\n1,2\n2,2", "expected frequency response functions, found none"),
+        (f"{HEADER}\n1,2,3\n2,2", "line 3"),
+        (f"{HEADER}\n1,2,nan\n2,2,3", 'found "nan"'),
+        (f"{HEADER}\n2,2,3\n1,2,3", "expected ascending values, found 1 after 2"),
     ],
 )
 def test_bad_tables_are_refused_with_file_and_line(text: str, message: str, tmp_path: Path) -> None:
@@ -105,7 +105,7 @@ def test_bad_tables_are_refused_with_file_and_line(text: str, message: str, tmp_
 
 def test_a_table_without_a_channel_of_the_response_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "m.csv"
-    file.write_text("frequency,re:p_z/force_x,im:p_z/force_x\n1,2,3\n", encoding="utf-8")
+    file.write_text("frequency,re:p_z/force_x,im:p_z/force_x\n1,2,3\n2,2,3\n", encoding="utf-8")
     with pytest.raises(PkmodesError) as error:
         response_picture(response(), read_response(file))
     assert "expected a channel of p_x/force_x, p_y/force_x, found p_z/force_x" in str(error.value)

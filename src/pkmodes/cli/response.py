@@ -116,10 +116,11 @@ class ResponseDocument(Document):
 )
 @click.option(
     "--measured",
-    metavar="FILE.csv",
+    metavar="FILE",
     type=click.Path(path_type=Path),
     default=None,
-    help="Measured responses to draw over those of the model: a table like that of --out.",
+    help="Measured responses to draw over those of the model: a table like that of --out, a universal or a MATLAB "
+    "file.",
 )
 @drives_option
 @mechanism_option

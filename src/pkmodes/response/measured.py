@@ -1,4 +1,4 @@
-"""Measured frequency responses from a table, as `pkmodes response` itself writes one."""
+"""Measured frequency responses from files of signals, such as the tables that `pkmodes response` itself writes."""
 
 from __future__ import annotations
 
@@ -12,14 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import MeasurementError, PkmodesError, nearest, shown
-from pkmodes.measured.cells import cells_of, number_in
-from pkmodes.measured.csv_format import read_text
-from pkmodes.measured.csv_rows import read_lines
+from pkmodes.signals.functions import Kind
+from pkmodes.signals.reading import read_signals
 
 Array = NDArray[np.float64]
-FREQUENCY = ("frequency", "freq", "frequency [Hz]", "freq [Hz]")
-REAL, IMAGINARY = "re:", "im:"
 STATEMENT = re.compile(r"#\s*(unit|quantity|drives)\s*:\s*(.+?)\s*", re.IGNORECASE)
+#: Characters in which a table states what it is of.
+HEAD = 100_000
 REMEDY = "a table has the columns frequency [Hz], and re:OUTPUT/INPUT and im:OUTPUT/INPUT for each channel"
 
 
@@ -83,9 +82,9 @@ def read_response(path: str | PathLike[str]) -> MeasuredResponse:
     Parameters
     ----------
     path : path-like
-        CSV with a column ``frequency`` [Hz], and ``re:OUTPUT/INPUT`` and ``im:OUTPUT/INPUT`` for each channel; other
-        columns are ignored.  Comments may state ``# quantity: ...``, ``# drives: ...`` and ``# unit: OUTPUT/INPUT =
-        ...``.
+        A universal file, a MATLAB file, or a table with a column ``frequency`` [Hz], and ``re:OUTPUT/INPUT`` and
+        ``im:OUTPUT/INPUT`` for each channel; other columns are ignored.  Comments of a table may state ``# quantity:
+        ...``, ``# drives: ...`` and ``# unit: OUTPUT/INPUT = ...``.
 
     Returns
     -------
@@ -95,53 +94,28 @@ def read_response(path: str | PathLike[str]) -> MeasuredResponse:
     Raises
     ------
     MeasurementError
-        If the file cannot be read or is invalid, with line and column.
+        If the file cannot be read or is invalid, with the place in it, or has no frequency responses.
     """
     source = fspath(path)
-    text = read_text(Path(path), source, "the responses", "give a CSV file of responses")
-    lines = read_lines(text, source)
-    if not lines.records:
-        raise MeasurementError("expected a header and rows, found none", source, REMEDY)
-    (number, header), records = lines.records[0], lines.records[1:]
-    names = cells_of(header, f"{source}: line {number}")
-    places = _places(names, f"{source}: line {number}")
-    if not records:
-        raise MeasurementError(
-            "expected a row for each frequency, found only a header", source, "add the rows"
-        )
-    table = np.empty((len(records), 1 + 2 * (len(places) - 1)))
-    for row, (number, line) in enumerate(records):
-        cells = cells_of(line, f"{source}: line {number}")
-        if len(cells) != len(names):
-            what = f"expected {len(names)} cells, found {len(cells)}"
-            raise MeasurementError(
-                what, f"{source}: line {number}", "give each row as many cells as the header"
-            )
-        wanted = [column for pair in places.values() for column in pair]
-        for k, column in enumerate(wanted):
-            value = number_in(cells[column], None)
-            if value is None:
-                what = f"expected a finite number, found {shown(cells[column])}"
-                where = f"{source}: line {number}, column {names[column]}"
-                raise MeasurementError(what, where, "write a plain number with a decimal point")
-            table[row, k] = value
-    late = np.flatnonzero(np.diff(table[:, 0]) <= 0.0)
-    if len(late):
-        number = records[int(late[0]) + 1][0]
-        what = f"expected ascending frequencies, found {table[late[0] + 1, 0]:g} Hz after {table[late[0], 0]:g} Hz"
-        raise MeasurementError(
-            what, f"{source}: line {number}", "sort the rows, and give each frequency once"
-        )
-    channels = {
-        name: table[:, 1 + 2 * k] + 1j * table[:, 2 + 2 * k] for k, name in enumerate(list(places)[1:])
-    }
-    return MeasuredResponse(source, table[:, 0], channels, _stated(text))
+    functions = [one for one in read_signals(path).functions if one.kind is Kind.FRF]
+    if not functions:
+        raise MeasurementError("expected frequency response functions, found none", source, REMEDY)
+    f, channels = functions[0].abscissa, {}
+    for one in functions:
+        name = f"{one.response}/{one.reference}"
+        if not np.array_equal(one.abscissa, f):
+            what = f"the frequencies of {shown(name)} differ from those of the first function"
+            raise MeasurementError(what, source, "give functions of the same frequencies")
+        channels[name] = np.asarray(one.values, dtype=complex)
+    return MeasuredResponse(source, f, channels, _stated(Path(path)))
 
 
-def _stated(text: str) -> dict[str, str]:
-    """Return what the comments of a table state."""
+def _stated(path: Path) -> dict[str, str]:
+    """Return what the comments at the beginning of a table state; other files have none."""
     found = {}
-    for line in text.splitlines():
+    with path.open(encoding="latin-1") as file:
+        head = file.read(HEAD)
+    for line in head.splitlines():
         match = STATEMENT.fullmatch(line.rstrip(" ,;\t"))
         if match is None:
             continue
@@ -152,26 +126,4 @@ def _stated(text: str) -> dict[str, str]:
                 continue
             word = f"unit {channel}"
         found[word] = value
-    return found
-
-
-def _places(names: list[str], where: str) -> dict[str, tuple[int, ...]]:
-    """Return the column of the frequency, then those of each channel."""
-    frequency = [i for i, name in enumerate(names) if name in FREQUENCY]
-    if len(frequency) != 1:
-        raise MeasurementError(
-            f"expected one column of frequencies, found {len(frequency) or 'none'}", where, REMEDY
-        )
-    found: dict[str, tuple[int, ...]] = {"": (frequency[0],)}
-    for i, name in enumerate(names):
-        if not name.startswith(REAL):
-            continue
-        channel = name.removeprefix(REAL)
-        other = [j for j, each in enumerate(names) if each == IMAGINARY + channel]
-        if len(other) != 1 or channel in found:
-            what = f"expected one column {shown(name)} and one {shown(IMAGINARY + channel)}"
-            raise MeasurementError(what, where, REMEDY)
-        found[channel] = (i, other[0])
-    if len(found) == 1:
-        raise MeasurementError("expected a channel, found none", where, REMEDY)
     return found
