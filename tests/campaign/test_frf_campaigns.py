@@ -147,6 +147,15 @@ def test_the_damping_of_a_window_is_taken_off(tmp_path: Path) -> None:
             "expected frequencies up to the end of the band, 300 Hz, found 219.75 Hz (r.csv)",
         ),
         (('"200 Hz"', '"21 Hz"'), "(r.csv: the band)"),
+        (
+            ('name = "a', 'name = "b'),  # every sensor
+            'expected a sensor of the campaign, found "a1", "a2", "a3" (r.csv); did you mean "b1"?',
+        ),
+        (("[[sensor]]", 'tones = ["0.1 Hz"]\n[[sensor]]'), "lines beside the tones, found 0 (r.csv: tones)"),
+        (
+            ('"20 Hz"', '"1 Hz"'),
+            "expected frequencies from the beginning of the band, 1 Hz, found 10 Hz (r.csv)",
+        ),
     ],
 )
 def test_what_does_not_fit_the_campaign_is_refused(
@@ -161,11 +170,13 @@ def test_what_does_not_fit_the_campaign_is_refused(
     write_frf(Path("r.csv"), F, in_units(frame.accelerances(F)), 0.02, np.random.default_rng(5))
     text = HEAD + SENSORS + '[[record]]\npose = "P1"\nkind = "frf"\nfiles = ["r.csv"]\n'
     assert change[0] in text
-    Path("c.toml").write_text(text.replace(*change), encoding="utf-8")
+    times = 1 if change[0] == "[[sensor]]" else -1
+    Path("c.toml").write_text(text.replace(*change, times), encoding="utf-8")
     code = run(["identify", "c.toml", "--out", "modes.csv"])
     said = " ".join(capsys.readouterr().err.split())
     if message is None:  # two of the three sensors are in the file
         assert code == 0
+        assert "P1: sensors or forces that are in none of the files: b1" in said
     else:
         assert code == 2
         assert message in said
@@ -185,3 +196,15 @@ def test_dead_sensors_and_modes_beside_tones_are_said(tmp_path: Path) -> None:
     beside = f"the mode at {natural[0]:.4g} Hz lies beside the tone at {1.004 * natural[0]:.4g} Hz"
     assert any(beside in message for message in said)
     assert read_modes(out, CHANNELS).channels == ("floor_1", "floor_3")
+
+
+@pytest.mark.parametrize("factor", [1e100, 1e-100])
+def test_numbers_that_no_machine_has_are_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], factor: float
+) -> None:
+    H = {name: factor * values for name, values in in_units(Frame.build().accelerances(F)).items()}
+    write_frf(tmp_path / "r.csv", F, H, 0.0, np.random.default_rng(5))
+    text = HEAD + SENSORS + '[[record]]\npose = "P1"\nkind = "frf"\nfiles = ["r.csv"]\n'
+    (tmp_path / "c.toml").write_text(text, encoding="utf-8")
+    assert run(["identify", str(tmp_path / "c.toml"), "--out", str(tmp_path / "m.csv")]) == 2
+    assert "in SI units of moderate size" in " ".join(capsys.readouterr().err.split())

@@ -21,7 +21,7 @@ SENSOR = '[[sensor]]\nname = "a"\nchannel = "p_x"\nunit = "m/s^2"\n'
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("format = 2\n", "invalid"),
+        ("format = 2\n", "expected 1, found 2 (c.toml: format)"),
         ("not toml", "not valid TOML"),
         (HEAD + 'bnd = "x"\n' + RECORD, 'unknown key "bnd" (c.toml); did you mean "band"?'),
         (HEAD, 'expected the key "record", found none (c.toml)'),
@@ -53,7 +53,11 @@ SENSOR = '[[sensor]]\nname = "a"\nchannel = "p_x"\nunit = "m/s^2"\n'
         (HEAD + RECORD + 'exponential = "-1 s"\n', "expected a time above 0"),
         (HEAD + RECORD + 'set = { "effects.paylod.mass" = "1 kg" }\n', "did you mean"),
         (HEAD + RECORD + 'set = { "effects.payload.mass" = "1 m" }\n', "which is a length"),
-        (HEAD + RECORD + 'drives = "on"\n', "drives"),
+        (HEAD + RECORD + 'set = { "effects.payload.mass" = "-2 kg" }\n', "(c.toml: record.1.set)"),
+        (HEAD + RECORD + 'drives = "on"\n', 'expected "free" or "held", found'),
+        (HEAD + RECORD.replace('"P1"', '"#P1"'), "expected a label that does not begin with #"),
+        (HEAD + RECORD.replace('["p1.csv"]', "3"), "expected a table or a list, found an integer"),
+        (HEAD + RECORD + SENSOR.replace("m/s^2", "100 mV/g"), "and this as sensitivity"),
         (HEAD + RECORD + SENSOR.replace("p_x", "p_q"), 'unknown channel "p_q" (c.toml: sensor.1.channel)'),
         (
             HEAD + RECORD + SENSOR.replace('channel = "p_x"\n', ""),
@@ -74,6 +78,10 @@ SENSOR = '[[sensor]]\nname = "a"\nchannel = "p_x"\nunit = "m/s^2"\n'
         ),
         (HEAD + RECORD + '[[edit]]\npose = "P2"\n', 'no record has the label "P2" (c.toml: edit.1.pose)'),
         (HEAD.replace("robot", "channels", 1).replace(f'"{ROBOT}"', '["a"]') + RECORD, "has no positions"),
+        (
+            HEAD.replace(f'robot = "{ROBOT}"', 'channels = ["a", "a"]') + RECORD,
+            '"a" is given twice (c.toml: channels)',
+        ),
         (HEAD + 'channels = ["a"]\n' + RECORD, "expected either a robot or channels, found both"),
     ],
 )
@@ -116,6 +124,13 @@ def test_the_place_of_a_mistake_is_named(
             'columns = { frequenzy = "frequency" }\n',
             'unknown column "frequenzy" in columns',
         ),
+        ("frequency,re:a,im:a\n50,1,2\n", "", 'the kind of this record is "frf"'),
+        (
+            "frequency,shape:x_1,shape:x_2\n50,0,0\n",
+            "",
+            "expected a mode shape, found components up to 0 (p1.csv: line 2)",
+        ),
+        ("frequency\n50\n", 'columns = { frequency = "f0", damping = "f0" }\n', "name the same column"),
         ("frequency\n5\n", "", "expected modes, found none in any record"),
         (
             "frequency\n50\n",
@@ -163,3 +178,32 @@ def test_faulty_files_are_left_out_if_asked(
     Path("p1.csv").write_text("frequency\nfifty\n", encoding="utf-8")
     assert run(["identify", "c.toml", "--out", "none.csv", "--keep-going"]) == 2
     assert not Path("none.csv").exists()
+    said = " ".join(capsys.readouterr().err.split())
+    assert "expected modes, found none: 3 files were left out, first p1.csv: expected a finite number" in said
+
+
+@pytest.mark.parametrize("options", [["--out", "p1.csv"], ["--out", "m.csv", "--json", "./p1.csv"]])
+def test_no_result_replaces_what_was_measured(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, options: list[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("p1.csv").write_text("frequency\n50\n", encoding="utf-8")
+    Path("c.toml").write_text(HEAD + RECORD, encoding="utf-8")
+    assert run(["identify", "c.toml", *options]) == 2
+    assert Path("p1.csv").read_text(encoding="utf-8") == "frequency\n50\n"
+    assert not Path("m.csv").exists()
+
+
+def test_a_mode_without_any_standard_deviation_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("p1.csv").write_text("frequency\n50\n", encoding="utf-8")
+    Path("c.toml").write_text(HEAD + 'repeatability = "0 %"\n' + RECORD, encoding="utf-8")
+    assert run(["identify", "c.toml", "--out", "m.csv"]) == 2
+    assert "a mode of P1 has no standard deviation (c.toml: record.1)" in capsys.readouterr().err
+
+
+def test_a_campaign_that_is_no_regular_file_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["identify", "/dev/zero", "--out", "m.csv"]) == 2
+    assert "it is not a regular file (/dev/zero)" in capsys.readouterr().err

@@ -7,16 +7,15 @@ from pathlib import Path
 
 from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.found import Found
+from pkmodes.campaign.file_modes import FileModes, Fit
 from pkmodes.campaign.frf_records import found_of
+from pkmodes.campaign.sensors import unsigned
 from pkmodes.campaign.time_records import time_signals
 from pkmodes.identification.ssi_identification import FEWEST_PERIODS, identify_responses
 
 
-def ambient_modes(
-    path: Path, record: Record, setup: str, campaign: Campaign
-) -> tuple[list[Found], list[str]]:
-    """Return the modes of the responses in a file, their shapes by sensor, and sentences for the user.
+def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
+    """Return the modes of the responses in a file, their shapes by sensor.
 
     Raises
     ------
@@ -37,8 +36,10 @@ def ambient_modes(
             *messages,
             f"{len(short)} pieces between gaps are shorter than {shortest:.3g} s and were left out",
         )
-    found = [
+    found = tuple(
         found_of(replace(mode, shape=mode.shape * given.as_accelerations(mode.pole)), given.names)
         for mode in estimate.modes
-    ]
-    return found, [*given.messages, *(f"{given.source}: {message}" for message in messages)]
+    )
+    said = (*given.messages, *(f"{given.source}: {message}" for message in messages))
+    seen = frozenset(given.names) | {unsigned(name) for name in campaign.forces_in(setup)}
+    return FileModes(found, said, seen, Fit(given.source, estimate, given.names))

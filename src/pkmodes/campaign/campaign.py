@@ -11,7 +11,7 @@ from pathlib import Path
 from pkmodes.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.campaign.description import CampaignTable, EditTable, RecordTable, read_description
 from pkmodes.campaign.quantities import band_of, frequency, quantity, share, uncertain
-from pkmodes.campaign.sensors import Place, Sensor, forces_of, sensors_of
+from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, sensors_of, unsigned
 from pkmodes.model.loading import load
 from pkmodes.model.model import Model
 from pkmodes.updating.load_cases import settable
@@ -104,6 +104,10 @@ class Campaign:
         """Return the forces that hold in a setup, by name."""
         return {one.name: one for one in self.forces if one.setup in (None, setup)}
 
+    def named_in(self, setup: str) -> set[str]:
+        """Return the names of sensors and forces that the files of a setup should have, forces without signs."""
+        return {*self.sensors_in(setup), *map(unsigned, self.forces_in(setup))}
+
     @property
     def places(self) -> dict[str, Place]:
         """Sensors and forces of all setups, by key."""
@@ -140,6 +144,7 @@ def campaign_of(table: CampaignTable, source: str) -> Campaign:
             what, source, 'write robot = "robot.toml", or channels = ["floor_1"] for a structure'
         )
     model = None if table.robot is None else load(folder / table.robot)
+    _check_channels(table.channels or [], source)
     known = dict.fromkeys(table.channels or (), "") if model is None else channels(model.mechanism)
     directions = () if model is None else model.mechanism.directions
     if not table.record:
@@ -172,6 +177,15 @@ def campaign_of(table: CampaignTable, source: str) -> Campaign:
     )
 
 
+def _check_channels(names: list[str], source: str) -> None:
+    for i, name in enumerate(names):
+        if not name.strip() or not name.isprintable() or name == NONE:
+            what = f"expected the name of a channel, found {shown(name)}"
+            raise MeasurementError(what, f"{source}: channels", "use printable characters, and not none")
+        if name in names[:i]:
+            raise MeasurementError(f"{shown(name)} is given twice", f"{source}: channels", "give each once")
+
+
 def _record(
     given: RecordTable,
     number: int,
@@ -196,6 +210,9 @@ def _record(
         raise MeasurementError(what, f"{where}.files", "a repeat is another measurement: give each file once")
     if not given.pose.strip():
         raise MeasurementError("expected a label, found none", f"{where}.pose", 'for example: pose = "P1"')
+    if given.pose.lstrip().startswith("#"):
+        what = f"expected a label that does not begin with #, found {shown(given.pose)}"
+        raise MeasurementError(what, f"{where}.pose", "its rows would be comments of the measurement file")
     for name, count in (("averages", given.averages), ("hits", given.hits)):
         if count is not None and count < 1:
             what = f"expected at least 1, found {count}"
@@ -265,6 +282,10 @@ def _settings(given: RecordTable, model: Model | None, where: str) -> dict[str, 
             what = f"unknown parameter path {shown(path)}"
             raise MeasurementError(what, f"{where}.set", nearest(path, known, "see docs/sensitivities.md"))
         found[path] = quantity(value, known[path], f"{where}.set.{path}")
+    try:
+        model.robot.with_values(found)
+    except PkmodesError as error:
+        raise MeasurementError(error.what, f"{where}.set", error.remedy) from None
     return found
 
 

@@ -16,6 +16,9 @@ LARGEST_FILE = 1_000_000
 #: How msgspec says that a key is unknown or missing, and where something is wrong.
 UNKNOWN = re.compile(r"Object contains unknown field `(.*)`")
 MISSING = re.compile(r"Object missing required field `(.*)`")
+KINDS_OF_VALUES = re.compile(r"`([a-z]+(?: \| [a-z]+)*)`")
+#: What keys with a few possible values expect.
+CHOICES = {"format": "1", "drives": '"free" or "held"'}
 PLACE = re.compile(r"(.*) - at `\$(.*)`")
 
 
@@ -111,6 +114,9 @@ def read_description(path: Path) -> CampaignTable:
     """
     source = str(path)
     try:
+        if path.exists() and not path.is_file():
+            kind = "a folder" if path.is_dir() else "not a regular file"
+            _refuse(f"cannot read the campaign file: it is {kind}", source, "check the path")
         if path.stat().st_size > LARGEST_FILE:
             _refuse(
                 "expected a campaign file in TOML, found a file larger than 1 MB", source, "check the path"
@@ -151,17 +157,18 @@ def _translate(text: str, source: str) -> NoReturn:
         _refuse(
             f'expected the key "{match[1]}", found none', where, f"add it; known keys: {', '.join(known)}"
         )
-    words = {
-        "`str`": "text",
-        "`int`": "an integer",
-        "`float`": "a number",
-        "`array`": "a list",
-        "`object`": "a table",
-    }
-    for word, plain in words.items():
-        what = what.replace(word, plain)
+    key = place.rpartition(".")[2]
+    if what.startswith("Invalid enum value") and key in CHOICES:
+        what = f"expected {CHOICES[key]}, found {what.removeprefix('Invalid enum value ')}"
+    what = KINDS_OF_VALUES.sub(lambda found: " or ".join(_plain(found[1])), what)
     what = what.replace(", got ", ", found ").replace("`", '"').replace(" | ", " or ")
     _refuse(f"{what[0].lower()}{what[1:]}", where, "see the campaign file in docs/signals.md")
+
+
+def _plain(kinds: str) -> list[str]:
+    """Return kinds of values as msgspec names them in words."""
+    words = {"str": "text", "int": "an integer", "float": "a number", "array": "a list", "object": "a table"}
+    return list(dict.fromkeys(words.get(kind, kind) for kind in kinds.split(" | ") if kind != "null"))
 
 
 def _refuse(what: str, where: str, remedy: str) -> NoReturn:

@@ -5,17 +5,20 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import MeasurementError, nearest, shown
 from pkmodes.campaign.campaign import Campaign, Record
+from pkmodes.campaign.file_modes import FileModes, Fit
 from pkmodes.campaign.found import Found
 from pkmodes.campaign.motion import Motion, motion
-from pkmodes.campaign.sensors import Place, Sensor, check_motion
+from pkmodes.campaign.sensors import Place, Sensor, check_motion, unsigned
 from pkmodes.identification.estimates import Mode
 from pkmodes.identification.frf_identification import identify_frf
+from pkmodes.robot.units import LARGEST, SMALLEST
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Function, Kind, SignalFile
 from pkmodes.signals.reading import read_signals
@@ -50,8 +53,8 @@ class Responses:
     dead: tuple[str, ...]
 
 
-def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> tuple[list[Found], list[str]]:
-    """Return the modes of the frequency response functions in a file, their shapes by sensor, and sentences.
+def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
+    """Return the modes of the frequency response functions in a file, their shapes by sensor.
 
     Raises
     ------
@@ -60,8 +63,13 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> tup
     """
     sensors = campaign.sensors_in(setup)
     read = read_signals(path, Asked(sensors=frozenset(sensors) or None))
+    if not any(one.kind is Kind.FRF for one in read.functions):
+        refuse_strangers(path, Kind.FRF, sensors)
     given = responses_of(read, sensors, campaign.forces_in(setup), campaign.channels)
     low, high = record.band
+    if low < given.frequencies[0]:
+        what = f"expected frequencies from the beginning of the band, {low:g} Hz, found {given.frequencies[0]:g} Hz"
+        raise MeasurementError(what, read.source, "narrow the band of the record")
     if high > given.frequencies[-1]:
         what = (
             f"expected frequencies up to the end of the band, {high:g} Hz, found {given.frequencies[-1]:g} Hz"
@@ -80,10 +88,43 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> tup
         )
     except MeasurementError as error:
         raise MeasurementError(error.what, f"{read.source}: {error.where}", error.remedy) from None
-    return [found_of(mode, given.names) for mode in estimate.modes], [
-        *read.messages,
-        *dead_channels(given.dead, read.source),
-    ]
+    return FileModes(
+        tuple(found_of(mode, given.names) for mode in estimate.modes),
+        (*read.messages, *dead_channels(given.dead, read.source)),
+        frozenset(
+            {one.response for one in read.functions} | {unsigned(one.reference) for one in read.functions}
+        ),
+        Fit(read.source, estimate, given.names),
+    )
+
+
+def check_size(values: NDArray[Any], source: str) -> None:
+    """Refuse numbers that no machine has: their squares would overflow.
+
+    Raises
+    ------
+    MeasurementError
+    """
+    size = float(np.nanmax(np.abs(values), initial=0.0))
+    if size > 0.0 and not SMALLEST <= size <= LARGEST:
+        what = f"expected numbers in SI units of moderate size, found up to {size:.3g}"
+        raise MeasurementError(what, source, "check the units of the sensors")
+
+
+def refuse_strangers(path: Path, kind: Kind, sensors: Mapping[str, Sensor]) -> None:
+    """Refuse a file that has functions of a kind, but none of the campaign's sensors.
+
+    Raises
+    ------
+    MeasurementError
+        It names what the file has.
+    """
+    read = read_signals(path)
+    found = list(dict.fromkeys(one.response for one in read.functions if one.kind is kind and not one.force))
+    if found:
+        what = f"expected a sensor of the campaign, found {', '.join(map(shown, found[:6]))}"
+        remedy = nearest(found[0], sensors) if sensors else "add [[sensor]] for each measured direction"
+        raise MeasurementError(what, read.source, remedy)
 
 
 def dead_channels(names: Sequence[str], source: str) -> list[str]:
@@ -128,6 +169,7 @@ def responses_of(
             what = f"the function {one.response}/{one.reference} occurs twice"
             raise MeasurementError(what, read.source, "give repeats as files of their own")
         values[place] = one.values * _to_acceleration(one, sensors[one.response], channels, f, read.source)
+    check_size(values, read.source)
     dead = tuple(name for i, name in enumerate(rows) if not np.nan_to_num(values[:, i]).any())
     coherence = _coherence(read.functions, rows, columns, f)
     acting = {name: force for name in columns if (force := _of_reference(name, forces)) is not None}
@@ -176,11 +218,7 @@ def _coherence(
 
 def _of_reference(name: str, forces: Mapping[str, Place]) -> Place | None:
     """Return the force of a reference; the sign in its name is only a name."""
-    return next((place for own, place in forces.items() if _unsigned(own) == _unsigned(name)), None)
-
-
-def _unsigned(name: str) -> str:
-    return name.replace(":+", ":").replace(":-", ":")
+    return next((place for own, place in forces.items() if unsigned(own) == unsigned(name)), None)
 
 
 def found_of(mode: Mode, names: Sequence[str]) -> Found:

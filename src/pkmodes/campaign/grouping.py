@@ -22,19 +22,34 @@ ALIKE = 0.5
 
 def grouped(files: Sequence[Sequence[Found]]) -> list[dict[int, Found]]:
     """Return the modes of several files, each with the files in which it was found; ascending in frequency."""
-    groups = [{i: mode} for i, modes in enumerate(files) for mode in modes]
-    while True:
+    every = sorted(
+        ((mode.frequency, i, mode) for i, modes in enumerate(files) for mode in modes),
+        key=lambda one: one[:2],
+    )
+    groups: list[dict[int, Found]] = []
+    near: list[dict[int, Found]] = []
+    for k, (frequency, i, mode) in enumerate(every):
+        if k and np.log(frequency / every[k - 1][0]) > APART:  # nothing on both sides of a gap is alike
+            groups += _merged(near)
+            near = []
+        near.append({i: mode})
+    groups += _merged(near)
+    return sorted(groups, key=lambda group: float(np.mean([mode.frequency for mode in group.values()])))
+
+
+def _merged(groups: list[dict[int, Found]]) -> list[dict[int, Found]]:
+    """Merge groups of modes in the order of their distance."""
+    while len(groups) > 1:
         pairs = [
             (_distance(one, other), i, k)
             for (i, one), (k, other) in combinations(enumerate(groups), 2)
             if not one.keys() & other.keys()
         ]
-        least = min(pairs, default=(2.0, 0, 0))
-        if least[0] > 1.0:
+        least, i, k = min(pairs, default=(2.0, 0, 0))
+        if least > 1.0:
             break
-        _, i, k = least
         groups[i] = {**groups[i], **groups.pop(k)}
-    return sorted(groups, key=lambda group: float(np.mean([mode.frequency for mode in group.values()])))
+    return groups
 
 
 def _distance(one: dict[int, Found], other: dict[int, Found]) -> float:

@@ -8,17 +8,19 @@ import numpy as np
 
 from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import Campaign, Record
+from pkmodes.campaign.file_modes import FileModes
 from pkmodes.campaign.found import Found
 from pkmodes.campaign.mode_tables import read_mode_table
+from pkmodes.campaign.sensors import unsigned
 from pkmodes.campaign.shapes import by_channel
+from pkmodes.robot.units import LARGEST, SMALLEST
+from pkmodes.signals.functions import ModeShape
 from pkmodes.signals.reading import HEAD, read_signals
 from pkmodes.signals.universal_file import UNIVERSAL_FILE
 
 
-def identified_modes(
-    path: Path, record: Record, setup: str, campaign: Campaign
-) -> tuple[list[Found], list[str]]:
-    """Return the modes in a file, their shapes by channel, and sentences for the user.
+def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
+    """Return the modes in a file, their shapes by channel.
 
     Raises
     ------
@@ -26,26 +28,46 @@ def identified_modes(
         If the file is faulty, or has no modes.
     """
     if not _universal(path):
-        return read_mode_table(path, record.columns, campaign.channels, record.pose), []
+        return FileModes(
+            tuple(read_mode_table(path, record.columns, campaign.channels, record.pose)),
+            (),
+            frozenset(campaign.named_in(setup)),
+        )
     read = read_signals(path)
     if not read.modes:
         what = f"expected identified modes (dataset 55), found {len(read.functions)} functions and no mode"
         remedy = 'choose another kind of record, such as kind = "frf"'
         raise MeasurementError(what, read.source, remedy)
+    for mode in read.modes:
+        _check(mode, read.source)
     places = campaign.sensors_in(setup)
-    found = [
+    found = tuple(
         Found(
             mode.frequency,
             np.nan if mode.damping is None else mode.damping,
             by_channel({name: value for name, value in mode.shape.items() if name in places}, places),
         )
         for mode in read.modes
-    ]
+    )
     seen = {name for mode in read.modes for name in mode.shape}
     messages = list(read.messages)
     if places and not seen & places.keys():
         messages.append(f"{read.source}: no sensor of the campaign is in the file: its shapes are left out")
-    return found, messages
+    return FileModes(
+        found, tuple(messages), frozenset(seen) | {unsigned(name) for name in campaign.forces_in(setup)}
+    )
+
+
+def _check(mode: ModeShape, source: str) -> None:
+    """Refuse a mode whose numbers no measurement file may have."""
+    where = f"{source}: mode at {mode.frequency:g} Hz"
+    if mode.damping is not None and not 0.0 <= mode.damping < 1.0:
+        what = f"expected a damping ratio of at least 0 and below 1, found {mode.damping:g}"
+        raise MeasurementError(what, where, "correct it, or export the modes again")
+    size = max((abs(value) for value in mode.shape.values()), default=1.0)
+    if not SMALLEST <= size <= LARGEST:
+        what = f"expected a mode shape, found components up to {size:g}"
+        raise MeasurementError(what, where, "leave out modes without a shape")
 
 
 def _universal(path: Path) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 from pkmodes.base.errors import MeasurementError, nearest, shown
 from pkmodes.campaign.averaging import Mean, averaged
 from pkmodes.campaign.campaign import Campaign, Edit, Record
+from pkmodes.campaign.file_modes import Fit
 from pkmodes.campaign.found import Found
 from pkmodes.campaign.grouping import grouped
 from pkmodes.campaign.joining import joined
@@ -25,6 +27,9 @@ from pkmodes.identification.estimates import collinearity
 OFTEN = 0.5
 #: A frequency of the user means the mode within this of it, relative.
 NEAR = 0.01
+#: Relative standard deviation of a damping ratio below which it is rounding: of the same number written several
+#: times, or of functions without noise.
+LEAST = 1e-4
 #: Modal phase collinearity below which a shape is said to be complex.
 COMPLEX = 0.8
 
@@ -42,55 +47,80 @@ def identify(campaign: Campaign, *, keep_going: bool = False) -> Identification:
     MeasurementError
         If a file is faulty, an edit means no mode, or no mode is found at all.
     """
-    means: list[tuple[Record, list[Mean], list[LeftOut], list[str]]] = []
+    measured: list[_Measured] = []
     for record in campaign.records:
         kind = KINDS.get(record.kind)
         where = f"{campaign.source}: record.{record.number}.kind"
         if kind is None:
             raise MeasurementError(f"unknown kind {shown(record.kind)}", where, nearest(record.kind, KINDS))
-        means.append((record, *_found(record, kind, campaign, keep_going)))
+        measured.append(_measured(record, kind, campaign, keep_going))
     repeatability, notes = campaign.repeatability, list[str]()
     if repeatability is None:
-        repeatability, notes = revisited([(record, each) for record, each, _, _ in means], campaign.source)
+        repeatability, notes = revisited([(one.record, one.means) for one in measured], campaign.source)
+    _check_some_left(measured, campaign.source)
     results = tuple(
-        _result(record, each, left_out, messages, campaign, repeatability)
-        for record, each, left_out, messages in means
-        if each or not left_out
+        _result(one, campaign, repeatability) for one in measured if one.means or not one.left_out
     )
     return Identification(results, repeatability, measurements_of(results, campaign), tuple(notes))
 
 
-def _found(
-    record: Record, kind: Kind, campaign: Campaign, keep_going: bool
-) -> tuple[list[Mean], list[LeftOut], list[str]]:
-    """Return the modes of a record over its repeats and setups, the files left out, and sentences."""
+def _check_some_left(measured: Sequence[_Measured], source: str) -> None:
+    """Refuse a campaign whose files are all faulty, with the reason of the first."""
+    left_out = [one for each in measured for one in each.left_out]
+    if left_out and not any(each.means for each in measured):
+        what = f"expected modes, found none: {len(left_out)} files were left out, first {left_out[0].file}"
+        raise MeasurementError(f"{what}: {left_out[0].reason}", source, "correct the files")
+
+
+@dataclass(frozen=True, eq=False)
+class _Measured:
+    """The modes of a record over its repeats and setups, before they are edited."""
+
+    record: Record
+    means: Sequence[Mean]
+    left_out: Sequence[LeftOut]
+    messages: Sequence[str]
+    fits: Sequence[Fit]
+
+
+def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool) -> _Measured:
     setups: dict[str, list[Mean]] = {}
     left_out: list[LeftOut] = []
     messages: list[str] = []
+    fits: list[Fit] = []
     for setup, paths in record.setups.items():
         files: list[Sequence[Found]] = []
+        seen: set[str] = set()
         for path in paths:
             try:
-                modes, said = kind.find(path, record, setup, campaign)
+                found = kind.find(path, record, setup, campaign)
             except MeasurementError as error:
                 if not keep_going:
                     raise
                 left_out.append(LeftOut(str(path), f"{error.what} ({error.where})"))
                 continue
-            messages += [*said, *_beside_tones(modes, path, campaign.tones)]
+            messages += [*found.messages, *_beside_tones(found.modes, path, campaign.tones)]
+            fits += [] if found.fit is None else [found.fit]
             files.append(
-                [_named(mode, setup, kind, campaign) for mode in _in_band(modes, record, path, messages)]
+                [
+                    _named(mode, setup, kind, campaign)
+                    for mode in _in_band(found.modes, record, path, messages)
+                ]
             )
+            seen |= found.seen
         if files:
+            unseen = sorted(campaign.named_in(setup) - seen)
+            if unseen:
+                names = f"sensors or forces that are in none of the files: {', '.join(unseen)}"
+                messages.append(f"{record.pose}: {names}")
             often = max(1.0, OFTEN * len(files))
             setups[setup] = averaged([group for group in grouped(files) if len(group) >= often])
             if len(files) == 1:
                 of = f" of the setup {setup}" if setup else ""
                 messages.append(f"{record.pose}: a single file{of}: the scatter of repeats is unknown")
-    if not setups:
-        return [], left_out, messages
-    means, notes = joined(setups)
-    return means, left_out, [*messages, *(f"{record.pose}: {note}" for note in notes)]
+    means, notes = joined(setups) if setups else ([], [])
+    said = [*messages, *(f"{record.pose}: {note}" for note in notes)]
+    return _Measured(record, means, left_out, said, fits)
 
 
 def _in_band(modes: Sequence[Found], record: Record, path: Path, messages: list[str]) -> list[Found]:
@@ -124,17 +154,10 @@ def _named(mode: Found, setup: str, kind: Kind, campaign: Campaign) -> Found:
     return Found(**{**vars(mode), "shape": {names[name]: value for name, value in mode.shape.items()}})
 
 
-def _result(
-    record: Record,
-    means: Sequence[Mean],
-    left_out: Sequence[LeftOut],
-    messages: Sequence[str],
-    campaign: Campaign,
-    repeatability: float,
-) -> RecordResult:
-    said = list(messages)
+def _result(measured: _Measured, campaign: Campaign, repeatability: float) -> RecordResult:
+    record, said = measured.record, list(measured.messages)
     places = {} if KINDS[record.kind].by_channel else campaign.places
-    modes = [_mode(mean, places, repeatability) for mean in means]
+    modes = [_mode(mean, places, repeatability) for mean in measured.means]
     kept, struck = _edited(
         modes, [edit for edit in campaign.edits if edit.pose == record.pose], campaign.source
     )
@@ -144,11 +167,17 @@ def _result(
                 f"{record.pose}: the shape of the mode at {mode.frequency:.4g} Hz is complex: its modal phase "
                 f"collinearity is {mode.complexity:.2f}, and only its real part is used"
             )
+    if any(mode.sigma == 0.0 for mode in kept):
+        what = f"a mode of {record.pose} has no standard deviation"
+        remedy = "measure repeats, state sigma in the table, or a repeatability above 0"
+        raise MeasurementError(what, f"{campaign.source}: record.{record.number}", remedy)
     if any(mode.parts.scatter == mode.parts.fit == 0.0 for mode in kept):
         said.append(
             f"{record.pose}: sigma is the repeatability alone where neither repeats nor the file state more"
         )
-    return RecordResult(record, tuple(kept), tuple(struck), tuple(left_out), tuple(said))
+    return RecordResult(
+        record, tuple(kept), tuple(struck), tuple(measured.left_out), tuple(said), tuple(measured.fits)
+    )
 
 
 def _mode(mean: Mean, places: Mapping[str, Place], repeatability: float) -> IdentifiedMode:
@@ -165,7 +194,7 @@ def _mode(mean: Mean, places: Mapping[str, Place], repeatability: float) -> Iden
         frequency=mode.frequency,
         parts=parts,
         damping=mode.damping,
-        sigma_damping=damping if damping > 0.0 else np.nan,
+        sigma_damping=damping if damping > LEAST * mode.damping else np.nan,
         shape=real_shape(shape),
         sigma_shape=float(np.sqrt(np.nansum(of_shape**2)))
         if len(shape) > 1 and np.isfinite(of_shape).any()

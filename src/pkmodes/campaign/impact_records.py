@@ -2,21 +2,27 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 
 from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.found import Found
+from pkmodes.campaign.file_modes import FileModes, Fit
 from pkmodes.campaign.frf_records import ACCELERATION, found_of
+from pkmodes.campaign.sensors import unsigned
 from pkmodes.campaign.time_records import time_signals
 from pkmodes.identification.frf_estimates import impact_estimate
 from pkmodes.identification.frf_identification import identify_frf
 
+#: Periods of the lower end of the band that a record of blows has at least.
+FEWEST_PERIODS = 2.0
 
-def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> tuple[list[Found], list[str]]:
-    """Return the modes of the blows in a file, their shapes by sensor, and sentences for the user.
+
+def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
+    """Return the modes of the blows in a file, their shapes by sensor.
 
     Raises
     ------
@@ -30,9 +36,18 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
     if len(given.pieces) > 1:
         what = f"expected one piece of even sampling, found {len(given.pieces)}"
         raise MeasurementError(what, given.source, "measure the blows again, or leave the file out")
+    force = given.forces[0]
+    if not np.ptp(force):
+        raise MeasurementError(
+            "expected blows, found a constant force", given.source, "check the hammer's cable"
+        )
+    seconds = len(force) * given.step
+    if seconds * record.band[0] < FEWEST_PERIODS:
+        what = f"expected at least {FEWEST_PERIODS:g} periods of {record.band[0]:g} Hz, found {seconds:.3g} s"
+        raise MeasurementError(what, given.source, "measure longer, or narrow the band")
     try:
         functions = impact_estimate(
-            given.step, given.forces[0], given.pieces[0], hits=record.hits, exponential=record.exponential
+            given.step, force, given.pieces[0], hits=record.hits, exponential=record.exponential
         )
         factors = given.as_accelerations(2j * np.pi * functions.frequencies)
         estimate = identify_frf(
@@ -47,5 +62,19 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
         )
     except MeasurementError as error:
         raise MeasurementError(error.what, f"{given.source}: {error.where}", error.remedy) from None
-    said = [*given.messages, *(f"{given.source}: {message}" for message in functions.messages)]
-    return [found_of(mode, given.names) for mode in estimate.modes], said
+    return FileModes(
+        tuple(found_of(mode, given.names) for mode in estimate.modes),
+        (
+            *given.messages,
+            *(f"{given.source}: {_named(message, given.names)}" for message in functions.messages),
+        ),
+        frozenset(given.names) | {unsigned(name) for name in campaign.forces_in(setup)},
+        Fit(given.source, estimate, given.names),
+    )
+
+
+def _named(message: str, names: Sequence[str]) -> str:
+    """Return a sentence on a numbered response with the name of its sensor."""
+    for i, name in enumerate(names, start=1):
+        message = re.sub(rf"^response {i}\b", name, message)
+    return message

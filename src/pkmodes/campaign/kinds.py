@@ -11,7 +11,7 @@ from pathlib import Path
 
 from pkmodes.campaign.ambient_records import ambient_modes
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.found import Found
+from pkmodes.campaign.file_modes import FileModes
 from pkmodes.campaign.frf_records import frf_modes
 from pkmodes.campaign.identified_modes import identified_modes
 from pkmodes.campaign.impact_records import impact_modes
@@ -25,12 +25,12 @@ class Kind:
     Attributes
     ----------
     find : callable
-        The modes of a file of a setup, their shapes by sensor or, if `by_channel`, by channel; and sentences for the
-        user.  Raises `MeasurementError` for a faulty file.
+        The modes of a file of a setup, their shapes by sensor or, if `by_channel`, by channel.  Raises
+        `MeasurementError` for a faulty file.
     by_channel : bool
     """
 
-    find: Callable[[Path, Record, str, Campaign], tuple[list[Found], list[str]]]
+    find: Callable[[Path, Record, str, Campaign], FileModes]
     by_channel: bool = False
 
 

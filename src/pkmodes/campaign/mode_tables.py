@@ -19,7 +19,7 @@ from pkmodes.measured.csv_format import read_text
 from pkmodes.measured.csv_rows import read_lines
 from pkmodes.measured.header import IN_BRACKETS, frequency_factor
 from pkmodes.measured.rules import SHAPE
-from pkmodes.robot.units import QuantityError, base_units
+from pkmodes.robot.units import LARGEST, SMALLEST, QuantityError, base_units
 
 #: Columns of numbers, with the kind of their units.
 NUMBERS = {"frequency": "Hz", "sigma": "Hz", "damping": "1", "sigma_damping": "1", "sigma_shape": "1"}
@@ -85,11 +85,17 @@ def _places(
     names: list[str], columns: Mapping[str, str], channels: Mapping[str, str], where: str
 ) -> dict[str, tuple[int, Decimal | None]]:
     """Return the place of each known column, and its factor to SI units or Hz."""
+    functions = [name for name in names if name.startswith(("re:", "im:"))]
+    if functions:
+        what = f"expected modes, found frequency responses, {shown(functions[0])}"
+        _refuse(what, where, 'the kind of this record is "frf"')
     unknown = [key for key in columns if key not in NUMBERS and key != "pose" and not key.startswith(SHAPE)]
     if unknown:
         known = ["pose", *NUMBERS, *(f"{SHAPE}{name}" for name in channels)]
         _refuse(f"unknown column {shown(unknown[0])} in columns", where, nearest(unknown[0], known))
     theirs = {name: own for own, name in columns.items()}
+    if len(theirs) < len(columns):
+        _refuse("two entries of columns name the same column", where, "give each its own")
     found: dict[str, tuple[int, Decimal | None]] = {}
     for i, cell in enumerate(names):
         match = None if cell in theirs else IN_BRACKETS.fullmatch(cell)
@@ -165,6 +171,10 @@ def _mode(
                 f"{where}, column {name}",
                 "leave it blank if unknown",
             )
+    size = max((abs(value) for value in shape.values()), default=1.0)
+    if not SMALLEST <= size <= LARGEST:
+        what = f"expected a mode shape, found components up to {size:g}"
+        _refuse(what, where, "leave the components blank if the shape was not measured")
     if not 0.0 <= values.get("damping", 0.0) < 1.0:
         _refuse(
             "expected a damping ratio of at least 0 and below 1", f"{where}, column damping", "2 % is 0.02"

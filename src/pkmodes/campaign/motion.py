@@ -69,7 +69,9 @@ def _base(unit: str, where: str) -> tuple[float, dict[str, float]]:
     try:
         factor, powers = base_units(GRAVITY.sub(r"\1gravity", unit))
     except QuantityError as error:
-        raise MeasurementError(str(error), where, EXAMPLE) from None
+        what = str(error).replace(GRAVITY.sub(r"\1gravity", unit), unit)
+        remedy = 'give unit = "V", and this as sensitivity' if "V/" in unit else EXAMPLE
+        raise MeasurementError(what, where, remedy) from None
     return float(factor), {name: float(str(power)) for name, power in powers.items()}
 
 
@@ -78,5 +80,6 @@ def _of(factor: float, powers: dict[str, float], text: str, where: str) -> Motio
     derivative = -powers.get("second", 0.0)
     if kind is None or derivative not in (0.0, 1.0, 2.0) or not powers.keys() <= {kind, "second"}:
         what = f"expected the unit of a motion, found {shown(text)}"
-        raise MeasurementError(what, where, EXAMPLE)
+        remedy = 'give unit = "V", and this as sensitivity' if "V/" in text else EXAMPLE
+        raise MeasurementError(what, where, remedy)
     return Motion(factor, int(derivative), kind == "radian")

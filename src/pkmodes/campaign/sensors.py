@@ -111,7 +111,11 @@ def _place(
         raise MeasurementError("expected a name, found none", f"{where}.name", "give its name in the files")
     if given.setup is not None and given.setup not in setups:
         what = f"no record has the setup {shown(given.setup)}"
-        raise MeasurementError(what, f"{where}.setup", nearest(given.setup, setups))
+        known_setups = [name for name in setups if name]
+        remedy = (
+            nearest(given.setup, known_setups) if known_setups else "leave it out: files are a plain list"
+        )
+        raise MeasurementError(what, f"{where}.setup", remedy)
     if (given.channel is None) == (given.direction is None):
         found = "both" if given.channel is not None else "neither"
         what = f"expected either a channel or a direction, found {found}"
@@ -185,3 +189,8 @@ def _check_names(found: Sequence[Place], where: str) -> None:
                 raise MeasurementError(
                     what, f"{where}.{i + 1}.name", "each column of the files is one sensor"
                 )
+
+
+def unsigned(name: str) -> str:
+    """Return the name of a degree of freedom without its sign, which is only a name."""
+    return name.replace(":+", ":").replace(":-", ":")

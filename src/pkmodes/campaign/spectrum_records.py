@@ -9,18 +9,17 @@ import numpy as np
 
 from pkmodes.base.errors import MeasurementError, nearest, shown
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.found import Found
-from pkmodes.campaign.frf_records import found_of
+from pkmodes.campaign.file_modes import FileModes, Fit
+from pkmodes.campaign.frf_records import found_of, refuse_strangers
+from pkmodes.campaign.sensors import unsigned
 from pkmodes.identification.spectra import identify_spectrum
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Kind
 from pkmodes.signals.reading import read_signals
 
 
-def spectrum_modes(
-    path: Path, record: Record, setup: str, campaign: Campaign
-) -> tuple[list[Found], list[str]]:
-    """Return the modes of the spectra in a file, without damping and shapes, and sentences for the user.
+def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
+    """Return the modes of the spectra in a file, without damping and shapes.
 
     Raises
     ------
@@ -30,6 +29,8 @@ def spectrum_modes(
     sensors = campaign.sensors_in(setup)
     names = {**{name: name for name in sensors}, **{name.removeprefix("psd_"): name for name in sensors}}
     read = read_signals(path, Asked(sensors=frozenset(names) or None))
+    if not any(one.kind is Kind.SPECTRUM for one in read.functions):
+        refuse_strangers(path, Kind.SPECTRUM, sensors)
     spectra = [one for one in read.functions if one.kind is Kind.SPECTRUM]
     if not spectra:
         what = f"expected power spectra, found {len(read.functions)} other functions"
@@ -51,8 +52,11 @@ def spectrum_modes(
         estimate, messages = identify_spectrum(f, power / np.where(scale > 0.0, scale, 1.0), band=record.band)
     except MeasurementError as error:
         raise MeasurementError(error.what, f"{read.source}: {error.where}", error.remedy) from None
-    found_modes = [
+    modes = tuple(
         replace(found_of(mode, ()), shape={}, damping=np.nan, sigma_damping=0.0, found_in=None)
         for mode in (replace(each, shape=np.empty(0, dtype=complex)) for each in estimate.modes)
-    ]
-    return found_modes, [*read.messages, *(f"{read.source}: {message}" for message in messages)]
+    )
+    said = (*read.messages, *(f"{read.source}: {message}" for message in messages))
+    seen = frozenset({one.response for one in used} | {f"psd_{one.response}" for one in used})
+    seen |= {unsigned(name) for name in campaign.forces_in(setup)}
+    return FileModes(modes, said, seen, Fit(read.source, estimate, tuple(one.response for one in used)))

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.errors import MeasurementError, nearest, shown
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.frf_records import ACCELERATION, dead_channels, motion_of
+from pkmodes.campaign.frf_records import ACCELERATION, check_size, dead_channels, motion_of, refuse_strangers
 from pkmodes.campaign.sensors import Sensor, check_motion
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Function, Kind
@@ -64,6 +64,8 @@ def time_signals(path: Path, record: Record, setup: str, campaign: Campaign) -> 
     sensors = campaign.sensors_in(setup)
     read = read_signals(path, Asked(rate=record.rate, sensors=frozenset(sensors) or None))
     functions = [one for one in read.functions if one.kind is Kind.TIME]
+    if not any(not one.force for one in functions):
+        refuse_strangers(path, Kind.TIME, sensors)
     used = _used(functions, sensors, read.source)
     time = used[0].abscissa
     forces = [one for one in functions if one.force]
@@ -82,6 +84,10 @@ def time_signals(path: Path, record: Record, setup: str, campaign: Campaign) -> 
     pieces, gaps = even_pieces(time, read.source)
     table = np.stack([one.values.real * of.factor for one, of in zip(used, motions, strict=True)], axis=1)
     dead = [one.response for one, column in zip(used, table.T, strict=True) if not np.ptp(column)]
+    check_size(table, read.source)
+    if len(dead) == len(used):
+        what = f"expected signals, found only constant ones: {', '.join(dead)}"
+        raise MeasurementError(what, read.source, "check the sensors and their cables")
     if record.band[1] > 0.5 / pieces[0].step:
         half = 0.5 / pieces[0].step
         what = f"expected a band below half the sampling rate, {half:.6g} Hz, found {record.band[1]:g} Hz"

@@ -102,7 +102,12 @@ def identify(campaign: Path, out: Path, keep_going: bool, json_file: str | None)
     from pkmodes.campaign.identify import identify as identified
     from pkmodes.measured.writing import as_csv
 
-    found = identified(read_campaign(campaign), keep_going=keep_going)
+    declared = read_campaign(campaign)
+    inputs = [file for record in declared.records for files in record.setups.values() for file in files]
+    if declared.model is not None:
+        inputs.append(Path(declared.model.robot.source))
+    check_targets(json_file, [campaign, *inputs], Target("--out", out, "the modes", (".csv",)))
+    found = identified(declared, keep_going=keep_going)
     for message in _said(found):
         echo(message, err=True)
     text = as_csv(found.measurements, [f"modes identified by pkmodes identify from {campaign.name}"])

@@ -45,6 +45,9 @@ def used_lines(
     scale = np.sqrt(np.array([np.nanmean(row) if np.isfinite(row).any() else 1.0 for row in squares]))
     step = float(np.median(np.diff(f)))
     used = ~at_tones(f, tones, step)
+    if used.sum() < FEWEST_LINES:
+        what = f"expected at least {FEWEST_LINES} lines beside the tones, found {int(used.sum())}"
+        raise MeasurementError(what, "tones", "state only tones that the signals have")
     values = np.where(alive, H, np.nan)[used] / scale[:, None]
     variance = difference_variance(values)
     stated = coherence is not None and averages is not None
