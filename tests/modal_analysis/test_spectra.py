@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.signal import welch
 
-from identification.ssi_cases import Array, Structure, random_structure, structure, sweep
+from modal_analysis.ssi_cases import Array, Structure, random_structure, structure, sweep
 from pkmodes.base.errors import MeasurementError
 from pkmodes.identification.spectra import identify_spectrum
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from identification.ssi_cases import ambient, structure
+from modal_analysis.ssi_cases import ambient, structure
 from pkmodes.identification.tones import find_tones, without_tones
 
 BAND = (10.0, 200.0)

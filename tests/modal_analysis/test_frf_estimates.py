@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from identification.frf_cases import impact, mac, structure
+from modal_analysis.frf_cases import impact, mac, structure
 from pkmodes.base.errors import MeasurementError
 from pkmodes.identification.frf_estimates import impact_estimate, without_window
 from pkmodes.identification.frf_identification import identify_frf

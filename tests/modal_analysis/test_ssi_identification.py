@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from identification.ssi_cases import (
+from modal_analysis.ssi_cases import (
     Array,
     Structure,
     adxl345,

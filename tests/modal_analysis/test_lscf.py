@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from identification.frf_cases import mac, noise, random_structure
+from modal_analysis.frf_cases import mac, noise, random_structure
 from pkmodes.identification.clusters import candidates
 from pkmodes.identification.lscf import lscf
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from identification.frf_cases import structure
+from modal_analysis.frf_cases import structure
 from pkmodes.identification.residues import lsfd
 
 LINES = np.arange(10.0, 400.0, 0.5)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from identification.frf_cases import mac, noise, random_structure, structure
+from modal_analysis.frf_cases import mac, noise, random_structure, structure
 from pkmodes.base.errors import MeasurementError
 from pkmodes.identification.estimates import turned_real
 from pkmodes.identification.frf_identification import identify_frf
