@@ -146,3 +146,23 @@ def test_too_few_lines_and_no_complete_function_are_refused() -> None:
         identify_frf(np.arange(100.0), H, band=(10.0, 12.0), power=2)
     with pytest.raises(MeasurementError, match="without gaps"):
         identify_frf(np.arange(100.0), H * np.nan, band=(10.0, 90.0), power=2)
+
+
+def test_lines_at_a_stated_tone_do_not_bend_the_mode_beside_it() -> None:
+    """Without the tone's lines the mode is as exact as without the tone."""
+    rng = np.random.default_rng(6)
+    s = structure(np.array([50.6, 120.0, 600.0]), np.array([0.01, 0.01, 0.01]), rng)
+    H = s.response(LINES, [0, 1, 2], [0], 2)
+    H = H + noise(rng, H, 0.003 * rms(H))
+    plain = identify_frf(LINES, H, band=BAND, power=2).modes[0]
+    loud = H.copy()
+    loud[LINES == 50.0] += 3.0 * np.abs(H).max() * np.exp(1j * rng.uniform(0.0, 6.0, (1, 3, 1)))
+    near = [
+        mode
+        for mode in identify_frf(LINES, loud, band=BAND, power=2, tones=(50.0,)).modes
+        if mode.frequency < 60.0
+    ]
+    assert len(near) == 1
+    assert near[0].frequency == pytest.approx(plain.frequency, abs=4.0 * plain.sigma_frequency)
+    assert near[0].damping == pytest.approx(plain.damping, abs=4.0 * plain.sigma_damping)
+    assert near[0].sigma_frequency < 3.0 * plain.sigma_frequency
