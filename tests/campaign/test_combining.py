@@ -11,6 +11,7 @@ from pkmodes.campaign.averaging import Mean, averaged, mean_shape
 from pkmodes.campaign.found import Found, mac
 from pkmodes.campaign.grouping import grouped
 from pkmodes.campaign.joining import joined
+from pkmodes.campaign.motion import motion
 from pkmodes.campaign.revisits import revisited
 from pkmodes.campaign.sensors import Place
 from pkmodes.campaign.shapes import by_channel
@@ -123,3 +124,16 @@ def test_sensors_in_oblique_directions_give_the_platform_by_least_squares() -> N
     assert found["x_1"] == pytest.approx(3.5)
     # One oblique sensor determines neither component.
     assert set(by_channel({"u": 1 + 0j, "w": 1 + 0j}, places)) == {"p_z"}
+
+
+@pytest.mark.parametrize(
+    ("unit", "factor", "derivative"),
+    [("cm/s2", 0.01, 2), ("gn", 9.80665, 2), ("mg0", 9.80665e-3, 2), ("m/s²", 1.0, 2), ("um", 1e-6, 0)],
+)
+def test_units_of_campaigns_are_written_as_those_of_files(unit: str, factor: float, derivative: int) -> None:
+    found = motion(unit, "c.toml")
+    assert (found.factor, found.derivative, found.angular) == (
+        pytest.approx(factor, rel=1e-12),
+        derivative,
+        False,
+    )

@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.file_modes import FileModes, Fit
-from pkmodes.campaign.frf_records import found_of
-from pkmodes.campaign.sensors import unsigned
+from pkmodes.campaign.file_modes import FileModes
+from pkmodes.campaign.sensor_functions import found_of, in_file
 from pkmodes.campaign.time_records import time_signals
 from pkmodes.identification.ssi_identification import FEWEST_PERIODS, identify_responses
 
@@ -23,12 +21,10 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
         If the file is faulty, or too short for the band.
     """
     given = time_signals(path, record, setup, campaign)
-    try:
+    with in_file(given.source):
         estimate, messages = identify_responses(
             given.step, given.pieces, band=record.band, tones=campaign.tones
         )
-    except MeasurementError as error:
-        raise MeasurementError(error.what, f"{given.source}: {error.where}", error.remedy) from None
     shortest = FEWEST_PERIODS / record.band[0]
     short = [piece for piece in given.pieces if len(piece) * given.step < shortest]
     if short:
@@ -41,5 +37,4 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
         for mode in estimate.modes
     )
     said = (*given.messages, *(f"{given.source}: {message}" for message in messages))
-    seen = frozenset(given.names) | {unsigned(name) for name in campaign.forces_in(setup)}
-    return FileModes(found, said, seen, Fit(given.source, estimate, given.names))
+    return FileModes(found, said, frozenset(given.names) | campaign.unsigned_forces_in(setup))

@@ -3,8 +3,8 @@
 Few repeats tell little of their own scatter.  So the scatter of all modes of a record, relative to their
 frequencies (for shapes: to the largest component), is pooled, and that of each mode is drawn towards it: the
 posterior variance of Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004), with a prior worth `PRIOR` degrees of freedom.
-Student's t turns the result into a standard deviation twice which covers 95 %.  What the identification itself leaves
-open is added: repeats at one place do not show it.
+Student's t turns the result into a standard deviation two of which cover 95 % of errors.  The uncertainty of the
+identification itself is added: repeats at one place do not show it.
 """
 
 from __future__ import annotations

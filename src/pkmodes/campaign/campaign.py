@@ -106,7 +106,11 @@ class Campaign:
 
     def named_in(self, setup: str) -> set[str]:
         """Return the names of sensors and forces that the files of a setup should have, forces without signs."""
-        return {*self.sensors_in(setup), *map(unsigned, self.forces_in(setup))}
+        return {*self.sensors_in(setup), *self.unsigned_forces_in(setup)}
+
+    def unsigned_forces_in(self, setup: str) -> set[str]:
+        """Return the names of the forces that hold in a setup, without their signs."""
+        return set(map(unsigned, self.forces_in(setup)))
 
     @property
     def places(self) -> dict[str, Place]:

@@ -11,6 +11,7 @@ import msgspec
 from msgspec import Struct, field
 
 from pkmodes.base.errors import MeasurementError, nearest, shown
+from pkmodes.measured.csv_format import read_text
 
 LARGEST_FILE = 1_000_000
 #: How msgspec says that a key is unknown or missing, and where something is wrong.
@@ -113,24 +114,11 @@ def read_description(path: Path) -> CampaignTable:
         If it cannot be read, is no TOML, or a key is unknown, missing or of another kind.
     """
     source = str(path)
+    text = read_text(path, source, "the campaign", "give a campaign file in TOML", LARGEST_FILE)
     try:
-        if path.exists() and not path.is_file():
-            kind = "a folder" if path.is_dir() else "not a regular file"
-            _refuse(f"cannot read the campaign file: it is {kind}", source, "check the path")
-        if path.stat().st_size > LARGEST_FILE:
-            _refuse(
-                "expected a campaign file in TOML, found a file larger than 1 MB", source, "check the path"
-            )
-        document = tomllib.loads(path.read_text(encoding="utf-8-sig"))
-    except UnicodeDecodeError as error:
-        _refuse(
-            f"expected UTF-8 text, found an invalid byte at offset {error.start}", source, "save it as UTF-8"
-        )
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        document = tomllib.loads(text)
+    except (ValueError, RecursionError) as error:  # also integers with too many digits
         _refuse(f"not valid TOML: {error}", source, "fix the syntax at that place")
-    except (OSError, ValueError) as error:  # ValueError: a path with a null character
-        reason = (getattr(error, "strerror", None) or str(error)).lower()
-        _refuse(f"cannot read the campaign file: {reason}", source, "check the path")
     return described(document, source)
 
 

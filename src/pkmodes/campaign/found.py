@@ -7,6 +7,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from pkmodes.base.errors import MeasurementError
+from pkmodes.identification.estimates import alike
+from pkmodes.robot.units import LARGEST, SMALLEST
+
 
 @dataclass(frozen=True, eq=False)
 class Found:
@@ -46,8 +50,19 @@ def mac(one: Mapping[str, complex], other: Mapping[str, complex]) -> float:
     Allemang and Brown, Proc. 1st Int. Modal Analysis Conf., 1982.
     """
     common = [name for name in one if name in other]
-    a, b = (np.array([shape[name] for name in common]) for shape in (one, other))
-    size = np.linalg.norm(a) * np.linalg.norm(b)
-    if len(common) < 2 or size == 0.0:
+    if len(common) < 2:
         return 1.0
-    return float(abs(np.vdot(a, b)) ** 2 / size**2)
+    return alike(*(np.array([shape[name] for name in common]) for shape in (one, other)))
+
+
+def check_shape(shape: Mapping[str, complex], where: str) -> None:
+    """Refuse a shape of zeros, or of numbers whose squares overflow.
+
+    Raises
+    ------
+    MeasurementError
+    """
+    size = max((abs(value) for value in shape.values()), default=1.0)
+    if not SMALLEST <= size <= LARGEST:
+        what = f"expected a mode shape, found components up to {size:g}"
+        raise MeasurementError(what, where, "leave the shape out where it was not measured")

@@ -9,11 +9,9 @@ import numpy as np
 from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.file_modes import FileModes
-from pkmodes.campaign.found import Found
+from pkmodes.campaign.found import Found, check_shape
 from pkmodes.campaign.mode_tables import read_mode_table
-from pkmodes.campaign.sensors import unsigned
 from pkmodes.campaign.shapes import by_channel
-from pkmodes.robot.units import LARGEST, SMALLEST
 from pkmodes.signals.functions import ModeShape
 from pkmodes.signals.reading import HEAD, read_signals
 from pkmodes.signals.universal_file import UNIVERSAL_FILE
@@ -53,9 +51,7 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
     messages = list(read.messages)
     if places and not seen & places.keys():
         messages.append(f"{read.source}: no sensor of the campaign is in the file: its shapes are left out")
-    return FileModes(
-        found, tuple(messages), frozenset(seen) | {unsigned(name) for name in campaign.forces_in(setup)}
-    )
+    return FileModes(found, tuple(messages), frozenset(seen) | campaign.unsigned_forces_in(setup))
 
 
 def _check(mode: ModeShape, source: str) -> None:
@@ -64,10 +60,7 @@ def _check(mode: ModeShape, source: str) -> None:
     if mode.damping is not None and not 0.0 <= mode.damping < 1.0:
         what = f"expected a damping ratio of at least 0 and below 1, found {mode.damping:g}"
         raise MeasurementError(what, where, "correct it, or export the modes again")
-    size = max((abs(value) for value in mode.shape.values()), default=1.0)
-    if not SMALLEST <= size <= LARGEST:
-        what = f"expected a mode shape, found components up to {size:g}"
-        raise MeasurementError(what, where, "leave out modes without a shape")
+    check_shape(mode.shape, where)
 
 
 def _universal(path: Path) -> bool:

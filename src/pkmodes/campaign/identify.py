@@ -11,7 +11,6 @@ import numpy as np
 from pkmodes.base.errors import MeasurementError, nearest, shown
 from pkmodes.campaign.averaging import Mean, averaged
 from pkmodes.campaign.campaign import Campaign, Edit, Record
-from pkmodes.campaign.file_modes import Fit
 from pkmodes.campaign.found import Found
 from pkmodes.campaign.grouping import grouped
 from pkmodes.campaign.joining import joined
@@ -80,14 +79,12 @@ class _Measured:
     means: Sequence[Mean]
     left_out: Sequence[LeftOut]
     messages: Sequence[str]
-    fits: Sequence[Fit]
 
 
 def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool) -> _Measured:
     setups: dict[str, list[Mean]] = {}
     left_out: list[LeftOut] = []
     messages: list[str] = []
-    fits: list[Fit] = []
     for setup, paths in record.setups.items():
         files: list[Sequence[Found]] = []
         seen: set[str] = set()
@@ -100,7 +97,6 @@ def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool) 
                 left_out.append(LeftOut(str(path), f"{error.what} ({error.where})"))
                 continue
             messages += [*found.messages, *_beside_tones(found.modes, path, campaign.tones)]
-            fits += [] if found.fit is None else [found.fit]
             files.append(
                 [
                     _named(mode, setup, kind, campaign)
@@ -120,7 +116,7 @@ def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool) 
                 messages.append(f"{record.pose}: a single file{of}: the scatter of repeats is unknown")
     means, notes = joined(setups) if setups else ([], [])
     said = [*messages, *(f"{record.pose}: {note}" for note in notes)]
-    return _Measured(record, means, left_out, said, fits)
+    return _Measured(record, means, left_out, said)
 
 
 def _in_band(modes: Sequence[Found], record: Record, path: Path, messages: list[str]) -> list[Found]:
@@ -175,9 +171,7 @@ def _result(measured: _Measured, campaign: Campaign, repeatability: float) -> Re
         said.append(
             f"{record.pose}: sigma is the repeatability alone where neither repeats nor the file state more"
         )
-    return RecordResult(
-        record, tuple(kept), tuple(struck), tuple(measured.left_out), tuple(said), tuple(measured.fits)
-    )
+    return RecordResult(record, tuple(kept), tuple(struck), tuple(measured.left_out), tuple(said))
 
 
 def _mode(mean: Mean, places: Mapping[str, Place], repeatability: float) -> IdentifiedMode:

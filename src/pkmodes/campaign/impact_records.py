@@ -10,9 +10,8 @@ import numpy as np
 
 from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.file_modes import FileModes, Fit
-from pkmodes.campaign.frf_records import ACCELERATION, found_of
-from pkmodes.campaign.sensors import unsigned
+from pkmodes.campaign.file_modes import FileModes
+from pkmodes.campaign.sensor_functions import ACCELERATION, found_of, in_file
 from pkmodes.campaign.time_records import time_signals
 from pkmodes.identification.frf_estimates import impact_estimate
 from pkmodes.identification.frf_identification import identify_frf
@@ -45,7 +44,7 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
     if seconds * record.band[0] < FEWEST_PERIODS:
         what = f"expected at least {FEWEST_PERIODS:g} periods of {record.band[0]:g} Hz, found {seconds:.3g} s"
         raise MeasurementError(what, given.source, "measure longer, or narrow the band")
-    try:
+    with in_file(given.source):
         functions = impact_estimate(
             given.step, force, given.pieces[0], hits=record.hits, exponential=record.exponential
         )
@@ -60,16 +59,13 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
             exponential=record.exponential,
             tones=campaign.tones,
         )
-    except MeasurementError as error:
-        raise MeasurementError(error.what, f"{given.source}: {error.where}", error.remedy) from None
     return FileModes(
         tuple(found_of(mode, given.names) for mode in estimate.modes),
         (
             *given.messages,
             *(f"{given.source}: {_named(message, given.names)}" for message in functions.messages),
         ),
-        frozenset(given.names) | {unsigned(name) for name in campaign.forces_in(setup)},
-        Fit(given.source, estimate, given.names),
+        frozenset(given.names) | campaign.unsigned_forces_in(setup),
     )
 
 

@@ -13,13 +13,13 @@ from typing import NoReturn
 import numpy as np
 
 from pkmodes.base.errors import MeasurementError, nearest, shown
-from pkmodes.campaign.found import Found
+from pkmodes.campaign.found import Found, check_shape
 from pkmodes.measured.cells import cells_of, number_in
 from pkmodes.measured.csv_format import read_text
 from pkmodes.measured.csv_rows import read_lines
 from pkmodes.measured.header import IN_BRACKETS, frequency_factor
 from pkmodes.measured.rules import SHAPE
-from pkmodes.robot.units import LARGEST, SMALLEST, QuantityError, base_units
+from pkmodes.robot.units import QuantityError, base_units
 
 #: Columns of numbers, with the kind of their units.
 NUMBERS = {"frequency": "Hz", "sigma": "Hz", "damping": "1", "sigma_damping": "1", "sigma_shape": "1"}
@@ -171,10 +171,7 @@ def _mode(
                 f"{where}, column {name}",
                 "leave it blank if unknown",
             )
-    size = max((abs(value) for value in shape.values()), default=1.0)
-    if not SMALLEST <= size <= LARGEST:
-        what = f"expected a mode shape, found components up to {size:g}"
-        _refuse(what, where, "leave the components blank if the shape was not measured")
+    check_shape(shape, where)
     if not 0.0 <= values.get("damping", 0.0) < 1.0:
         _refuse(
             "expected a damping ratio of at least 0 and below 1", f"{where}, column damping", "2 % is 0.02"

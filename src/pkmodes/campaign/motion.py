@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from pkmodes.base.errors import MeasurementError, shown
 from pkmodes.robot.units import QuantityError, base_units
+from pkmodes.signals.units import unit_text
 
 #: Standard gravity as pint knows it.  "g" alone is that of accelerometers' data sheets: no sensor measures grams.
 GRAVITY = re.compile(r"(?<![A-Za-z])(m?)g0?(?![A-Za-z0-9])")
@@ -67,7 +68,7 @@ def motion_of_voltage(sensitivity: str, where: str) -> Motion:
 
 def _base(unit: str, where: str) -> tuple[float, dict[str, float]]:
     try:
-        factor, powers = base_units(GRAVITY.sub(r"\1gravity", unit))
+        factor, powers = base_units(GRAVITY.sub(r"\1gravity", unit_text(unit) or unit))
     except QuantityError as error:
         what = str(error).replace(GRAVITY.sub(r"\1gravity", unit), unit)
         remedy = 'give unit = "V", and this as sensitivity' if "V/" in unit else EXAMPLE

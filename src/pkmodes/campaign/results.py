@@ -8,10 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pkmodes.campaign.campaign import Record
-from pkmodes.campaign.file_modes import Fit
 from pkmodes.measured.measurements import Measurements
-
-ADDED = "added"
 
 
 @dataclass(frozen=True)
@@ -97,8 +94,6 @@ class RecordResult:
         Frequencies of the modes that the user struck out [Hz].
     messages : tuple of str
         What the user should know.
-    fits : tuple of Fit
-        The identification of each file.
     """
 
     record: Record
@@ -106,7 +101,6 @@ class RecordResult:
     struck: tuple[float, ...]
     left_out: tuple[LeftOut, ...]
     messages: tuple[str, ...]
-    fits: tuple[Fit, ...]
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
 from pkmodes.base.errors import MeasurementError, nearest, shown
 from pkmodes.campaign.description import ForceTable, SensorTable
 from pkmodes.campaign.motion import Motion, motion, motion_of_voltage
+from pkmodes.mechanism.directions import unit_direction
 
 #: Channel of a sensor that helps to find modes but is in no shape.
 NONE = "none"
@@ -137,11 +136,7 @@ def _direction(given: Sequence[float], directions: Collection[str], where: str) 
     if not directions:
         what = "only a robot's platform has directions"
         raise MeasurementError(what, where, "give a channel, or the robot file")
-    vector = np.array(given, dtype=float)
-    if len(vector) != len(directions) or not np.isfinite(vector).all() or not vector.any():
-        what = f"expected a direction along {', '.join(directions)}, found {list(given)}"
-        raise MeasurementError(what, where, f"give {len(directions)} numbers, not all of them 0")
-    unit = vector / np.linalg.norm(vector / np.abs(vector).max()) / np.abs(vector).max()
+    unit = unit_direction(given, directions, where, MeasurementError)
     return {f"{PLATFORM}{name}": float(share) for name, share in zip(directions, unit, strict=True) if share}
 
 

@@ -100,6 +100,17 @@ class Estimate:
     synthesised: Complex
 
 
+def alike(one: Complex, other: Complex) -> float:
+    """Return the modal assurance criterion of two complex shapes (S,); 0 where one of them is nothing.
+
+    References
+    ----------
+    Allemang and Brown, Proceedings of the 1st International Modal Analysis Conference, 1982.
+    """
+    size = np.vdot(one, one).real * np.vdot(other, other).real
+    return float(abs(np.vdot(one, other)) ** 2 / size) if size > 0.0 else 0.0
+
+
 def collinearity(shape: Complex) -> float:
     """Return the modal phase collinearity of a shape (S,), NaN where undetermined."""
     known = shape[np.isfinite(shape)]

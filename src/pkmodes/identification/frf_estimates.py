@@ -121,9 +121,9 @@ def h1(X: Complex, Y: Complex) -> tuple[Complex, Array | None]:
     return H[..., None], (np.abs(cross) ** 2 / np.where(power > 0.0, power, np.inf))[..., None]
 
 
-def without_window(pole: complex, time_constant: float | None) -> complex:
-    """Return a pole without the damping of an exponential window, None for no window."""
-    return pole + 1.0 / time_constant if time_constant else pole
+def without_window(poles: Complex, time_constant: float | None) -> Complex:
+    """Return poles without the damping of an exponential window, None for no window."""
+    return np.asarray(poles + 1.0 / time_constant if time_constant else poles, dtype=complex)
 
 
 def overloads(signals: Array, names: tuple[str, ...] | None = None) -> list[str]:

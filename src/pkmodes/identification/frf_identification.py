@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from pkmodes.identification.clusters import candidates, usable_poles
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
 from pkmodes.identification.frf_covariance import Uncertainty, common_sigma, component_sigmas, determined
+from pkmodes.identification.frf_estimates import without_window
 from pkmodes.identification.frf_lines import at_tones, line_weights, used_lines
 from pkmodes.identification.frf_refinement import Lines, Modes, refined, significant
 from pkmodes.identification.frf_search import hidden
@@ -166,7 +167,7 @@ def _joined(modes: Modes, poles: Complex, frequencies: Array, left: Complex) -> 
 def _in_band(
     modes: Modes, data: Lines, band: tuple[float, float], exponential: float | None, tones: Sequence[float]
 ) -> NDArray[np.bool_]:
-    poles = modes.poles + (1.0 / exponential if exponential else 0.0)
+    poles = without_window(modes.poles, exponential)
     frequency = np.abs(poles) / (2.0 * math.pi)
     step = float(np.median(np.diff(data.frequencies)))
     narrow = np.abs(modes.poles.real) / (2.0 * math.pi) < RESONANCE * step
@@ -185,7 +186,7 @@ def _reported(
 ) -> tuple[Mode, ...]:
     found = []
     for m in np.flatnonzero(kept):
-        pole = complex(modes.poles[m]) + (1.0 / exponential if exponential else 0.0)
+        pole = complex(without_window(modes.poles[m], exponential))
         known = determined(modes.shapes[m] * scale, scale[:, None] * bounds.shapes[m] * scale)
         shape = np.where(known, modes.shapes[m] * scale, complex(np.nan, np.nan))
         spread = (scale[:, None] * bounds.shapes[m] * scale)[np.ix_(known, known)]

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from scipy.stats import gamma
 
 from pkmodes.identification.clusters import HIGHEST_DAMPING
+from pkmodes.identification.estimates import alike
 from pkmodes.identification.frf_covariance import (
     Uncertainty,
     channel_covariance,
@@ -261,9 +262,8 @@ def _copies(modes: Modes, strength: Array, fits: list[GroupFit]) -> NDArray[np.b
     for one in fits:
         for a, i in enumerate(one.members):
             for b, k in enumerate(one.members[:a]):
-                x, y = one.fit.shapes[a], one.fit.shapes[b]
-                alike = abs(np.vdot(x, y)) ** 2 / max(np.vdot(x, x).real * np.vdot(y, y).real, 1e-300)
                 width = abs(modes.poles[i].real) + abs(modes.poles[k].real)
-                if alike > COPY_ALIKE and abs(modes.poles[i] - modes.poles[k]) < COPY_NEAR * width:
+                same = alike(one.fit.shapes[a], one.fit.shapes[b]) > COPY_ALIKE
+                if same and abs(modes.poles[i] - modes.poles[k]) < COPY_NEAR * width:
                     drop[i if strength[i] < strength[k] else k] = True
     return drop

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from pkmodes.base.errors import MeasurementError
+from pkmodes.identification.clusters import HIGHEST_DAMPING
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
 
 Array = NDArray[np.float64]
@@ -33,8 +34,6 @@ SIDE = 4
 PROMINENT = 1.6
 #: Power relative to the highest in the band below which nothing is a mode.
 LOWEST = 3e-3
-#: No mode is damped more: its peak is gone.
-HIGHEST_DAMPING = 0.2
 
 
 @dataclass(frozen=True)

@@ -37,14 +37,11 @@ class Subspace:
         left = Hankel matrix @ right.
     sensors : int
         S.
-    values : ndarray
-        All singular values.
     """
 
     left: Complex
     right: Complex
     sensors: int
-    values: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,7 +94,7 @@ def subspace(correlations: Complex, blocks: int, largest: int) -> Subspace:
     U, values, Vh = np.linalg.svd(hankel(correlations, blocks), full_matrices=False)
     kept = min(largest, int((values > 1e-12 * values[0]).sum()))
     root = np.sqrt(values[:kept])
-    return Subspace(U[:, :kept] * root, Vh[:kept].conj().T / root, correlations.shape[1], values)
+    return Subspace(U[:, :kept] * root, Vh[:kept].conj().T / root, correlations.shape[1])
 
 
 def order(of: Subspace, n: int) -> Order:

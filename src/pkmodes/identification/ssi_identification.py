@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from pkmodes.base.errors import MeasurementError
 from pkmodes.identification.clusters import Candidate, candidates
-from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
+from pkmodes.identification.estimates import Estimate, Mode, Stabilisation, alike
 from pkmodes.identification.lscf import OrderPoles
 from pkmodes.identification.ssi import Order, order, subspace
 from pkmodes.identification.ssi_bands import Lines, Part, correlations, lines, parts
@@ -239,7 +239,7 @@ def _distinct(found: Sequence[_Found]) -> list[_Found]:
                 continue
             apart = 2 * math.pi * abs(f - other.mode.frequency) / (rate + other.mode.rate)
             near = 2 * math.pi * abs(f - other.mode.frequency) < 0.5 * (rate + other.mode.rate)
-            if near or (apart < 2.0 and _alike(one.mode.shape, other.mode.shape) > 0.8):
+            if near or (apart < 2.0 and alike(one.mode.shape, other.mode.shape) > 0.8):
                 break
         else:
             if one.part.low <= f <= one.part.high or _eccentricity(one) < 1.3:
@@ -269,10 +269,6 @@ def _beside_all(record: _Record, found: Sequence[_Found]) -> list[_Found]:
 def _eccentricity(one: _Found) -> float:
     middle, half = 0.5 * (one.part.low + one.part.high), 0.5 * (one.part.high - one.part.low)
     return abs(one.mode.frequency - middle) / half
-
-
-def _alike(one: Complex, other: Complex) -> float:
-    return float(abs(np.vdot(one, other)) ** 2 / (np.vdot(one, one).real * np.vdot(other, other).real))
 
 
 def _mode(record: _Record, one: _Found) -> Mode:

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.identification.estimates import alike
 from pkmodes.identification.ssi_bands import Lines
 from pkmodes.identification.ssi_likelihood import PeakFit, Powers, fit_peaks
 
@@ -125,7 +126,7 @@ def _accepted(
         return None
     for one in reach:
         apart = 2.0 * math.pi * abs(f - one.frequency) / (rate + one.rate)
-        if apart < 0.5 and _mac(mode.shape, one.shape) > 0.9:
+        if apart < 0.5 and alike(mode.shape, one.shape) > 0.9:
             return None
     return Refined(f, rate, fit.covariance[0], mode.shape, gain)
 
@@ -157,8 +158,3 @@ def _powers(lines: Sequence[Lines], row: Complex, low: float, high: float) -> Po
         values.append(np.abs(piece.values[inside] @ row) ** 2 * piece.step)
         seconds.append(np.full(len(frequencies[-1]), 1.0 / piece.step))
     return Powers(np.concatenate(frequencies), np.concatenate(values), np.concatenate(seconds))
-
-
-def _mac(one: Complex, other: Complex) -> float:
-    product = abs(np.vdot(one, other)) ** 2
-    return float(product / (np.vdot(one, one).real * np.vdot(other, other).real))

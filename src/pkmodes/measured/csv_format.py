@@ -52,8 +52,9 @@ def read_text(
     source: str,
     what: str = "the measurements",
     remedy: str = "give a CSV file of modal measurements",
+    largest: int = LARGEST_FILE,
 ) -> str:
-    """Return the text of a CSV file.
+    """Return the text of a file.
 
     Parameters
     ----------
@@ -61,6 +62,8 @@ def read_text(
         The file, for messages.
     what, remedy : str
         What it should contain, and what to give instead of another file.
+    largest : int
+        Bytes.
 
     Raises
     ------
@@ -71,8 +74,8 @@ def read_text(
         if path.exists() and not path.is_file():
             kind = "a folder" if path.is_dir() else "not a regular file"
             _refuse(f"cannot read {what}: it is {kind}", source, remedy)
-        if path.stat().st_size > LARGEST_FILE:
-            _refuse(f"cannot read {what}: it is larger than 50 MB", source, remedy)
+        if path.stat().st_size > largest:
+            _refuse(f"cannot read {what}: it is larger than {largest / 1e6:g} MB", source, remedy)
         content = path.read_bytes()
         if content.startswith(WORKBOOKS):
             remedy = "open it in a spreadsheet program and save it as CSV UTF-8"

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from pkmodes.base.drives import FREE, HELD
 from pkmodes.base.errors import PkmodesError, nearest, shown
+from pkmodes.mechanism.directions import unit_direction
 from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.solve.dynamics import Dynamics
 
@@ -122,22 +123,8 @@ def _check_name(name: Any, known: Mapping[str, Port]) -> None:
 
 
 def _direction(name: str, given: Any, directions: Sequence[str], units: Mapping[str, str]) -> Port:
-    where = f"outputs: {name}"
-    try:
-        vector = np.array(given, dtype=float)
-    except (TypeError, ValueError):
-        vector = np.empty(0)
-    if vector.shape != (len(directions),) or not np.isfinite(vector).all() or not vector.any():
-        what = f"expected a direction along {', '.join(directions)}, found {_as_given(given)}"
-        raise PkmodesError(what, where, f"give {len(directions)} numbers, not all of them 0")
-    vector = vector / np.abs(vector).max()  # the squares of tiny and huge numbers are not numbers
-    unit = vector / np.linalg.norm(vector)
+    unit = unit_direction(given, directions, f"outputs: {name}")
     return Port(name, units[directions[0]], "platform", direction=tuple(unit.tolist()))
-
-
-def _as_given(direction: Any) -> str:
-    text = str(direction)
-    return text if isinstance(direction, list | tuple | np.ndarray) and len(text) < 60 else shown(direction)
 
 
 def _several(where: str, names: Any) -> list[Any]:

@@ -1,0 +1,148 @@
+"""The functions of the campaign's sensors in a file: found by name, with one abscissa, in units of motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.base.errors import MeasurementError, nearest, shown
+from pkmodes.campaign.found import Found
+from pkmodes.campaign.motion import Motion, motion
+from pkmodes.campaign.sensors import Sensor, check_motion
+from pkmodes.identification.estimates import Mode
+from pkmodes.robot.units import LARGEST, SMALLEST
+from pkmodes.signals.formats import Asked
+from pkmodes.signals.functions import Function, Kind, SignalFile
+from pkmodes.signals.reading import read_signals
+
+#: Sensors are brought to accelerations: what most of them measure.
+ACCELERATION = 2
+#: What a file should have, and its abscissa, in words.
+WORDS = {
+    Kind.FRF: ("frequency response functions", "frequencies"),
+    Kind.TIME: ("signals in time", "times"),
+    Kind.SPECTRUM: ("power spectra", "frequencies"),
+}
+
+
+@dataclass(frozen=True, eq=False)
+class SensorFunctions:
+    """The functions of one kind that a campaign's sensors have in a file.
+
+    Attributes
+    ----------
+    read : SignalFile
+        With all of the file's functions that the campaign names.
+    used : tuple of Function
+        Those of the sensors, all with the same abscissa.
+    """
+
+    read: SignalFile
+    used: tuple[Function, ...]
+
+
+def sensor_functions(
+    path: Path, kind: Kind, names: frozenset[str], rate: float | None = None
+) -> SensorFunctions:
+    """Read the functions of the sensors with some names.
+
+    Parameters
+    ----------
+    names : frozenset of str
+        As in the file; all if it is empty and the kind needs no sensors.
+    rate : float, optional
+        Sampling rate of signals without times [Hz].
+
+    Raises
+    ------
+    MeasurementError
+        If the file is faulty or has none of them, or their times or frequencies differ.
+    """
+    read = read_signals(path, Asked(rate=rate, sensors=names or None))
+    of_kind = [one for one in read.functions if one.kind is kind and not one.force]
+    used = [one for one in of_kind if one.response in names or (not names and kind is Kind.SPECTRUM)]
+    if not used:
+        _refuse_strangers(path, kind, names, rate)
+    for one in used:
+        if not np.array_equal(one.abscissa, used[0].abscissa):
+            what = f"the {WORDS[kind][1]} of {shown(one.response)} differ from those of {shown(used[0].response)}"
+            raise MeasurementError(what, read.source, "measure all functions of a file together")
+    return SensorFunctions(read, tuple(used))
+
+
+def _refuse_strangers(path: Path, kind: Kind, names: frozenset[str], rate: float | None) -> None:
+    """Say what a file has instead of the campaign's sensors."""
+    read = read_signals(path, Asked(rate=rate))
+    found = list(dict.fromkeys(one.response for one in read.functions if one.kind is kind and not one.force))
+    if not found:
+        what = f"expected {WORDS[kind][0]}, found {len(read.functions)} other functions"
+        raise MeasurementError(what, read.source, "choose another kind of record")
+    what = f"expected a sensor of the campaign, found {', '.join(map(shown, found[:6]))}"
+    remedy = nearest(found[0], names) if names else "add [[sensor]] for each measured direction"
+    raise MeasurementError(what, read.source, remedy)
+
+
+def motion_of(one: Function, sensor: Sensor, channels: Mapping[str, str], source: str) -> Motion:
+    """Return what the numbers of a function are: as the campaign says, else by the unit in the file.
+
+    Raises
+    ------
+    MeasurementError
+        If neither says it, or it is not a motion of the sensor's channels.
+    """
+    where = f"{source}: {one.response}"
+    if sensor.motion is None and one.unit is None:
+        what = "expected the unit of the sensor, found none in the file"
+        raise MeasurementError(what, where, 'give it in the campaign: unit = "m/s^2"')
+    found = sensor.motion or motion(str(one.unit), where)
+    check_motion(found, sensor, channels, where)
+    return found
+
+
+def check_size(values: NDArray[Any], source: str) -> None:
+    """Refuse numbers that no machine has: their squares would overflow.
+
+    Raises
+    ------
+    MeasurementError
+    """
+    size = float(np.nanmax(np.abs(values), initial=0.0))
+    if size > 0.0 and not SMALLEST <= size <= LARGEST:
+        what = f"expected numbers in SI units of moderate size, found up to {size:.3g}"
+        raise MeasurementError(what, source, "check the units of the sensors")
+
+
+def dead_channels(names: Sequence[str], source: str) -> list[str]:
+    """Return a sentence for each sensor that shows nothing."""
+    return [f"{source}: {name} shows nothing: all its values are equal; it is in no shape" for name in names]
+
+
+def found_of(mode: Mode, names: Sequence[str]) -> Found:
+    """Return a mode of a fit with its shape by name, in accelerations; only their ratios count."""
+    shape = {
+        name: complex(value) for name, value in zip(names, mode.shape, strict=True) if np.isfinite(value)
+    }
+    return Found(
+        mode.frequency,
+        mode.damping,
+        shape,
+        mode.sigma_frequency,
+        mode.sigma_damping,
+        mode.sigma_shape,
+        mode.found_in,
+    )
+
+
+@contextmanager
+def in_file(source: str) -> Iterator[None]:
+    """Name the file in the errors of an identification."""
+    try:
+        yield
+    except MeasurementError as error:
+        raise MeasurementError(error.what, f"{source}: {error.where}", error.remedy) from None
