@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -46,7 +44,12 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
         raise MeasurementError(what, given.source, "measure longer, or narrow the band")
     with in_file(given.source):
         functions = impact_estimate(
-            given.step, force, given.pieces[0], hits=record.hits, exponential=record.exponential
+            given.step,
+            force,
+            given.pieces[0],
+            hits=record.hits,
+            exponential=record.exponential,
+            names=given.names,
         )
         factors = given.as_accelerations(2j * np.pi * functions.frequencies)
         estimate = identify_frf(
@@ -63,14 +66,7 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
         tuple(found_of(mode, given.names) for mode in estimate.modes),
         (
             *given.messages,
-            *(f"{given.source}: {_named(message, given.names)}" for message in functions.messages),
+            *(f"{given.source}: {message}" for message in functions.messages),
         ),
         frozenset(given.names) | campaign.unsigned_forces_in(setup),
     )
-
-
-def _named(message: str, names: Sequence[str]) -> str:
-    """Return a sentence on a numbered response with the name of its sensor."""
-    for i, name in enumerate(names, start=1):
-        message = re.sub(rf"^response {i}\b", name, message)
-    return message

@@ -11,6 +11,7 @@ damping and noise.  One that an analyser has multiplied with exp(-t/tau) has its
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -63,7 +64,13 @@ class ImpactEstimate:
 
 
 def impact_estimate(
-    step: float, force: Array, responses: Array, *, hits: int = 1, exponential: float | None = None
+    step: float,
+    force: Array,
+    responses: Array,
+    *,
+    hits: int = 1,
+    exponential: float | None = None,
+    names: Sequence[str] = (),
 ) -> ImpactEstimate:
     """Return the functions of the blows in a file.
 
@@ -77,6 +84,8 @@ def impact_estimate(
         Number of blows.
     exponential : float, optional
         Time constant of a window that the responses have had, from the first sample [s].
+    names : sequence of str
+        Of the responses, for messages.
 
     Raises
     ------
@@ -94,7 +103,7 @@ def impact_estimate(
     starts = _blows(pulses, step, hits)
     edges = [*starts, len(force)]
     length = min(edges[i + 1] - edges[i] for i in range(len(starts)))
-    messages = [*overloads(force[:, None], ("force",)), *overloads(responses)]
+    messages = [*overloads(force[:, None], ("force",)), *overloads(responses, names)]
     X = np.empty((len(starts), length // 2 + 1), complex)
     Y = np.empty((*X.shape, responses.shape[1]), complex)
     for i, start in enumerate(starts):
@@ -126,7 +135,7 @@ def without_window(poles: Complex, time_constant: float | None) -> Complex:
     return np.asarray(poles + 1.0 / time_constant if time_constant else poles, dtype=complex)
 
 
-def overloads(signals: Array, names: tuple[str, ...] | None = None) -> list[str]:
+def overloads(signals: Array, names: Sequence[str] = ()) -> list[str]:
     """Return a sentence for each signal (N, S) that stays at its extreme value: its range was exceeded."""
     found = []
     for s, signal in enumerate(signals.T):
