@@ -83,7 +83,7 @@ def averaged(groups: Sequence[dict[int, Found]]) -> list[Mean]:
 
 
 def _of(modes: list[Found], shape: dict[str, complex]) -> Found:
-    """Return the mean of the repeats of a mode, with what their identification leaves open of it."""
+    """Return the mean of the repeats of a mode, with the uncertainty of their identification."""
     n = np.sqrt(len(modes))
 
     def together(values: Sequence[float]) -> float:

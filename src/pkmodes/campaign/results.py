@@ -20,7 +20,7 @@ class Parts:
     scatter : float
         Of the mean over repeats; 0 for a single one.
     fit : float
-        What the identification leaves open.
+        Uncertainty of the identification itself.
     repeatability : float
         What approaching the pose again changes.
     """

@@ -23,7 +23,7 @@ class PartsDocument(Document):
     """What the standard deviation of a frequency consists of [Hz], added in quadrature."""
 
     scatter: Annotated[Size, Meta(description="Of the mean over repeats; 0 for a single file.")]
-    fit: Annotated[Size, Meta(description="What the identification leaves open.")]
+    fit: Annotated[Size, Meta(description="Uncertainty of the identification itself.")]
     repeatability: Annotated[Size, Meta(description="What approaching the pose again changes.")]
 
 
