@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.signal import welch
 
-from modal_analysis.ssi_cases import Array, Structure, random_structure, structure, sweep
 from pkmodes.base.errors import MeasurementError
 from pkmodes.identification.spectra import identify_spectrum
+from pkmodes_rig.structures.driven import Array, Structure, random_structure, structure, sweep
 
 BAND = (10.0, 120.0)
 
