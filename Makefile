@@ -7,6 +7,7 @@ BIN := $(VENV)/bin
 ROBOT := robots/linear-delta-2022.toml
 DEMO := build/linear-delta-2022
 LOOP := examples/closed_loop
+CAMPAIGN := examples/campaign
 CORRECTED := build/workshop-delta
 IDENTIFIED := robots/linear-delta-2022-identified.toml
 PLANE := x=0.29:1.23:95,y=-0.16:0.16:33,z=-0.24383544
@@ -16,7 +17,7 @@ POSE := 0.6,0,-0.24383544
 .NOTPARALLEL:
 .PHONY: demo test lint types check generate schemas derivation docs benchmark figures suites clean
 
-demo: $(VENV)/.demo  ## the whole loop, from the robot file to corrected code, with a map, a report and pictures
+demo: $(VENV)/.demo  ## the whole loop, from the robot file and signals to corrected code, with a map, a report and pictures
 	$(BIN)/python -m pkmodes generate $(ROBOT) --out $(DEMO)
 	$(BIN)/python -m pkmodes check $(DEMO)
 	$(BIN)/python docs/studies/published_tables/residual.py $(ROBOT) --generated $(DEMO)
@@ -25,6 +26,9 @@ demo: $(VENV)/.demo  ## the whole loop, from the robot file to corrected code, w
 	    --report build/diagnosis.html
 	$(BIN)/python -m pkmodes generate $(CORRECTED).toml --out $(CORRECTED)
 	$(BIN)/python -m pkmodes diagnose $(CORRECTED).toml $(LOOP)/measured.csv
+	$(BIN)/python -m pkmodes identify $(CAMPAIGN)/campaign.toml --out build/modes.csv
+	$(BIN)/python -m pkmodes diagnose $(CAMPAIGN)/robot.toml build/modes.csv --save-robot build/corrected.toml
+	$(BIN)/python -m pkmodes diagnose build/corrected.toml build/modes.csv
 	$(BIN)/python -m pkmodes map $(IDENTIFIED) --grid $(PLANE) --out build/map.nc --overwrite --report build/map.html
 	$(BIN)/python -m pkmodes show $(IDENTIFIED) --out build/robot.html
 	$(BIN)/python -m pkmodes show $(IDENTIFIED) --pose=$(POSE) --mode 2 --out build/mode.gif

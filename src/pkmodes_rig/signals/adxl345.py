@@ -110,8 +110,8 @@ def write_spectrum(path: Path, recording: Recording, highest: float = 200.0) -> 
 def spectrum(recording: Recording) -> tuple[np.ndarray, np.ndarray]:
     """Return frequencies [Hz] and powers, shape (F, 3), as Klipper's `shaper_calibrate` computes them.
 
-    Windows of Kaiser, beta 6, of half a second rounded up to a power of two, half overlapping, with the mean taken off
-    each, averaged: the rate is the mean one of the file.
+    Kaiser windows (beta 6) of half a second, rounded up to a power of two samples and half overlapping, each without
+    its mean, are averaged.  The rate is the mean one of the file.
     """
     count = len(recording.times)
     rate = (count - 1) / (recording.times[-1] - recording.times[0])

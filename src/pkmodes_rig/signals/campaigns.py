@@ -75,7 +75,7 @@ def make(
     poses: np.ndarray,
     repeats: int,
     wander: Wander,
-    test: ModalTest,
+    tests: Sequence[ModalTest],
     paper: Paper,
     rng: np.random.Generator,
 ) -> Made:
@@ -92,13 +92,18 @@ def make(
         [m].
     repeats : int
         Files at each pose.
-    wander, test, paper
-        How the machine varies, how it is measured, and what the campaign file says.
+    wander, paper
+        How the machine varies, and what the campaign file says.
+    tests : sequence of ModalTest
+        How it is measured at each pose; all with the same sensors.
     rng : numpy.random.Generator
     """
     visits = wander.visits(machine, poses, repeats, rng)
     machines = {(i, k): machine.at(one) for i, each in enumerate(visits) for k, one in enumerate(each)}
-    files = recorded(test, machines, rng)
+    files: dict[tuple[int, int], Recorded] = {}
+    for test in dict.fromkeys(tests):
+        own = {place: one for place, one in machines.items() if tests[place[0]] is test}
+        files |= recorded(test, own, rng)
     style = FORMATS[paper.format]
     for (i, k), one in files.items():
         path = folder / _name(i, k, style.suffix)
@@ -107,7 +112,7 @@ def make(
         elif one.motion is not None:
             style.write_times(path, 1.0 / RATE, one.force, one.motion)
     (folder / ROBOT).write_text(robot, encoding="utf-8")
-    (folder / CAMPAIGN).write_text(_text(poses, repeats, test, paper), encoding="utf-8")
+    (folder / CAMPAIGN).write_text(_text(poses, repeats, tests, paper), encoding="utf-8")
     still = np.zeros_like(visits[0][0].stiffer)
     nominal = [machine.at(Visit(pose, still)) for pose in poses]
     return Made(poses, nominal, machines, files)
@@ -117,7 +122,7 @@ def _name(record: int, repeat: int, suffix: str) -> str:
     return f"p{record + 1}_{repeat + 1}{suffix}"
 
 
-def _text(poses: np.ndarray, repeats: int, test: ModalTest, paper: Paper) -> str:
+def _text(poses: np.ndarray, repeats: int, tests: Sequence[ModalTest], paper: Paper) -> str:
     """Return the text of the campaign file."""
     style = FORMATS[paper.format]
     lines = [
@@ -130,11 +135,11 @@ def _text(poses: np.ndarray, repeats: int, test: ModalTest, paper: Paper) -> str
     if paper.tones:
         tones = ", ".join(f'"{tone:g} Hz"' for tone in paper.tones)
         lines.append(f"tones = [{tones}]")
-    for i, sensor in enumerate(test.sensors):
+    for i, sensor in enumerate(tests[0].sensors):
         unit = "rad/s^2" if sensor.channel in paper.angles else "m/s^2"
         lines += ["", "[[sensor]]", f'name = "{style.sensor(i)}"', f'channel = "{sensor.channel}"']
         lines.append(f'unit = "{unit}"')
-    for i, pose in enumerate(poses):
+    for i, (pose, test) in enumerate(zip(poses, tests, strict=True)):
         files = ", ".join(f'"{_name(i, k, style.suffix)}"' for k in range(repeats))
         lines += ["", "[[record]]", f'pose = "P{i + 1}"', f"at = {_at(paper.components, pose)}"]
         lines += [f'kind = "{test.kind}"', f"files = [{files}]"]

@@ -1,8 +1,8 @@
 """Integration in time of small motions: exact for the linear part, with forces that are linear between samples.
 
 Coulomb friction is a force in the interval from -F to F that opposes sliding, and any force in it that keeps the
-joint at rest.  It is constant during a step and found from the velocities at the end of the step (Moreau's scheme), so
-that sticking needs neither events nor a regularised sign of the velocity; its error is of the order of the step.
+joint at rest.  It is constant during a step and found from the velocities at the end of the step (Moreau's scheme),
+so that sticking needs neither events nor a regularised sign of the velocity; its error is of the order of the step.
 
 References
 ----------

@@ -45,7 +45,7 @@ class Flaws:
     dead: int | None = None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ModalTest:
     """How records are made.
 
