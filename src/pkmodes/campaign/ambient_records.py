@@ -9,7 +9,8 @@ from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.file_modes import FileModes
 from pkmodes.campaign.sensor_functions import found_of, in_file
 from pkmodes.campaign.time_records import time_signals
-from pkmodes.identification.ssi_identification import FEWEST_PERIODS, identify_responses
+from pkmodes.identification.ssi_identification import identify_responses
+from pkmodes.identification.ssi_records import FEWEST_PERIODS
 
 
 def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
