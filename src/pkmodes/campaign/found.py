@@ -9,6 +9,7 @@ import numpy as np
 
 from pkmodes.base.errors import MeasurementError
 from pkmodes.identification.estimates import alike
+from pkmodes.identification.level_regression import LevelShift
 from pkmodes.robot.units import LARGEST, SMALLEST
 
 
@@ -31,6 +32,10 @@ class Found:
         The same of a component of the shape, relative to the largest one; NaN where unknown.
     found_in : tuple of int, or None
         In how many model orders, of how many.
+    level : float
+        Of its vibration in the file; NaN where unknown.
+    shift : LevelShift or None
+        How the frequency changes with the level within the file; over several files, the largest change.
     """
 
     frequency: float
@@ -40,6 +45,8 @@ class Found:
     sigma_damping: float = 0.0
     sigma_shape: float = np.nan
     found_in: tuple[int, int] | None = None
+    level: float = np.nan
+    shift: LevelShift | None = None
 
 
 def mac(one: Mapping[str, complex], other: Mapping[str, complex]) -> float:
