@@ -6,7 +6,7 @@ holds for joints, which slip over a wide range of amplitudes (the logarithm), an
 (the square: the backbone curve of Duffing's equation).  Segments scatter by their noise, which is known, and by what
 neighbours and the excitation add, which is estimated (Paule and Mandel, Journal of Research of the National Bureau of
 Standards 87, 1982).  The frequency changes if the last two terms reduce the sum of squares by more than scatter does,
-by an F test.
+by an F test.  Probabilities are those of one mode.
 """
 
 from __future__ import annotations
@@ -23,6 +23,9 @@ Array = NDArray[np.float64]
 
 #: Probability that the scatter of a linear mode is taken for a change.
 FALSE_ALARM = 1e-4
+#: The change must go on, to this probability, after the first part of the fall of the logarithmic level: what a blow
+#: or the force of a sweep adds at the beginning of a decay moves the frequency there only.
+FIRST, LATER = 0.3, 0.01
 #: Least relative change of a frequency that is said: less is below what neighbours leave in a band-pass.
 LEAST = 1e-4
 #: Relative noise of the frequency of a segment at least.
@@ -77,18 +80,29 @@ def shift_over(f0: float, decays: Sequence[Segments]) -> LevelShift | None:
     level, frequency, variance = (
         np.concatenate([getattr(one, name) for one in decays]) for name in ("level", "frequency", "variance")
     )
-    highest, lowest = level.max(), level.min()
+    variance = np.maximum(variance, (ROUNDING * f0) ** 2)  # signals without noise
+    highest, lowest = float(level.max()), float(level.min())
+    chance, found = _regression(level, frequency, variance, highest)
+    later = level < highest - FIRST * (highest - lowest)
+    again, of_later = _regression(level[later], frequency[later], variance[later], highest)
+    ends = _laws(np.array([highest, highest - FIRST * (highest - lowest), lowest]), highest)
+    high, middle, low = f0 + ends @ found
+    shift = LevelShift(float(high), float(low), math.exp(highest - lowest))
+    same = (middle - low) * float(np.diff(ends[[2, 1]] @ of_later)[0]) > 0.0
+    sure = chance < FALSE_ALARM and again < LATER and same
+    return shift if sure and shift.spread > LEAST * f0 else None
+
+
+def _regression(level: Array, frequency: Array, variance: Array, highest: float) -> tuple[float, Array]:
+    """Return the probability that scatter explains the regression, and its coefficients."""
     laws = _laws(level, highest)
     terms, freedom = laws.shape[1] - 1, len(level) - laws.shape[1]
-    variance = np.maximum(variance, (ROUNDING * f0) ** 2)  # signals without noise
+    if freedom < 1:
+        return 1.0, np.zeros(laws.shape[1])
     variance = variance + _excess(laws, frequency, variance)
     constant = _squares(laws[:, :1], frequency, variance)[0]
     left, found = _squares(laws, frequency, variance)
-    ratio = (constant - left) / terms / max(left / freedom, 1e-300)
-    high, low = f0 + _laws(np.array([highest, lowest]), highest) @ found
-    shift = LevelShift(float(high), float(low), math.exp(highest - lowest))
-    sure = fisher.sf(ratio, terms, freedom) < FALSE_ALARM
-    return shift if sure and shift.spread > LEAST * f0 else None
+    return float(fisher.sf((constant - left) / terms / max(left / freedom, 1e-300), terms, freedom)), found
 
 
 def _laws(level: Array, highest: float) -> Array:
