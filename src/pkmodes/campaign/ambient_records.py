@@ -7,9 +7,11 @@ from pathlib import Path
 
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.file_modes import FileModes
+from pkmodes.campaign.levels import with_levels
 from pkmodes.campaign.sensor_functions import found_of, in_file
 from pkmodes.campaign.time_records import time_signals
-from pkmodes.identification.ssi_identification import FEWEST_PERIODS, identify_responses
+from pkmodes.identification.ssi_identification import identify_responses
+from pkmodes.identification.ssi_records import FEWEST_PERIODS
 
 
 def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
@@ -32,9 +34,7 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
             *messages,
             f"{len(short)} pieces between gaps are shorter than {shortest:.3g} s and were left out",
         )
-    found = tuple(
-        found_of(replace(mode, shape=mode.shape * given.as_accelerations(mode.pole)), given.names)
-        for mode in estimate.modes
-    )
+    modes = [replace(mode, shape=mode.shape * given.as_accelerations(mode.pole)) for mode in estimate.modes]
+    found = with_levels([found_of(mode, given.names) for mode in modes], modes, given)
     said = (*given.messages, *(f"{given.source}: {message}" for message in messages))
     return FileModes(found, said, frozenset(given.names) | campaign.unsigned_forces_in(setup))

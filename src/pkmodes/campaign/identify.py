@@ -15,6 +15,7 @@ from pkmodes.campaign.found import Found
 from pkmodes.campaign.grouping import grouped
 from pkmodes.campaign.joining import joined
 from pkmodes.campaign.kinds import KINDS, Kind
+from pkmodes.campaign.levels import level_messages, with_half
 from pkmodes.campaign.results import Identification, IdentifiedMode, LeftOut, Parts, RecordResult
 from pkmodes.campaign.revisits import revisited
 from pkmodes.campaign.rows import measurements_of
@@ -157,6 +158,10 @@ def _result(measured: _Measured, campaign: Campaign, repeatability: float) -> Re
     kept, struck = _edited(
         modes, [edit for edit in campaign.edits if edit.pose == record.pose], campaign.source
     )
+    reported = {mode.frequency for mode in kept}
+    for mean in measured.means:
+        if mean.mode.frequency in reported:
+            said += level_messages(record.pose, mean.mode.frequency, mean.mode.shift, mean.between)
     for mode in kept:
         if mode.complexity < COMPLEX:
             said.append(
@@ -178,8 +183,8 @@ def _mode(mean: Mean, places: Mapping[str, Place], repeatability: float) -> Iden
     mode = mean.mode
     shape = by_channel(mode.shape, places) if places else dict(mode.shape)
     parts = Parts(
-        float(np.nan_to_num(mean.scatter)) * mode.frequency,
-        mode.sigma_frequency,
+        with_half(float(np.nan_to_num(mean.scatter)) * mode.frequency, mean.between),
+        with_half(mode.sigma_frequency, mode.shift),
         repeatability * mode.frequency,
     )
     damping = float(np.hypot(np.nan_to_num(mean.damping_scatter) * mode.damping, mode.sigma_damping))

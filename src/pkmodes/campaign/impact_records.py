@@ -9,6 +9,7 @@ import numpy as np
 from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.file_modes import FileModes
+from pkmodes.campaign.levels import with_levels
 from pkmodes.campaign.sensor_functions import ACCELERATION, found_of, in_file
 from pkmodes.campaign.time_records import time_signals
 from pkmodes.identification.frf_estimates import impact_estimate
@@ -63,7 +64,12 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
             tones=campaign.tones,
         )
     return FileModes(
-        tuple(found_of(mode, given.names) for mode in estimate.modes),
+        with_levels(
+            [found_of(mode, given.names) for mode in estimate.modes],
+            estimate.modes,
+            given,
+            record.exponential,
+        ),
         (
             *given.messages,
             *(f"{given.source}: {message}" for message in functions.messages),

@@ -9,10 +9,10 @@ the power of a mode of one degree of freedom over a flat background,
 is fitted to a few lines, one mode at a time.  The slow factor depends on what drives the machine: n = 4 for a force
 that is as strong at all frequencies, 2 for motors that sweep with an acceleration proportional to the frequency, as
 Klipper's, and 0 for a constant one.  A spectrum does not say; n = 2 is taken, and what the others would change is
-part of the standard deviation.  A spectrum from averages has relative errors, so that logarithms are fitted.  The standard
-deviation is at least 0.29 of the distance of the lines, that of a uniform error of a line: other modes, which the
-same force drives, shift a peak coherently, and there is no phase to tell.  The model is that of Brandt (Noise and
-Vibration Analysis, Wiley, 2011) for an accelerance.
+part of the standard deviation.  A spectrum from averages has relative errors, so that logarithms are fitted.  The
+standard deviation is at least 0.29 of the distance of the lines, that of a uniform error of a line: other modes,
+which the same force drives, shift a peak coherently, and there is no phase to tell.  The model is that of Brandt
+(Noise and Vibration Analysis, Wiley, 2011) for an accelerance.
 """
 
 from __future__ import annotations
