@@ -91,6 +91,8 @@ class Estimate:
         Of the lines inside the band [Hz].
     measured, synthesised : ndarray of complex128, shape (F, S, R)
         NaN where not measured.
+    added : tuple of Mode or str
+        For each frequency from which the user asked for a mode: the mode, or why there is none.
     """
 
     modes: tuple[Mode, ...]
@@ -98,6 +100,7 @@ class Estimate:
     frequencies: Array
     measured: Complex
     synthesised: Complex
+    added: tuple[Mode | str, ...] = ()
 
 
 def alike(one: Complex, other: Complex) -> float:

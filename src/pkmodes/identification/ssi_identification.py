@@ -16,10 +16,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import MeasurementError
+from pkmodes.identification.asked import NOTHING, Asked, replaced
 from pkmodes.identification.clusters import Candidate, candidates
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation, alike
 from pkmodes.identification.lscf import OrderPoles
 from pkmodes.identification.ssi import Order, order, subspace
+from pkmodes.identification.ssi_added import added, orders_with
 from pkmodes.identification.ssi_bands import Lines, Part, correlations, lines, parts
 from pkmodes.identification.ssi_selection import Refined, refined, start
 from pkmodes.identification.ssi_uncertainty import sigma
@@ -75,6 +77,7 @@ def identify_responses(
     *,
     band: tuple[float, float],
     tones: Sequence[float] = (),
+    asked: Asked = NOTHING,
 ) -> tuple[Estimate, tuple[str, ...]]:
     """Identify modes from responses without a force.
 
@@ -88,6 +91,8 @@ def identify_responses(
         Where modes are wanted [Hz].
     tones : sequence of float
         Frequencies of lines that are no modes, as are their multiples [Hz].
+    asked : Asked
+        Modes that the user adds.
 
     Returns
     -------
@@ -109,19 +114,25 @@ def identify_responses(
     record = _prepared(t_step, without_tones(t_step, pieces, found_tones, band))
     found: list[_Found] = []
     poles: list[list[Complex]] = [[] for _ in ORDERS]
+    further: dict[float, _Found | str] = {}
     for part in parts(*band, 0.5 / t_step, record.seconds):
-        found += _of_part(record, part, poles)
+        found += _of_part(record, part, poles, asked, further)
     kept = [
         one
         for one in _beside_all(record, _distinct(found))
         if not _rest_of_tone(one.mode, found_tones, record)
     ]
+    if further:
+        kept, further = _with_added(record, kept, further, found_tones, asked)
     modes = tuple(
         _mode(record, one) for one in kept if band[0] <= abs(one.mode.pole) / (2 * math.pi) <= band[1]
     )
+    wanted = [further.get(f, "it is outside the band") for f in asked.add]
+    more = tuple(one if isinstance(one, str) else _mode(record, one) for one in wanted)
     stabilisation = Stabilisation(np.array(ORDERS), tuple(np.concatenate(some) for some in poles))
-    estimate = Estimate(modes, stabilisation, *_drawn(record, modes, band))
-    return estimate, _sentences(found_tones, modes, record.seconds)
+    every = (*modes, *(one for one in more if isinstance(one, Mode)))
+    estimate = Estimate(modes, stabilisation, *_drawn(record, every, band), more)
+    return estimate, _sentences(found_tones, every, record.seconds)
 
 
 def _checked(t_step: float, pieces: list[Array], band: tuple[float, float]) -> list[Array]:
@@ -151,8 +162,14 @@ def _prepared(t_step: float, pieces: list[Array]) -> _Record:
     return _Record(lines(scaled, t_step, 2 * longest), lines(scaled, t_step), scales, longest * t_step)
 
 
-def _of_part(record: _Record, part: Part, poles: list[list[Complex]]) -> list[_Found]:
-    """Return the modes of a part of the band, and add its poles to those of each order."""
+def _of_part(
+    record: _Record,
+    part: Part,
+    poles: list[list[Complex]],
+    asked: Asked,
+    further: dict[float, _Found | str],
+) -> list[_Found]:
+    """Return the modes of a part of the band, and add its poles to those of each order, and the modes asked for."""
     S = len(record.scales)
     everything = np.eye(S)
     power = correlations(record.padded, part, everything, np.zeros(1, np.int64))[0]
@@ -175,16 +192,43 @@ def _of_part(record: _Record, part: Part, poles: list[list[Complex]]) -> list[_F
         poles[k].append(s[inside & (s.real < 0.0)])
     margin = 0.5 * (part.low - part.start), 0.5 * (part.stop - part.high)
     chosen = candidates(by_order, part.low - margin[0], part.high + margin[1])
-    return [
-        _Found(
-            mode,
-            part,
-            tuple(_rescaled(orders[k], levels) for k in _near(by_order, one)),
-            references,
-            one.found,
+
+    def found(mode: Refined, pole: complex, count: int) -> _Found:
+        near = tuple(_rescaled(orders[k], levels) for k in _near(by_order, pole))
+        return _Found(mode, part, near, references, count)
+
+    selected = _selected(record, part, chosen)
+    modes = [mode for mode, _ in selected]
+    for wanted in asked.add:
+        if part.low <= wanted < part.high or (wanted == part.high and wanted not in further):
+            more = added(by_order, modes, asked, record.plain, (part.start, part.stop), wanted)
+            further[wanted] = (
+                more if isinstance(more, str) else found(more, more.pole, orders_with(by_order, more))
+            )
+    return [found(mode, one.pole, one.found) for mode, one in selected]
+
+
+def _with_added(
+    record: _Record,
+    found: Sequence[_Found],
+    further: dict[float, _Found | str],
+    tones: Sequence[Tone],
+    asked: Asked,
+) -> tuple[list[_Found], dict[float, _Found | str]]:
+    """Return the modes found that those added do not replace, and these without what is left of a tone."""
+    kept, more = list(found), dict(further)
+    for wanted, one in further.items():
+        if isinstance(one, str):
+            continue
+        if _rest_of_tone(one.mode, tones, record):
+            more[wanted] = "what is fitted there is left of a tone"
+            continue
+        before = replaced(
+            [abs(each.mode.pole) / (2 * math.pi) for each in kept], asked, abs(one.mode.pole) / (2 * math.pi)
         )
-        for mode, one in _selected(record, part, chosen)
-    ]
+        if before is not None:
+            del kept[before]
+    return kept, more
 
 
 def _rescaled(of: Order, levels: Array) -> Order:
@@ -193,9 +237,9 @@ def _rescaled(of: Order, levels: Array) -> Order:
     return Order(of.values, of.shapes * levels[:, None], of.rows / np.tile(levels, blocks), of.columns)
 
 
-def _near(by_order: Sequence[OrderPoles], to: Candidate) -> list[int]:
-    """Return the orders that have a pole nearest to a candidate."""
-    nearness = [np.abs(one.poles - to.pole).min() for one in by_order]
+def _near(by_order: Sequence[OrderPoles], pole: complex) -> list[int]:
+    """Return the orders that have a pole nearest to one."""
+    nearness = [np.abs(one.poles - pole).min() for one in by_order]
     return [int(k) for k in np.argsort(nearness)[:SHAPES]]
 
 
