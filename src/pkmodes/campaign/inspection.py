@@ -58,6 +58,8 @@ class Inspection:
         Those that show the modes best, each mode in at least one of them as far as there is room.
     functions : int
         Of how many they were chosen.
+    tones : tuple of float
+        Lines without bandwidth that were found [Hz].
     """
 
     setup: str
@@ -67,6 +69,7 @@ class Inspection:
     total: Array
     curves: tuple[Curve, ...]
     functions: int
+    tones: tuple[float, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,6 +117,7 @@ def inspection(setup: str, file: str, fit: Fit) -> Inspection:
         total[shown],
         tuple(_curve(fit, s, r) for s, r in chosen),
         len(places),
+        estimate.tones,
     )
 
 

@@ -93,6 +93,8 @@ class Estimate:
         NaN where not measured.
     added : tuple of Mode or str
         For each frequency from which the user asked for a mode: the mode, or why there is none.
+    tones : tuple of float
+        Lines without bandwidth that were found [Hz].
     """
 
     modes: tuple[Mode, ...]
@@ -101,6 +103,7 @@ class Estimate:
     measured: Complex
     synthesised: Complex
     added: tuple[Mode | str, ...] = ()
+    tones: tuple[float, ...] = ()
 
 
 def alike(one: Complex, other: Complex) -> float:

@@ -131,7 +131,8 @@ def identify_responses(
     more = tuple(one if isinstance(one, str) else _mode(record, one) for one in wanted)
     stabilisation = Stabilisation(np.array(ORDERS), tuple(np.concatenate(some) for some in poles))
     every = (*modes, *(one for one in more if isinstance(one, Mode)))
-    estimate = Estimate(modes, stabilisation, *_drawn(record, every, band), more)
+    lines = tuple(tone.frequency for tone in found_tones if band[0] <= tone.frequency <= band[1])
+    estimate = Estimate(modes, stabilisation, *_drawn(record, every, band), more, lines)
     return estimate, _sentences(found_tones, every, record.seconds)
 
 
