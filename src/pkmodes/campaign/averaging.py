@@ -142,7 +142,7 @@ def mean_shape(shapes: Sequence[Mapping[str, complex]]) -> tuple[dict[str, compl
     """Return the mean of shapes of any scale, relative to its largest component, and what is left of each.
 
     Each shape is scaled to fit the mean; the mean is their strongest singular vector.  A component that some shapes
-    lack is the mean of the others'.
+    lack is the mean of the others'; one that nothing links with the others is left out.
     """
     names = list(dict.fromkeys(name for shape in shapes for name in shape))
     if not names:
@@ -153,14 +153,19 @@ def mean_shape(shapes: Sequence[Mapping[str, complex]]) -> tuple[dict[str, compl
     mean = start / np.abs(start).max()
     for _ in range(20):
         scaled = np.array([row * _scale(row, mean) for row in table])
-        mean = np.nanmean(scaled, axis=0)
+        count = np.isfinite(scaled).sum(axis=0)
+        mean = np.where(count > 0, np.nansum(scaled, axis=0) / np.maximum(count, 1), np.nan)
         mean = mean / mean[np.nanargmax(np.abs(mean))]
-    return dict(zip(names, mean.tolist(), strict=True)), scaled - mean
+    known = np.isfinite(mean)
+    shape = {name: complex(mean[i]) for i, name in enumerate(names) if known[i]}
+    return shape, (scaled - mean)[:, known]
 
 
 def _scale(row: Complex, mean: Complex) -> complex:
+    """Return the factor that makes a shape most like the mean, NaN if they have no component in common."""
     known = np.isfinite(row) & np.isfinite(mean)
-    return complex(np.vdot(row[known], mean[known]) / np.vdot(row[known], row[known]).real)
+    size = float(np.vdot(row[known], row[known]).real)
+    return complex(np.vdot(row[known], mean[known]) / size) if size > 0.0 else complex(np.nan)
 
 
 def _mean_square(left: Complex) -> float:

@@ -14,10 +14,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.identification.asked import NOTHING, Asked
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
 from pkmodes.identification.ssi_bands import parts
-from pkmodes.identification.ssi_joining import beside_all, distinct, rest_of_tone
-from pkmodes.identification.ssi_parts import FIRST, ORDERS, PartMode, modes_of_part
+from pkmodes.identification.ssi_joining import beside_all, distinct, rest_of_tone, with_wanted
+from pkmodes.identification.ssi_parts import FIRST, ORDERS, PartMode, Wanted, modes_of_part
 from pkmodes.identification.ssi_records import PreparedRecord, drawn, prepared, usable_pieces
 from pkmodes.identification.ssi_uncertainty import sigma
 from pkmodes.identification.tones import Tone, find_tones, without_tones
@@ -37,6 +38,7 @@ def identify_responses(
     *,
     band: tuple[float, float],
     tones: Sequence[float] = (),
+    asked: Asked = NOTHING,
 ) -> tuple[Estimate, tuple[str, ...]]:
     """Identify modes from responses without a force.
 
@@ -50,6 +52,8 @@ def identify_responses(
         Where modes are wanted [Hz].
     tones : sequence of float
         Frequencies of lines that are no modes, as are their multiples [Hz].
+    asked : Asked
+        Modes that the user adds.
 
     Returns
     -------
@@ -71,17 +75,25 @@ def identify_responses(
     record = prepared(t_step, without_tones(t_step, pieces, found_tones, band))
     found: list[PartMode] = []
     poles: list[list[Complex]] = [[] for _ in ORDERS]
+    wanted: Wanted = {}
     for part in parts(*band, 0.5 / t_step, record.seconds):
-        found += modes_of_part(record, part, poles)
+        modes_found, more = modes_of_part(record, part, poles, asked)
+        found += modes_found
+        wanted = more | wanted
     kept = [
         one for one in beside_all(record, distinct(found)) if not rest_of_tone(one.mode, found_tones, record)
     ]
+    kept, wanted = with_wanted(record, kept, wanted, found_tones, asked)
     modes = tuple(
         _mode(record, one) for one in kept if band[0] <= abs(one.mode.pole) / (2 * math.pi) <= band[1]
     )
+    listed = [wanted.get(f, "it is outside the band") for f in asked.add]
+    added = tuple(one if isinstance(one, str) else _mode(record, one) for one in listed)
+    every = (*modes, *(one for one in added if isinstance(one, Mode)))
     stabilisation = Stabilisation(np.array(ORDERS), tuple(np.concatenate(some) for some in poles))
-    estimate = Estimate(modes, stabilisation, *drawn(record, modes, band))
-    return estimate, _sentences(found_tones, modes, record.seconds)
+    lines = tuple(tone.frequency for tone in found_tones if band[0] <= tone.frequency <= band[1])
+    estimate = Estimate(modes, stabilisation, *drawn(record, every, band), added, lines)
+    return estimate, _sentences(found_tones, every, record.seconds)
 
 
 def _mode(record: PreparedRecord, one: PartMode) -> Mode:

@@ -6,8 +6,9 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
+from pkmodes.identification.asked import Asked, replaced
 from pkmodes.identification.estimates import alike
-from pkmodes.identification.ssi_parts import PartMode
+from pkmodes.identification.ssi_parts import PartMode, Wanted
 from pkmodes.identification.ssi_records import PreparedRecord
 from pkmodes.identification.ssi_selection import Refined, refined
 from pkmodes.identification.tones import Tone
@@ -45,6 +46,25 @@ def beside_all(record: PreparedRecord, found: Sequence[PartMode]) -> list[PartMo
         if mode is not None:
             again.append(replace(one, mode=mode))
     return sorted(again, key=lambda one: one.mode.frequency)
+
+
+def with_wanted(
+    record: PreparedRecord, found: Sequence[PartMode], wanted: Wanted, tones: Sequence[Tone], asked: Asked
+) -> tuple[list[PartMode], Wanted]:
+    """Return the modes that those asked for do not replace, and these without what is left of a tone."""
+    kept, more = list(found), dict(wanted)
+    for frequency, one in wanted.items():
+        if isinstance(one, str):
+            continue
+        if rest_of_tone(one.mode, tones, record):
+            more[frequency] = "what is fitted there is left of a tone"
+            continue
+        before = replaced(
+            [abs(each.mode.pole) / (2 * math.pi) for each in kept], asked, abs(one.mode.pole) / (2 * math.pi)
+        )
+        if before is not None:
+            del kept[before]
+    return kept, more
 
 
 def rest_of_tone(mode: Refined, found: Sequence[Tone], record: PreparedRecord) -> bool:

@@ -9,9 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.identification.asked import NOTHING, Asked
 from pkmodes.identification.clusters import Candidate, candidates
 from pkmodes.identification.lscf import OrderPoles
 from pkmodes.identification.ssi import Order, order, subspace
+from pkmodes.identification.ssi_added import added, orders_with
 from pkmodes.identification.ssi_bands import Part, correlations
 from pkmodes.identification.ssi_records import PreparedRecord
 from pkmodes.identification.ssi_selection import Refined, refined, start
@@ -39,8 +41,17 @@ class PartMode:
     found: int
 
 
-def modes_of_part(record: PreparedRecord, part: Part, poles: list[list[Complex]]) -> list[PartMode]:
-    """Return the modes of a part of the band, and add its poles to those of each order."""
+#: Modes that are asked for, by the frequency that the user gives [Hz]; or why there is none.
+Wanted = dict[float, PartMode | str]
+
+
+def modes_of_part(
+    record: PreparedRecord,
+    part: Part,
+    poles: list[list[Complex]],
+    asked: Asked = NOTHING,
+) -> tuple[list[PartMode], Wanted]:
+    """Return the modes of a part of the band, and those asked for in it; add its poles to those of each order."""
     S = len(record.scales)
     everything = np.eye(S)
     power = correlations(record.padded, part, everything, np.zeros(1, np.int64))[0]
@@ -63,16 +74,22 @@ def modes_of_part(record: PreparedRecord, part: Part, poles: list[list[Complex]]
         poles[k].append(s[inside & (s.real < 0.0)])
     margin = 0.5 * (part.low - part.start), 0.5 * (part.stop - part.high)
     chosen = candidates(by_order, part.low - margin[0], part.high + margin[1])
-    return [
-        PartMode(
-            mode,
-            part,
-            tuple(_rescaled(orders[k], levels) for k in _near(by_order, one)),
-            references,
-            one.found,
-        )
-        for mode, one in _selected(record, part, chosen)
-    ]
+
+    def found(mode: Refined, pole: complex, count: int) -> PartMode:
+        near = tuple(_rescaled(orders[k], levels) for k in _near(by_order, pole))
+        return PartMode(mode, part, near, references, count)
+
+    selected = _selected(record, part, chosen)
+    modes = [mode for mode, _ in selected]
+    wanted: Wanted = {}
+    for frequency in asked.add:
+        if part.low <= frequency <= part.high:
+            more = added(by_order, modes, asked, record.plain, (part.start, part.stop), frequency)
+            if isinstance(more, str):
+                wanted[frequency] = more
+            else:
+                wanted[frequency] = found(more, more.pole, orders_with(by_order, more))
+    return [found(mode, one.pole, one.found) for mode, one in selected], wanted
 
 
 def _rescaled(of: Order, levels: Array) -> Order:
@@ -81,9 +98,9 @@ def _rescaled(of: Order, levels: Array) -> Order:
     return Order(of.values, of.shapes * levels[:, None], of.rows / np.tile(levels, blocks), of.columns)
 
 
-def _near(by_order: Sequence[OrderPoles], to: Candidate) -> list[int]:
-    """Return the orders that have a pole nearest to a candidate."""
-    nearness = [np.abs(one.poles - to.pole).min() for one in by_order]
+def _near(by_order: Sequence[OrderPoles], pole: complex) -> list[int]:
+    """Return the orders that have a pole nearest to one."""
+    nearness = [np.abs(one.poles - pole).min() for one in by_order]
     return [int(k) for k in np.argsort(nearness)[:SHAPES]]
 
 
