@@ -19,6 +19,7 @@ from pkmodes.campaign.rows import measurements_of
 from pkmodes.campaign.sensors import Place
 from pkmodes.campaign.shapes import by_channel, turned_shape
 from pkmodes.identification.estimates import collinearity
+from pkmodes.linalg.threads import one_blas_thread
 
 #: Relative standard deviation of a damping ratio below which it is rounding: of the same number written several
 #: times, or of functions without noise.
@@ -29,6 +30,7 @@ COMPLEX = 0.8
 ADDED = "added"
 
 
+@one_blas_thread()
 def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = False) -> Identification:
     """Identify the modes of a campaign.
 
