@@ -82,7 +82,7 @@ class ShapeRows:
         self.known = (components >= 2) & (largest[:, 0] > 0.0)
         self._shapes[~self.known] = 0.0
         self.count = np.where(self.known, components - 1, 0)
-        each = np.where(self.stated, data.shape_sigma, scatter)
+        each = np.where(self.stated, np.fmax(data.shape_sigma, criteria.least_shape_sigma), scatter)
         self.sigma = np.broadcast_to(each[:, None], data.shapes.shape)
         self._close = criteria.close
         self._crowd(neighbours(data, criteria))
