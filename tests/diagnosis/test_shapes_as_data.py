@@ -255,3 +255,31 @@ def test_shapes_are_not_taken_for_better_than_sensors_are() -> None:
     left = data.residual(*paired(modes, frequency)) / data.sigma
     assert np.abs(left).max() < 1.0
     np.testing.assert_array_equal(rows(modes, frequency, 0.02).sigma, 0.02)
+
+
+def test_a_machine_that_settles_anew_turns_shapes_as_far_as_is_allowed_for() -> None:
+    """Stiffnesses between three masses that scatter: their modes, solved by NumPy, against the angle by the errors."""
+    rng = np.random.default_rng(3)
+    stiffness = np.array([1.0, 0.06, 1.02, 0.6])
+
+    def modes(k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        K = np.array([[k[0] + k[1], -k[1], 0.0], [-k[1], k[1] + k[2], 0.0], [0.0, 0.0, k[3]]])
+        values, vectors = np.linalg.eigh(K)
+        return np.sqrt(values), (vectors / np.abs(vectors).max(axis=0)).T
+
+    frequency, shapes = modes(stiffness)
+    drawn = [modes(stiffness * (1.0 + 0.008 * rng.standard_normal(4))) for _ in range(300)]
+    drawn = [(f, s * np.sign((s * shapes).sum(axis=1, keepdims=True))) for f, s in drawn]
+    errors = np.std([f / frequency for f, _ in drawn], axis=0)
+    turned = np.sqrt(np.mean([((s - shapes) ** 2).sum(axis=1) for _, s in drawn], axis=0))
+    data = Measurements.from_rows(
+        ["A"] * 3,
+        frequency,
+        errors * frequency,
+        shapes={f"c{k}": column for k, column in enumerate(shapes.T)},
+        shape_sigma=np.full(3, 1e-4),
+    )
+    found = ShapeRows(data, np.arange(3), ["m"] * 3, np.ones((1, 3)), 0.05, CRITERIA)
+    pair = np.argsort(turned)[1:]  # the third mass is on its own
+    assert turned[pair].min() > 2.0 * CRITERIA.least_shape_sigma
+    np.testing.assert_allclose(np.log(found.sigma[pair, 0] / turned[pair]), 0.0, atol=np.log(2.0))

@@ -33,8 +33,9 @@ class Criteria:
 
     # Shapes ----------------------------------------------------------------------------------------------------
 
-    #: Least error of a component of a shape, whatever is stated: what the identification leaves open is often far
-    #: less than what sensors do, which are calibrated to half a per cent and mounted to half a degree.
+    #: Least error of a component of a shape.  A smaller stated one is that of the identification alone: sensors are
+    #: calibrated to half a per cent and mounted to half a degree, and a machine that settles anew turns the shapes of
+    #: close modes.
     least_shape_sigma: float = 0.01
     #: Initial scatter of shapes without a stated one; it is then estimated from the best explanation.
     shape_scatter: float = 0.05
