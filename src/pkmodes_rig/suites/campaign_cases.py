@@ -1,0 +1,126 @@
+"""Runs a machine of the suite of campaigns: the folder is measured, identified, diagnosed and judged."""
+
+from __future__ import annotations
+
+import csv
+import io
+import tempfile
+import time
+import warnings
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from pkmodes import updating
+from pkmodes.campaign.campaign import read_campaign
+from pkmodes.campaign.identify import identify
+from pkmodes.diagnosis.diagnose import split
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.measured.writing import as_csv
+from pkmodes.robot.robot import Robot
+from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes_rig.signals.campaigns import CAMPAIGN, make
+from pkmodes_rig.suites.campaign_judging import Judged, judge
+from pkmodes_rig.suites.campaign_machines import CampaignCase, bench
+from pkmodes_rig.suites.judging import judged
+from pkmodes_rig.suites.mechanism_cases import MACHINES, measurements_of, robot_of
+from pkmodes_rig.suites.strengths import NO_WEIGHT
+
+
+@dataclass(frozen=True)
+class CampaignOutcome:
+    """Outcome of a machine; `state`, `verdict` and `classes` as in `judging.Outcome`.
+
+    Attributes
+    ----------
+    signal : float
+        Of the cause in the rows that were found, in standard deviations: what is left of their true frequencies when
+        the declared model is fitted to them; see `strengths`.
+    judged : Judged or None
+        None if the identification failed.
+    unkind : tuple of str
+        What went wrong in the laboratory.
+    messages : tuple of str
+        Of the identification.
+    identifying, diagnosing : float
+        Times [s].
+    files : int
+    """
+
+    case: CampaignCase
+    state: str
+    verdict: str
+    classes: tuple[tuple[str, ...], ...] = ()
+    signal: float = 0.0
+    reason: str = ""
+    judged: Judged | None = None
+    unkind: tuple[str, ...] = ()
+    messages: tuple[str, ...] = ()
+    identifying: float = 0.0
+    diagnosing: float = 0.0
+    files: int = 0
+
+
+def run(case: CampaignCase, keep: Path | None = None) -> CampaignOutcome:
+    """Measure, identify, diagnose and judge a machine; its folder is written to `keep` if given."""
+    rng = np.random.default_rng([case.seed, 2, case.number])
+    on = bench(case, rng)
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = keep or Path(temporary)
+        folder.mkdir(parents=True, exist_ok=True)
+        tests = [on.test] * len(on.poses)
+        made = make(folder, on.machine, on.robot, on.poses, on.repeats, on.wander, tests, on.paper, rng)
+        begin = time.perf_counter()
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", RuntimeWarning)
+            found = identify(read_campaign(folder / CAMPAIGN))
+        identifying = time.perf_counter() - begin
+        rows = judge(found.records, made, on.test, on.paper.band)
+        text = as_csv(found.measurements, [])
+        (folder / "modes.csv").write_text(text, encoding="utf-8")
+    robot = robot_of(case.robot)
+    begin = time.perf_counter()
+    diagnosis = updating.diagnose(robot, measurements_of(text, robot))
+    diagnosing = time.perf_counter() - begin
+    return CampaignOutcome(
+        case=case,
+        state=judged(case.names, diagnosis, same=MACHINES[case.robot].same),
+        verdict=diagnosis.verdict,
+        classes=tuple(f.members for f in diagnosis.effects) or diagnosis.survivors,
+        signal=_signal(robot, text, rows, diagnosis) if case.cause else 0.0,
+        reason=diagnosis.reason,
+        judged=rows,
+        unkind=on.unkind,
+        messages=tuple(message for one in found.records for message in one.messages),
+        identifying=identifying,
+        diagnosing=diagnosing,
+        files=len(made.files),
+    )
+
+
+def _signal(robot: Robot, text: str, rows: Judged, diagnosis: Diagnosis) -> float:
+    """Return the signal of the cause: rows at their true frequencies, with their standard deviations."""
+    lines = text.splitlines()
+    begin = next(i for i, line in enumerate(lines) if not line.startswith("#"))
+    table = list(csv.DictReader(lines[begin:]))
+    out = io.StringIO()
+    # Shapes serve only to pair the modes: the signal is computed from the frequencies.
+    kept = [name for name in table[0] if name not in ("sigma_shape", "damping", "sigma_damping")]
+    writer = csv.DictWriter(out, kept, extrasaction="ignore", lineterminator="\n")
+    writer.writeheader()
+    for cells, row in zip(table, rows.rows, strict=True):
+        if row.mode >= 0:
+            writer.writerow({**cells, "frequency": f"{row.nominal:.12g}"})
+    exact = "\n".join([*lines[:begin], out.getvalue()])
+    try:
+        data = measurements_of(exact, robot)
+        fitted, _ = split(data, diagnosis.held_out_poses)
+        structure = MeasuredRobot.of(robot, data).structure(candidates=()).subset(fitted)
+        fitter = Fitter(structure, data.at(fitted), scatter=NO_WEIGHT)
+        fit = fitter.fit(Hypothesis(()), fitter.declared.copy())
+    except (ValueError, IndexError):  # too few rows
+        return 0.0
+    return 0.0 if fit is None else float(np.sqrt(fit.chi2))
