@@ -66,13 +66,15 @@ docs: $(VENV)/.docs  ## the documentation as a site, in build/site
 	$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet -c docs/site docs build/site
 	@echo "open build/site/index.html"
 
-benchmark: $(VENV)/.benchmark  ## tables of docs/compiled.md and docs/maps.md, and other times; some minutes
+benchmark: $(VENV)/.benchmark  ## tables of docs/compiled.md, docs/maps.md and docs/identification-compared.md, and other times
 	$(BIN)/python benchmarks/backends.py
 	$(BIN)/python benchmarks/evaluation.py
 	$(BIN)/python benchmarks/many_rows.py
 	$(BIN)/python benchmarks/large_models.py
 	$(BIN)/python benchmarks/diagnosis.py
 	$(BIN)/python benchmarks/map.py
+	$(BIN)/python benchmarks/identification.py --out docs/identification-compared.md
+	$(BIN)/python benchmarks/campaign.py
 
 figures: $(VENV)/.dev  ## the pictures of the README and docs/figures.md, and the tables of docs/figures.md and docs/shapers.md
 	$(BIN)/python -m pkmodes figures $(IDENTIFIED) --out docs/figures/identified --format png --grid $(PLANE)

@@ -8,27 +8,29 @@ from typing import Any
 
 import numpy as np
 
-BEGIN, END = "<!-- begin: written by benchmarks/backends.py -->", "<!-- end -->"
+WRITER = "benchmarks/backends.py"
+BEGIN, END = f"<!-- begin: written by {WRITER} -->", "<!-- end -->"
 OURS = "pkmodes, compiled"
 #: Cores that two threads must get; with fewer, other processes were in the way.
 FREE = 1.8
 
 
-def put(document: Path, text: str) -> None:
-    """Replace what stands between the marks; a document that is missing is written.
+def put(document: Path, text: str, writer: str = WRITER) -> None:
+    """Replace what stands between the marks of a writer; a document that is missing is written.
 
     Raises
     ------
     ValueError
         If the document has no marks.
     """
-    old = document.read_text(encoding="utf-8") if document.is_file() else f"{BEGIN}\n{END}\n"
-    head, begin, rest = old.partition(BEGIN)
+    mark = BEGIN.replace(WRITER, writer)
+    old = document.read_text(encoding="utf-8") if document.is_file() else f"{mark}\n{END}\n"
+    head, begin, rest = old.partition(mark)
     _, end, tail = rest.partition(END)
     if not (begin and end):
-        raise ValueError(f"{document} has no lines {BEGIN} and {END}")
+        raise ValueError(f"{document} has no lines {mark} and {END}")
     document.parent.mkdir(parents=True, exist_ok=True)
-    document.write_text(f"{head}{BEGIN}\n{text}{END}{tail}", encoding="utf-8")
+    document.write_text(f"{head}{mark}\n{text}{END}{tail}", encoding="utf-8")
 
 
 def text(found: dict[str, Any], machine: str | None) -> str:

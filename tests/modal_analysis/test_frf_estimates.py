@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from modal_analysis.frf_cases import impact, mac, structure
 from pkmodes.base.errors import MeasurementError
 from pkmodes.identification.frf_estimates import impact_estimate, without_window
 from pkmodes.identification.frf_identification import identify_frf
+from pkmodes_rig.structures.forced import impact, mac, structure
 
 RATE = 2048.0
 OUTPUTS = [0, 1, 2]

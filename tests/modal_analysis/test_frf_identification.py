@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from modal_analysis.frf_cases import mac, noise, random_structure, structure
 from pkmodes.base.errors import MeasurementError
 from pkmodes.identification.estimates import turned_real
 from pkmodes.identification.frf_identification import identify_frf
+from pkmodes_rig.structures.forced import mac, noise, random_structure, structure
 
 BAND = (10.0, 400.0)
 LINES = np.arange(10.0, 400.0, 0.25)

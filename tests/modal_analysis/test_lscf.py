@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from modal_analysis.frf_cases import mac, noise, random_structure
 from pkmodes.identification.clusters import candidates
 from pkmodes.identification.lscf import lscf
+from pkmodes_rig.structures.forced import mac, noise, random_structure
 
 LINES = np.arange(10.0, 400.0, 0.5)
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.signal import welch
 
-from modal_analysis.ssi_cases import Array, Structure, random_structure, structure, sweep
 from pkmodes.base.errors import MeasurementError
 from pkmodes.identification.spectra import identify_spectrum
+from pkmodes_rig.structures.driven import Array, Structure, random_structure, structure, sweep
 
 BAND = (10.0, 120.0)
 
@@ -59,11 +59,16 @@ def test_modes_closer_than_a_line_are_one_row() -> None:
     assert mode.frequency == pytest.approx(60.5, abs=0.4)
 
 
-def test_a_peak_between_lines_is_placed_between_them() -> None:
+@pytest.mark.parametrize("slope", [0, 2, 4])
+def test_a_peak_between_lines_is_placed_between_them(slope: int) -> None:
+    """Driven with an acceleration proportional to the frequency, exactly; driven otherwise, within sigma."""
     f = np.arange(0.0, 200.0, 1.5625)
-    power = f**4 / np.abs(60.2**2 - f**2 + 2j * 0.03 * 60.2 * f) ** 2 + 1e-3
+    resonance = 60.2**4 / np.abs(60.2**2 - f**2 + 2j * 0.03 * 60.2 * f) ** 2
+    power = (f / 60.2) ** slope * resonance + 1e-6
     (mode,) = identify_spectrum(f, power[:, None], band=BAND)[0].modes
-    assert mode.frequency == pytest.approx(60.2 * np.sqrt(1 - 0.03**2), abs=0.01)
+    error = abs(mode.frequency - 60.2 * np.sqrt(1 - 0.03**2))
+    assert error < (0.01 if slope == 2 else mode.sigma_frequency)
+    assert mode.sigma_frequency < 0.6
 
 
 def test_too_few_lines_are_refused() -> None:

@@ -11,7 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from modal_analysis.ssi_cases import (
+from pkmodes.base.errors import MeasurementError
+from pkmodes.identification.estimates import turned_real
+from pkmodes.identification.ssi_identification import identify_responses
+from pkmodes_rig.structures.driven import (
     Array,
     Structure,
     adxl345,
@@ -21,9 +24,6 @@ from modal_analysis.ssi_cases import (
     structure,
     sweep,
 )
-from pkmodes.base.errors import MeasurementError
-from pkmodes.identification.estimates import turned_real
-from pkmodes.identification.ssi_identification import identify_responses
 
 BAND = (10.0, 200.0)
 Simulation = Callable[[Structure, np.random.Generator], Array]

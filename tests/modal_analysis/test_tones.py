@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from modal_analysis.ssi_cases import ambient, structure
 from pkmodes.identification.tones import find_tones, without_tones
+from pkmodes_rig.structures.driven import ambient, structure
 
 BAND = (10.0, 200.0)
 

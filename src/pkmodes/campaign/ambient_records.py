@@ -20,7 +20,7 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
     MeasurementError
         If the file is faulty, or too short for the band.
     """
-    given = time_signals(path, record, setup, campaign)
+    given = time_signals(path, record, setup, campaign, highest=record.band[1])
     with in_file(given.source):
         estimate, messages = identify_responses(
             given.step, given.pieces, band=record.band, tones=campaign.tones

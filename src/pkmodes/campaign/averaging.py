@@ -99,6 +99,7 @@ def _of(modes: list[Found], shape: dict[str, complex]) -> Found:
         together([mode.sigma_damping for mode in modes]),
         together([mode.sigma_shape for mode in modes]),
         min(found, key=lambda one: one[0] / one[1]) if len(found) == len(modes) else None,
+        max(mode.resolution for mode in modes),
     )
 
 

@@ -31,6 +31,8 @@ class Found:
         The same of a component of the shape, relative to the largest one; NaN where unknown.
     found_in : tuple of int, or None
         In how many model orders, of how many.
+    resolution : float
+        Distance within which the file tells no two modes apart [Hz].
     """
 
     frequency: float
@@ -40,6 +42,7 @@ class Found:
     sigma_damping: float = 0.0
     sigma_shape: float = np.nan
     found_in: tuple[int, int] | None = None
+    resolution: float = 0.0
 
 
 def mac(one: Mapping[str, complex], other: Mapping[str, complex]) -> float:

@@ -29,7 +29,8 @@ def grouped(files: Sequence[Sequence[Found]]) -> list[dict[int, Found]]:
     groups: list[dict[int, Found]] = []
     near: list[dict[int, Found]] = []
     for k, (frequency, i, mode) in enumerate(every):
-        if k and np.log(frequency / every[k - 1][0]) > APART:  # nothing on both sides of a gap is alike
+        # Nothing on both sides of a gap is alike.
+        if k and np.log(frequency / every[k - 1][0]) > max(_width(mode), _width(every[k - 1][2])):
             groups += _merged(near)
             near = []
         near.append({i: mode})
@@ -57,7 +58,12 @@ def _distance(one: dict[int, Found], other: dict[int, Found]) -> float:
     return float(np.mean([_apart(a, b) for a in one.values() for b in other.values()]))
 
 
+def _width(mode: Found) -> float:
+    """Return within which relative difference of frequencies a mode may be another one."""
+    return max(APART, mode.resolution / mode.frequency)
+
+
 def _apart(one: Found, other: Found) -> float:
-    difference = abs(np.log(one.frequency / other.frequency)) / APART
+    difference = abs(np.log(one.frequency / other.frequency)) / max(_width(one), _width(other))
     unlike = (1.0 - mac(one.shape, other.shape)) / (1.0 - ALIKE)
     return float(max(difference, unlike, np.hypot(difference, unlike) / np.sqrt(2.0)))

@@ -33,7 +33,11 @@ def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -
     scale = power[(f >= record.band[0]) & (f <= record.band[1])].sum(axis=0)
     with in_file(read.source):
         estimate, messages = identify_spectrum(f, power / np.where(scale > 0.0, scale, 1.0), band=record.band)
-    modes = tuple(Found(mode.frequency, sigma_frequency=mode.sigma_frequency) for mode in estimate.modes)
+    line = float(np.median(np.diff(f)))
+    modes = tuple(
+        Found(mode.frequency, sigma_frequency=mode.sigma_frequency, resolution=line)
+        for mode in estimate.modes
+    )
     said = (*read.messages, *(f"{read.source}: {message}" for message in messages))
     seen = frozenset({one.response for one in used} | {f"psd_{one.response}" for one in used})
     return FileModes(modes, said, seen | campaign.unsigned_forces_in(setup))

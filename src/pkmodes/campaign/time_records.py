@@ -18,6 +18,7 @@ from pkmodes.campaign.sensor_functions import (
     sensor_functions,
 )
 from pkmodes.signals.functions import Kind
+from pkmodes.signals.reduction import reduced, reduction
 from pkmodes.signals.sampling import even_pieces
 
 Array = NDArray[np.float64]
@@ -55,8 +56,15 @@ class TimeSignals:
         return np.asarray(np.asarray(s, dtype=complex)[..., None] ** (ACCELERATION - self.derivatives))
 
 
-def time_signals(path: Path, record: Record, setup: str, campaign: Campaign) -> TimeSignals:
+def time_signals(
+    path: Path, record: Record, setup: str, campaign: Campaign, *, highest: float | None = None
+) -> TimeSignals:
     """Read the signals of a file.
+
+    Parameters
+    ----------
+    highest : float, optional
+        Frequency above which nothing is of interest [Hz]: long records are reduced to fewer samples.
 
     Raises
     ------
@@ -81,9 +89,16 @@ def time_signals(path: Path, record: Record, setup: str, campaign: Campaign) -> 
         raise MeasurementError(what, read.source, "give repeats as files of their own")
     motions = [motion_of(one, sensors[one.response], campaign.channels, read.source) for one in used]
     pieces, gaps = even_pieces(time, read.source)
-    table = np.stack([one.values.real * of.factor for one, of in zip(used, motions, strict=True)], axis=1)
-    dead = [one.response for one, column in zip(used, table.T, strict=True) if not np.ptp(column)]
-    check_size(table, read.source)
+    fewer = 1 if highest is None else reduction(len(time), pieces[0].step, highest)
+    dead: list[str] = []
+    columns: list[list[Array]] = []
+    for one, of in zip(used, motions, strict=True):  # a long signal fills much of the memory: one at a time
+        values = one.values.real
+        least, largest = values.min(), values.max()
+        check_size(of.factor * np.array([least, largest]), read.source)
+        if least == largest:
+            dead.append(one.response)
+        columns.append([of.factor * reduced(values[piece.part], fewer) for piece in pieces])
     if len(dead) == len(used):
         what = f"expected signals, found only constant ones: {', '.join(dead)}"
         raise MeasurementError(what, read.source, "check the sensors and their cables")
@@ -93,8 +108,8 @@ def time_signals(path: Path, record: Record, setup: str, campaign: Campaign) -> 
         raise MeasurementError(what, read.source, "narrow the band of the record, or sample faster")
     return TimeSignals(
         read.source,
-        pieces[0].step,
-        tuple(table[piece.part] for piece in pieces),
+        pieces[0].step * fewer,
+        tuple(np.stack(each, axis=1) for each in zip(*columns, strict=True)),
         tuple(np.asarray(force.values.real)[piece.part] for force in forces for piece in pieces),
         tuple(names),
         np.array([of.derivative for of in motions]),

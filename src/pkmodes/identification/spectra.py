@@ -4,18 +4,22 @@ Klipper's spectra have lines 1.6 Hz apart, from averaged windowed pieces of a sw
 of the window as much as that of the mode, so that no damping is found.  Around each peak of the sum over directions,
 the power of a mode of one degree of freedom over a flat background,
 
-.. math:: P(f) = \frac{a\, f^4 / (f + f_0)^2}{1 + (f - f_0)^2 / w^2} + b ,
+.. math:: P(f) = \frac{a\, f^n / (f + f_0)^2}{1 + (f - f_0)^2 / w^2} + b ,
 
-whose slow factor is that of an acceleration, is fitted to a few lines, one mode at a time.  A spectrum from averages
-has relative errors, so that logarithms are fitted.  The standard deviation is at least 0.29 of the distance of the
-lines, that of a uniform error of a line: other modes, which the same force drives, shift a peak coherently, and there
-is no phase to tell.  The model is that of Brandt (Noise and Vibration Analysis, Wiley, 2011) for an accelerance.
+is fitted to a few lines, one mode at a time.  The slow factor depends on what drives the machine: n = 4 for a force
+that is as strong at all frequencies, 2 for motors that sweep with an acceleration proportional to the frequency, as
+Klipper's, and 0 for a constant one.  A spectrum does not say; n = 2 is taken, and what the others would change is
+part of the standard deviation.  A spectrum from averages has relative errors, so that logarithms are fitted.  The standard
+deviation is at least 0.29 of the distance of the lines, that of a uniform error of a line: other modes, which the
+same force drives, shift a peak coherently, and there is no phase to tell.  The model is that of Brandt (Noise and
+Vibration Analysis, Wiley, 2011) for an accelerance.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +32,8 @@ from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
 Array = NDArray[np.float64]
 #: Least standard deviation in distances of lines.
 LEAST = 0.29
+#: Power of the frequency in the slow factor, and its least and largest value.
+SLOPE, SLOPES = 2, (0, 4)
 #: Lines on either side of a peak that are fitted.
 SIDE = 4
 #: A peak exceeds the higher of the lowest points between it and higher power, on either side, by this factor.
@@ -106,8 +112,8 @@ def _tops(total: Array) -> list[int]:
     return found
 
 
-def _shape(f: Array, peak: _Peak) -> Array:
-    slow = (f / peak.frequency) ** 4 * (2.0 * peak.frequency / (f + peak.frequency)) ** 2
+def _shape(f: Array, peak: _Peak, slope: int = SLOPE) -> Array:
+    slow = (f / peak.frequency) ** slope * (2.0 * peak.frequency / (f + peak.frequency)) ** 2
     return np.asarray(peak.height * slow / (1.0 + ((f - peak.frequency) / peak.width) ** 2) + peak.floor)
 
 
@@ -125,17 +131,22 @@ def _fitted(f: Array, total: Array, k: int) -> _Peak | None:
     lowest = [f[k] - step, top - 3.0, math.log(0.3 * step), low - 20.0]
     highest = [f[k] + step, top + 5.0, math.log(8.0 * step), top + 1.0]
 
-    def misfit(p: Array) -> Array:
-        return np.asarray(np.log(_shape(at, peak(p))) - np.log(np.maximum(P, 1e-9 * total[k])))
+    def misfit(p: Array, slope: int) -> Array:
+        return np.asarray(np.log(_shape(at, peak(p), slope)) - np.log(np.maximum(P, 1e-9 * total[k])))
 
-    result = least_squares(misfit, start, bounds=(lowest, highest))
+    def fitted(slope: int) -> Any:
+        return least_squares(misfit, start, bounds=(lowest, highest), args=(slope,))
+
+    result = fitted(SLOPE)
     best = peak(result.x)
     if best.width > HIGHEST_DAMPING * best.frequency and best.width > 2.0 * step:
         return None
     freedom = max(len(at) - 4, 1)
     jacobian = np.asarray(result.jac)
     covariance = np.linalg.pinv(jacobian.T @ jacobian) * 2.0 * result.cost / freedom
-    sigma = math.hypot(LEAST * step, min(math.sqrt(max(covariance[0, 0], 0.0)), step))
+    least, largest = sorted(float(fitted(slope).x[0]) for slope in SLOPES)
+    uniform = (largest - least) / math.sqrt(12.0)
+    sigma = math.hypot(LEAST * step, min(math.sqrt(max(covariance[0, 0], 0.0)), step), uniform)
     return _Peak(best.frequency, sigma, best.height, best.width, best.floor)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,6 +65,7 @@ def noise(rng: np.random.Generator, like: Complex, sigma: Array | float) -> Comp
 
 
 def mac(a: Complex, b: Complex) -> float:
+    """Return the modal assurance criterion of two shapes (S,)."""
     return float(abs(np.vdot(a, b)) ** 2 / (np.vdot(a, a).real * np.vdot(b, b).real))
 
 
@@ -80,5 +82,6 @@ def impact(
     t = np.arange(round(length * rate)) / rate
     width = 0.002
     force = np.where((t >= start) & (t <= start + width), np.sin(np.pi * (t - start) / width), 0.0)
-    y = lsim(StateSpace(A, B, rows[pick], feed[pick]), force, t, interp=True)[1]
+    system: Any = StateSpace(A, B, rows[pick], feed[pick])
+    y = lsim(system, force, t)[1]
     return force, np.asarray(y).reshape(len(t), -1)

@@ -28,6 +28,7 @@ class Structure:
 
     @property
     def state(self) -> tuple[Array, Array]:
+        """Matrices A and B of the state space: displacements, then velocities."""
         n = len(self.M)
         inverse = np.linalg.inv(self.M)
         A = np.block([[np.zeros((n, n)), np.eye(n)], [-inverse @ self.K, -inverse @ self.C]])

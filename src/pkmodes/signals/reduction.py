@@ -1,0 +1,70 @@
+"""Fewer samples of long records: what lies far above the frequencies of interest is filtered out first.
+
+A linear-phase filter by Kaiser's window (Oppenheim and Schafer, Discrete-Time Signal Processing, 3rd edition, 2010,
+section 7.5.3) and every n-th sample.  Its band of transition is wide: what it aliases stays above the frequencies of
+interest, and below them it changes nothing.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+from scipy.signal import firwin, kaiserord
+
+from pkmodes.signals.functions import Array
+
+#: Samples of a record above which it is reduced: shorter ones fit into the memory of any machine.
+LONG = 2_000_000
+#: The new sampling rate is at least this many times the highest frequency of interest.
+RATE = 4.0
+#: The filter passes this many times that frequency, and aliases nothing into it.
+PASSED = 1.5
+#: Ripple of the filter, and what is left of what it stops [dB].
+ATTENUATION = 100.0
+#: New samples that are computed at once.
+BLOCK = 4096
+
+
+def reduction(samples: int, step: float, highest: float) -> int:
+    """Return how many samples of a record become one: 1 for a record that is left as it is.
+
+    Parameters
+    ----------
+    samples : int
+        Of the record.
+    step : float
+        Between its samples [s].
+    highest : float
+        Highest frequency of interest [Hz].
+    """
+    return max(1, int(1.0 / (step * RATE * highest))) if samples > LONG else 1
+
+
+def reduced(signal: Array, factor: int) -> Array:
+    """Return every n-th sample of a filtered signal, without a shift in time.
+
+    Parameters
+    ----------
+    signal : ndarray, shape (N,)
+    factor : int
+        From `reduction`; 1 returns the signal itself.
+
+    Returns
+    -------
+    ndarray, shape (ceil(N / factor),)
+    """
+    if factor == 1:
+        return signal
+    # In parts of the Nyquist frequency; the new rate is 2 / factor.
+    passed = PASSED * 2.0 / (RATE * factor)
+    stopped = 2.0 / factor - passed
+    count, beta = kaiserord(ATTENUATION, stopped - passed)
+    taps = firwin(count | 1, 0.5 * (passed + stopped), window=("kaiser", beta))
+    half, last = len(taps) // 2, len(signal) - 1
+    found = np.empty(last // factor + 1)
+    for low in range(0, len(found), BLOCK):
+        at = slice(low, min(low + BLOCK, len(found)))
+        # Beyond the ends the first and last values go on, so that a constant stays one.
+        around = np.arange(at.start * factor - half, (at.stop - 1) * factor + half + 1).clip(0, last)
+        found[at] = sliding_window_view(signal[around], len(taps))[::factor] @ taps
+    return found

@@ -1,0 +1,1 @@
+"""Structures with known modes, and their simulated measurements, for tests and studies of the identification."""
