@@ -7,6 +7,7 @@ import io
 import tempfile
 import time
 import warnings
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -29,6 +30,11 @@ from pkmodes_rig.suites.judging import judged
 from pkmodes_rig.suites.mechanism_cases import MACHINES, measurements_of, robot_of
 from pkmodes_rig.suites.strengths import NO_WEIGHT
 
+#: What a laboratory knows of the sensitivity and mounting of its sensors, relative to the largest component.
+CALIBRATION = 0.01
+#: Columns that have no part in the signal.
+LEFT_OUT = ("sigma_shape", "damping", "sigma_damping")
+
 
 @dataclass(frozen=True)
 class CampaignOutcome:
@@ -39,6 +45,8 @@ class CampaignOutcome:
     signal : float
         Of the cause in the rows that were found, in standard deviations: what is left of their true frequencies when
         the declared model is fitted to them; see `strengths`.
+    calibrated : str
+        The state of a diagnosis of the same rows with `CALIBRATION` added to every ``sigma_shape``, in quadrature.
     judged : Judged or None
         None if the identification failed.
     unkind : tuple of str
@@ -56,6 +64,7 @@ class CampaignOutcome:
     classes: tuple[tuple[str, ...], ...] = ()
     signal: float = 0.0
     reason: str = ""
+    calibrated: str = ""
     judged: Judged | None = None
     unkind: tuple[str, ...] = ()
     messages: tuple[str, ...] = ()
@@ -81,17 +90,19 @@ def run(case: CampaignCase, keep: Path | None = None) -> CampaignOutcome:
         rows = judge(found.records, made, on.test, on.paper.band)
         text = as_csv(found.measurements, [])
         (folder / "modes.csv").write_text(text, encoding="utf-8")
-    robot = robot_of(case.robot)
+    robot, same = robot_of(case.robot), MACHINES[case.robot].same
     begin = time.perf_counter()
     diagnosis = updating.diagnose(robot, measurements_of(text, robot))
     diagnosing = time.perf_counter() - begin
+    wider = updating.diagnose(robot, measurements_of(_rewritten(text, _calibrated), robot))
     return CampaignOutcome(
         case=case,
-        state=judged(case.names, diagnosis, same=MACHINES[case.robot].same),
+        state=judged(case.names, diagnosis, same=same),
         verdict=diagnosis.verdict,
         classes=tuple(f.members for f in diagnosis.effects) or diagnosis.survivors,
         signal=_signal(robot, text, rows, diagnosis) if case.cause else 0.0,
         reason=diagnosis.reason,
+        calibrated=judged(case.names, wider, same=same),
         judged=rows,
         unkind=on.unkind,
         messages=tuple(message for one in found.records for message in one.messages),
@@ -101,22 +112,35 @@ def run(case: CampaignCase, keep: Path | None = None) -> CampaignOutcome:
     )
 
 
-def _signal(robot: Robot, text: str, rows: Judged, diagnosis: Diagnosis) -> float:
-    """Return the signal of the cause: rows at their true frequencies, with their standard deviations."""
+def _rewritten(text: str, change: Callable[[int, dict[str, str]], dict[str, str] | None]) -> str:
+    """Return a measurement file with changed rows, given by their numbers and cells; None leaves a row out."""
     lines = text.splitlines()
     begin = next(i for i, line in enumerate(lines) if not line.startswith("#"))
-    table = list(csv.DictReader(lines[begin:]))
+    rows = [change(i, row) for i, row in enumerate(csv.DictReader(lines[begin:]))]
+    kept = [row for row in rows if row is not None]
     out = io.StringIO()
-    # Shapes serve only to pair the modes: the signal is computed from the frequencies.
-    kept = [name for name in table[0] if name not in ("sigma_shape", "damping", "sigma_damping")]
-    writer = csv.DictWriter(out, kept, extrasaction="ignore", lineterminator="\n")
+    writer = csv.DictWriter(out, list(kept[0]) if kept else [], lineterminator="\n")
     writer.writeheader()
-    for cells, row in zip(table, rows.rows, strict=True):
-        if row.mode >= 0:
-            writer.writerow({**cells, "frequency": f"{row.nominal:.12g}"})
-    exact = "\n".join([*lines[:begin], out.getvalue()])
+    writer.writerows(kept)
+    return "\n".join([*lines[:begin], out.getvalue()])
+
+
+def _calibrated(_: int, row: dict[str, str]) -> dict[str, str]:
+    stated = row.get("sigma_shape")
+    return {**row, "sigma_shape": f"{np.hypot(float(stated), CALIBRATION):.6g}"} if stated else row
+
+
+def _signal(robot: Robot, text: str, rows: Judged, diagnosis: Diagnosis) -> float:
+    """Return the signal of the cause: rows at their true frequencies, with their standard deviations."""
+
+    def exact(i: int, row: dict[str, str]) -> dict[str, str] | None:
+        # Shapes serve only to pair the modes: the signal is computed from the frequencies.
+        kept = {name: cell for name, cell in row.items() if name not in LEFT_OUT}
+        one = rows.rows[i]
+        return {**kept, "frequency": f"{one.nominal:.12g}"} if one.mode >= 0 else None
+
     try:
-        data = measurements_of(exact, robot)
+        data = measurements_of(_rewritten(text, exact), robot)
         fitted, _ = split(data, diagnosis.held_out_poses)
         structure = MeasuredRobot.of(robot, data).structure(candidates=()).subset(fitted)
         fitter = Fitter(structure, data.at(fitted), scatter=NO_WEIGHT)

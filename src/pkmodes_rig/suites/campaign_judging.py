@@ -2,8 +2,7 @@
 
 A mode counts if it lies in the band; if its peak alone stands 10 dB above the noise of one file at the best
 sensor; and if its neighbours cannot imitate it: what is left of it after the best fit by the modes beside it
-(of any shape and participation, their poles free to first order, and a constant residual) still stands 10 dB
-above that noise.
+(of any shape and participation, their poles free to first order) still stands 10 dB above that noise.
 """
 
 from __future__ import annotations
@@ -196,10 +195,7 @@ def counting(machine: SmallMotion, recorded: Recorded, test: ModalTest) -> list[
         for j in np.flatnonzero(np.abs(truth.natural / natural - 1.0) < 2.0 * AROUND):
             if j != i:
                 columns += _tangents(rows[:, j], into[:, j], lines[j], weight)
-        for a in range(len(rows)):
-            for b in range(len(into)):
-                columns.append(_one(a, b, len(rows), len(into), weight[b]))
-        basis = np.array(columns).T
+        basis = np.array(columns).reshape(len(columns), alone.size).T
         # Columns of very different size would hide small ones in the rank of the fit.
         basis = basis / np.linalg.norm(basis, axis=0)
         left = alone.ravel() - basis @ np.linalg.lstsq(basis, alone.ravel(), rcond=1e-10)[0]
@@ -223,10 +219,3 @@ def _tangents(row: np.ndarray, into: np.ndarray, line: np.ndarray, weight: np.nd
         found.append(np.einsum("s,r,f,rf->fsr", row, np.eye(exciters)[b], line, weight).ravel())
     found.append(np.einsum("s,r,f,rf->fsr", row, into, line**2, weight).ravel())
     return [column for column in found if np.any(column)]
-
-
-def _one(a: int, b: int, sensors: int, exciters: int, weight: np.ndarray) -> np.ndarray:
-    """Return the column of a constant in one function."""
-    column = np.zeros((len(weight), sensors, exciters), dtype=complex)
-    column[:, a, b] = weight
-    return column.ravel()

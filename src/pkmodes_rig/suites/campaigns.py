@@ -14,9 +14,10 @@ import time
 import traceback
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
-from pkmodes_rig.suites.campaign_cases import CampaignOutcome, run
+from pkmodes_rig.suites.campaign_cases import CALIBRATION, CampaignOutcome, run
 from pkmodes_rig.suites.campaign_machines import CampaignCase, cases
 from pkmodes_rig.suites.campaign_table import DETAILS, SIGNAL, details, rows_of, table
 from pkmodes_rig.suites.running import JOBS, processes, publish
@@ -61,6 +62,9 @@ Seed {seed}. The suite was tried out with the seeds {seen}; nothing in it was ch
 
 ## What was asked, and what came out
 """
+CALIBRATED = """\
+The same rows with {share:.0%} added to every `sigma_shape` in quadrature, which is what a laboratory knows of the
+sensitivity and mounting of its sensors, and no signal shows:"""
 MEANING = """\
 * A mode counts if it is in the band, its peak is 10 dB above the noise of one file at the best sensor, and its
   neighbours cannot imitate it: what the best fit by the modes beside it leaves of it is 10 dB above that noise
@@ -111,7 +115,7 @@ def _one(case: CampaignCase) -> CampaignOutcome:
 
 
 def _said(o: CampaignOutcome) -> None:
-    what = f"{o.case.label} ({_cause(o)}), {o.signal:.3g}: {o.state} {in_words(o)}"
+    what = f"{o.case.label} ({_cause(o)}), {o.signal:.3g}: {o.state} ({o.calibrated}) {in_words(o)}"
     print(f"{what} [{o.identifying:.1f} s, {o.diagnosing:.1f} s] {o.reason}", file=sys.stderr, flush=True)
 
 
@@ -146,6 +150,12 @@ def page(outcomes: Sequence[CampaignOutcome], seconds: float, jobs: int) -> list
         *confusion(grouped(outcomes, _group), "machines"),
         "",
         *confusion(grouped(outcomes, lambda o: o.case.kind), "records"),
+        "",
+        *CALIBRATED.format(share=CALIBRATION).splitlines(),
+        "",
+        *confusion(
+            grouped([replace(o, state=o.calibrated or o.state) for o in outcomes], _group), "machines"
+        ),
         "",
         "## Causes that were not named",
         "",
