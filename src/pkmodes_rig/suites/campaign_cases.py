@@ -113,8 +113,11 @@ def run(case: CampaignCase, keep: Path | None = None) -> CampaignOutcome:
 
 
 def _rewritten(text: str, change: Callable[[int, dict[str, str]], dict[str, str] | None]) -> str:
-    """Return a measurement file with changed rows, given by their numbers and cells; None leaves a row out."""
-    lines = text.splitlines()
+    """Return a measurement file with changed rows, given by their numbers and cells; None leaves a row out.
+
+    The band is left out: a true frequency may lie outside it where the measured one does not.
+    """
+    lines = [line for line in text.splitlines() if not line.startswith("# band")]
     begin = next(i for i, line in enumerate(lines) if not line.startswith("#"))
     rows = [change(i, row) for i, row in enumerate(csv.DictReader(lines[begin:]))]
     kept = [row for row in rows if row is not None]
