@@ -26,7 +26,7 @@ demo: $(VENV)/.demo  ## the whole loop, from the robot file and signals to corre
 	    --report build/diagnosis.html
 	$(BIN)/python -m pkmodes generate $(CORRECTED).toml --out $(CORRECTED)
 	$(BIN)/python -m pkmodes diagnose $(CORRECTED).toml $(LOOP)/measured.csv
-	$(BIN)/python -m pkmodes identify $(CAMPAIGN)/campaign.toml --out build/modes.csv
+	$(BIN)/python -m pkmodes identify $(CAMPAIGN)/campaign.toml --out build/modes.csv --report build/identification.html
 	$(BIN)/python -m pkmodes diagnose $(CAMPAIGN)/robot.toml build/modes.csv --save-robot build/corrected.toml
 	$(BIN)/python -m pkmodes diagnose build/corrected.toml build/modes.csv
 	$(BIN)/python -m pkmodes map $(IDENTIFIED) --grid $(PLANE) --out build/map.nc --overwrite --report build/map.html
@@ -34,10 +34,11 @@ demo: $(VENV)/.demo  ## the whole loop, from the robot file and signals to corre
 	$(BIN)/python -m pkmodes show $(IDENTIFIED) --pose=$(POSE) --mode 2 --out build/mode.gif
 	@echo
 	@echo "open these pages in a browser:"
-	@echo "  build/diagnosis.html   the diagnosis of the workshop's machine, to hand on"
-	@echo "  build/map.html         where the paper's machine rings"
-	@echo "  build/robot.html       that machine, moving in its modes"
-	@echo "  build/mode.gif         its second mode, as in the README"
+	@echo "  build/diagnosis.html        the diagnosis of the workshop's machine, to hand on"
+	@echo "  build/identification.html   from signals to modes: the fits to the taps of another machine"
+	@echo "  build/map.html              where the paper's machine rings"
+	@echo "  build/robot.html            that machine, moving in its modes"
+	@echo "  build/mode.gif              its second mode, as in the README"
 
 test: $(VENV)/.dev  ## all tests, including the slow ones
 	$(BIN)/python -m pytest -n auto --dist worksteal --durations=15

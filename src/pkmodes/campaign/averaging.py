@@ -17,6 +17,8 @@ from numpy.typing import NDArray
 from scipy.stats import t as student
 
 from pkmodes.campaign.found import Found
+from pkmodes.campaign.levels import between_files, widest
+from pkmodes.identification.level_regression import LevelShift
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -44,6 +46,8 @@ class Mean:
         In which it was found.
     variance : float
         Of the mean of ln f by the scatter, without bias: `scatter` is larger, since few repeats know it badly.
+    between : LevelShift or None
+        How the frequency changes with the level of the files.
     """
 
     mode: Found
@@ -52,6 +56,7 @@ class Mean:
     shape_scatter: float
     files: tuple[int, ...]
     variance: float = np.nan
+    between: LevelShift | None = None
 
 
 def averaged(groups: Sequence[dict[int, Found]]) -> list[Mean]:
@@ -69,6 +74,7 @@ def averaged(groups: Sequence[dict[int, Found]]) -> list[Mean]:
     ]
     counts = [len(group) for group in groups]
     of_shapes = _scatter([_mean_square(left) for left in shapes], counts)
+    between = between_files(groups)
     return [
         Mean(
             _of(list(group.values()), means[i][0]),
@@ -77,6 +83,7 @@ def averaged(groups: Sequence[dict[int, Found]]) -> list[Mean]:
             of_shapes[i][0],
             tuple(sorted(group)),
             scatters[0][i][1],
+            between[i],
         )
         for i, group in enumerate(groups)
     ]
@@ -99,7 +106,8 @@ def _of(modes: list[Found], shape: dict[str, complex]) -> Found:
         together([mode.sigma_damping for mode in modes]),
         together([mode.sigma_shape for mode in modes]),
         min(found, key=lambda one: one[0] / one[1]) if len(found) == len(modes) else None,
-        max(mode.resolution for mode in modes),
+        resolution=max(mode.resolution for mode in modes),
+        shift=widest([mode.shift for mode in modes]),
     )
 
 
@@ -134,7 +142,7 @@ def mean_shape(shapes: Sequence[Mapping[str, complex]]) -> tuple[dict[str, compl
     """Return the mean of shapes of any scale, relative to its largest component, and what is left of each.
 
     Each shape is scaled to fit the mean; the mean is their strongest singular vector.  A component that some shapes
-    lack is the mean of the others'.
+    lack is the mean of the others'; one that nothing links with the others is left out.
     """
     names = list(dict.fromkeys(name for shape in shapes for name in shape))
     if not names:
@@ -145,14 +153,19 @@ def mean_shape(shapes: Sequence[Mapping[str, complex]]) -> tuple[dict[str, compl
     mean = start / np.abs(start).max()
     for _ in range(20):
         scaled = np.array([row * _scale(row, mean) for row in table])
-        mean = np.nanmean(scaled, axis=0)
+        count = np.isfinite(scaled).sum(axis=0)
+        mean = np.where(count > 0, np.nansum(scaled, axis=0) / np.maximum(count, 1), np.nan)
         mean = mean / mean[np.nanargmax(np.abs(mean))]
-    return dict(zip(names, mean.tolist(), strict=True)), scaled - mean
+    known = np.isfinite(mean)
+    shape = {name: complex(mean[i]) for i, name in enumerate(names) if known[i]}
+    return shape, (scaled - mean)[:, known]
 
 
 def _scale(row: Complex, mean: Complex) -> complex:
+    """Return the factor that makes a shape most like the mean, NaN if they have no component in common."""
     known = np.isfinite(row) & np.isfinite(mean)
-    return complex(np.vdot(row[known], mean[known]) / np.vdot(row[known], row[known]).real)
+    size = float(np.vdot(row[known], row[known]).real)
+    return complex(np.vdot(row[known], mean[known]) / size) if size > 0.0 else complex(np.nan)
 
 
 def _mean_square(left: Complex) -> float:

@@ -12,6 +12,7 @@ from pkmodes.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.campaign.description import CampaignTable, EditTable, RecordTable, read_description
 from pkmodes.campaign.quantities import band_of, frequency, quantity, share, uncertain
 from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, sensors_of, unsigned
+from pkmodes.identification.asked import Asked
 from pkmodes.model.loading import load
 from pkmodes.model.model import Model
 from pkmodes.updating.load_cases import settable
@@ -111,6 +112,13 @@ class Campaign:
     def unsigned_forces_in(self, setup: str) -> set[str]:
         """Return the names of the forces that hold in a setup, without their signs."""
         return set(map(unsigned, self.forces_in(setup)))
+
+    def asked(self, record: Record) -> Asked:
+        """Return what the user asks of the modes of a record."""
+        own = [edit for edit in self.edits if edit.pose == record.pose]
+        return Asked(
+            tuple(f for edit in own for f in edit.strike), tuple(f for edit in own for f in edit.add)
+        )
 
     @property
     def places(self) -> dict[str, Place]:

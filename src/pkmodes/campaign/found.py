@@ -9,6 +9,7 @@ import numpy as np
 
 from pkmodes.base.errors import MeasurementError
 from pkmodes.identification.estimates import alike
+from pkmodes.identification.level_regression import LevelShift
 from pkmodes.robot.units import LARGEST, SMALLEST
 
 
@@ -33,6 +34,10 @@ class Found:
         In how many model orders, of how many.
     resolution : float
         Distance within which the file tells no two modes apart [Hz].
+    level : float
+        Of its vibration in the file; NaN where unknown.
+    shift : LevelShift or None
+        How the frequency changes with the level within the file; over several files, the largest change.
     """
 
     frequency: float
@@ -43,6 +48,8 @@ class Found:
     sigma_shape: float = np.nan
     found_in: tuple[int, int] | None = None
     resolution: float = 0.0
+    level: float = np.nan
+    shift: LevelShift | None = None
 
 
 def mac(one: Mapping[str, complex], other: Mapping[str, complex]) -> float:

@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 
 from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.file_modes import FileModes
+from pkmodes.campaign.file_modes import FileModes, Fit
 from pkmodes.campaign.motion import Motion
 from pkmodes.campaign.sensor_functions import (
     ACCELERATION,
     SensorFunctions,
+    added_of,
     check_size,
     dead_channels,
     found_of,
@@ -46,6 +47,8 @@ class Responses:
         Of the S places in the shape.
     dead : tuple of str
         Sensors that show nothing.
+    references : tuple of str
+        Names of the R.
     """
 
     frequencies: Array
@@ -53,6 +56,7 @@ class Responses:
     coherence: Array | None
     names: tuple[str, ...]
     dead: tuple[str, ...]
+    references: tuple[str, ...]
 
 
 def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
@@ -85,13 +89,18 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
             averages=record.averages,
             exponential=record.exponential,
             tones=campaign.tones,
+            asked=campaign.asked(record),
         )
+    inside = slice(*np.searchsorted(given.frequencies, estimate.frequencies[[0, -1]]) + np.array([0, 1]))
+    coherence = None if given.coherence is None else given.coherence[inside]
     return FileModes(
         tuple(found_of(mode, given.names) for mode in estimate.modes),
         (*read.messages, *dead_channels(given.dead, read.source)),
         frozenset(
             {one.response for one in functions.used} | {unsigned(one.reference) for one in functions.used}
         ),
+        added_of(estimate.added, given.names),
+        Fit(estimate, given.names, given.references, coherence),
     )
 
 
@@ -132,8 +141,8 @@ def responses_of(
         kept = [columns.index(name) for name in acting]
         turned = values[:, :, kept].transpose(0, 2, 1)
         of = None if coherence is None else coherence[:, :, kept].transpose(0, 2, 1)
-        return Responses(f, turned, of, tuple(force.name for force in acting.values()), dead)
-    return Responses(f, values, coherence, tuple(rows), dead)
+        return Responses(f, turned, of, tuple(force.name for force in acting.values()), dead, tuple(rows))
+    return Responses(f, values, coherence, tuple(rows), dead, tuple(columns))
 
 
 def _to_acceleration(found: Motion, f: Array) -> Complex:

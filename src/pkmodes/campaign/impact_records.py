@@ -8,8 +8,9 @@ import numpy as np
 
 from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.file_modes import FileModes
-from pkmodes.campaign.sensor_functions import ACCELERATION, found_of, in_file
+from pkmodes.campaign.file_modes import FileModes, Fit
+from pkmodes.campaign.levels import with_levels
+from pkmodes.campaign.sensor_functions import ACCELERATION, added_of, found_of, in_file
 from pkmodes.campaign.time_records import time_signals
 from pkmodes.identification.frf_estimates import impact_estimate
 from pkmodes.identification.frf_identification import identify_frf
@@ -61,12 +62,23 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
             averages=functions.averages,
             exponential=record.exponential,
             tones=campaign.tones,
+            asked=campaign.asked(record),
         )
+    f = functions.frequencies
+    inside = slice(*np.searchsorted(f, estimate.frequencies[[0, -1]]) + np.array([0, 1]))
+    coherence = None if functions.coherence is None else functions.coherence[inside]
     return FileModes(
-        tuple(found_of(mode, given.names) for mode in estimate.modes),
+        with_levels(
+            [found_of(mode, given.names) for mode in estimate.modes],
+            estimate.modes,
+            given,
+            record.exponential,
+        ),
         (
             *given.messages,
             *(f"{given.source}: {message}" for message in functions.messages),
         ),
         frozenset(given.names) | campaign.unsigned_forces_in(setup),
+        added_of(estimate.added, given.names),
+        Fit(estimate, given.names, ("force",), coherence),
     )

@@ -12,6 +12,7 @@ import numpy as np
 
 from pkmodes.campaign.averaging import Mean, mean_shape
 from pkmodes.campaign.grouping import grouped
+from pkmodes.campaign.levels import widest
 
 
 def joined(setups: Mapping[str, Sequence[Mean]]) -> tuple[list[Mean], list[str]]:
@@ -69,10 +70,18 @@ def _together(members: Sequence[Mean]) -> tuple[Mean, bool]:
         found_in=min(
             (mode.found_in for mode in modes if mode.found_in), key=lambda one: one[0] / one[1], default=None
         ),
+        shift=widest([mode.shift for mode in modes]),
     )
     files = tuple(sorted(i for one in members for i in one.files))
     relative = damping_scatter / damping if damping > 0.0 else np.nan
-    joint = Mean(mode, scatter / frequency, relative, max(largest, default=np.nan), files)
+    joint = Mean(
+        mode,
+        scatter / frequency,
+        relative,
+        max(largest, default=np.nan),
+        files,
+        between=widest([one.between for one in members]),
+    )
     return joint, len(linked) < len(shapes)
 
 

@@ -28,10 +28,13 @@ class Kind:
         The modes of a file of a setup, their shapes by sensor or, if `by_channel`, by channel.  Raises
         `MeasurementError` for a faulty file.
     by_channel : bool
+    signals : bool
+        Whether its files have signals, to which a mode can be fitted.
     """
 
     find: Callable[[Path, Record, str, Campaign], FileModes]
     by_channel: bool = False
+    signals: bool = True
 
 
 KINDS = {
@@ -39,5 +42,5 @@ KINDS = {
     "impact": Kind(impact_modes),
     "ambient": Kind(ambient_modes),
     "spectrum": Kind(spectrum_modes),
-    "modes": Kind(identified_modes, by_channel=True),
+    "modes": Kind(identified_modes, by_channel=True, signals=False),
 }

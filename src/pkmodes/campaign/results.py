@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from pkmodes.campaign.campaign import Record
+from pkmodes.campaign.inspection import Inspection, Repeats
 from pkmodes.measured.measurements import Measurements
 
 
@@ -57,6 +58,8 @@ class IdentifiedMode:
         In how many files it was found.
     edited : str or None
         "added" if the user asked for it.
+    complex_shape : mapping of str to complex
+        The shape before its imaginary part was left out.
     """
 
     frequency: float
@@ -69,6 +72,7 @@ class IdentifiedMode:
     found_in: tuple[int, int] | None
     files: int
     edited: str | None = None
+    complex_shape: Mapping[str, complex] = field(default_factory=dict)
 
     @property
     def sigma(self) -> float:
@@ -94,6 +98,10 @@ class RecordResult:
         Frequencies of the modes that the user struck out [Hz].
     messages : tuple of str
         What the user should know.
+    inspections : tuple of Inspection
+        Of the first file of each setup, if they were asked for.
+    repeats : tuple of Repeats
+        Of each setup.
     """
 
     record: Record
@@ -101,6 +109,8 @@ class RecordResult:
     struck: tuple[float, ...]
     left_out: tuple[LeftOut, ...]
     messages: tuple[str, ...]
+    inspections: tuple[Inspection, ...] = ()
+    repeats: tuple[Repeats, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

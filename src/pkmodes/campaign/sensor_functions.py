@@ -139,6 +139,11 @@ def found_of(mode: Mode, names: Sequence[str]) -> Found:
     )
 
 
+def added_of(added: Sequence[Mode | str], names: Sequence[str]) -> tuple[Found | str, ...]:
+    """Return the modes that the user adds, or why there are none, with shapes by name."""
+    return tuple(one if isinstance(one, str) else found_of(one, names) for one in added)
+
+
 @contextmanager
 def in_file(source: str) -> Iterator[None]:
     """Name the file in the errors of an identification."""

@@ -45,9 +45,9 @@ def by_channel(shape: Mapping[str, complex], places: Mapping[str, Place]) -> dic
     }
 
 
-def real_shape(shape: Mapping[str, complex]) -> dict[str, float]:
-    """Return a shape turned as real as possible, its real part relative to its largest component."""
+def turned_shape(shape: Mapping[str, complex]) -> dict[str, complex]:
+    """Return a shape turned as real as possible, relative to its largest component: its real part is what counts."""
     if not shape:
         return {}
     turned = turned_real(np.array(list(shape.values())))
-    return dict(zip(shape, turned.real.tolist(), strict=True))
+    return dict(zip(shape, turned.tolist(), strict=True))

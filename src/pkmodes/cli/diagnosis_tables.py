@@ -43,6 +43,7 @@ def show(robot: Robot, result: Diagnosis) -> None:
         terminal.line(f"remains: {' or '.join(group)}", "  ")
     terminal.line()
     _errors(terminal, result)
+    _damping(terminal, result)
     _counts(terminal, robot, result)
     if result.refitted:
         terminal.line()
@@ -89,6 +90,20 @@ def _row(error: Error, held: bool) -> tuple[str, ...]:
 
 def _percent(relative: float | None) -> str:
     return "" if relative is None else f"{100.0 * relative:.3f}"
+
+
+def _damping(terminal: Terminal, result: Diagnosis) -> None:
+    """Print how far the damping ratios of the model are from the measured ones."""
+    found = result.damping
+    if found is None or not found.fitted:
+        return
+    factors = {"as declared": found.before, "as diagnosed": found.after, "held out": found.held_out}
+    parts = [f"{factor:.3g} {name}" for name, factor in factors.items() if factor is not None]
+    if found.before is None:
+        parts.insert(0, "nothing dissipates as declared")
+    count = f"{found.fitted} ratio{'' if found.fitted == 1 else 's'} fitted"
+    terminal.line()
+    terminal.line(f"damping, {count}; rms factor between model and measurement: {', '.join(parts)}")
 
 
 def _counts(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:

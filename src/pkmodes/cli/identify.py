@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import click
 import numpy as np
@@ -11,12 +11,17 @@ from msgspec import Meta
 
 from pkmodes.base.documents import Count, Document, Probability, Size
 from pkmodes.cli.delivery import ResultFile, deliver
-from pkmodes.cli.options import json_option, mechanism_option
+from pkmodes.cli.options import json_option, mechanism_option, report_option
 from pkmodes.cli.printing import echo
-from pkmodes.cli.targets import Target, check_targets
+from pkmodes.cli.reporting import report_file, sources_of
+from pkmodes.cli.targets import Target, check_targets, report_target
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from pkmodes.campaign.campaign import Campaign
     from pkmodes.campaign.results import Identification, IdentifiedMode, LeftOut, RecordResult
+    from pkmodes.report.sources import Source
 
 
 class PartsDocument(Document):
@@ -89,14 +94,18 @@ class IdentifyDocument(Document):
     "--keep-going", is_flag=True, help="Leave faulty files out, and a record if none of its files remains."
 )
 @mechanism_option
+@report_option
 @json_option
-def identify(campaign: Path, out: Path, keep_going: bool, json_file: str | None) -> None:
+def identify(
+    campaign: Path, out: Path, keep_going: bool, report_to: Path | None, json_file: str | None
+) -> None:
     """Identify modes from measured signals, or join those that another program has identified.
 
     The campaign file says what was measured where, and with which sensors.  The result has a standard deviation for
     every frequency, damping ratio and shape.
     """
-    check_targets(json_file, [campaign], Target("--out", out, "the modes", (".csv",)))
+    targets = Target("--out", out, "the modes", (".csv",)), report_target(report_to)
+    check_targets(json_file, [campaign], *targets)
     from pkmodes.base.writing import write_file
     from pkmodes.campaign.campaign import read_campaign
     from pkmodes.campaign.identify import identify as identified
@@ -104,16 +113,26 @@ def identify(campaign: Path, out: Path, keep_going: bool, json_file: str | None)
 
     declared = read_campaign(campaign)
     inputs = [file for record in declared.records for files in record.setups.values() for file in files]
-    if declared.model is not None:
-        inputs.append(Path(declared.model.robot.source))
-    check_targets(json_file, [campaign, *inputs], Target("--out", out, "the modes", (".csv",)))
-    found = identified(declared, keep_going=keep_going)
+    robot = None if declared.model is None else Path(declared.model.robot.source)
+    check_targets(json_file, [campaign, *inputs, *([robot] if robot else [])], *targets)
+    sources = sources_of(report_to, {"campaign file": campaign, **({"robot file": robot} if robot else {})})
+    found = identified(declared, keep_going=keep_going, inspect=report_to is not None)
     for message in _said(found):
         echo(message, err=True)
+    content = _document(found).as_json()
     text = as_csv(found.measurements, [f"modes identified by pkmodes identify from {campaign.name}"])
     rows = len(found.measurements.frequency)
     file = ResultFile(out, lambda path: write_file(path, text), lambda path: (f"wrote {path}: {rows} modes",))
-    deliver(json_file, _document(found).as_json(), lambda: _print(found), file)
+    report = report_file(report_to, lambda: _page(found, declared, content, sources))
+    deliver(json_file, content, lambda: _print(found), file, report)
+
+
+def _page(
+    found: Identification, declared: Campaign, content: dict[str, Any], sources: Sequence[Source]
+) -> str:
+    from pkmodes.report.identification import identification_report
+
+    return identification_report(found, declared, content, sources)
 
 
 def _said(found: Identification) -> list[str]:

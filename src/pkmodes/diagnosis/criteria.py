@@ -163,6 +163,27 @@ class Criteria:
     #: and its mass and position have errors too.
     worth_loading: float = 1.5
 
+    # Damping ---------------------------------------------------------------------------------------------------
+
+    #: Least relative error of a damping ratio: halves of one modal test differ by 10 to 50 % in damping, whatever
+    #: sigma a file states.  It also covers what light damping neglects.
+    damping_floor: float = 0.1
+    #: A ratio is resolved if it is above this many standard deviations: below, its logarithm has no normal error.
+    damping_resolved: float = 3.0
+    #: A prediction of no damping counts as this part of the measured ratio, whose logarithm is a clear contradiction.
+    damping_least: float = 0.01
+    #: Ratios whose median is above this are no light damping, and more likely per cent.
+    damping_most: float = 0.3
+    #: Ratios that scatter about one value by no more than this beyond their stated errors, as those of repeated tests
+    #: often do, contradict no model that declares no damping.
+    damping_scatter: float = 0.25
+    #: A claim needs data that reject laws outside the candidates: ratios that differ from mode to mode by a factor of
+    #: two (the standard deviation of their logarithm); a larger part of them may not look like a candidate.
+    damping_spread: float = 0.7
+    damping_specific: float = 0.05
+    #: One row may be set aside if it is farther than this many standard deviations from what the others say.
+    damping_outlier: float = 4.0
+
     # Notes -------------------------------------------------------------------------------------------------------
 
     #: Nuisances farther than this from their declared values are reported, in standard deviations.

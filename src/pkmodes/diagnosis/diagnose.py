@@ -5,6 +5,7 @@
 3. `search` tests in the gate whether the residual is noise, and if not, looks for a cause or pair that explains it.
 4. `verdict` judges the result of the search: measurement mistakes, rivals, classes, errors instead of causes, shapes,
    stability.
+5. `damping` asks, at the final model, which joint dissipates, where damping was measured.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ import numpy as np
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.arguments import checked
 from pkmodes.diagnosis.criteria import Criteria
+from pkmodes.diagnosis.damping.diagnose_damping import with_damping
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
@@ -85,6 +87,18 @@ def diagnose(
         If a label is unknown, no setup is left to fit, or the model cannot be evaluated as declared.
     """
     structure = checked(structure, data)
+    first = _of_frequencies(structure, data, holdout, progress, criteria)
+    return with_damping(structure, data, first, criteria)
+
+
+def _of_frequencies(
+    structure: Structure,
+    data: Measurements,
+    holdout: Sequence[str] | None,
+    progress: Progress | None,
+    criteria: Criteria | None,
+) -> Diagnosis:
+    """Return what frequencies and shapes say."""
     if progress is not None and (remark := slowness(structure)):
         progress(remark)
     fitted, held = split(data, holdout)

@@ -254,6 +254,54 @@ class Driven(Protocol):
         """Return the structure with the motors free instead of held, or held instead of free, in some setups."""
 
 
+@dataclass(frozen=True)
+class Loss:
+    """Something that dissipates: damping ratios are linear in its parameter, and frequencies do not depend on it.
+
+    Parameters
+    ----------
+    parameter : Parameter
+        Its value as declared, 0 if it is not.  With a sigma it is refitted within this prior.
+    candidate : str
+        Its name as a candidate; empty if it is not suspected.
+    sentence : str
+        Physical meaning, for reports.
+    declared : bool
+        Whether the structure declares it.
+    effect : bool
+        Whether it is a physical effect.  A ratio common to all modes is none: it names no joint.
+    claimable : bool
+        Whether it may be claimed by itself if the structure declares no loss at all.
+    """
+
+    parameter: Parameter
+    candidate: str = ""
+    sentence: str = ""
+    declared: bool = False
+    effect: bool = True
+    claimable: bool = True
+
+
+@runtime_checkable
+class Damped(Protocol):
+    """A structure that knows what its modes dissipate."""
+
+    @property
+    def losses(self) -> Sequence[Loss]:
+        """Everything that dissipates, or is suspected to; empty if damping is not to be diagnosed."""
+
+    def damping_rates(self, values: Array) -> Array:
+        """Return the damping ratio of each elastic mode per unit of each loss, (S, m, losses), for light damping.
+
+        The modes are those of `Structure.predict`, without the rigid ones; NaN where a setup has fewer.
+
+        Parameters
+        ----------
+        values : ndarray
+            Of all parameters of the structure.
+        """
+
+
 def one_by_one(
     structure: Structure, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
 ) -> list[Batch]:

@@ -91,6 +91,10 @@ class Estimate:
         Of the lines inside the band [Hz].
     measured, synthesised : ndarray of complex128, shape (F, S, R)
         NaN where not measured.
+    added : tuple of Mode or str
+        For each frequency from which the user asked for a mode: the mode, or why there is none.
+    tones : tuple of float
+        Lines without bandwidth that were found [Hz].
     """
 
     modes: tuple[Mode, ...]
@@ -98,6 +102,8 @@ class Estimate:
     frequencies: Array
     measured: Complex
     synthesised: Complex
+    added: tuple[Mode | str, ...] = ()
+    tones: tuple[float, ...] = ()
 
 
 def alike(one: Complex, other: Complex) -> float:

@@ -12,13 +12,15 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.identification.asked import NOTHING, Asked
 from pkmodes.identification.clusters import candidates, usable_poles
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
+from pkmodes.identification.frf_added import with_added
 from pkmodes.identification.frf_covariance import Uncertainty, common_sigma, component_sigmas, determined
 from pkmodes.identification.frf_estimates import without_window
 from pkmodes.identification.frf_lines import at_tones, line_weights, used_lines
 from pkmodes.identification.frf_refinement import Lines, Modes, refined, significant
-from pkmodes.identification.frf_search import hidden
+from pkmodes.identification.frf_search import hidden, joined
 from pkmodes.identification.lscf import OrderPoles, lscf
 from pkmodes.identification.residues import lsfd, with_residual_terms
 
@@ -34,6 +36,8 @@ MOST_SEARCHES = 4
 MARGIN = 0.04
 #: A resonance near a tone has a half bandwidth of at least this part of the line spacing; a tone has none.
 RESONANCE = 0.3
+#: Why a mode is not added that is none after the fit.
+OUTSIDE = "its fit leaves the band, has no positive damping, or is a line without bandwidth"
 #: Half bandwidth, in line spacings, of a single line that stands out: no resonance that the lines resolve.
 NO_BANDWIDTH = 0.1
 
@@ -48,6 +52,7 @@ def identify_frf(
     averages: int | None = None,
     exponential: float | None = None,
     tones: Sequence[float] = (),
+    asked: Asked = NOTHING,
 ) -> Estimate:
     """Identify the modes in a band.
 
@@ -68,6 +73,8 @@ def identify_frf(
         Time constant of an exponential window of the responses [s].
     tones : sequence of float
         Lines at these frequencies and their multiples are no modes [Hz].
+    asked : Asked
+        Modes that the user adds.
 
     Raises
     ------
@@ -84,14 +91,24 @@ def identify_frf(
     low, high = band[0] - margin, band[1] + margin
     start = _candidates(by_order, data, low, high)
     modes, bounds = _with_hidden(data, *refined(data, start, low, high), low, high, power)
-    kept = _in_band(modes, data, band, exponential, tones)
-    found = _reported(modes, bounds, kept, scale, exponential, by_order)
+    found = with_added(data, modes, bounds, asked)
+    kept = _in_band(found.modes, data, band, exponential, tones)
+    added = [i if isinstance(i, str) else OUTSIDE if not kept[i] else i for i in found.added]
+    places = [i for i in found.added if isinstance(i, int)]
+    reported = np.setdiff1d(np.flatnonzero(kept), places)
+    before = np.flatnonzero(found.struck & _in_band(modes, data, band, exponential, tones))
+    each = [_mode(found.modes, found.bounds, int(m), scale, exponential, by_order) for m in reported]
+    each += [_mode(modes, bounds, int(m), scale, exponential, by_order) for m in before]
     return Estimate(
-        modes=found,
+        modes=tuple(sorted(each, key=lambda one: one.frequency)),
         stabilisation=_stabilisation(by_order, band),
         frequencies=f,
         measured=measured,
-        synthesised=_response(data, modes, power, f) * scale[:, None],
+        synthesised=_response(data, found.modes, power, f) * scale[:, None],
+        added=tuple(
+            i if isinstance(i, str) else _mode(found.modes, found.bounds, i, scale, exponential, by_order)
+            for i in added
+        ),
     )
 
 
@@ -135,7 +152,7 @@ def _with_hidden(
         )
         if not len(poles):
             break
-        more, more_bounds = refined(data, _joined(modes, poles, data.frequencies, left), low, high)
+        more, more_bounds = refined(data, joined(modes, poles, data.frequencies, left), low, high)
         if len(more.poles) <= len(modes.poles):
             break
         modes, bounds = more, more_bounds
@@ -151,19 +168,6 @@ def _response(data: Lines, modes: Modes, power: int, frequencies: Array) -> Comp
     return full.response(frequencies)
 
 
-def _joined(modes: Modes, poles: Complex, frequencies: Array, left: Complex) -> Modes:
-    """Return modes with further poles, whose shapes and participations are those of what is left there."""
-    left = np.nan_to_num(left)
-    nearest = np.abs(frequencies - poles.imag[:, None] / (2.0 * math.pi)).argmin(axis=1)
-    peaks = left[nearest] * -poles.real[:, None, None]
-    parts = np.linalg.svd(peaks)[2][:, 0]
-    return Modes(
-        np.concatenate([modes.poles, poles]),
-        np.concatenate([modes.shapes, np.einsum("nsr,nr->ns", peaks, parts.conj())]),
-        np.concatenate([modes.participation, parts]),
-    )
-
-
 def _in_band(
     modes: Modes, data: Lines, band: tuple[float, float], exponential: float | None, tones: Sequence[float]
 ) -> NDArray[np.bool_]:
@@ -176,31 +180,27 @@ def _in_band(
     return np.asarray((frequency >= band[0]) & (frequency <= band[1]) & (poles.real < 0.0) & ~tone & ~line)
 
 
-def _reported(
+def _mode(
     modes: Modes,
     bounds: Uncertainty,
-    kept: NDArray[np.bool_],
+    m: int,
     scale: Array,
     exponential: float | None,
     by_order: list[OrderPoles],
-) -> tuple[Mode, ...]:
-    found = []
-    for m in np.flatnonzero(kept):
-        pole = complex(without_window(modes.poles[m], exponential))
-        known = determined(modes.shapes[m] * scale, scale[:, None] * bounds.shapes[m] * scale)
-        shape = np.where(known, modes.shapes[m] * scale, complex(np.nan, np.nan))
-        spread = (scale[:, None] * bounds.shapes[m] * scale)[np.ix_(known, known)]
-        found.append(
-            Mode(
-                pole=pole,
-                shape=np.asarray(shape),
-                sigma_frequency=float(bounds.poles[m, 1]) / (2.0 * math.pi),
-                sigma_damping=float(bounds.poles[m, 0]) / abs(pole),
-                sigma_shape=common_sigma(component_sigmas(shape[known], spread)) if known.any() else math.nan,
-                found_in=(_orders_with(modes.poles[m], by_order), len(by_order)),
-            )
-        )
-    return tuple(sorted(found, key=lambda one: one.frequency))
+) -> Mode:
+    """Return one of the modes, in the units of the functions."""
+    pole = complex(without_window(modes.poles[m], exponential))
+    known = determined(modes.shapes[m] * scale, scale[:, None] * bounds.shapes[m] * scale)
+    shape = np.where(known, modes.shapes[m] * scale, complex(np.nan, np.nan))
+    spread = (scale[:, None] * bounds.shapes[m] * scale)[np.ix_(known, known)]
+    return Mode(
+        pole=pole,
+        shape=np.asarray(shape),
+        sigma_frequency=float(bounds.poles[m, 1]) / (2.0 * math.pi),
+        sigma_damping=float(bounds.poles[m, 0]) / abs(pole),
+        sigma_shape=common_sigma(component_sigmas(shape[known], spread)) if known.any() else math.nan,
+        found_in=(_orders_with(modes.poles[m], by_order), len(by_order)),
+    )
 
 
 def _orders_with(pole: complex, by_order: list[OrderPoles]) -> int:

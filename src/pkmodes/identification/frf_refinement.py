@@ -136,6 +136,17 @@ def refined(data: Lines, start: Modes, low: float, high: float) -> tuple[Modes, 
     return modes, _with_references(modes, _uncertainties(data, modes, fits), fits)
 
 
+def settled(data: Lines, start: Modes) -> tuple[Modes, Uncertainty]:
+    """Return modes fitted until they no longer change, none of them dropped, with what their fit leaves open."""
+    modes = start
+    for _ in range(MOST_SWEEPS):
+        before = modes
+        fits, modes = _sweep(data, modes)
+        if (np.abs(modes.poles - before.poles) < SETTLED * np.abs(modes.poles.real)).all():
+            break
+    return modes, _with_references(modes, _uncertainties(data, modes, fits), fits)
+
+
 def _with_references(modes: Modes, bounds: Uncertainty, fits: list[GroupFit]) -> Uncertainty:
     """Return uncertainties with the scatter between references, at modes that several of them see."""
     (N, R), size = modes.participation.shape, np.abs(modes.poles)
@@ -172,21 +183,28 @@ def _sweep(data: Lines, modes: Modes) -> tuple[list[GroupFit], Modes]:
     fits = []
     poles, shapes, parts = modes.poles.copy(), modes.shapes.copy(), modes.participation.copy()
     for members in groups(poles):
-        lines = lines_around(data.frequencies, poles[members])
-        others = np.setdiff1d(np.arange(len(poles)), members)
-        s = 2j * math.pi * data.frequencies[lines]
-        residues = shapes[:, :, None] * parts[:, None, :]
-        H = data.H[lines] - np.tensordot(1.0 / (s[:, None] - poles[others]), residues[others], 1)
-        H -= np.tensordot(1.0 / (s[:, None] - poles.conj()), residues.conj(), 1)
-        variance = data.variance[lines].mean(axis=0)
-        at = window(data.frequencies[lines], H, _inverse(variance), np.ones(len(lines)))
-        fit = polish(at, poles[members], parts[members])
-        weights = _inverse(_noise_of(at, fit, variance))
-        at = window(data.frequencies[lines], H, weights, _line_sigma(at, fit, weights, data.H[lines]))
-        fit = polish(at, fit.poles, fit.participation)
-        poles[members], shapes[members], parts[members] = fit.poles, fit.shapes, fit.participation
-        fits.append(GroupFit(members, at, data.place[lines], lines, fit))
+        one = group_fit(data, Modes(poles, shapes, parts), members)
+        poles[members], shapes[members] = one.fit.poles, one.fit.shapes
+        parts[members] = one.fit.participation
+        fits.append(one)
     return fits, Modes(poles, shapes, parts)
+
+
+def group_fit(data: Lines, modes: Modes, members: NDArray[np.int64]) -> GroupFit:
+    """Fit some of the modes to the lines around them, with the others subtracted."""
+    poles = modes.poles
+    lines = lines_around(data.frequencies, poles[members])
+    others = np.setdiff1d(np.arange(len(poles)), members)
+    s = 2j * math.pi * data.frequencies[lines]
+    residues = modes.shapes[:, :, None] * modes.participation[:, None, :]
+    H = data.H[lines] - np.tensordot(1.0 / (s[:, None] - poles[others]), residues[others], 1)
+    H -= np.tensordot(1.0 / (s[:, None] - poles.conj()), residues.conj(), 1)
+    variance = data.variance[lines].mean(axis=0)
+    at = window(data.frequencies[lines], H, _inverse(variance), np.ones(len(lines)))
+    fit = polish(at, poles[members], modes.participation[members])
+    weights = _inverse(_noise_of(at, fit, variance))
+    at = window(data.frequencies[lines], H, weights, _line_sigma(at, fit, weights, data.H[lines]))
+    return GroupFit(members, at, data.place[lines], lines, polish(at, fit.poles, fit.participation))
 
 
 def _line_sigma(at: Window, fit: Fit, weights: Array, H: Complex) -> Array:
@@ -261,9 +279,14 @@ def _copies(modes: Modes, strength: Array, fits: list[GroupFit]) -> NDArray[np.b
     drop = np.zeros(len(modes.poles), bool)
     for one in fits:
         for a, i in enumerate(one.members):
-            for b, k in enumerate(one.members[:a]):
-                width = abs(modes.poles[i].real) + abs(modes.poles[k].real)
-                same = alike(one.fit.shapes[a], one.fit.shapes[b]) > COPY_ALIKE
-                if same and abs(modes.poles[i] - modes.poles[k]) < COPY_NEAR * width:
+            for k in one.members[:a]:
+                if copies(modes, i, k):
                     drop[i if strength[i] < strength[k] else k] = True
     return drop
+
+
+def copies(modes: Modes, i: int, k: int) -> bool:
+    """Return whether two modes are so near and so much alike that they describe one."""
+    width = abs(modes.poles[i].real) + abs(modes.poles[k].real)
+    near = abs(modes.poles[i] - modes.poles[k]) < COPY_NEAR * width
+    return bool(near and alike(modes.shapes[i], modes.shapes[k]) > COPY_ALIKE)

@@ -16,6 +16,7 @@ from scipy.signal import fftconvolve
 
 from pkmodes.identification.clusters import HIGHEST_DAMPING
 from pkmodes.identification.frf_noise import MEDIAN, PARTS, correlated
+from pkmodes.identification.frf_refinement import Modes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -77,6 +78,19 @@ def hidden(
         reach = len(filters[row]) // 2
         energy[:, max(line - reach, 0) : line + reach + 1] = 0.0
     return np.array(poles, complex)
+
+
+def joined(modes: Modes, poles: Complex, frequencies: Array, left: Complex) -> Modes:
+    """Return modes with further poles, whose shapes and participations are those of what is left there."""
+    left = np.nan_to_num(left)
+    nearest = np.abs(frequencies - poles.imag[:, None] / (2.0 * math.pi)).argmin(axis=1)
+    peaks = left[nearest] * -poles.real[:, None, None]
+    parts = np.linalg.svd(peaks)[2][:, 0]
+    return Modes(
+        np.concatenate([modes.poles, poles]),
+        np.concatenate([modes.shapes, np.einsum("nsr,nr->ns", peaks, parts.conj())]),
+        np.concatenate([modes.participation, parts]),
+    )
 
 
 def _filter(half: float, lines: int) -> Complex:

@@ -9,10 +9,10 @@ the power of a mode of one degree of freedom over a flat background,
 is fitted to a few lines, one mode at a time.  The slow factor depends on what drives the machine: n = 4 for a force
 that is as strong at all frequencies, 2 for motors that sweep with an acceleration proportional to the frequency, as
 Klipper's, and 0 for a constant one.  A spectrum does not say; n = 2 is taken, and what the others would change is
-part of the standard deviation.  A spectrum from averages has relative errors, so that logarithms are fitted.  The standard
-deviation is at least 0.29 of the distance of the lines, that of a uniform error of a line: other modes, which the
-same force drives, shift a peak coherently, and there is no phase to tell.  The model is that of Brandt (Noise and
-Vibration Analysis, Wiley, 2011) for an accelerance.
+part of the standard deviation.  A spectrum from averages has relative errors, so that logarithms are fitted.  The
+standard deviation is at least 0.29 of the distance of the lines, that of a uniform error of a line: other modes,
+which the same force drives, shift a peak coherently, and there is no phase to tell.  The model is that of Brandt
+(Noise and Vibration Analysis, Wiley, 2011) for an accelerance.
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from pkmodes.base.errors import MeasurementError
+from pkmodes.identification.asked import NOTHING, REACH, Asked, replaced, within_reach
 from pkmodes.identification.clusters import HIGHEST_DAMPING
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
 
@@ -38,6 +39,8 @@ SLOPE, SLOPES = 2, (0, 4)
 SIDE = 4
 #: A peak exceeds the higher of the lowest points between it and higher power, on either side, by this factor.
 PROMINENT = 1.6
+#: A peak that the user asks for exceeds what it stands on by this part of it.
+DISTINCT = 0.25
 #: Power relative to the highest in the band below which nothing is a mode.
 LOWEST = 3e-3
 
@@ -52,7 +55,7 @@ class _Peak:
 
 
 def identify_spectrum(
-    frequencies: Array, power: Array, *, band: tuple[float, float]
+    frequencies: Array, power: Array, *, band: tuple[float, float], asked: Asked = NOTHING
 ) -> tuple[Estimate, tuple[str, ...]]:
     """Identify frequencies from power spectra.
 
@@ -64,6 +67,8 @@ def identify_spectrum(
         Power spectral densities of S responses, at any scale.
     band : tuple of float
         Where modes are wanted [Hz].
+    asked : Asked
+        Modes that the user adds: a maximum of any height near the frequency will do.
 
     Returns
     -------
@@ -89,12 +94,33 @@ def identify_spectrum(
     total = P.sum(axis=1)
     peaks = [_fitted(f, total, k) for k in _tops(total)]
     kept, said = _apart([peak for peak in peaks if peak is not None], float(np.median(np.diff(f))))
+    added = tuple(_added(f, total, wanted) for wanted in asked.add)
+    more = [peak for peak in added if isinstance(peak, _Peak)]
+    for peak in more:
+        before = replaced([one.frequency for one in kept], asked, peak.frequency)
+        if before is not None:
+            del kept[before]
     modes = tuple(_mode(peak, P.shape[1]) for peak in kept)
     stabilisation = Stabilisation(np.zeros(0, np.int64), ())
-    drawn = np.array([_shape(f, peak) - peak.floor for peak in kept]).reshape(len(kept), len(f)).sum(axis=0)
+    drawn = np.array([_shape(f, peak) - peak.floor for peak in (*kept, *more)])
+    drawn = drawn.reshape(len(kept) + len(more), len(f)).sum(axis=0)
     share = P / np.where(total > 0.0, total, 1.0)[:, None]
     synthesised = (drawn[:, None] * share)[:, :, None].astype(complex)
-    return Estimate(modes, stabilisation, f, P[:, :, None].astype(complex), synthesised), said
+    also = tuple(one if isinstance(one, str) else _mode(one, P.shape[1]) for one in added)
+    return Estimate(modes, stabilisation, f, P[:, :, None].astype(complex), synthesised, also), said
+
+
+def _added(f: Array, total: Array, wanted: float) -> _Peak | str:
+    """Return the peak that is fitted to the maximum nearest to a frequency, or why there is none."""
+    inner = np.arange(1, len(total) - 1)
+    tops = inner[(total[inner] > total[inner - 1]) & (total[inner] >= total[inner + 1])]
+    for k in sorted(tops, key=lambda k: abs(f[k] - wanted)):
+        if abs(f[k] - wanted) > REACH * wanted + 0.5 * (f[k + 1] - f[k - 1]):
+            break
+        peak = _fitted(f, total, int(k))
+        if peak is not None and within_reach(peak.frequency, wanted) and peak.height > DISTINCT * peak.floor:
+            return peak
+    return "the spectrum has no peak within 3 % of it"
 
 
 def _tops(total: Array) -> list[int]:

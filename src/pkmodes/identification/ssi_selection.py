@@ -76,7 +76,11 @@ def start(pole: complex, shape: Complex) -> Refined:
 
 
 def refined(
-    mode: Refined, others: Sequence[Refined], lines: Sequence[Lines], ends: tuple[float, float]
+    mode: Refined,
+    others: Sequence[Refined],
+    lines: Sequence[Lines],
+    ends: tuple[float, float],
+    least: float = SIGNIFICANT,
 ) -> Refined | None:
     """Return a mode refined beside others, None if no peak of its own is left.
 
@@ -88,6 +92,8 @@ def refined(
         Of pieces without padding.
     ends : tuple of float
         Of the lines that may be used [Hz].
+    least : float
+        Logarithm of the ratio of likelihoods that is needed.
     """
     seconds = max(1.0 / piece.step for piece in lines)
     half = max(HALF_WIDTHS * mode.rate / (2.0 * math.pi), LEAST_LINES / seconds)
@@ -102,7 +108,8 @@ def refined(
     near = [one.frequency for one in beside], [max(one.rate, 0.5 / seconds) for one in beside]
     alone = fit_peaks(powers, *near)
     fit = fit_peaks(powers, [mode.frequency, *near[0]], [max(mode.rate, 0.5 / seconds), *near[1]])
-    return _accepted(mode, fit, fit.likelihood - alone.likelihood, reach, seconds, (low, high))
+    gain = fit.likelihood - alone.likelihood
+    return _accepted(mode, fit, gain, reach, seconds, (low, high)) if gain >= least else None
 
 
 def _accepted(
@@ -115,7 +122,7 @@ def _accepted(
 ) -> Refined | None:
     f, rate = float(fit.frequencies[0]), float(fit.rates[0])
     inside = ends[0] < f < ends[1] and rate < HIGHEST_DAMPING * 2.0 * math.pi * f
-    if gain < SIGNIFICANT or rate * seconds < UNRESOLVED or not inside:
+    if rate * seconds < UNRESOLVED or not inside:
         return None
     # what became another peak than the candidate's has the wrong shape
     if abs(f - mode.frequency) > SHIFT * (rate + mode.rate) / (2.0 * math.pi) + 1.0 / seconds:

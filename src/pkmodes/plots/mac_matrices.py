@@ -49,7 +49,7 @@ def mac_matrices(evidence: Evidence) -> Figure | None:
         image: Any = None
         for row, (name, some) in zip(panels, chosen, strict=True):
             for axes, stage in zip(row, stages, strict=True):
-                image = _matrix(axes, matrix(evidence, stage, some))
+                image = draw_matrix(axes, matrix(evidence, stage, some))
             row[0].set_ylabel(f"{name}\nmeasured mode")
         for axes, stage in zip(panels[0], stages, strict=True):
             axes.set_title(f"Model {stage.title}")
@@ -72,7 +72,8 @@ def matrix(evidence: Evidence, stage: Stage, some: NDArray[np.bool_]) -> Array:
     return mean_mac
 
 
-def _matrix(axes: Axes, values: Array) -> Any:
+def draw_matrix(axes: Axes, values: Array) -> Any:
+    """Draw a matrix of MACs (M, M), its modes numbered from 1, with the numbers where there are few."""
     count = len(values)
     edges = np.arange(count + 1) + 0.5
     image = axes.pcolormesh(edges, edges, np.ma.masked_invalid(values), vmin=0.0, vmax=1.0)

@@ -9,6 +9,7 @@ from pkmodes.plots.labels import typeset
 from pkmodes.report import explanations, figures, numbers
 from pkmodes.report.blocks import Cell, Section, Summary
 from pkmodes.report.correction import correction
+from pkmodes.report.damping import damping
 from pkmodes.report.formatting import SENTENCE, clean, number, pointer, unit
 from pkmodes.report.glossary import glossary
 from pkmodes.report.mode_table import mode_table
@@ -33,6 +34,7 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
         Section("modes", "Measurement and model", figures.mode_figures(evidence)),
         *([Section("poses", "Differences against the pose", where)] if where else []),
         Section("shapes", "Mode shapes", figures.shape_figures(evidence)),
+        *([Section("damping", "Damping", ratios)] if (ratios := damping(result)) else []),
         Section("candidates", "Candidates", explanations.candidates(result)),
         Section("values", "Values before and after", numbers.values(result)),
         *([Section("stability", "Stability", trials)] if (trials := numbers.stability(result)) else []),

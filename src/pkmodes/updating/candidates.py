@@ -146,16 +146,14 @@ def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
     """Return a candidate that is not suspected by default, such as a value of one axis."""
     path = name.removeprefix(PREFIX)
     effects = robot.mechanism.effects
-    if name in effects and effects[name].dissipates:
-        what = f"the effect {name} only dissipates: no frequency depends on it"
-        raise PkmodesError(what, "candidates", "leave it out")
     if name in effects:
         _refuse_declared(robot, f"the effect {name}", _declared_parameters(robot, effects[name]))
     effect = name.removeprefix(EFFECTS).partition(".")[0]
     if name.startswith(EFFECTS) and effect in effects:
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", f'did you mean "{effect}"?')
     if name == path or path not in paths(robot):
-        every = [*known, *(f"{PREFIX}{p}" for p in paths(robot))]
+        losses = [effect.name for effect in effects.values() if effect.dissipates]
+        every = [*known, *losses, *(f"{PREFIX}{p}" for p in paths(robot))]
         remedy = nearest(name, every, "use the names in docs/diagnosis.md")
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
     whole, item = groups_by_path(robot.mechanism).get(path), by_path(robot.mechanism).get(path)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis
+from pkmodes.mechanism.described import DAMPING_RATIO
 from pkmodes.model.model import Model
 from pkmodes.robot.paths import resolve
 from pkmodes.robot.robot import Robot
@@ -34,8 +35,11 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
         if value.name in explained and value.unseen is not None:
             cause = value.unseen.candidate
             note += f"; sigma includes what an unseen {cause} could have done (fit alone: {value.sigma:.2g}{unit})"
-        if value.name in robot.quantities or not value.name.startswith("effects."):
-            note = f"was {resolve(robot, value.name).value:.6g}{unit}: {note}"
+        if value.name in robot.quantities or not value.name.startswith(("effects.", DAMPING_RATIO)):
+            # No generated number depends on the damping ratio, so that it has no parameter path.
+            loss = value.name == DAMPING_RATIO
+            before = robot.damping_ratio if loss else resolve(robot, value.name).value
+            note = f"was {before:.6g}{unit}: {note}"
         changes[value.name] = Correction(value.value, value.saved_sigma, note)
     return changes
 

@@ -6,14 +6,18 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 
+import numpy as np
+
 from pkmodes.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.diagnosis.arguments import check_measurements
+from pkmodes.diagnosis.problem import Loss
 from pkmodes.measured.header import in_words
 from pkmodes.measured.measurements import Measurements
 from pkmodes.model.model import Model
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.candidates import suspects
 from pkmodes.updating.load_cases import LoadCases, load_cases
+from pkmodes.updating.losses import is_loss, losses_of, without_losses
 from pkmodes.updating.poses import check_reachable
 from pkmodes.updating.priors import with_priors
 from pkmodes.updating.robot_structure import RobotStructure, channels
@@ -69,12 +73,26 @@ class MeasuredRobot:
         Raises
         ------
         PkmodesError
-            If a candidate or the name of a prior is unknown.
+            If a candidate or the name of a prior is unknown, or a loss is suspected whose damping was not measured.
         """
-        parameters, causes, moves = suspects(self.robot, candidates, self.loads)
+        losses = self._losses(candidates)
+        parameters, causes, moves = suspects(self.robot, without_losses(self.robot, candidates), self.loads)
         if priors is not None:
             causes = with_priors(self.robot, parameters, causes, priors)
-        return RobotStructure(self.robot, self.data.points, parameters, causes, moves, self.loads)
+        return RobotStructure(self.robot, self.data.points, parameters, causes, moves, self.loads, losses)
+
+    def _losses(self, chosen: Sequence[str] | None) -> tuple[Loss, ...]:
+        """Return the losses to be diagnosed: none where no damping was measured."""
+        if not np.isnan(self.data.damping).all():
+            return losses_of(self.robot, chosen)
+        asked = [] if chosen is None or isinstance(chosen, str) else chosen
+        for name in asked:
+            if is_loss(self.robot, name):
+                what = f"no damping was measured, and {name} changes nothing else"
+                raise PkmodesError(
+                    what, "candidates", "leave it out, or add a column damping to the measurements"
+                )
+        return ()
 
 
 def robot_of(given: Robot | Model) -> Robot:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.diagnosis.problem import Batch, Candidate, Parameter, Prediction, Sensor
+from pkmodes.diagnosis.problem import Batch, Candidate, Loss, Parameter, Prediction, Sensor
 from pkmodes.mechanism.poses import MAX_CONDITION, check_poses
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.mechanism.regular import declared
@@ -19,7 +19,9 @@ from pkmodes.robot.usable import limits_of
 from pkmodes.sensitivity.matrices import POSE, locked_joints
 from pkmodes.system.evaluation import ExtendedSystem
 from pkmodes.updating import frame
+from pkmodes.updating.candidates import EFFECTS
 from pkmodes.updating.load_cases import LoadCase, LoadCases
+from pkmodes.updating.losses import rates_of_losses
 from pkmodes.updating.payloads import payloads
 from pkmodes.updating.predictions import Moves, Solved, derived, joined, solved
 from pkmodes.updating.sensors import PLATFORM, sensors
@@ -67,6 +69,8 @@ class RobotStructure:
         From `pkmodes.updating.candidates.suspects`; parameters of the measurement frame have no move.
     loads : LoadCases, optional
         Values set at the poses; by default none.
+    losses : sequence of Loss
+        From `pkmodes.updating.losses.losses_of`; empty if damping is not to be diagnosed.
     """
 
     def __init__(
@@ -77,10 +81,12 @@ class RobotStructure:
         candidates: Sequence[Candidate],
         moves: Mapping[str, ParameterPath],
         loads: LoadCases | None = None,
+        losses: Sequence[Loss] = (),
     ) -> None:
         self.robot, self.points = robot, np.asarray(points, dtype=float)
         self.parameters: tuple[Parameter, ...] = tuple(parameters)
         self.candidates: tuple[Candidate, ...] = tuple(candidates)
+        self.losses: tuple[Loss, ...] = tuple(losses)
         self._mechanism = robot.mechanism
         known = channels(self._mechanism)
         self.channels, self.channel_units = tuple(known), tuple(known.values())
@@ -112,7 +118,8 @@ class RobotStructure:
 
     def at(self, points: Array, loads: LoadCases | None = None) -> RobotStructure:
         """Return the same robot at other poses, as declared, or with load cases."""
-        return RobotStructure(self.robot, points, self.parameters, self.candidates, self._moves, loads)
+        given = self.parameters, self.candidates, self._moves
+        return RobotStructure(self.robot, points, *given, loads, self.losses)
 
     def subset(self, setups: Sequence[int]) -> RobotStructure:
         """Return the same robot at some of its poses."""
@@ -196,6 +203,22 @@ class RobotStructure:
         return self._joined(
             [(part.rows, derived(part.at, [moves] * len(part.owners), shape_rates)) for part in parts]
         )
+
+    def damping_rates(self, values: Array) -> Array:
+        """Return the damping ratio of each elastic mode per unit of each loss, (P, m, losses).
+
+        NaN where a pose has fewer modes, or the measurements set the loss.
+        """
+        prediction = self.predict(values, ())
+        count = prediction.eigenvalues.shape[1] - prediction.rigid
+        rates = np.full((len(self.points), count, len(self.losses)), np.nan)
+        for part in self._at_values(values):
+            elastic = rates_of_losses(part.at, self.losses)[:, part.at.system.rigid_modes :]
+            rates[part.rows, : elastic.shape[1]] = elastic
+        for c, case in enumerate(self._loads.cases):
+            known = [case.knows((loss.parameter.name.removeprefix(EFFECTS), ())) for loss in self.losses]
+            rates[np.ix_(self._loads.of == c, np.arange(count), np.array(known, dtype=bool))] = np.nan
+        return rates
 
     def elsewhere(self, count: int) -> tuple[Array, RobotStructure]:
         """Return reachable poses in and around the measured ones, and the robot there, as declared.

@@ -43,9 +43,10 @@ def robot_text() -> str:
     """Return the robot file as its owner would write it."""
     text = ROBOTS["published"].split("format = 1", 1)[1]
     return (
-        "# The published linear delta as a test engineer would declare it: three values have an uncertainty.\n"
-        "# Something in it is more compliant than this file says: README.md.\n\nformat = 1"
+        "# The published linear delta as a test engineer would declare it: four values have an uncertainty.\n"
+        "# Something in it is more compliant than this file says, and something rubs: README.md.\n\nformat = 1"
         + text.replace('name = "linear-delta-2022"', 'name = "tapped-delta"')
+        + '\n[damping]                    # of bolted joints, roughly\nratio = { value = "0.5 %", sigma = "50 %" }\n'
     )
 
 

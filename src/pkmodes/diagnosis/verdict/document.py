@@ -204,6 +204,25 @@ class RowDocument(PlaceDocument, omit_defaults=True):
     held_out: Annotated[bool, Meta(description="Whether its pose took no part in any fit.")]
     outlier: Annotated[bool, Meta(description="Whether it was set aside.")]
     load: Settings = field(name="set", default_factory=dict)
+    damping: Annotated[
+        float | None,
+        Meta(
+            description="Measured damping ratio; present only where damping was diagnosed, like the next four."
+        ),
+    ] = None
+    sigma_damping: Annotated[float | None, Meta(description="Its standard deviation.")] = None
+    damping_before: Annotated[
+        float | None, Meta(description="Damping ratio of the paired mode with the losses as declared.")
+    ] = None
+    damping_after: Annotated[
+        float | None, Meta(description="Damping ratio of the paired mode with the losses as diagnosed.")
+    ] = None
+    damping_used: Annotated[
+        bool | None,
+        Meta(
+            description="Whether the ratio took part in the fit: not held out, not too uncertain, not set aside."
+        ),
+    ] = None
 
 
 class DiagnoseDocument(Document):

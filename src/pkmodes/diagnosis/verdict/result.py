@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from pkmodes.base.documents import Document
+from pkmodes.diagnosis.damping.outcome import Damping
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.document import (
     CandidateDocument,
@@ -241,6 +242,8 @@ class Diagnosis:
         path of a declared value.
     stages : Stages or None
         Partners, differences and MAC of all measured modes, for figures; not part of the JSON.
+    damping : Damping or None
+        What the damping says, where it was measured and diagnosed; in the JSON, its ratios are among the rows.
     """
 
     verdict: Word
@@ -263,6 +266,7 @@ class Diagnosis:
     shape_scatter: float | None = None
     limits: Mapping[str, Limit] = field(default_factory=dict)
     stages: Stages | None = field(default=None, compare=False, repr=False)
+    damping: Damping | None = None
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]

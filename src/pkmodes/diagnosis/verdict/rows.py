@@ -60,6 +60,12 @@ class Row(MeasuredMode):
         MAC at the last stage, if a shape was measured.
     load : mapping of str to float
         Values set at its pose, by name.
+    damping, sigma_damping : float or None
+        Measured damping ratio and its standard deviation; None if damping was not measured, or not diagnosed.
+    damping_before, damping_after : float or None
+        Ratio of its partner, at the final values of the frequencies: with the losses as declared, and as diagnosed.
+    damping_used : bool or None
+        Whether the ratio took part in the fit: not held out, significantly above 0, and not set aside.
     """
 
     before: float | None
@@ -69,6 +75,11 @@ class Row(MeasuredMode):
     held_out: bool
     outlier: bool
     load: Mapping[str, float] = field(default_factory=dict)
+    damping: float | None = None
+    sigma_damping: float | None = None
+    damping_before: float | None = None
+    damping_after: float | None = None
+    damping_used: bool | None = None
 
 
 def drives_of(structure: Structure, data: Measurements, row: int) -> str | None:

@@ -1,0 +1,165 @@
+"""What a report shows of the fit of a file: a few functions, thinned to what can be seen, and the poles.
+
+A campaign may have gigabytes of functions; only what is drawn is kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.campaign.file_modes import Fit
+from pkmodes.identification.estimates import Stabilisation
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+#: Functions of a file that are drawn at most.
+CURVES = 4
+#: Parts of the band, of each of which the lines with the lowest and the highest value are drawn.
+PARTS = 180
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """A function of a file.
+
+    Attributes
+    ----------
+    name : str
+        Response, or response / reference.
+    frequencies : ndarray, shape (f,)
+        [Hz].
+    measured, synthesised : ndarray of complex128, shape (f,)
+    coherence : ndarray, shape (f,), or None
+    """
+
+    name: str
+    frequencies: Array
+    measured: Complex
+    synthesised: Complex
+    coherence: Array | None
+
+
+@dataclass(frozen=True, eq=False)
+class Inspection:
+    """What is drawn of the fit of a file.
+
+    Attributes
+    ----------
+    setup, file : str
+        Name of the file without its folder.
+    stabilisation : Stabilisation
+    frequencies, total : ndarray, shape (f,)
+        Sum of the magnitudes of all measured functions, each relative to its rms.
+    curves : tuple of Curve
+        Those that show the modes best, each mode in at least one of them as far as there is room.
+    functions : int
+        Of how many they were chosen.
+    tones : tuple of float
+        Lines without bandwidth that were found [Hz].
+    """
+
+    setup: str
+    file: str
+    stabilisation: Stabilisation
+    frequencies: Array
+    total: Array
+    curves: tuple[Curve, ...]
+    functions: int
+    tones: tuple[float, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Repeats:
+    """The frequencies of the modes of a setup, file by file.
+
+    Attributes
+    ----------
+    setup : str
+    files : tuple of str
+        Names of the files that were read, without their folders.
+    modes : tuple of mapping of int to float
+        For each mode its frequency [Hz] by the index of the file.
+    """
+
+    setup: str
+    files: tuple[str, ...]
+    modes: tuple[Mapping[int, float], ...]
+
+
+def inspection(setup: str, file: str, fit: Fit) -> Inspection:
+    """Return what is drawn of a fit."""
+    estimate = fit.estimate
+    f, (F, S, R) = estimate.frequencies, estimate.measured.shape
+    places = [
+        (s, r)
+        for s in range(S)
+        for r in range(R)
+        if np.isfinite(estimate.measured[:, s, r]).all() and estimate.measured[:, s, r].any()
+    ]
+    sizes = {place: np.abs(estimate.measured[:, place[0], place[1]]) for place in places}
+    total = np.zeros(F)
+    for size in sizes.values():
+        total += size / np.sqrt(np.mean(size**2))
+    modes = [*estimate.modes, *(one for one in estimate.added if not isinstance(one, str))]
+    at = [int(np.argmin(np.abs(f - mode.frequency))) for mode in modes]
+    heights = np.array([size[at] / np.sqrt(np.mean(size**2)) for size in sizes.values()])
+    chosen = [places[k] for k in _chosen(heights)]
+    shown = thinned(total)
+    return Inspection(
+        setup,
+        file,
+        estimate.stabilisation,
+        f[shown],
+        total[shown],
+        tuple(_curve(fit, s, r) for s, r in chosen),
+        len(places),
+        estimate.tones,
+    )
+
+
+def _curve(fit: Fit, s: int, r: int) -> Curve:
+    estimate = fit.estimate
+    measured = estimate.measured[:, s, r]
+    shown = thinned(np.abs(measured))
+    name = fit.responses[s] + (f" / {fit.references[r]}" if fit.references else "")
+    return Curve(
+        name,
+        estimate.frequencies[shown],
+        measured[shown],
+        estimate.synthesised[shown, s, r],
+        None if fit.coherence is None else fit.coherence[shown, s, r],
+    )
+
+
+def _chosen(heights: Array) -> list[int]:
+    """Return the functions that together show the modes best, in their order.
+
+    One by one, that which adds most to how high each mode stands in the best of those chosen.
+
+    Parameters
+    ----------
+    heights : ndarray, shape (functions, modes)
+        Of each function at each mode, relative to its rms.
+    """
+    best, chosen = np.zeros(heights.shape[1:]), list[int]()
+    for _ in range(min(CURVES, len(heights))):
+        gain = np.log1p(np.maximum(heights, best)).sum(axis=1)
+        gain[chosen] = -1.0
+        k = int(gain.argmax())
+        chosen.append(k)
+        best = np.maximum(best, heights[k])
+    return sorted(chosen)
+
+
+def thinned(values: Array) -> NDArray[np.int64]:
+    """Return the indices of the values (F,) that are drawn: the lowest and the highest of each of many parts."""
+    if len(values) <= 2 * PARTS:
+        return np.arange(len(values))
+    kept = {0, len(values) - 1}
+    for part in np.array_split(np.arange(len(values)), PARTS):
+        kept |= {int(part[values[part].argmin()]), int(part[values[part].argmax()])}
+    return np.array(sorted(kept))

@@ -1,0 +1,142 @@
+r"""Measured damping ratios beside what each loss would give, at the final model of the frequencies.
+
+Errors of damping are factors, so ratios are compared by their logarithms.  The variance of each is
+
+.. math:: (\sigma_\zeta / \zeta)^2 + s^2 + c^2
+
+with the stated error, a floor s (`Criteria.damping_floor`), and the error c of the coefficients: how they change with
+the fitted values of the model within their covariance, and how far they differ from those of a mode so close that
+their shapes mix.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.diagnosis.criteria import Criteria
+from pkmodes.diagnosis.problem import Array, Damped, Structure
+from pkmodes.measured.measurements import Measurements
+
+Mask = NDArray[np.bool_]
+#: Coefficients below this part of their median count as that part where their logarithms are compared.
+NEGLIGIBLE = 1e-3
+
+
+@dataclass(frozen=True, eq=False)
+class DampingRows:
+    """R measured damping ratios whose modes have a partner in the model.
+
+    Attributes
+    ----------
+    index : ndarray of int, shape (R,)
+        Rows of the measurements.
+    mode : ndarray of int, shape (R,)
+        Numbers of the partners among the elastic modes of their setups, from 0.
+    setup : ndarray of int, shape (R,)
+    ratio, stated : ndarray, shape (R,)
+        Measured ratios and the standard deviations of their logarithms, as the file states them.
+    other : ndarray, shape (R,)
+        Root of the sum of squares of the other errors of the logarithms.
+    frequency : ndarray, shape (R,)
+        [Hz].
+    rates : ndarray, shape (R, J)
+        Damping ratio per unit of each loss.
+    """
+
+    index: NDArray[np.intp]
+    mode: NDArray[np.intp]
+    setup: NDArray[np.intp]
+    ratio: Array
+    stated: Array
+    other: Array
+    frequency: Array
+    rates: Array
+
+    @property
+    def sigma(self) -> Array:
+        """Standard deviations of the logarithms, (R,)."""
+        return np.hypot(self.stated, self.other)
+
+    def some(self, mask: Mask) -> DampingRows:
+        """Return some of the rows."""
+        return DampingRows(*(getattr(self, name)[mask] for name in self.__dataclass_fields__))
+
+    def with_errors(self, factor: float) -> DampingRows:
+        """Return the rows with stated errors larger by a factor."""
+        return replace(self, stated=factor * self.stated)
+
+
+def damping_rows(
+    structure: Structure,
+    data: Measurements,
+    mode: NDArray[np.intp],
+    states: Sequence[Array],
+    criteria: Criteria,
+) -> DampingRows:
+    """Return the rows with a damping ratio and a partner.
+
+    Parameters
+    ----------
+    structure : Structure
+        At the setups of the measurements; one that knows what its modes dissipate.
+    mode : ndarray of int, shape (rows,)
+        Number of the partner of each measured mode among the elastic modes of its setup, from 1; 0 without one.
+    states : sequence of ndarray
+        Values of all parameters: those of the model, and each moved by one standard deviation of a combination that
+        the fit leaves uncertain.
+    """
+    assert isinstance(structure, Damped)
+    index = np.flatnonzero(~np.isnan(data.damping) & (mode > 0))
+    setup, number = data.pose[index], mode[index] - 1
+    every = [structure.damping_rates(values) for values in states]
+    at = every[0][setup, number]
+    ratio = data.damping[index]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        stated = np.where(ratio > 0.0, data.damping_sigma[index] / ratio, np.inf)
+    logs = _logarithms(at)
+    moved = [np.abs(_logarithms(rates[setup, number]) - logs).max(axis=1, initial=0.0) for rates in every[1:]]
+    mixed = _mixed(structure, states[0], every[0], setup, number, criteria)
+    other = np.sqrt(criteria.damping_floor**2 + sum((d**2 for d in moved), mixed**2))
+    return DampingRows(index, number, setup, ratio, stated, other, data.frequency[index], at)
+
+
+def resolved(rows: DampingRows, criteria: Criteria) -> Mask:
+    """Return a mask of the rows whose ratio is significantly above 0."""
+    return np.asarray(rows.stated < 1.0 / criteria.damping_resolved) & np.isfinite(rows.rates).all(axis=1)
+
+
+def _logarithms(rates: Array) -> Array:
+    """Return logarithms of coefficients, (..., J), none far below the others of its loss."""
+    flat = rates.reshape(-1, rates.shape[-1])
+    typical = np.array([np.median(c[c > 0.0]) if (c > 0.0).any() else 1.0 for c in flat.T])
+    return np.asarray(np.log(np.maximum(np.nan_to_num(rates), NEGLIGIBLE * typical)))
+
+
+def _mixed(
+    structure: Structure,
+    values: Array,
+    rates: Array,
+    setup: NDArray[np.intp],
+    number: NDArray[np.intp],
+    criteria: Criteria,
+) -> Array:
+    """Return how far the shapes of close modes, which mix, leave the coefficients open, (R,).
+
+    Between modes closer than `Criteria.close` nothing is known: half the difference of the coefficients counts.  With
+    the distance of the frequencies, the angle by which a small error turns the shapes falls inversely.
+    """
+    prediction = structure.predict(values, ())
+    logs = prediction.log_frequencies[:, prediction.rigid :]
+    sizes, mixed = _logarithms(rates), np.zeros(len(setup))
+    for i, (s, k) in enumerate(zip(setup, number, strict=True)):
+        apart = np.abs(logs[s] - logs[s, k])
+        apart[k] = np.inf
+        part = np.where(
+            apart < criteria.mixed, np.minimum(1.0, 0.5 * criteria.close / np.maximum(apart, 1e-12)), 0.0
+        )
+        mixed[i] = (0.5 * part[:, None] * np.abs(sizes[s] - sizes[s, k])).max(initial=0.0)
+    return mixed

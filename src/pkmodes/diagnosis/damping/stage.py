@@ -1,0 +1,57 @@
+"""What the second stage of a diagnosis has found, before it becomes a result."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
+from pkmodes.diagnosis.damping.judgement import DampingJudgement
+from pkmodes.diagnosis.damping.rows import DampingRows
+from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.verdict.verdicts import EFFECT_FOUND
+
+
+@dataclass(frozen=True, eq=False)
+class Stage:
+    """Damping at the final model.
+
+    Attributes
+    ----------
+    fitter : LossFitter
+        Of the rows that take part.
+    every : DampingRows
+        All rows with a damping ratio and a partner.
+    held : ndarray of bool
+        Which of these are held out, and resolved.
+    judged : DampingJudgement
+    trials : mapping of str to DampingJudgement
+        By change of the errors or priors.
+    notes : tuple of str
+    """
+
+    fitter: LossFitter
+    every: DampingRows
+    held: NDArray[np.bool_]
+    judged: DampingJudgement
+    trials: dict[str, DampingJudgement]
+    notes: tuple[str, ...]
+
+    @property
+    def final(self) -> LossFit:
+        """The losses with what is claimed; as declared, within their priors, where nothing is."""
+        return self.judged.final if self.judged.verdict is EFFECT_FOUND else self.judged.base
+
+    @property
+    def used(self) -> NDArray[np.bool_]:
+        """Mask of the rows that took part."""
+        index, outlier = self.fitter.rows.index, self.final.outlier
+        return np.isin(self.every.index, index if outlier is None else np.delete(index, outlier))
+
+    @property
+    def predicted(self) -> tuple[Array, Array]:
+        """Ratios of the model for all rows, with the losses as declared and as diagnosed."""
+        fitter, rates = self.fitter, self.every.rates
+        return fitter.predicted(fitter.declared, rates), fitter.predicted(self.final.values, rates)

@@ -1,0 +1,95 @@
+"""Sentences about damping."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
+from pkmodes.diagnosis.damping.judgement import DampingJudgement, names_of
+from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.verdict.result import Finding, p_in_words
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA
+
+#: Most lines that a note lists.
+LISTED = 8
+
+
+def sentence(fitter: LossFitter, judged: DampingJudgement, findings: Sequence[Finding]) -> str:
+    """Return what a judgement says, as a clause about the damping."""
+    if judged.verdict is ADEQUATE:
+        return f"the damping is that of the model ({p_in_words(judged.base.p_value)})"
+    if judged.verdict is EFFECT_FOUND:
+        causes = " and ".join(_cause(finding) for finding in findings)
+        p = p_in_words(judged.base.p_value)
+        return f"the damping is not that of the declared model ({p}); explanation: {causes}"
+    if judged.verdict is AMBIGUOUS:
+        remaining = "; ".join(names_of(fitter, fit) for fit in judged.rivals)
+        return f"of the damping, {len(judged.rivals)} different explanations remain: {remaining}"
+    if judged.verdict is INSUFFICIENT_DATA:
+        return f"the damping is not diagnosed: {judged.why}"
+    return f"the damping is not that of the model: {judged.why}"
+
+
+def _cause(finding: Finding) -> str:
+    also = f", or {' or '.join(finding.members[1:])}" if len(finding.members) > 1 else ""
+    return f"{finding.sentence} ({finding.name}{also})"
+
+
+def common_ratio(ratio: float, sigma: float) -> str:
+    """Return the note if one ratio explains the damping of a model that declares none."""
+    percent = f"{100.0 * ratio:.2g} +- {100.0 * sigma:.1g} %"
+    return (
+        f"the file declares no damping; every measured mode agrees with a damping ratio of {percent}, which names no "
+        f'joint: to declare it, write ratio = "{100.0 * ratio:.2g} %" in a table [damping]'
+    )
+
+
+def scattered(ratio: float, factor: float) -> str:
+    """Return the note if damping scatters about one value like that of repeated tests, and no loss explains it."""
+    return (
+        f"the file declares no damping; the measured ratios scatter about {100.0 * ratio:.2g} % by a factor of "
+        f"{factor:.2g}, which names no joint"
+    )
+
+
+def per_cent(ratio: float) -> str:
+    """Return the note if damping ratios seem to be in per cent."""
+    return (
+        f"the damping ratios, {ratio:.2g} in the median, are not those of a lightly damped machine, and not "
+        "diagnosed: if they are in per cent, write the column as damping [%]"
+    )
+
+
+def factor_hundred(*, above: bool) -> str:
+    """Return the note if damping ratios are a hundred times, or a hundredth of, those of the model."""
+    what = "a hundred times" if above else "a hundredth of"
+    return f"the damping ratios are {what} those of the model: check the unit, damping or damping [%]"
+
+
+def unresolved(lines: Sequence[int]) -> str:
+    """Return the note on rows whose damping is not above 0 within its standard deviation."""
+    listed = ", ".join(map(str, lines[:LISTED])) + (", ..." if len(lines) > LISTED else "")
+    one = len(lines) == 1
+    return (
+        f"the damping of line{'' if one else 's'} {listed} is not significantly above 0, or known to be of another "
+        f"model: {'it takes' if one else 'they take'} no part"
+    )
+
+
+def set_aside(line: int, label: str, ratio: float) -> str:
+    """Return the note on a row whose damping contradicts that of all others."""
+    return f"the damping of line {line} ({label}, {100.0 * ratio:.3g} %) is set aside as an outlier: check it"
+
+
+def factor_of(apart: Array) -> float | None:
+    """Return the root mean square of differences of logarithms as a factor; None without any."""
+    if not len(apart) or not np.isfinite(apart).all():
+        return None
+    return float(np.exp(np.sqrt(np.mean(apart**2))))
+
+
+def ratio_of(fit: LossFit, loss: int) -> tuple[float, float]:
+    """Return a fitted loss and its standard deviation."""
+    return float(fit.values[loss]), fit.sigma_of(loss)

@@ -1,0 +1,182 @@
+"""Modes of frequency response functions that the user asks for: fitted from a frequency, beside those found.
+
+The fit is that of `frf_refinement`, begun at the frequency with several dampings and at what stands out near it; of
+those that stand out most, the nearest is taken.  Its energy must exceed what noise alone makes within the reach of
+the fit: far fewer places than a search tries, so that modes are added which the search leaves out.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import gamma
+
+from pkmodes.identification.asked import REACH, Asked, nearest, struck, within_reach
+from pkmodes.identification.clusters import HIGHEST_DAMPING
+from pkmodes.identification.frf_covariance import Uncertainty
+from pkmodes.identification.frf_groups import groups
+from pkmodes.identification.frf_refinement import DAMPINGS, Lines, Modes, copies, group_fit, settled
+from pkmodes.identification.frf_search import hidden, joined
+from pkmodes.identification.residues import modal_part
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+#: Damping ratios from which the fit begins.
+RATIOS = (0.03, 0.01, 0.003)
+#: Probability that noise alone makes a mode within the reach of the fit.
+FALSE_ALARM = 0.05
+#: Energy relative to the strongest mode within the reach: weaker ones may be noise beside it.
+STRONG = 0.5
+#: Fits that end nearer than this part of their half bandwidth are one.
+SAME = 0.1
+
+
+@dataclass(frozen=True, eq=False)
+class WithAdded:
+    """Modes fitted together with those asked for.
+
+    Attributes
+    ----------
+    modes : Modes
+    bounds : Uncertainty
+    added : tuple of int or str
+        For each frequency asked for, which of the modes it is, or why there is none.
+    struck : ndarray of bool, shape (N,)
+        Which of the modes that were given are struck out, and not among these.
+    """
+
+    modes: Modes
+    bounds: Uncertainty
+    added: tuple[int | str, ...]
+    struck: NDArray[np.bool_]
+
+
+def with_added(data: Lines, modes: Modes, bounds: Uncertainty, asked: Asked) -> WithAdded:
+    """Return modes (N) with those that the user asks for; one of them replaces a mode within 1 % of it."""
+    if not asked.add:
+        return WithAdded(modes, bounds, (), np.zeros(len(modes.poles), bool))
+    out = struck(_frequencies(modes), asked)
+    now, owner = modes.only(~out), np.full(int((~out).sum()), -1)
+    reasons: dict[int, str] = {}
+    for i, wanted in enumerate(asked.add):
+        found = _added(data, now, owner, wanted)
+        if isinstance(found, str):
+            reasons[i] = found
+        else:
+            now, kept = found
+            owner = np.append(owner[kept], i)
+    if (owner >= 0).any():
+        now, bounds = settled(data, now)
+    else:
+        now, bounds, owner, out = modes, bounds, np.full(len(modes.poles), -1), np.zeros(len(out), bool)
+    places = tuple(
+        reasons[i] if i in reasons else int(np.flatnonzero(owner == i)[0]) for i in range(len(asked.add))
+    )
+    return WithAdded(now, bounds, places, out)
+
+
+def _added(
+    data: Lines, modes: Modes, owner: NDArray[np.int64], wanted: float
+) -> tuple[Modes, NDArray[np.bool_]] | str:
+    """Return modes with one more, the last, and which of the former are left; or why there is none."""
+    reported = owner < 0
+    replaced = nearest(np.where(reported, _frequencies(modes), np.inf), wanted)
+    kept = np.ones(len(modes.poles), bool)
+    if replaced is not None:
+        kept[replaced] = False
+    base = modes.only(kept)
+    ends: list[float] = []
+    found: list[tuple[float, Modes, NDArray[np.bool_]]] = []
+    for trial in _trials(data, base, wanted):
+        again, left = trial, kept.copy()
+        for k in range(len(again.poles) - 1):
+            if copies(again, k, len(again.poles) - 1):  # it has become a reported mode, and replaces it
+                left[np.flatnonzero(kept)[k]] = False
+        if not reported[~left].all():
+            return "its fit becomes that of another mode that is added"
+        if left.sum() < kept.sum():
+            again = _with(data, modes.only(left), trial.poles[-1])
+        final, bounds = settled(data, again)
+        frequency = float(_frequencies(final)[-1])
+        ends.append(frequency)
+        strength = float(bounds.strength[-1])
+        if (
+            _possible(final.poles[-1])
+            and within_reach(frequency, wanted)
+            and strength > _threshold(data, wanted)
+        ):
+            found.append((strength, final, left))
+    if not ends:
+        return "no fit converges within 3 % of it"
+    if not found:
+        return f"what is fitted there, at {ends[0]:.4g} Hz, is no more than the noise"
+    strongest = max(strength for strength, _, _ in found)
+    return next((final, left) for strength, final, left in found if strength >= STRONG * strongest)
+
+
+def _trials(data: Lines, base: Modes, wanted: float) -> Iterator[Modes]:
+    """Yield the modes with one fitted near a frequency, the nearest first."""
+    found: list[Modes] = []
+    for pole in _starts(data, base, wanted):
+        one = _with(data, base, pole)
+        new = one.poles[-1]
+        inside = _possible(new) and within_reach(abs(new) / (2.0 * math.pi), wanted)
+        if inside and not any(abs(new - other.poles[-1]) < SAME * abs(new.real) for other in found):
+            found.append(one)
+    yield from sorted(found, key=lambda one: abs(abs(one.poles[-1]) - 2.0 * math.pi * wanted))
+
+
+def _starts(data: Lines, base: Modes, wanted: float) -> list[complex]:
+    """Return poles from which a fit begins: at the frequency, and where the residual stands out near it."""
+    starts = [2.0 * math.pi * wanted * complex(-ratio, math.sqrt(1.0 - ratio**2)) for ratio in RATIOS]
+    known = np.isfinite(data.H).all(axis=0)
+    fit = _response(base, data.frequencies)
+    correlation = np.ones(1, complex) if data.correlation is None else data.correlation
+    near = np.abs(data.frequencies / wanted - 1.0) <= 2.0 * REACH
+    inside = slice(*np.flatnonzero(near)[[0, -1]]) if near.any() else slice(0, 0)
+    if len(data.frequencies[inside]) < 3:
+        return starts
+    residual = data.H - fit
+    least = _threshold(data, wanted)
+    found = hidden(
+        data.frequencies, data.place, residual[:, known], fit[:, known], correlation, least
+    ).tolist()
+    return starts + [pole for pole in found if within_reach(abs(pole) / (2.0 * math.pi), wanted)]
+
+
+def _with(data: Lines, base: Modes, pole: complex) -> Modes:
+    """Return modes with one more, the last, fitted from a pole together with those that overlap it."""
+    left = data.H - _response(base, data.frequencies)
+    modes = joined(base, np.array([pole]), data.frequencies, left)
+    last = len(modes.poles) - 1
+    members = next(group for group in groups(modes.poles) if last in group)
+    fit = group_fit(data, modes, members).fit
+    poles, shapes, parts = modes.poles.copy(), modes.shapes.copy(), modes.participation.copy()
+    poles[members], shapes[members], parts[members] = fit.poles, fit.shapes, fit.participation
+    return Modes(poles, shapes, parts)
+
+
+def _response(modes: Modes, frequencies: Array) -> Complex:
+    """Return the modes without residual terms (F, S, R): what is smooth is taken off in each fit."""
+    residues = modes.shapes[:, :, None] * modes.participation[:, None, :]
+    return modal_part(frequencies, modes.poles, residues)
+
+
+def _threshold(data: Lines, wanted: float) -> float:
+    """Return the energy over noise that noise alone exceeds with probability `FALSE_ALARM` near a frequency."""
+    channels = int(np.isfinite(data.H).all(axis=0).sum())
+    lines = max(int((np.abs(data.frequencies / wanted - 1.0) <= REACH).sum()), 1)
+    return float(gamma.isf(FALSE_ALARM / (DAMPINGS * lines), max(channels, 1)))
+
+
+def _possible(pole: complex) -> bool:
+    return bool(0.0 < -pole.real < HIGHEST_DAMPING * abs(pole))
+
+
+def _frequencies(modes: Modes) -> Array:
+    return np.abs(modes.poles) / (2.0 * math.pi)

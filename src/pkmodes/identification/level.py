@@ -1,0 +1,201 @@
+r"""Frequencies that change with the level, from free decays within a record.
+
+Joints and rails make a frequency depend on the amplitude: while a mode rings down, its frequency drifts.  The
+responses are combined along the shape of a mode, and followed over time by a Gaussian band-pass,
+
+.. math:: z(t) = \int Y(f)\, e^{-(f - f_0)^2 / 2 h^2}\, e^{2 \pi j (f - f_0) t}\, df ,
+
+whose kernel in time is a Gaussian of standard deviation 1/(2 pi h): a few of these after a blow, nothing is left of
+another mode but what the filter passes, exp(-d^2 / 2 h^2) at a distance d.  The phase of z, a straight line for a
+linear mode, gives the frequency of each segment of a decay, and |z| its amplitude (Feldman, Mechanical Systems and
+Signal Processing 8(2), 1994, with the Hilbert transform).  The frequency is regressed on the amplitude; an F test
+against the scatter of the segments decides whether it changes (`pkmodes.identification.level_regression`).
+
+A mode with a neighbour so near that the filter cannot separate them within a decay is left alone, as is a vibration
+that does not decay: forced, or random.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.identification.level_regression import LevelShift, Segments, shift_over
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+#: Half width h of the band-pass: this part of the frequency, or of the distance to the next mode.
+OF_FREQUENCY, OF_DISTANCE = 0.2, 0.22
+#: Reach of the band-pass in half widths.
+REACH = 5.0
+#: Standard deviations of the kernel between samples of z, whose noise is then nearly independent; and those that are
+#: left out after the highest level, which is some two of them after a blow.
+APART, AFTER = 2.5, 2.5
+#: Samples of z are sought at so many places in between, for the highest level.
+FINE = 4
+#: A segment has so many samples at least; a decay has at least this number of segments and at most that one.
+SAMPLES, FEWEST, MOST = 2, 6, 24
+#: The amplitude falls at least by this factor; it is followed while it stays this factor above the noise, and until
+#: it has fallen by the last one, when 99 % of the energy is gone.
+FALL, ABOVE, FALLEN = 2.5, 6.0, 10.0
+#: A free decay: its logarithmic amplitude leaves a parabola over time by no more than this (rms), and it decays at
+#: the mode's rate within this factor.
+SMOOTH, RATE = 0.1, 2.0
+#: Another blow raises the level by this factor.
+RISE = 2.0
+#: Decays that are sought in a record.
+DECAYS = 12
+
+
+@dataclass(frozen=True)
+class Level:
+    """The level of a mode in a record.
+
+    Attributes
+    ----------
+    amplitude : float
+        Of the vibration along its shape, where most of its energy is; in the unit of the responses.
+    shift : LevelShift or None
+        How its frequency changes while it decays; None where no change is seen.
+    """
+
+    amplitude: float
+    shift: LevelShift | None
+
+
+def levels(
+    t_step: float,
+    pieces: Sequence[Array],
+    poles: Complex,
+    shapes: Complex,
+    exponential: float | None = None,
+) -> list[Level]:
+    """Return the level of each mode, and how its frequency changes with it.
+
+    Parameters
+    ----------
+    t_step : float
+        In s.
+    pieces : sequence of ndarray, shape (n_i, S)
+        Responses; a gap begins another piece.
+    poles : ndarray of complex128, shape (N,)
+        Of all identified modes, without the damping of a window [1/s].
+    shapes : ndarray of complex128, shape (N, S)
+        In the scale of the responses; NaN where undetermined.
+    exponential : float, optional
+        Time constant of a window that the responses have had [s].
+
+    References
+    ----------
+    Feldman 1994.
+    """
+    lost = 1.0 / exponential if exponential else 0.0
+    spectra = [np.fft.rfft(piece - piece.mean(axis=0), axis=0) for piece in pieces]
+    found = []
+    for m, pole in enumerate(poles):
+        half, along = _half_width(poles, m), _along(shapes[m])
+        decays: list[Segments] = []
+        second = fourth = 0.0
+        for piece, spectrum in zip(pieces, spectra, strict=True):
+            z, step = _followed(spectrum @ along, len(piece), t_step, pole, half)
+            decays += [
+                _segments(part, FINE * step, noise, lost)
+                for part, noise in _decays(z, step, lost - pole.real)
+            ]
+            second, fourth = (
+                total + step * float((np.abs(z) ** power).sum())
+                for total, power in ((second, 2), (fourth, 4))
+            )
+        amplitude = math.sqrt(fourth / second) if second > 0.0 else 0.0
+        found.append(Level(amplitude, shift_over(pole.imag / (2.0 * math.pi), decays)))
+    return found
+
+
+def _half_width(poles: Complex, m: int) -> float:
+    f = poles.imag / (2.0 * math.pi)
+    others = np.abs(np.delete(f, m) - f[m])
+    return float(min(OF_FREQUENCY * f[m], OF_DISTANCE * others.min(initial=np.inf)))
+
+
+def _along(shape: Complex) -> Complex:
+    """Return the coefficients of the responses (S,) that follow a shape, of unit length."""
+    known = np.nan_to_num(shape)
+    return np.asarray(known.conj() / max(float(np.linalg.norm(known)), 1e-300))
+
+
+def _followed(
+    spectrum: Complex, length: int, t_step: float, pole: complex, half: float
+) -> tuple[Complex, float]:
+    """Return z, finely sampled, and its step [s]."""
+    seconds, f0 = length * t_step, pole.imag / (2.0 * math.pi)
+    first = max(math.ceil((f0 - REACH * half) * seconds), 0)
+    lines = np.arange(first, min(math.floor((f0 + REACH * half) * seconds) + 1, len(spectrum)))
+    band = spectrum[lines] * np.exp(-0.5 * ((lines / seconds - f0) / half) ** 2)
+    samples = max(round(seconds * 2.0 * math.pi * half * FINE / APART), len(lines), 1)
+    turn = np.exp(2j * math.pi * (first - f0 * seconds) * np.arange(samples) / samples)
+    z = np.fft.ifft(band, samples) * turn * (2.0 * samples / length)
+    # the spectrum is that of a periodic signal: its beginning reaches into its end
+    return np.asarray(z[: max(samples - 2 * FINE, 0)]), seconds / samples
+
+
+def _decays(z: Complex, step: float, rate: float) -> Iterator[tuple[Complex, float]]:
+    """Yield independent samples of the free decays in z, at about a rate [1/s], with the sigma of their noise."""
+    after = math.ceil(FINE * AFTER / APART)
+    if len(z) < FINE * FEWEST * SAMPLES + after:
+        return
+    noise, level = _noise(z[::FINE], FINE * step, rate), np.abs(z)
+    free = np.ones(len(z), bool)
+    for _ in range(DECAYS):
+        top = int(np.argmax(np.where(free, level, 0.0)))
+        first = end = min(top + after, len(z) - 1)
+        lowest = max(ABOVE * noise, level[first] / FALLEN)
+        while end < len(z) and free[end] and level[end] > lowest:
+            end += 1
+        free[top : _risen(level, max(end, top + 1))] = False
+        part = z[first:end:FINE]
+        if len(part) >= FEWEST * SAMPLES and _decays_freely(part, FINE * step, rate):
+            yield part, noise
+
+
+def _risen(level: Array, start: int) -> int:
+    """Return where a level that decays rises again."""
+    lowest = np.minimum.accumulate(level[start - 1 :])
+    risen = np.flatnonzero(level[start - 1 :] > RISE * lowest)
+    return start - 1 + int(risen[0]) if risen.size else len(level)
+
+
+def _noise(z: Complex, step: float, rate: float) -> float:
+    """Return the standard deviation of the noise, from what a decay leaves of the last part of z."""
+    tail = z[-max(len(z) // 8, 6) :]
+    decay = np.exp(-rate * step * np.arange(len(tail)))
+    basis = np.stack([decay, decay * np.arange(len(tail))], axis=1)
+    left = tail - basis @ np.linalg.lstsq(basis, tail, rcond=None)[0]
+    return float(np.sqrt((np.abs(left) ** 2).sum() / max(len(tail) - 2, 1)))
+
+
+def _decays_freely(part: Complex, step: float, rate: float) -> bool:
+    t, level = step * np.arange(len(part)), np.log(np.abs(part))
+    fit = np.polynomial.Polynomial.fit(t, level, 2)
+    smooth = float(np.sqrt(np.mean((level - fit(t)) ** 2))) < SMOOTH
+    like = rate / RATE < (level[0] - level[-1]) / t[-1] < rate * RATE
+    return bool(smooth and like and fit(t[0]) - fit(t[-1]) > math.log(FALL))
+
+
+def _segments(part: Complex, step: float, noise: float, lost: float) -> Segments:
+    """Return the frequency and amplitude of each segment of a decay, neighbours without common samples."""
+    count = min(len(part) // SAMPLES, MOST)
+    phase = np.unwrap(np.angle(part))
+    level = np.log(np.abs(part)) + lost * step * np.arange(len(part))  # without the window
+    frequencies, variances, means = [], [], []
+    for some in np.array_split(np.arange(len(part)), count):
+        t = step * (some - some.mean())
+        slope = t / (t @ t) / (2.0 * math.pi)
+        frequencies.append(float(slope @ phase[some]))
+        variances.append(0.5 * noise**2 * float((slope**2 / np.abs(part[some]) ** 2).sum()))
+        means.append(float(level[some].mean()))
+    return Segments(np.array(frequencies), np.array(variances), np.array(means))

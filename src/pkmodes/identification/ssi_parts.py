@@ -1,0 +1,136 @@
+"""Modes of one part of the band: poles of all model orders, their clusters, and those that have a peak."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.identification.asked import NOTHING, Asked
+from pkmodes.identification.clusters import Candidate, candidates
+from pkmodes.identification.lscf import OrderPoles
+from pkmodes.identification.ssi import Order, order, subspace
+from pkmodes.identification.ssi_added import added, orders_with
+from pkmodes.identification.ssi_bands import Part, correlations
+from pkmodes.identification.ssi_records import PreparedRecord
+from pkmodes.identification.ssi_selection import Refined, refined, start
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+#: Model orders of a part of the band.
+ORDERS = tuple(range(1, 15))
+#: Block rows, and the first lag, in samples of the analytic signal.
+BLOCKS, FIRST = 20, 1
+#: Model orders that are tried for a shape: that of the least standard deviation is taken.
+SHAPES = 4
+#: Most references, combinations of the responses.
+REFERENCES = 6
+
+
+@dataclass(frozen=True, eq=False)
+class PartMode:
+    """A mode, where it was found, and what its subspace identification says."""
+
+    mode: Refined
+    part: Part
+    orders: tuple[Order, ...]
+    references: Array
+    found: int
+
+
+#: Modes that are asked for, by the frequency that the user gives [Hz]; or why there is none.
+Wanted = dict[float, PartMode | str]
+
+
+def modes_of_part(
+    record: PreparedRecord,
+    part: Part,
+    poles: list[list[Complex]],
+    asked: Asked = NOTHING,
+) -> tuple[list[PartMode], Wanted]:
+    """Return the modes of a part of the band, and those asked for in it; add its poles to those of each order."""
+    S = len(record.scales)
+    everything = np.eye(S)
+    power = correlations(record.padded, part, everything, np.zeros(1, np.int64))[0]
+    levels = np.sqrt(np.maximum(np.diag(power).real, 1e-300))
+    _, directions = np.linalg.eigh((power / np.outer(levels, levels)).real)
+    references = directions[:, ::-1][:, :REFERENCES] / levels[:, None]
+    blocks = min(BLOCKS, int(0.25 * part.rate * record.seconds))
+    lags = np.arange(FIRST, FIRST + 2 * blocks)
+    range_of = subspace(
+        correlations(record.padded, part, references, lags) / levels[:, None], blocks, ORDERS[-1]
+    )
+    orders = [order(range_of, n) for n in ORDERS if n <= range_of.left.shape[1]]
+    by_order = []
+    for k, one in enumerate(orders):
+        s = part.pole(one.values)
+        by_order.append(
+            OrderPoles(ORDERS[k], s, (one.shapes * levels[:, None]).T, np.ones((len(s), 1), complex))
+        )
+        inside = (s.imag >= 2 * math.pi * part.low) & (s.imag < 2 * math.pi * part.high)
+        poles[k].append(s[inside & (s.real < 0.0)])
+    margin = 0.5 * (part.low - part.start), 0.5 * (part.stop - part.high)
+    chosen = candidates(by_order, part.low - margin[0], part.high + margin[1])
+
+    def found(mode: Refined, pole: complex, count: int) -> PartMode:
+        near = tuple(_rescaled(orders[k], levels) for k in _near(by_order, pole))
+        return PartMode(mode, part, near, references, count)
+
+    selected = _selected(record, part, chosen)
+    modes = [mode for mode, _ in selected]
+    wanted: Wanted = {}
+    for frequency in asked.add:
+        if part.low <= frequency <= part.high:
+            more = added(by_order, modes, asked, record.plain, (part.start, part.stop), frequency)
+            if isinstance(more, str):
+                wanted[frequency] = more
+            else:
+                wanted[frequency] = found(more, more.pole, orders_with(by_order, more))
+    return [found(mode, one.pole, one.found) for mode, one in selected], wanted
+
+
+def _rescaled(of: Order, levels: Array) -> Order:
+    """Return an order whose responses are in the scale of the lines."""
+    blocks = of.rows.shape[1] // len(levels)
+    return Order(of.values, of.shapes * levels[:, None], of.rows / np.tile(levels, blocks), of.columns)
+
+
+def _near(by_order: Sequence[OrderPoles], pole: complex) -> list[int]:
+    """Return the orders that have a pole nearest to one."""
+    nearness = [np.abs(one.poles - pole).min() for one in by_order]
+    return [int(k) for k in np.argsort(nearness)[:SHAPES]]
+
+
+def _selected(
+    record: PreparedRecord, part: Part, chosen: Sequence[Candidate]
+) -> list[tuple[Refined, Candidate]]:
+    """Return the candidates that are modes: the strongest are tried first, then each is fitted beside the others."""
+    ends = part.start, part.stop
+    strength = [_strength(record, one) for one in chosen]
+    kept: list[tuple[Refined, Candidate]] = []
+    for k in np.argsort(strength)[::-1]:
+        one = chosen[k]
+        mode = refined(start(one.pole, one.shape), [other for other, _ in kept], record.plain, ends)
+        if mode is not None:
+            kept.append((mode, one))
+    # the least certain first: what describes a mode a second time goes before the mode is fitted beside it
+    for pair in sorted(kept, key=lambda pair: pair[0].gain):
+        kept.remove(pair)
+        again = refined(pair[0], [other for other, _ in kept], record.plain, ends)
+        if again is not None:
+            kept.append((again, pair[1]))
+    return kept
+
+
+def _strength(record: PreparedRecord, one: Candidate) -> float:
+    """Return the mean power of the lines within the bandwidth of a candidate, along its shape."""
+    f, width = one.pole.imag / (2 * math.pi), max(-one.pole.real / (2 * math.pi), 1.0 / record.seconds)
+    along = one.shape.conj() / np.linalg.norm(one.shape)
+    powers = []
+    for piece in record.plain:
+        inside = slice(*np.searchsorted(piece.frequencies, [f - width, f + width]))
+        powers.append((np.abs(piece.values[inside] @ along) ** 2).sum() * piece.step)
+    return float(sum(powers)) / width

@@ -1,0 +1,237 @@
+"""The report of ``pkmodes identify``: the modes of a campaign, and for each record the fits that they come from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from pkmodes.base.version import VERSION
+from pkmodes.campaign.campaign import Campaign
+from pkmodes.campaign.identify import COMPLEX
+from pkmodes.campaign.results import Identification, IdentifiedMode, RecordResult
+from pkmodes.plots import identified_modes
+from pkmodes.report.blocks import Block, Cell, Column, Facts, Picture, Section, Summary, Table
+from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer
+from pkmodes.report.identified_record import auto_macs, record_section
+from pkmodes.report.origin import files_of
+from pkmodes.report.page import need_report, page
+from pkmodes.report.sources import Source
+
+#: Places that a note of the head names at most.
+PLACES = 8
+#: MAC of two modes above which the sensors hardly tell them apart.
+ALIKE = 0.8
+#: Relative standard deviation of a damping ratio above which it is said.
+UNCERTAIN = 0.5
+
+
+def identification_report(
+    found: Identification, campaign: Campaign, content: Mapping[str, Any], sources: Sequence[Source]
+) -> str:
+    """Return the report of an identification.
+
+    Parameters
+    ----------
+    found : Identification
+        With what is drawn of the fits.
+    content : mapping
+        The JSON of the command.
+    sources : sequence of Source
+        The campaign file and the robot file as they were read.
+
+    Returns
+    -------
+    str
+        HTML that needs no other file and no network.
+
+    Raises
+    ------
+    MissingExtraError
+        If the libraries of the extra ``report`` are not installed.
+    """
+    need_report()
+    sections = [Section("records", "Records", _overview(found, content))]
+    sections += [
+        record_section(i, result, campaign, content["records"][i]) for i, result in enumerate(found.records)
+    ]
+    sections.append(Section("origin", "Data and versions", [Facts(_origin(found, sources))]))
+    return page(_summary(found, campaign, content), sections)
+
+
+def _summary(found: Identification, campaign: Campaign, content: Mapping[str, Any]) -> Summary:
+    modes = [mode for result in found.records for mode in result.modes]
+    count, poses = plural(len(modes), "mode"), plural(len(found.records), "pose")
+    notes = [clean(note, SENTENCE) for note in (*_attention(found), *found.messages)]
+    relative = np.array([mode.sigma / mode.frequency for mode in modes])
+    damped = np.array([mode.sigma_damping / mode.damping for mode in modes if mode.damping > 0.0])
+    damped = damped[np.isfinite(damped)]
+    at = pointer("repeatability")
+    facts = [
+        ("modes", Cell(str(len(modes)), len(modes))),
+        (
+            "median \u03c3 of a frequency",
+            Cell(_per_cent(float(np.median(relative))), float(np.median(relative))),
+        ),
+        ("largest \u03c3 of a frequency", Cell(_per_cent(float(relative.max())), float(relative.max()))),
+        ("of it repeatability", Cell(_per_cent(found.repeatability), found.repeatability, at)),
+    ]
+    if damped.size:
+        middle = float(np.median(damped))
+        facts.append(("median \u03c3 of a damping ratio, of its value", Cell(_per_cent(middle), middle)))
+    subject = "Structure" if campaign.model is None else campaign.model.robot.name
+    said = sum(len(result.messages) for result in found.records)
+    return Summary(
+        subject=clean(subject),
+        kind="Identification",
+        verdict="",
+        headline=f"{count} at {poses}" + (f", {plural(len(notes), 'point')} to check" if notes else ""),
+        reason=_reason(found, modes, said),
+        tone="open" if notes else "good",
+        notes=notes,
+        facts=facts,
+    )
+
+
+def _per_cent(share: float) -> str:
+    return f"{100.0 * share:.2g} %"
+
+
+def _reason(found: Identification, modes: Sequence[IdentifiedMode], said: int) -> str:
+    """Return where the modes come from, and what limits them."""
+    files = sum(len(one.files) for result in found.records for one in result.repeats)
+    largest = [
+        max(("scatter", "fit", "repeatability"), key=lambda part: getattr(mode.parts, part)) for mode in modes
+    ]
+    names = {
+        "repeatability": "the repeatability of the pose",
+        "scatter": "the scatter of the repeats",
+        "fit": "what the fit leaves open",
+    }
+    most = max(names, key=largest.count)
+    share = "all of them" if largest.count(most) == len(modes) else f"{largest.count(most)} of them"
+    messages = f" {plural(said, 'message')} {'is' if said == 1 else 'are'} with the records." if said else ""
+    return (
+        f"From {plural(files, 'file')}. The largest part of the standard deviation of the frequency is, for {share}, "
+        f"{names[most]}.{messages}"
+    )
+
+
+def _attention(found: Identification) -> list[str]:
+    """Return what a reader should look at, in sentences."""
+    said = []
+    left = [(result.record.pose, one) for result in found.records for one in result.left_out]
+    if left:
+        said.append(f"{plural(len(left), 'faulty file')} left out: {_places([pose for pose, _ in left])}.")
+    none = [result.record.pose for result in found.records if not result.modes]
+    if none:
+        said.append(f"No mode was found at {_places(none)}.")
+    added = _modes_with(found, lambda mode, _: mode.edited is not None)
+    struck = [f"{one.record.pose} ({f:.4g} Hz)" for one in found.records for f in one.struck]
+    said += [f"Added by the campaign: {_places(added)}."] if added else []
+    said += [f"Struck out by the campaign: {_places(struck)}."] if struck else []
+    complex_ = _modes_with(found, lambda mode, _: mode.complexity < COMPLEX)
+    if complex_:
+        said.append(f"Complex shapes (modal phase collinearity below {COMPLEX:g}): {_places(complex_)}.")
+    some = _modes_with(found, lambda mode, result: mode.files < _files(result))
+    if some:
+        said.append(f"Found in some of the files only: {_places(some)}.")
+    vague = _modes_with(found, lambda mode, _: mode.sigma_damping > UNCERTAIN * mode.damping)
+    if vague:
+        said.append(f"Damping known to no better than {100.0 * UNCERTAIN:g} %: {_places(vague)}.")
+    alike = [pair for result in found.records for pair in _alike(result)]
+    if alike:
+        said.append(f"Modes that the sensors hardly tell apart (MAC above {ALIKE:g}): {_places(alike)}.")
+    single = [
+        result.record.pose
+        for result in found.records
+        if result.repeats and all(len(one.files) == 1 for one in result.repeats)
+    ]
+    if single:
+        said.append(f"A single file, so that the scatter of repeats is unknown: {_places(single)}.")
+    return said
+
+
+def _modes_with(found: Identification, wanted: Any) -> list[str]:
+    return [
+        f"{result.record.pose} ({mode.frequency:.4g} Hz)"
+        for result in found.records
+        for mode in result.modes
+        if wanted(mode, result)
+    ]
+
+
+def _files(result: RecordResult) -> int:
+    return sum(len(one.files) for one in result.repeats)
+
+
+def _alike(result: RecordResult) -> list[str]:
+    macs = auto_macs(result.modes)
+    return [
+        f"{result.record.pose} ({result.modes[i].frequency:.4g} and {result.modes[k].frequency:.4g} Hz)"
+        for i, k in np.argwhere(np.triu(np.nan_to_num(macs) > ALIKE, 1))
+    ]
+
+
+def _places(names: Sequence[str]) -> str:
+    more = f" and {len(names) - PLACES} more" if len(names) > PLACES else ""
+    return ", ".join(names[:PLACES]) + more
+
+
+def _overview(found: Identification, content: Mapping[str, Any]) -> list[Block]:
+    """Return all records in a table, and their frequencies in a figure if there are several."""
+    rows = []
+    for i, result in enumerate(found.records):
+        last = len(result.modes) - 1
+        rows.append(
+            [
+                Cell(clean(result.record.pose)),
+                Cell(result.record.kind),
+                number(len(result.modes), ".0f"),
+                _frequency(i, result, 0),
+                _frequency(i, result, last),
+                number(_files(result), ".0f"),
+                number(len(result.left_out), ".0f"),
+                number(len(content["records"][i]["messages"]), ".0f"),
+            ]
+        )
+    columns = [
+        *(Column("pose", False), Column("kind", False), Column("modes")),
+        *(Column("lowest [Hz]"), Column("highest [Hz]")),
+        *(Column("files"), Column("left out"), Column("messages")),
+    ]
+    blocks: list[Block] = []
+    if len(found.records) > 1:
+        labels = [result.record.pose for result in found.records]
+        modes = [
+            (i, mode.frequency, mode.edited is not None)
+            for i, result in enumerate(found.records)
+            for mode in result.modes
+        ]
+        struck = [(i, f) for i, result in enumerate(found.records) for f in result.struck]
+        blocks.append(
+            Picture.of(
+                identified_modes.by_pose(labels, modes, struck),
+                "Frequencies at each pose",
+                f"{plural(len(modes), 'mode')} at {plural(len(labels), 'pose')}.",
+                "Frequencies at each pose. Their standard deviations are smaller than the marks. A mode that its "
+                "neighbours lack was hidden there, or is none.",
+            )
+        )
+    return [*blocks, Table("Records.", columns, rows)]
+
+
+def _frequency(index: int, result: RecordResult, k: int) -> Cell:
+    """Return the frequency of a mode of a record, nothing if it has none."""
+    if not result.modes:
+        return number(None)
+    return hertz(result.modes[k].frequency, pointer("records", index, "modes", k, "frequency"))
+
+
+def _origin(found: Identification, sources: Sequence[Source]) -> list[tuple[str, Sequence[Cell]]]:
+    entries = files_of(sources)
+    at = pointer("repeatability")
+    entries.append(("repeatability [%]", [number(found.repeatability, ".2g", at, scale=100.0)]))
+    entries.append(("pkmodes", [Cell(VERSION)]))
+    return entries

@@ -1,0 +1,266 @@
+"""The section of a record in the report of an identification: its modes, and the fits that they come from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from pkmodes.campaign.campaign import Campaign
+from pkmodes.campaign.found import mac
+from pkmodes.campaign.inspection import Inspection
+from pkmodes.campaign.results import IdentifiedMode, RecordResult
+from pkmodes.plots import fits, identified_modes
+from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Section, Table
+from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer
+
+#: Complex shapes drawn of a record at most: the least collinear.
+MOST_SHAPES = 18
+#: Modes of a record at most for a matrix whose cells can be seen.
+MOST_MAC = 60
+#: Messages of a record that are listed at most.
+MOST_MESSAGES = 40
+#: What the functions of each kind of record are.
+FUNCTIONS = {
+    "frf": "frequency response function, as acceleration per force in SI units",
+    "impact": "frequency response function of the blows, as acceleration per force in SI units",
+    "ambient": "power spectral density of the responses, in SI units",
+    "spectrum": "power spectrum, relative to its sum over the band",
+}
+
+
+def record_section(
+    index: int, result: RecordResult, campaign: Campaign, content: Mapping[str, Any]
+) -> Section:
+    """Return the section of a record.
+
+    Parameters
+    ----------
+    index : int
+        Among the records of the JSON, from 0.
+    content : mapping
+        The record in the JSON.
+    """
+    record = result.record
+    blocks: list[Block] = [Facts(_facts(index, result, campaign))]
+    blocks.append(_table(index, content["modes"]) if result.modes else Paragraph("No mode was found."))
+    if result.messages:
+        said = [clean(message, SENTENCE) for message in result.messages[:MOST_MESSAGES]]
+        more = len(result.messages) - len(said)
+        blocks += [Paragraph("What was noticed:"), Listing(said)]
+        blocks += [Paragraph(f"{plural(more, 'further message')} in the output of --json.")] if more else []
+    if result.left_out:
+        faulty = [clean(f"{_name(one.file)}: {one.reason}", SENTENCE) for one in result.left_out]
+        blocks += [Paragraph("Files that were left out:"), Listing(faulty)]
+    for one in result.inspections:
+        blocks += _fit(one, result, campaign)
+    blocks += _shapes(result)
+    blocks += _repeats(result)
+    return Section(f"record-{index + 1}", clean(f"{record.pose}: {record.kind}", 60), blocks)
+
+
+def _name(path: str) -> str:
+    return path.replace("\\", "/").rpartition("/")[2]
+
+
+def _facts(index: int, result: RecordResult, campaign: Campaign) -> list[tuple[str, Sequence[Cell]]]:
+    record, at = result.record, ("records", index)
+    facts: list[tuple[str, Sequence[Cell]]] = [("motors", [Cell(record.drives)])] if campaign.model else []
+    low, high = record.band
+    facts.append(("band", [Cell(f"{low:g} Hz to {high:g} Hz")]))
+    for name, paths in record.setups.items():
+        listed = ", ".join(clean(path.name) for path in paths[:12])
+        more = f" and {len(paths) - 12} more" if len(paths) > 12 else ""
+        facts.append((f"files of setup {clean(name)}" if name else "files", [Cell(listed + more)]))
+    if result.struck:
+        cells = [hertz(f, pointer(*at, "struck", k)) for k, f in enumerate(result.struck)]
+        facts.append(("struck out by the campaign [Hz]", cells))
+    return facts
+
+
+def _table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
+    """Return the modes with their standard deviations."""
+    damped = any(mode["damping"] is not None for mode in modes)
+    shaped = any(mode["complexity"] is not None for mode in modes)
+    ordered = any(mode["found_in"] is not None for mode in modes)
+    edited = any(mode["edited"] for mode in modes)
+    columns = [Column("mode"), Column("f [Hz]"), Column("\u03c3 [Hz]")]
+    columns += [Column("scatter"), Column("fit"), Column("repeatability")]
+    groups = [("", 3), ("parts of \u03c3 [Hz]", 3)]
+    if damped:
+        columns += [Column("[%]"), Column("\u03c3 [%]")]
+        groups.append(("damping ratio", 2))
+    rest = [Column("MPC")] * shaped + [Column("orders", False)] * ordered + [Column("files")]
+    rest += [Column("edited", False)] * edited
+    columns, groups = [*columns, *rest], [*groups, ("", len(rest))]
+    rows = []
+    for k, mode in enumerate(modes):
+        at = ("records", index, "modes", k)
+        parts = mode["sigma_parts"]
+        cells = [
+            Cell(str(k + 1)),
+            hertz(mode["frequency"], pointer(*at, "frequency")),
+            number(mode["sigma"], ".2g", pointer(*at, "sigma")),
+        ]
+        cells += [number(parts[key], ".2g", pointer(*at, "sigma_parts", key)) for key in parts]
+        if damped:
+            cells.append(number(mode["damping"], ".3g", pointer(*at, "damping"), scale=100.0))
+            cells.append(number(mode["sigma_damping"], ".2g", pointer(*at, "sigma_damping"), scale=100.0))
+        cells += [number(mode["complexity"], ".3f", pointer(*at, "complexity"))] if shaped else []
+        if ordered:
+            found = mode["found_in"]
+            cells.append(Cell("\u2013" if found is None else f"{found[0]} of {found[1]}"))
+        cells.append(number(mode["files"], ".0f", pointer(*at, "files")))
+        cells += [Cell(mode["edited"] or "")] if edited else []
+        rows.append(cells)
+    meanings = ["\u03c3 is one standard deviation, the root of the sum of the squares of its parts"]
+    meanings += ["MPC is the modal phase collinearity, 1 for a real shape"] if shaped else []
+    meanings += ["orders: in how many model orders the pole was found"] if ordered else []
+    return Table("Modes.", columns, rows, groups, "; ".join(meanings) + ".")
+
+
+def _fit(one: Inspection, result: RecordResult, campaign: Campaign) -> list[Block]:
+    """Return the figures of the fit of a file."""
+    record = result.record
+    setup = f"Setup {clean(one.setup)}, " if one.setup else ""
+    others = len(record.setups[one.setup]) - 1
+    which = f"{setup}file {clean(one.file)}"
+    which = which[:1].upper() + which[1:]
+    low, high = record.band
+    multiples = [
+        tone * k for tone in campaign.tones for k in range(1, int(high / tone) + 1) if tone * k >= low
+    ]
+    marked = fits.Lines(
+        [(mode.frequency, k, bool(mode.edited)) for k, mode in enumerate(result.modes, start=1)],
+        result.struck,
+        sorted({*one.tones, *multiples}),
+    )
+    blocks: list[Block] = []
+    of = "setup" if one.setup else "record"
+    rest = "" if not others else f" The {plural(others, 'other file')} of the {of} are not drawn."
+    rest = (
+        rest.replace("The 1 other file of", "The other file of").replace("are", "is") if others == 1 else rest
+    )
+    if len(one.stabilisation.orders):
+        count = sum(map(len, one.stabilisation.poles))
+        lines = ["lines with a number are the modes of the record, as in the table"]
+        lines += ["dash-dotted ones those added"] if any(mode.edited for mode in result.modes) else []
+        lines += ["dashed ones those struck out"] if result.struck else []
+        lines += ["dotted ones tones"] if marked.tones else []
+        caption = (
+            f"{which}: stabilisation diagram. Each short line is a pole at a model order; a stable one has nearly "
+            "the same frequency and damping as a pole of the order before. Behind them is the sum of the magnitudes "
+            f"of all measured functions, each relative to its rms. {_sentence('; '.join(lines))}{rest}"
+        )
+        blocks.append(
+            Picture.of(
+                fits.stabilisation(one, marked, record.band),
+                f"Stabilisation diagram of {which[:1].lower()}{which[1:]}",
+                f"{plural(count, 'pole')} over {plural(len(one.stabilisation.orders), 'model order')}, and "
+                f"{plural(len(result.modes), 'mode')}.",
+                caption,
+            )
+        )
+    if one.curves:
+        phase = record.kind in ("frf", "impact")
+        blocks.append(
+            Picture.of(
+                fits.functions(one, marked, record.band, phase),
+                f"Measured and synthesised functions of {which[:1].lower()}{which[1:]}",
+                f"{', '.join(clean(curve.name, 40) for curve in one.curves)}: measured, and synthesised from the "
+                "modes.",
+                f"{which}: {_which(one)}, measured and synthesised from the modes of this file. Each is a "
+                f"{FUNCTIONS[record.kind]}{_panels(phase, one)}. Faint lines are the modes of the record.",
+            )
+        )
+    return blocks
+
+
+def _sentence(text: str) -> str:
+    return f"{text[:1].upper()}{text[1:]}."
+
+
+def _which(one: Inspection) -> str:
+    if len(one.curves) == one.functions:
+        return f"its {plural(one.functions, 'function')}" if one.functions > 1 else "its function"
+    return (
+        f"{len(one.curves)} of {one.functions} functions, chosen so that each mode stands out in one of them"
+    )
+
+
+def _panels(phase: bool, one: Inspection) -> str:
+    parts = ["magnitude", *(["phase"] if phase else [])]
+    parts += ["coherence"] if any(curve.coherence is not None for curve in one.curves) else []
+    return f": {', '.join(parts)}" if len(parts) > 1 else ""
+
+
+def _shapes(result: RecordResult) -> list[Block]:
+    """Return how alike and how complex the shapes are."""
+    shaped = [(k, mode) for k, mode in enumerate(result.modes, start=1) if len(mode.complex_shape) > 1]
+    if not shaped:
+        return []
+    blocks: list[Block] = []
+    if 1 < len(result.modes) <= MOST_MAC:
+        macs = auto_macs(result.modes)
+        alike = int(((macs > 0.5) & ~np.eye(len(macs), dtype=bool)).sum()) // 2
+        blocks.append(
+            Picture.of(
+                identified_modes.auto_mac(macs),
+                "autoMAC",
+                f"Modal assurance criterion between {plural(len(macs), 'mode')}; {plural(alike, 'pair')} above 0.5.",
+                "autoMAC: how alike the shapes of the record's modes are, 1 for the same shape. A light cell beside "
+                "the diagonal means that the sensors hardly tell two modes apart.",
+            )
+        )
+    drawn = sorted(sorted(shaped, key=lambda one: one[1].complexity)[:MOST_SHAPES], key=lambda one: one[0])
+    titles = [(f"{k}: {mode.complexity:.2f}", mode.complex_shape) for k, mode in drawn]
+    which = (
+        "" if len(drawn) == len(shaped) else f" The {len(drawn)} least collinear of {len(shaped)} are drawn."
+    )
+    lowest = min(shaped, key=lambda one: one[1].complexity)
+    blocks.append(
+        Picture.of(
+            identified_modes.complex_shapes(titles),
+            "Shapes in the complex plane",
+            f"{plural(len(drawn), 'shape')}. The most complex one is that of mode {lowest[0]}, with a modal phase "
+            f"collinearity of {lowest[1].complexity:.2f}.",
+            "Shapes in the complex plane: a line for each component, relative to the largest, in a circle of radius "
+            "1; above it the number of the mode and its modal phase collinearity. A real shape is a horizontal line; "
+            f"only the real part is used.{which}",
+        )
+    )
+    return blocks
+
+
+def auto_macs(modes: Sequence[IdentifiedMode]) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """Return the MAC of each mode with each, (M, M), NaN where they have fewer than two components in common."""
+    found = np.full((len(modes), len(modes)), np.nan)
+    for i, one in enumerate(modes):
+        for k, other in enumerate(modes):
+            if len(one.complex_shape.keys() & other.complex_shape.keys()) > 1:
+                found[i, k] = mac(one.complex_shape, other.complex_shape)
+    return found
+
+
+def _repeats(result: RecordResult) -> list[Block]:
+    several = [one for one in result.repeats if len(one.files) > 1 and one.modes]
+    if not several:
+        return []
+    files = sum(len(one.files) for one in several)
+    widest = max(
+        abs(f / np.mean(list(mode.values())) - 1.0)
+        for one in several
+        for mode in one.modes
+        for f in mode.values()
+    )
+    colours = " Each setup has a colour, and its own means." if len(several) > 1 else ""
+    return [
+        Picture.of(
+            identified_modes.scatter_of_repeats(several),
+            "Frequencies in each file",
+            f"{plural(files, 'file')}; the largest difference from a mean is {100.0 * widest:.2g} %.",
+            "Frequencies in each file, relative to their mean over the repeats. A file that is off in all modes was "
+            f"measured elsewhere, or at another temperature.{colours}",
+        )
+    ]

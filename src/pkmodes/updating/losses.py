@@ -1,0 +1,152 @@
+"""What a robot dissipates, for the diagnosis: the losses that it may have, and the damping that each would give.
+
+Losses are the dissipating effects of the catalogue and the damping ratio common to all modes.  One that the file
+declares without a standard deviation, or an effect that it does not declare, may be suspected.  A common ratio that
+the file does not declare is no cause, because it names no joint; but it competes with the causes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.base.errors import PkmodesError
+from pkmodes.diagnosis.problem import Loss, Parameter
+from pkmodes.linalg.damping import damping_ratios
+from pkmodes.mechanism.described import DAMPING_RATIO
+from pkmodes.robot.layout import EFFECTS
+from pkmodes.robot.robot import Robot
+from pkmodes.system.dissipation import Dissipation
+from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.updating.candidates import PREFIX
+from pkmodes.updating.predictions import Solved
+
+Array = NDArray[np.float64]
+#: The candidate of the common ratio.
+RATIO = f"{PREFIX}{DAMPING_RATIO}"
+#: Value at which an effect is evaluated: a power of two below all bounds, so that scaling is exact.
+PART = 0.5
+
+
+def losses_of(robot: Robot, chosen: Sequence[str] | None = None) -> tuple[Loss, ...]:
+    """Return the losses of a robot; empty if none is suspected.
+
+    Parameters
+    ----------
+    chosen : sequence of str, optional
+        Names of candidates, as for `pkmodes.updating.candidates.suspects`.
+
+    Raises
+    ------
+    PkmodesError
+        If a chosen loss has a sigma, so that it is no candidate.
+    """
+    names = None if chosen is None else set(chosen)
+    losses = [_ratio(robot, names), *_effects(robot, names)]
+    return tuple(losses) if any(loss.candidate and loss.claimable for loss in losses) else ()
+
+
+def without_losses(robot: Robot, chosen: Sequence[str] | None) -> Sequence[str] | None:
+    """Return chosen names of candidates without those of losses."""
+    if chosen is None or isinstance(chosen, str):
+        return chosen
+    return [name for name in chosen if not is_loss(robot, name)]
+
+
+def is_loss(robot: Robot, name: object) -> bool:
+    """Return whether a candidate's name is that of a loss."""
+    effects = robot.mechanism.effects
+    return name == RATIO or (isinstance(name, str) and name in effects and effects[name].dissipates)
+
+
+def _ratio(robot: Robot, names: set[str] | None) -> Loss:
+    """Return the damping ratio that all modes have in common."""
+    quantity = robot.quantities.get(DAMPING_RATIO)
+    sigma = None if quantity is None else quantity.sigma
+    asked = names is not None and RATIO in names
+    _refuse_known(DAMPING_RATIO, sigma, asked)
+    wanted = names is None or bool({RATIO, "parameters"} & names) or (quantity is None and "effects" in names)
+    declared = quantity is not None
+    return Loss(
+        Parameter(DAMPING_RATIO, robot.damping_ratio, "1", sigma or None, 0.0, 1.0),
+        RATIO if wanted and sigma is None else "",
+        f"the declared value of {DAMPING_RATIO} is wrong"
+        if declared
+        else "every mode has the same damping ratio",
+        declared,
+        effect=False,
+        claimable=declared or asked,
+    )
+
+
+def _effects(robot: Robot, names: set[str] | None) -> list[Loss]:
+    """Return the dissipating effects of the catalogue."""
+    losses = []
+    for effect in robot.mechanism.effects.values():
+        if not effect.dissipates:
+            continue
+        (parameter,) = effect.fitted
+        path = f"{EFFECTS}.{effect.name}.{parameter.name}"
+        quantity = robot.quantities.get(path)
+        sigma = None if quantity is None else quantity.sigma
+        _refuse_known(f"the effect {effect.name}", sigma, names is not None and effect.name in names)
+        wanted = names is None or bool({effect.name, "effects"} & names)
+        most = 1.0 if parameter.unit == "1" else np.inf
+        losses.append(
+            Loss(
+                Parameter(
+                    path,
+                    0.0 if quantity is None else quantity.value,
+                    parameter.unit.replace(" ", "*"),
+                    sigma or None,
+                    0.0,
+                    most,
+                ),
+                effect.name if wanted and sigma is None else "",
+                effect.sentence,
+                quantity is not None,
+            )
+        )
+    return losses
+
+
+def _refuse_known(what: str, sigma: float | None, asked: bool) -> None:
+    if asked and sigma is not None:
+        state = "refitted already" if sigma else "known exactly"
+        raise PkmodesError(
+            f"{what} is {state}: the robot file gives a sigma",
+            "candidates",
+            "leave it out, or remove the sigma",
+        )
+
+
+def rates_of_losses(at: Solved, losses: Sequence[Loss]) -> Array:
+    """Return the damping ratio of each mode per unit of each loss, (N, m, losses); NaN for rigid modes."""
+    rigid, each = at.system.rigid_modes, len(at.points) // len(at.robots)
+    rates = np.full((*at.eigenvalues.shape, len(losses)), np.nan)
+    size = at.system.joints.shape[-1]
+    for b, robot in enumerate(at.robots):
+        some = slice(b * each, (b + 1) * each)
+        modes = at.eigenvalues[some], at.channels[some, :, :size]
+        for j, loss in enumerate(losses):
+            if not loss.effect:
+                rates[some, rigid:, j] = 1.0
+                continue
+            alone = _with_one(robot, loss.parameter.name)
+            viscous, lost = Dissipation(alone, ExtendedSystem.of(alone)).of_model(at.points[some])
+            rates[some, :, j] = damping_ratios(*modes, viscous, lost, 0.0, rigid) / PART
+    return rates
+
+
+def _with_one(robot: Robot, path: str) -> Robot:
+    """Return a robot in which one effect dissipates and no other."""
+    catalogue = robot.mechanism.effects
+    kept = {
+        name: value
+        for name, value in robot.effects.items()
+        if not catalogue[name.partition(".")[0]].dissipates
+    }
+    return replace(robot, effects={**kept, path.removeprefix(f"{EFFECTS}."): PART})
