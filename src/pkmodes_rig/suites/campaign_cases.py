@@ -113,11 +113,8 @@ def run(case: CampaignCase, keep: Path | None = None) -> CampaignOutcome:
 
 
 def _rewritten(text: str, change: Callable[[int, dict[str, str]], dict[str, str] | None]) -> str:
-    """Return a measurement file with changed rows, given by their numbers and cells; None leaves a row out.
-
-    The band is left out: a true frequency may lie outside it where the measured one does not.
-    """
-    lines = [line for line in text.splitlines() if not line.startswith("# band")]
+    """Return a measurement file with changed rows, given by their numbers and cells; None leaves a row out."""
+    lines = text.splitlines()
     begin = next(i for i, line in enumerate(lines) if not line.startswith("#"))
     rows = [change(i, row) for i, row in enumerate(csv.DictReader(lines[begin:]))]
     kept = [row for row in rows if row is not None]
@@ -134,7 +131,11 @@ def _calibrated(_: int, row: dict[str, str]) -> dict[str, str]:
 
 
 def _signal(robot: Robot, text: str, rows: Judged, diagnosis: Diagnosis) -> float:
-    """Return the signal of the cause: rows at their true frequencies, with their standard deviations."""
+    """Return the signal of the cause: rows at their true frequencies, with their standard deviations.
+
+    The band is left out: a true frequency may lie outside it where the measured one does not.
+    """
+    without_band = "\n".join(line for line in text.splitlines() if not line.startswith("# band"))
 
     def exact(i: int, row: dict[str, str]) -> dict[str, str] | None:
         # Shapes serve only to pair the modes: the signal is computed from the frequencies.
@@ -143,7 +144,7 @@ def _signal(robot: Robot, text: str, rows: Judged, diagnosis: Diagnosis) -> floa
         return {**kept, "frequency": f"{one.nominal:.12g}"} if one.mode >= 0 else None
 
     try:
-        data = measurements_of(_rewritten(text, exact), robot)
+        data = measurements_of(_rewritten(without_band, exact), robot)
         fitted, _ = split(data, diagnosis.held_out_poses)
         structure = MeasuredRobot.of(robot, data).structure(candidates=()).subset(fitted)
         fitter = Fitter(structure, data.at(fitted), scatter=NO_WEIGHT)
