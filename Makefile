@@ -86,11 +86,12 @@ figures: $(VENV)/.dev  ## the pictures of the README and docs/figures.md, and th
 	$(BIN)/python docs/studies/published_figures/claims.py
 	$(BIN)/python docs/studies/shaped_moves/table.py
 
-suites: $(VENV)/.dev  ## error rates of the diagnosis on the virtual test rig, three to four hours on two cores
+suites: $(VENV)/.dev  ## error rates of identification and diagnosis on the virtual test rig, three to four hours on two cores
 	$(BIN)/python -m pkmodes_rig.suites.diagnosis --seed 20261216 --out docs/diagnosis-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.mechanism_suites --seed 20261215 --out docs/mechanisms-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.limits --seed 20261213 --out docs/limits-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.clear_suites --seed 20261207 --out docs/clear-causes-measured.md
+	$(BIN)/python -m pkmodes_rig.suites.campaigns --seed 20261224 --out docs/signals-measured.md
 
 clean:
 	rm -rf $(VENV) build

@@ -1,0 +1,154 @@
+"""Runs a machine of the suite of campaigns: the folder is measured, identified, diagnosed and judged."""
+
+from __future__ import annotations
+
+import csv
+import io
+import tempfile
+import time
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from pkmodes import updating
+from pkmodes.campaign.campaign import read_campaign
+from pkmodes.campaign.identify import identify
+from pkmodes.diagnosis.diagnose import split
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.measured.writing import as_csv
+from pkmodes.robot.robot import Robot
+from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes_rig.signals.campaigns import CAMPAIGN, make
+from pkmodes_rig.suites.campaign_judging import Judged, judge
+from pkmodes_rig.suites.campaign_machines import CampaignCase, bench
+from pkmodes_rig.suites.judging import judged
+from pkmodes_rig.suites.mechanism_cases import MACHINES, measurements_of, robot_of
+from pkmodes_rig.suites.strengths import NO_WEIGHT
+
+#: What a laboratory knows of the sensitivity and mounting of its sensors, relative to the largest component.
+CALIBRATION = 0.01
+#: Columns that have no part in the signal.
+LEFT_OUT = ("sigma_shape", "damping", "sigma_damping")
+
+
+@dataclass(frozen=True)
+class CampaignOutcome:
+    """Outcome of a machine; `state`, `verdict` and `classes` as in `judging.Outcome`.
+
+    Attributes
+    ----------
+    signal : float
+        Of the cause in the rows that were found, in standard deviations: what is left of their true frequencies when
+        the declared model is fitted to them; see `strengths`.
+    calibrated : str
+        The state of a diagnosis of the same rows with `CALIBRATION` added to every ``sigma_shape``, in quadrature.
+    judged : Judged or None
+        None if the identification failed.
+    unkind : tuple of str
+        What went wrong in the laboratory.
+    messages : tuple of str
+        Of the identification.
+    identifying, diagnosing : float
+        Times [s].
+    files : int
+    """
+
+    case: CampaignCase
+    state: str
+    verdict: str
+    classes: tuple[tuple[str, ...], ...] = ()
+    signal: float = 0.0
+    reason: str = ""
+    calibrated: str = ""
+    judged: Judged | None = None
+    unkind: tuple[str, ...] = ()
+    messages: tuple[str, ...] = ()
+    identifying: float = 0.0
+    diagnosing: float = 0.0
+    files: int = 0
+
+
+def run(case: CampaignCase, keep: Path | None = None) -> CampaignOutcome:
+    """Measure, identify, diagnose and judge a machine; its folder is written to `keep` if given."""
+    rng = np.random.default_rng([case.seed, 2, case.number])
+    on = bench(case, rng)
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = keep or Path(temporary)
+        folder.mkdir(parents=True, exist_ok=True)
+        tests = [on.test] * len(on.poses)
+        made = make(folder, on.machine, on.robot, on.poses, on.repeats, on.wander, tests, on.paper, rng)
+        begin = time.perf_counter()
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", RuntimeWarning)
+            found = identify(read_campaign(folder / CAMPAIGN))
+        identifying = time.perf_counter() - begin
+        rows = judge(found.records, made, on.test, on.paper.band)
+        text = as_csv(found.measurements, [])
+        (folder / "modes.csv").write_text(text, encoding="utf-8")
+    robot, same = robot_of(case.robot), MACHINES[case.robot].same
+    begin = time.perf_counter()
+    diagnosis = updating.diagnose(robot, measurements_of(text, robot))
+    diagnosing = time.perf_counter() - begin
+    wider = updating.diagnose(robot, measurements_of(_rewritten(text, _calibrated), robot))
+    return CampaignOutcome(
+        case=case,
+        state=judged(case.names, diagnosis, same=same),
+        verdict=diagnosis.verdict,
+        classes=tuple(f.members for f in diagnosis.effects) or diagnosis.survivors,
+        signal=_signal(robot, text, rows, diagnosis) if case.cause else 0.0,
+        reason=diagnosis.reason,
+        calibrated=judged(case.names, wider, same=same),
+        judged=rows,
+        unkind=on.unkind,
+        messages=tuple(message for one in found.records for message in one.messages),
+        identifying=identifying,
+        diagnosing=diagnosing,
+        files=len(made.files),
+    )
+
+
+def _rewritten(text: str, change: Callable[[int, dict[str, str]], dict[str, str] | None]) -> str:
+    """Return a measurement file with changed rows, given by their numbers and cells; None leaves a row out."""
+    lines = text.splitlines()
+    begin = next(i for i, line in enumerate(lines) if not line.startswith("#"))
+    rows = [change(i, row) for i, row in enumerate(csv.DictReader(lines[begin:]))]
+    kept = [row for row in rows if row is not None]
+    out = io.StringIO()
+    writer = csv.DictWriter(out, list(kept[0]) if kept else [], lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(kept)
+    return "\n".join([*lines[:begin], out.getvalue()])
+
+
+def _calibrated(_: int, row: dict[str, str]) -> dict[str, str]:
+    stated = row.get("sigma_shape")
+    return {**row, "sigma_shape": f"{np.hypot(float(stated), CALIBRATION):.6g}"} if stated else row
+
+
+def _signal(robot: Robot, text: str, rows: Judged, diagnosis: Diagnosis) -> float:
+    """Return the signal of the cause: rows at their true frequencies, with their standard deviations.
+
+    The band is left out: a true frequency may lie outside it where the measured one does not.
+    """
+    without_band = "\n".join(line for line in text.splitlines() if not line.startswith("# band"))
+
+    def exact(i: int, row: dict[str, str]) -> dict[str, str] | None:
+        # Shapes serve only to pair the modes: the signal is computed from the frequencies.
+        kept = {name: cell for name, cell in row.items() if name not in LEFT_OUT}
+        one = rows.rows[i]
+        return {**kept, "frequency": f"{one.nominal:.12g}"} if one.mode >= 0 else None
+
+    try:
+        data = measurements_of(_rewritten(without_band, exact), robot)
+        fitted, _ = split(data, diagnosis.held_out_poses)
+        structure = MeasuredRobot.of(robot, data).structure(candidates=()).subset(fitted)
+        fitter = Fitter(structure, data.at(fitted), scatter=NO_WEIGHT)
+        fit = fitter.fit(Hypothesis(()), fitter.declared.copy())
+    except (ValueError, IndexError):  # too few rows
+        return 0.0
+    return 0.0 if fit is None else float(np.sqrt(fit.chi2))
