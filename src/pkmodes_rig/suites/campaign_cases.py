@@ -8,7 +8,7 @@ import tempfile
 import time
 import warnings
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -21,9 +21,11 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.writing import as_csv
+from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes_rig.signals.campaigns import CAMPAIGN, make
+from pkmodes_rig.signals.small_motion import Losses
 from pkmodes_rig.suites.campaign_judging import Judged, judge
 from pkmodes_rig.suites.campaign_machines import CampaignCase, bench
 from pkmodes_rig.suites.judging import judged
@@ -32,6 +34,8 @@ from pkmodes_rig.suites.strengths import NO_WEIGHT
 
 #: What a laboratory knows of the sensitivity and mounting of its sensors, relative to the largest component.
 CALIBRATION = 0.01
+#: The damping ratio of all modes, as a candidate.
+RATIO = "parameter:damping.ratio"
 #: Columns that have no part in the signal.
 LEFT_OUT = ("sigma_shape", "damping", "sigma_damping")
 
@@ -90,19 +94,19 @@ def run(case: CampaignCase, keep: Path | None = None) -> CampaignOutcome:
         rows = judge(found.records, made, on.test, on.paper.band)
         text = as_csv(found.measurements, [])
         (folder / "modes.csv").write_text(text, encoding="utf-8")
-    robot, same = robot_of(case.robot), MACHINES[case.robot].same
+    robot = robot_of(case.robot)
     begin = time.perf_counter()
     diagnosis = updating.diagnose(robot, measurements_of(text, robot))
     diagnosing = time.perf_counter() - begin
     wider = updating.diagnose(robot, measurements_of(_rewritten(text, _calibrated), robot))
     return CampaignOutcome(
         case=case,
-        state=judged(case.names, diagnosis, same=same),
+        state=_state(case, on.machine.losses, diagnosis),
         verdict=diagnosis.verdict,
         classes=tuple(f.members for f in diagnosis.effects) or diagnosis.survivors,
         signal=_signal(robot, text, rows, diagnosis) if case.cause else 0.0,
         reason=diagnosis.reason,
-        calibrated=judged(case.names, wider, same=same),
+        calibrated=_state(case, on.machine.losses, wider),
         judged=rows,
         unkind=on.unkind,
         messages=tuple(message for one in found.records for message in one.messages),
@@ -110,6 +114,26 @@ def run(case: CampaignCase, keep: Path | None = None) -> CampaignOutcome:
         diagnosing=diagnosing,
         files=len(made.files),
     )
+
+
+def _state(case: CampaignCase, losses: Losses, diagnosis: Diagnosis) -> str:
+    """Return the state of an outcome: of the cause that shifts frequencies, and of losses that are claimed beside it.
+
+    A claim of losses is wrong if the machine has none of a class, and on a machine with Coulomb friction always: the
+    catalogue lacks it, so that a diagnosis of damping should abstain.
+    """
+    kind = mechanism(robot_of(case.robot).mechanism_name)
+    dissipating = {*kind.effects} - {*kind.conservative_effects} | {RATIO}
+    claims = [set(f.members) for f in diagnosis.effects if set(f.members) <= dissipating]
+    others = [f for f in diagnosis.effects if not set(f.members) <= dissipating]
+    verdict = "adequate" if claims and not others else diagnosis.verdict
+    true = {RATIO} if losses.ratio else set()
+    true |= {"belt_loss", "reducer_loss"} if losses.factor else set()
+    true |= {"rail_friction"} if losses.viscous else set()
+    if any(losses.coulomb or not claim & true for claim in claims):
+        return "wrong"
+    of_cause = replace(diagnosis, effects=type(diagnosis.effects)(others), verdict=verdict)
+    return judged(case.names, of_cause, same=MACHINES[case.robot].same)
 
 
 def _rewritten(text: str, change: Callable[[int, dict[str, str]], dict[str, str] | None]) -> str:
