@@ -137,3 +137,33 @@ def test_units_of_campaigns_are_written_as_those_of_files(unit: str, factor: flo
         derivative,
         False,
     )
+
+
+def test_a_weak_mode_does_not_blur_the_shapes_and_damping_of_strong_ones() -> None:
+    """Scatter of known size, some modes a hundred times weaker: two standard deviations cover 95 % of each."""
+    rng = np.random.default_rng(12)
+    shape, noises = np.array([1.0, 0.6, -0.4, 0.2]), (1e-3, 1e-3, 2e-3, 0.1)
+    inside = {noise: [0, 0, 0] for noise in noises}
+    for _ in range(150):
+        groups = []
+        for number, noise in enumerate(noises):
+            modes = [
+                Found(
+                    50.0 + 20.0 * number,
+                    float(0.01 * np.exp(noise * rng.standard_normal())),
+                    dict(zip("abcd", (shape + noise * rng.standard_normal(4)).astype(complex), strict=True)),
+                    sigma_damping=0.01 * noise,
+                    sigma_shape=noise,
+                )
+                for _ in range(3)
+            ]
+            groups.append(dict(enumerate(modes)))
+        for noise, mean in zip(noises, averaged(groups), strict=True):
+            values = np.array([mean.mode.shape[name].real for name in "abcd"])
+            # No uncertainty of the identification is added here: the scatter alone.
+            inside[noise][0] += int((np.abs(values / values[0] - shape)[1:] < 2.0 * mean.shape_scatter).sum())
+            inside[noise][1] += abs(np.log(mean.mode.damping / 0.01)) < 2.0 * mean.damping_scatter
+            inside[noise][2] += 1
+    for of_shape, of_damping, count in inside.values():
+        assert 0.88 < of_shape / (3 * count) <= 0.99
+        assert 0.90 < of_damping / count <= 0.99

@@ -258,7 +258,7 @@ def test_shapes_are_not_taken_for_better_than_sensors_are() -> None:
 
 
 def test_a_machine_that_settles_anew_turns_shapes_as_far_as_is_allowed_for() -> None:
-    """Stiffnesses between three masses that scatter: their modes, solved by NumPy, against the angle by the errors."""
+    """Springs of three masses scatter: how far their shapes turn, by NumPy, against the angle by the errors."""
     rng = np.random.default_rng(3)
     stiffness = np.array([1.0, 0.06, 1.02, 0.6])
 

@@ -1,8 +1,10 @@
 """The mean of a mode over repeats, and its standard deviation.
 
-Few repeats tell little of their own scatter.  So the scatter of all modes of a record, relative to their
-frequencies (for shapes: to the largest component), is pooled, and that of each mode is drawn towards it: the
-posterior variance of Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004), with a prior worth `PRIOR` degrees of freedom.
+Few repeats tell little of their own scatter.  So the scatter of all modes of a record is pooled, and that of each
+mode is drawn towards it: the posterior variance of Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004), with a prior worth
+`PRIOR` degrees of freedom.  Frequencies scatter because the machine changes: relative to the frequency, alike for all
+modes.  Damping ratios and shapes scatter mostly by noise, which weak modes feel more: relative to what the
+identification leaves open of each.
 Student's t turns the result into a standard deviation two of which cover 95 % of errors.  The uncertainty of the
 identification itself is added: repeats at one place do not show it.
 """
@@ -65,15 +67,24 @@ def averaged(groups: Sequence[dict[int, Found]]) -> list[Mean]:
     damping = [_logs([mode.damping for mode in group.values()]) for group in groups]
     means = [mean_shape([mode.shape for mode in group.values()]) for group in groups]
     shapes = [left for _, left in means]
+    fits = [list(group.values()) for group in groups]
     scatters = [
         _scatter(
             [float(np.var(one, ddof=1)) if len(one) > 1 else np.nan for one in each],
             [len(one) for one in each],
+            left_open,
         )
-        for each in (logs, damping)
+        for each, left_open in (
+            (logs, None),
+            (damping, _left_open([[_relative(one) for one in each] for each in fits])),
+        )
     ]
     counts = [len(group) for group in groups]
-    of_shapes = _scatter([_mean_square(left) for left in shapes], counts)
+    of_shapes = _scatter(
+        [_mean_square(left) for left in shapes],
+        counts,
+        _left_open([[one.sigma_shape for one in each] for each in fits]),
+    )
     between = between_files(groups)
     return [
         Mean(
@@ -116,8 +127,28 @@ def _logs(values: Sequence[float]) -> Array:
     return np.asarray(np.log(known))
 
 
-def _scatter(variances: Sequence[float], counts: Sequence[int]) -> list[tuple[float, float]]:
-    """Return relative standard deviations and variances of means from those of n repeats; NaN for single ones."""
+def _relative(mode: Found) -> float:
+    """Return the relative standard deviation of a damping ratio; NaN where there is none."""
+    return mode.sigma_damping / mode.damping if mode.damping > 0.0 else np.nan
+
+
+def _left_open(stated: Sequence[Sequence[float]]) -> list[float] | None:
+    """Return what the identification leaves open of each mode in a file; None where it does not say so of all."""
+    known = [[one for one in each if one > 0.0] for each in stated]
+    return [float(np.sqrt(np.mean(np.square(each)))) for each in known] if all(known) else None
+
+
+def _scatter(
+    variances: Sequence[float], counts: Sequence[int], sizes: Sequence[float] | None = None
+) -> list[tuple[float, float]]:
+    """Return relative standard deviations and variances of means from those of n repeats; NaN for single ones.
+
+    Scatters are pooled relative to their `sizes`, all 1 by default.
+    """
+    if sizes is not None:
+        relative = [v / size**2 for v, size in zip(variances, sizes, strict=True)]
+        found = _scatter(relative, counts)
+        return [(s * size, v * size**2) for (s, v), size in zip(found, sizes, strict=True)]
     repeated = [(v, n - 1) for v, n in zip(variances, counts, strict=True) if n > 1 and np.isfinite(v)]
     if not repeated:
         return [(np.nan, np.nan)] * len(counts)
