@@ -25,7 +25,10 @@ SCHEMAS = {
     path.name.split(".")[0]: path for path in sorted((ROOT / "docs" / "schemas").glob("*.schema.json"))
 }
 #: Keys of some mechanisms only, or of rows with settings: all others are always present.
-OF_SOME = ("carriage_positions", "set", "damping", "sigma_damping", "predicted_damping")
+OF_SOME = (
+    *("carriage_positions", "set", "damping", "sigma_damping", "predicted_damping"),
+    *("damping_before", "damping_after", "damping_used"),
+)
 LOOP = [str(ROOT / "examples" / "closed_loop" / name) for name in ("robot.toml", "measured.csv")]
 POSE = ["--pose", "0.6,0.03,-0.245"]
 

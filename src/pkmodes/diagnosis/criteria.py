@@ -172,6 +172,8 @@ class Criteria:
     #: Least relative error of a damping ratio: halves of one modal test differ by 10 to 50 % in damping, whatever
     #: sigma a file states.  It also covers what light damping neglects.
     damping_floor: float = 0.1
+    #: Least error of a damping ratio: no test of a machine resolves it better.
+    damping_resolution: float = 1e-4
     #: A ratio is resolved if it is above this many standard deviations: below, its logarithm has no normal error.
     damping_resolved: float = 3.0
     #: A prediction of no damping counts as this part of the measured ratio, whose logarithm is a clear contradiction.
@@ -182,9 +184,9 @@ class Criteria:
     #: often do, contradict no model that declares no damping.
     damping_scatter: float = 0.25
     #: A claim needs data that reject laws outside the candidates: ratios that differ from mode to mode by a factor of
-    #: two (the standard deviation of their logarithm); a larger part of them may not look like a candidate.
+    #: two (the standard deviation of their logarithm); no larger part of them may look like a candidate, or a pair.
     damping_spread: float = 0.7
-    damping_specific: float = 0.05
+    damping_specific: tuple[float, float] = (0.05, 0.01)
     #: One row may be set aside if it is farther than this many standard deviations from what the others say.
     damping_outlier: float = 4.0
 

@@ -155,11 +155,15 @@ class Specimen:
     outside: Mapping[str, float] = field(default_factory=dict)
     drives: str = "free"
 
-    def modes(self, points: np.ndarray) -> list[TrueModes]:
-        """Return the true modes at some poses."""
+    def built(self) -> Robot:
+        """Return the robot with its true values."""
         declared = robot_of(self.mechanism)
         paths = [(resolve(declared, path), value) for path, value in self.values.items()]
-        robot = moved(declared, [(path, value - path.value) for path, value in paths])
+        return moved(declared, [(path, value - path.value) for path, value in paths])
+
+    def modes(self, points: np.ndarray) -> list[TrueModes]:
+        """Return the true modes at some poses."""
+        robot = self.built()
         effects = {**robot.constants, **self.effects}
         rig = MACHINES[self.mechanism].rig
         held = held_at(self.drives, len(points))

@@ -139,16 +139,16 @@ def _rows(result: Diagnosis, data: Measurements, stage: Stage) -> tuple[Row, ...
 
 def _outcome(stage: Stage, sentence: str) -> Damping:
     """Return what the damping says, and how far the model is from it."""
-    used = stage.used
-    with np.errstate(divide="ignore"):
+    above, used, held = stage.every.above, stage.used, stage.held
+    with np.errstate(divide="ignore", invalid="ignore"):
         before, after = (np.log(stage.every.ratio) - np.log(predicted) for predicted in stage.predicted)
     return Damping(
         verdict=stage.judged.verdict.word,
         sentence=sentence,
         fitted=int(used.sum()),
-        before=words.factor_of(before[used]),
-        after=words.factor_of(after[used]),
-        held_out=words.factor_of(after[stage.held]),
+        before=words.factor_of(before[used & above]),
+        after=words.factor_of(after[used & above]),
+        held_out=words.factor_of(after[held & above]),
     )
 
 
@@ -158,7 +158,7 @@ def _contradicted(stage: Stage) -> bool:
     if judged.verdict not in (ADEQUATE, EFFECT_FOUND):
         return False
     there = replace(stage.fitter, rows=held)
-    white = (there.measured - there.logarithms(stage.final.values)) / held.sigma
+    white = there.whitened(stage.final.values)
     return bool(stats.chi2.sf(float(white @ white), len(white)) <= stage.fitter.criteria.surely)
 
 

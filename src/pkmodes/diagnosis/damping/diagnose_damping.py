@@ -16,7 +16,7 @@ from pkmodes.diagnosis.damping import words
 from pkmodes.diagnosis.damping.combined import with_outcome, without_outcome
 from pkmodes.diagnosis.damping.fit import LossFitter
 from pkmodes.diagnosis.damping.judgement import DampingJudgement, judge_damping, names_of
-from pkmodes.diagnosis.damping.rows import damping_rows, resolved
+from pkmodes.diagnosis.damping.rows import damping_rows, usable
 from pkmodes.diagnosis.damping.stage import Stage
 from pkmodes.diagnosis.problem import Array, Damped, Parameter, Structure
 from pkmodes.diagnosis.verdict.result import Diagnosis
@@ -43,14 +43,15 @@ def with_damping(
     every = damping_rows(structure, data, predicted.mode, _states(structure, result), c)
     held = np.array([row.held_out for row in result.rows])[every.index]
     aside = np.array([row.outlier for row in result.rows])[every.index]
-    good = resolved(every, c)
+    good = usable(every)
     rows = every.some(good & ~held & ~aside)
     fitter = LossFitter(rows, tuple(structure.losses), c)
     notes = []
     if not good.all():
         notes.append(words.unresolved(data.lines[every.index[~good]].tolist()))
-    if len(rows.ratio) and np.median(rows.ratio) > c.damping_most:
-        mistake = words.per_cent(float(np.median(rows.ratio)))
+    median = float(np.median(rows.ratio[rows.above])) if rows.above.any() else 0.0
+    if median > c.damping_most:
+        mistake = words.per_cent(median)
         return without_outcome(result, structure.losses, (mistake, *notes))
     judged = judge_damping(fitter)
     trials = {
@@ -119,8 +120,9 @@ def _of_undeclared(fitter: LossFitter, judged: DampingJudgement) -> tuple[Dampin
         fit = fitter.fit((common,))
         if fit.p_value > fitter.criteria.gate:  # it is not among the chosen candidates
             return silent, words.common_ratio(*words.ratio_of(fit, common))
-        left = fitter.measured - fitter.logarithms(fit.values)
-        variance = float(np.mean(left**2) - np.mean(fitter.rows.stated**2))
+        above = fitter.rows.above
+        left = (fitter.measured - fitter.logarithms(fit.values))[above]
+        variance = float(np.mean(left**2) - np.mean(fitter.rows.stated[above] ** 2))
         scatter = max(variance, 0.0) ** 0.5
         if scatter <= fitter.criteria.damping_scatter:
             return silent, words.scattered(float(fit.values[common]), float(np.exp(scatter)))
@@ -129,7 +131,8 @@ def _of_undeclared(fitter: LossFitter, judged: DampingJudgement) -> tuple[Dampin
 
 def _hundred(fitter: LossFitter, judged: DampingJudgement) -> str:
     """Return a note if measured ratios are about a hundred times those of the declared model, or a hundredth."""
-    if not len(fitter.rows.ratio) or not fitter.predicted(fitter.declared).all():
+    above = fitter.rows.above
+    if not above.any() or not fitter.predicted(fitter.declared)[above].all():
         return ""
-    away = float(np.median(fitter.measured - fitter.logarithms(fitter.declared)))
+    away = float(np.median((fitter.measured - fitter.logarithms(fitter.declared))[above]))
     return words.factor_hundred(above=away > 0.0) if abs(abs(away) - HUNDRED) < CLOSE else ""

@@ -1,7 +1,9 @@
 """Fit losses to measured damping ratios: least squares in the logarithms of ratios, over positive losses.
 
-The ratio of a mode is the sum of what each loss gives, coefficient times value.  The logarithm of each fitted loss is
-the variable, so that a single loss without a declared one beside it is a linear problem, and none is ever negative.
+The ratio of a mode is the sum of what each loss gives, coefficient times value.  A measured ratio that is not
+significantly above 0 has no logarithm with a normal error, but says that the mode is not damped more.  The logarithm
+of each fitted loss is the variable, so that a single loss without a declared one beside it is a linear problem, and
+none is ever negative.
 """
 
 from __future__ import annotations
@@ -116,6 +118,7 @@ class LossFitter:
         """Value of each loss that alone would give a typical row its ratio, (J,); inf where it shows in none."""
         with np.errstate(divide="ignore"):
             alone = np.where(self.rows.rates > 0.0, self.rows.ratio[:, None] / self.rows.rates, np.inf)
+        alone = alone[self.rows.above] if self.rows.above.any() else alone
         return np.asarray(np.median(alone, axis=0)) if len(alone) else np.full(len(self.losses), np.inf)
 
     @cached_property
@@ -149,6 +152,23 @@ class LossFitter:
         """Return the logarithms of the predicted ratios, (R,), which are finite where nothing dissipates."""
         return np.log(self.predicted(values) + self.least)
 
+    def whitened(self, values: Array) -> Array:
+        """Return the residuals in standard deviations, (R,): of logarithms, or of ratios not above 0.
+
+        A ratio not above 0 has the stated error, and the model the others, which are parts of its ratio.
+        """
+        rows, predicted = self.rows, self.predicted(values)
+        stated, other = rows.stated * rows.ratio, rows.other * predicted
+        linear = (rows.ratio - predicted) / np.hypot(stated, other)
+        return np.where(rows.above, (self.measured - self.logarithms(values)) / rows.sigma, linear)
+
+    def slopes(self, values: Array) -> Array:
+        """Return the derivatives of these with respect to the predicted ratios, (R,)."""
+        rows, predicted = self.rows, self.predicted(values)
+        variance = (rows.stated * rows.ratio) ** 2 + (rows.other * predicted) ** 2
+        linear = -(1.0 + (rows.ratio - predicted) * rows.other**2 * predicted / variance) / np.sqrt(variance)
+        return np.where(rows.above, -1.0 / ((predicted + self.least) * rows.sigma), linear)
+
     def fit(self, causes: Sequence[int] = (), fixed: dict[int, float] | None = None) -> LossFit:
         """Fit losses; a row that contradicts all others is set aside.
 
@@ -171,8 +191,7 @@ class LossFitter:
             return fit
         worst = int(np.abs(fit.white).argmax())
         without = self._fitted(causes, fixed, worst)
-        gap = self.measured[worst] - self.logarithms(without.values)[worst]
-        gross = abs(gap) > c.damping_outlier * self.rows.sigma[worst]
+        gross = abs(self.whitened(without.values)[worst]) > c.damping_outlier
         return without if gross and without.p_value > c.gate else fit
 
     def _fitted(self, causes: tuple[int, ...], fixed: dict[int, float], outlier: int | None) -> LossFit:
@@ -181,9 +200,7 @@ class LossFitter:
         values = self.declared.copy()
         for j, value in fixed.items():
             values[j] = value
-        logs, weight = self.measured, 1.0 / self.rows.sigma
-        if outlier is not None:
-            weight = np.where(np.arange(len(weight)) == outlier, 0.0, weight)
+        used = np.where(np.arange(len(self.rows.ratio)) == outlier, 0.0, 1.0)
         with_prior = [j for j in nuisances if j not in fixed]
         width = np.array([self.widened * (self.losses[j].parameter.sigma or np.inf) for j in with_prior])
         centre = self.declared[with_prior]
@@ -195,19 +212,16 @@ class LossFitter:
 
         def residual(x: Array) -> Array:
             full = at(x)
-            return np.concatenate(
-                [weight * (logs - self.logarithms(full)), (full[with_prior] - centre) / width]
-            )
+            return np.concatenate([used * self.whitened(full), (full[with_prior] - centre) / width])
 
         def rates(x: Array) -> Array:
             return by_value(at(x)) * np.exp(x)
 
         def by_value(full: Array) -> Array:
-            ratio = self.predicted(full) + self.least
             prior = np.zeros((len(with_prior), len(free)))
             for k, j in enumerate(with_prior):
                 prior[k, free.index(j)] = 1.0 / width[k]
-            return np.vstack([-(weight / ratio)[:, None] * self.rows.rates[:, list(free)], prior])
+            return np.vstack([(used * self.slopes(full))[:, None] * self.rows.rates[:, list(free)], prior])
 
         best, x = residual(np.zeros(0)) if not free else None, np.zeros(0)
         for start in self._starts(free, causes):
@@ -219,13 +233,13 @@ class LossFitter:
                 best, x = found.fun, found.x
         assert best is not None
         full = at(x) if free else values
-        count = len(logs) - (outlier is not None)
+        count = len(used) - (outlier is not None)
         absent = tuple(j for j in free if full[j] < ABSENT * self._scale(j))
         return LossFit(
             causes=causes,
             free=free,
             values=full,
-            white=best[: len(logs)],
+            white=best[: len(used)],
             squares=float(best @ best),
             degrees=count - len([j for j in free if j not in with_prior]),
             covariance=inverse_of_square(by_value(full)) if free else np.zeros((0, 0)),
@@ -251,5 +265,5 @@ class LossFitter:
 
     def difference(self, a: LossFit, b: LossFit) -> float:
         """Return the squared difference of the predictions of two fits in standard deviations."""
-        apart = (self.logarithms(a.values) - self.logarithms(b.values)) / self.rows.sigma
+        apart = self.whitened(a.values) - self.whitened(b.values)
         return float(apart @ apart)

@@ -69,7 +69,7 @@ def judge_damping(fitter: LossFitter, *, roughly: bool = False) -> DampingJudgem
         Without the tests of what an explanation leaves, and of how specific it is.
     """
     c, base = fitter.criteria, fitter.fit()
-    count = len(fitter.rows.ratio)
+    count = int(fitter.rows.above.sum())
     if count < len(fitter.nuisances) + 1 + c.redundancy:
         what = "1 resolved damping ratio is" if count == 1 else f"{count} resolved damping ratios are"
         return DampingJudgement(INSUFFICIENT_DATA, base, base, why=f"{what} too few")
@@ -95,8 +95,10 @@ def _claimed(
     survivors = [fit for fit in near if fit is best or _explains(fitter, fit, c.surely)]
     alike = [fit for fit in survivors if fitter.difference(best, fit) < c.told_apart]
     alike.sort(key=lambda fit: (not _is_effect(fitter, fit), fit.criterion))
-    # Of explanations that are the same to any measurement, an effect names the class.
-    same = [fit for fit in alike if fitter.difference(best, fit) < SAME]
+    # Of explanations that are the same to any measurement, an effect names the class; and of any class in which the
+    # best is no cause.
+    claimable = all(fitter.losses[j].claimable for j in best.causes)
+    same = [fit for fit in alike if not claimable or fitter.difference(best, fit) < SAME]
     best = same[0] if same else best
     places = tuple(
         (best, *(fit for fit in alike if fit is not best and set(best.causes) - {cause} < set(fit.causes)))
@@ -177,7 +179,7 @@ def _doubt(fitter: LossFitter, fit: LossFit, p_values: Sequence[float]) -> str:
             "or something outside the candidates"
         )
     coincidence = p_coincidence(fitter, fit)
-    if coincidence > c.damping_specific:
+    if coincidence > c.damping_specific[len(fit.causes) - 1]:
         return (
             "would explain it, but the damping ratios are too few or too uncertain to rule out something outside "
             f"the candidates: {100 * coincidence:.2g} % of such laws would look like a candidate"
@@ -188,7 +190,7 @@ def _doubt(fitter: LossFitter, fit: LossFit, p_values: Sequence[float]) -> str:
 def p_of_trend(fitter: LossFitter, fit: LossFit) -> float:
     """Return the p-value of a trend of the residuals with the logarithm of the frequency."""
     rows = fitter.rows
-    used = np.arange(len(rows.ratio)) != fit.outlier if fit.outlier is not None else slice(None)
+    used = rows.above & (np.arange(len(rows.ratio)) != (-1 if fit.outlier is None else fit.outlier))
     ratio = fitter.predicted(fit.values) + fitter.least
     fitted = (
         rows.rates[:, list(fit.free)] * fit.values[list(fit.free)] / ratio[:, None] / rows.sigma[:, None]
@@ -207,7 +209,7 @@ def nearest(fitter: LossFitter) -> str:
     if not fits:
         return "no loss shows in these modes"
     best = min(fits, key=lambda fit: fit.squares)
-    left = fitter.measured - fitter.logarithms(best.values)
+    left = (fitter.measured - fitter.logarithms(best.values))[fitter.rows.above]
     factor = float(np.exp(np.sqrt(np.mean(np.minimum(np.abs(left), 10.0) ** 2))))
     name = names_of(fitter, best)
     return f"no loss or pair of losses explains it; the nearest, {name}, leaves a factor of {factor:.2g}"

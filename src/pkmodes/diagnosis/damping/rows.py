@@ -24,6 +24,8 @@ from pkmodes.measured.measurements import Measurements
 Mask = NDArray[np.bool_]
 #: Coefficients below this part of their median count as that part where their logarithms are compared.
 NEGLIGIBLE = 1e-3
+#: A ratio of 0 counts as this part of its standard deviation.
+SMALLEST = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,6 +43,8 @@ class DampingRows:
         Measured ratios and the standard deviations of their logarithms, as the file states them.
     other : ndarray, shape (R,)
         Root of the sum of squares of the other errors of the logarithms.
+    above : ndarray of bool, shape (R,)
+        Whether the ratio is significantly above 0; otherwise it only says that the mode is not damped more.
     frequency : ndarray, shape (R,)
         [Hz].
     rates : ndarray, shape (R, J)
@@ -53,6 +57,7 @@ class DampingRows:
     ratio: Array
     stated: Array
     other: Array
+    above: Mask
     frequency: Array
     rates: Array
 
@@ -95,18 +100,25 @@ def damping_rows(
     every = [structure.damping_rates(values) for values in states]
     at = every[0][setup, number]
     ratio = data.damping[index]
+    stated = np.hypot(data.damping_sigma[index], criteria.damping_resolution)
+    # A ratio of 0 with a standard deviation is known to be small; its logarithm is not used.
+    ratio = np.where((ratio <= 0.0) & (data.damping_sigma[index] > 0.0), SMALLEST * stated, ratio)
     with np.errstate(divide="ignore", invalid="ignore"):
-        stated = np.where(ratio > 0.0, data.damping_sigma[index] / ratio, np.inf)
+        stated = np.where(ratio > 0.0, stated / ratio, np.inf)
     logs = _logarithms(at)
     moved = [np.abs(_logarithms(rates[setup, number]) - logs).max(axis=1, initial=0.0) for rates in every[1:]]
     mixed = _mixed(structure, states[0], every[0], setup, number, criteria)
     other = np.sqrt(criteria.damping_floor**2 + sum((d**2 for d in moved), mixed**2))
-    return DampingRows(index, number, setup, ratio, stated, other, data.frequency[index], at)
+    above = stated < 1.0 / criteria.damping_resolved
+    return DampingRows(index, number, setup, ratio, stated, other, above, data.frequency[index], at)
 
 
-def resolved(rows: DampingRows, criteria: Criteria) -> Mask:
-    """Return a mask of the rows whose ratio is significantly above 0."""
-    return np.asarray(rows.stated < 1.0 / criteria.damping_resolved) & np.isfinite(rows.rates).all(axis=1)
+def usable(rows: DampingRows) -> Mask:
+    """Return a mask of the rows that say something: a ratio of 0 without a standard deviation was not measured.
+
+    Rows whose losses the measurements set say nothing about these.
+    """
+    return np.isfinite(rows.stated) & np.isfinite(rows.rates).all(axis=1)
 
 
 def _logarithms(rates: Array) -> Array:

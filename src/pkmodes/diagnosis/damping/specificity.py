@@ -7,6 +7,7 @@ these, the data do not tell it from something else.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
@@ -25,7 +26,8 @@ FLAT = 1e-3
 
 def p_coincidence(fitter: LossFitter, fit: LossFit) -> float:
     """Return the fraction of laws outside the candidates that as many candidates as were found explain."""
-    rows, c = fitter.rows, fitter.criteria
+    c, fitter = fitter.criteria, replace(fitter, rows=fitter.rows.some(fitter.rows.above), _fits={})
+    rows = fitter.rows
     rng = np.random.default_rng(SEED)
     numbers, mode = np.unique(rows.mode, return_inverse=True)
     levels = c.damping_spread * rng.standard_normal((DRAWS, len(numbers)))
@@ -39,7 +41,7 @@ def p_coincidence(fitter: LossFitter, fit: LossFit) -> float:
         ],
         axis=0,
     )
-    return float(np.mean(least < stats.chi2.isf(c.gate, max(fit.degrees, 1))))
+    return float(np.mean(least < stats.chi2.isf(c.gate, max(len(mode) - len(fit.causes), 1))))
 
 
 def _squares(fitter: LossFitter, fit: LossFit, causes: tuple[int, ...], drawn: Array, largest: int) -> Array:

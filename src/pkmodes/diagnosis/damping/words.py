@@ -69,12 +69,12 @@ def factor_hundred(*, above: bool) -> str:
 
 
 def unresolved(lines: Sequence[int]) -> str:
-    """Return the note on rows whose damping is not above 0 within its standard deviation."""
+    """Return the note on rows whose damping says nothing about the losses."""
     listed = ", ".join(map(str, lines[:LISTED])) + (", ..." if len(lines) > LISTED else "")
     one = len(lines) == 1
     return (
-        f"the damping of line{'' if one else 's'} {listed} is not significantly above 0, or known to be of another "
-        f"model: {'it takes' if one else 'they take'} no part"
+        f"the damping of line{'' if one else 's'} {listed} takes no part: it is 0 without a standard deviation, or "
+        "the measurements set what dissipates there"
     )
 
 
