@@ -17,7 +17,7 @@ from pkmodes.diagnosis.damping import words
 from pkmodes.diagnosis.damping.fit import NEARLY, LossFit, LossFitter
 from pkmodes.diagnosis.damping.found import findings as findings_of
 from pkmodes.diagnosis.damping.found import members, survivors, tested, value_of
-from pkmodes.diagnosis.damping.judgement import DampingJudgement
+from pkmodes.diagnosis.damping.judgement import DampingJudgement, names_of
 from pkmodes.diagnosis.damping.outcome import Damping
 from pkmodes.diagnosis.damping.stage import Stage
 from pkmodes.diagnosis.problem import Loss
@@ -70,6 +70,7 @@ def without_outcome(
 
 def with_outcome(result: Diagnosis, data: Measurements, stage: Stage) -> Diagnosis:
     """Return a diagnosis with what its damping says."""
+    stage = _withdrawn(stage)
     fitter, judged = stage.fitter, stage.judged
     found = findings_of(fitter, judged)
     sentence = words.sentence(fitter, judged, found)
@@ -150,6 +151,18 @@ def _outcome(stage: Stage, sentence: str) -> Damping:
         after=words.factor_of(after[used & above]),
         held_out=words.factor_of(after[held & above]),
     )
+
+
+def _withdrawn(stage: Stage) -> Stage:
+    """Return what is left of an explanation that does not predict the damping of the held-out poses."""
+    judged = stage.judged
+    if judged.verdict is not EFFECT_FOUND or not stage.held.any() or not _contradicted(stage):
+        return stage
+    name = names_of(stage.fitter, judged.final)
+    why = f"{name} would explain that of the fitted poses, but not that of the held-out ones"
+    nothing = DampingJudgement(UNEXPLAINED, judged.base, judged.base, why=why)
+    claims = {change: trial for change, trial in stage.trials.items() if trial.verdict is EFFECT_FOUND}
+    return replace(stage, judged=nothing, trials={**stage.trials, **dict.fromkeys(claims, nothing)})
 
 
 def _contradicted(stage: Stage) -> bool:
