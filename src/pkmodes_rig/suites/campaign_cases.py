@@ -119,8 +119,8 @@ def run(case: CampaignCase, keep: Path | None = None) -> CampaignOutcome:
 def _state(case: CampaignCase, losses: Losses, diagnosis: Diagnosis) -> str:
     """Return the state of an outcome: of the cause that shifts frequencies, and of losses that are claimed beside it.
 
-    A claim of losses is wrong if the machine has none of a class, and on a machine with Coulomb friction always: the
-    catalogue lacks it, so that a diagnosis of damping should abstain.
+    A claim of losses is wrong if the machine has none of a class.  Where a machine has Coulomb friction, viscous
+    friction at its joints is wrong too: the catalogue lacks what is there.
     """
     kind = mechanism(robot_of(case.robot).mechanism_name)
     dissipating = {*kind.effects} - {*kind.conservative_effects} | {RATIO}
@@ -129,8 +129,8 @@ def _state(case: CampaignCase, losses: Losses, diagnosis: Diagnosis) -> str:
     verdict = "adequate" if claims and not others else diagnosis.verdict
     true = {RATIO} if losses.ratio else set()
     true |= {"belt_loss", "reducer_loss"} if losses.factor else set()
-    true |= {"rail_friction"} if losses.viscous else set()
-    if any(losses.coulomb or not claim & true for claim in claims):
+    true |= {"rail_friction"} if losses.viscous and not losses.coulomb else set()
+    if any(not claim & true for claim in claims):
         return "wrong"
     of_cause = replace(diagnosis, effects=type(diagnosis.effects)(others), verdict=verdict)
     return judged(case.names, of_cause, same=MACHINES[case.robot].same)
