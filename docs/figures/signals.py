@@ -1,0 +1,54 @@
+"""Draw the pictures of docs/signals.md: the fit of the first file of the page's own campaign.
+
+    python docs/figures/signals.py [FOLDER]
+
+writes them next to this file, or into another folder.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import re
+import shutil
+import sys
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+from pkmodes.campaign.campaign import read_campaign
+from pkmodes.campaign.identify import identify
+from pkmodes.plots import fits
+from pkmodes.plots.style import styled
+
+HERE = Path(__file__).parent
+PAGE = HERE.parent / "signals.md"
+PICTURES = ("signals-stabilisation", "signals-functions")
+
+
+def block(language: str) -> str:
+    """Return the first code block of the page in a language."""
+    found = re.search(rf"```{language}\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+    assert found is not None
+    return found[1]
+
+
+def main(arguments: Sequence[str]) -> None:
+    """Write every picture."""
+    folder = Path(arguments[0]).absolute() if arguments else HERE
+    with tempfile.TemporaryDirectory() as name, contextlib.chdir(name):
+        shutil.copytree(HERE.parents[1] / "robots", "robots")
+        exec(block("python"), {"__name__": "page"})
+        Path("campaign.toml").write_text(block("toml"), encoding="utf-8")
+        result = identify(read_campaign("campaign.toml"), inspect=True).records[0]
+    (one,) = result.inspections
+    marked = fits.Lines([(mode.frequency, k, False) for k, mode in enumerate(result.modes, start=1)], (), ())
+    band = result.record.band
+    drawn = fits.stabilisation(one, marked, band), fits.functions(one, marked, band, phase=True)
+    with styled():
+        for picture, figure in zip(PICTURES, drawn, strict=True):
+            metadata = {"Date": None, "Creator": None}
+            figure.savefig(folder / f"{picture}.svg", facecolor="white", metadata=metadata)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
