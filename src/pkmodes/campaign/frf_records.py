@@ -25,6 +25,7 @@ from pkmodes.campaign.sensor_functions import (
 )
 from pkmodes.campaign.sensors import Place, Sensor, unsigned
 from pkmodes.identification.frf_identification import identify_frf
+from pkmodes.identification.tones import no_bandwidth
 from pkmodes.signals.functions import Function, Kind
 
 Array = NDArray[np.float64]
@@ -88,7 +89,11 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
         )
     return FileModes(
         tuple(found_of(mode, given.names) for mode in estimate.modes),
-        (*read.messages, *dead_channels(given.dead, read.source)),
+        (
+            *read.messages,
+            *dead_channels(given.dead, read.source),
+            *(f"{read.source}: {no_bandwidth(tone)}" for tone in estimate.tones),
+        ),
         frozenset(
             {one.response for one in functions.used} | {unsigned(one.reference) for one in functions.used}
         ),

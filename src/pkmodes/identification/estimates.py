@@ -91,6 +91,8 @@ class Estimate:
         Of the lines inside the band [Hz].
     measured, synthesised : ndarray of complex128, shape (F, S, R)
         NaN where not measured.
+    tones : tuple of float
+        Lines without bandwidth that nobody had stated, left out of frequency responses [Hz].
     """
 
     modes: tuple[Mode, ...]
@@ -98,6 +100,7 @@ class Estimate:
     frequencies: Array
     measured: Complex
     synthesised: Complex
+    tones: tuple[float, ...] = ()
 
 
 def alike(one: Complex, other: Complex) -> float:

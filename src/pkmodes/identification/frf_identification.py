@@ -19,6 +19,7 @@ from pkmodes.identification.frf_estimates import without_window
 from pkmodes.identification.frf_lines import at_tones, line_weights, used_lines
 from pkmodes.identification.frf_refinement import Lines, Modes, refined, significant
 from pkmodes.identification.frf_search import hidden
+from pkmodes.identification.frf_skirts import Line, distinct, without_bandwidth
 from pkmodes.identification.lscf import OrderPoles, lscf
 from pkmodes.identification.residues import lsfd, with_residual_terms
 
@@ -30,6 +31,8 @@ Complex = NDArray[np.complex128]
 MOST_POLES, ORDERS = 60, 20
 #: Searches of what is left; each finds all modes that no stronger one hides.
 MOST_SEARCHES = 4
+#: Times that tones are sought and left out: a strong one hides others.
+MOST_PASSES = 4
 #: Modes this part of the band outside it are fitted as well, and not reported.
 MARGIN = 0.04
 #: A resonance near a tone has a half bandwidth of at least this part of the line spacing; a tone has none.
@@ -76,22 +79,29 @@ def identify_frf(
     """
     inside = (frequencies >= band[0]) & (frequencies <= band[1]) & (frequencies > 0.0)
     f, measured = frequencies[inside], H[inside]
-    data, scale = used_lines(
-        f, measured, None if coherence is None else coherence[inside], averages, exponential, tones
-    )
-    by_order = _by_order(data)
+    of_lines = None if coherence is None else coherence[inside]
     margin = MARGIN * (band[1] - band[0])
     low, high = band[0] - margin, band[1] + margin
-    start = _candidates(by_order, data, low, high)
-    modes, bounds = _with_hidden(data, *refined(data, start, low, high), low, high, power)
+    found: list[Line] = []
+    for last in (False,) * MOST_PASSES + (True,):
+        data, scale = used_lines(
+            f, measured, of_lines, averages, exponential, tones, [line.frequency for line in found]
+        )
+        by_order = _by_order(data)
+        start = _candidates(by_order, data, low, high)
+        modes, bounds = _with_hidden(data, *refined(data, start, low, high), low, high, power)
+        more = [] if last else without_bandwidth(data, modes)
+        if not more:
+            break
+        found += more
     kept = _in_band(modes, data, band, exponential, tones)
-    found = _reported(modes, bounds, kept, scale, exponential, by_order)
     return Estimate(
-        modes=found,
+        modes=_reported(modes, bounds, kept, scale, exponential, by_order),
         stabilisation=_stabilisation(by_order, band),
         frequencies=f,
         measured=measured,
         synthesised=_response(data, modes, power, f) * scale[:, None],
+        tones=distinct(found, float(np.median(np.diff(f)))),
     )
 
 
