@@ -166,3 +166,56 @@ def test_lines_at_a_stated_tone_do_not_bend_the_mode_beside_it() -> None:
     assert near[0].frequency == pytest.approx(plain.frequency, abs=4.0 * plain.sigma_frequency)
     assert near[0].damping == pytest.approx(plain.damping, abs=4.0 * plain.sigma_damping)
     assert near[0].sigma_frequency < 3.0 * plain.sigma_frequency
+
+
+def hann_lines(f: np.ndarray, tone: float) -> np.ndarray:
+    """The spectrum of a sinusoid under Hann's window (Harris, Proceedings of the IEEE 66(1), 1978)."""
+    x = (f - tone) / (f[1] - f[0])
+    return (
+        np.sinc(x) / (1.0 - np.where(np.abs(np.abs(x) - 1.0) < 1e-9, 0.0, x) ** 2) * np.exp(-1j * np.pi * x)
+    )
+
+
+@pytest.mark.parametrize("width", ["a line", "two lines", "Hann"])
+def test_lines_without_bandwidth_are_found_and_do_not_bend_the_modes(width: str) -> None:
+    """Mains, a fan and a motor that nobody stated."""
+    for seed in (4100, 4101):
+        rng = np.random.default_rng(seed)
+        s = random_structure(rng, 4)
+        H = s.response(LINES, [0, 1, 2], [0], 2)
+        H = H + noise(rng, H, 0.003 * rms(H))
+        plain = identify_frf(LINES, H, band=BAND, power=2)
+        tones = [at + 0.25 * rng.uniform(0.2, 0.8) for at in (49.75, 211.0, 333.25)]
+        loud = H.copy()
+        for tone in tones:
+            k = int(np.searchsorted(LINES, tone))
+            at_lines = {
+                "a line": (np.arange(len(LINES)) == k).astype(complex),
+                "two lines": ((np.arange(len(LINES)) == k) - 0.7 * (np.arange(len(LINES)) == k - 1)).astype(
+                    complex
+                ),
+                "Hann": np.where(np.abs(LINES - tone) < 3.0, hann_lines(LINES, tone), 0.0),
+            }[width]
+            loud += 0.3 * np.abs(H).max() * np.einsum("f,s->fs", at_lines, rng.normal(size=3))[:, :, None]
+        found = identify_frf(LINES, loud, band=BAND, power=2)
+        assert len(found.modes) == len(plain.modes)
+        for one, other in zip(found.modes, plain.modes, strict=True):
+            assert abs(one.frequency - other.frequency) < 2.0 * other.sigma_frequency
+        assert len(found.tones) == 3
+        np.testing.assert_allclose(found.tones, tones, atol=0.25)
+        assert plain.tones == ()
+
+
+@pytest.mark.parametrize("step", [0.125, 0.25])
+def test_a_mode_whose_bandwidth_the_lines_do_not_resolve_is_no_tone(step: float) -> None:
+    """Damping of 0.1 % at 50 Hz: half a bandwidth is 0.05 Hz, 0.4 or 0.2 of a line."""
+    f = np.arange(10.0, 150.0, step)
+    for seed in range(4200, 4206):
+        rng = np.random.default_rng(seed)
+        s = structure(np.array([rng.uniform(49.0, 51.0), 120.0, 400.0]), np.array([0.001, 0.01, 0.02]), rng)
+        H = s.response(f, [0, 1, 2], [0], 2)
+        e = identify_frf(f, H + noise(rng, H, 0.02 * rms(H)), band=(10.0, 149.0), power=2)
+        assert e.tones == ()
+        mode = e.modes[0]
+        assert abs(mode.frequency - s.frequencies[0]) < 4.0 * mode.sigma_frequency
+        assert mode.damping == pytest.approx(0.001, rel=0.2)

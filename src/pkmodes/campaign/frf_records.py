@@ -26,6 +26,7 @@ from pkmodes.campaign.sensor_functions import (
 )
 from pkmodes.campaign.sensors import Place, Sensor, unsigned
 from pkmodes.identification.frf_identification import identify_frf
+from pkmodes.identification.tones import no_bandwidth
 from pkmodes.signals.functions import Function, Kind
 
 Array = NDArray[np.float64]
@@ -95,7 +96,11 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
     coherence = None if given.coherence is None else given.coherence[inside]
     return FileModes(
         tuple(found_of(mode, given.names) for mode in estimate.modes),
-        (*read.messages, *dead_channels(given.dead, read.source)),
+        (
+            *read.messages,
+            *dead_channels(given.dead, read.source),
+            *(f"{read.source}: {no_bandwidth(tone)}" for tone in estimate.tones),
+        ),
         frozenset(
             {one.response for one in functions.used} | {unsigned(one.reference) for one in functions.used}
         ),

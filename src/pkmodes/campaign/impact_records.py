@@ -14,6 +14,7 @@ from pkmodes.campaign.sensor_functions import ACCELERATION, added_of, found_of, 
 from pkmodes.campaign.time_records import time_signals
 from pkmodes.identification.frf_estimates import impact_estimate
 from pkmodes.identification.frf_identification import identify_frf
+from pkmodes.identification.tones import no_bandwidth
 
 #: Periods of the lower end of the band that a record of blows has at least.
 FEWEST_PERIODS = 2.0
@@ -77,6 +78,7 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
         (
             *given.messages,
             *(f"{given.source}: {message}" for message in functions.messages),
+            *(f"{given.source}: {no_bandwidth(tone)}" for tone in estimate.tones),
         ),
         frozenset(given.names) | campaign.unsigned_forces_in(setup),
         added_of(estimate.added, given.names),

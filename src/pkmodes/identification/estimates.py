@@ -94,7 +94,7 @@ class Estimate:
     added : tuple of Mode or str
         For each frequency from which the user asked for a mode: the mode, or why there is none.
     tones : tuple of float
-        Lines without bandwidth that were found [Hz].
+        Lines without bandwidth that were found, and that nobody had stated [Hz].
     """
 
     modes: tuple[Mode, ...]

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.identification.asked import NOTHING, Asked
+from pkmodes.identification.asked import NOTHING, Asked, nearest
 from pkmodes.identification.clusters import candidates, usable_poles
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
 from pkmodes.identification.frf_added import with_added
@@ -21,6 +21,7 @@ from pkmodes.identification.frf_estimates import without_window
 from pkmodes.identification.frf_lines import at_tones, line_weights, used_lines
 from pkmodes.identification.frf_refinement import Lines, Modes, refined, significant
 from pkmodes.identification.frf_search import hidden, joined
+from pkmodes.identification.frf_skirts import Line, distinct, without_bandwidth
 from pkmodes.identification.lscf import OrderPoles, lscf
 from pkmodes.identification.residues import lsfd, with_residual_terms
 
@@ -32,6 +33,8 @@ Complex = NDArray[np.complex128]
 MOST_POLES, ORDERS = 60, 20
 #: Searches of what is left; each finds all modes that no stronger one hides.
 MOST_SEARCHES = 4
+#: Times that tones are sought and left out: a strong one hides others.
+MOST_PASSES = 4
 #: Modes this part of the band outside it are fitted as well, and not reported.
 MARGIN = 0.04
 #: A resonance near a tone has a half bandwidth of at least this part of the line spacing; a tone has none.
@@ -83,14 +86,21 @@ def identify_frf(
     """
     inside = (frequencies >= band[0]) & (frequencies <= band[1]) & (frequencies > 0.0)
     f, measured = frequencies[inside], H[inside]
-    data, scale = used_lines(
-        f, measured, None if coherence is None else coherence[inside], averages, exponential, tones
-    )
-    by_order = _by_order(data)
+    of_lines = None if coherence is None else coherence[inside]
     margin = MARGIN * (band[1] - band[0])
     low, high = band[0] - margin, band[1] + margin
-    start = _candidates(by_order, data, low, high)
-    modes, bounds = _with_hidden(data, *refined(data, start, low, high), low, high, power)
+    lines: list[Line] = []
+    for last in (False,) * MOST_PASSES + (True,):
+        data, scale = used_lines(
+            f, measured, of_lines, averages, exponential, tones, [line.frequency for line in lines]
+        )
+        by_order = _by_order(data)
+        start = _candidates(by_order, data, low, high)
+        modes, bounds = _with_hidden(data, *refined(data, start, low, high), low, high, power)
+        more = [] if last else _unasked(without_bandwidth(data, modes), asked)
+        if not more:
+            break
+        lines += more
     found = with_added(data, modes, bounds, asked)
     kept = _in_band(found.modes, data, band, exponential, tones)
     added = [i if isinstance(i, str) else OUTSIDE if not kept[i] else i for i in found.added]
@@ -109,7 +119,13 @@ def identify_frf(
             i if isinstance(i, str) else _mode(found.modes, found.bounds, i, scale, exponential, by_order)
             for i in added
         ),
+        tones=distinct(lines, float(np.median(np.diff(f)))),
     )
+
+
+def _unasked(lines: list[Line], asked: Asked) -> list[Line]:
+    """Return the lines at which the user asks for no mode."""
+    return [one for one in lines if nearest(asked.add, one.frequency) is None]
 
 
 def _by_order(data: Lines) -> list[OrderPoles]:

@@ -23,6 +23,8 @@ Complex = NDArray[np.complex128]
 FEWEST_LINES = 24
 #: Lines this near to a tone's multiple are left out, in line spacings: a tone between two lines shows in both.
 TONE_REACH = 1.01
+#: Lines nearer to a tone than this, in line spacings, hold all that a spectral window spreads of it (Hann's).
+SPREAD = 2.1
 
 
 def used_lines(
@@ -32,8 +34,12 @@ def used_lines(
     averages: int | None,
     exponential: float | None,
     tones: Sequence[float],
+    found: Sequence[float] = (),
 ) -> tuple[Lines, Array]:
-    """Return the lines that are used, each sensor relative to its rms, and this."""
+    """Return the lines that are used, each sensor relative to its rms, and this.
+
+    Neither those at a multiple of a stated tone nor those around a tone that was found are.
+    """
     known = np.isfinite(H).all(axis=0)
     alive = known & (np.abs(np.where(known, H, 0.0)).max(axis=0, initial=0.0) > 0.0)
     if len(f) < FEWEST_LINES:
@@ -45,6 +51,8 @@ def used_lines(
     scale = np.sqrt(np.array([np.nanmean(row) if np.isfinite(row).any() else 1.0 for row in squares]))
     step = float(np.median(np.diff(f)))
     used = ~at_tones(f, tones, step)
+    for tone in found:
+        used &= np.abs(f - tone) > SPREAD * step
     if used.sum() < FEWEST_LINES:
         what = f"expected at least {FEWEST_LINES} lines beside the tones, found {int(used.sum())}"
         raise MeasurementError(what, "tones", "state only tones that the signals have")

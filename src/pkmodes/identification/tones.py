@@ -46,6 +46,11 @@ class Tone:
     sentence: str
 
 
+def no_bandwidth(frequency: float) -> str:
+    """Return what to say of a tone that was found."""
+    return f"{frequency:.4g} Hz is a line without bandwidth: a tone, no mode"
+
+
 def find_tones(
     t_step: float, pieces: Sequence[Array], band: tuple[float, float], given: Sequence[float] = ()
 ) -> list[Tone]:
@@ -77,7 +82,7 @@ def find_tones(
         at = _refined(signal, t_step, float(f[k]))
         if _constant_share(signal, t_step, at) > CONSTANT:
             signal = signal - _sinusoid(signal, t_step, at)
-            found.append(Tone(at, f"{at:.4g} Hz is a line without bandwidth: a tone, no mode"))
+            found.append(Tone(at, no_bandwidth(at)))
     return sorted(found, key=lambda tone: tone.frequency)
 
 
