@@ -58,7 +58,7 @@ Sensors have noise, mains hum and the tone of a fan; sensitivities are off by 0.
 one case of three the band cuts modes off; hammers and shakers act along one axis of the platform in one case of
 four, so that modes have nodes there. Some campaigns have more against them: {unkind}.
 
-Seed {seed}. The suite was tried out with the seeds {seen}; nothing in it was changed after this one.
+Seed {seed}. The suite was tried out, and what it exposed was corrected, with the seeds {seen}.
 
 ## What was asked, and what came out
 """
