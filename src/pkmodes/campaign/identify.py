@@ -9,6 +9,7 @@ import numpy as np
 from pkmodes.base.errors import MeasurementError, nearest, shown
 from pkmodes.campaign.averaging import Mean
 from pkmodes.campaign.campaign import Campaign
+from pkmodes.campaign.copies import refuse_copied_visits
 from pkmodes.campaign.edits import edited
 from pkmodes.campaign.kinds import KINDS
 from pkmodes.campaign.levels import level_messages, with_half
@@ -46,6 +47,8 @@ def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = Fa
     MeasurementError
         If a file is faulty, an edit means no mode, or no mode is found at all.
     """
+    if campaign.repeatability is None:
+        refuse_copied_visits(campaign.records, campaign.source)
     every: list[Measured] = []
     for record in campaign.records:
         kind = KINDS.get(record.kind)

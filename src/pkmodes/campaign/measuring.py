@@ -9,6 +9,7 @@ from pathlib import Path
 from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.averaging import Mean, averaged
 from pkmodes.campaign.campaign import Campaign, Record
+from pkmodes.campaign.copies import copied_repeats
 from pkmodes.campaign.edits import added_group, check_asked, refuse_added
 from pkmodes.campaign.file_modes import FileModes
 from pkmodes.campaign.found import Found
@@ -77,7 +78,7 @@ def measured(
     means: dict[str, list[Mean]] = {}
     added: dict[float, dict[str, Mean | str]] = {wanted: {} for wanted in asked.add}
     left_out: list[LeftOut] = []
-    messages: list[str] = []
+    messages = copied_repeats(record)
     inspections: list[Inspection] = []
     repeats: list[Repeats] = []
     for setup, paths in record.setups.items():
