@@ -76,7 +76,7 @@ def test_the_commands_of_the_readme_work_in_a_clean_clone_and_print_what_it_show
     commands = [line.split("#")[0].split() for line in block(README, "pkmodes modes").splitlines()]
     assert [words[1] for words in commands] == [
         *["modes", "sensitivities", "map", "show", "figures", "generate", "check", "response"],
-        *["shaper", "compare", "diagnose"],
+        *["shaper", "identify", "compare", "diagnose"],
     ]
     for words in commands:
         # tests/runtime/test_generate.py and test_check_out_of_date.py, tests/figures/test_files.py

@@ -33,9 +33,8 @@ TEXT = """\
 # From signals to causes, measured
 
 Written by `make suites`; do not edit. How often `pkmodes identify` and `pkmodes diagnose` are right from the
-accelerometer on, on machines whose truth is known.
-
-    {command} --out docs/signals-measured.md
+accelerometer on, on machines whose truth is known. The command is
+`{command} --out docs/signals-measured.md`.
 
 ## What was simulated
 
