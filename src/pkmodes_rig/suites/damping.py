@@ -81,7 +81,8 @@ def page(outcomes: Sequence[Outcome], seed: int, every: int, seconds: float, job
         "*Named*: every class that is claimed contains what dissipates, and nothing is left out. *Partly*: something",
         "is left out. *Wrong*: a class without anything that dissipates is claimed, among others or alone.",
         "*Adequate*: the damping is that of the file, or, where the file declares none, one ratio for all modes.",
-        "*Abstained*: everything else.",
+        "*Abstained*: everything else. Where belts or reducers are the only springs, their losses are exactly one",
+        "ratio for all modes, so that *adequate* is no mistake there, but names nothing either.",
         "",
         f"Seed {seed}{f', one case in {every}' if every > 1 else ''}. The diagnosis was developed with the seeds"
         f" {SEEN}.",

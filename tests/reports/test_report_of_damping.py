@@ -1,0 +1,63 @@
+"""The section on damping of a report: its numbers are those of ``--json``, and it is there only where it belongs."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from helpers.diagnoses.damped_cases import columns, made
+from helpers.pages.page_reading import Element, at, read, shown
+from pkmodes import read_robot, updating
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.report import report
+
+ROBOT = read_robot(Path(__file__).parents[2] / "robots" / "linear-delta-2022.toml")
+RATIOS = ("damping", "sigma_damping", "damping_before", "damping_after")
+
+
+def made_of(rows: dict[str, Any]) -> tuple[Diagnosis, dict[str, Any], Element]:
+    data = made(rows)
+    result = updating.diagnose(ROBOT, data)
+    return result, json.loads(json.dumps(result.as_json())), read(report(result, robot=ROBOT, data=data))
+
+
+@pytest.fixture(scope="module")
+def damped() -> tuple[Diagnosis, dict[str, Any], Element]:
+    return made_of(columns({"rails": 50.0}))
+
+
+def test_the_section_has_every_ratio_of_the_json(damped: tuple[Diagnosis, dict[str, Any], Element]) -> None:
+    result, content, page = damped
+    cells = {
+        e.attributes["data-at"]: e for e in page.by_id("damping").all("data") if "data-at" in e.attributes
+    }
+    assert len(content["rows"]) == len(result.rows) == 48
+    for i, row in enumerate(content["rows"]):
+        for key in RATIOS:
+            cell = cells[f"/rows/{i}/{key}"]
+            assert float(cell.attributes["value"]) == at(content, f"/rows/{i}/{key}") == row[key]
+            seen, half = shown(cell.text)
+            assert abs(seen - 100.0 * row[key]) <= half * (1.0 + 1e-9)  # rounded, in per cent
+
+
+def test_the_section_says_what_the_result_says(damped: tuple[Diagnosis, dict[str, Any], Element]) -> None:
+    result, content, page = damped
+    assert result.damping is not None
+    text = page.by_id("damping").text
+    assert result.damping.sentence[1:] in text
+    assert f"{result.damping.fitted} fitted ratios" in text
+    assert result.damping.fitted == sum(row["damping_used"] for row in content["rows"])
+    assert f"{result.damping.after:.3g} as diagnosed" in text
+    held_out = sum(row["held_out"] for row in content["rows"])
+    assert held_out
+    assert text.count("held out") == held_out
+
+
+def test_without_damping_there_is_no_section() -> None:
+    rows = columns({"rails": 50.0})
+    result, _, page = made_of({name: column for name, column in rows.items() if name != "damping"})
+    assert result.damping is None
+    assert "damping" not in page.ids()
