@@ -9,7 +9,10 @@ import numpy as np
 import pytest
 
 from campaign.structures import Frame, accelerations, write_frf
+from pkmodes.campaign.edits import edited
+from pkmodes.campaign.results import IdentifiedMode, Parts
 from pkmodes.cli import run
+from pkmodes.identification.asked import Asked
 
 F = np.arange(10.0, 220.0, 0.25)
 HEAD = 'format = 1\nchannels = ["u_1", "u_2", "u_3"]\nband = ["20 Hz", "200 Hz"]\n'
@@ -78,10 +81,12 @@ def test_a_mode_too_weak_to_be_found_is_fitted_from_the_given_frequency(tmp_path
         assert abs(mode["frequency"] - before["frequency"]) < 0.5 * before["sigma_parts"]["fit"]
 
 
+@pytest.mark.parametrize("files", [1, 3])
 def test_a_frequency_where_nothing_vibrates_is_refused(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], files: int
 ) -> None:
-    message = refused(tmp_path, write_repeats(tmp_path, 12, 0.0) + edit(add=["70 Hz"]), capsys)
+    """A single file is what noise imitates a mode in most easily."""
+    message = refused(tmp_path, write_repeats(tmp_path, 12, 0.0, files) + edit(add=["70 Hz"]), capsys)
     assert "no mode can be added at 70 Hz" in message
     assert "(P1)" in message
     assert "c.toml: edit" in message
@@ -97,6 +102,16 @@ def test_an_added_mode_replaces_the_one_that_is_there(tmp_path: Path) -> None:
         # Fits end where a step changes the pole by less than a thousandth of its half bandwidth.
         assert mode["frequency"] == pytest.approx(before["frequency"], rel=1e-6)
         assert mode["damping"] == pytest.approx(before["damping"], rel=1e-3)
+
+
+def test_an_added_mode_replaces_only_the_reported_one_within_one_per_cent() -> None:
+    def mode(frequency: float, edit: str | None = None) -> IdentifiedMode:
+        return IdentifiedMode(frequency, Parts(0.0, 0.1, 0.1), 0.01, 0.001, {}, np.nan, np.nan, None, 1, edit)
+
+    reported = [mode(49.4), mode(49.7), mode(50.6)]
+    kept, struck = edited(reported, [mode(50.0, "added")], Asked((50.6,), (50.0,)), "P1", "c.toml")
+    assert [(one.frequency, one.edited) for one in kept] == [(49.4, None), (50.0, "added")]
+    assert struck == [50.6]
 
 
 def test_a_mode_that_is_struck_and_added_is_fitted_again(tmp_path: Path) -> None:

@@ -127,6 +127,8 @@ class Criteria:
     rows_to_set_aside: int = 12
     rows_per_outlier: int = 30
     redundant: float = 0.5
+    #: A row that is farther from any mode than this many standard deviations may be no mode at all.
+    strange: float = 15.0
 
     # Unmeasured modes --------------------------------------------------------------------------------------------
 

@@ -62,6 +62,28 @@ class Additions:
                     fits.append(self.store.fit(replace(h, excluded=h.excluded | {int(row)}), fit.values))
         return [option for option in fits if option is not None]
 
+    def beside_strangers(self, fit: Fit) -> list[Fit]:
+        """Return fits with a cause and without the rows that are farthest from any mode, those that leave only noise.
+
+        A row that is no mode, such as a tone or a peak of noise, may be as far from the model as a large cause, and
+        distort all fits: no cause helps until it is gone.  A cause that helps alone needs none of these.
+        """
+        c, found = self.criteria, list[Fit]()
+        if self._rows < c.rows_to_set_aside or fit.causes or fit.hypothesis.excluded:
+            return found
+        without: Fit | None = fit
+        for _ in range(self._most_outliers):
+            assert without is not None
+            worst, sigmas = self.fitter.worst_rows(without)
+            if sigmas[worst[0]] < c.strange:
+                break
+            h = without.hypothesis
+            without = self.store.fit(replace(h, excluded=h.excluded | {int(worst[0])}), without.values)
+            if without is None:
+                break
+            found += self.causes(without, score(self.fitter, without, self.candidates))
+        return [one for one in found if self.store.p_value(one) > c.surely]
+
     def _hopeless(self, fit: Fit) -> bool:
         """Return whether far too much is left with a shared error in each setup and without the worst rows.
 

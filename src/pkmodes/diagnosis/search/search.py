@@ -139,6 +139,10 @@ class Search:
             options += additions.causes(fit, at.scores) if additions.room(fit) else additions.singles()
             improves = any(criterion(option) < criterion(fit) for option in options)
             options += [] if improves else self.alone()
+            if all(self.store.p_value(option) <= self.criteria.surely for option in options):
+                strangers = additions.beside_strangers(fit)
+                if strangers:
+                    return min(strangers, key=criterion)
         elif (again := self._again(fit, options)) is not None:
             return again  # no addition is needed
         elif len(fit.causes) < self.criteria.most_causes and not fit.causes[0].remote:
