@@ -8,6 +8,7 @@ import pytest
 from pkmodes.base.errors import MeasurementError
 from pkmodes.identification.estimates import turned_real
 from pkmodes.identification.frf_identification import identify_frf
+from pkmodes.identification.frf_lines import used_lines
 from pkmodes_rig.structures.forced import mac, noise, random_structure, structure
 
 BAND = (10.0, 400.0)
@@ -219,3 +220,12 @@ def test_a_mode_whose_bandwidth_the_lines_do_not_resolve_is_no_tone(step: float)
         mode = e.modes[0]
         assert abs(mode.frequency - s.frequencies[0]) < 4.0 * mode.sigma_frequency
         assert mode.damping == pytest.approx(0.001, rel=0.2)
+
+
+def test_stated_tones_and_their_multiples_are_left_out_of_the_lines() -> None:
+    H = noise(np.random.default_rng(4300), np.zeros((len(LINES), 2, 1), complex), 1.0)
+    data, _ = used_lines(LINES, H, None, None, None, [50.1])
+    left_out = np.setdiff1d(LINES, data.frequencies)
+    expected = [at for k in range(1, 8) for at in LINES[np.abs(LINES - 50.1 * k) < 0.2525]]
+    np.testing.assert_array_equal(left_out, expected)
+    assert len(left_out) >= 14

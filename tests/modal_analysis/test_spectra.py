@@ -8,7 +8,7 @@ from scipy.signal import welch
 
 from pkmodes.base.errors import MeasurementError
 from pkmodes.identification.spectra import identify_spectrum
-from pkmodes_rig.structures.driven import Array, Structure, random_structure, structure, sweep
+from pkmodes_rig.structures.driven import Array, Structure, ambient, random_structure, structure, sweep
 
 BAND = (10.0, 120.0)
 
@@ -75,3 +75,17 @@ def test_too_few_lines_are_refused() -> None:
     f = np.arange(0.0, 200.0, 1.5625)
     with pytest.raises(MeasurementError, match="eight"):
         identify_spectrum(f, np.ones((len(f), 1)), band=(20.0, 25.0))
+
+
+@pytest.mark.parametrize("window", ["hann", "boxcar"])
+def test_the_spectrum_of_a_single_record_is_refused(window: str) -> None:
+    """Its lines are exponentially distributed: any of them may be a peak."""
+    rng = np.random.default_rng(9820)
+    signals = ambient(random_structure(rng), rng)[:, :3]
+    for pieces, refused in ((1, True), (8, False)):
+        f, power = welch(signals, 1000.0, window=window, nperseg=len(signals) // pieces, noverlap=0, axis=0)
+        if refused:
+            with pytest.raises(MeasurementError, match="expected an averaged spectrum"):
+                identify_spectrum(f, power, band=BAND)
+        else:
+            identify_spectrum(f, power, band=BAND)

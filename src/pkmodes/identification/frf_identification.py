@@ -21,7 +21,7 @@ from pkmodes.identification.frf_estimates import without_window
 from pkmodes.identification.frf_lines import at_tones, line_weights, used_lines
 from pkmodes.identification.frf_refinement import Lines, Modes, refined, significant
 from pkmodes.identification.frf_search import hidden, joined
-from pkmodes.identification.frf_skirts import Line, distinct, without_bandwidth
+from pkmodes.identification.frf_skirts import NARROW, Line, distinct, without_bandwidth
 from pkmodes.identification.lscf import OrderPoles, lscf
 from pkmodes.identification.residues import lsfd, with_residual_terms
 
@@ -108,6 +108,10 @@ def identify_frf(
     reported = np.setdiff1d(np.flatnonzero(kept), places)
     before = np.flatnonzero(found.struck & _in_band(modes, data, band, exponential, tones))
     each = [_mode(found.modes, found.bounds, int(m), scale, exponential, by_order) for m in reported]
+    wide = np.abs(found.modes.poles.real[reported]) / (2.0 * math.pi) > NARROW * float(np.median(np.diff(f)))
+    each = [
+        one for one, resolved in zip(each, wide, strict=True) if resolved or np.isfinite(one.shape).any()
+    ]  # a narrow pole without a shape: what a tone that drifts leaves beside the lines that are left out
     each += [_mode(modes, bounds, int(m), scale, exponential, by_order) for m in before]
     return Estimate(
         modes=tuple(sorted(each, key=lambda one: one.frequency)),
