@@ -62,7 +62,7 @@ Program = Callable[[NDArray, Array], list[Found]]
 
 @dataclass(frozen=True)
 class Truth:
-    """True modes, and those of them that are asked for."""
+    """The true modes that are asked for."""
 
     frequencies: Array
     damping: Array

@@ -1,7 +1,7 @@
 """A CoreXY printer on the rig in a resonance test: Klipper's sweep of an axis, and an ADXL345 on the tool head.
 
-The motors follow the command like springs (`servo_stiffness`), or exactly if they are held.  In coordinates relative
-to the rigid motion r that is commanded with acceleration a, the machine moves under the forces -M r a.
+The motors follow the command like springs (`servo_stiffness`).  In coordinates relative to the rigid motion r that is
+commanded with acceleration a, the machine moves under the forces -M r a.
 
     python -m pkmodes_rig.signals.printer examples/printer
 
@@ -54,10 +54,10 @@ class ResonanceTest:
     fan: tuple[float, float] = FAN
 
 
-def printer(parameters: Any, effects: Mapping[str, float] = EFFECTS, *, held: bool = False) -> Machine:
+def printer(parameters: Any, effects: Mapping[str, float] = EFFECTS) -> Machine:
     """Return a printer with some parameters as it is: friction of the rails, losses in the belts."""
     losses = Losses(0.01, {"x": 6.0, "y": 8.0}, factor=0.02)
-    return Machine(corexy, parameters, effects, losses=losses, held=held)
+    return Machine(corexy, parameters, effects, losses=losses)
 
 
 def swept(
@@ -82,7 +82,7 @@ def swept(
 
 def _rigid(machine: Machine, visit: Visit, axis: str, names: tuple[str, ...]) -> np.ndarray:
     """Return the motion of all coordinates that strains no belt while the head moves by a unit along an axis."""
-    free = replace(machine, effects={k: v for k, v in machine.effects.items() if k != SERVO}, held=False)
+    free = replace(machine, effects={k: v for k, v in machine.effects.items() if k != SERVO})
     modes = free.modes(visit.pose, visit.stiffer)
     moved = np.array([modes.shapes[f"p_{one}"][: modes.rigid] for one in AXES])
     parts = np.linalg.lstsq(moved, np.array([float(one == axis) for one in AXES]), rcond=None)[0]

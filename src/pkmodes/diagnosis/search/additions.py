@@ -71,17 +71,16 @@ class Additions:
         c, found = self.criteria, list[Fit]()
         if self._rows < c.rows_to_set_aside or fit.causes or fit.hypothesis.excluded:
             return found
-        without: Fit | None = fit
         for _ in range(self._most_outliers):
-            assert without is not None
-            worst, sigmas = self.fitter.worst_rows(without)
+            worst, sigmas = self.fitter.worst_rows(fit)
             if sigmas[worst[0]] < c.strange:
                 break
-            h = without.hypothesis
-            without = self.store.fit(replace(h, excluded=h.excluded | {int(worst[0])}), without.values)
-            if without is None:
+            h = fit.hypothesis
+            less = self.store.fit(replace(h, excluded=h.excluded | {int(worst[0])}), fit.values)
+            if less is None:
                 break
-            found += self.causes(without, score(self.fitter, without, self.candidates))
+            fit = less
+            found += self.causes(fit, score(self.fitter, fit, self.candidates))
         return [one for one in found if self.store.p_value(one) > c.surely]
 
     def _hopeless(self, fit: Fit) -> bool:
