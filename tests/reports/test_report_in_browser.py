@@ -188,7 +188,7 @@ def test_a_page_is_used_by_keyboard_alone(page: Path) -> None:
                 "document.activeElement.scrollWidth > document.activeElement.clientWidth"
             ):
                 keyboard.press("ArrowRight")
-                browser.page.wait_for_function("document.activeElement.scrollLeft > 0")
+                browser.until("document.activeElement.scrollLeft > 0")
                 moved += 1
         assert moved == wide > 0
 

@@ -69,9 +69,7 @@ def test_a_page_is_one_small_file_that_draws_a_moving_robot(pages: dict[str, Pat
     with opened(pages[name], offline=True) as seen:
         seen.page.evaluate("window.first = document.querySelector('.pkview').viewer.stage.moved()")
         now = "document.querySelector('.pkview').viewer.stage.moved()"
-        seen.page.wait_for_function(
-            f"{now}.some((r, i) => Math.abs(r - first[i]) > 0.001)"
-        )  # plays by itself
+        seen.until(f"{now}.some((r, i) => Math.abs(r - first[i]) > 0.001)")  # plays by itself
         pixels = picture(seen)
         background = pixels[2, 2]
         assert (np.abs(pixels - background).sum(axis=-1) > 60).mean() > 0.02, "the picture is not blank"
@@ -218,7 +216,7 @@ def test_keys_turn_the_view_and_reset_it(pages: dict[str, Path]) -> None:
 def test_a_printed_page_is_light_and_still(pages: dict[str, Path]) -> None:
     with opened(pages["linear-delta-2022"], scheme="dark") as seen:
         seen.page.emulate_media(media="print", color_scheme="dark")
-        seen.page.wait_for_function("document.querySelector('.pkview').viewer.printing")
+        seen.until("document.querySelector('.pkview').viewer.printing")
         assert picture(seen)[2, 2].mean() > 200
         corner = "[...document.querySelector('.pkview-still').getContext('2d').getImageData(2, 2, 1, 1).data]"
         assert np.mean(seen.page.evaluate(corner)) > 200

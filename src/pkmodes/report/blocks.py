@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from pkmodes.diagnosis.verdict.verdicts import Colour
 from pkmodes.plots.svg import inline
@@ -56,8 +56,14 @@ class Column:
     numbers: bool = True
 
 
+class Placed:
+    """What every block of a section has: the programs that it needs in the browser, files of ``browser/``."""
+
+    programs: ClassVar[Sequence[str]] = ()
+
+
 @dataclass(frozen=True)
-class Table:
+class Table(Placed):
     """A table; the first cell of each row names it.
 
     Attributes
@@ -77,7 +83,7 @@ class Table:
 
 
 @dataclass(frozen=True)
-class Picture:
+class Picture(Placed):
     """A figure as an SVG element, how to read it, and its name."""
 
     svg: str
@@ -102,7 +108,7 @@ class Picture:
 
 
 @dataclass(frozen=True)
-class Paragraph:
+class Paragraph(Placed):
     """A sentence or more."""
 
     text: str
@@ -110,7 +116,7 @@ class Paragraph:
 
 
 @dataclass(frozen=True)
-class Listing:
+class Listing(Placed):
     """A list of sentences, or of names, which are set in columns."""
 
     entries: Sequence[str]
@@ -119,7 +125,7 @@ class Listing:
 
 
 @dataclass(frozen=True)
-class Facts:
+class Facts(Placed):
     """Names with values."""
 
     entries: Sequence[tuple[str, Sequence[Cell]]]
@@ -127,7 +133,7 @@ class Facts:
 
 
 @dataclass(frozen=True)
-class Difference:
+class Difference(Placed):
     """A unified difference of two texts, line by line."""
 
     name: str
@@ -143,7 +149,7 @@ class Difference:
 
 
 @dataclass(frozen=True)
-class Lines:
+class Lines(Placed):
     """Lines to copy, as they stand."""
 
     name: str
@@ -152,7 +158,7 @@ class Lines:
 
 
 @dataclass(frozen=True)
-class Foreign:
+class Foreign(Placed):
     """Finished HTML from another module of pkmodes, which is placed as it is: the view in three dimensions."""
 
     html: str

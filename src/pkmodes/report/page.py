@@ -8,13 +8,14 @@ from importlib.resources import files
 from typing import TYPE_CHECKING
 
 from pkmodes.base.extras import require
+from pkmodes.base.page_policy import with_policy
 from pkmodes.base.version import VERSION
 from pkmodes.report.blocks import Section, Summary
 
 if TYPE_CHECKING:
     from jinja2 import Environment
 
-TEMPLATES, PAGE, STYLE = "templates", "page.html.j2", "style.css"
+TEMPLATES, PAGE, STYLE, BROWSER = "templates", "page.html.j2", "style.css", "browser"
 
 
 def need_report() -> None:
@@ -40,7 +41,20 @@ def page(summary: Summary, sections: Sequence[Section]) -> str:
     need_report()
     template = _environment().get_template(PAGE)
     style = (files(__package__) / TEMPLATES / STYLE).read_text(encoding="utf-8")
-    return template.render(summary=summary, sections=list(sections), style=style, version=VERSION)
+    html = template.render(
+        summary=summary,
+        sections=list(sections),
+        style=style,
+        programs=_programs(sections),
+        version=VERSION,
+    )
+    return with_policy(html)
+
+
+def _programs(sections: Sequence[Section]) -> list[str]:
+    """Return the programs that the blocks of a page need in the browser, each once."""
+    names = dict.fromkeys(name for section in sections for block in section.blocks for name in block.programs)
+    return [(files(__package__) / BROWSER / f"{name}.js").read_text(encoding="utf-8") for name in names]
 
 
 @cache

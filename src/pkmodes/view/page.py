@@ -11,6 +11,7 @@ from importlib.resources import files
 
 import numpy as np
 
+from pkmodes.base.page_policy import with_policy
 from pkmodes.robot.units import SHOWN
 from pkmodes.view.page_data import as_data, embedded, end_of_scale, platform_directions
 from pkmodes.view.scene import AMPLITUDE, Scene
@@ -43,7 +44,7 @@ def page(scene: Scene) -> str:
     (True, True)
     """
     name, style = escape(scene.robot), _read("browser", "page.css")
-    return f"""<!doctype html>
+    return with_policy(f"""<!doctype html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
@@ -68,7 +69,7 @@ give are drawn schematically.</p>
 </main>
 {assets()}</body>
 </html>
-"""
+""")
 
 
 def assets() -> str:

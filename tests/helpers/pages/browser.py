@@ -6,6 +6,7 @@ import asyncio
 import functools
 import shutil
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -42,6 +43,14 @@ class Opened:
     def sideways(self) -> bool:
         """Whether the page scrolls sideways."""
         return bool(self.page.evaluate("document.documentElement.scrollWidth > window.innerWidth"))
+
+    def until(self, condition: str, argument: Any = None) -> None:
+        """Wait until JavaScript holds; the policy of a page forbids the way of Playwright."""
+        end = time.monotonic() + TIMEOUT / 1000
+        while not self.page.evaluate(condition, argument):
+            if time.monotonic() > end:
+                raise TimeoutError(condition)
+            self.page.wait_for_timeout(20)
 
     def findings(self) -> list[str]:
         """Return the grave findings of axe-core."""
