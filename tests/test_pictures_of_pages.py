@@ -6,7 +6,9 @@ import importlib.util
 from pathlib import Path
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
+from PIL import Image, ImageChops
 
 from helpers.pages.documentation import ROOT
 
@@ -21,6 +23,15 @@ def texts(picture: Path) -> list[str]:
     ]
 
 
+def alike(one: Path, other: Path) -> bool:
+    """Whether two pictures differ by the edges of letters at most, which libraries draw differently."""
+    with Image.open(one) as first, Image.open(other) as second:
+        if first.size != second.size:
+            return False
+        difference = ImageChops.difference(first.convert("RGB"), second.convert("RGB"))
+    return float(np.mean(np.asarray(difference) > 40)) < 0.005
+
+
 @pytest.mark.parametrize("name", ["tutorial", "signals"])
 def test_the_pictures_are_current(name: str, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
@@ -31,9 +42,13 @@ def test_the_pictures_are_current(name: str, tmp_path: Path) -> None:
     spec.loader.exec_module(script)
     script.main([str(tmp_path)])
     drawn = sorted(tmp_path.iterdir())
-    assert [path.stem for path in drawn] == sorted(script.PICTURES)
+    assert {path.stem for path in drawn} >= set(script.PICTURES)
     page = (ROOT / f"docs/{name}.md").read_text(encoding="utf-8")
     for path in drawn:
         assert f"(figures/{path.name})" in page
-        assert texts(path) == texts(FOLDER / path.name), f"run: python docs/figures/{name}.py ({path.name})"
-        assert len(texts(path)) > 10
+        remedy = f"run: python docs/figures/{name}.py ({path.name})"
+        if path.suffix == ".svg":
+            assert texts(path) == texts(FOLDER / path.name), remedy
+            assert len(texts(path)) > 10
+        else:
+            assert alike(path, FOLDER / path.name), remedy

@@ -22,6 +22,7 @@ pytestmark = pytest.mark.slow
 #: The landing page, prose with pictures, an API page, one with formulas, tables, and generated ones.
 SHOWN = [
     "index",
+    "gallery",
     "tutorial",
     "api/pkmodes",
     "derivation/corexy",
@@ -157,6 +158,30 @@ def test_a_page_fits_a_phone(address: str, page: str) -> None:
                 && part.tabIndex < 0).map(part => part.outerHTML.slice(0, 80))"""
         )
         assert not unreachable
+
+
+def test_what_the_robot_file_defines_is_found_there_first(address: str) -> None:
+    for word in ("payload", "gearbox_compliance", "gravity"):
+        with opened(f"{address}/search.html?q={word}") as found:
+            found.page.wait_for_selector("ul.search li a")
+            found.page.wait_for_function()
+            first = found.page.eval_on_selector("ul.search li a", "link => link.href")
+        assert "/robot-file.html#defined-" in first, word
+
+
+def test_every_sample_of_the_gallery_is_live(address: str, site: Path, parsed: dict[Path, Parsed]) -> None:
+    samples = [link for link in parsed[site / "gallery.html"].links if link.startswith("samples/")]
+    commands = re.findall(
+        r"^```\{sample\} (\S+)$", (ROOT / "docs/gallery.md").read_text("utf-8"), re.MULTILINE
+    )
+    assert samples == [f"samples/{name}" for name in commands]
+    for sample in samples:
+        if sample.endswith(".html"):
+            with opened(f"{address}/{sample}", motion="reduce") as found:
+                assert found.page.inner_text("h1")
+                found.page.wait_for_timeout(500)
+            assert not found.problems, sample
+            assert not found.outside, sample
 
 
 def test_pictures_are_drawn(address: str) -> None:

@@ -1,4 +1,4 @@
-"""Draw the pictures of docs/tutorial.md: the machine at a pose, its frequencies along a line, and the residual.
+"""Draw the pictures of docs/tutorial.md, all of its machine: at a pose, frequencies, a mode, and the residual.
 
     python docs/figures/tutorial.py [FOLDER]
 
@@ -18,6 +18,10 @@ from matplotlib.figure import Figure
 
 import pkmodes
 from pkmodes import updating
+from pkmodes.figures import pictures
+from pkmodes.figures.files import rendered
+from pkmodes.plots.animation import animation
+from pkmodes.view import scene
 
 HERE = Path(__file__).parent
 LOOP = HERE.parents[1] / "examples" / "closed_loop"
@@ -138,6 +142,21 @@ def residual(model: pkmodes.Model) -> Figure:
     return figure
 
 
+def plane(model: pkmodes.Model) -> bytes:
+    """Draw the frequencies over the working plane, as ``pkmodes figures`` does."""
+    grid = {"x": np.linspace(0.3, 0.8, 101), "y": np.linspace(-0.1, 0.1, 41), "z": POSE[2]}
+    drawn = next(picture for picture in pictures(model, grid) if picture.name == "frequencies")
+    return rendered(drawn, "png")
+
+
+def moving(model: pkmodes.Model) -> bytes:
+    """Draw the second mode, as ``pkmodes show`` does."""
+    shown = scene(model, POSE)
+    return animation(shown, shown.rigid_modes + 1)
+
+
+#: Pictures as pkmodes makes them, with their files.
+MADE = {"tutorial-plane.png": plane, "tutorial-mode.gif": moving}
 PICTURES = {"tutorial-machine": machine, "tutorial-frequencies": frequencies, "tutorial-residual": residual}
 
 
@@ -145,6 +164,8 @@ def main(arguments: Sequence[str]) -> None:
     """Write every picture."""
     folder = Path(arguments[0]) if arguments else HERE
     model = pkmodes.load(LOOP / "robot.toml")
+    for name, make in MADE.items():
+        (folder / name).write_bytes(make(model))
     with mpl.rc_context(STYLE):
         for name, draw in PICTURES.items():
             draw(model).savefig(folder / f"{name}.svg", metadata={"Date": None, "Creator": None})

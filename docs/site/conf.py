@@ -32,6 +32,8 @@ extensions = [
     "mathml",
     "schemas",
     "links",
+    "samples",
+    "defined",
 ]
 root_doc = "index"
 exclude_patterns = ["site", "studies", "schemas"]

@@ -19,13 +19,16 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 FRAMES, MILLISECONDS = 24, 50
-#: Size [inch], dots per inch, and colours of the palette.
-SIZE, DOTS, COLOURS = (6.4, 3.6), 110, 64
+#: Width, least and largest height of the machine, height of the title [inch]; dots per inch, colours of the palette.
+ACROSS, LOWEST, HIGHEST, HEAD = 7.2, 2.0, 5.2, 0.62
+DOTS, COLOURS = 110, 64
 #: Direction from which a robot in space and a planar one are seen [deg].
 AZIMUTH, ELEVATION, ABOVE = -60.0, 18.0, 50.0
 #: Line widths by kind of element, and colours of those that are no springs.
-WIDTHS = {"rail": 2.5, "belt": 2.2, "link": 2.6, "arm": 5.0, "gantry": 5.0}
+WIDTHS = {"rail": 2.5, "belt": 3.2, "link": 3.0, "arm": 6.0, "gantry": 6.0}
 STEEL, PALE, DARK = "#6b7683", "#b9c0c8", "#2f3944"
+#: The machine at rest, behind the moving one.
+GHOST = "#e3e6ea"
 
 
 def animation(scene: Scene, mode: int | None = None, amplitude: float = AMPLITUDE) -> bytes:
@@ -59,23 +62,26 @@ def animation(scene: Scene, mode: int | None = None, amplitude: float = AMPLITUD
     turned = _turned(scene, mode, amplitude)
     hertz = scene.frequencies[scene.chosen, mode]
     title = f"{scene.robot}, mode {mode - scene.rigid_modes + 1}: {hertz:.1f} Hz"
+    rest = scene.points[scene.chosen] @ view.T
+    room = 0.04 * float(np.max(high - low))
+    low, high = low - room, high + room
+    tall = float(np.clip(ACROSS * (high[1] - low[1]) / (high[0] - low[0]), LOWEST, HIGHEST))
     images = []
     with styled():
         for k, points in enumerate(flat):
-            drawn = figure(SIZE[1], SIZE[0])
+            drawn = figure(tall + HEAD, ACROSS)
             drawn.set_layout_engine("none")
-            axes = drawn.add_axes((0.02, 0.02, 0.96, 0.84))
+            axes = drawn.add_axes((0.0, 0.0, 1.0, tall / (tall + HEAD)))
             axes.set_axis_off()
             axes.set_aspect("equal")
-            room = 0.06 * float(np.max(high - low))
-            axes.set_xlim(low[0] - room, high[0] + room)
-            axes.set_ylim(low[1] - room, high[1] + room)
+            axes.set_xlim(low[0], high[0])
+            axes.set_ylim(low[1], high[1])
             phase = np.sin(2.0 * np.pi * k / FRAMES)
+            _ghost(axes, scene, rest)
             _draw(axes, scene, points, view, mode, phase * turned)
-            drawn.text(0.02, 0.93, title, fontsize=10, fontweight="bold")
-            drawn.text(
-                0.02, 0.875, "orange: belts and other springs with most of the strain energy", fontsize=8
-            )
+            drawn.text(0.02, 1.0 - 0.28 / (tall + HEAD), title, fontsize=14, fontweight="bold")
+            legend = "orange: the belts and other springs with most of the strain energy; pale: at rest"
+            drawn.text(0.02, 1.0 - 0.52 / (tall + HEAD), legend, fontsize=10.5)
             target = BytesIO()
             drawn.savefig(target, format="png", dpi=DOTS, facecolor="white")
             images.append(Image.open(target).convert("RGB"))
@@ -115,6 +121,18 @@ def _turned(scene: Scene, mode: int, amplitude: float) -> Array:
     return np.array(
         [scale * shape[scene.coordinates.index(e.turns)] if e.turns else 0.0 for e in scene.elements]
     )
+
+
+def _ghost(axes: Axes, scene: Scene, points: Array) -> None:
+    """Draw the lines of the machine at rest."""
+    for element in scene.elements:
+        at = points[list(element.points)]
+        if element.shape == "plate":
+            axes.fill(*_hull(at[:, :2]).T, facecolor=GHOST, edgecolor=PALE, linewidth=0.8)
+        elif element.shape not in ("wheel", "ball", "block"):
+            axes.plot(
+                *at[:, :2].T, color=GHOST, linewidth=WIDTHS.get(element.kind, 2.5), solid_capstyle="round"
+            )
 
 
 def _draw(axes: Axes, scene: Scene, points: Array, view: Array, mode: int, turned: Array) -> None:

@@ -1,0 +1,91 @@
+"""A directive for live samples: commands of the gallery, run when the site is built, with links to what they wrote.
+
+Where there is no site, as on GitHub, the commands stand as code.
+"""
+
+from __future__ import annotations
+
+import os
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+from shutil import copy2
+from tempfile import TemporaryDirectory
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.errors import ExtensionError
+from sphinx.util.docutils import SphinxDirective
+
+ROOT = Path(__file__).parents[2]
+#: Folder of the site for what the commands write; pages with samples are beside it.
+FOLDER = "samples"
+LINKED = ("robots", "examples")
+WORDS = {".html": "Open the live page", ".png": "Open the picture", ".gif": "Open the moving picture"}
+
+
+class Sample(SphinxDirective):
+    """``{sample} FILE`` with commands that write FILE: the commands, and a link to it."""
+
+    required_arguments = 1
+    has_content = True
+
+    def run(self) -> list[nodes.Node]:
+        """Return the commands and the link, and note the commands for the end of the build."""
+        name, commands = self.arguments[0], "\n".join(self.content)
+        samples = self.env.metadata[self.env.docname].setdefault("samples", {})
+        samples[name] = commands
+        code = nodes.literal_block(commands, commands, language="sh")
+        link = nodes.reference("", WORDS[Path(name).suffix], refuri=f"{FOLDER}/{name}", internal=False)
+        link["classes"].append("sample")
+        return [code, nodes.paragraph("", "", link)]
+
+
+def make(app: Sphinx, failed: Exception | None) -> None:
+    """Run the commands of all samples, each after the other in one folder, and copy what they wrote.
+
+    Raises
+    ------
+    ExtensionError
+        If a command fails or does not write its file.
+    """
+    if failed is not None or app.builder.format != "html":
+        return
+    samples = {
+        name: commands
+        for about in app.env.metadata.values()
+        for name, commands in about.get("samples", {}).items()
+    }
+    target = Path(app.outdir) / FOLDER
+    paths = [str(ROOT / part) for part in ("src", "generated", "derive")]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(paths), "OMP_NUM_THREADS": "1"}
+    with TemporaryDirectory() as place:
+        for part in LINKED:
+            (Path(place) / part).symlink_to(ROOT / part)
+        for name, commands in samples.items():
+            for command in commands.splitlines():
+                words = shlex.split(command, comments=True)
+                if words[0] != "pkmodes":
+                    raise ExtensionError(f"sample {name}: expected a command of pkmodes, found {words[0]}")
+                run = subprocess.run(
+                    [sys.executable, "-m", *words],
+                    cwd=place,
+                    env=environment,
+                    capture_output=True,
+                    text=True,
+                    check=False,
+                )
+                if run.returncode != 0:
+                    raise ExtensionError(f"sample {name}: {command} failed: {run.stderr}")
+            if not (Path(place) / name).is_file():
+                raise ExtensionError(f"sample {name}: its commands did not write it")
+            (target / name).parent.mkdir(parents=True, exist_ok=True)
+            copy2(Path(place) / name, target / name)
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Register the directive, and its work at the end."""
+    app.add_directive("sample", Sample)
+    app.connect("build-finished", make)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
