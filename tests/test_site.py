@@ -164,7 +164,6 @@ def test_what_the_robot_file_defines_is_found_there_first(address: str) -> None:
     for word in ("payload", "gearbox_compliance", "gravity"):
         with opened(f"{address}/search.html?q={word}") as found:
             found.page.wait_for_selector("ul.search li a")
-            found.page.wait_for_function()
             first = found.page.eval_on_selector("ul.search li a", "link => link.href")
         assert "/robot-file.html#defined-" in first, word
 
