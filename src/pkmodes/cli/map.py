@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 class ExtremesDocument(Document):
-    """Where a frequency is lowest and highest."""
+    """Between which values a frequency lies, and where it is lowest and highest."""
 
     mode: Annotated[int, Meta(description="Number of the mode: 1 is the first vibration mode.")]
     minimum_hz: Annotated[
@@ -42,6 +42,15 @@ class ExtremesDocument(Document):
     ]
     maximum_hz: Annotated[float | None, Meta(description="Its highest frequency [Hz].")]
     maximum_at: Annotated[dict[str, float | str] | None, Meta(description="Where.")]
+    quantile_2_hz: Annotated[
+        float | None, Meta(description="The frequency below which it is at 2 % of the poses [Hz].")
+    ]
+    median_hz: Annotated[
+        float | None, Meta(description="The frequency below which it is at half of the poses [Hz].")
+    ]
+    quantile_98_hz: Annotated[
+        float | None, Meta(description="The frequency below which it is at 98 % of the poses [Hz].")
+    ]
 
 
 class MapDocument(Document):

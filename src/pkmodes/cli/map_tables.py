@@ -1,10 +1,12 @@
-"""Print the summary of a map on the terminal: what was mapped, and where each frequency is lowest and highest."""
+"""Print the summary of a map on the terminal: what was mapped, and between which frequencies each mode lies."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 from pkmodes.cli.terminal import Terminal
+from pkmodes.maps.summary import SHARES, remark_on, shown_hertz
 from pkmodes.model.model import Model
 from pkmodes.robot.corrections import changeable
 
@@ -14,7 +16,7 @@ def show(model: Model, content: dict[str, Any]) -> None:
     terminal = Terminal()
     units = {component.name: component.unit for component in model.mechanism.pose}
     units |= {path: unit for path, unit in changeable(model.robot).items() if unit != "1"}
-    terminal.heading(
+    terminal.line(
         f"{content['robot']}, motors {content['drives']}: {content['valid']:,} of {content['poses']:,} poses can be "
         "evaluated"
     )
@@ -29,20 +31,31 @@ def show(model: Model, content: dict[str, Any]) -> None:
     for code, count in content["reasons"].items():
         terminal.line(f"{count:,} cannot: {model.reasons[code]}", "  ")
     terminal.line()
-    rows = [
-        [str(row["mode"]), *_cells(row, "minimum", several), *_cells(row, "maximum", several)]
-        for row in content["modes"]
-    ]
-    terminal.table(("mode", "lowest [Hz]", *several, "highest [Hz]", *several), rows)
+    terminal.line("At 96 % of the poses a frequency lies between its 2 % and its 98 % quantile:")
+    terminal.table(
+        ("mode", "2 % [Hz]", "median [Hz]", "98 % [Hz]"),
+        [[str(row["mode"]), *(shown_hertz(row[key]) for key in SHARES)] for row in content["modes"]],
+    )
+    terminal.line()
+    terminal.line("The extremes, and where they are:")
+    terminal.table(
+        ("mode", "", "f [Hz]", *several),
+        [cells for row in content["modes"] for cells in _ends(row, several)],
+        left=[""],
+    )
+    if remark := remark_on(content):
+        terminal.line()
+        terminal.line(remark)
     if content["file"]:
         terminal.line()
         terminal.heading(f"wrote {content['file']}")
 
 
-def _cells(row: dict[str, Any], end: str, dims: list[str]) -> list[str]:
-    """Return an extreme frequency and its place."""
-    value, at = row[f"{end}_hz"], row[f"{end}_at"] or {}
-    return ["-" if value is None else f"{value:.3f}", *(_shown(at.get(name, "-")) for name in dims)]
+def _ends(row: dict[str, Any], dims: list[str]) -> Iterator[list[str]]:
+    """Yield the lines of the lowest and of the highest frequency of a mode, each with its place."""
+    for number, word, end in ((str(row["mode"]), "lowest", "minimum"), ("", "highest", "maximum")):
+        at = row[f"{end}_at"] or {}
+        yield [number, word, shown_hertz(row[f"{end}_hz"]), *(_shown(at.get(name, "-")) for name in dims)]
 
 
 def _shown(value: Any) -> str:

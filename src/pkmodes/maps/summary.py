@@ -1,4 +1,4 @@
-"""The summary of a map: where each frequency is lowest and highest, and how many poses could be evaluated."""
+"""The summary of a map: between which frequencies each mode lies, and how many poses could be evaluated."""
 
 from __future__ import annotations
 
@@ -11,9 +11,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.maps.fields import chunks_of
+from pkmodes.maps.quantiles import quantiles
 
 if TYPE_CHECKING:
     import xarray
+
+#: Shares of the poses below the frequencies that stand for a mode: at the edge of a workspace a spring may become so
+#: short that the extremes say nothing about the rest.
+SHARES = {"quantile_2_hz": 0.02, "median_hz": 0.5, "quantile_98_hz": 0.98}
+
+#: A frequency is written with decimals up to this one [Hz], and a highest one is far above the others from this
+#: multiple of the 98 % quantile on.
+LARGE, FAR = 1e5, 10.0
 
 
 def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
@@ -47,6 +56,7 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
                 at = np.unravel_index(place, values.shape)
                 if extremes[i] is None or better(values[at], extremes[i][0]):
                     extremes[i] = float(values[at]), [a + int(b) for a, b in zip(start, at, strict=True)]
+    rows = quantiles(lambda: _frequencies(dataset, leading), list(SHARES.values())).tolist()
     return {
         "robot": dataset.attrs["robot"],
         "file": file,
@@ -59,10 +69,42 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
         "drives": str(dataset.attrs["drives"]),
         "tracked": "rank" in dataset,
         "modes": [
-            {"mode": number, **_end("minimum", low, dataset), **_end("maximum", high, dataset)}
-            for number, low, high in zip(numbers, lowest, highest, strict=True)
+            {
+                "mode": number,
+                **_end("minimum", low, dataset),
+                **_end("maximum", high, dataset),
+                **{key: None if low is None else value for key, value in zip(SHARES, row, strict=True)},
+            }
+            for number, low, high, row in zip(numbers, lowest, highest, rows, strict=True)
         ],
     }
+
+
+def shown_hertz(value: float | None) -> str:
+    """Return a frequency as a table shows it: with three decimals, or with a power of ten."""
+    if value is None:
+        return "-"
+    if abs(value) < LARGE:
+        return f"{value:.3f}"
+    digits, _, power = f"{value:.2e}".partition("e")
+    return f"{digits}e{int(power)}"
+
+
+def remark_on(content: dict[str, Any]) -> str:
+    """Return a sentence on highest frequencies that say nothing about the rest of a map; empty if there are none."""
+    far = [
+        str(row["mode"])
+        for row in content["modes"]
+        if row["maximum_hz"] is not None and row["maximum_hz"] > FAR * abs(row["quantile_98_hz"])
+    ]
+    if not far:
+        return ""
+    several = len(far) > 1
+    modes = f"modes {', '.join(far[:-1])} and {far[-1]}" if several else f"mode {far[0]}"
+    return (
+        f"The highest {'frequencies' if several else 'frequency'} of {modes} {'are' if several else 'is'} more than "
+        f"ten times the 98 % quantile: usually at a pose where a spring, such as a belt span, has almost no length."
+    )
 
 
 def _parts(dataset: xarray.Dataset, leading: list[str]) -> Iterator[tuple[list[int], xarray.Dataset]]:
@@ -72,6 +114,13 @@ def _parts(dataset: xarray.Dataset, leading: list[str]) -> Iterator[tuple[list[i
     for start in itertools.product(*(range(0, n, size) for n, size in zip(shape, sizes, strict=True))):
         part = {dim: slice(a, a + size) for dim, a, size in zip(leading, start, sizes, strict=True)}
         yield list(start), dataset.isel(part).load()
+
+
+def _frequencies(dataset: xarray.Dataset, leading: list[str]) -> Iterator[NDArray[Any]]:
+    """Yield the frequencies of each part, (poses, modes)."""
+    for _, part in _parts(dataset[["frequency"]], leading):
+        frequency = part["frequency"].transpose(..., "mode").values
+        yield frequency.reshape(-1, frequency.shape[-1])
 
 
 def _end(name: str, extreme: tuple[float, list[int]] | None, dataset: xarray.Dataset) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from pkmodes.dataset.fields import FIELDS
 from pkmodes.figures.pictures import pictures
 from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.poses import Grid
-from pkmodes.maps.summary import summary_of
+from pkmodes.maps.summary import SHARES, remark_on, shown_hertz, summary_of
 from pkmodes.plots import sweeps
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.style import styled
@@ -26,7 +26,7 @@ from pkmodes.report.blocks import (
     Summary,
     Table,
 )
-from pkmodes.report.formatting import clean, hertz, number, plural, pointer, unit
+from pkmodes.report.formatting import clean, number, plural, pointer, unit
 from pkmodes.report.origin import files_of, view_section
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
@@ -40,6 +40,8 @@ if TYPE_CHECKING:
 
 #: Values along each side of the plane that is drawn at most.
 FINEST = 150
+#: Number of poses below which 2 % of them are less than one.
+FEW = 50
 
 
 def map_report(
@@ -78,7 +80,7 @@ def map_report(
     content = summary_of(dataset, None) if content is None else content
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     sections = [
-        Section("modes", "Range of each frequency", [_ranges(model, content)]),
+        Section("modes", "Range of each frequency", _ranges(model, content)),
         *_changes(model, dataset),
         *_figures(model, dataset),
         *view_section(view),
@@ -97,12 +99,7 @@ def middle_of(model: Model, dataset: xarray.Dataset) -> list[float] | None:
 
 
 def _summary(model: Model, content: dict[str, Any]) -> Summary:
-    first = content["modes"][0]
-    headline = "No pose could be evaluated"
-    if first["minimum_hz"] is not None:
-        low, high = first["minimum_hz"], first["maximum_hz"]
-        lowest = "Mode 1" if content["tracked"] else "The lowest frequency of vibration"
-        headline = f"{lowest} lies between {low:.2f} and {high:.2f} Hz"
+    headline = _headline(content)
     share = content["valid"] / content["poses"]
     notes = [
         f"{plural(count, 'pose')} cannot be evaluated: {model.reasons[code]}."
@@ -126,6 +123,21 @@ def _summary(model: Model, content: dict[str, Any]) -> Summary:
         notes=notes,
         facts=facts,
     )
+
+
+def _headline(content: dict[str, Any]) -> str:
+    """Return where the lowest frequency lies, without what a few poses at the edge of the workspace add."""
+    first, count = content["modes"][0], content["valid"]
+    if first["minimum_hz"] is None:
+        return "No pose could be evaluated"
+    lowest = "Mode 1" if content["tracked"] else "The lowest frequency of vibration"
+    if count < FEW:
+        low, high, where = first["minimum_hz"], first["maximum_hz"], ""
+    else:
+        low, high, where = first["quantile_2_hz"], first["quantile_98_hz"], " at 96 % of the poses"
+    if count == 1:
+        return f"{lowest} is {low:.2f} Hz"
+    return f"{lowest} lies between {low:.2f} and {high:.2f} Hz{where}"
 
 
 def _thousands(count: int) -> str:
@@ -156,23 +168,35 @@ def _value(value: float) -> str:
     return typeset(f"{value:.5g}")
 
 
-def _ranges(model: Model, content: dict[str, Any]) -> Table:
+def _ranges(model: Model, content: dict[str, Any]) -> list[Block]:
     units = _units(model)
     dims = [dim for dim in content["ranges"] if content["dimensions"][dim] > 1]
     titles = [f"{dim} [{units[dim][0]}]" if units.get(dim, ("",))[0] else dim for dim in dims]
     places = [Column(title, numbers=dim != "pose") for dim, title in zip(dims, titles, strict=True)]
     rows = []
     for i, mode in enumerate(content["modes"]):
-        cells = [Cell(str(mode["mode"]))]
+        cells = [Cell(str(mode["mode"])), *(_frequency(mode, i, key) for key in SHARES)]
         for end in ("minimum", "maximum"):
-            cells.append(hertz(mode[f"{end}_hz"], pointer("modes", i, f"{end}_hz")))
             at = mode[f"{end}_at"] or {}
+            cells.append(_frequency(mode, i, f"{end}_hz"))
             cells += [_place(at.get(dim), units.get(dim, ("", 1.0))[1]) for dim in dims]
         rows.append(cells)
     frequency = Column(FIELDS["frequencies"].heading)
-    columns = [Column("mode"), frequency, *places, frequency, *places]
-    groups = [("", 1), ("lowest", 1 + len(dims)), ("highest", 1 + len(dims))]
-    return Table("Lowest and highest frequency of each vibration mode, and where.", columns, rows, groups)
+    shares = [Column(title) for title in ("2 %", "median", "98 %")]
+    columns = [Column("mode"), *shares, frequency, *places, frequency, *places]
+    groups = [("", 1), ("quantiles [Hz]", 3), ("lowest", 1 + len(dims)), ("highest", 1 + len(dims))]
+    caption = (
+        "Each vibration mode: at 96 % of the poses its frequency lies between the 2 % and the 98 % quantile; its "
+        "lowest and highest frequency, and where."
+    )
+    remark = remark_on(content)
+    return [Table(caption, columns, rows, groups), *([Paragraph(remark)] if remark else [])]
+
+
+def _frequency(mode: dict[str, Any], index: int, key: str) -> Cell:
+    value = mode[key]
+    at = pointer("modes", index, key)
+    return number(None, at=at) if value is None else Cell(typeset(shown_hertz(value)), value, at)
 
 
 def _place(value: Any, factor: float) -> Cell:
