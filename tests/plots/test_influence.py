@@ -62,6 +62,12 @@ def test_what_is_rounded_to_zero_has_no_sign() -> None:
     assert [text.get_text() for text in drawn.axes[0].texts] == ["+1.00", "0.00", "0.00", "\u22120.01"]
 
 
+def test_parameters_that_act_as_one_have_a_line_each_in_the_name_of_their_row() -> None:
+    with styled():
+        drawn = influence.table(["belt.specific_stiffness, belt.width"], np.ones((1, 1, 1, 1)))
+    assert [t.get_text() for t in drawn.axes[0].get_yticklabels()] == ["belt.specific_stiffness,\nbelt.width"]
+
+
 def test_the_legend_of_the_largest_influence_has_the_colours_of_the_map() -> None:
     relative = np.zeros((5, 5, 3, 1))
     relative[:2, :, 1], relative[2:, :, 2] = 1.0, -1.0

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from pkmodes.linalg.mac import mass_weighted_mac
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.workspace import Volume
-from pkmodes.robot.layout import items
-from pkmodes.robot.parameter_groups import groups_by_path, value_of
+from pkmodes.sensitivity.alike import alike
+from pkmodes.sensitivity.relative import scalable
 from pkmodes.solve.usable import usable_box, within
 from pkmodes.solve.workspace import box_of
 from pkmodes.view.robot_drawing import RobotDrawing
@@ -32,22 +32,13 @@ def relative_sensitivities(model: Model, plane: Plane, drives: str) -> tuple[lis
 
     Returns
     -------
-    paths : list of str
-        Quantities of the robot that are not zero, and wholes such as ``axis.span``; components of vectors are left
-        out, because their relative change depends on the origin.
+    names : list of str
+        Quantities of the robot (`scalable`); those that act as one at all these poses have a common name, such as
+        ``belt.specific_stiffness, belt.width``.
     relative : ndarray, shape (along, across, parameters, modes)
         d ln f / d ln p.
     """
-    mechanism = model.mechanism
-    single = {
-        number.path for item in items(mechanism) if item.key.kind == "quantity" for number in item.numbers
-    }
-    declared = model.robot.quantities
-    paths = [path for path, quantity in declared.items() if path in single and quantity.value != 0.0]
-    effects = [path for path in declared if path.startswith("effects.") and declared[path].value != 0.0]
-    # A joint radius of zero has no direction in which it could change.
-    known = [path for path, whole in groups_by_path(mechanism).items() if value_of(model.robot, whole) != 0.0]
-    paths = [*paths, *(path for path in effects if path not in paths), *known]
+    paths = scalable(model.robot)
     few = coarser(plane)
     points = points_of(model, few)
     sensitivities = model.sensitivities(points, paths, fields=["frequencies"], on_error="nan", drives=drives)
@@ -55,8 +46,8 @@ def relative_sensitivities(model: Model, plane: Plane, drives: str) -> tuple[lis
     rates = sensitivities.frequencies[..., -modes:]
     frequency = few.dataset["frequency"].values
     relative = rates * sensitivities.values[:, None] / frequency[..., None, :]
-    kept = np.flatnonzero(np.isfinite(sensitivities.values) & (sensitivities.values != 0.0))
-    return [paths[i] for i in kept], relative[..., kept, :]
+    together = alike(relative)
+    return [one.name(paths) for one in together], relative[..., [one.members[0] for one in together], :]
 
 
 def coarser(plane: Plane) -> Plane:

@@ -29,7 +29,7 @@ def table(paths: Sequence[str], relative: Array) -> Figure:
     Parameters
     ----------
     paths : sequence of str
-        Parameters.
+        Parameters; those that act as one have one name, separated by commas.
     relative : ndarray, shape (along, across, parameters, modes)
         d ln f / d ln p.
     """
@@ -41,7 +41,7 @@ def table(paths: Sequence[str], relative: Array) -> Figure:
     high = max(float(np.abs(middle).max()), 1e-12)
     mesh = axes.imshow(middle[order], cmap="PuOr", vmin=-high, vmax=high, aspect="auto")
     axes.set_xticks(range(middle.shape[1]), [f"mode {i + 1}" for i in range(middle.shape[1])])
-    axes.set_yticks(range(len(order)), [paths[i] for i in order])
+    axes.set_yticks(range(len(order)), [broken(paths[i]) for i in order])
     axes.grid(visible=False)
     axes.tick_params(length=0)
     for row, path in enumerate(order):
@@ -52,6 +52,11 @@ def table(paths: Sequence[str], relative: Array) -> Figure:
     bar = drawn.colorbar(mesh, ax=axes, aspect=25)
     bar.set_label("d ln f / d ln p, median over the plane [1]")
     return drawn
+
+
+def broken(name: str) -> str:
+    """Return a name of several parameters with each on a line of its own."""
+    return name.replace(", ", ",\n")
 
 
 def luminance(colour: Sequence[float] | Array) -> float:
@@ -71,7 +76,7 @@ def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Figure:
     Parameters
     ----------
     paths : sequence of str
-        Parameters.
+        Parameters; those that act as one have one name, separated by commas.
     relative : ndarray, shape (along, across, parameters, modes)
         d ln f / d ln p.
     """
@@ -92,7 +97,7 @@ def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Figure:
     drawn, panels = panels_of(plane, modes, colour_bars=False)
     for mode, axes in mode_panels(plane, panels, modes):
         plane.draw(axes, place[first[..., mode]], cmap=colours, vmin=-0.5, vmax=len(shown) + 0.5)
-    legend = [Patch(color=palette[i], label=paths[path]) for i, path in enumerate(shown)]
+    legend = [Patch(color=palette[i], label=broken(paths[path])) for i, path in enumerate(shown)]
     if counts.sum() > counts[shown].sum():
         legend.append(Patch(color=grey, label="another"))
     drawn.legend(

@@ -11,9 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.base.arguments import POSITIVE_INTEGER, check_argument
 from pkmodes.base.drives import HELD
 from pkmodes.base.errors import PkmodesError, PoseError
-from pkmodes.robot.paths import paths
-from pkmodes.robot.robot import Robot
-from pkmodes.sensitivity.sensitivities import ResolvedPaths, sensitivities
+from pkmodes.sensitivity.spread import spread_of
 from pkmodes.solve.backends import AUTO
 from pkmodes.solve.dynamics import Dynamics
 
@@ -137,21 +135,5 @@ def _count(dynamics: Dynamics, modes: int | None) -> int:
 
 def _spread(dynamics: Dynamics, points: Array, f: Array) -> Array | None:
     """Return the relative standard deviations of frequencies: declared values err independently, and little."""
-    robot: Robot = dynamics.robot
-    known = set(paths(robot))  # damping changes no frequency
-    sigmas = {path: q.sigma for path, q in robot.quantities.items() if q.sigma and path in known}
-    if not sigmas:
-        return None
-    rates = sensitivities(
-        ResolvedPaths(robot, tuple(sigmas), HELD),
-        points,
-        "raise",
-        dynamics.kinematics.max_condition,
-        1e-6,
-        ("frequencies",),
-        None,
-        dynamics.solver(AUTO, HELD),
-        1,
-    ).frequencies[..., : f.shape[1]]
-    scaled = np.nan_to_num(rates) * np.array(list(sigmas.values()))[:, None]
-    return np.asarray(np.linalg.norm(scaled, axis=1) / f)
+    sigmas = spread_of(dynamics, points, HELD)
+    return None if sigmas is None else np.nan_to_num(sigmas[:, : f.shape[1]]) / f

@@ -1,0 +1,113 @@
+"""Relative sensitivities d ln f / d ln p: of which quantities a per cent means something, and what it does."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.mechanism.regular import extent
+from pkmodes.robot.layout import effect_parameters, items
+from pkmodes.robot.parameter_groups import groups_by_path, value_of
+from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.alike import Alike, alike
+from pkmodes.sensitivity.sensitivities import ResolvedPaths, sensitivities
+from pkmodes.solve.backends import AUTO
+from pkmodes.solve.dynamics import Dynamics
+
+Array = NDArray[np.float64]
+#: Poses around a given one at which parameters are compared, and how far they lie from it: a fraction of the robot's
+#: reach, or as many rad.  What is equal in a neighbourhood is equal everywhere, since frequencies are analytic in the
+#: pose; what is equal by the symmetry of one pose differs there by about this fraction.
+AROUND, FAR = 12, 0.01
+SEED = 20220101
+#: Modes whose eigenvalues differ by less than this fraction are repeated, as for `pkmodes.Model.sensitivities`.
+CLOSE = 1e-6
+
+
+def scalable(robot: Robot) -> list[str]:
+    """Return the quantities of a robot of which a per cent means something and changes frequencies.
+
+    These are its quantities that are not zero, and wholes such as ``axis.span``.  Components of vectors are left
+    out, since a per cent of a coordinate depends on where the origin lies; so is what only dissipates.
+    """
+    mechanism = robot.mechanism
+    single = {
+        number.path for item in items(mechanism) if item.key.kind == "quantity" for number in item.numbers
+    }
+    declared = robot.quantities
+    paths = [path for path, quantity in declared.items() if path in single and _scales(quantity.value)]
+    conservative = {
+        path for path in effect_parameters(mechanism) if path.split(".")[1] in mechanism.conservative_effects
+    }
+    effects = [path for path in declared if path in conservative and _scales(declared[path].value)]
+    # A joint radius of zero has no direction in which it could change.
+    wholes = [path for path, whole in groups_by_path(mechanism).items() if _scales(value_of(robot, whole))]
+    return [*paths, *(path for path in effects if path not in paths), *wholes]
+
+
+def _scales(value: float) -> bool:
+    return value != 0.0 and bool(np.isfinite(value))
+
+
+def rates_of(dynamics: Dynamics, poses: ArrayLike, paths: list[str], drives: str, on_error: str) -> Array:
+    """Return the derivatives of all frequencies, (..., T, m) [Hz per unit]: see `pkmodes.Model.sensitivities`."""
+    found = sensitivities(
+        ResolvedPaths(dynamics.robot, tuple(paths), drives),
+        poses,
+        "nan" if on_error == "nan" else "raise",
+        dynamics.kinematics.max_condition,
+        CLOSE,
+        ("frequencies",),
+        None,
+        dynamics.solver(AUTO, drives),
+        1,
+    )
+    return found.frequencies
+
+
+def relative_of(rates: Array, values: Array, frequencies: Array) -> Array:
+    """Return d ln f / d ln p, NaN where the value or the frequency is 0.
+
+    Parameters
+    ----------
+    rates : ndarray, shape (..., T, m)
+    values : ndarray, shape (T,)
+    frequencies : ndarray, shape (..., m)
+    """
+    known = np.where(values == 0.0, np.nan, values)
+    sizes = np.where(frequencies == 0.0, np.nan, frequencies)
+    relative: Array = rates * known[:, None] / sizes[..., None, :]
+    return relative
+
+
+def alike_around(dynamics: Dynamics, pose: ArrayLike, paths: list[str], drives: str) -> list[Alike]:
+    """Return which quantities act as one, whatever the pose.
+
+    Parameters
+    ----------
+    pose : array_like, shape (d,)
+        In SI units; what is compared lies around it.
+    paths : list of str
+        Quantities; those that are zero act like no other.
+
+    Returns
+    -------
+    list of Alike
+        Of indices into `paths`.
+    """
+    robot = dynamics.robot
+    far = np.array(
+        [
+            FAR * (extent(robot.mechanism, robot.parameters) if component.unit == "m" else 1.0)
+            for component in robot.mechanism.pose
+        ]
+    )
+    rng = np.random.default_rng(SEED)
+    poses = np.asarray(pose, dtype=float) + far * rng.uniform(-1.0, 1.0, (AROUND, len(far)))
+    values = np.array([path.value for path in ResolvedPaths(robot, tuple(paths), drives).paths])
+    rigid = dynamics.solved(drives).rigid_modes
+    frequencies = dynamics.frequencies(poses, "nan", drives=drives)
+    rates = rates_of(dynamics, poses, paths, drives, "nan")
+    relative = relative_of(rates, values, frequencies)[..., rigid:]
+    relative[:, values == 0.0] = 0.0
+    return alike(relative)
