@@ -104,7 +104,7 @@ def test_the_table_shows_every_mode_and_coordinate(capsys: pytest.CaptureFixture
     assert run(["modes", ROBOT, "--pose", POSE]) == 0
     out = capsys.readouterr().out
     frequencies = pkmodes.load(ROBOT).modes([0.6, 0.03, -0.245]).frequencies
-    assert all((f"{f:.3f}" if f < 100 else f"{f:.2f}") in out for f in frequencies[3:])
+    assert all(f"{f:.3f}" in out for f in frequencies[3:])
     for label in ("rigid", "x_1/R_p", "theta_3_2", "p_z", "static torques [N m]", "carriage positions [m]"):
         assert label in out
     assert max(map(len, out.splitlines())) <= 80

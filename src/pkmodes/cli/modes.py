@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal, cast
 
@@ -10,6 +10,7 @@ import click
 import msgspec
 import numpy as np
 from msgspec import UNSET, Meta, UnsetType
+from numpy.typing import NDArray
 
 from pkmodes.base.documents import Count, Document
 from pkmodes.base.drives import DRIVES, HELD
@@ -26,6 +27,12 @@ from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.poles import notes_on_damping
 from pkmodes.solve.backends import AUTO, SOLVERS
 from pkmodes.solve.results import Modes, Statics
+
+Array = NDArray[np.float64]
+#: Components smaller than this are rounding; of frequencies, whose squares are computed, this part of the largest.
+ZERO, ZERO_FREQUENCY = 1e-9, 1e-6
+#: Numbers from here on are written with an exponent.
+LARGE = 99_999.9995
 
 
 class _AtPose(Document):
@@ -144,61 +151,64 @@ def _in_json(field: Field, result: Modes, model: Model) -> Any:
 
 
 def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) -> None:
-    """Print one column per mode and one row per component, so that nine modes fit a terminal."""
-    from rich.console import Console
-    from rich.table import Table
+    """Print one column per mode and one row per component; more modes than fit go below."""
+    from pkmodes.cli.terminal import Terminal
 
-    console = Console(highlight=False)
-    console.width = max(console.width, 80, 10 + 8 * len(result.frequencies))
-    at = placed(model.mechanism, result.poses, "g")
-    console.print(f"{model.robot.name} at {at}, motors {result.drives}\n", markup=False)
-    numbers = range(1 - result.rigid_modes, len(result.frequencies) - result.rigid_modes + 1)
-    table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0))
-    table.add_column("mode", no_wrap=True)
-    for number in numbers:
-        table.add_column(str(number) if number > 0 else "rigid", justify="right", no_wrap=True)
-    table.add_row("f [Hz]", *map(_frequency, result.frequencies))
+    terminal = Terminal()
+    at, rigid = placed(model.mechanism, result.poses, "g"), result.rigid_modes
+    terminal.heading(f"{model.robot.name} at {at}, motors {result.drives}")
+    terminal.line()
+    numbers = [str(i + 1 - rigid) if i >= rigid else "rigid" for i in range(len(result.frequencies))]
+    largest = float(np.abs(result.frequencies).max(initial=0.0))
+    rows = [["f [Hz]", *(_fixed(f, ZERO_FREQUENCY * largest) for f in result.frequencies)]]
     if model.robot.dissipates:
-        table.add_row("damping [%]", *map(_per_cent, result.damping_ratios))
+        rows.append(["damping [%]", *map(_per_cent, result.damping_ratios)])
     scaled, symbols = result.shapes.copy(), {}
     for scale in model.mechanism.scales:
         k = result.coordinates.index(scale.coordinate)
         scaled[:, k] /= np.asarray(getattr(model.robot.parameters, scale.field))[scale.index]
         symbols[scale.coordinate] = f"/{scale.symbol}"
     scaled /= np.abs(scaled).max(axis=1, keepdims=True)
-    for k, name in enumerate(result.coordinates):
-        table.add_row(f"{name}{symbols.get(name, '')}", *map(_component, scaled[:, k]))
     size = np.linalg.norm(result.platform_shapes, axis=1, keepdims=True)
     directions = result.platform_shapes / np.where(size > 0.0, size, 1.0)
-    for k, name in enumerate(model.mechanism.directions):
-        table.add_row(f"p_{name}", *map(_component, directions[:, k]))
-    console.print(table)
-    console.print(
-        "\np: direction of the platform's motion in each mode, a unit vector in the base frame", markup=False
-    )
+    names = [f"{name}{symbols.get(name, '')}" for name in result.coordinates]
+    names += [f"p_{name}" for name in model.mechanism.directions]
+    components = np.concatenate([scaled, directions], axis=1).T
+    rows += [[name, *map(_fixed, row)] for name, row in zip(names, components, strict=True)]
+    terminal.table(["mode", *numbers], rows, left=("mode",), gap=1, repeated=1)
+    terminal.line()
+    terminal.line("p: direction in which the platform moves, a unit vector in the base frame")
+    for sentence in _rigid(result.frequencies[:rigid], ZERO_FREQUENCY * largest):
+        terminal.line(sentence)
     units = {q.name: q.unit for q in model.mechanism.coordinates}
     drive = model.mechanism.drives[0].unit
     for label, values, unit in (
         (model.mechanism.independent_are, result.joint_positions, units[model.mechanism.independent[0]]),
         ("static torques", statics.torques, drive),
     ):
-        console.print(
-            f"{label} [{unit}]: {', '.join(f'{round(v, 4) + 0.0:.4f}' for v in values)}", markup=False
-        )
+        terminal.line(f"{label} [{unit}]: {', '.join(f'{round(v, 4) + 0.0:.4f}' for v in values)}")
     for note in notes:
-        console.print(note, markup=False)
+        terminal.line(note)
+
+
+def _rigid(frequencies: Array, zero: float) -> Iterator[str]:
+    """Say why rigid modes have frequencies; nothing where there are none, or all are zero."""
+    if (np.abs(frequencies) >= zero).any():
+        yield ("rigid: no strain, only gravity; f = sqrt(|lambda|)/(2 pi), negative with lambda")
 
 
 def _per_cent(ratio: float) -> str:
-    return "" if np.isnan(ratio) else f"{100.0 * ratio:.3g}"
+    return "" if np.isnan(ratio) else _fixed(100.0 * ratio)
 
 
-def _frequency(value: float) -> str:
-    """Format with five digits if they fit; a number is never truncated."""
-    text = f"{value:.3f}" if abs(value) < 99.9995 else f"{value:.2f}"
-    return f"{value:.1e}" if len(text) > 7 else text.replace("-0.000", "0.000")
+def _fixed(value: float, zero: float = ZERO) -> str:
+    """Format with three decimals, and with an exponent where these would not fit: numbers are never cut.
 
-
-def _component(value: float) -> str:
-    # Components that differ from zero only by rounding are shown as zero.
-    return "0" if abs(value) < 1e-9 else f"{value:.0e}" if abs(value) < 1e-3 else f"{value:.3f}"
+    Parameters
+    ----------
+    zero : float
+        Below it a value differs from zero only by rounding, and is shown as 0.
+    """
+    if abs(value) < zero:
+        return "0    "  # below the ones of the other numbers
+    return f"{round(value, 3) + 0.0:.3f}" if abs(value) < LARGE else f"{value:.2e}"

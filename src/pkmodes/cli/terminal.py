@@ -5,13 +5,11 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Sequence
 
+from rich.cells import cell_len
 from rich.console import Console
-from rich.table import Table
 
 from pkmodes.base.errors import printable
 
-#: Tables are as wide as their numbers need and are never truncated.
-WIDEST_TABLE = 10_000
 #: Sentences are never wrapped to lines shorter than this.
 NARROWEST = 40
 
@@ -26,7 +24,6 @@ class Terminal:
     def __init__(self) -> None:
         self._console = Console(highlight=False, markup=False, emoji=False)
         self._width = max(self._console.width, NARROWEST)
-        self._console.width = WIDEST_TABLE
 
     def heading(self, text: str) -> None:
         """Print a line that may name a file; it is not wrapped, so that the name can be copied."""
@@ -48,11 +45,62 @@ class Terminal:
             break_on_hyphens=False,
         )
 
-    def table(self, titles: Sequence[str], rows: Sequence[Sequence[str]], left: Sequence[str] = ()) -> None:
-        """Print a table; columns named in `left` hold text, the others numbers."""
-        table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
-        for title in titles:
-            table.add_column(title, justify="left" if title in left else "right", no_wrap=True)
-        for row in rows:
-            table.add_row(*map(printable, row))
-        self._console.print(table)
+    def table(
+        self,
+        titles: Sequence[str],
+        rows: Sequence[Sequence[str]],
+        left: Sequence[str] = (),
+        *,
+        gap: int = 2,
+        repeated: int = 0,
+    ) -> None:
+        """Print a table.
+
+        Parameters
+        ----------
+        titles : sequence of str
+            Of the columns.
+        rows : sequence of sequence of str
+            Their cells.
+        left : sequence of str
+            Titles of the columns that hold text, the others hold numbers.
+        gap : int
+            Spaces between two columns.
+        repeated : int
+            Where the table is wider than the terminal, columns that do not fit go below, after this number of its
+            first columns once more; 0 keeps it in one piece.
+        """
+        cells = [[printable(cell) for cell in row] for row in (titles, *rows)]
+        widths = [max(cell_len(row[k]) for row in cells) for k in range(len(titles))]
+        parts = self._parts(widths, gap, repeated) if repeated else [list(range(len(titles)))]
+        for number, part in enumerate(parts):
+            if number:
+                self.line()
+            for row in cells:
+                padded = [_aligned(row[k], widths[k], titles[k] in left) for k in part]
+                self._console.print((gap * " ").join(padded).rstrip(), soft_wrap=True)
+
+    def fits(self, titles: Sequence[str], rows: Sequence[Sequence[str]], gap: int = 2) -> bool:
+        """Return whether a table is not wider than the terminal."""
+        widths = [max(cell_len(printable(row[k])) for row in (titles, *rows)) for k in range(len(titles))]
+        return sum(widths) + gap * (len(widths) - 1) <= self._width
+
+    def _parts(self, widths: Sequence[int], gap: int, repeated: int) -> list[list[int]]:
+        """Return the columns of each part of a table, every part as wide as the terminal at most."""
+        first = list(range(repeated))
+        begin = sum(widths[:repeated]) + gap * (repeated - 1)
+        parts: list[list[int]] = []
+        used = self._width
+        for k in range(repeated, len(widths)):
+            if not parts or used + gap + widths[k] > self._width:
+                parts.append([*first])
+                used = begin
+            parts[-1].append(k)
+            used += gap + widths[k]
+        return parts or [first]
+
+
+def _aligned(text: str, width: int, left: bool) -> str:
+    """Return a cell of a table, as wide as its column."""
+    space = (width - cell_len(text)) * " "
+    return text + space if left else space + text
