@@ -156,6 +156,24 @@ def test_an_unreachable_corner_leads_to_the_nearest_reachable_pose(pages: dict[s
         clean(seen)
 
 
+def test_another_part_of_the_page_moves_the_robot_and_learns_of_its_moves(pages: dict[str, Path]) -> None:
+    with opened(pages["linear-delta-2022"], motion="reduce") as seen:
+        seen.page.evaluate(
+            "window.moves = []; document.addEventListener('pkmodes-moved', (e) => moves.push(e.detail.pose))"
+        )
+        far = stage(seen, "viewer.data.poses.at(-1)")
+        seen.page.evaluate(
+            "(pose) => document.dispatchEvent(new CustomEvent('pkmodes-pose', { detail: { pose } }))", far
+        )
+        assert seen.page.evaluate("moves") == [], "what was asked for is not told"
+        shown = ", ".join(f"{name} = {1e3 * value:g} mm" for name, value in zip("xyz", far, strict=True))
+        assert text(seen, "place").replace("\u2212", "-") == shown
+        seen.page.locator('[data-part="level"]').nth(0).press("Home")
+        ((x, *_),) = seen.page.evaluate("moves")
+        assert x == stage(seen, "viewer.data.levels[0][0]")
+        clean(seen)
+
+
 def test_the_table_gives_the_shares_of_the_energy(pages: dict[str, Path]) -> None:
     shown = scene(pkmodes.load(ROBOTS / "corexy-printer.toml"), POSES["corexy-printer"])
     with opened(pages["corexy-printer"], motion="reduce", java_script_enabled=False) as seen:

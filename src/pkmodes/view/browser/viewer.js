@@ -40,7 +40,7 @@ class Viewer {
   listen() {
     const { panel, canvas } = this, on = (name, event, act) => panel.all(name).forEach((part) => part.addEventListener(event, () => act(part)));
     on("mode", "change", (input) => this.choose(this.pose, Number(input.value)));
-    on("pose", "change", (select) => this.choose(Number(select.value), this.mode));
+    on("pose", "change", (select) => { this.choose(Number(select.value), this.mode); this.tell(); });
     on("level", "input", (slider) => this.slide(slider));
     on("amplitude", "input", (slider) => { this.amplitude = Number(slider.value) / 100; this.refresh(); });
     on("speed", "input", (slider) => { this.pace(Number(slider.value)); });
@@ -50,6 +50,7 @@ class Viewer {
     on("space", "change", (box) => { if (this.stage) { this.stage.workspace.visible = box.checked; this.stage.dirty = true; } });
     on("spring", "pointerenter", (row) => this.light(Number(row.dataset.spring)));
     on("spring", "pointerleave", () => this.light(-1));
+    document.addEventListener("pkmodes-pose", (event) => this.go(event.detail.pose));
     canvas.addEventListener("keydown", (event) => this.key(event));
     canvas.addEventListener("pointerdown", () => canvas.focus({ preventScroll: true }));
     canvas.addEventListener("focus", () => this.zooming(true));
@@ -113,6 +114,20 @@ class Viewer {
     const note = best < 0 ? "No pose of the grid is reachable there." : least > 0 ? "Moved to the nearest pose that the robot can reach." : "";
     this.choose(best < 0 ? this.pose : best, this.mode);
     if (note) panel.find("status").textContent += ` ${note}`;
+    this.tell();
+  }
+
+  // Move to the pose nearest to the values given in SI units, as another part of the page asks.
+  go(values) {
+    const { poses } = this.data, spans = values.map((_, i) => span(poses.map((pose) => pose[i])));
+    const far = (pose) => pose.reduce((sum, value, i) => sum + ((value - values[i]) / spans[i]) ** 2, 0);
+    this.choose(poses.reduce((best, pose, i) => (far(pose) < far(poses[best]) ? i : best), 0), this.mode);
+  }
+
+  // Tell other parts of the page that the controls moved the robot.
+  tell() {
+    const detail = { pose: this.data.poses[this.pose] };
+    document.dispatchEvent(new CustomEvent("pkmodes-moved", { detail }));
   }
 
   choose(pose, mode) {
@@ -185,6 +200,10 @@ class Viewer {
     };
     requestAnimationFrame(step);
   }
+}
+
+function span(values) {
+  return Math.max(...values) - Math.min(...values) || 1;
 }
 
 document.querySelectorAll(".pkview:not([data-started])").forEach((root) => {
