@@ -13,11 +13,13 @@ import numpy as np
 
 from pkmodes.base.page_policy import with_policy
 from pkmodes.robot.units import SHOWN
-from pkmodes.view.page_data import as_data, embedded, end_of_scale, platform_directions
+from pkmodes.view.page_data import as_data, embedded, platform_directions
 from pkmodes.view.scene import AMPLITUDE, Scene
 
 #: Parts of the program in the browser, in order.
-PROGRAM = ("palette.js", "shapes.js", "stage.js", "panel.js", "viewer.js")
+PROGRAM = ("palette.js", "states.js", "shapes.js", "stage.js", "panel.js", "viewer.js")
+#: Steps of a slider from one evaluated state to the next, as in states.js.
+FINE = 10
 ICON = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E"
 
 
@@ -114,10 +116,10 @@ def fragment(scene: Scene, name: str = "robot") -> str:
  Arrow keys turn the view, plus and minus zoom, Home resets it, space plays and pauses."></canvas>
 <canvas class="pkview-still" aria-hidden="true"></canvas>
 <div class="pkview-title"><h2 data-part="title">Modes of {escape(scene.robot)}, motors {scene.drives}</h2>
-<p><span data-part="held"></span></p><p>Platform moves along <span data-part="along"></span></p></div>
+<p><span data-part="held"></span></p><p>Platform moves along <span data-part="along"></span></p>{_what(scene)}</div>
 <div class="pkview-legend" aria-hidden="true">Share of the strain energy
 <div class="pkview-scale"></div>
-<div class="pkview-ends"><span>0 %</span><span>{100 * end_of_scale(scene):.0f} %</span></div></div>
+<div class="pkview-ends"><span>0 %</span><span>50 %</span><span>100 %</span></div></div>
 <div class="pkview-buttons"><button type="button" data-part="reset">Reset view</button>
 <button type="button" class="pkview-play" data-part="play" aria-pressed="false"><span>Play</span></button></div>
 <p class="pkview-message" role="alert" data-part="message" hidden></p>
@@ -148,12 +150,16 @@ def _poses(scene: Scene, key: str) -> str:
         )
     rows = "".join(
         f'<div class="pkview-row"><label for="{key}-{c.name}">{escape(c.name)}</label>'
-        f'<input type="range" id="{key}-{c.name}" data-part="level" min="0" max="{len(values) - 1}" step="1"'
+        f'<input type="range" id="{key}-{c.name}" data-part="level" min="0" max="{FINE * (len(values) - 1)}" step="1"'
         f' value="0" title="{escape(c.description)}">'
         f'<output for="{key}-{c.name}" data-part="level-value"></output></div>'
         for c, values in zip(scene.pose, scene.levels, strict=True)
     )
-    return f"<fieldset><legend>Pose</legend>{rows}</fieldset>"
+    return f'<fieldset><legend>Pose</legend>{rows}<p class="pkview-hint" data-part="between"></p></fieldset>'
+
+
+def _what(scene: Scene) -> str:
+    return f"<p>Model: {escape(scene.what)}</p>" if scene.what else ""
 
 
 def _modes(scene: Scene, key: str) -> str:
@@ -242,7 +248,8 @@ def _place(scene: Scene, index: int) -> str:
     for component, value in zip(scene.pose, scene.poses[index], strict=True):
         unit, factor = SHOWN.get(component.unit, (component.unit, 1.0))
         parts.append(f"{component.name} = {factor * value + 0.0:.1f} {unit}".replace("-", "\u2212"))
-    return escape(", ".join(parts))
+    label = f"{scene.labels[index]}: " if scene.labels else ""
+    return escape(label + ", ".join(parts))
 
 
 def _read(folder: str, name: str) -> str:

@@ -66,6 +66,14 @@ class Scene:
         Index of the pose at each place of the grid, -1 where the robot cannot be.
     workspace : Surface, optional
         Boundary of the reachable workspace of the platform.
+    order : ndarray of int, shape (N, m), optional
+        On a grid, index of the mode that carries each number at each pose: see `pkmodes.view.pairing`.
+    deviations : ndarray, shape (cells, m - rigid_modes), optional
+        How far frequencies between the poses of a grid are off: see `pkmodes.view.interpolation`.
+    labels : tuple of str
+        Names of the poses, as of a measurement; empty where they have none.
+    what : str
+        Which model of the robot moves, such as "as declared"; empty where there is only one.
     """
 
     robot: str
@@ -90,6 +98,10 @@ class Scene:
     levels: tuple[Array, ...] | None = None
     places: NDArray[np.intp] | None = None
     workspace: Surface | None = None
+    order: NDArray[np.intp] | None = None
+    deviations: Array | None = None
+    labels: tuple[str, ...] = ()
+    what: str = ""
 
     @property
     def size(self) -> float:
