@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.view.measured_data import measured_data
 from pkmodes.view.scene import AMPLITUDE, Scene
 from pkmodes.view.workspace import Surface
 
@@ -48,6 +49,7 @@ def as_data(scene: Scene) -> dict[str, Any]:
         "deviations": _largest_deviations(scene),
         "poses": _rounded(scene.poses, 6),
         "labels": list(scene.labels),
+        "measured": measured_data(scene),
         "points": _rounded(scene.points.reshape(len(scene.poses), -1), PLACES),
         "frequencies": _rounded(scene.frequencies, 4),
         "moved": _rounded(moved, MOVES),

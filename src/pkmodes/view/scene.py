@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.drives import FREE
+from pkmodes.view.measured_modes import Channel, MeasuredMode
 from pkmodes.view.workspace import Surface
 from pkmodes_description import Element, Named
 
@@ -32,7 +33,8 @@ class Scene:
         Components of a pose.
     directions : tuple of str
         Linear pose components, in which the platform moves.
-    coordinates : tuple of str
+    coordinates, independent : tuple of str
+        All of them, and those that the others follow from.
     elements : tuple of Element
         Lines, wheels, blocks, plates and balls between points; `spring` indexes `springs`.
     springs : tuple of Named
@@ -74,6 +76,10 @@ class Scene:
         Names of the poses, as of a measurement; empty where they have none.
     what : str
         Which model of the robot moves, such as "as declared"; empty where there is only one.
+    measured : tuple of MeasuredMode, optional
+        Measured modes at these poses; None where the scene has nothing to do with a measurement.
+    channels : tuple of Channel
+        Components at which their shapes were measured.
     """
 
     robot: str
@@ -81,6 +87,7 @@ class Scene:
     pose: tuple[Named, ...]
     directions: tuple[str, ...]
     coordinates: tuple[str, ...]
+    independent: tuple[str, ...]
     elements: tuple[Element, ...]
     springs: tuple[Named, ...]
     motions_of: NDArray[np.intp]
@@ -102,6 +109,8 @@ class Scene:
     deviations: Array | None = None
     labels: tuple[str, ...] = ()
     what: str = ""
+    measured: tuple[MeasuredMode, ...] | None = None
+    channels: tuple[Channel, ...] = ()
 
     @property
     def size(self) -> float:

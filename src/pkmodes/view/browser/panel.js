@@ -21,6 +21,12 @@ function fixed(value, digits) {
 // Amplitude, as a share of the robot's size, from which the exaggeration is mentioned.
 const LARGE = 0.1;
 
+// The measured mode beside one of the model at a state, null where there is none.
+function measuredAt(data, state, mode) {
+  if (!data.measured || !state.exact) return null;
+  return data.measured.modes.find((one) => one.pose === state.nearest && one.mode === mode) || null;
+}
+
 class Panel {
   constructor(root, data) {
     this.root = root;
@@ -104,6 +110,43 @@ class Panel {
     const apart = state.apart[mode] ? " Shape of the nearest computed pose: there is none like it at all poses around." : "";
     if (announce) this.find("status").textContent = `${name}, ${this.hertz(state, mode)}: ${held}${still}.${apart}`;
     this.motion(frequency, amplitude);
+  }
+
+  // Say what was measured at the pose, and of the chosen mode; fill the table of its components.
+  measured(state, mode, announce) {
+    const { data } = this;
+    if (!data.measured) return;
+    this.all("beside").forEach((part) => {
+      const one = measuredAt(data, state, Number(part.dataset.mode));
+      part.textContent = one ? `measured ${this.uncertain(one)}` : "not measured";
+      part.classList.toggle("pkview-without", !one);
+    });
+    const one = measuredAt(data, state, mode), said = this.about(one);
+    this.find("observed").textContent = said;
+    if (announce) this.find("status").textContent += ` ${said}`;
+    const alone = data.measured.modes.filter((other) => other.pose === state.nearest && other.mode === null);
+    const without = alone.map((other) => this.uncertain(other)).join(", ");
+    this.find("unmatched").textContent = without ? `Measured, without a partner in the model: ${without} Hz.` : "";
+    const number = mode - data.rigid + 1, compared = !!one && one.shape;
+    this.find("compared").textContent = `${number > 0 ? `mode ${number}` : "a rigid-body motion"} at ${this.place(state)}`;
+    this.all("component").forEach((row, k) => {
+      [["measured", "measured"], ["model", "model"]].forEach(([part, key]) => {
+        const value = compared ? one[key][k] : null;
+        row.querySelector(`[data-part="of-${part}"]`).textContent = value === null ? "\u2013" : fixed(value, 3);
+      });
+    });
+  }
+
+  uncertain(one) {
+    const digits = Math.max(0, Math.min(4, 1 - Math.floor(Math.log10(one.sigma))));
+    return `${fixed(one.frequency, digits)} \u00b1 ${fixed(one.sigma, digits)}`;
+  }
+
+  about(one) {
+    if (!one) return "Not measured at this pose.";
+    const at = `Measured: ${this.uncertain(one)} Hz`;
+    if (!one.shape) return `${at}, without a shape.`;
+    return `${at}${one.mac === null ? "" : `, MAC ${fixed(one.mac, 3)}`}.`;
   }
 
   motion(frequency, amplitude) {

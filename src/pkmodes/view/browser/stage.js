@@ -22,6 +22,9 @@ class Stage {
     this.ghost = new T.LineSegments(new T.BufferGeometry(), new T.LineBasicMaterial({ transparent: true, opacity: 0.5 }));
     this.trace = [0, 1, 2].map((i) => mesh(i ? new T.CylinderGeometry(0, 1, 1, 18) : UNIT_BAR, new T.MeshBasicMaterial()));
     this.world.add(this.ghost, ...this.trace);
+    this.marks = new MeasuredMarks(data.size);
+    this.world.add(this.marks.group);
+    this.measured = null;
     this.addWorkspace();
     this.labels = new T.Group();
     this.world.add(this.labels);
@@ -82,6 +85,7 @@ class Stage {
     this.world.background = new T.Color(palette.background);
     this.ghost.material.color.set(palette.ghost);
     this.trace.forEach((part) => part.material.color.set(palette.trace));
+    this.marks.material.color.set(palette.measured);
     this.workspace.children.forEach((part) => part.material.color.set(palette.workspace));
     this.drawFloor();
     this.show();
@@ -206,6 +210,7 @@ class Stage {
     const flat = new Float32Array(ends.flatMap((p) => [p.x, p.y, p.z]));
     this.ghost.geometry.setAttribute("position", new T.BufferAttribute(flat, 3));
     this.ghost.geometry.computeBoundingSphere();
+    this.marks.show(this.measured, data.elements);
     this.drawLabels(points);
     this.dirty = true;
   }
@@ -256,6 +261,7 @@ class Stage {
     const { data } = this, points = this.moved(), factor = this.amplitude * data.size;
     const turned = this.state.turned[this.mode].map((angle) => angle * factor * this.phase);
     this.shapes.forEach((shape) => shape.place(points, turned));
+    this.marks.place(this.state.points, factor, this.phase);
     const centre = vector(this.state.points, 0);
     const reach = vector(this.state.moved[this.mode], data.motionsOf[0]).multiplyScalar(factor);
     const [bar, ...tips] = this.trace, ends = [1, -1].map((s) => centre.clone().addScaledVector(reach, s));

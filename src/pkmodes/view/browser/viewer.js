@@ -13,9 +13,11 @@ class Viewer {
     this.amplitude = this.data.amplitude;
     this.time = 0.25 / this.panel.cycles; // begins at the largest displacement
     this.on = !!this.stage && !matchMedia("(prefers-reduced-motion: reduce)").matches;
+    if (this.stage) this.stage.measured = this.measured();
     this.listen();
     this.panel.pose(this.state);
     this.panel.mode(this.state, this.mode, this.amplitude, false);
+    this.panel.measured(this.state, this.mode, false);
     this.panel.playing(this.on);
     if (this.stage) this.run();
   }
@@ -23,6 +25,11 @@ class Viewer {
   // The evaluated state that is shown, or the nearest one.
   get pose() {
     return this.state.nearest;
+  }
+
+  // The measured mode beside the one that is shown, null where none was measured.
+  measured() {
+    return measuredAt(this.data, this.state, this.mode);
   }
 
   start() {
@@ -53,6 +60,7 @@ class Viewer {
     on("play", "click", () => this.toggle());
     on("reset", "click", () => this.stage && this.stage.resetView());
     on("labels", "change", (box) => { if (this.stage) { this.stage.labels.visible = box.checked; this.stage.dirty = true; } });
+    on("marks", "change", (box) => { if (this.stage) { this.stage.marks.group.visible = box.checked; this.stage.dirty = true; } });
     on("space", "change", (box) => { if (this.stage) { this.stage.workspace.visible = box.checked; this.stage.dirty = true; } });
     on("spring", "pointerenter", (row) => this.light(Number(row.dataset.spring)));
     on("spring", "pointerleave", () => this.light(-1));
@@ -137,8 +145,9 @@ class Viewer {
     this.mode = mode;
     this.panel.pose(state);
     this.panel.mode(state, mode, this.amplitude, true);
+    this.panel.measured(state, mode, true);
     if (!this.stage) return;
-    Object.assign(this.stage, { state, mode });
+    Object.assign(this.stage, { state, mode, measured: this.measured() });
     this.stage.show();
     this.draw();
   }
