@@ -202,16 +202,26 @@ def test_a_model_that_the_noise_explains_is_said_to_be_within_the_errors(tmp_pat
 def test_the_view_of_a_diagnosis_is_that_of_the_robot_with_the_cause(tmp_path: Path) -> None:
     result, robot, data = diagnosed("effect_found", tmp_path)
     updating.save_robot(robot, result, tmp_path / "saved.toml")
-    html = view_of_result(result, robot, data.points)
+    html = view_of_result(result, robot, data)
     assert html is not None
     (text,) = re.findall(r'<script type="application/json">(.*?)</script>', html)
     shown = json.loads(text)
     assert [name for name in shown["springs"] if name.startswith("wind-up")] == [
         f"wind-up of gearbox {j}" for j in (1, 2, 3)
     ]
-    np.testing.assert_allclose(shown["poses"], data.points, atol=1e-6)
+    places = [data.labels.index(label) for label in shown["labels"]]
+    assert sorted(places) == list(range(len(data.labels)))
+    np.testing.assert_allclose(shown["poses"], data.points[places], atol=1e-6)
     saved = Model(read_robot(tmp_path / "saved.toml"))
-    np.testing.assert_allclose(shown["frequencies"], saved.frequencies(data.points), atol=1e-4)
+    np.testing.assert_allclose(shown["frequencies"], saved.frequencies(data.points[places]), atol=1e-4)
+    assert "Model with the cause: the gearboxes wind up" in html
+    # Beside every measured mode stands the mode of the model that the result gives as its partner.
+    assert len(shown["measured"]["modes"]) == len(result.rows)
+    for one, row in zip(shown["measured"]["modes"], result.rows, strict=True):
+        assert shown["labels"][one["pose"]] == row.pose
+        assert one["frequency"] == pytest.approx(row.measured, abs=1e-4)
+        assert shown["frequencies"][one["pose"]][one["mode"]] == pytest.approx(row.after, rel=2e-6)
+        assert one["mac"] == (None if row.mac is None else pytest.approx(row.mac, abs=1e-4))
     compared = view_of_result(updating.compare(robot, data), robot, data.points)
     assert compared is not None
     assert "wind-up of gearbox" not in compared

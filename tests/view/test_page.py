@@ -99,6 +99,25 @@ def test_no_label_is_cut_at_the_edge_of_the_picture(tmp_path: Path, width: int) 
         assert legend["x"] + legend["width"] + 8 <= buttons["x"]
 
 
+@pytest.mark.parametrize("name", POSES)
+def test_no_label_covers_another_from_any_side(pages: dict[str, Path], name: str) -> None:
+    boxes = """viewer.stage.labels.children.filter((one) => one.visible).map((one) => {
+      const { x, y } = one.position.clone().project(viewer.stage.camera);
+      const m = viewer.stage.camera.projectionMatrix.elements;
+      const [w, h] = [one.scale.x * m[0], one.scale.y * m[5]], { x: u, y: v } = one.center;
+      return [x - w * u, x + w * (1 - u), y - h * v, y + h * (1 - v)];
+    })"""
+    with opened(pages[name], width=500, motion="reduce") as seen:
+        for _ in range(4):
+            stage(seen, "[viewer.stage.orbit(0.8, 0), viewer.draw()]")
+            found = np.array(stage(seen, boxes))
+            assert len(found)
+            for i, one in enumerate(found):
+                for other in found[i + 1 :]:
+                    apart = [one[k] >= other[k + 1] or other[k] >= one[k + 1] for k in (0, 2)]
+                    assert any(apart), (one, other)
+
+
 def test_what_moves_is_the_mode_of_the_model(pages: dict[str, Path]) -> None:
     """The displacement of the platform in the picture has the direction of the model, and the size of the slider."""
     model = pkmodes.load(ROBOTS / "linear-delta-2022.toml")
@@ -107,7 +126,7 @@ def test_what_moves_is_the_mode_of_the_model(pages: dict[str, Path]) -> None:
     with opened(pages["linear-delta-2022"], motion="reduce") as seen:
         for m in range(3, 9):
             seen.page.locator(f'[data-part="mode"][value="{m}"]').check()
-            rest = stage(seen, "viewer.data.points[viewer.pose]")
+            rest = stage(seen, "viewer.state.points")
             moved = np.subtract(stage(seen, "viewer.stage.moved()"), rest).reshape(-1, 3)
             expected = modes.platform_shapes[m]
             cosine = moved[0] @ expected / np.linalg.norm(moved[0]) / np.linalg.norm(expected)
@@ -129,15 +148,18 @@ def test_modes_poses_amplitude_and_speed_change_what_is_shown(pages: dict[str, P
         assert (before != other_mode).any()
         assert text(seen, "title").startswith("Mode 6")
         shares = seen.page.locator('[data-part="share"]').all_inner_texts()
-        points = stage(seen, "viewer.data.points[viewer.pose]")
+        points = stage(seen, "viewer.state.points")
         seen.page.locator('[data-part="level"]').nth(1).press("ArrowRight")
-        assert stage(seen, "viewer.data.points[viewer.pose]") != points
+        assert stage(seen, "viewer.state.points") != points
         assert seen.page.locator('[data-part="share"]').all_inner_texts() != shares
         assert (picture(seen) != other_mode).any()
         moved = stage(seen, "viewer.stage.moved()")
         seen.page.locator('[data-part="amplitude"]').press("ArrowRight")
         assert stage(seen, "viewer.stage.moved()") != moved
         assert text(seen, "amplitude-value") == "6.5 %"
+        assert "changes the length" not in text(seen, "enlarged")
+        seen.page.locator('[data-part="amplitude"]').press("End")
+        assert "visibly changes the length of rigid links" in text(seen, "enlarged")
         seen.page.locator('[data-part="speed"]').press("ArrowRight")
         assert text(seen, "speed-value") == "0.55 /s"
         clean(seen)
@@ -149,10 +171,35 @@ def test_an_unreachable_corner_leads_to_the_nearest_reachable_pose(pages: dict[s
         said = ""
         for slider in seen.page.locator('[data-part="level"]').all():
             slider.press("End")
-            pose = stage(seen, "viewer.data.poses[viewer.pose]")
+            pose = stage(seen, "viewer.state.pose")
             assert model.check(pose).valid
             said += text(seen, "status")
         assert "nearest pose" in said
+        clean(seen)
+
+
+def test_another_part_of_the_page_moves_the_robot_and_learns_of_its_moves(pages: dict[str, Path]) -> None:
+    with opened(pages["linear-delta-2022"], motion="reduce") as seen:
+        seen.page.evaluate(
+            "window.moves = []; document.addEventListener('pkmodes-moved', (e) => moves.push(e.detail.pose))"
+        )
+        far = stage(seen, "viewer.data.poses.at(-1)")
+        between = stage(seen, "viewer.states.nearest([1.5, 2.5, 1.5])")
+        seen.page.evaluate(
+            "(pose) => document.dispatchEvent(new CustomEvent('pkmodes-pose', { detail: { pose } }))", far
+        )
+        assert seen.page.evaluate("moves") == [], "what was asked for is not told"
+        shown = ", ".join(f"{name} = {1e3 * value:g} mm" for name, value in zip("xyz", far, strict=True))
+        assert text(seen, "place").replace("\u2212", "-") == shown
+        near = stage(seen, f"viewer.states.at({between}).pose")
+        seen.page.evaluate(
+            "(pose) => document.dispatchEvent(new CustomEvent('pkmodes-pose', { detail: { pose } }))", near
+        )
+        assert stage(seen, "viewer.state.pose") == pytest.approx(near, abs=1e-9)
+        seen.page.locator('[data-part="level"]').nth(0).press("Home")
+        (told,) = seen.page.evaluate("moves")
+        assert told == stage(seen, "viewer.state.pose")
+        assert told[0] < near[0]
         clean(seen)
 
 

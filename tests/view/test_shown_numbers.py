@@ -16,6 +16,8 @@ import pkmodes
 from helpers.pages.browser import Opened, opened
 from pkmodes.solve.workspace import box_of
 from pkmodes.view import page, poses_around, scene
+from pkmodes.view.interpolation import mean_frequency
+from pkmodes.view.page import FINE
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 POSES = {"linear-delta-2022": [0.6, 0.0, -0.245], "corexy-printer": [0.1, 0.2]}
@@ -59,6 +61,13 @@ def numbers(seen: Opened, part: str) -> dict[tuple[str | None, ...], float]:
     }
 
 
+def to_the_next_computed_pose(seen: Opened, axis: int) -> None:
+    """Move a slider from one computed pose to the next by its keys."""
+    for _ in range(FINE):
+        seen.page.locator('[data-part="level"]').nth(axis).press("ArrowRight")
+    assert said(seen, "between") == "Computed for this pose."
+
+
 def said(seen: Opened, part: str) -> str:
     return str(seen.page.locator(f'[data-part="{part}"]').first.inner_text())
 
@@ -97,8 +106,8 @@ def expect_numbers_of_the_model(seen: Opened, model: pkmodes.Model, pose: list[f
 
 def test_table_title_and_motion_are_those_of_the_pose_and_mode_shown(seen: Opened) -> None:
     model = pkmodes.load(ROBOTS / "linear-delta-2022.toml")
-    seen.page.locator('[data-part="level"]').nth(0).press("ArrowRight")
-    seen.page.locator('[data-part="level"]').nth(1).press("ArrowRight")
+    to_the_next_computed_pose(seen, 0)
+    to_the_next_computed_pose(seen, 1)
     seen.page.locator('[data-part="mode"][value="4"]').check()
     pose = ask(seen, "viewer.data.poses[viewer.pose]")
     assert all(abs(a - b) > 1e-3 for a, b in zip(pose[:2], POSES["linear-delta-2022"][:2], strict=True))
@@ -139,7 +148,7 @@ def test_without_a_program_the_table_is_that_of_the_pose_shown_first(pages: dict
 
 def test_the_more_energy_a_belt_holds_the_darker_it_is(seen: Opened) -> None:
     springs = "viewer.stage.shapes.filter((s) => s.element.spring >= 0)"
-    seen.page.locator('[data-part="level"]').nth(1).press("ArrowRight")
+    to_the_next_computed_pose(seen, 1)
     pose = ask(seen, "viewer.data.poses[viewer.pose]")
     model = pkmodes.load(ROBOTS / "linear-delta-2022.toml")
     shares = scene(model, pose).shares[0]
@@ -159,13 +168,42 @@ def test_the_more_energy_a_belt_holds_the_darker_it_is(seen: Opened) -> None:
     assert len(set(ask(seen, f"{springs}.map((s) => s.material.color.getHexString())"))) == 1
 
 
-def test_the_scale_ends_just_above_the_largest_share(pages: dict[str, Path]) -> None:
+def test_the_scale_of_energy_is_the_same_on_all_pages(pages: dict[str, Path]) -> None:
     for file in pages.values():
-        found = data_of(file)
-        largest = 100.0 * max(share for one in found["shares"] for held in one if held for share in held)
-        (end,) = re.findall(r"<span>0 %</span><span>(\d+) %</span>", file.read_text(encoding="utf-8"))
-        assert largest <= float(end) < largest + 10.0
-        assert found["top"] == pytest.approx(float(end) / 100.0)
+        text = file.read_text(encoding="utf-8")
+        assert "<span>0 %</span><span>50 %</span><span>100 %</span>" in text
+    with opened(pages["corexy-printer"], motion="reduce") as found:
+        held = ask(found, "viewer.state.shares[viewer.mode]")
+        painted = ask(found, "viewer.stage.shapes.filter((s) => s.element.spring >= 0).map((s) => s.wide)")
+        springs = [one["spring"] for one in data_of(pages["corexy-printer"])["elements"]]
+        expected = [1.0 + 1.4 * held[k] for k in springs if k >= 0]
+        assert painted == pytest.approx(expected), "thickness and colour follow the share itself"
+
+
+def test_between_computed_poses_the_page_interpolates_and_says_so(seen: Opened) -> None:
+    """Half-way between two poses on the x axis: compliances of paired modes average, shapes keep their sign."""
+    model = pkmodes.load(ROBOTS / "linear-delta-2022.toml")
+    before = ask(seen, "viewer.state")
+    for _ in range(FINE // 2):
+        seen.page.locator('[data-part="level"]').nth(0).press("ArrowRight")
+    found = ask(seen, "viewer.state")
+    levels = ask(seen, "viewer.data.levels[0]")
+    low = levels.index(before["pose"][0])
+    x = 0.5 * (levels[low] + levels[low + 1])
+    assert found["pose"] == pytest.approx([x, *before["pose"][1:]])
+    ends = [model.modes([value, *before["pose"][1:]]) for value in levels[low : low + 2]]
+    # The frequencies of neighbouring poses are far apart and in the same order here.
+    ranked = np.stack([one.frequencies[3:] for one in ends])
+    assert found["frequencies"][3:] == pytest.approx(mean_frequency(ranked).tolist(), abs=2e-4)
+    assert found["frequencies"] == sorted(found["frequencies"])
+    assert said(seen, "title") == f"Mode 1: \u2248 {found['frequencies'][3]:.1f} Hz"
+    assert said(seen, "between").startswith("Interpolated between computed poses: in the middle between them")
+    assert said(seen, "place").endswith(", interpolated")
+    shapes = [np.array(one["moved"][3]) for one in (before, found)]
+    cosine = shapes[0] @ shapes[1] / np.linalg.norm(shapes[0]) / np.linalg.norm(shapes[1])
+    assert cosine > 0.9
+    assert np.linalg.norm(np.reshape(found["moved"][3], (-1, 3)), axis=1).max() <= 1.0 + 1e-9
+    assert sum(found["shares"][3]) == pytest.approx(1.0, abs=1e-3)
 
 
 def test_pulleys_turn_with_the_belt_that_pulls_the_carriage(seen: Opened) -> None:
@@ -208,24 +246,22 @@ def test_the_arrow_points_along_the_motion_of_the_platform(seen: Opened) -> None
         assert abs(bar @ expected) == pytest.approx(1.0, abs=1e-3)
 
 
-def test_a_slider_leads_to_the_nearest_pose_with_its_own_value(seen: Opened) -> None:
+def test_a_slider_leads_to_the_nearest_place_with_its_own_value(seen: Opened) -> None:
     found = ask(seen, "viewer.data")
     sizes = [len(values) for values in found["levels"]]
     places = np.reshape(found["places"], sizes)
     assert (places < 0).any()
     for i, slider in enumerate(seen.page.locator('[data-part="level"]').all()):
-        wanted = np.argwhere(places == ask(seen, "viewer.pose"))[0]
+        wanted = np.array(ask(seen, "viewer.state.place"), dtype=float)
         wanted[i] = sizes[i] - 1
         slider.press("End")
-        reached = np.argwhere(places >= 0)
-        reached = reached[reached[:, i] == wanted[i]]
-        assert len(reached)
-        least = ((reached - wanted) ** 2).sum(axis=1).min()
-        at = np.argwhere(places == ask(seen, "viewer.pose"))[0]
+        at = np.array(ask(seen, "viewer.state.place"), dtype=float)
+        computed = np.argwhere(places >= 0)
+        computed = computed[computed[:, i] == wanted[i]]
+        assert len(computed)
         assert at[i] == wanted[i]
-        assert ((at - wanted) ** 2).sum() == least
-        pose = ask(seen, "viewer.data.poses[viewer.pose]")
-        assert pose == [values[k] for values, k in zip(found["levels"], at, strict=True)]
+        least = ((computed - wanted) ** 2).sum(axis=1).min()
+        assert ((at - wanted) ** 2).sum() <= least, "no computed pose is nearer"
 
 
 @pytest.mark.parametrize("name", POSES)

@@ -50,5 +50,5 @@ def page_of(
     """Return the page of a result of measurements."""
     from pkmodes.report import report, view_of_result
 
-    view = view_of_result(result, robot, data.points)
+    view = view_of_result(result, robot, data)
     return report(result, robot=robot, data=data, sources=sources, view=view)

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections import Counter
-from contextlib import suppress
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,15 +11,12 @@ from pkmodes.base.drives import FREE
 from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.pose_table import poses_by_name
 from pkmodes.model.model import Model
-from pkmodes.robot.reading import robot_from_document
+from pkmodes.report.measured_view import MOST, measured_scene, robot_shown
 from pkmodes.robot.robot import Robot
-from pkmodes.updating.corrected_robot import corrected_robot
 from pkmodes.view import assets, fragment, poses_around, scene, typical_pose
-
-#: Poses of a measurement that are shown at most.
-MOST = 60
 
 
 def view_of(
@@ -63,10 +58,14 @@ def view_of(
     return fragment(shown) + assets()
 
 
-def view_of_result(result: Diagnosis | Comparison, robot: Robot, points: NDArray[np.float64]) -> str | None:
-    """Return the view of a measured robot at the measured poses: with the cause, if one was found.
+def view_of_result(
+    result: Diagnosis | Comparison, robot: Robot, data: Measurements | NDArray[np.float64]
+) -> str | None:
+    """Return the view of a measured robot at the measured poses, with the measured modes beside those of the model.
 
-    The motors do what they did in most of the rows.
+    The model is the one with which a diagnosis ends if its verdict is settled, otherwise the declared one; values
+    that the measurements set at a pose are set.  The motors do what they did in most of the rows, and poses with
+    other rows are left out.
 
     Parameters
     ----------
@@ -74,16 +73,20 @@ def view_of_result(result: Diagnosis | Comparison, robot: Robot, points: NDArray
         From ``pkmodes.updating``.
     robot : Robot
         As declared.
-    points : ndarray, shape (N, d)
-        The measured poses, ``Measurements.points``.
+    data : Measurements, or ndarray of shape (N, d)
+        The measurements of the result, or only their poses, ``Measurements.points``: without measured modes.
 
     Returns
     -------
     str or None
         As for `view_of`.
     """
-    if isinstance(result, Diagnosis) and result.effects:
-        with suppress(PkmodesError):  # a cause that no robot file can hold
-            robot = robot_from_document(tomllib.loads(corrected_robot(robot, result)), robot.source)
+    shown = robot_shown(result, robot)
     drives = Counter(row.drives or FREE for row in result.rows).most_common(1)[0][0]
-    return view_of(Model(robot), points, drives=drives)
+    if not isinstance(data, Measurements):
+        return view_of(Model(shown.robot), data, drives=drives)
+    try:
+        seen = measured_scene(result, shown, data, drives)
+    except PkmodesError:
+        return None
+    return None if seen is None else fragment(seen) + assets()

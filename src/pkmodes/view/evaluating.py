@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import dataclasses
+from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
+from typing import ClassVar
 
 import numpy as np
 from msgspec.structs import replace
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.drives import FREE
 from pkmodes.measured.pose_table import poses_by_name
 from pkmodes.model.model import Model
 from pkmodes.view.page import page
-from pkmodes.view.robot_drawing import RobotDrawing, present
+from pkmodes.view.robot_drawing import RobotDrawing, Springs, present
 from pkmodes.view.scene import Scene
+from pkmodes_description import Named
+
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,32 +58,136 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0, *, drives: str = FREE
     PoseError
         If a pose cannot be evaluated.
     """
+    points = poses_by_name(poses, model.mechanism)
+    at = np.atleast_2d(np.asarray(points, dtype=float))
+    return scene_of([model] * len(at), at, chosen, drives=drives)
+
+
+def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: str = FREE) -> Scene:
+    """Evaluate what a picture shows of machines that differ in values, each at a pose.
+
+    Where some of them have joints that others lock, the modes are as many as all of them have.
+
+    Parameters
+    ----------
+    models : sequence of Model, length N
+        Of one mechanism; the first, or the one shown first, gives its name.
+    poses : ndarray, shape (N, d)
+        In SI units.
+    chosen : int
+        Index of the state to show first.
+    drives : {"free", "held"}
+        As for `pkmodes.Model.modes`.
+
+    Returns
+    -------
+    Scene
+        At these states.
+
+    Raises
+    ------
+    PoseError
+        If a pose cannot be evaluated.
+    """
+    starts = [i for i, model in enumerate(models) if i == 0 or model is not models[i - 1]]
+    ends = [*starts[1:], len(models)]
+    parts = [_evaluated(models[i], poses[i:k], drives) for i, k in zip(starts, ends, strict=True)]
+    model = models[chosen]
     drawing, mechanism = RobotDrawing(model.robot), model.mechanism
-    points = poses_by_name(poses, mechanism)
-    modes = model.modes(np.atleast_2d(np.asarray(points, dtype=float)), drives=drives)
-    springs, index = present(drawing.springs(modes.poses))
-    strains = np.einsum("psn,pmn->pms", springs.strain, modes.shapes)
+    coordinates = tuple(
+        name for name in mechanism.extended.COORDINATES if any(name in part.coordinates for part in parts)
+    )
+    named = tuple(dict.fromkeys(spring for part in parts for spring in part.springs.named))
+    count, rigid = min(part.frequencies.shape[1] for part in parts), min(part.rigid for part in parts)
+    every = [_widened(part, coordinates, named) for part in parts]
+    springs, index = present(
+        Springs(named, *(np.concatenate([part.springs[k] for part in every]) for k in (1, 2)))
+    )
+    joined = {key: np.concatenate([getattr(part, key) for part in every]) for key in _Part.PLACES}
+    modal = {key: np.concatenate([getattr(part, key)[:, :count] for part in every]) for key in _Part.MODES}
+    strains = np.einsum("psn,pmn->pms", springs.strain, modal["shapes"])
+    energies = 0.5 * springs.stiffness[:, None] * strains**2
+    for i, k, part in zip(starts, ends, parts, strict=True):
+        energies[i:k, rigid : part.rigid] = 0.0  # what is rigid in one machine need not be in another
     return NotebookScene(
         robot=model.robot.name,
         title=mechanism.title,
         pose=mechanism.pose,
         directions=mechanism.directions,
-        coordinates=modes.coordinates,
+        coordinates=coordinates,
+        independent=mechanism.independent,
         elements=tuple(
             replace(element, spring=index[element.spring] if element.spring >= 0 else -1)
             for element in drawing.drawing.elements
         ),
         springs=springs.named,
         motions_of=np.array(drawing.drawing.motions, dtype=np.intp),
+        poses=joined["poses"],
+        points=joined["points"],
+        motions=joined["motions"],
+        frequencies=modal["frequencies"],
+        shapes=modal["shapes"],
+        platform_shapes=modal["platform_shapes"],
+        energies=energies,
+        rigid_modes=rigid,
+        vertical=drawing.vertical,
+        drives=drives,
+        chosen=chosen,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Part:
+    """What one machine gives at some poses; arrays as in `Scene`."""
+
+    PLACES: ClassVar = ("poses", "points", "motions")
+    MODES: ClassVar = ("frequencies", "shapes", "platform_shapes")
+
+    coordinates: tuple[str, ...]
+    springs: Springs
+    rigid: int
+    poses: Array
+    points: Array
+    motions: Array
+    frequencies: Array
+    shapes: Array
+    platform_shapes: Array
+
+
+def _evaluated(model: Model, poses: Array, drives: str) -> _Part:
+    drawing, modes = RobotDrawing(model.robot), model.modes(poses, drives=drives)
+    return _Part(
+        coordinates=modes.coordinates,
+        springs=drawing.springs(modes.poses),
+        rigid=modes.rigid_modes,
         poses=modes.poses,
         points=drawing.points(modes.poses),
         motions=drawing.motions(modes.poses),
         frequencies=modes.frequencies,
         shapes=modes.shapes,
         platform_shapes=modes.platform_shapes,
-        energies=0.5 * springs.stiffness[:, None] * strains**2,
-        rigid_modes=modes.rigid_modes,
-        vertical=drawing.vertical,
-        drives=drives,
-        chosen=chosen,
+    )
+
+
+def _widened(part: _Part, coordinates: tuple[str, ...], named: tuple[Named, ...]) -> _Part:
+    """Return a part with zeros for the coordinates and springs that only others have."""
+    if part.coordinates == coordinates and part.springs.named == named:
+        return part
+    own = [coordinates.index(name) for name in part.coordinates]
+    rows = [named.index(spring) for spring in part.springs.named]
+
+    def wide(values: Array) -> Array:
+        zeros = np.zeros((*values.shape[:-1], len(coordinates)))
+        zeros[..., own] = values
+        return zeros
+
+    count = len(part.poses)
+    stiffness, strain = np.zeros((count, len(named))), np.zeros((count, len(named), len(coordinates)))
+    stiffness[:, rows], strain[:, rows] = part.springs.stiffness, wide(part.springs.strain)
+    return dataclasses.replace(
+        part,
+        coordinates=coordinates,
+        springs=Springs(named, stiffness, strain),
+        motions=wide(part.motions),
+        shapes=wide(part.shapes),
     )

@@ -13,11 +13,14 @@ import numpy as np
 
 from pkmodes.base.page_policy import with_policy
 from pkmodes.robot.units import SHOWN
-from pkmodes.view.page_data import as_data, embedded, end_of_scale, platform_directions
+from pkmodes.view.measured_table import measured_table
+from pkmodes.view.page_data import as_data, embedded, platform_directions
 from pkmodes.view.scene import AMPLITUDE, Scene
 
 #: Parts of the program in the browser, in order.
-PROGRAM = ("palette.js", "shapes.js", "stage.js", "panel.js", "viewer.js")
+PROGRAM = ("palette.js", "states.js", "shapes.js", "stage.js", "panel.js", "viewer.js")
+#: Steps of a slider from one evaluated state to the next, as in states.js.
+FINE = 10
 ICON = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E"
 
 
@@ -114,10 +117,10 @@ def fragment(scene: Scene, name: str = "robot") -> str:
  Arrow keys turn the view, plus and minus zoom, Home resets it, space plays and pauses."></canvas>
 <canvas class="pkview-still" aria-hidden="true"></canvas>
 <div class="pkview-title"><h2 data-part="title">Modes of {escape(scene.robot)}, motors {scene.drives}</h2>
-<p><span data-part="held"></span></p><p>Platform moves along <span data-part="along"></span></p></div>
+<p><span data-part="held"></span></p><p>Platform moves along <span data-part="along"></span></p>{_about(scene)}</div>
 <div class="pkview-legend" aria-hidden="true">Share of the strain energy
 <div class="pkview-scale"></div>
-<div class="pkview-ends"><span>0 %</span><span>{100 * end_of_scale(scene):.0f} %</span></div></div>
+<div class="pkview-ends"><span>0 %</span><span>50 %</span><span>100 %</span></div></div>
 <div class="pkview-buttons"><button type="button" data-part="reset">Reset view</button>
 <button type="button" class="pkview-play" data-part="play" aria-pressed="false"><span>Play</span></button></div>
 <p class="pkview-message" role="alert" data-part="message" hidden></p>
@@ -125,11 +128,12 @@ def fragment(scene: Scene, name: str = "robot") -> str:
 <div class="pkview-panel">
 {_poses(scene, key)}
 {_modes(scene, key)}
-{_motion(key)}
+{_motion(scene, key)}
 </div>
 </div>
 <noscript><p>The moving picture needs JavaScript; the table is that of one pose.</p></noscript>
 {_table(scene, key)}
+{measured_table(scene, key)}
 <script type="application/json">{data}</script>
 </section>
 """
@@ -148,18 +152,26 @@ def _poses(scene: Scene, key: str) -> str:
         )
     rows = "".join(
         f'<div class="pkview-row"><label for="{key}-{c.name}">{escape(c.name)}</label>'
-        f'<input type="range" id="{key}-{c.name}" data-part="level" min="0" max="{len(values) - 1}" step="1"'
+        f'<input type="range" id="{key}-{c.name}" data-part="level" min="0" max="{FINE * (len(values) - 1)}" step="1"'
         f' value="0" title="{escape(c.description)}">'
         f'<output for="{key}-{c.name}" data-part="level-value"></output></div>'
         for c, values in zip(scene.pose, scene.levels, strict=True)
     )
-    return f"<fieldset><legend>Pose</legend>{rows}</fieldset>"
+    return f'<fieldset><legend>Pose</legend>{rows}<p class="pkview-hint" data-part="between"></p></fieldset>'
+
+
+def _about(scene: Scene) -> str:
+    """Return which model moves, and what was measured."""
+    what = f"<p>Model {escape(scene.what)}</p>" if scene.what else ""
+    if scene.measured is None:
+        return what
+    return f'{what}<p class="pkview-measured"><span data-part="observed"></span></p>'
 
 
 def _modes(scene: Scene, key: str) -> str:
     rigid, count = scene.rigid_modes, scene.frequencies.shape[1]
     first = min(rigid, count - 1)
-    labels = []
+    labels, beside = [], "" if scene.measured is None else '<small data-part="beside" data-mode="{}"></small>'
     for mode in [*range(rigid, count), *range(rigid)]:
         kind = "" if mode >= rigid else ' class="pkview-rigid"'
         name = str(mode - rigid + 1) if mode >= rigid else f"rigid {mode + 1}"
@@ -167,16 +179,17 @@ def _modes(scene: Scene, key: str) -> str:
         labels.append(
             f'<label{kind}><input type="radio" name="{key}-mode" value="{mode}" data-part="mode"{chosen}>'
             f'<b>{name}</b><span data-part="frequency" data-mode="{mode}">'
-            f"{scene.frequencies[scene.chosen, mode] + 0.0:.2f} Hz</span></label>"
+            f"{scene.frequencies[scene.chosen, mode] + 0.0:.2f} Hz</span>{beside.format(mode)}</label>"
         )
     return (
         f'<fieldset><legend>Mode</legend><div class="pkview-modes">{"".join(labels)}</div></fieldset>'
         '<p class="pkview-status" role="status" aria-live="polite" data-part="status">'
         f"{'Rigid-body motions strain no spring.' if rigid else ''}</p>"
+        + ("" if scene.measured is None else '<p class="pkview-hint" data-part="unmatched"></p>')
     )
 
 
-def _motion(key: str) -> str:
+def _motion(scene: Scene, key: str) -> str:
     def row(name: str, label: str, low: float, high: float, step: float, value: float) -> str:
         return (
             f'<div class="pkview-row"><label for="{key}-{name}">{label}</label>'
@@ -190,9 +203,14 @@ def _motion(key: str) -> str:
         '<p class="pkview-hint">Amplitude: the largest displacement as a share of the robot&#8217;s size.'
         ' <span data-part="enlarged"></span></p></fieldset>'
         '<div class="pkview-boxes">'
-        '<label><input type="checkbox" data-part="labels" checked>Labels</label>'
-        '<label><input type="checkbox" data-part="space" checked>Workspace</label></div>'
+        f"{_box('labels', 'Labels')}"
+        f"{_box('space', 'Workspace') if scene.workspace is not None else ''}"
+        f"{_box('marks', 'Measured shape') if scene.channels else ''}</div>"
     )
+
+
+def _box(part: str, label: str) -> str:
+    return f'<label><input type="checkbox" data-part="{part}" checked>{label}</label>'
 
 
 def _table(scene: Scene, key: str) -> str:
@@ -242,7 +260,8 @@ def _place(scene: Scene, index: int) -> str:
     for component, value in zip(scene.pose, scene.poses[index], strict=True):
         unit, factor = SHOWN.get(component.unit, (component.unit, 1.0))
         parts.append(f"{component.name} = {factor * value + 0.0:.1f} {unit}".replace("-", "\u2212"))
-    return escape(", ".join(parts))
+    label = f"{scene.labels[index]}: " if scene.labels else ""
+    return escape(label + ", ".join(parts))
 
 
 def _read(folder: str, name: str) -> str:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.view.measured_data import measured_data
 from pkmodes.view.scene import AMPLITUDE, Scene
 from pkmodes.view.workspace import Surface
 
@@ -24,7 +25,6 @@ def as_data(scene: Scene) -> dict[str, Any]:
     return {
         "size": _rounded(scene.size, PLACES),
         "amplitude": AMPLITUDE,
-        "top": end_of_scale(scene),
         "vertical": _rounded(scene.vertical, 6),
         "pose": [{"name": c.name, "unit": c.unit} for c in scene.pose],
         "components": list(scene.directions),
@@ -45,7 +45,11 @@ def as_data(scene: Scene) -> dict[str, Any]:
         "chosen": scene.chosen,
         "levels": None if scene.levels is None else [_rounded(values, 6) for values in scene.levels],
         "places": None if scene.places is None else scene.places.ravel().tolist(),
+        "order": None if scene.order is None else scene.order.tolist(),
+        "deviations": _largest_deviations(scene),
         "poses": _rounded(scene.poses, 6),
+        "labels": list(scene.labels),
+        "measured": measured_data(scene),
         "points": _rounded(scene.points.reshape(len(scene.poses), -1), PLACES),
         "frequencies": _rounded(scene.frequencies, 4),
         "moved": _rounded(moved, MOVES),
@@ -65,13 +69,6 @@ def platform_directions(scene: Scene) -> Array:
     return unit_vectors
 
 
-def end_of_scale(scene: Scene) -> float:
-    """Return the end of the scale of shares: the largest of any spring, mode and pose, rounded up to 10 %."""
-    shares = scene.shares
-    largest = float(np.nanmax(shares)) if np.isfinite(shares).any() else 1.0
-    return float(min(np.ceil(round(10.0 * largest, 6)), 10.0)) / 10.0
-
-
 def embedded(data: dict[str, Any]) -> str:
     """Return JSON that cannot end the script element it stands in."""
     text = json.dumps(data, separators=(",", ":"), allow_nan=False)
@@ -85,6 +82,14 @@ def _moves(scene: Scene, turned: list[str]) -> tuple[Array, Array]:
     shapes = scene.shapes * scales[:, :, None]
     moved = np.einsum("pbcn,pmn->pmbc", scene.motions, shapes).reshape(count, modes, -1)
     return moved, shapes[:, :, [scene.coordinates.index(name) for name in turned]]
+
+
+def _largest_deviations(scene: Scene) -> list[float | None] | None:
+    """Return for each cell of a grid how far a frequency in its middle is off at most; None where that is unknown."""
+    if scene.deviations is None:
+        return None
+    sizes = [np.abs(cell) for cell in scene.deviations]
+    return [_rounded(float(one.max()), 4) if np.isfinite(one).all() else None for one in sizes]
 
 
 def _surface(scene: Scene, surface: Surface | None) -> dict[str, Any] | None:

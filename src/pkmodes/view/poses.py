@@ -15,12 +15,14 @@ from pkmodes.model.model import Model
 from pkmodes.solve.usable import usable_box, usable_poses, used, within
 from pkmodes.solve.workspace import hanging
 from pkmodes.view.evaluating import scene
+from pkmodes.view.interpolation import deviations
+from pkmodes.view.pairing import paired_modes
 from pkmodes.view.scene import Scene
 from pkmodes.view.workspace import workspace
 
 Array = NDArray[np.float64]
 #: Values of each component in the grid, by the number of components; a page holds some hundred poses.
-LEVELS = {1: 41, 2: 11, 3: 5}
+LEVELS = {1: 41, 2: 11, 3: 7}
 #: Regular poses that are looked for.
 SEEDS = 200
 
@@ -93,11 +95,22 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
     valid = inside(grid.reshape(-1, len(first))).reshape(grid.shape[:-1])
     places = np.where(valid, np.cumsum(valid.ravel()).reshape(valid.shape) - 1, -1)
     here = tuple(int(np.argmin(np.abs(values - value))) for values, value in zip(levels, first, strict=True))
+    shown = scene(model, grid[valid], int(places[here]), drives=drives)
+    masses, _ = model.matrices(grid[valid])
+    order, rigid = paired_modes(shown.shapes, masses, places, shown.rigid_modes), shown.rigid_modes
     return replace(
-        scene(model, grid[valid], int(places[here]), drives=drives),
+        shown,
         levels=levels,
         places=places,
         workspace=workspace(model, first, (low, high), inside),
+        order=order,
+        deviations=deviations(
+            shown.frequencies[:, rigid:],
+            order[:, rigid:] - rigid,
+            places,
+            levels,
+            lambda middles: model.frequencies(middles, on_error="nan", drives=drives)[:, rigid:],
+        ),
     )
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.drives import FREE
+from pkmodes.view.measured_modes import Channel, MeasuredMode
 from pkmodes.view.workspace import Surface
 from pkmodes_description import Element, Named
 
@@ -32,7 +33,8 @@ class Scene:
         Components of a pose.
     directions : tuple of str
         Linear pose components, in which the platform moves.
-    coordinates : tuple of str
+    coordinates, independent : tuple of str
+        All of them, and those that the others follow from.
     elements : tuple of Element
         Lines, wheels, blocks, plates and balls between points; `spring` indexes `springs`.
     springs : tuple of Named
@@ -66,6 +68,18 @@ class Scene:
         Index of the pose at each place of the grid, -1 where the robot cannot be.
     workspace : Surface, optional
         Boundary of the reachable workspace of the platform.
+    order : ndarray of int, shape (N, m), optional
+        On a grid, index of the mode that carries each number at each pose: see `pkmodes.view.pairing`.
+    deviations : ndarray, shape (cells, m - rigid_modes), optional
+        How far frequencies between the poses of a grid are off: see `pkmodes.view.interpolation`.
+    labels : tuple of str
+        Names of the poses, as of a measurement; empty where they have none.
+    what : str
+        Which model of the robot moves, such as "as declared"; empty where there is only one.
+    measured : tuple of MeasuredMode, optional
+        Measured modes at these poses; None where the scene has nothing to do with a measurement.
+    channels : tuple of Channel
+        Components at which their shapes were measured.
     """
 
     robot: str
@@ -73,6 +87,7 @@ class Scene:
     pose: tuple[Named, ...]
     directions: tuple[str, ...]
     coordinates: tuple[str, ...]
+    independent: tuple[str, ...]
     elements: tuple[Element, ...]
     springs: tuple[Named, ...]
     motions_of: NDArray[np.intp]
@@ -90,6 +105,12 @@ class Scene:
     levels: tuple[Array, ...] | None = None
     places: NDArray[np.intp] | None = None
     workspace: Surface | None = None
+    order: NDArray[np.intp] | None = None
+    deviations: Array | None = None
+    labels: tuple[str, ...] = ()
+    what: str = ""
+    measured: tuple[MeasuredMode, ...] | None = None
+    channels: tuple[Channel, ...] = ()
 
     @property
     def size(self) -> float:

@@ -10,8 +10,21 @@ function tidy(value, digits) {
   return String(Number(value.toFixed(digits)) + 0).replace("-", "\u2212");
 }
 
+function precise(value) {
+  return String(Number(value.toPrecision(2)));
+}
+
 function fixed(value, digits) {
   return (Math.abs(value) < 0.5 * 10 ** -digits ? 0 : value).toFixed(digits).replace("-", "\u2212");
+}
+
+// Amplitude, as a share of the robot's size, from which the exaggeration is mentioned.
+const LARGE = 0.1;
+
+// The measured mode beside one of the model at a state, null where there is none.
+function measuredAt(data, state, mode) {
+  if (!data.measured || !state.exact) return null;
+  return data.measured.modes.find((one) => one.pose === state.nearest && one.mode === mode) || null;
 }
 
 class Panel {
@@ -23,51 +36,117 @@ class Panel {
     this.cycles = 0.5;
   }
 
-  // Set sliders, frequencies and table to a pose.
-  pose(index) {
-    const { data } = this, values = data.poses[index];
-    const place = data.pose.map((c, i) => `${c.name} = ${shown(values[i], c.unit)}`).join(", ");
-    this.all("level").forEach((slider, i) => {
-      slider.value = data.levels[i].indexOf(values[i]);
-      slider.setAttribute("aria-valuetext", shown(values[i], data.pose[i].unit));
-      this.all("level-value")[i].textContent = shown(values[i], data.pose[i].unit);
-    });
-    if (this.find("pose")) this.find("pose").value = index;
-    this.all("place").forEach((part) => { part.textContent = place; });
+  // Set sliders, frequencies and table to a state.
+  pose(state) {
+    if (state.place) this.sliders(state.place);
+    if (this.find("pose")) this.find("pose").value = state.nearest;
+    this.all("place").forEach((part) => { part.textContent = this.place(state); });
+    if (this.find("between")) {
+      this.find("between").textContent = state.exact ? "Computed for this pose." : this.interpolated(state);
+    }
     this.all("frequency").forEach((part) => {
-      part.textContent = `${fixed(data.frequencies[index][Number(part.dataset.mode)], 2)} Hz`;
+      part.textContent = this.hertz(state, Number(part.dataset.mode));
     });
     this.all("share").forEach((cell) => {
-      const held = data.shares[index][Number(cell.dataset.mode)];  // null where no spring is strained
+      const held = state.shares[Number(cell.dataset.mode)];  // null where no spring is strained
       const share = held === null ? 0 : held[Number(cell.dataset.spring)];
       cell.textContent = held === null ? "\u2013" : fixed(100 * share, 1);
       cell.style.setProperty("--share", share.toFixed(3));
     });
     this.all("direction").forEach((cell) => {
-      cell.textContent = fixed(data.directions[index][Number(cell.dataset.mode)][Number(cell.dataset.component)], 2);
+      cell.textContent = fixed(state.directions[Number(cell.dataset.mode)][Number(cell.dataset.component)], 2);
     });
   }
 
+  sliders(place) {
+    const { data } = this;
+    this.all("level").forEach((slider, i) => {
+      const { unit } = data.pose[i], levels = data.levels[i], low = Math.min(Math.floor(place[i]), levels.length - 2);
+      const value = low < 0 ? levels[0] : levels[low] + (place[i] - low) * (levels[low + 1] - levels[low]);
+      slider.value = Math.round(FINE * place[i]);
+      slider.setAttribute("aria-valuetext", shown(value, unit));
+      this.all("level-value")[i].textContent = shown(value, unit);
+    });
+  }
+
+  // Where the robot is, in words: the label of the pose and its components.
+  place(state) {
+    const { data } = this, label = state.exact ? data.labels[state.nearest] : undefined;
+    const at = data.pose.map((c, i) => `${c.name} = ${shown(state.pose[i], c.unit)}`).join(", ");
+    return `${label ? `${label}: ` : ""}${at}${state.exact ? "" : ", interpolated"}`;
+  }
+
+  interpolated(state) {
+    const off = state.deviation;
+    if (!(off > 0)) return "Interpolated between computed poses.";
+    return `Interpolated between computed poses: in the middle between them, frequencies are off by up to ${precise(100 * off)} %.`;
+  }
+
+  // A frequency, between states with no more decimals than it deserves.
+  hertz(state, mode) {
+    const value = state.frequencies[mode];
+    if (state.exact) return `${fixed(value, 2)} Hz`;
+    return `\u2248 ${fixed(value, state.deviation > 0.01 || state.deviation === null ? 0 : 1)} Hz`;
+  }
+
   // Say what the chosen mode is.
-  mode(index, mode, amplitude, announce) {
-    const { data } = this, frequency = data.frequencies[index][mode];
-    const number = mode - data.rigid + 1, shares = data.shares[index][mode];
+  mode(state, mode, amplitude, announce) {
+    const { data } = this, frequency = state.frequencies[mode];
+    const number = mode - data.rigid + 1, shares = state.shares[mode];
     const name = number > 0 ? `Mode ${number}` : `Rigid-body motion ${mode + 1}`;
-    const along = data.directions[index][mode].map((c, i) => `${data.components[i]} ${fixed(c, 2)}`).join(", ");
+    const along = state.directions[mode].map((c, i) => `${data.components[i]} ${fixed(c, 2)}`).join(", ");
     let held = "no spring is strained";
     if (shares) {
       const most = shares.indexOf(Math.max(...shares));
       held = `${fixed(100 * shares[most], 0)} % of the strain energy in ${data.springs[most]}`;
     }
-    this.find("title").textContent = `${name}: ${fixed(frequency, 2)} Hz`;
+    this.find("title").textContent = `${name}: ${this.hertz(state, mode)}`;
     this.find("held").textContent = held;
     this.find("along").textContent = along;
     this.root.querySelectorAll("[data-column]").forEach((cell) => {
       cell.classList.toggle("pkview-chosen", Number(cell.dataset.column) === mode);
     });
     const still = number > 0 ? "" : ". Gravity alone gives it a frequency; a negative one means that it falls away";
-    if (announce) this.find("status").textContent = `${name}, ${fixed(frequency, 2)} Hz: ${held}${still}.`;
+    const apart = state.apart[mode] ? " Shape of the nearest computed pose: there is none like it at all poses around." : "";
+    if (announce) this.find("status").textContent = `${name}, ${this.hertz(state, mode)}: ${held}${still}.${apart}`;
     this.motion(frequency, amplitude);
+  }
+
+  // Say what was measured at the pose, and of the chosen mode; fill the table of its components.
+  measured(state, mode, announce) {
+    const { data } = this;
+    if (!data.measured) return;
+    this.all("beside").forEach((part) => {
+      const one = measuredAt(data, state, Number(part.dataset.mode));
+      part.textContent = one ? `measured ${this.uncertain(one)}` : "not measured";
+      part.classList.toggle("pkview-without", !one);
+    });
+    const one = measuredAt(data, state, mode), said = this.about(one);
+    this.find("observed").textContent = said;
+    if (announce) this.find("status").textContent += ` ${said}`;
+    const alone = data.measured.modes.filter((other) => other.pose === state.nearest && other.mode === null);
+    const without = alone.map((other) => this.uncertain(other)).join(", ");
+    this.find("unmatched").textContent = without ? `Measured, without a partner in the model: ${without} Hz.` : "";
+    const number = mode - data.rigid + 1, compared = !!one && one.shape;
+    this.find("compared").textContent = `${number > 0 ? `mode ${number}` : "a rigid-body motion"} at ${this.place(state)}`;
+    this.all("component").forEach((row, k) => {
+      [["measured", "measured"], ["model", "model"]].forEach(([part, key]) => {
+        const value = compared ? one[key][k] : null;
+        row.querySelector(`[data-part="of-${part}"]`).textContent = value === null ? "\u2013" : fixed(value, 3);
+      });
+    });
+  }
+
+  uncertain(one) {
+    const digits = Math.max(0, Math.min(4, 1 - Math.floor(Math.log10(one.sigma))));
+    return `${fixed(one.frequency, digits)} \u00b1 ${fixed(one.sigma, digits)}`;
+  }
+
+  about(one) {
+    if (!one) return "Not measured at this pose.";
+    const at = `Measured: ${this.uncertain(one)} Hz`;
+    if (!one.shape) return `${at}, without a shape.`;
+    return `${at}${one.mac === null ? "" : `, MAC ${fixed(one.mac, 3)}`}.`;
   }
 
   motion(frequency, amplitude) {
@@ -78,7 +157,8 @@ class Panel {
     this.find("speed").setAttribute("aria-valuetext", `${tidy(this.cycles, 2)} periods per second`);
     const slower = Math.abs(frequency) / this.cycles;
     const pace = slower > 1.05 ? `, slowed down ${tidy(slower, slower < 10 ? 1 : 0)} times` : "";
-    this.find("enlarged").textContent = `The largest displacement is shown as ${enlarged}${pace}.`;
+    const large = amplitude >= LARGE ? " So large, a linear displacement visibly changes the length of rigid links; the machine does not." : "";
+    this.find("enlarged").textContent = `The largest displacement is shown as ${enlarged}${pace}.${large}`;
   }
 
   playing(on) {

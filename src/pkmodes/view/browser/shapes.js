@@ -215,4 +215,45 @@ function hullOf(at, normal) {
   return [...half(flat), ...half(flat.slice().reverse())].map((p) => p[2]);
 }
 
+// Measured components beside the model: marks where the sensors are, over everything else, that move as measured.
+class MeasuredMarks {
+  constructor(size) {
+    this.size = size;
+    this.material = new T.MeshBasicMaterial({ transparent: true, opacity: 0.85, depthTest: false });
+    this.group = new T.Group();
+    this.group.renderOrder = 4;
+  }
+
+  // Marks for a measured mode, none for null.
+  show(mode, elements) {
+    this.group.clear();
+    this.arrows = ((mode && mode.arrows) || []).map(([point, ...by]) => {
+      const parts = [mesh(UNIT_BALL, this.material), mesh(UNIT_BAR, this.material)];
+      parts[0].scale.setScalar(0.013 * this.size);
+      return { point, by: new T.Vector3(...by), parts };
+    });
+    this.turns = ((mode && mode.turns) || []).map(([element, angle]) => {
+      return { wheel: elements[element], angle, parts: [mesh(UNIT_BOX, this.material)] };
+    });
+    [...this.arrows, ...this.turns].forEach(({ parts }) => this.group.add(...parts));
+    this.group.children.forEach((part) => { part.renderOrder = 4; });
+  }
+
+  // Place them at a phase of the motion, from -1 to 1, with the factor of the amplitude.
+  place(rest, factor, phase) {
+    this.arrows.forEach(({ point, by, parts: [ball, bar] }) => {
+      const at = vector(rest, point), far = by.clone().multiplyScalar(factor);
+      stretch(bar, at.clone().sub(far), at.clone().add(far), 0.0032 * this.size);
+      ball.position.copy(at).addScaledVector(far, phase);
+    });
+    this.turns.forEach(({ wheel, angle, parts: [bar] }) => {
+      const [a, b] = wheel.points.map((i) => vector(rest, i)), axis = b.sub(a), radius = axis.length();
+      bar.position.copy(a);
+      bar.quaternion.setFromUnitVectors(Y, axis.normalize());
+      bar.rotateY(angle * factor * phase);
+      bar.scale.set(2.5 * radius, 0.1 * radius, 0.14 * radius);
+    });
+  }
+}
+
 const SHAPES = { line: Line, wheel: Wheel, block: Block, plate: Plate, ball: Ball };

@@ -1,7 +1,10 @@
 // The three-dimensional part: camera, lights, the robot at a pose, and its motion in a mode.
 
+// Where a label may stand beside its place, in heights of a label: there, above it, below it.
+const SHIFTS = [0, 1.05, -1.05, 2.1, -2.1, 3.15, -3.15];
+
 class Stage {
-  constructor(canvas, data) {
+  constructor(canvas, data, state) {
     this.data = data;
     this.vertical = new T.Vector3(...data.vertical);
     this.renderer = new T.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
@@ -19,10 +22,13 @@ class Stage {
     this.ghost = new T.LineSegments(new T.BufferGeometry(), new T.LineBasicMaterial({ transparent: true, opacity: 0.5 }));
     this.trace = [0, 1, 2].map((i) => mesh(i ? new T.CylinderGeometry(0, 1, 1, 18) : UNIT_BAR, new T.MeshBasicMaterial()));
     this.world.add(this.ghost, ...this.trace);
+    this.marks = new MeasuredMarks(data.size);
+    this.world.add(this.marks.group);
+    this.measured = null;
     this.addWorkspace();
     this.labels = new T.Group();
     this.world.add(this.labels);
-    this.pose = data.chosen;
+    this.state = state;
     this.mode = Math.min(data.rigid, data.frequencies[0].length - 1);
     this.amplitude = data.amplitude;
     this.lit = -1;
@@ -79,6 +85,7 @@ class Stage {
     this.world.background = new T.Color(palette.background);
     this.ghost.material.color.set(palette.ghost);
     this.trace.forEach((part) => part.material.color.set(palette.trace));
+    this.marks.material.color.set(palette.measured);
     this.workspace.children.forEach((part) => part.material.color.set(palette.workspace));
     this.drawFloor();
     this.show();
@@ -190,9 +197,9 @@ class Stage {
 
   // Colours and rest position for the present pose and mode.
   show() {
-    const { data, palette } = this, points = data.points[this.pose], shares = data.shares[this.pose][this.mode];
+    const { data, palette, state } = this, { points } = state, shares = state.shares[this.mode];
     this.shapes.forEach((shape) => {
-      const { spring } = shape.element, held = spring >= 0 ? (shares ? shares[spring] / data.top : 0) : null;
+      const { spring } = shape.element, held = spring >= 0 ? (shares ? shares[spring] : 0) : null;
       if (shape.rest) shape.rest(points);
       shape.paint(palette, held, spring >= 0 && spring === this.lit);
     });
@@ -203,6 +210,7 @@ class Stage {
     const flat = new Float32Array(ends.flatMap((p) => [p.x, p.y, p.z]));
     this.ghost.geometry.setAttribute("position", new T.BufferAttribute(flat, 3));
     this.ghost.geometry.computeBoundingSphere();
+    this.marks.show(this.measured, data.elements);
     this.drawLabels(points);
     this.dirty = true;
   }
@@ -210,32 +218,52 @@ class Stage {
   drawLabels(points) {
     this.labels.children.forEach((s) => { s.material.map.dispose(); s.material.dispose(); });
     this.labels.clear();
-    const { centre } = this.bounds(), found = new Map();
+    const { centre } = this.bounds(), found = new Map(), shares = this.state.shares[this.mode];
+    const most = new Map();  // a label is the more important the more energy its springs hold
     for (const e of this.data.elements.filter((one) => one.spring >= 0)) {
       const at = e.shape === "wheel" ? e.points.slice(0, 1) : e.points;
+      most.set(e.name, Math.max(most.get(e.name) || 0, shares ? shares[e.spring] : 0));
       for (const p of at.map((i) => vector(points, i))) {
         if (!found.has(e.name) || p.distanceTo(centre) > found.get(e.name).distanceTo(centre) + 1e-9) found.set(e.name, p);
       }
     }
     found.forEach((at, name) => {
       at.addScaledVector(at.clone().sub(centre).normalize(), 0.05 * this.data.size);
-      this.labels.add(labelled(name, this.palette, at));
+      this.labels.add(Object.assign(labelled(name, this.palette, at), { importance: most.get(name) }));
     });
+  }
+
+  // Move labels that would cover each other up or down in the picture; one that finds no room is left out.
+  arrange() {
+    const { elements: m } = this.camera.projectionMatrix, placed = [];
+    const order = [...this.labels.children].sort((a, b) => b.importance - a.importance);
+    this.camera.updateMatrixWorld();
+    for (const label of order) {
+      const { x, y } = label.position.clone().project(this.camera);
+      const [wide, high] = [label.scale.x * m[0], label.scale.y * m[5]];
+      const free = (shift) => placed.every((one) => Math.abs(one.x - x) > (one.wide + wide) / 2 || Math.abs(one.y - y - shift * high) > high);
+      const shift = SHIFTS.find(free);
+      label.visible = shift !== undefined;
+      if (!label.visible) continue;
+      label.center.set(0.5, 0.5 - shift);
+      placed.push({ x, y: y + shift * high, wide });
+    }
   }
 
   // Positions of all points now; the motion is linear in the amplitude.
   moved() {
-    const { data } = this, rest = data.points[this.pose], by = data.moved[this.pose][this.mode];
+    const { data } = this, rest = this.state.points, by = this.state.moved[this.mode];
     const factor = this.amplitude * data.size * this.phase;
     return rest.map((value, i) => value + factor * by[3 * data.motionsOf[Math.floor(i / 3)] + (i % 3)]);
   }
 
   render() {
     const { data } = this, points = this.moved(), factor = this.amplitude * data.size;
-    const turned = data.turned[this.pose][this.mode].map((angle) => angle * factor * this.phase);
+    const turned = this.state.turned[this.mode].map((angle) => angle * factor * this.phase);
     this.shapes.forEach((shape) => shape.place(points, turned));
-    const centre = vector(data.points[this.pose], 0);
-    const reach = vector(data.moved[this.pose][this.mode], data.motionsOf[0]).multiplyScalar(factor);
+    this.marks.place(this.state.points, factor, this.phase);
+    const centre = vector(this.state.points, 0);
+    const reach = vector(this.state.moved[this.mode], data.motionsOf[0]).multiplyScalar(factor);
     const [bar, ...tips] = this.trace, ends = [1, -1].map((s) => centre.clone().addScaledVector(reach, s));
     const shown = reach.length() > 0.004 * data.size;
     this.trace.forEach((part) => { part.visible = shown; });
@@ -247,6 +275,7 @@ class Stage {
         stretch(cone, ends[i], ends[i].clone().addScaledVector(tip, s * 0.022 * data.size), 0.0075 * data.size);
       });
     }
+    if (this.labels.visible) this.arrange();
     this.renderer.render(this.world, this.camera);
     this.dirty = false;
   }

@@ -4,24 +4,37 @@ class Viewer {
   constructor(root) {
     this.root = root;
     this.data = JSON.parse(root.querySelector("script[type='application/json']").textContent);
+    this.states = new States(this.data);
+    this.state = this.states.evaluated(this.data.chosen);
     this.panel = new Panel(root, this.data);
     this.canvas = root.querySelector("canvas");
     this.stage = this.start();
     this.mode = Math.min(this.data.rigid, this.data.frequencies[0].length - 1);
-    this.pose = this.data.chosen;
     this.amplitude = this.data.amplitude;
     this.time = 0.25 / this.panel.cycles; // begins at the largest displacement
     this.on = !!this.stage && !matchMedia("(prefers-reduced-motion: reduce)").matches;
+    if (this.stage) this.stage.measured = this.measured();
     this.listen();
-    this.panel.pose(this.pose);
-    this.panel.mode(this.pose, this.mode, this.amplitude, false);
+    this.panel.pose(this.state);
+    this.panel.mode(this.state, this.mode, this.amplitude, false);
+    this.panel.measured(this.state, this.mode, false);
     this.panel.playing(this.on);
     if (this.stage) this.run();
   }
 
+  // The evaluated state that is shown, or the nearest one.
+  get pose() {
+    return this.state.nearest;
+  }
+
+  // The measured mode beside the one that is shown, null where none was measured.
+  measured() {
+    return measuredAt(this.data, this.state, this.mode);
+  }
+
   start() {
     try {
-      const stage = new Stage(this.canvas, this.data);
+      const stage = new Stage(this.canvas, this.data, this.state);
       this.canvas.addEventListener("webglcontextlost", () => this.fail("The graphics of the browser have stopped."));
       return stage;
     } catch (error) {
@@ -39,17 +52,19 @@ class Viewer {
 
   listen() {
     const { panel, canvas } = this, on = (name, event, act) => panel.all(name).forEach((part) => part.addEventListener(event, () => act(part)));
-    on("mode", "change", (input) => this.choose(this.pose, Number(input.value)));
-    on("pose", "change", (select) => this.choose(Number(select.value), this.mode));
+    on("mode", "change", (input) => this.choose(this.state, Number(input.value)));
+    on("pose", "change", (select) => { this.choose(this.states.evaluated(Number(select.value)), this.mode); this.tell(); });
     on("level", "input", (slider) => this.slide(slider));
     on("amplitude", "input", (slider) => { this.amplitude = Number(slider.value) / 100; this.refresh(); });
     on("speed", "input", (slider) => { this.pace(Number(slider.value)); });
     on("play", "click", () => this.toggle());
     on("reset", "click", () => this.stage && this.stage.resetView());
     on("labels", "change", (box) => { if (this.stage) { this.stage.labels.visible = box.checked; this.stage.dirty = true; } });
+    on("marks", "change", (box) => { if (this.stage) { this.stage.marks.group.visible = box.checked; this.stage.dirty = true; } });
     on("space", "change", (box) => { if (this.stage) { this.stage.workspace.visible = box.checked; this.stage.dirty = true; } });
     on("spring", "pointerenter", (row) => this.light(Number(row.dataset.spring)));
     on("spring", "pointerleave", () => this.light(-1));
+    document.addEventListener("pkmodes-pose", (event) => this.go(event.detail.pose));
     canvas.addEventListener("keydown", (event) => this.key(event));
     canvas.addEventListener("pointerdown", () => canvas.focus({ preventScroll: true }));
     canvas.addEventListener("focus", () => this.zooming(true));
@@ -94,34 +109,45 @@ class Viewer {
     this.draw();
   }
 
-  // The pose of the sliders, or the nearest one that the robot can reach with the slider that moved.
+  // The place of the sliders, or the nearest one that the robot can reach with the slider that moved.
   slide(moved) {
-    const { data, panel } = this, sliders = panel.all("level"), wanted = sliders.map((s) => Number(s.value));
-    const fixed = sliders.indexOf(moved), sizes = data.levels.map((l) => l.length);
-    let best = -1, least = Infinity;
-    data.places.forEach((pose, flat) => {
-      if (pose < 0) return;
-      let rest = flat, distance = 0, fits = true;
-      for (let i = sizes.length - 1; i >= 0; i--) {
-        const at = rest % sizes[i];
-        rest = (rest - at) / sizes[i];
-        distance += (at - wanted[i]) ** 2;
-        if (i === fixed && at !== wanted[i]) fits = false;
-      }
-      if (fits && distance < least) { best = pose; least = distance; }
-    });
-    const note = best < 0 ? "No pose of the grid is reachable there." : least > 0 ? "Moved to the nearest pose that the robot can reach." : "";
-    this.choose(best < 0 ? this.pose : best, this.mode);
-    if (note) panel.find("status").textContent += ` ${note}`;
+    const { panel, states } = this, axis = panel.all("level").indexOf(moved), wanted = this.state.place.slice();
+    wanted[axis] = Number(moved.value) / FINE;
+    const place = states.nearest(wanted, axis);
+    this.choose(states.at(place), this.mode);
+    if (place[axis] !== wanted[axis]) panel.find("status").textContent += " No pose that was evaluated is reachable there.";
+    else if (place !== wanted) panel.find("status").textContent += " Moved to the nearest pose that the robot can reach.";
+    this.tell();
   }
 
-  choose(pose, mode) {
-    this.pose = pose;
+  // Move to the pose given in SI units, as another part of the page asks, or as near to it as the poses here allow.
+  go(values) {
+    const { data, states } = this, { poses } = data;
+    if (values.length !== poses[0].length) return;
+    if (data.levels) {
+      this.choose(states.at(states.nearest(states.placed(values))), this.mode);
+      return;
+    }
+    const spans = values.map((_, i) => span(poses.map((pose) => pose[i])));
+    const far = (pose) => pose.reduce((sum, value, i) => sum + ((value - values[i]) / spans[i]) ** 2, 0);
+    const best = poses.reduce((found, pose, i) => (far(pose) < far(poses[found]) ? i : found), 0);
+    this.choose(states.evaluated(best), this.mode);
+  }
+
+  // Tell other parts of the page that the controls moved the robot.
+  tell() {
+    const detail = { pose: this.state.pose };
+    document.dispatchEvent(new CustomEvent("pkmodes-moved", { detail }));
+  }
+
+  choose(state, mode) {
+    this.state = state;
     this.mode = mode;
-    this.panel.pose(pose);
-    this.panel.mode(pose, mode, this.amplitude, true);
+    this.panel.pose(state);
+    this.panel.mode(state, mode, this.amplitude, true);
+    this.panel.measured(state, mode, true);
     if (!this.stage) return;
-    Object.assign(this.stage, { pose, mode });
+    Object.assign(this.stage, { state, mode, measured: this.measured() });
     this.stage.show();
     this.draw();
   }
@@ -141,7 +167,7 @@ class Viewer {
   }
 
   refresh() {
-    this.panel.motion(this.data.frequencies[this.pose][this.mode], this.amplitude);
+    this.panel.motion(this.state.frequencies[this.mode], this.amplitude);
     this.draw();
   }
 
@@ -185,6 +211,10 @@ class Viewer {
     };
     requestAnimationFrame(step);
   }
+}
+
+function span(values) {
+  return Math.max(...values) - Math.min(...values) || 1;
 }
 
 document.querySelectorAll(".pkview:not([data-started])").forEach((root) => {

@@ -1,0 +1,154 @@
+"""The scene of a measured robot: the model with which a result ends, and the measured modes beside it."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.base.errors import PkmodesError
+from pkmodes.diagnosis.compare import Comparison
+from pkmodes.diagnosis.match.predicted import Predicted
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.measured.measurements import Measurements
+from pkmodes.model.model import Model
+from pkmodes.robot.reading import robot_from_document
+from pkmodes.robot.robot import Robot
+from pkmodes.updating import frame
+from pkmodes.updating.corrected_robot import corrected_robot
+from pkmodes.updating.load_cases import settable
+from pkmodes.updating.robot_structure import channels
+from pkmodes.view import Scene
+from pkmodes.view.evaluating import scene_of
+from pkmodes.view.measured_modes import Channel, MeasuredMode
+
+Array = NDArray[np.float64]
+#: Poses of a measurement that are shown at most.
+MOST = 60
+
+
+class Shown(NamedTuple):
+    """The robot that is shown, which model it is, its predictions of the measured modes, and the measuring frame."""
+
+    robot: Robot
+    what: str
+    predicted: Predicted | None
+    frame: dict[str, float]
+
+
+def robot_shown(result: Diagnosis | Comparison, robot: Robot) -> Shown:
+    """Return the robot with which a result ends: corrected if a diagnosis is settled, otherwise as declared."""
+    if isinstance(result, Comparison):
+        return Shown(robot, "as declared", result.stage, {})
+    stages = result.stages
+    declared = Shown(robot, "as declared", None if stages is None else stages.before, {})
+    if not result.settled:
+        return declared
+    try:
+        corrected = robot_from_document(tomllib.loads(corrected_robot(robot, result)), robot.source)
+    except PkmodesError:  # nothing to correct, or a cause that no robot file can hold
+        return declared
+    moved = {
+        value.name: value.value for value in result.corrected if value.name.startswith(frame.OF_MEASUREMENT)
+    }
+    if result.effects:
+        causes = " and ".join(effect.sentence or effect.name for effect in result.effects)
+        what = f"with the cause{'s' * (len(result.effects) > 1)}: {causes}"
+        return Shown(corrected, what, None if stages is None else stages.after, moved)
+    return Shown(
+        corrected, "with its uncertain values refitted", None if stages is None else stages.refit, moved
+    )
+
+
+def measured_scene(
+    result: Diagnosis | Comparison, shown: Shown, data: Measurements, drives: str
+) -> Scene | None:
+    """Return the scene at the measured poses with their labels and measured modes.
+
+    Parameters
+    ----------
+    shown : Shown
+        From `robot_shown`.
+    drives : {"free", "held"}
+        What the motors do: poses at which they did otherwise are left out.
+
+    Returns
+    -------
+    Scene or None
+        None if no pose can be shown.
+
+    Raises
+    ------
+    PkmodesError
+        If the robot cannot be evaluated with the values that are set at a pose.
+    """
+    points = frame.true_points(shown.robot.mechanism, data.points, shown.frame)
+    loads = [tuple(sorted(data.load(i).items())) for i in range(len(data.labels))]
+    models: dict[tuple[tuple[str, float], ...], Model] = {}
+    for load in loads:
+        if load not in models:
+            models[load] = Model(shown.robot.with_values(dict(load)) if load else shown.robot)
+    kept = [
+        i
+        for i, load in enumerate(loads)
+        if data.drives[i] == drives and bool(models[load].check(points[i]).valid)
+    ][:MOST]
+    if not kept:
+        return None
+    kept.sort(key=lambda i: _natural(data.labels[i]))
+    seen = scene_of([models[loads[i]] for i in kept], points[kept], drives=drives)
+    known = channels(shown.robot.mechanism)
+    return replace(
+        seen,
+        labels=tuple(_label(shown.robot, data, i) for i in kept),
+        what=shown.what,
+        measured=_measured(result, shown, data, {pose: k for k, pose in enumerate(kept)}, seen),
+        channels=tuple(Channel(name, known.get(name, "1")) for name in data.channels),
+    )
+
+
+def _measured(
+    result: Diagnosis | Comparison, shown: Shown, data: Measurements, place: dict[int, int], seen: Scene
+) -> tuple[MeasuredMode, ...]:
+    found = []
+    for row, (measured, pose) in enumerate(zip(result.rows, data.pose.tolist(), strict=True)):
+        if pose not in place:
+            continue
+        partner = 0 if shown.predicted is None else int(shown.predicted.mode[row])
+        mode = seen.rigid_modes + partner - 1
+        mac = None if shown.predicted is None else float(shown.predicted.mac[row])
+        found.append(
+            MeasuredMode(
+                pose=place[pose],
+                mode=mode if partner > 0 and mode < seen.frequencies.shape[1] else None,
+                name=measured.mode,
+                frequency=measured.measured,
+                sigma=measured.sigma,
+                mac=mac,
+                shape=tuple(data.shapes[row].tolist()),
+            )
+        )
+    return tuple(found)
+
+
+def _label(robot: Robot, data: Measurements, pose: int) -> str:
+    """Return the label of a pose with the values that are set there."""
+    units = settable(robot.mechanism)
+    load = [
+        f"{path.split('.')[-1]} {value:g} {units.get(path, '')}".rstrip()
+        for path, value in data.load(pose).items()
+    ]
+    return data.labels[pose] + (f" ({', '.join(load)})" if load else "")
+
+
+def _natural(label: str) -> tuple[tuple[int, float, str], ...]:
+    """Return a key that sorts P2 before P10, and -0.5 mm before +0.5 mm."""
+    parts = re.findall(r"[-+]?\d+(?:\.\d+)?|[^\d+-]+|[-+]", label)
+    return tuple(
+        (0, float(part), "") if re.fullmatch(r"[-+]?\d+(?:\.\d+)?", part) else (1, 0.0, part)
+        for part in parts
+    )

@@ -1,0 +1,104 @@
+"""Measured modes as data of a page: components in the scale of the picture, and what of them can be drawn where.
+
+The platform, parts that one coordinate moves alone, and wheels that one coordinate turns are drawn; other components
+stand in the table only.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.updating.sensors import PLATFORM
+from pkmodes.view.measured_modes import MeasuredMode, scale_factor, weights_of
+from pkmodes.view.scene import Scene
+
+Array = NDArray[np.float64]
+#: Kinds of elements at which a coordinate is shown as a displacement.
+MOVING = ("carriage", "arm", "gantry", "toolhead", "platform", "body")
+DIGITS = 4
+
+
+def measured_data(scene: Scene) -> dict[str, Any] | None:
+    """Return the measured modes of a scene; components are for a largest displacement of the model of 1 m."""
+    if scene.measured is None:
+        return None
+    return {
+        "channels": [{"name": one.name, "unit": one.unit} for one in scene.channels],
+        "modes": [_mode(scene, one) for one in scene.measured],
+    }
+
+
+def components(scene: Scene, pose: int) -> Array:
+    """Return the shapes of all modes at the channels, (m, C); 0 for a coordinate that the model locks."""
+    found = np.zeros((scene.frequencies.shape[1], len(scene.channels)))
+    for k, channel in enumerate(scene.channels):
+        if channel.name in scene.coordinates:
+            found[:, k] = scene.shapes[pose, :, scene.coordinates.index(channel.name)]
+        elif channel.name.removeprefix(PLATFORM) in scene.directions:
+            axis = scene.directions.index(channel.name.removeprefix(PLATFORM))
+            found[:, k] = scene.platform_shapes[pose, :, axis]
+    return found
+
+
+def _mode(scene: Scene, one: MeasuredMode) -> dict[str, Any]:
+    told = {
+        "pose": one.pose,
+        "mode": one.mode,
+        "name": one.name,
+        "frequency": round(one.frequency, 4),
+        "sigma": float(f"{one.sigma:.3g}"),
+        "mac": None if one.mac is None or np.isnan(one.mac) else round(one.mac, 4),
+        "shape": one.has_shape,
+    }
+    if one.mode is None or not one.has_shape:
+        return told
+    shapes = components(scene, one.pose)
+    measured, model = np.array(one.shape), shapes[one.mode]
+    scale = scene.scale(one.pose, one.mode)
+    scaled = scale * scale_factor(measured, model, weights_of(shapes)) * measured
+    arrows, turns = _drawn(scene, one.pose, scaled)
+    return told | {
+        "measured": [None if np.isnan(value) else round(value, DIGITS) + 0.0 for value in scaled.tolist()],
+        "model": [round(value, DIGITS) + 0.0 for value in (scale * model).tolist()],
+        "arrows": arrows,
+        "turns": turns,
+    }
+
+
+def _drawn(scene: Scene, pose: int, scaled: Array) -> tuple[list[Any], list[Any]]:
+    """Return displacements as [point, x, y, z], and rotations as [element, angle], of the measured components."""
+    platform, arrows, turns = np.zeros(3), [], []
+    for channel, value in zip(scene.channels, scaled.tolist(), strict=True):
+        if np.isnan(value):
+            continue
+        axis = channel.name.removeprefix(PLATFORM)
+        if axis in scene.directions:
+            platform["xyz".index(axis)] = value
+        elif wheels := [i for i, e in enumerate(scene.elements) if e.turns and e.turns == channel.name]:
+            turns += [[i, round(value, DIGITS)] for i in wheels]
+        elif (place := _place(scene, pose, channel.name)) is not None:
+            point, along = place
+            arrows.append([point, *(round(v, DIGITS) + 0.0 for v in (along * value).tolist())])
+    if platform.any():
+        arrows.insert(0, [0, *(round(v, DIGITS) + 0.0 for v in platform.tolist())])
+    return arrows, turns
+
+
+def _place(scene: Scene, pose: int, name: str) -> tuple[int, Array] | None:
+    """Return a point of a part that a coordinate moves alone, and its displacement per unit; None without one."""
+    if name not in scene.coordinates:
+        return None
+    own = scene.coordinates.index(name)
+    base = [k for k, other in enumerate(scene.coordinates) if other in scene.independent and k != own]
+    best = None
+    for element in scene.elements:
+        for point in element.points if element.kind in MOVING else ():
+            motion = scene.motions[pose, scene.motions_of[point]]
+            size = float(np.linalg.norm(motion[:, own]))
+            alone = size > 1e-9 and np.abs(motion[:, base]).max(initial=0.0) < 1e-9 * size
+            if alone and (best is None or size > np.linalg.norm(best[1]) * (1 + 1e-9)):
+                best = int(point), motion[:, own]
+    return best
