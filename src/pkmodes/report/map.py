@@ -26,6 +26,7 @@ from pkmodes.report.blocks import (
     Summary,
     Table,
 )
+from pkmodes.report.explorer import explorer_of
 from pkmodes.report.formatting import clean, hertz, number, plural, pointer, unit
 from pkmodes.report.origin import files_of, view_section
 from pkmodes.report.page import need_report, page
@@ -79,9 +80,10 @@ def map_report(
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     sections = [
         Section("modes", "Range of each frequency", [_ranges(model, content)]),
+        *_explored(model, dataset, view),
+        *view_section(view),
         *_changes(model, dataset),
         *_figures(model, dataset),
-        *view_section(view),
         Section("origin", "Data and versions", [_origin(model, dataset, content, sources)]),
     ]
     return page(_summary(model, content), sections)
@@ -179,6 +181,12 @@ def _place(value: Any, factor: float) -> Cell:
     if value is None or isinstance(value, str):
         return Cell(clean(value or "\u2013"))
     return number(float(value), ".5g", scale=factor)
+
+
+def _explored(model: Model, dataset: xarray.Dataset, view: str | None) -> list[Section]:
+    """Return the section of the interactive map, where there are poses to choose from."""
+    explorer = explorer_of(model, dataset, _units(model), machine=view is not None)
+    return [] if explorer is None else [Section("explore", "Pose by pose", [explorer])]
 
 
 def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
