@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 from pkmodes.dataset.fields import FIELDS
 from pkmodes.figures.pictures import pictures
-from pkmodes.figures.working_plane import working_plane
-from pkmodes.maps.poses import Grid
 from pkmodes.maps.summary import summary_of
 from pkmodes.plots import sweeps
 from pkmodes.plots.labels import typeset
@@ -28,6 +26,7 @@ from pkmodes.report.blocks import (
 )
 from pkmodes.report.explorer import explorer_of
 from pkmodes.report.formatting import clean, hertz, number, plural, pointer, unit
+from pkmodes.report.map_planes import declared_values, plane_of, swept_paths, swept_pictures
 from pkmodes.report.origin import files_of, view_section
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
@@ -38,9 +37,6 @@ if TYPE_CHECKING:
     import xarray
 
     from pkmodes.model.model import Model
-
-#: Values along each side of the plane that is drawn at most.
-FINEST = 150
 
 
 def map_report(
@@ -237,28 +233,26 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     """Yield the figures of the robot: in the plane of the map if it has one, otherwise in its working plane."""
     if len(model.mechanism.pose) < 2:
         return
-    places = _plane_of(model, dataset)
-    where = "the plane of the map"
+    places, where = plane_of(model, dataset)
+    title = "Over the working plane" if where.endswith("condition number") else "Over the plane of the map"
     if places is None:
-        places = working_plane(model)
-        where = "the plane of the workspace with the lowest mean condition number"
-    drives = str(dataset.attrs["drives"])
-    text = f"The robot as declared, its motors {drives}, in {where}; modes are numbered by frequency."
-    blocks: list[Block] = [Paragraph(text)]
+        yield Section("figures", title, [Paragraph(where)])
+        return
+    units, swept, drives = changeable(model.robot), swept_paths(dataset), str(dataset.attrs["drives"])
+    blocks: list[Block] = []
+    if swept and set(places.axes) <= set(dataset.dims):
+        blocks += swept_pictures(model, dataset, places, units)
+    declared = declared_values(model, swept, units)
+    declared = f" with {declared}" if declared else ""
+    text = (
+        f"The robot as declared{declared}, its motors {drives}, in {where}; modes are numbered by frequency."
+    )
+    blocks.append(Paragraph(text))
     for picture in pictures(model, places, drives=drives):
         with styled():
             svg = inline(picture.figure, picture.title, picture.description, cropped=True)
         blocks.append(Picture(svg, picture.description, picture.title))
-    yield Section("figures", "Over the working plane", blocks)
-
-
-def _plane_of(model: Model, dataset: xarray.Dataset) -> Grid | None:
-    """Return the plane of a map, thinned out where it is finer than a picture; None for other maps."""
-    names = [component.name for component in model.mechanism.pose]
-    if sum(dataset.sizes.get(name, 1) > 1 for name in names) != 2:  # a list of poses has one axis, "pose"
-        return None
-    steps = {name: -(-dataset.sizes[name] // FINEST) for name in names}
-    return Grid({name: dataset[name].values[:: steps[name]] for name in names})
+    yield Section("figures", title, blocks)
 
 
 def _origin(
