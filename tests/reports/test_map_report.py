@@ -16,6 +16,7 @@ from helpers.pages.browser import opened
 from helpers.pages.page_reading import Element, read
 from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
+from pkmodes.maps.poses import Grid
 from pkmodes.report.map import _headline, map_report
 from pkmodes.robot.reading import robot_from_document
 
@@ -182,6 +183,59 @@ def test_sweeps_samples_and_poses_have_their_sections() -> None:
         assert f">{section}</h2>" in text, section
     assert "platform.mass" in text
     assert text == map_report(model, dataset)
+
+
+@pytest.fixture
+def drawn(monkeypatch: pytest.MonkeyPatch) -> list[Grid]:
+    """The planes in which the figures of the robot are drawn, instead of the figures."""
+    planes: list[Grid] = []
+
+    def remember(model: pkmodes.Model, places: Grid, **_: object) -> list[object]:
+        planes.append(places)
+        return []
+
+    monkeypatch.setattr("pkmodes.report.map.pictures", remember)
+    return planes
+
+
+def test_a_sweep_is_drawn_in_the_plane_that_was_swept(drawn: list[Grid]) -> None:
+    model = pkmodes.load(ROBOT)
+    plane = {"x": np.linspace(0.4, 0.8, 9), "y": np.linspace(-0.1, 0.1, 7), "z": -0.2}
+    sweep = {"platform.mass": [2.0, 1.0], "belt.width": [0.01, 0.02]}
+    section = read(map_report(model, model.map(plane, sweep=sweep))).by_id("figures")
+    titles = [figure.all("title")[0].text for figure in section.all("figure")]
+    assert titles == [
+        "Natural frequencies at platform.mass = 1 kg, belt.width = 0.01 m",
+        "Natural frequencies at platform.mass = 2 kg, belt.width = 0.02 m",
+    ]
+    assert "in the plane z = \u2212200 mm" in section.text
+    assert (
+        "The robot as declared with platform.mass = 1.5 kg, belt.width = 0.015 m, its motors free"
+        in section.text
+    )
+    assert drawn[0].axes["z"] == [-0.2]
+
+
+def test_a_volume_that_was_swept_is_drawn_in_a_plane_of_its_own(drawn: list[Grid]) -> None:
+    model = pkmodes.load(ROBOT)
+    axes = {"x": np.linspace(0.4, 0.8, 5), "y": np.linspace(-0.1, 0.1, 4), "z": np.linspace(-0.3, -0.2, 3)}
+    found = model.map(axes, sweep={"platform.mass": [1.0, 2.0]})
+    section = read(map_report(model, found)).by_id("figures")
+    mean = [np.nanmean(found["condition"].sel(z=z).values) for z in found["z"].values]
+    best = float(found["z"].values[np.argmin(mean)])
+    assert drawn[0].axes["z"] == [best]
+    assert f"in the plane z = \u2212{-1e3 * best:.6g} mm" in section.text
+    assert len(section.all("figure")) == 2
+
+
+@pytest.mark.parametrize("x", [0.6, np.linspace(0.5, 0.7, 3)])
+def test_a_sweep_without_a_plane_says_so(drawn: list[Grid], x: object) -> None:
+    model = pkmodes.load(ROBOT)
+    found = model.map({"x": x, "y": 0.0, "z": -0.245}, sweep={"platform.mass": [1.0, 2.0]})
+    section = read(map_report(model, found)).by_id("figures")
+    where = "at one pose" if isinstance(x, float) else "along x"
+    assert f"The map is {where}: it has no plane to draw." in section.text
+    assert drawn == []
 
 
 def test_a_hostile_name_is_harmless() -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.plots.labels import short
 from pkmodes.plots.style import BLUE, GREY, PALETTE, VERMILLION, figure
 from pkmodes.robot.units import SHOWN
 
@@ -67,7 +68,7 @@ def along(dataset: xarray.Dataset) -> Figure:
     frequency = np.stack(
         [_quantiles(every[..., mode], (0.5,))[0] for mode in range(every.shape[-1])], axis=-1
     )
-    labels = [str(label) for label in dataset["pose"].values]
+    labels = [short(label) for label in dataset["pose"].values]
     drawn = figure(3.0)
     axes = drawn.add_subplot()
     for mode in range(frequency.shape[-1]):

@@ -57,7 +57,10 @@ class Column:
 
 
 class Placed:
-    """What every block of a section has: the programs that it needs in the browser, files of ``browser/``."""
+    """What every block of a section has: the programs that it needs in the browser, files of ``browser/``.
+
+    A program of several files names them in their order, joined by ``+``.
+    """
 
     programs: ClassVar[Sequence[str]] = ()
 
@@ -165,7 +168,50 @@ class Foreign(Placed):
     kind: str = "foreign"
 
 
-Block = Table | Picture | Paragraph | Listing | Facts | Difference | Lines | Foreign
+@dataclass(frozen=True)
+class Slider:
+    """A slider along an axis of a map: the number of the axis, its name and unit, and how many values it has."""
+
+    axis: int
+    name: str
+    unit: str
+    count: int
+
+
+@dataclass(frozen=True)
+class Explorer(Placed):
+    """An interactive map.
+
+    Attributes
+    ----------
+    data : str
+        JSON for the program, safe inside a page.
+    modes : sequence of int
+        Numbers of the modes.
+    sliders : sequence of Slider
+        One for each axis with several values.
+    planes : sequence of (str, str)
+        Pairs of components over which it can be drawn, empty if there is no choice.
+    note : str
+        Which poses of the map the page holds.
+    machine : bool
+        Whether a view of the machine on the page follows.
+    varied : bool
+        Whether it is a map of several robots: of a sweep, or drawn.
+    """
+
+    data: str
+    modes: Sequence[int]
+    sliders: Sequence[Slider]
+    planes: Sequence[tuple[str, str]]
+    note: str
+    machine: bool
+    varied: bool
+    programs = ("map_values+map_chart+map_picture+map_table+map_explorer",)
+    kind: str = "explorer"
+
+
+Block = Table | Picture | Paragraph | Listing | Facts | Difference | Lines | Foreign | Explorer
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 from pkmodes.dataset.fields import FIELDS
 from pkmodes.figures.pictures import pictures
-from pkmodes.figures.working_plane import working_plane
-from pkmodes.maps.poses import Grid
 from pkmodes.maps.summary import SHARES, remark_on, shown_hertz, summary_of
 from pkmodes.plots import sweeps
 from pkmodes.plots.labels import typeset
@@ -26,7 +24,9 @@ from pkmodes.report.blocks import (
     Summary,
     Table,
 )
+from pkmodes.report.explorer import explorer_of
 from pkmodes.report.formatting import clean, number, plural, pointer, unit
+from pkmodes.report.map_planes import declared_values, plane_of, swept_paths, swept_pictures
 from pkmodes.report.origin import files_of, view_section
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
@@ -38,8 +38,6 @@ if TYPE_CHECKING:
 
     from pkmodes.model.model import Model
 
-#: Values along each side of the plane that is drawn at most.
-FINEST = 150
 #: Number of poses below which 2 % of them are less than one.
 FEW = 50
 
@@ -81,9 +79,10 @@ def map_report(
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     sections = [
         Section("modes", "Range of each frequency", _ranges(model, content)),
+        *_explored(model, dataset, view),
+        *view_section(view),
         *_changes(model, dataset),
         *_figures(model, dataset),
-        *view_section(view),
         Section("origin", "Data and versions", [_origin(model, dataset, content, sources)]),
     ]
     return page(_summary(model, content), sections)
@@ -205,6 +204,12 @@ def _place(value: Any, factor: float) -> Cell:
     return number(float(value), ".5g", scale=factor)
 
 
+def _explored(model: Model, dataset: xarray.Dataset, view: str | None) -> list[Section]:
+    """Return the section of the interactive map, where there are poses to choose from."""
+    explorer = explorer_of(model, dataset, _units(model), machine=view is not None)
+    return [] if explorer is None else [Section("explore", "Pose by pose", [explorer])]
+
+
 def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     """Yield the sections of swept parameters, samples, and poses on a line or in a list."""
     components = [component.name for component in model.mechanism.pose]
@@ -253,28 +258,26 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     """Yield the figures of the robot: in the plane of the map if it has one, otherwise in its working plane."""
     if len(model.mechanism.pose) < 2:
         return
-    places = _plane_of(model, dataset)
-    where = "the plane of the map"
+    places, where = plane_of(model, dataset)
+    title = "Over the working plane" if where.endswith("condition number") else "Over the plane of the map"
     if places is None:
-        places = working_plane(model)
-        where = "the plane of the workspace with the lowest mean condition number"
-    drives = str(dataset.attrs["drives"])
-    text = f"The robot as declared, its motors {drives}, in {where}; modes are numbered by frequency."
-    blocks: list[Block] = [Paragraph(text)]
+        yield Section("figures", title, [Paragraph(where)])
+        return
+    units, swept, drives = changeable(model.robot), swept_paths(dataset), str(dataset.attrs["drives"])
+    blocks: list[Block] = []
+    if swept and set(places.axes) <= set(dataset.dims):
+        blocks += swept_pictures(model, dataset, places, units)
+    declared = declared_values(model, swept, units)
+    declared = f" with {declared}" if declared else ""
+    text = (
+        f"The robot as declared{declared}, its motors {drives}, in {where}; modes are numbered by frequency."
+    )
+    blocks.append(Paragraph(text))
     for picture in pictures(model, places, drives=drives):
         with styled():
             svg = inline(picture.figure, picture.title, picture.description, cropped=True)
         blocks.append(Picture(svg, picture.description, picture.title))
-    yield Section("figures", "Over the working plane", blocks)
-
-
-def _plane_of(model: Model, dataset: xarray.Dataset) -> Grid | None:
-    """Return the plane of a map, thinned out where it is finer than a picture; None for other maps."""
-    names = [component.name for component in model.mechanism.pose]
-    if sum(dataset.sizes.get(name, 1) > 1 for name in names) != 2:  # a list of poses has one axis, "pose"
-        return None
-    steps = {name: -(-dataset.sizes[name] // FINEST) for name in names}
-    return Grid({name: dataset[name].values[:: steps[name]] for name in names})
+    yield Section("figures", title, blocks)
 
 
 def _origin(

@@ -54,7 +54,11 @@ def page(summary: Summary, sections: Sequence[Section]) -> str:
 def _programs(sections: Sequence[Section]) -> list[str]:
     """Return the programs that the blocks of a page need in the browser, each once."""
     names = dict.fromkeys(name for section in sections for block in section.blocks for name in block.programs)
-    return [(files(__package__) / BROWSER / f"{name}.js").read_text(encoding="utf-8") for name in names]
+    folder = files(__package__) / BROWSER
+    return [
+        "".join((folder / f"{part}.js").read_text(encoding="utf-8") for part in name.split("+"))
+        for name in names
+    ]
 
 
 @cache

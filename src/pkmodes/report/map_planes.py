@@ -1,0 +1,126 @@
+"""The plane of a map in which its report draws the robot, and a sweep in that plane."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pkmodes.figures.working_plane import WIDE, working_plane
+from pkmodes.maps.poses import Grid
+from pkmodes.plots import maps
+from pkmodes.plots.labels import typeset
+from pkmodes.plots.plane import Plane, where
+from pkmodes.plots.style import styled
+from pkmodes.plots.svg import inline
+from pkmodes.report.blocks import Picture
+from pkmodes.report.formatting import clean, unit
+
+if TYPE_CHECKING:
+    import xarray
+
+    from pkmodes.model.model import Model
+
+#: Values along each side of the plane that is drawn at most.
+FINEST = 150
+
+
+def swept_paths(dataset: xarray.Dataset) -> list[str]:
+    """Return the paths of the parameters that have several values."""
+    return [str(dim) for dim in dataset["frequency"].dims if "." in str(dim) and dataset.sizes[dim] > 1]
+
+
+def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str]:
+    """Choose the plane in which the report of a map draws the robot, and say which it is.
+
+    Returns
+    -------
+    Grid or None
+        The plane of the map, thinned out where it is finer than a picture; of a map over three components, one of
+        its planes if parameters were swept, otherwise the working plane, if that lies in the map.  None where a
+        sweep, or a map of one pose, has no plane.
+    str
+        Which plane that is, for a sentence; or why there is none.
+    """
+    names = [component.name for component in model.mechanism.pose]
+    several = [name for name in names if dataset.sizes.get(name, 1) > 1]
+    listed = "pose" in dataset["frequency"].dims
+    varied = bool(swept_paths(dataset))
+    if len(several) == 2 and not listed:
+        return _thinned({name: dataset[name].values for name in names}), "the plane of the map"
+    if len(several) > 2 and not listed:
+        normal = model.mechanism.directions[2]
+        found = None if varied else working_plane(model)
+        values = dataset[normal].values
+        if found is None or not values[0] <= found.axes[normal][0] <= values[-1]:
+            at = _best(dataset, normal)
+            axes = {name: np.array([at]) if name == normal else dataset[name].values for name in names}
+            return _thinned(axes), "the plane of the map with the lowest mean condition number"
+        return found, "the plane of the workspace with the lowest mean condition number"
+    if not listed and (varied or not several):
+        what = f"along {clean(several[0])}" if several else "at one pose"
+        return (
+            None,
+            f"The map is {what}: it has no plane to draw. pkmodes figures draws the robot in a plane.",
+        )
+    return working_plane(model), "the plane of the workspace with the lowest mean condition number"
+
+
+def _thinned(axes: dict[str, np.ndarray]) -> Grid:
+    return Grid({name: values[:: -(-len(values) // FINEST)] for name, values in axes.items()})
+
+
+def _best(dataset: xarray.Dataset, normal: str) -> float:
+    """Return where a map is best conditioned, as `working_plane` chooses."""
+    others = [dim for dim in dataset["condition"].dims if dim != normal]
+    area = dataset["valid"].sum(others)
+    mean = dataset["condition"].mean(others).where(area >= WIDE * area.max())
+    values = mean.values
+    place = np.nanargmin(values) if np.isfinite(values).any() else len(values) // 2
+    return float(dataset[normal].values[place])
+
+
+def swept_pictures(
+    model: Model, dataset: xarray.Dataset, plane: Grid, units: dict[str, str]
+) -> Iterator[Picture]:
+    """Draw the frequencies in the plane of a sweep, at its first and its last values.
+
+    Parameters
+    ----------
+    plane : Grid
+        From `plane_of`: poses of the map.
+    units : dict
+        Units of parameters, by path.
+    """
+    components = [component.name for component in model.mechanism.pose]
+    paths = swept_paths(dataset)
+    drawn = dataset[["frequency", "valid"]].sel(dict(plane.axes)).sortby(paths)
+    if "sample" in drawn.dims:
+        drawn = drawn.isel(sample=0)
+    for end in (0, -1):
+        one = drawn.isel({path: [end] for path in paths})
+        shown = Plane.of(one, components)
+        if not shown.dataset["valid"].values.any():
+            continue
+        values = ", ".join(value(path, float(one[path].values[0]), units) for path in paths)
+        title = f"Natural frequencies at {values}"
+        description = (
+            f"{title}, in the plane {where(shown)}: an end of the sweep. The picture has its own colour scales; "
+            "triangles mark the lowest (down) and highest (up) frequency along the centre line, without its ends."
+        )
+        with styled():
+            yield Picture(
+                inline(maps.frequencies(shown), title, description, cropped=True), description, title
+            )
+
+
+def value(path: str, number: float, units: dict[str, str]) -> str:
+    """Return a value of a parameter with its unit."""
+    return f"{clean(path)} = {typeset(f'{number:.6g}')} {unit(units.get(path, '1'))}".rstrip()
+
+
+def declared_values(model: Model, paths: Sequence[str], units: dict[str, str]) -> str:
+    """Return what swept parameters are in the robot as declared, for a sentence; empty without any."""
+    known = model.robot.quantities
+    return ", ".join(value(path, known[path].value, units) for path in paths if path in known)

@@ -1,0 +1,103 @@
+"""The frequencies of a map as a page holds them: rounded, thinned where there are many, and packed."""
+
+from __future__ import annotations
+
+import zlib
+from base64 import b64encode
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    import xarray
+
+Array = NDArray[Any]
+#: Decimals of the frequencies [Hz]: as many as the tables of a report show.
+DECIMALS = 3
+#: Frequencies beyond this are held as this [Hz]: near a singular pose they have no bound.
+LARGEST = 1e6
+#: Frequencies and packed characters of one page at most.
+MOST, LONGEST = 1_000_000, 1_600_000
+
+
+@dataclass(frozen=True, eq=False)
+class MapValues:
+    """The frequencies of a map, packed.
+
+    Attributes
+    ----------
+    dataset : xarray.Dataset
+        The map, thinned.
+    steps : mapping of str to int
+        Every how manieth value along each axis was kept.
+    packed : str
+        Base64 of a zlib stream, from `pack`.
+    """
+
+    dataset: xarray.Dataset
+    steps: Mapping[str, int]
+    packed: str
+
+    @property
+    def thinned(self) -> bool:
+        """Whether poses or robots of the map were left out."""
+        return any(step > 1 for step in self.steps.values())
+
+
+def values_of(dataset: xarray.Dataset, most: int = MOST, longest: int = LONGEST) -> MapValues:
+    """Return the frequencies of a map for a page.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        From `pkmodes.Model.map`.
+    most, longest : int
+        Frequencies and packed characters at most; a larger map is thinned along its longest axes.
+    """
+    dims = [str(dim) for dim in dataset["frequency"].dims[:-1]]
+    sizes = {dim: dataset.sizes[dim] for dim in dims}
+    while True:
+        steps = _steps(sizes, max(most // dataset.sizes["mode"], 1))
+        part = dataset[["frequency", "valid"]].isel(
+            {dim: slice(None, None, step) for dim, step in steps.items()}
+        )
+        part = part.load()
+        packed = pack(np.moveaxis(part["frequency"].values, -1, 0))
+        if len(packed) <= longest or part["frequency"].size <= dataset.sizes["mode"]:
+            return MapValues(part, steps, packed)
+        most = part["frequency"].size // 2
+
+
+def _steps(sizes: Mapping[str, int], most: int) -> dict[str, int]:
+    """Return every how manieth value along each axis to keep, so that at most this many poses are left."""
+    steps = dict.fromkeys(sizes, 1)
+
+    def left() -> dict[str, int]:
+        return {dim: -(-size // steps[dim]) for dim, size in sizes.items()}
+
+    while np.prod(list(left().values())) > most:
+        kept = left()
+        steps[max(kept, key=lambda dim: kept[dim])] += 1
+    return steps
+
+
+def pack(frequency: Array) -> str:
+    """Return frequencies [Hz] of any shape as text.
+
+    The values are whole numbers of 10**-`DECIMALS` Hz; each is its difference from the value before it along the last
+    axis, the sign in the last bit; the four bytes of the numbers stand apart, the lowest of all first.  Before them
+    stand the bits of the values that are missing, which repeat the value before them.
+    """
+    missing = ~np.isfinite(frequency)
+    bounded = np.clip(np.where(missing, 0.0, frequency), -LARGEST, LARGEST)
+    whole = np.rint(bounded * 10**DECIMALS).astype(np.int32)
+    last = np.where(missing, 0, np.arange(frequency.shape[-1]))
+    held = np.take_along_axis(whole, np.maximum.accumulate(last, axis=-1), axis=-1)
+    change = np.diff(held, axis=-1, prepend=np.int32(0))
+    numbers = ((change << 1) ^ (change >> 31)).astype("<u4").reshape(-1)
+    planes = numbers.view(np.uint8).reshape(-1, 4).T
+    raw = np.packbits(missing.reshape(-1)).tobytes() + planes.tobytes()
+    return b64encode(zlib.compress(raw, 9)).decode("ascii")
