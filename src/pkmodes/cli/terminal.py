@@ -28,6 +28,11 @@ class Terminal:
         self._width = max(self._console.width, NARROWEST)
         self._console.width = WIDEST_TABLE
 
+    @property
+    def width(self) -> int:
+        """Characters in a line: 80 where standard output is no terminal."""
+        return self._width
+
     def heading(self, text: str) -> None:
         """Print a line that may name a file; it is not wrapped, so that the name can be copied."""
         self._console.print(printable(text), soft_wrap=True)
