@@ -24,6 +24,7 @@ from pkmodes.model.loading import load
 from pkmodes.model.model import Model
 from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.poles import notes_on_damping
+from pkmodes.sensitivity.spread import spread_of
 from pkmodes.solve.backends import AUTO, SOLVERS
 from pkmodes.solve.results import Modes, Statics
 
@@ -158,6 +159,9 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
     for number in numbers:
         table.add_column(str(number) if number > 0 else "rigid", justify="right", no_wrap=True)
     table.add_row("f [Hz]", *map(_frequency, result.frequencies))
+    sigmas = spread_of(model.dynamics, result.poses, result.drives)
+    if sigmas is not None:
+        table.add_row("+- [Hz]", *("" if np.isnan(sigma) else f"{sigma:.2g}" for sigma in sigmas))
     if model.robot.dissipates:
         table.add_row("damping [%]", *map(_per_cent, result.damping_ratios))
     scaled, symbols = result.shapes.copy(), {}
