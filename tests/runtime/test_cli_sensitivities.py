@@ -41,8 +41,8 @@ def sensitivities(capsys: pytest.CaptureFixture[str], *arguments: str, robot: Pa
     return captured.out
 
 
-def as_json(capsys: pytest.CaptureFixture[str], *arguments: str) -> dict[str, Any]:
-    return json.loads(sensitivities(capsys, "--json", "-", *arguments))
+def as_json(capsys: pytest.CaptureFixture[str], *arguments: str, robot: Path = PUBLISHED) -> dict[str, Any]:
+    return json.loads(sensitivities(capsys, "--json", "-", *arguments, robot=robot))
 
 
 def frequencies(folder: Path, text: str) -> np.ndarray:
@@ -116,7 +116,11 @@ def test_the_table_is_sorted_by_what_a_percent_does(capsys: pytest.CaptureFixtur
     relative, rates = out.split("Hz per unit of the value:")
     order = [line.split()[0] for line in relative.splitlines() if "." in line.split(" ")[0]]
     assert order == ["pulley.radius", "belt.width", "platform.mass", "gravity.z"]
-    rows = {line.split()[0]: line.split()[1:] for line in rates.splitlines() if "." in line.split(" ")[0]}
+    rows: dict[str, list[str]] = {}
+    for line in rates.splitlines():  # two tables, so that both fit the terminal
+        if "." in line.split(" ")[0]:
+            path, *cells = line.split()
+            rows.setdefault(path, []).extend(cells)
     assert [*rows] == [*order, "effects.payload.mass"]
     assert rows["platform.mass"][:2] == ["1.5", "kg"]
     assert rows["effects.payload.mass"][:2] == ["0", "kg"]
@@ -128,13 +132,99 @@ def test_the_table_is_sorted_by_what_a_percent_does(capsys: pytest.CaptureFixtur
     assert rows["platform.mass"][2:] == [f"{rate:.4g}" for rate in expected]
 
 
-def test_every_quantity_is_in_the_table_once(capsys: pytest.CaptureFixture[str]) -> None:
-    out = sensitivities(capsys)
+def test_every_quantity_is_in_the_tables_per_unit_once(capsys: pytest.CaptureFixture[str]) -> None:
+    out = sensitivities(capsys, "--all")
     rates, _, still = out.partition("Hz per unit of the value:")[2].partition("no frequency depends on:")
-    shown = [line.split()[0] for line in rates.splitlines() if "." in line.split(" ")[0]]
-    shown += still.replace(",", " ").split()
+    # Several tables below each other, so that each fits the terminal: one has the values, all have the same rows.
+    tables = [
+        [line.split()[0] for line in table.splitlines() if "." in line.split(" ")[0]]
+        for table in rates.strip().split("\n\n")
+    ]
+    assert len(tables) > 1
+    assert all(table == tables[0] for table in tables)
+    shown = tables[0] + still.replace(",", " ").split()
     assert sorted(shown) == sorted(as_json(capsys)["parameters"])
     assert "e-30" not in out, "rounding is shown as 0"
+
+
+def rows_of(out: str) -> list[str]:
+    """The quantities of the first table; of those that act as one, all names."""
+    table = out.partition("percent of the frequency per percent of the value")[2].partition("\n\n")[0]
+    return [line.split()[0] for line in table.splitlines() if "." in line.split(" ")[0]]
+
+
+def test_without_a_choice_the_ten_largest_per_cent_are_printed(capsys: pytest.CaptureFixture[str]) -> None:
+    robot = PUBLISHED.with_name("linear-delta-2022-identified.toml")
+    out = sensitivities(capsys, robot=robot)
+    assert "the 10 largest of 11 by their largest in any mode:" in " ".join(out.split())
+    found = as_json(capsys, robot=robot)
+    # Largest by the JSON, which has all: of the quantities of the file and of wholes, without coordinates.
+    rigid, size = found["rigid_modes"], {}
+    for path, relative in zip(found["parameters"], found["relative_derivatives"], strict=True):
+        if not path.startswith("axis.") or path in ("axis.span", "axis.joint_radius"):
+            size[path] = max(abs(share or 0.0) for share in relative[rigid:])
+    largest = sorted((path for path in size if size[path] > 1e-9), key=lambda path: -size[path])
+    shown = rows_of(out)
+    assert set(largest[:11]) == {path.rstrip(",") for path in shown}, "two of them are one row"
+    assert "Hz per unit" not in out.partition("--all")[0]
+    assert len(out.splitlines()) < 25
+
+
+def test_parameters_of_which_only_the_product_enters_are_one_row(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    both = ["belt.specific_stiffness", "belt.width"]
+    for more in ([], ["--all"], ["--parameters", "belt.width,platform.mass,belt.specific_stiffness"]):
+        lines = sensitivities(capsys, *more).split("\n\n")[1].splitlines()
+        at = next(i for i, line in enumerate(lines) if line.startswith("belt."))
+        one, other = lines[at].split(), lines[at + 1].split()
+        assert sorted([one[0].rstrip(","), *other]) == both
+        assert one[0].endswith(",")
+        assert len(one) in (7, 4), "six modes, or the first three of them"
+        assert sum(line.startswith("belt.") for line in lines) == 2
+
+
+@pytest.mark.parametrize(
+    ("robot", "pose"),
+    [
+        ("linear-delta-2022", "0.6,0,-0.245"),
+        ("linear-delta-2022-identified", "0.6,0,-0.245"),
+        ("clavel-delta", "0,0,-0.8"),
+        ("corexy-printer", "0.1,0.15"),
+    ],
+)
+@pytest.mark.parametrize("more", [[], ["--all"]])
+def test_no_line_is_wider_than_a_terminal(
+    capsys: pytest.CaptureFixture[str], robot: str, pose: str, more: list[str]
+) -> None:
+    assert run(["sensitivities", f"robots/{robot}.toml", "--pose", pose, *more]) == 0
+    assert max(map(len, capsys.readouterr().out.splitlines())) <= 80
+
+
+def test_standard_deviations_of_the_file_are_propagated(capsys: pytest.CaptureFixture[str]) -> None:
+    """Against differences of the frequencies, and the root of the sum of squares."""
+    robot = "robots/corexy-printer.toml"
+    assert run(["sensitivities", robot, "--pose", "0.1,0.15"]) == 0
+    out = capsys.readouterr().out.partition("Hz for one standard deviation of the value:")[2]
+    rows = {line.split("  ")[0]: line.split()[-2:] for line in out.splitlines()[2:6]}
+    model = pkmodes.load(robot)
+    squares = np.zeros(2)
+    stated = {path: q for path, q in model.robot.quantities.items() if q.sigma}
+    for path, quantity in stated.items():
+        h = 1e-4 * quantity.value
+        up, down = (
+            model.with_values({path: quantity.value + step}).frequencies([0.1, 0.15])[-2:] for step in (h, -h)
+        )
+        change = quantity.sigma * (up - down) / (2 * h)
+        assert rows[path] == [f"{value:.3f}" for value in change]
+        squares += change**2
+    assert rows["all together"] == [f"{value:.3f}" for value in np.sqrt(squares)]
+    assert rows.keys() == {*stated, "all together"}
+
+
+def test_all_and_a_choice_exclude_each_other(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["sensitivities", str(PUBLISHED), "--pose", POSE, "--all", "--parameters", "axis.span"]) == 2
+    assert "--all and --parameters exclude each other" in capsys.readouterr().err
 
 
 def test_modes_that_coincide_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -25,6 +25,7 @@ from pkmodes.model.loading import load
 from pkmodes.model.model import Model
 from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.poles import notes_on_damping
+from pkmodes.sensitivity.spread import spread_of
 from pkmodes.solve.backends import AUTO, SOLVERS
 from pkmodes.solve.results import Modes, Statics
 
@@ -161,6 +162,9 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
     numbers = [str(i + 1 - rigid) if i >= rigid else "rigid" for i in range(len(result.frequencies))]
     largest = float(np.abs(result.frequencies).max(initial=0.0))
     rows = [["f [Hz]", *(_fixed(f, ZERO_FREQUENCY * largest) for f in result.frequencies)]]
+    sigmas = spread_of(model.dynamics, result.poses, result.drives)
+    if sigmas is not None:
+        rows.append(["+- [Hz]", *("" if np.isnan(sigma) else f"{sigma:.2g}" for sigma in sigmas)])
     if model.robot.dissipates:
         rows.append(["damping [%]", *map(_per_cent, result.damping_ratios)])
     scaled, symbols = result.shapes.copy(), {}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -17,8 +16,8 @@ from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import comma_list, drives_option, json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.cli.targets import check_targets
-from pkmodes.mechanism.poses import placed
 from pkmodes.model.loading import load
+from pkmodes.sensitivity.relative import relative_of
 
 if TYPE_CHECKING:
     from pkmodes.model.model import Model
@@ -28,9 +27,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 #: Of --parameters, for messages.
 EXAMPLE = "--parameters platform.mass,axis.span; or omit the option"
-#: Derivatives below these bounds are rounding and shown as 0: relative change of the frequency per relative change of
-#: the value, or per SI unit if the value is 0.
-NOTHING, NOTHING_BY_UNIT = 1e-9, 1e-15
+#: Quantities that are printed without a choice.
+MOST = 10
 
 
 class SensitivitiesDocument(Document):
@@ -94,15 +92,26 @@ class SensitivitiesDocument(Document):
     help="Quantities such as platform.mass, link.length or effects.payload.mass, separated by commas; by default all "
     "that can vary.",
 )
+@click.option(
+    "--all",
+    "everything",
+    is_flag=True,
+    help="Print every quantity, also coordinates and absent effects, and derivatives in Hz per unit; without it the "
+    "ten largest per cent.",
+)
 @drives_option
 @mechanism_option
 @json_option
-def sensitivities(robot: Path, pose: str, parameters: str | None, drives: str, json_file: str | None) -> None:
+def sensitivities(
+    robot: Path, pose: str, parameters: str | None, everything: bool, drives: str, json_file: str | None
+) -> None:
     """Compute exact derivatives of the frequencies at a pose with respect to the robot's quantities and to effects.
 
-    Absent effects are included.  Quantities are sorted by how much a change of one percent changes a frequency.  The
+    Prints the ten largest, by what one percent of the value does to any frequency; the JSON always has all.  The
     platform pose and all other quantities are held constant; docs/sensitivities.md lists the paths.
     """
+    if everything and parameters is not None:
+        raise click.UsageError("--all and --parameters exclude each other", click.get_current_context())
     check_targets(json_file, [robot])
     paths = None if parameters is None else comma_list(parameters, "--parameters", EXAMPLE, "parameter paths")
     model = load(robot)
@@ -110,7 +119,7 @@ def sensitivities(robot: Path, pose: str, parameters: str | None, drives: str, j
     check_metres(model, pose, point)
     modes = model.modes(point, drives=drives)
     derivatives = model.sensitivities(point, paths, drives=drives)
-    relative = _relative(derivatives, modes.frequencies)
+    relative = relative_of(derivatives.frequencies, derivatives.values, modes.frequencies)
     document = SensitivitiesDocument.of(
         derivatives,
         robot=model.robot.name,
@@ -123,85 +132,17 @@ def sensitivities(robot: Path, pose: str, parameters: str | None, drives: str, j
         relative_derivatives=relative.tolist(),
         eigenvalue_derivatives=derivatives.eigenvalues.tolist(),
     )
-    deliver(json_file, document.as_json(), lambda: _print(model, modes, derivatives, relative))
+    asked = paths is not None
+    deliver(
+        json_file,
+        document.as_json(),
+        lambda: _print(model, modes, derivatives, relative, asked, everything),
+    )
 
 
-def _relative(derivatives: Sensitivities, frequencies: Array) -> Array:
-    """Return the percent change of the frequency per percent of the value; NaN if either is 0."""
-    values = np.where(derivatives.values == 0.0, np.nan, derivatives.values)
-    sizes = np.where(frequencies == 0.0, np.nan, frequencies)
-    relative: Array = derivatives.frequencies * values[:, None] / sizes
-    return relative
+def _print(
+    model: Model, modes: Modes, derivatives: Sensitivities, relative: Array, asked: bool, everything: bool
+) -> None:
+    from pkmodes.cli.sensitivity_tables import print_tables
 
-
-@dataclass(frozen=True)
-class _Line:
-    """A quantity in the tables, with its derivatives for the vibration modes."""
-
-    path: str
-    unit: str
-    value: float
-    rates: Array
-    relative: Array
-
-    @property
-    def weight(self) -> float:
-        """Sort key of the line, to six digits; 0 for a quantity that is 0, of which a percent is 0."""
-        return float(f"{np.nanmax(np.abs(self.relative), initial=0.0):.6g}") if self.value else 0.0
-
-
-def _print(model: Model, modes: Modes, derivatives: Sensitivities, relative: Array) -> None:
-    from pkmodes.cli.terminal import Terminal
-
-    terminal = Terminal()
-    rigid = modes.rigid_modes
-    values = derivatives.values.tolist()
-    floor = np.array([NOTHING / abs(value) if value else NOTHING_BY_UNIT for value in values])
-    small = np.abs(derivatives.frequencies) <= floor[:, None] * np.abs(modes.frequencies)
-    rates = np.where(small, 0.0, derivatives.frequencies)[:, rigid:]
-    every = list(map(_Line, derivatives.parameters, derivatives.units, values, rates, relative[:, rigid:]))
-    lines = sorted((line for line in every if line.rates.any()), key=lambda line: -line.weight)
-    at = placed(model.mechanism, modes.poses, "g")
-    terminal.heading(f"{model.robot.name} at {at}, motors {modes.drives}")
-    numbers = [str(number) for number in range(1, len(modes.frequencies) - rigid + 1)]
-    frequencies = [f"{f:.3f}" for f in modes.frequencies[rigid:]]
-    present = [line for line in lines if line.value != 0.0]
-    if present:
-        terminal.line()
-        terminal.line("percent of the frequency per percent of the value:")
-        rows = [["f [Hz]", *frequencies], *([line.path, *map(_share, line.relative)] for line in present)]
-        terminal.table(["mode", *numbers], rows, left=("mode",))
-    if lines:
-        terminal.line()
-        terminal.line("Hz per unit of the value:")
-        rows = [
-            [line.path, f"{line.value:.6g}", "" if line.unit == "1" else line.unit, *map(_rate, line.rates)]
-            for line in lines
-        ]
-        terminal.table(["mode", "value", "unit", *numbers], rows, left=("mode", "unit"))
-    still = [line.path for line in every if not line.rates.any()]
-    if still:
-        terminal.line()
-        terminal.line(f"no frequency depends on: {', '.join(still)}")
-    for members in _repeated(derivatives.groups.tolist(), rigid):
-        terminal.line()
-        terminal.line(
-            f"modes {', '.join(map(str, members))} coincide: the derivatives are those of the branches into which "
-            "they split, in ascending order"
-        )
-
-
-def _repeated(groups: list[int], rigid: int) -> list[list[int]]:
-    """Return the groups of coincident vibration modes, counted from 1."""
-    together: dict[int, list[int]] = {}
-    for number, group in enumerate(groups[rigid:], start=1):
-        together.setdefault(group, []).append(number)
-    return [members for members in together.values() if len(members) > 1]
-
-
-def _share(value: float) -> str:
-    return "" if np.isnan(value) else "0" if abs(value) < 5e-5 else f"{value:.4f}"
-
-
-def _rate(value: float) -> str:
-    return "" if np.isnan(value) else f"{value:.4g}"
+    print_tables(model, modes, derivatives, relative, most=None if asked or everything else MOST, asked=asked)

@@ -25,6 +25,11 @@ class Terminal:
         self._console = Console(highlight=False, markup=False, emoji=False)
         self._width = max(self._console.width, NARROWEST)
 
+    @property
+    def width(self) -> int:
+        """Characters in a line: 80 where standard output is no terminal."""
+        return self._width
+
     def heading(self, text: str) -> None:
         """Print a line that may name a file; it is not wrapped, so that the name can be copied."""
         self._console.print(printable(text), soft_wrap=True)

@@ -19,6 +19,8 @@ from pkmodes.solve.field_arrays import Fields, Out
 from pkmodes.solve.kinematics import Kinematics
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
     from xarray import Dataset
 
     from pkmodes.sensitivity.sensitivities import ResolvedPaths, Sensitivities
@@ -196,6 +198,45 @@ class Model(Responses):
             self.dynamics.solver(backend, drives),
             checked_threads(threads),
         )
+
+    def frequency_sigmas(
+        self, poses: ArrayLike, on_error: OnError = "raise", *, drives: str = FREE
+    ) -> NDArray[np.float64]:
+        """Compute the standard deviations of the frequencies from those that the robot file states.
+
+        The law of propagation of uncertainty for independent values, with exact derivatives: good to first order.
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            As for `modes`.
+        drives : {"free", "held"}
+            As for `modes`.
+
+        Returns
+        -------
+        ndarray, shape (..., m)
+            In Hz, in the order of `frequencies`; NaN where a frequency is 0 to rounding.  Each of several repeated
+            modes has the root mean square over their group.
+
+        Raises
+        ------
+        PkmodesError
+            If the robot file states no standard deviation of a value that changes a frequency.
+
+        Examples
+        --------
+        >>> import pkmodes
+        >>> model = pkmodes.load("robots/linear-delta-2022.toml")
+        >>> model = model.with_values({"belt.width": {"value": "15 mm", "sigma": "2 %"}})
+        >>> model.frequency_sigmas([0.6, 0.0, -0.245])[3:].round(2)
+        array([0.56, 0.6 , 0.62, 1.31, 1.34, 1.34])
+        """
+        from pkmodes.sensitivity.spread import needed_spread_of
+
+        return needed_spread_of(self.dynamics, poses, checked_drives(drives), on_error)
 
     def map(
         self,

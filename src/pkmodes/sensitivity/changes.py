@@ -1,0 +1,110 @@
+"""What a small change of each quantity does to the frequencies at a pose: by one per cent, or by one sigma.
+
+The changes are derivatives times the change, exact to first order; a fall changes the frequencies by as much as a
+rise, the other way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.base.errors import PkmodesError
+from pkmodes.robot.paths import resolve_all
+from pkmodes.sensitivity.relative import alike_around, rates_of, scalable
+from pkmodes.sensitivity.spread import needed_spread_of, stated_sigmas
+from pkmodes.solve.dynamics import Dynamics
+
+Array = NDArray[np.float64]
+#: By how much each quantity changes: one per cent of its value, or the standard deviation that the robot file states.
+PERCENT, SIGMA = "percent", "sigma"
+#: Changes below this fraction of a frequency are rounding.
+ROUNDING = 1e-11
+
+
+@dataclass(frozen=True, eq=False)
+class Changes:
+    """Changes of m frequencies of vibration at a pose, for T quantities.
+
+    Attributes
+    ----------
+    by : {"percent", "sigma"}
+        By how much each quantity changes.
+    names : tuple of tuple of str, length T
+        Of each quantity; several where they act as one.
+    frequencies : ndarray, shape (m,)
+        In Hz.
+    changes : ndarray, shape (T, m)
+        For a rise of each quantity [Hz].
+    together : ndarray, shape (m,), or None
+        By sigma: the standard deviation of each frequency, from all quantities [Hz].
+    """
+
+    by: str
+    names: tuple[tuple[str, ...], ...]
+    frequencies: Array
+    changes: Array
+    together: Array | None
+
+    def largest(self, mode: int, most: int | None = None) -> list[int]:
+        """Return the quantities that change a mode (counted from 0), the largest change first."""
+        size = np.abs(self.changes[:, mode])
+        acting = size > ROUNDING * abs(self.frequencies[mode])
+        # Equal to six digits counts as equal: rounding does not order them.
+        rounded = [float(f"{value:.6g}") for value in size.tolist()]
+        order = sorted(np.flatnonzero(acting).tolist(), key=lambda i: -rounded[i])
+        return order[:most]
+
+    def largest_of_all(self, most: int | None = None) -> list[int]:
+        """Return the quantities by their largest relative change in any mode."""
+        size = np.nanmax(np.abs(self.changes / self.frequencies), axis=1, initial=0.0)
+        rounded = [float(f"{value:.6g}") for value in size.tolist()]
+        order = sorted(np.flatnonzero(size > ROUNDING).tolist(), key=lambda i: -rounded[i])
+        return order[:most]
+
+
+def changes_at(dynamics: Dynamics, pose: ArrayLike, drives: str, by: str = PERCENT) -> Changes:
+    """Compute what a change of each quantity does to the frequencies of vibration.
+
+    Parameters
+    ----------
+    pose : array_like, shape (d,)
+        In SI units.
+    by : {"percent", "sigma"}
+        By sigma, only the quantities with a standard deviation count.
+
+    Raises
+    ------
+    PkmodesError
+        If `by` is neither word, or the robot file states no standard deviation.
+    """
+    rigid = dynamics.solved(drives).rigid_modes
+    if by == PERCENT:
+        paths = scalable(dynamics.robot)
+        together = None
+        names, first = _named(dynamics, pose, paths, drives)
+        paths = [paths[i] for i in first]
+        steps = [0.01 * path.value for path in resolve_all(dynamics.robot, paths)]
+    elif by == SIGMA:
+        together = needed_spread_of(dynamics, pose, drives, "raise")[rigid:]
+        sigmas = stated_sigmas(dynamics.robot)
+        paths, steps = list(sigmas), list(sigmas.values())
+        names = [(path,) for path in paths]
+    else:
+        raise PkmodesError(
+            f'expected "{PERCENT}" or "{SIGMA}", found {by!r}', "by", f'for example: by="{SIGMA}"'
+        )
+    rates = rates_of(dynamics, pose, paths, drives, "raise")[:, rigid:]
+    frequencies = dynamics.frequencies(pose, drives=drives)[rigid:]
+    return Changes(by, tuple(names), frequencies, rates * np.array(steps)[:, None], together)
+
+
+def _named(
+    dynamics: Dynamics, pose: ArrayLike, paths: Sequence[str], drives: str
+) -> tuple[list[tuple[str, ...]], list[int]]:
+    """Return the names of quantities that differ in what they do, and the first index of each."""
+    together = alike_around(dynamics, pose, list(paths), drives)
+    return [tuple(one.names(paths)) for one in together], [one.members[0] for one in together]
