@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from pkmodes.base.documents import Count, Document, Matrix
 from pkmodes.base.drives import Drives
+from pkmodes.base.progress import say
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import comma_list, drives_option, json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
@@ -109,6 +110,7 @@ def sensitivities(robot: Path, pose: str, parameters: str | None, drives: str, j
     point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
     modes = model.modes(point, drives=drives)
+    say("differentiating the modes")
     derivatives = model.sensitivities(point, paths, drives=drives)
     relative = _relative(derivatives, modes.frequencies)
     document = SensitivitiesDocument.of(
