@@ -5,8 +5,8 @@ The measurements are those of the rigs, which share no code with the model.
 
 from __future__ import annotations
 
-from dataclasses import replace
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
