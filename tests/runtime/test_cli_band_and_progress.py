@@ -64,7 +64,7 @@ def test_without_a_terminal_a_line_says_every_now_and_then_what_is_done(
     monkeypatch.setattr(sys.modules["pkmodes.cli.diagnose"], "SECONDS", 0.0)
     assert run(["diagnose", *FILES, "--candidates", "gearbox_compliance,payload"]) == 0
     lines = capsys.readouterr().err.splitlines()
-    assert "pkmodes diagnose: refitting the nuisance parameters" in lines
+    assert "pkmodes diagnose: refitting the uncertain values" in lines
     assert any(line.endswith("refitting with gearbox_compliance") for line in lines)
 
 

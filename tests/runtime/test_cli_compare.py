@@ -45,9 +45,13 @@ class Answer(NamedTuple):
     @property
     def table(self) -> list[list[str]]:
         """Return the cells of the table's rows below its titles."""
+        return [line.split() for line in self.rows("all measured modes:")]
+
+    def rows(self, title: str) -> list[str]:
+        """Return the lines of a table, without its titles, below a sentence."""
         lines = self.out.splitlines()
-        assert lines[2].startswith("pose ")
-        return [line.split() for line in lines[3 : lines.index("", 3)]]
+        first = lines.index(title) + 2
+        return lines[first : lines.index("", first)]
 
 
 def call(*arguments: object) -> Answer:
@@ -148,15 +152,13 @@ def test_an_uncertain_position_widens_every_error(tmp_path: Path) -> None:
 
 
 def test_the_table_has_a_line_for_each_mode_counted_as_modes_does(tmp_path: Path) -> None:
-    answer = call(PUBLISHED, write(tmp_path, measured()))
+    answer = call(PUBLISHED, write(tmp_path, measured()), "--all")
     assert (answer.code, answer.err) == (0, "")
     lines = answer.out.splitlines()
-    assert (
-        lines[0]
-        == f"linear-delta-2022 compared with {tmp_path / 'modes.csv'}, motors free, frequencies in Hz"
-    )
+    assert lines[0] == f"linear-delta-2022 compared with {tmp_path / 'modes.csv'}"
+    assert lines[1] == "18 measured modes at 3 poses, motors free, frequencies in Hz"
     assert max(map(len, lines[1:])) <= 80
-    assert lines[2].split() == [
+    assert lines[lines.index("all measured modes:") + 1].split() == [
         *["pose", "line", "own", "mode", "measured", "sigma", "predicted", "diff", "[%]", "sigmas", "MAC"]
     ]
     assert len(answer.table) == 18
@@ -174,13 +176,13 @@ def test_the_table_has_a_line_for_each_mode_counted_as_modes_does(tmp_path: Path
         frequencies = model.modes([float(row[name]) for name in "xyz"]).frequencies
         assert float(predicted) == pytest.approx(frequencies[3 + i % 6], abs=5e-4)
         assert float(difference) == pytest.approx(100 * (float(predicted) / float(frequency) - 1), abs=0.006)
-    assert "18 measured modes\nrms of the differences 0." in answer.out
+    assert lines[2].startswith("rms of the differences 0.")
 
 
 def test_only_what_was_measured_has_a_column(tmp_path: Path) -> None:
     text = csv_of([{k: v for k, v in row.items() if k != "mode"} for row in rows_of(measured(shapes=False))])
-    answer = call(PUBLISHED, write(tmp_path, text))
-    titles = answer.out.splitlines()[2].split()
+    answer = call(PUBLISHED, write(tmp_path, text), "--all")
+    titles = answer.out.split("all measured modes:\n")[1].splitlines()[0].split()
     assert "MAC" not in titles
     assert "own" not in titles
     assert "own:" not in answer.out
@@ -195,14 +197,14 @@ def test_modes_that_were_rigid_have_no_partner_until_something_ties_the_platform
     for row in found["rows"]:
         assert (row["predicted"] is None) == (row["partner"] is None) == (row["sigmas"] is None)
     assert found["p_value"] == pytest.approx(0.0, abs=1e-300)
-    answer = call(PUBLISHED, modes)
-    assert f"27 measured modes, {found['unpaired']} of them unmatched" in answer.out
+    answer = call(PUBLISHED, modes, "--all")
+    assert f"27 measured modes at 3 poses, {found['unpaired']} of them unmatched" in answer.out
     assert "(p < 1e-300)" in answer.out
     assert sum("none" in cells for cells in answer.table) == found["unpaired"]
     tied = PUBLISHED.read_text(encoding="utf-8") + '\n[effects.servo_stiffness]\nstiffness = "300 N*m/rad"\n'
-    answer = call(write(tmp_path, tied, "tied.toml"), modes)
+    answer = call(write(tmp_path, tied, "tied.toml"), modes, "--all")
     assert [cells[-7] for cells in answer.table] == 3 * list("123456789")
-    assert "27 measured modes\n" in answer.out
+    assert "27 measured modes at 3 poses, motors free" in answer.out
 
 
 def test_nothing_that_has_a_partner_is_no_perfect_model(tmp_path: Path) -> None:
@@ -213,7 +215,8 @@ def test_nothing_that_has_a_partner_is_no_perfect_model(tmp_path: Path) -> None:
     assert found["rms_relative"] is found["chi2_per_dof"] is found["p_value"] is None
     answer = call(PUBLISHED, modes)
     assert answer.code == 0
-    assert "4 measured modes, 4 of them unmatched" in answer.out
+    assert "4 measured modes at 4 poses, 4 of them unmatched" in answer.out
+    assert "unmatched: 5000 Hz (line 2), 5001 Hz (line 3)" in answer.out
     assert "rms" not in answer.out
 
 
@@ -234,9 +237,10 @@ def test_frequencies_in_another_unit_are_named_below_the_table(tmp_path: Path) -
 def test_labels_of_every_kind_are_shown_as_they_are(tmp_path: Path) -> None:
     labels = {"P1": 'a, "b" [/red] :car:', "P2": "Größe_模式", "P3": "[bold]" + 70 * "long "}
     rows = [{**row, "pose": labels[row["pose"]].strip()} for row in rows_of(measured())]
-    answer = call(PUBLISHED, write(tmp_path, csv_of(rows)))
+    answer = call(PUBLISHED, write(tmp_path, csv_of(rows)), "--all")
     assert answer.code == 0
-    assert all(f"\n{label.strip()}" in answer.out for label in labels.values())
+    assert max(map(len, answer.out.splitlines()[1:])) <= 80
+    assert all(" ".join(label.split()) in " ".join(answer.out.split()) for label in labels.values())
     assert "\u2026" not in answer.out
     windows = "\ufeff# from the lab\r\n" + csv_of(rows)
     plain = call(PUBLISHED, write(tmp_path, measured()), "--json", "-").json
@@ -249,7 +253,7 @@ def test_small_numbers_are_not_shown_as_zero(tmp_path: Path) -> None:
     answer = call(PUBLISHED, write(tmp_path, f"{HEADER}\nA,0.6,0,-0.245,55.5,0.00002\n"))
     (cells,) = answer.table
     assert cells[4] == "2e-05"
-    assert answer.out.count("1 measured mode\n") == 1
+    assert answer.out.count("1 measured mode at 1 pose,") == 1
 
 
 def test_a_thousand_rows_come_in_the_order_of_the_poses(tmp_path: Path) -> None:
@@ -258,7 +262,7 @@ def test_a_thousand_rows_come_in_the_order_of_the_poses(tmp_path: Path) -> None:
         for k in range(60)
         for row in rows_of(measured(shapes=False))
     ]
-    answer = call(PUBLISHED, write(tmp_path, csv_of(rows)))
+    answer = call(PUBLISHED, write(tmp_path, csv_of(rows)), "--all")
     assert answer.code == 0
     assert len(answer.table) == len(rows) == 1080
     assert [cells[0] for cells in answer.table[::6]] == list(dict.fromkeys(row["pose"] for row in rows))
@@ -330,7 +334,7 @@ def test_every_terminal_gets_whole_numbers(tmp_path: Path, environment: dict[str
     text = csv_of([{**row, "pose": row["pose"].replace("P1", "Größe")} for row in rows_of(measured())])
     path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
     found = subprocess.run(
-        [sys.executable, "-m", "pkmodes", "compare", str(PUBLISHED), str(write(tmp_path, text))],
+        [sys.executable, "-m", "pkmodes", "compare", str(PUBLISHED), str(write(tmp_path, text)), "--all"],
         env={**os.environ, "PYTHONPATH": path, **environment},
         capture_output=True,
         check=True,
@@ -339,8 +343,65 @@ def test_every_terminal_gets_whole_numbers(tmp_path: Path, environment: dict[str
     out = found.stdout.decode("ascii" if "PYTHONIOENCODING" in environment else "utf-8")
     assert ("Gr\\xf6\\xdfe" if "PYTHONIOENCODING" in environment else "Größe") in out
     numbers = r"  [1-6] +\d+\.\d{3}  0\.\d{3} +\d+\.\d{3} +[+-]\d\.\d\d +[+-]\d\.\d  [01]\.\d{3}\n"
-    assert len(re.findall(numbers, out)) == 18
+    assert len(re.findall(numbers, out.split("all measured modes:")[1])) == 18
     assert "\u2026" not in out
+
+
+def test_a_summary_by_mode_and_the_five_worst_rows_come_first(tmp_path: Path) -> None:
+    modes = write(tmp_path, measured())
+    rows = call(PUBLISHED, modes, "--json", "-").json["rows"]
+    answer = call(PUBLISHED, modes)
+    assert max(map(len, answer.out.splitlines()[1:])) <= 80
+    assert "all measured modes:" not in answer.out
+    lines = answer.out.splitlines()
+    assert lines[4].split("  ")[0] == "mode"
+    summary = [line.split() for line in lines[5 : lines.index("", 5)]]
+    assert [cells[0] for cells in summary] == list("123456")
+    for number, count, median, rms, largest, sigmas, line in summary:
+        differences = {r["line"]: 100 * r["residual"] for r in rows if r["partner"] == int(number) + 3}
+        assert int(count) == len(differences) == 3
+        assert float(median) == pytest.approx(np.median(list(differences.values())), abs=0.0051)
+        assert float(rms) == pytest.approx(
+            np.sqrt(np.mean(np.square(list(differences.values())))), abs=0.0051
+        )
+        worst = max(differences, key=lambda key: abs(differences[key]))
+        assert int(line) == worst
+        assert float(largest) == pytest.approx(differences[worst], abs=0.0051)
+        (row,) = [r for r in rows if r["line"] == worst]
+        assert float(sigmas) == pytest.approx(row["sigmas"], abs=0.051)
+    shown = [line.split()[1] for line in answer.rows("the 5 that differ most, in standard deviations:")]
+    expected = sorted(rows, key=lambda r: -abs(r["sigmas"]))[:5]
+    assert list(map(int, shown)) == [r["line"] for r in expected]
+    whole = call(PUBLISHED, modes, "--all")
+    assert whole.out.startswith(answer.out.split("\nline: ")[0])
+
+
+def test_settings_damping_motors_and_long_labels_do_not_widen_it(tmp_path: Path) -> None:
+    """With every column that there can be: each number is still there, on lines of at most 80 characters."""
+    setting = "set:effects.belt_tension_stiffness.tension"
+    rows = []
+    for i, row in enumerate(rows_of(measured())):
+        held = row["pose"] == "P2"
+        rows.append(
+            {
+                **row,
+                "pose": {"P1": "corner at the window", "P2": "centre, second day", "P3": "far"}[row["pose"]],
+                "mode": f"bending {i + 1}",
+                "damping": "0.0123",
+                "sigma_damping": "0.0004",
+                "drives": "held" if held else "free",
+                setting: {"P1": "250", "P2": "300", "P3": "350"}[row["pose"]],
+            }
+        )
+    for arguments in ((), ("--all",)):
+        answer = call(PUBLISHED, write(tmp_path, csv_of(rows)), *arguments)
+        assert (answer.code, answer.err) == (0, "")
+        assert max(map(len, answer.out.splitlines()[1:])) <= 80
+        assert "effects.belt_tension_stiffness.tension = 250 N (pose corner at the window)" in answer.out
+    assert "corner at the window, motors free\n" in answer.out
+    assert all(f"{float(row['frequency']):.3f}" in answer.out for row in rows)
+    assert answer.out.count("1.23  ") >= 18  # the ratio of every row
+    assert "\u2026" not in answer.out
 
 
 def test_help_shows_an_example_that_works() -> None:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from pkmodes.base.errors import MeasurementError, nearest, shown
+from pkmodes.base.progress import say
 from pkmodes.campaign.averaging import Mean
 from pkmodes.campaign.campaign import Campaign
 from pkmodes.campaign.copies import refuse_copied_visits
@@ -51,6 +52,7 @@ def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = Fa
         refuse_copied_visits(campaign.records, campaign.source)
     every: list[Measured] = []
     for record in campaign.records:
+        say(f"record {record.number} of {len(campaign.records)}: {record.pose}")
         kind = KINDS.get(record.kind)
         where = f"{campaign.source}: record.{record.number}.kind"
         if kind is None:

@@ -11,6 +11,7 @@ from msgspec import Meta
 
 from pkmodes.base.documents import Document
 from pkmodes.base.errors import PkmodesError
+from pkmodes.base.progress import say
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import json_option
 from pkmodes.cli.printing import echo
@@ -125,8 +126,12 @@ def check(targets: tuple[Path, ...], mechanism: Path | None, json_file: str | No
     if mechanism is not None:
         add_folder(mechanism)
         targets = targets or (mechanism,)
-    reports: list[Report] = [] if targets else [products.check_committed(name) for name in supplied()]
-    for target in targets:
+    reports: list[Report] = []
+    for number, name in enumerate(() if targets else supplied(), start=1):
+        say(f"{name}, {number} of {len(supplied())}: deriving it again")
+        reports.append(products.check_committed(name))
+    for number, target in enumerate(targets, start=1):
+        say(f"{target}, {number} of {len(targets)}: deriving it again")
         if target.is_dir():
             reports.append(products.check_folder(target))
         elif target.is_file():

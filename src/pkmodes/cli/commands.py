@@ -1,4 +1,4 @@
-"""The command group: rejects repeated options, and ends silently on an interrupt."""
+"""The command group: rejects repeated options, shows progress, and ends silently on an interrupt."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ from contextlib import contextmanager
 from typing import Any
 
 import click
+
+from pkmodes.cli.progress import progress_line
 
 
 class Commands(click.Group):
@@ -28,7 +30,7 @@ class Commands(click.Group):
 
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command."""
-        with _interruptible():
+        with _interruptible(), progress_line("loading"):
             return super().invoke(ctx)
 
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import click
 from msgspec import Meta, field
 
 from pkmodes.base.documents import Count, Document, Number, Probability, Settings, Size
-from pkmodes.base.drives import Drives, motors
+from pkmodes.base.drives import Drives
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import (
     band_of,
@@ -23,14 +23,6 @@ from pkmodes.cli.options import (
 from pkmodes.cli.reporting import page_of, report_file, sources_of
 from pkmodes.cli.targets import check_targets, report_target
 from pkmodes.model.loading import read_robot
-
-if TYPE_CHECKING:
-    from pkmodes.diagnosis import Comparison
-    from pkmodes.diagnosis.compare import ComparedRow
-    from pkmodes.robot.robot import Robot
-
-#: Headings of the measured damping ratio, its standard deviation and the ratio of the model, all in per cent.
-DAMPING = ("damping [%]", "sigma", "model")
 
 
 class RowDocument(Document, omit_defaults=True):
@@ -106,6 +98,12 @@ class CompareDocument(Document):
 @band_option
 @measured_drives_option
 @mechanism_option
+@click.option(
+    "--all",
+    "everything",
+    is_flag=True,
+    help="Print every measured mode, not only those that differ most.",
+)
 @report_option
 @json_option
 def compare(
@@ -113,6 +111,7 @@ def compare(
     modes: Path,
     band: str | None,
     drives: str | None,
+    everything: bool,
     report_to: Path | None,
     json_file: str | None,
 ) -> None:
@@ -124,6 +123,7 @@ def compare(
     check_order(robot, modes, "pkmodes compare")
     check_targets(json_file, [robot, modes], report_target(report_to))
     from pkmodes import updating  # SciPy is loaded only where it is used
+    from pkmodes.cli.comparison_tables import show
 
     declared = read_robot(robot)
     data = updating.read(modes, band_of(band), declared, drives=drives)
@@ -136,88 +136,4 @@ def compare(
         rows=list(map(RowDocument.of, result.rows)),
     )
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))
-    deliver(json_file, document.as_json(), lambda: _print(declared, modes, result), report)
-
-
-def _print(robot: Robot, modes: Path, result: Comparison) -> None:
-    from pkmodes.cli.diagnosis_tables import setting
-    from pkmodes.cli.terminal import Terminal
-    from pkmodes.diagnosis.verdict.result import p_in_words
-
-    terminal = Terminal()
-    did = motors(row.drives for row in result.rows)
-    terminal.heading(f"{robot.name} compared with {modes}, {did}, frequencies in Hz")
-    terminal.line()
-    shapes = any(row.mac is not None for row in result.rows)
-    numbered = any(row.mode for row in result.rows)
-    mixed = len({row.drives for row in result.rows}) > 1
-    titles = ["pose", *(["motors"] if mixed else []), "line", *(["own"] if numbered else [])]
-    titles += ["mode", "measured", "sigma", "predicted"]
-    loads = any(row.load for row in result.rows)
-    damped = any(row.damping is not None for row in result.rows)
-    titles += [
-        "diff [%]",
-        "sigmas",
-        *(DAMPING if damped else []),
-        *(["MAC"] if shapes else []),
-        *(["set"] if loads else []),
-    ]
-    poses = {pose: i for i, pose in enumerate(dict.fromkeys(row.pose for row in result.rows))}
-    rows, previous = [], None
-    for row in sorted(result.rows, key=lambda row: (poses[row.pose], row.measured)):
-        new = row.pose != previous
-        cells = [row.pose if new else "", *([row.drives or "" if new else ""] if mixed else [])]
-        cells += [str(row.line), *([row.mode] if numbered else [])]
-        cells += [*_numbers(row, result.rigid), *(_damping(row) if damped else [])]
-        cells += [*([_or_blank(row.mac, ".3f")] if shapes else [])]
-        cells += [setting(robot.mechanism, row.load) if new else ""] if loads else []
-        rows.append(cells)
-        previous = row.pose
-    terminal.table(titles, rows, left=("pose", "motors", "own", "set"))
-    terminal.line()
-    count = len(result.rows)
-    terminal.line(
-        f"{count} measured mode{'' if count == 1 else 's'}"
-        + (f", {len(result.unpaired)} of them unmatched" if result.unpaired else "")
-    )
-    rms, chi2, p = result.rms_relative, result.chi2_per_dof, result.p_value
-    if rms is not None and chi2 is not None and p is not None:
-        terminal.line(
-            f"rms of the differences {100 * rms:.3g} %, chi2 per degree of freedom {chi2:.3g} ({p_in_words(p)})"
-        )
-    for note in result.notes:
-        terminal.line(note)
-    terminal.line()
-    own = "own: mode number in the file; " if numbered else ""
-    terminal.line(
-        f"{own}mode: number of the model's mode as in pkmodes modes; diff: prediction minus measurement; "
-        "sigmas: diff in standard deviations"
-    )
-
-
-def _numbers(row: ComparedRow, rigid: int) -> list[str]:
-    return [
-        "none" if row.partner is None else str(row.partner - rigid),
-        _hertz(row.measured),
-        _hertz(row.sigma),
-        "" if row.predicted is None else _hertz(row.predicted),
-        _or_blank(None if row.residual is None else 100.0 * row.residual, "+.2f"),
-        _or_blank(row.sigmas, "+.1f"),
-    ]
-
-
-def _damping(row: ComparedRow) -> list[str]:
-    """Return the ratios in per cent, under the headings `DAMPING`."""
-    return [
-        "" if ratio is None else f"{100.0 * ratio:.3g}"
-        for ratio in (row.damping, row.sigma_damping, row.predicted_damping)
-    ]
-
-
-def _hertz(value: float) -> str:
-    """Format with three decimals, or with two digits below 0.01."""
-    return f"{value:.3f}" if value >= 0.01 else f"{value:.2g}"
-
-
-def _or_blank(value: float | None, form: str) -> str:
-    return "" if value is None else format(value, form)
+    deliver(json_file, document.as_json(), lambda: show(declared, modes, result, everything), report)

@@ -16,6 +16,7 @@ import click
 from pkmodes.base.errors import PkmodesError
 from pkmodes.base.writing import write_file
 from pkmodes.cli.printing import echo
+from pkmodes.cli.progress import end_progress
 
 #: Characters that JSON may hold and a terminal obeys: controls, and those that turn the direction.  Bytes of a file
 #: name that are not UTF-8 are surrogates, which JSON can hold only as escapes.
@@ -80,6 +81,7 @@ def deliver(
             problems.append(error)
         else:
             written = [*each.lines(each.file), *written]
+    end_progress()
     try:
         if to_stdout:
             click.echo(_text(content, ascii_only=True), nl=False)

@@ -13,6 +13,7 @@ import click
 
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.base.pasting import pasted
+from pkmodes.base.progress import say
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.options import (
     band_of,
@@ -24,6 +25,7 @@ from pkmodes.cli.options import (
     repeated_mechanism_option,
     report_option,
 )
+from pkmodes.cli.progress import on_terminal
 from pkmodes.cli.reporting import page_of, report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.cli.verdicts import failing
@@ -211,12 +213,8 @@ def _names(text: str, option: str) -> list[str]:
 @contextmanager
 def _progress() -> Iterator[Callable[[str], None]]:
     """Show progress on stderr: in place on a terminal, otherwise as occasional lines."""
-    from rich.console import Console
-
-    console = Console(stderr=True)
-    if console.is_terminal:
-        with console.status("reading") as status:
-            yield lambda text: status.update(text)
+    if on_terminal():
+        yield say
         return
     last = time.monotonic()
 

@@ -10,6 +10,7 @@ from msgspec import Meta
 
 from pkmodes.base.documents import Document
 from pkmodes.base.errors import OutputError
+from pkmodes.base.progress import say
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import json_option
 from pkmodes.cli.printing import echo
@@ -61,6 +62,7 @@ def generate(robot: Path, out: str, mechanism: Path | None, json_file: str | Non
     check_targets(json_file, [robot, *([mechanism] if mechanism else [])])
     if not out.strip():
         raise OutputError("expected a folder, found an empty name", "--out", "name a folder for the model")
+    say("deriving the model")
     written = generate_model(robot, Path(out), mechanism)
     files = [path.relative_to(out).as_posix() for path in written]
     document = GenerateDocument(robot=str(robot), out=str(Path(out)), files=files)

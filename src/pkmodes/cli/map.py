@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import sys
+import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -13,9 +13,11 @@ from msgspec import Meta
 
 from pkmodes.base.documents import Document
 from pkmodes.base.drives import Drives
+from pkmodes.base.progress import say
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options, report_option
 from pkmodes.cli.poses import grid_option, places_given, poses_option
+from pkmodes.cli.progress import duration
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.model.loading import load
@@ -149,7 +151,7 @@ def map_(
     check_targets(json_file, inputs, map_target, report_target(report_to))
     sources = sources_of(report_to, {"robot file": robot})
     model = load(robot)
-    with named_as_options(OPTIONS), _continued(out), _progress() as progress:
+    with named_as_options(OPTIONS), _continued(out):
         dataset = model.map(
             places_given(model, grid, poses),
             sweep=_sweep(model, settings),
@@ -162,7 +164,7 @@ def map_(
             scheduler=scheduler,
             threads=threads,
             drives=drives,
-            progress=progress,
+            progress=_counted(),
         )
     from pkmodes.cli.map_tables import show
     from pkmodes.maps.summary import summary_of
@@ -219,16 +221,15 @@ def _continued(out: Path | None, complete: str = "") -> Iterator[None]:
         raise click.Abort(again) from None
 
 
-@contextmanager
-def _progress() -> Iterator[Callable[[int, int], None] | None]:
-    """Show a bar with the time left, on a terminal."""
-    if sys.stderr is None or not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+def _counted() -> Callable[[int, int], None]:
+    """Return what says how many poses are done, and how long the others will take."""
+    begin: list[tuple[float, int]] = []
 
-    columns = (TextColumn("poses"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("poses", total=None)
-        yield lambda done, total: bar.update(task, completed=done, total=total)
+    def told(done: int, total: int) -> None:
+        begin.append((time.monotonic(), done))
+        (first, before), (now, _) = begin[0], begin[-1]
+        rate = (done - before) / (now - first) if now > first else 0.0
+        left = f", about {duration((total - done) / rate)} left" if 0 < done < total and rate else ""
+        say(f"{done:,} of {total:,} poses{left}")
+
+    return told

@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from pkmodes.base.errors import printable
+from pkmodes.cli.progress import clear_progress
 
 
 def echo(text: object = "", *, err: bool = False) -> None:
@@ -17,6 +18,7 @@ def echo(text: object = "", *, err: bool = False) -> None:
     err : bool
         Whether it goes to stderr.
     """
+    clear_progress()
     line = str(text)
     rest = line.removeprefix("\n")
     click.echo("\n" * (len(line) - len(rest)) + printable(rest), err=err)

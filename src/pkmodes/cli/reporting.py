@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from pkmodes.base.progress import say
 from pkmodes.base.writing import write_file
 from pkmodes.cli.delivery import ResultFile
 
@@ -41,7 +42,11 @@ def report_file(report: Path | None, page: Callable[[], str]) -> ResultFile:
     def lines(file: Path) -> list[str]:
         return [f"\nwrote {file}"] if file.is_file() else []
 
-    return ResultFile(report, lambda file: write_file(file, page()), lines)
+    def write(file: Path) -> None:
+        say("drawing the report")
+        write_file(file, page())
+
+    return ResultFile(report, write, lines)
 
 
 def page_of(

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from pkmodes.base.documents import Count, Document, Matrix
 from pkmodes.base.drives import Drives
+from pkmodes.base.progress import say
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import comma_list, drives_option, json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
@@ -118,6 +119,7 @@ def sensitivities(
     point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
     modes = model.modes(point, drives=drives)
+    say("differentiating the modes")
     derivatives = model.sensitivities(point, paths, drives=drives)
     relative = relative_of(derivatives.frequencies, derivatives.values, modes.frequencies)
     document = SensitivitiesDocument.of(

@@ -10,6 +10,7 @@ from msgspec import Meta
 
 from pkmodes.base.documents import Document
 from pkmodes.base.errors import PkmodesError
+from pkmodes.base.progress import say
 from pkmodes.base.writing import write_file
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import drives_option, json_option, mechanism_option
@@ -76,6 +77,7 @@ def show(
     else:
         point = parse_pose(pose, model.mechanism)
         check_metres(model, pose, point)
+    say("drawing the moving picture" if moving else "computing the modes over the workspace")
     if moving:
         from pkmodes.plots.animation import animation
 

@@ -58,6 +58,7 @@ class Terminal:
         *,
         gap: int = 2,
         repeated: int = 0,
+        above: Sequence[str] = (),
     ) -> None:
         """Print a table.
 
@@ -74,6 +75,8 @@ class Terminal:
         repeated : int
             Where the table is wider than the terminal, columns that do not fit go below, after this number of its
             first columns once more; 0 keeps it in one piece.
+        above : sequence of str
+            A line above each row, if any; empty for none.
         """
         cells = [[printable(cell) for cell in row] for row in (titles, *rows)]
         widths = [max(cell_len(row[k]) for row in cells) for k in range(len(titles))]
@@ -81,7 +84,9 @@ class Terminal:
         for number, part in enumerate(parts):
             if number:
                 self.line()
-            for row in cells:
+            for i, row in enumerate(cells):
+                if i and above and above[i - 1]:
+                    self.line(above[i - 1])
                 padded = [_aligned(row[k], widths[k], titles[k] in left) for k in part]
                 self._console.print((gap * " ").join(padded).rstrip(), soft_wrap=True)
 

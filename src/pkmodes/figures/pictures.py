@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from pkmodes.base.drives import FREE
 from pkmodes.base.errors import PkmodesError
 from pkmodes.base.extras import require
+from pkmodes.base.progress import say
 from pkmodes.figures.quantities import coarser, motors_of, relative_sensitivities, smallest_mac, volume_of
 from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.poses import places_of
@@ -172,13 +173,16 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
     if len(components) < 2:
         what = f"the figures need two components of the pose, {model.mechanism.name} has {components[0]} only"
         raise PkmodesError(what, model.robot.source, "draw its frequencies by the report of a map")
+    say("choosing the plane of the pictures")
     places = working_plane(model) if grid is None else places_of(model.mechanism, grid)
     plane_axes(
         dict(zip(places.dims, places.shape, strict=True)), components, "grid"
     )  # before it is evaluated
+    say("computing the modes in the plane")
     plane = Plane.of(model.map(places, shapes=True, drives=drives), components)
     robot, about = RobotPlane(model, plane, drives), f"{model.robot.name}, motors {drives}, {where(plane)}"
-    for kind in PICTURES:
+    for number, kind in enumerate(PICTURES, start=1):
+        say(f"picture {number} of {len(PICTURES)}: {kind.name}")
         description = kind.description if plane.normal else kind.planar or kind.description
         with styled():
             yield Picture(kind.name, kind.title, f"{description} {about}.", kind.draw(robot))

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from pkmodes.maps.fields import chunks_of
 from pkmodes.maps.quantiles import quantiles
+from pkmodes.maps.variants import SAMPLE
 
 if TYPE_CHECKING:
     import xarray
@@ -61,7 +62,7 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
         "robot": dataset.attrs["robot"],
         "file": file,
         "dimensions": {str(name): int(size) for name, size in dataset.sizes.items()},
-        "ranges": {dim: _range(dataset[dim].values) for dim in leading},
+        "ranges": {dim: _range(dataset[dim].values) for dim in _as_read(leading)},
         "poses": int(np.prod([dataset.sizes[dim] for dim in leading])),
         "valid": valid,
         "reasons": dict(sorted(reasons.items())),
@@ -105,6 +106,12 @@ def remark_on(content: dict[str, Any]) -> str:
         f"The highest {'frequencies' if several else 'frequency'} of {modes} {'are' if several else 'is'} more than "
         f"ten times the 98 % quantile: usually at a pose where a spring, such as a belt span, has almost no length."
     )
+
+
+def _as_read(leading: list[str]) -> list[str]:
+    """Return the axes of a map as people read them: swept parameters, then x, y, z, which a dataset has reversed."""
+    pose = [dim for dim in leading if "." not in dim and dim != SAMPLE]
+    return [*(dim for dim in leading if dim not in pose), *reversed(pose)]
 
 
 def _parts(dataset: xarray.Dataset, leading: list[str]) -> Iterator[tuple[list[int], xarray.Dataset]]:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import PoseError
+from pkmodes.base.progress import say
 from pkmodes.maps.poses import Grid
 from pkmodes.mechanism.poses import LARGE
 from pkmodes.robot.usable import limits_of
@@ -42,6 +43,7 @@ def reachable(model: Kinematics, poses: int = POSES) -> Grid:
     PoseError
         If no pose was found.
     """
+    say("looking for the workspace")
     low, high = usable_box(model)
     limits = limits_of(model.mechanism, model.robot.usable)
     names = [component.name for component in model.mechanism.pose]

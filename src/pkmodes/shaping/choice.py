@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.arguments import Constraint, check_argument, is_number
 from pkmodes.base.errors import PkmodesError
+from pkmodes.base.progress import say
 from pkmodes.shaping.at_poses import own_shapers
 from pkmodes.shaping.fixed import best_fixed
 from pkmodes.shaping.kinds import KINDS, PRODUCT, factors, plain
@@ -139,7 +141,10 @@ def choose(
         raise PkmodesError(
             "expected at least one kind of shaper, found none", "kinds", f"known: {', '.join(KINDS)}"
         )
-    both = [*(_fixed(name, at) for name in names), *(_following(name, at) for name in names)]
+    both = []
+    for number, (design, name) in enumerate(product((_fixed, _following), names), start=1):
+        say(f"shaper {number} of {2 * len(names)}: {name}")
+        both.append(design(name, at))
     short = [one for one in both if np.min(one.shaper.durations) < TICKS * tick]
     candidates = tuple(one for one in both if all(one is not each for each in short))
     if not any(not one.follows_pose for one in candidates):

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.base.arguments import POSITIVE_INTEGER, check_argument
 from pkmodes.base.drives import HELD
 from pkmodes.base.errors import PkmodesError, PoseError
+from pkmodes.base.progress import say
 from pkmodes.sensitivity.spread import spread_of
 from pkmodes.solve.backends import AUTO
 from pkmodes.solve.dynamics import Dynamics
@@ -94,6 +95,7 @@ def ringing(dynamics: Dynamics, poses: ArrayLike, modes: int | None = None) -> R
     PoseError
         If no pose is left.
     """
+    say("computing the modes of the held machine")
     count = _count(dynamics, modes)
     fields = ("frequencies", "damping_ratios", "vibration_amplitudes")
     checked, found = dynamics.fields_at(poses, "nan", fields, AUTO, drives=HELD)

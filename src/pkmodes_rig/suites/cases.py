@@ -55,7 +55,7 @@ class Case:
     plan : str
         Poses of a robot; for a building, its description in tables.
     truth : Truth or Building
-        How the specimen differs from its declaration; the nuisance parameters are drawn in addition.
+        How the specimen differs from its declaration; the uncertain values are drawn in addition.
     names : tuple of str
         Candidates that should be named: none if nothing is missing, or if the cause is outside the catalogue.
     kind : str

@@ -1,8 +1,8 @@
 """Predicted signals of the causes in the suites, and the sizes chosen from them.
 
-The predicted signal of a cause is the residual that remains when the declared model, its nuisance parameters refitted
+The predicted signal of a cause is the residual that remains when the declared model, its uncertain values refitted
 within their priors, is fitted to the rig's modes without noise: the root of chi2, in standard deviations.  It is the
-length of the cause's whitened signature after projecting out the nuisance parameters, without linearisation.  It
+length of the cause's whitened signature after projecting out the uncertain values, without linearisation.  It
 is computed at their declared values and at the poses that a diagnosis fits (two of twelve are held out).
 
     python -m pkmodes_rig.suites.strengths          # recomputes the sizes and prints their tables, in seven minutes
@@ -143,7 +143,7 @@ def signal(
     Parameters
     ----------
     truth : Truth
-        With its nuisance parameters as declared.
+        With its uncertain values as declared.
     plan : str
         Poses; their labels are P1, P2 ...
     holdout : sequence of str, optional

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.base.progress import say
 from pkmodes.codegen.checking.mechanism_relations import own_relations
 from pkmodes.codegen.checking.relations import Derivative, Relation, State, relations
 from pkmodes.mechanism.generated import Generated
@@ -70,6 +71,7 @@ def check_consistency(
     list of Check
         One for each relation and kind of difference; a single failed check if no regular pose is found.
     """
+    say("comparing derivatives with finite differences")
     poses = regular_poses(generated, mechanism, parameters)
     if not len(poses):
         return [Check("a regular pose within the limits", np.inf, 0.0)]

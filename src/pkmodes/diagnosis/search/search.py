@@ -66,7 +66,7 @@ class Search:
 
     def run(self) -> Outcome | None:
         """Search; return None if the declared model cannot be evaluated."""
-        self._progress("refitting the nuisance parameters")
+        self._progress("refitting the uncertain values")
         first = self.store.fit(Hypothesis())
         if first is None:
             return None

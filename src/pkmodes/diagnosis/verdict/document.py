@@ -80,7 +80,7 @@ class CauseDocument(Document):
 
 
 class RefittedDocument(Document):
-    """A nuisance parameter."""
+    """An uncertain value."""
 
     before: Annotated[float, Meta(description="As declared, SI units.")]
     after: Annotated[float, Meta(description="Refitted value.")]
@@ -118,7 +118,7 @@ class StagesDocument(Document):
     before: Annotated[ErrorDocument, Meta(description="For the robot as declared.")]
     refit: Annotated[
         ErrorDocument | None,
-        Meta(description="With the nuisance parameters refitted; null where there are too few data."),
+        Meta(description="With the uncertain values refitted; null where there are too few data."),
     ]
     after: Annotated[
         ErrorDocument | None, Meta(description="With the causes; null unless something was added.")
@@ -146,7 +146,7 @@ class CandidateDocument(Document):
     p_value: Annotated[
         Probability,
         Meta(
-            description="p-value of its score at the refit of the nuisance parameters, for this candidate alone."
+            description="p-value of its score at the refit of the uncertain values, for this candidate alone."
         ),
     ]
     detectable: Annotated[
@@ -192,7 +192,7 @@ class RowDocument(PlaceDocument, omit_defaults=True):
     refit: Annotated[
         float | None,
         Meta(
-            description="With the nuisance parameters refitted; null where the row is unmatched, or without that "
+            description="With the uncertain values refitted; null where the row is unmatched, or without that "
             "stage."
         ),
     ] = field(name="refit_hz")
@@ -239,7 +239,7 @@ class DiagnoseDocument(Document):
     ]
     refitted: Annotated[
         dict[str, RefittedDocument],
-        Meta(description="The nuisance parameters, by path, each fitted within its prior."),
+        Meta(description="The uncertain values, by path, each fitted within its prior."),
     ]
     error: StagesDocument
     held_out_poses: Annotated[

@@ -1,0 +1,120 @@
+"""One line on the terminal that says what a command is doing, and for how long; erased before anything is printed.
+
+There is none where stderr is no terminal: nothing of it reaches a file or a pipe.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from typing import TextIO
+
+from pkmodes.base.errors import printable
+from pkmodes.base.progress import told
+
+#: Seconds after which a command says what it does, and between two changes of the line.
+DELAY, STEP = 0.3, 0.2
+#: Columns of a terminal that does not tell.
+COLUMNS = 80
+
+
+def duration(seconds: float) -> str:
+    """Return a time in words: 12 s, 3 min 20 s, 2 h 5 min."""
+    minutes, rest = divmod(round(seconds), 60)
+    hours, more = divmod(minutes, 60)
+    return f"{hours} h {more} min" if hours else f"{minutes} min {rest} s" if minutes else f"{rest} s"
+
+
+class ProgressLine:
+    """A line on a terminal, written again from a thread so that its seconds count while the command computes.
+
+    Parameters
+    ----------
+    stream : text stream
+        The terminal.
+    text : str
+        What is done first.
+    """
+
+    def __init__(self, stream: TextIO, text: str) -> None:
+        self._stream, self._text, self._shown = stream, text, 0
+        self._begin = time.monotonic()
+        self._lock, self._ended = threading.Lock(), threading.Event()
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    def say(self, text: str) -> None:
+        """Say what is done from now on."""
+        self._text = printable(text)
+
+    def clear(self) -> None:
+        """Erase the line, so that something can be printed; it comes again while the command goes on."""
+        with self._lock:
+            self._write("")
+
+    def end(self) -> None:
+        """Erase the line for good."""
+        self._ended.set()
+        self._thread.join()
+        self.clear()
+
+    def _run(self) -> None:
+        wait = DELAY
+        while not self._ended.wait(wait):
+            with self._lock:
+                self._write(f"{self._text} ... {duration(time.monotonic() - self._begin)}")
+            wait = STEP
+
+    def _write(self, line: str) -> None:
+        line = line[: self._columns() - 1]
+        if line or self._shown:
+            with suppress(OSError, ValueError):  # the terminal is gone
+                self._stream.write("\r" + line.ljust(self._shown) + ("" if line else "\r"))
+                self._stream.flush()
+        self._shown = len(line)
+
+    def _columns(self) -> int:
+        with suppress(OSError, ValueError):
+            return os.get_terminal_size(self._stream.fileno()).columns or COLUMNS
+        return COLUMNS
+
+
+_current: ProgressLine | None = None
+
+
+def on_terminal() -> bool:
+    """Return whether progress is shown."""
+    return sys.stderr is not None and sys.stderr.isatty()
+
+
+@contextmanager
+def progress_line(text: str) -> Iterator[None]:
+    """Show what is said inside the block (`pkmodes.base.progress.say`), if stderr is a terminal."""
+    global _current
+    if not on_terminal():
+        yield
+        return
+    line = _current = ProgressLine(sys.stderr, text)
+    try:
+        with told(line.say):
+            yield
+    finally:
+        end_progress()
+
+
+def clear_progress() -> None:
+    """Erase the line before something else is printed."""
+    if _current is not None:
+        _current.clear()
+
+
+def end_progress() -> None:
+    """Erase the line for good: results follow."""
+    global _current
+    if _current is not None:
+        _current.end()
+        _current = None
