@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -107,6 +108,7 @@ def test_the_page_moves_the_measured_marks_and_tells_them_in_numbers(tmp_path: P
     marks = "document.querySelector('.pkview').viewer.stage.marks"
     with opened(file, motion="reduce") as found:
         text = lambda part: str(found.page.locator(f'[data-part="{part}"]').first.inner_text())  # noqa: E731
+        assert text("observed") == re.findall(r'"observed">(.*?)<', file.read_text(encoding="utf-8"))[0]
         assert text("observed") == "Measured: 48.25 \u00b1 0.10 Hz, MAC 0.987."
         assert "Model as declared" in found.page.locator(".pkview-title").inner_text()
         assert text("place").startswith("P2: x = 500 mm")

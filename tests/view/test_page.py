@@ -212,6 +212,8 @@ def test_the_table_gives_the_shares_of_the_energy(pages: dict[str, Path]) -> Non
             expected = [f"{100 * share:.1f}" for share in shown.shares[0, 2:, k]]
             assert cells[f"{spring.name} [%]"] == expected
         assert seen.page.locator("noscript p").is_visible()
+        assert seen.page.locator(".pkview-svg").is_visible(), "the still"
+        assert not seen.page.locator("canvas").first.is_visible()
 
 
 def test_without_webgl_a_message_and_the_table_remain(pages: dict[str, Path]) -> None:
@@ -221,6 +223,7 @@ def test_without_webgl_a_message_and_the_table_remain(pages: dict[str, Path]) ->
         seen.page.locator('[data-part="mode"][value="8"]').check()
         assert "Mode 6" in text(seen, "status")
         assert seen.page.locator('[data-part="share"]').first.is_visible()
+        assert seen.page.locator(".pkview-svg").is_visible(), "the still"
         assert seen.outside == []
         assert not [one for one in seen.problems if "WebGL" not in one]
 
@@ -267,7 +270,8 @@ def test_a_printed_page_is_light_and_still(pages: dict[str, Path]) -> None:
         assert picture(seen)[2, 2].mean() > 200
         corner = "[...document.querySelector('.pkview-still').getContext('2d').getImageData(2, 2, 1, 1).data]"
         assert np.mean(seen.page.evaluate(corner)) > 200
-        assert seen.page.locator(".pkview-still").is_visible()
+        assert seen.page.locator("canvas.pkview-still").is_visible()
+        assert not seen.page.locator(".pkview-svg").is_visible()
         first = stage(seen, "viewer.stage.moved()")
         seen.page.wait_for_timeout(300)
         assert stage(seen, "viewer.stage.moved()") == first

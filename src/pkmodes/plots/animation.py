@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from pkmodes.base.extras import require
 from pkmodes.plots.style import INK, VERMILLION, figure, styled
+from pkmodes.view.projection import camera, hull, rim
 from pkmodes.view.scene import AMPLITUDE, Scene
 
 if TYPE_CHECKING:
@@ -22,8 +23,6 @@ FRAMES, MILLISECONDS = 24, 50
 #: Width, least and largest height of the machine, height of the title [inch]; dots per inch, colours of the palette.
 ACROSS, LOWEST, HIGHEST, HEAD = 7.2, 2.0, 5.2, 0.62
 DOTS, COLOURS = 110, 64
-#: Direction from which a robot in space and a planar one are seen [deg].
-AZIMUTH, ELEVATION, ABOVE = -60.0, 18.0, 50.0
 #: Line widths by kind of element, and colours of those that are no springs.
 WIDTHS = {"rail": 2.5, "belt": 3.2, "link": 3.0, "arm": 6.0, "gantry": 6.0}
 STEEL, PALE, DARK = "#6b7683", "#b9c0c8", "#2f3944"
@@ -56,7 +55,7 @@ def animation(scene: Scene, mode: int | None = None, amplitude: float = AMPLITUD
 
     mode = scene.rigid_modes if mode is None else mode
     frames = scene.frames(mode=mode, count=FRAMES, amplitude=amplitude)
-    view = _view(scene)
+    view = camera(scene)
     flat = frames @ view.T
     low, high = flat[..., :2].reshape(-1, 2).min(axis=0), flat[..., :2].reshape(-1, 2).max(axis=0)
     turned = _turned(scene, mode, amplitude)
@@ -100,20 +99,6 @@ def animation(scene: Scene, mode: int | None = None, amplitude: float = AMPLITUD
     return target.getvalue()
 
 
-def _view(scene: Scene) -> Array:
-    """Return the rotation to (right, up, towards the viewer), (3, 3)."""
-    planar = len(scene.directions) < 3
-    up = np.array([0.0, 0.0, 1.0]) if planar else scene.vertical
-    side = np.cross(up, [1.0, 0.0, 0.0] if abs(up[0]) < 0.9 else [0.0, 1.0, 0.0])
-    east = np.cross(side, up)
-    east, side = east / np.linalg.norm(east), side / np.linalg.norm(side)
-    turn, rise = np.radians(-90.0 if planar else AZIMUTH), np.radians(ABOVE if planar else ELEVATION)
-    towards = np.cos(rise) * (np.cos(turn) * east + np.sin(turn) * side) + np.sin(rise) * up
-    right = np.cross(up, towards)
-    right /= np.linalg.norm(right)
-    return np.stack([right, np.cross(towards, right), towards])
-
-
 def _turned(scene: Scene, mode: int, amplitude: float) -> Array:
     """Return the rotation of each element about its axis at the largest displacement [rad]."""
     scale = scene.scale(scene.chosen, mode) * amplitude * scene.size
@@ -146,7 +131,7 @@ def _draw(axes: Axes, scene: Scene, points: Array, view: Array, mode: int, turne
         if element.shape == "wheel":
             _wheel(axes, at, turned[i], _colour(element, shares, largest) if element.spring >= 0 else PALE)
         elif element.shape == "plate":
-            axes.fill(*_hull(at[:, :2]).T, facecolor=DARK, edgecolor=INK, linewidth=0.8, alpha=0.9)
+            axes.fill(*hull(at[:, :2]).T, facecolor=DARK, edgecolor=INK, linewidth=0.8, alpha=0.9)
         elif element.shape == "ball":
             axes.plot(*at[0, :2], "o", color=DARK, markersize=7)
         elif element.shape == "block":
@@ -162,19 +147,12 @@ def _draw(axes: Axes, scene: Scene, points: Array, view: Array, mode: int, turne
 def _wheel(axes: Axes, at: Array, angle: float, colour: Any) -> None:
     """Draw a wheel as an ellipse with two spokes."""
     axis = at[1] - at[0]
-    radius = float(np.linalg.norm(axis))
-    if radius == 0.0:
+    if not axis.any():
         return
-    axis = axis / radius
-    other = np.array([0.0, 0.0, 1.0]) if abs(axis[2]) < 0.9 else np.array([1.0, 0.0, 0.0])
-    first = np.cross(axis, other)
-    first /= np.linalg.norm(first)
-    second = np.cross(axis, first)
-    turns = np.linspace(0.0, 2.0 * np.pi, 49)[:, None] + angle
-    rim = at[0] + radius * (np.cos(turns) * first + np.sin(turns) * second)
-    axes.fill(*rim[:, :2].T, facecolor=colour, edgecolor=STEEL, linewidth=1.0)
+    edge = rim(at[0], axis, angle)
+    axes.fill(*edge[:, :2].T, facecolor=colour, edgecolor=STEEL, linewidth=1.0)
     for place in (0, 12):
-        axes.plot(*rim[[place, place + 24], :2].T, color=STEEL, linewidth=0.8)
+        axes.plot(*edge[[place, place + 24], :2].T, color=STEEL, linewidth=0.8)
 
 
 def _colour(element: Element, shares: Array, largest: float) -> Any:
@@ -184,12 +162,3 @@ def _colour(element: Element, shares: Array, largest: float) -> Any:
 
     share = float(np.nan_to_num(shares[element.spring])) / largest if largest > 0.0 else 0.0
     return LinearSegmentedColormap.from_list("strain", [PALE, VERMILLION])(share)
-
-
-def _hull(points: Array) -> Array:
-    from scipy.spatial import ConvexHull, QhullError
-
-    try:
-        return np.asarray(points[ConvexHull(points).vertices])
-    except QhullError:  # seen from the side
-        return points

@@ -49,7 +49,7 @@ def view_section(view: str | None) -> list[Section]:
     if view is None:
         return []
     blocks: list[Block] = [
-        Paragraph("The machine and its modes: animated on screen, not printed."),
+        Paragraph("The machine in its modes: it moves on screen, and a still of it is printed."),
         Foreign(view),
     ]
     return [Section("view", "In three dimensions", blocks)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from html import escape
 
 from pkmodes.view.measured_data import measured_data
@@ -44,6 +45,20 @@ def measured_table(scene: Scene, key: str) -> str:
         f'<table aria-labelledby="{key}-measured"><thead><tr><td></td><th scope="col">measured</th>'
         f'<th scope="col">model</th></tr></thead><tbody>{"".join(rows)}</tbody></table></div></div>'
     )
+
+
+def observed(scene: Scene) -> str:
+    """Return what was measured of the mode that is shown first, in words."""
+    mode = min(scene.rigid_modes, scene.frequencies.shape[1] - 1)
+    here = [one for one in scene.measured or () if (one.pose, one.mode) == (scene.chosen, mode)]
+    if not here:
+        return "Not measured at this pose."
+    (one, *_) = here
+    digits = min(max(0, 1 - math.floor(math.log10(one.sigma))), 4)
+    said = f"Measured: {one.frequency:.{digits}f} \u00b1 {one.sigma:.{digits}f} Hz"
+    if not one.has_shape:
+        return f"{said}, without a shape."
+    return said + ("." if one.mac is None or math.isnan(one.mac) else f", MAC {one.mac:.3f}.")
 
 
 def _cell(value: float | None) -> str:

@@ -13,9 +13,11 @@ import numpy as np
 
 from pkmodes.base.page_policy import with_policy
 from pkmodes.robot.units import SHOWN
-from pkmodes.view.measured_table import measured_table
+from pkmodes.view.measured_table import measured_table, observed
 from pkmodes.view.page_data import as_data, embedded, platform_directions
 from pkmodes.view.scene import AMPLITUDE, Scene
+from pkmodes.view.still import still
+from pkmodes_description import Named
 
 #: Parts of the program in the browser, in order.
 PROGRAM = ("palette.js", "states.js", "shapes.js", "stage.js", "panel.js", "viewer.js")
@@ -116,8 +118,8 @@ def fragment(scene: Scene, name: str = "robot") -> str:
 <canvas tabindex="0" role="application" aria-label="{escape(scene.robot)}, moving in the chosen mode.
  Arrow keys turn the view, plus and minus zoom, Home resets it, space plays and pauses."></canvas>
 <canvas class="pkview-still" aria-hidden="true"></canvas>
-<div class="pkview-title"><h2 data-part="title">Modes of {escape(scene.robot)}, motors {scene.drives}</h2>
-<p><span data-part="held"></span></p><p>Platform moves along <span data-part="along"></span></p>{_about(scene)}</div>
+{still(scene)}
+{_title(scene)}
 <div class="pkview-legend" aria-hidden="true">Share of the strain energy
 <div class="pkview-scale"></div>
 <div class="pkview-ends"><span>0 %</span><span>50 %</span><span>100 %</span></div></div>
@@ -153,11 +155,31 @@ def _poses(scene: Scene, key: str) -> str:
     rows = "".join(
         f'<div class="pkview-row"><label for="{key}-{c.name}">{escape(c.name)}</label>'
         f'<input type="range" id="{key}-{c.name}" data-part="level" min="0" max="{FINE * (len(values) - 1)}" step="1"'
-        f' value="0" title="{escape(c.description)}">'
-        f'<output for="{key}-{c.name}" data-part="level-value"></output></div>'
-        for c, values in zip(scene.pose, scene.levels, strict=True)
+        f' value="{FINE * int(np.argmin(np.abs(values - value)))}" title="{escape(c.description)}">'
+        f'<output for="{key}-{c.name}" data-part="level-value">{_shown(c, value)}</output></div>'
+        for c, values, value in zip(scene.pose, scene.levels, scene.poses[scene.chosen], strict=True)
     )
     return f'<fieldset><legend>Pose</legend>{rows}<p class="pkview-hint" data-part="between"></p></fieldset>'
+
+
+def _title(scene: Scene) -> str:
+    """Return what the picture shows first: the mode, its frequency, the spring with most energy, the motion."""
+    pose, mode = scene.chosen, min(scene.rigid_modes, scene.frequencies.shape[1] - 1)
+    number, shares = mode - scene.rigid_modes + 1, scene.shares[pose, mode]
+    name = f"Mode {number}" if number > 0 else f"Rigid-body motion {mode + 1}"
+    held = "no spring is strained"
+    if np.isfinite(shares).any():
+        most = int(np.nanargmax(shares))
+        held = f"{100 * shares[most]:.0f} % of the strain energy in {escape(scene.springs[most].name)}"
+    moves = zip(scene.directions, platform_directions(scene)[pose, mode], strict=True)
+    along = ", ".join(
+        f"{component} {round(move, 2) + 0.0:.2f}".replace("-", "\u2212") for component, move in moves
+    )
+    return (
+        f'<div class="pkview-title"><h2 data-part="title">{name}: {scene.frequencies[pose, mode]:.2f} Hz</h2>'
+        f'<p><span data-part="held">{held}</span></p>'
+        f'<p>Platform moves along <span data-part="along">{along}</span></p>{_about(scene)}</div>'
+    )
 
 
 def _about(scene: Scene) -> str:
@@ -165,7 +187,7 @@ def _about(scene: Scene) -> str:
     what = f"<p>Model {escape(scene.what)}</p>" if scene.what else ""
     if scene.measured is None:
         return what
-    return f'{what}<p class="pkview-measured"><span data-part="observed"></span></p>'
+    return f'{what}<p class="pkview-measured"><span data-part="observed">{observed(scene)}</span></p>'
 
 
 def _modes(scene: Scene, key: str) -> str:
@@ -179,7 +201,7 @@ def _modes(scene: Scene, key: str) -> str:
         labels.append(
             f'<label{kind}><input type="radio" name="{key}-mode" value="{mode}" data-part="mode"{chosen}>'
             f'<b>{name}</b><span data-part="frequency" data-mode="{mode}">'
-            f"{scene.frequencies[scene.chosen, mode] + 0.0:.2f} Hz</span>{beside.format(mode)}</label>"
+            f"{_hertz(scene.frequencies[scene.chosen, mode])}</span>{beside.format(mode)}</label>"
         )
     return (
         f'<fieldset><legend>Mode</legend><div class="pkview-modes">{"".join(labels)}</div></fieldset>'
@@ -256,12 +278,20 @@ def _percent(share: float) -> str:
 
 
 def _place(scene: Scene, index: int) -> str:
-    parts = []
-    for component, value in zip(scene.pose, scene.poses[index], strict=True):
-        unit, factor = SHOWN.get(component.unit, (component.unit, 1.0))
-        parts.append(f"{component.name} = {factor * value + 0.0:.1f} {unit}".replace("-", "\u2212"))
+    parts = [
+        f"{c.name} = {_shown(c, value)}" for c, value in zip(scene.pose, scene.poses[index], strict=True)
+    ]
     label = f"{scene.labels[index]}: " if scene.labels else ""
     return escape(label + ", ".join(parts))
+
+
+def _shown(component: Named, value: float) -> str:
+    unit, factor = SHOWN.get(component.unit, (component.unit, 1.0))
+    return f"{round(factor * value, 1) + 0.0:.1f} {unit}".replace("-", "\u2212")
+
+
+def _hertz(value: float) -> str:
+    return f"{round(value, 2) + 0.0:.2f} Hz".replace("-", "\u2212")
 
 
 def _read(folder: str, name: str) -> str:

@@ -19,7 +19,9 @@ class Viewer {
     this.panel.mode(this.state, this.mode, this.amplitude, false);
     this.panel.measured(this.state, this.mode, false);
     this.panel.playing(this.on);
-    if (this.stage) this.run();
+    if (!this.stage) return;
+    root.classList.add("pkview-live");
+    this.run();
   }
 
   // The evaluated state that is shown, or the nearest one.
@@ -47,6 +49,7 @@ class Viewer {
     const message = this.panel.find("message");
     message.textContent = `${reason} All numbers are in the table below.`;
     message.hidden = false;
+    this.root.classList.remove("pkview-live");
     this.root.classList.add("pkview-flat");
   }
 
@@ -92,6 +95,8 @@ class Viewer {
 
   // A copy of the picture for paper: a browser may print the WebGL canvas as it was a frame ago.
   still() {
+    if (!this.fitted) return; // opened on paper: the still of the page serves
+    this.root.classList.add("pkview-copied");
     const copy = this.root.querySelector(".pkview-still");
     [copy.width, copy.height] = [this.canvas.width, this.canvas.height];
     copy.getContext("2d").drawImage(this.canvas, 0, 0);
@@ -104,6 +109,7 @@ class Viewer {
   fit(first) {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (!width || !height) return; // hidden, as on paper
+    this.fitted = true;
     const changed = this.stage.resize(width, height);
     if (first || (changed && !this.turned)) this.stage.resetView();
     this.draw();

@@ -1,0 +1,56 @@
+"""A still camera: the direction from which pictures without a viewer show a robot."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.view.scene import Scene
+
+Array = NDArray[np.float64]
+#: Direction from which a robot in space and a planar one are seen [deg].
+AZIMUTH, ELEVATION, ABOVE = -60.0, 18.0, 50.0
+
+
+def camera(scene: Scene) -> Array:
+    """Return the rotation to (right, up, towards the viewer), (3, 3)."""
+    planar = len(scene.directions) < 3
+    up = np.array([0.0, 0.0, 1.0]) if planar else scene.vertical
+    side = np.cross(up, [1.0, 0.0, 0.0] if abs(up[0]) < 0.9 else [0.0, 1.0, 0.0])
+    east = np.cross(side, up)
+    east, side = east / np.linalg.norm(east), side / np.linalg.norm(side)
+    turn, rise = np.radians(-90.0 if planar else AZIMUTH), np.radians(ABOVE if planar else ELEVATION)
+    towards = np.cos(rise) * (np.cos(turn) * east + np.sin(turn) * side) + np.sin(rise) * up
+    right = np.cross(up, towards)
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(towards, right), towards])
+
+
+def hull(points: Array) -> Array:
+    """Return the corners of the convex hull of points in a plane, (n, 2), in order."""
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        return np.asarray(points[ConvexHull(points).vertices])
+    except QhullError:  # seen from the side
+        return points
+
+
+def rim(centre: Array, axis: Array, angle: float, corners: int = 48) -> Array:
+    """Return points around the rim of a wheel, (corners + 1, 3); the first is turned by an angle about the axis.
+
+    Parameters
+    ----------
+    centre, axis : ndarray, shape (3,)
+        The length of the axis is the radius.
+    angle : float
+        rad.
+    """
+    radius = float(np.linalg.norm(axis))
+    unit = axis / radius
+    other = np.array([0.0, 0.0, 1.0]) if abs(unit[2]) < 0.9 else np.array([1.0, 0.0, 0.0])
+    first = np.cross(unit, other)
+    first /= np.linalg.norm(first)
+    turns = np.linspace(0.0, 2.0 * np.pi, corners + 1)[:, None] + angle
+    around: Array = centre + radius * (np.cos(turns) * first + np.sin(turns) * np.cross(unit, first))
+    return around
