@@ -13,7 +13,6 @@ from pkmodes.maps.summary import summary_of
 from pkmodes.plots import sweeps
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.style import styled
-from pkmodes.plots.svg import inline
 from pkmodes.report.blocks import (
     Block,
     Cell,
@@ -238,9 +237,9 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     text = f"The robot as declared, its motors {drives}, in {where}; modes are numbered by frequency."
     blocks: list[Block] = [Paragraph(text)]
     for picture in pictures(model, places, drives=drives):
+        text = picture.description
         with styled():
-            svg = inline(picture.figure, picture.title, picture.description, cropped=True)
-        blocks.append(Picture(svg, picture.description, picture.title))
+            blocks.append(Picture.of(picture.figure, picture.title, text, text, cropped=True))
     yield Section("figures", "Over the working plane", blocks)
 
 
