@@ -190,7 +190,9 @@ def test_every_box_that_may_scroll_has_a_name_and_is_reached_by_keyboard(made: M
 
 def test_a_page_is_self_contained_and_tells_no_folder(made: Made, tmp_path: Path) -> None:
     for element in made.page._every():
-        assert element.tag not in ("script", "link", "iframe", "object", "embed", "base")
+        if element.tag == "script":  # programs have no attributes, data only a type that is not executed
+            assert element.attributes in ({}, {"type": "application/x-deflated-table"})
+        assert element.tag not in ("link", "iframe", "object", "embed", "base")
         for name, value in element.attributes.items():
             assert not name.startswith("on")
             if name in ("href", "src"):
@@ -304,7 +306,7 @@ def test_the_mac_of_all_modes_has_that_of_the_pair(
 def test_many_rows_are_cut_to_the_worst_and_the_page_stays_small() -> None:
     result, data = made_up(500, 20)
     html = report(result, data=data, title="many")
-    assert len(html.encode()) < 2_000_000
+    assert len(html.encode()) < 3_000_000  # a third of it the numbers of the figures, to be saved
     section = read(html).by_id("rows")
     assert "300 measured modes that differ most" in section.text
     assert "10\u2009000 modes are in the output of --json" in section.text

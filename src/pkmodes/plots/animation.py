@@ -113,7 +113,7 @@ def _ghost(axes: Axes, scene: Scene, points: Array) -> None:
     for element in scene.elements:
         at = points[list(element.points)]
         if element.shape == "plate":
-            axes.fill(*_hull(at[:, :2]).T, facecolor=GHOST, edgecolor=PALE, linewidth=0.8)
+            axes.fill(*hull(at[:, :2]).T, facecolor=GHOST, edgecolor=PALE, linewidth=0.8)
         elif element.shape not in ("wheel", "ball", "block"):
             axes.plot(
                 *at[:, :2].T, color=GHOST, linewidth=WIDTHS.get(element.kind, 2.5), solid_capstyle="round"

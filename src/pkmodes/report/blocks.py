@@ -6,11 +6,14 @@ templates escape it.
 
 from __future__ import annotations
 
+import zlib
+from base64 import b64encode
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from pkmodes.diagnosis.verdict.verdicts import Colour
+from pkmodes.plots.drawn_data import drawn_data
 from pkmodes.plots.svg import inline
 
 if TYPE_CHECKING:
@@ -87,16 +90,27 @@ class Table(Placed):
 
 @dataclass(frozen=True)
 class Picture(Placed):
-    """A figure as an SVG element, how to read it, and its name."""
+    """A figure as an SVG element, how to read it, its name, and the numbers that it shows.
+
+    Attributes
+    ----------
+    data : str
+        The numbers, the columns of `drawn_data` one after the other, deflated (RFC 1950) and in base 64; empty if
+        there are none.
+    """
 
     svg: str
     caption: str
     title: str = "Figure"
+    data: str = ""
     kind: str = "picture"
+    programs: ClassVar[Sequence[str]] = ("download",)
 
     @classmethod
-    def of(cls, figure: Figure, title: str, description: str, caption: str) -> Picture:
-        """Return a figure for a page.
+    def of(
+        cls, figure: Figure, title: str, description: str, caption: str, *, cropped: bool = False
+    ) -> Picture:
+        """Return a figure for a page, which can be saved from there as PNG, and its numbers as CSV.
 
         Parameters
         ----------
@@ -106,8 +120,20 @@ class Picture(Placed):
             What it shows, for those who do not see it.
         caption : str
             How to read it.
+        cropped : bool
+            As for `pkmodes.plots.svg.inline`.
         """
-        return cls(inline(figure, title, description), caption, title)
+        data = _packed(drawn_data(figure))
+        return cls(inline(figure, title, description, cropped=cropped), caption, title, data)
+
+
+def _packed(columns: Sequence[Sequence[str]]) -> str:
+    """Return a table for a page, where a program makes a file of it: cells in lines, an empty one between columns.
+
+    Columns compress to half of what rows do.
+    """
+    text = "\n\n".join("\n".join(cell or " " for cell in column) for column in columns)
+    return b64encode(zlib.compress(text.encode("utf-8", errors="replace"), 9)).decode("ascii") if text else ""
 
 
 @dataclass(frozen=True)
@@ -243,6 +269,8 @@ class Summary:
         The verdict as in the JSON; empty if there is none.
     facts : sequence of (str, Cell)
         The most important numbers.
+    head : sequence of (str, str)
+        Titles and texts beside the subject, such as the customer: `pkmodes.robot.report_fields.head_of`.
     """
 
     subject: str
@@ -253,3 +281,4 @@ class Summary:
     tone: Tone
     notes: Sequence[str] = ()
     facts: Sequence[tuple[str, Cell]] = ()
+    head: Sequence[tuple[str, str]] = ()

@@ -11,7 +11,6 @@ from pkmodes.maps.summary import SHARES, remark_on, shown_hertz, summary_of
 from pkmodes.plots import sweeps
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.style import styled
-from pkmodes.plots.svg import inline
 from pkmodes.report.blocks import (
     Block,
     Cell,
@@ -274,9 +273,9 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     )
     blocks.append(Paragraph(text))
     for picture in pictures(model, places, drives=drives):
+        text = picture.description
         with styled():
-            svg = inline(picture.figure, picture.title, picture.description, cropped=True)
-        blocks.append(Picture(svg, picture.description, picture.title))
+            blocks.append(Picture.of(picture.figure, picture.title, text, text, cropped=True))
     yield Section("figures", title, blocks)
 
 
