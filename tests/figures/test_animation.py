@@ -105,7 +105,7 @@ def test_points_and_wheels_move_as_the_mode_by_the_amplitude(
 @pytest.mark.parametrize("robot", POSES)
 def test_the_view_is_from_the_front_and_above_and_not_mirrored(robot: str) -> None:
     pose = [float(value) for value in POSES[robot].split(",")]
-    right, up, towards = module._view(scene(pkmodes.load(f"robots/{robot}.toml"), pose))
+    right, up, towards = module.camera(scene(pkmodes.load(f"robots/{robot}.toml"), pose))
     np.testing.assert_allclose(np.cross(right, up), towards, atol=1e-12)
     np.testing.assert_allclose(
         [right[2], np.linalg.norm(right), np.linalg.norm(up)], [0.0, 1.0, 1.0], atol=1e-12

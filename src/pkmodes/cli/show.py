@@ -13,10 +13,11 @@ from pkmodes.base.errors import PkmodesError
 from pkmodes.base.progress import say
 from pkmodes.base.writing import write_file
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import drives_option, json_option, mechanism_option
+from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options
 from pkmodes.cli.poses import check_metres, parse_pose
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import Target, check_targets
+from pkmodes.cli.varying import OPTION, parse_vary, vary_option
 from pkmodes.model.loading import load
 
 
@@ -51,18 +52,26 @@ class ShowDocument(Document):
     default=None,
     help="Vibration mode of FILE.gif, by default 1.",
 )
+@vary_option
 @drives_option
 @mechanism_option
 @json_option
 def show(
-    robot: Path, pose: str | None, out: str | None, mode: int | None, drives: str, json_file: str | None
+    robot: Path,
+    pose: str | None,
+    out: str | None,
+    mode: int | None,
+    vary: str | None,
+    drives: str,
+    json_file: str | None,
 ) -> None:
     """Write a page that shows the robot in three dimensions, moving in its modes.
 
     Choose a pose, a mode, amplitude and speed; belts and other springs are coloured by their share of the
-    strain energy; a table gives the numbers.  The page is one file and needs no network.
+    strain energy; a table gives the numbers.  The page is one file and needs no network.  With --vary, sliders
+    change values of the robot, beside thin lines of the robot as declared.
     """
-    from pkmodes.view import page, poses_around, typical_pose
+    from pkmodes.view import page, poses_around, typical_pose, varied
     from pkmodes.view import scene as scene_of
 
     target = f"{robot.stem}.html" if out is None else out
@@ -71,7 +80,10 @@ def show(
     if mode is not None and not moving:
         remedy = "choose the mode on the page, or name FILE.gif"
         raise PkmodesError("only a moving picture has one mode", f"--mode {mode}", remedy)
+    if vary is not None and moving:
+        raise PkmodesError("a moving picture has no sliders", OPTION, "name FILE.html")
     model = load(robot)
+    ranges = None if vary is None else parse_vary(vary, model.robot)
     if pose is None:
         point = typical_pose(model).tolist()
     else:
@@ -88,6 +100,9 @@ def show(
                 f"expected a vibration mode up to {known}, found {mode}", "--mode", "choose another"
             )
         write_file(Path(target), animation(one, one.rigid_modes + mode - 1))
+    elif ranges is not None:
+        with named_as_options({"values": OPTION}):
+            write_file(Path(target), page(varied(model, point, ranges, drives=drives)))
     else:
         write_file(Path(target), page(poses_around(model, point, drives=drives)))
     document = ShowDocument(robot=str(robot), out=target, pose=point)

@@ -152,14 +152,17 @@ def _poses(scene: Scene, key: str) -> str:
             f'<select id="{key}-pose" data-part="pose" aria-labelledby="{key}-pose-title">{options}</select>'
             "</fieldset>"
         )
+    at = scene.poses[scene.chosen] if scene.values is None else scene.values[scene.chosen]
     rows = "".join(
-        f'<div class="pkview-row"><label for="{key}-{c.name}">{escape(c.name)}</label>'
+        f'<div class="pkview-row"><label for="{key}-{c.name}">{escape(c.name).replace(".", ".<wbr>")}</label>'
         f'<input type="range" id="{key}-{c.name}" data-part="level" min="0" max="{FINE * (len(values) - 1)}" step="1"'
         f' value="{FINE * int(np.argmin(np.abs(values - value)))}" title="{escape(c.description)}">'
         f'<output for="{key}-{c.name}" data-part="level-value">{_shown(c, value)}</output></div>'
-        for c, values, value in zip(scene.pose, scene.levels, scene.poses[scene.chosen], strict=True)
+        for c, values, value in zip(scene.axes, scene.levels, at, strict=True)
     )
-    return f'<fieldset><legend>Pose</legend>{rows}<p class="pkview-hint" data-part="between"></p></fieldset>'
+    title, kind = ("Values", ' class="pkview-varied"') if scene.varied else ("Pose", "")
+    hint = '<p class="pkview-hint" data-part="between"></p>'
+    return f"<fieldset{kind}><legend>{title}</legend>{rows}{hint}</fieldset>"
 
 
 def _title(scene: Scene) -> str:
@@ -185,6 +188,8 @@ def _title(scene: Scene) -> str:
 def _about(scene: Scene) -> str:
     """Return which model moves, and what was measured."""
     what = f"<p>Model {escape(scene.what)}</p>" if scene.what else ""
+    if scene.varied:
+        what += '<p>Thin lines: as declared<span data-part="declared"></span></p>'
     if scene.measured is None:
         return what
     return f'{what}<p class="pkview-measured"><span data-part="observed">{observed(scene)}</span></p>'
@@ -193,7 +198,12 @@ def _about(scene: Scene) -> str:
 def _modes(scene: Scene, key: str) -> str:
     rigid, count = scene.rigid_modes, scene.frequencies.shape[1]
     first = min(rigid, count - 1)
-    labels, beside = [], "" if scene.measured is None else '<small data-part="beside" data-mode="{}"></small>'
+    labels, beside = (
+        [],
+        ""
+        if scene.measured is None and not scene.varied
+        else '<small data-part="beside" data-mode="{}"></small>',
+    )
     for mode in [*range(rigid, count), *range(rigid)]:
         kind = "" if mode >= rigid else ' class="pkview-rigid"'
         name = str(mode - rigid + 1) if mode >= rigid else f"rigid {mode + 1}"
@@ -281,11 +291,17 @@ def _place(scene: Scene, index: int) -> str:
     parts = [
         f"{c.name} = {_shown(c, value)}" for c, value in zip(scene.pose, scene.poses[index], strict=True)
     ]
+    if scene.values is not None:
+        parts += [
+            f"{c.name} = {_shown(c, v)}" for c, v in zip(scene.varied, scene.values[index], strict=True)
+        ]
     label = f"{scene.labels[index]}: " if scene.labels else ""
     return escape(label + ", ".join(parts))
 
 
 def _shown(component: Named, value: float) -> str:
+    if "." in component.name:  # a parameter, of any size
+        return f"{value:.4g} {component.unit}".removesuffix(" 1").replace("-", "\u2212")
     unit, factor = SHOWN.get(component.unit, (component.unit, 1.0))
     return f"{round(factor * value, 1) + 0.0:.1f} {unit}".replace("-", "\u2212")
 

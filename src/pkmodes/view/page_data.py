@@ -43,11 +43,14 @@ def as_data(scene: Scene) -> dict[str, Any]:
         "motionsOf": scene.motions_of.tolist(),
         "rigid": scene.rigid_modes,
         "chosen": scene.chosen,
-        "levels": None if scene.levels is None else [_rounded(values, 6) for values in scene.levels],
+        "levels": None if scene.levels is None else [_levels(scene, values) for values in scene.levels],
         "places": None if scene.places is None else scene.places.ravel().tolist(),
         "order": None if scene.order is None else scene.order.tolist(),
         "deviations": _largest_deviations(scene),
         "poses": _rounded(scene.poses, 6),
+        "axes": [{"name": c.name, "unit": c.unit} for c in scene.axes],
+        "varied": bool(scene.varied),
+        "declared": scene.declared,
         "labels": list(scene.labels),
         "measured": measured_data(scene),
         "points": _rounded(scene.points.reshape(len(scene.poses), -1), PLACES),
@@ -90,6 +93,11 @@ def _largest_deviations(scene: Scene) -> list[float | None] | None:
         return None
     sizes = [np.abs(cell) for cell in scene.deviations]
     return [_rounded(float(one.max()), 4) if np.isfinite(one).all() else None for one in sizes]
+
+
+def _levels(scene: Scene, values: Array) -> Any:
+    """Return values of an axis: of poses to a micrometre, of parameters as they are."""
+    return values.tolist() if scene.varied else _rounded(values, 6)
 
 
 def _surface(scene: Scene, surface: Surface | None) -> dict[str, Any] | None:

@@ -63,7 +63,7 @@ class Scene:
     chosen : int
         The pose to show first.
     levels : tuple of ndarray, optional
-        For each component its values, if the poses belong to a grid.
+        For each component of the pose, or each varied parameter, its values, if the states belong to a grid.
     places : ndarray of int, optional
         Index of the pose at each place of the grid, -1 where the robot cannot be.
     workspace : Surface, optional
@@ -72,6 +72,12 @@ class Scene:
         On a grid, index of the mode that carries each number at each pose: see `pkmodes.view.pairing`.
     deviations : ndarray, shape (cells, m - rigid_modes), optional
         How far frequencies between the poses of a grid are off: see `pkmodes.view.interpolation`.
+    varied : tuple of Named
+        Parameters that change between the states, by path; empty where only the pose does.
+    values : ndarray, shape (N, len(varied)), optional
+        Their values at each state, in SI units.
+    declared : int, optional
+        The state that is the robot as declared, where parameters vary.
     labels : tuple of str
         Names of the poses, as of a measurement; empty where they have none.
     what : str
@@ -107,6 +113,9 @@ class Scene:
     workspace: Surface | None = None
     order: NDArray[np.intp] | None = None
     deviations: Array | None = None
+    varied: tuple[Named, ...] = ()
+    values: Array | None = None
+    declared: int | None = None
     labels: tuple[str, ...] = ()
     what: str = ""
     measured: tuple[MeasuredMode, ...] | None = None
@@ -117,6 +126,11 @@ class Scene:
         """Diagonal of the box around the points at the pose shown first, of a single point at all poses [m]."""
         here = np.linalg.norm(np.ptp(self.points[self.chosen], axis=0))
         return float(here or np.linalg.norm(np.ptp(self.points, axis=(0, 1))) or 1.0)
+
+    @property
+    def axes(self) -> tuple[Named, ...]:
+        """What the levels of a grid are values of."""
+        return self.varied or self.pose
 
     @property
     def shares(self) -> Array:

@@ -10,6 +10,13 @@ function tidy(value, digits) {
   return String(Number(value.toFixed(digits)) + 0).replace("-", "\u2212");
 }
 
+// A component of the pose, or a parameter of any size.
+function component(axis, value) {
+  if (!axis.name.includes(".")) return shown(value, axis.unit);
+  const text = String(Number(value.toPrecision(4))).replace("-", "\u2212");
+  return axis.unit === "1" ? text : `${text} ${axis.unit}`;
+}
+
 function precise(value) {
   return String(Number(value.toPrecision(2)));
 }
@@ -38,11 +45,12 @@ class Panel {
 
   // Set sliders, frequencies and table to a state.
   pose(state) {
+    const { data } = this;
     if (state.place) this.sliders(state.place);
     if (this.find("pose")) this.find("pose").value = state.nearest;
     this.all("place").forEach((part) => { part.textContent = this.place(state); });
     if (this.find("between")) {
-      this.find("between").textContent = state.exact ? "Computed for this pose." : this.interpolated(state);
+      this.find("between").textContent = state.exact ? `Computed for ${data.varied ? "these values" : "this pose"}.` : this.interpolated(state);
     }
     this.all("frequency").forEach((part) => {
       part.textContent = this.hertz(state, Number(part.dataset.mode));
@@ -61,32 +69,38 @@ class Panel {
   sliders(place) {
     const { data } = this;
     this.all("level").forEach((slider, i) => {
-      const { unit } = data.pose[i], levels = data.levels[i], low = Math.min(Math.floor(place[i]), levels.length - 2);
-      const value = low < 0 ? levels[0] : levels[low] + (place[i] - low) * (levels[low + 1] - levels[low]);
+      const value = valuesAt(data, place)[i];
       slider.value = Math.round(FINE * place[i]);
-      slider.setAttribute("aria-valuetext", shown(value, unit));
-      this.all("level-value")[i].textContent = shown(value, unit);
+      const text = component(data.axes[i], value);
+      slider.setAttribute("aria-valuetext", text);
+      this.all("level-value")[i].textContent = text;
     });
   }
 
   // Where the robot is, in words: the label of the pose and its components.
   place(state) {
     const { data } = this, label = state.exact ? data.labels[state.nearest] : undefined;
-    const at = data.pose.map((c, i) => `${c.name} = ${shown(state.pose[i], c.unit)}`).join(", ");
+    const parts = data.pose.map((c, i) => `${c.name} = ${shown(state.pose[i], c.unit)}`);
+    if (data.varied) {
+      const values = valuesAt(data, state.place);
+      parts.push(...data.axes.map((c, i) => `${c.name} = ${component(c, values[i])}`));
+    }
+    const at = parts.join(", ");
     return `${label ? `${label}: ` : ""}${at}${state.exact ? "" : ", interpolated"}`;
   }
 
   interpolated(state) {
-    const off = state.deviation;
-    if (!(off > 0)) return "Interpolated between computed poses.";
-    return `Interpolated between computed poses: in the middle between them, frequencies are off by up to ${precise(100 * off)} %.`;
+    const off = state.deviation, what = this.data.varied ? "values" : "poses";
+    if (!(off > 0)) return `Interpolated between computed ${what}.`;
+    return `Interpolated between computed ${what}: in the middle between them, frequencies are off by up to ${precise(100 * off)} %.`;
   }
 
   // A frequency, between states with no more decimals than it deserves.
   hertz(state, mode) {
     const value = state.frequencies[mode];
     if (state.exact) return `${fixed(value, 2)} Hz`;
-    return `\u2248 ${fixed(value, state.deviation > 0.01 || state.deviation === null ? 0 : 1)} Hz`;
+    const off = state.deviation === null ? 1 : state.deviation;
+    return `\u2248 ${fixed(value, off > 0.01 ? 0 : off > 0.0005 ? 1 : 2)} Hz`;
   }
 
   // Say what the chosen mode is.
@@ -135,6 +149,18 @@ class Panel {
         row.querySelector(`[data-part="of-${part}"]`).textContent = value === null ? "\u2013" : fixed(value, 3);
       });
     });
+  }
+
+  // Frequencies of the declared robot beside those of the robot with the values of the sliders.
+  declared(state, mode, states) {
+    if (!this.data.varied) return;
+    this.all("beside").forEach((part) => {
+      part.textContent = `declared ${fixed(states.declared(state, Number(part.dataset.mode)).frequency, 2)}`;
+      part.classList.add("pkview-without");
+    });
+    const { frequency } = states.declared(state, mode), change = state.frequencies[mode] / frequency - 1;
+    const by = Number.isFinite(change) && mode >= this.data.rigid ? ` (${change > 0 ? "+" : ""}${fixed(100 * change, 1)} %)` : "";
+    this.find("declared").textContent = `, ${fixed(frequency, 2)} Hz${by}`;
   }
 
   uncertain(one) {

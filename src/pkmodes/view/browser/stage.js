@@ -25,6 +25,7 @@ class Stage {
     this.marks = new MeasuredMarks(data.size);
     this.world.add(this.marks.group);
     this.measured = null;
+    this.declared = null;
     this.addWorkspace();
     this.labels = new T.Group();
     this.world.add(this.labels);
@@ -203,16 +204,21 @@ class Stage {
       if (shape.rest) shape.rest(points);
       shape.paint(palette, held, spring >= 0 && spring === this.lit);
     });
+    this.drawGhost(points);
+    this.marks.show(this.measured, data.elements);
+    this.drawLabels(points);
+    this.dirty = true;
+  }
+
+  // Thin lines: the robot at rest, or, where its values vary, the declared robot in its mode.
+  drawGhost(points) {
     const ends = [];
-    data.elements.filter((e) => e.shape === "line").forEach((e) => {
+    this.data.elements.filter((e) => e.shape === "line").forEach((e) => {
       for (let i = 1; i < e.points.length; i++) ends.push(vector(points, e.points[i - 1]), vector(points, e.points[i]));
     });
     const flat = new Float32Array(ends.flatMap((p) => [p.x, p.y, p.z]));
     this.ghost.geometry.setAttribute("position", new T.BufferAttribute(flat, 3));
     this.ghost.geometry.computeBoundingSphere();
-    this.marks.show(this.measured, data.elements);
-    this.drawLabels(points);
-    this.dirty = true;
   }
 
   drawLabels(points) {
@@ -252,8 +258,11 @@ class Stage {
 
   // Positions of all points now; the motion is linear in the amplitude.
   moved() {
-    const { data } = this, rest = this.state.points, by = this.state.moved[this.mode];
-    const factor = this.amplitude * data.size * this.phase;
+    return this.displaced(this.state.points, this.state.moved[this.mode], 1);
+  }
+
+  displaced(rest, by, sign) {
+    const { data } = this, factor = sign * this.amplitude * data.size * this.phase;
     return rest.map((value, i) => value + factor * by[3 * data.motionsOf[Math.floor(i / 3)] + (i % 3)]);
   }
 
@@ -261,6 +270,8 @@ class Stage {
     const { data } = this, points = this.moved(), factor = this.amplitude * data.size;
     const turned = this.state.turned[this.mode].map((angle) => angle * factor * this.phase);
     this.shapes.forEach((shape) => shape.place(points, turned));
+    const { declared } = this;
+    if (declared) this.drawGhost(this.displaced(declared.points, declared.moved, declared.sign));
     this.marks.place(this.state.points, factor, this.phase);
     const centre = vector(this.state.points, 0);
     const reach = vector(this.state.moved[this.mode], data.motionsOf[0]).multiplyScalar(factor);

@@ -12,6 +12,8 @@ class States {
     this.sizes = data.levels ? data.levels.map((values) => values.length) : [];
     this.wheels = data.elements.filter((e) => e.turns >= 0);
     // The place of every state in the grid.
+    // For every state the number that each of its modes carries.
+    this.numbers = (data.order || []).map((order) => order.map((_, mode) => order.indexOf(mode)));
     this.grid = new Map();
     (data.places || []).forEach((state, flat) => { if (state >= 0) this.grid.set(state, this.unravelled(flat)); });
   }
@@ -23,14 +25,6 @@ class States {
       flat = Math.floor(flat / this.sizes[i]);
     }
     return place;
-  }
-
-  // Values of the axes at a place, which counts in levels and may be between them.
-  values(place) {
-    return place.map((at, i) => {
-      const values = this.data.levels[i], low = Math.min(Math.floor(at), values.length - 1), part = at - low;
-      return part ? values[low] + part * (values[low + 1] - values[low]) : values[low];
-    });
   }
 
   // The place of values of the axes, at the edge of the grid for values beyond it.
@@ -88,7 +82,7 @@ class States {
   evaluated(state) {
     const { data } = this;
     return {
-      exact: true, nearest: state, place: this.grid.get(state) || null, pose: data.poses[state],
+      exact: true, nearest: state, place: this.grid.get(state) || null, numbers: this.numbers[state] || null, pose: data.poses[state],
       points: data.points[state], frequencies: data.frequencies[state], moved: data.moved[state],
       turned: data.turned[state], shares: data.shares[state], directions: data.directions[state],
       apart: data.frequencies[state].map(() => false),
@@ -108,7 +102,7 @@ class States {
     return {
       exact: false, nearest, place, pose: sum((s) => data.poses[s]), points, deviation: this.deviation(place),
       frequencies: each("frequency"), moved: each("moved"), turned: each("turned"), shares: each("shares"),
-      directions: each("directions"), apart: each("apart"),
+      directions: each("directions"), numbers: each("number"), apart: each("apart"),
     };
   }
 
@@ -131,7 +125,7 @@ class States {
     const vibration = number >= data.rigid, apart = vibration && pairs.some((pair) => pair.alike < ALIKE);
     const mode = {
       frequency: frequency(pairs.map(({ s, m, weight }) => [data.frequencies[s][m], weight])), apart,
-      moved: data.moved[nearest][own], turned: data.turned[nearest][own], shares: data.shares[nearest][own],
+      number, moved: data.moved[nearest][own], turned: data.turned[nearest][own], shares: data.shares[nearest][own],
       directions: data.directions[nearest][own],
     };
     if (!vibration || apart) return mode; // the shape is that of the nearest state
@@ -141,7 +135,18 @@ class States {
     const along = sum((s, m) => data.directions[s][m]), size = Math.hypot(...along) || 1;
     return {
       ...mode, moved: moved.map((v) => v * scale), turned: turned.map((v) => v * scale), directions: along.map((v) => v / size),
-      shares: mixed(pairs.map(({ s, m, weight }) => [data.shares[s][m], weight])),
+      shares: pairs.some(({ s, m }) => !data.shares[s][m]) ? data.shares[nearest][own] : mixed(pairs.map(({ s, m, weight }) => [data.shares[s][m], weight])),
+    };
+  }
+
+  // The mode of the declared robot that continues one of a state, and the sign of its shape; null without one.
+  declared(state, mode) {
+    const { data } = this, index = data.declared;
+    if (index === null) return null;
+    const own = data.order[index][state.numbers[mode]], moved = data.moved[index][own];
+    return {
+      frequency: data.frequencies[index][own], moved, points: data.points[index],
+      sign: Math.sign(dot(state.moved[mode], moved)) || 1,
     };
   }
 
@@ -171,6 +176,14 @@ function reach(points, wheel) {
 
 function dot(a, b) {
   return a.reduce((sum, value, i) => sum + value * b[i], 0);
+}
+
+// Values of the axes at a place, which counts in levels and may be between them.
+function valuesAt(data, place) {
+  return place.map((at, i) => {
+    const values = data.levels[i], low = Math.min(Math.floor(at), values.length - 1), part = at - low;
+    return part > 1e-9 ? values[low] + part * (values[low + 1] - values[low]) : values[low];
+  });
 }
 
 // The weighted sum of lists: of [list, weight, sign].

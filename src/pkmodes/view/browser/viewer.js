@@ -13,11 +13,12 @@ class Viewer {
     this.amplitude = this.data.amplitude;
     this.time = 0.25 / this.panel.cycles; // begins at the largest displacement
     this.on = !!this.stage && !matchMedia("(prefers-reduced-motion: reduce)").matches;
-    if (this.stage) this.stage.measured = this.measured();
+    if (this.stage) Object.assign(this.stage, this.beside());
     this.listen();
     this.panel.pose(this.state);
     this.panel.mode(this.state, this.mode, this.amplitude, false);
     this.panel.measured(this.state, this.mode, false);
+    this.panel.declared(this.state, this.mode, this.states);
     this.panel.playing(this.on);
     if (!this.stage) return;
     root.classList.add("pkview-live");
@@ -29,9 +30,9 @@ class Viewer {
     return this.state.nearest;
   }
 
-  // The measured mode beside the one that is shown, null where none was measured.
-  measured() {
-    return measuredAt(this.data, this.state, this.mode);
+  // What stands beside the mode that is shown: a measured one, one of the declared robot, null for none.
+  beside() {
+    return { measured: measuredAt(this.data, this.state, this.mode), declared: this.states.declared(this.state, this.mode) };
   }
 
   start() {
@@ -121,7 +122,7 @@ class Viewer {
     wanted[axis] = Number(moved.value) / FINE;
     const place = states.nearest(wanted, axis);
     this.choose(states.at(place), this.mode);
-    if (place[axis] !== wanted[axis]) panel.find("status").textContent += " No pose that was evaluated is reachable there.";
+    if (place[axis] !== wanted[axis]) panel.find("status").textContent += " No pose that was computed is reachable there.";
     else if (place !== wanted) panel.find("status").textContent += " Moved to the nearest pose that the robot can reach.";
     this.tell();
   }
@@ -129,7 +130,7 @@ class Viewer {
   // Move to the pose given in SI units, as another part of the page asks, or as near to it as the poses here allow.
   go(values) {
     const { data, states } = this, { poses } = data;
-    if (values.length !== poses[0].length) return;
+    if (data.varied || values.length !== poses[0].length) return;
     if (data.levels) {
       this.choose(states.at(states.nearest(states.placed(values))), this.mode);
       return;
@@ -142,6 +143,7 @@ class Viewer {
 
   // Tell other parts of the page that the controls moved the robot.
   tell() {
+    if (this.data.varied) return;
     const detail = { pose: this.state.pose };
     document.dispatchEvent(new CustomEvent("pkmodes-moved", { detail }));
   }
@@ -152,8 +154,9 @@ class Viewer {
     this.panel.pose(state);
     this.panel.mode(state, mode, this.amplitude, true);
     this.panel.measured(state, mode, true);
+    this.panel.declared(state, mode, this.states);
     if (!this.stage) return;
-    Object.assign(this.stage, { state, mode, measured: this.measured() });
+    Object.assign(this.stage, { state, mode, ...this.beside() });
     this.stage.show();
     this.draw();
   }
