@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from pkmodes.base.drives import FREE
 from pkmodes.measured.pose_table import poses_by_name
 from pkmodes.model.model import Model
+from pkmodes.robot.report_fields import head_of
 from pkmodes.view.page import page
 from pkmodes.view.robot_drawing import RobotDrawing, present
 from pkmodes.view.scene import Scene
@@ -80,4 +81,5 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0, *, drives: str = FREE
         vertical=drawing.vertical,
         drives=drives,
         chosen=chosen,
+        head=tuple(head_of(model.robot.report)),
     )

@@ -66,6 +66,8 @@ class Scene:
         Index of the pose at each place of the grid, -1 where the robot cannot be.
     workspace : Surface, optional
         Boundary of the reachable workspace of the platform.
+    head : tuple of (str, str)
+        Lines of the head of a page, such as the customer.
     """
 
     robot: str
@@ -90,6 +92,7 @@ class Scene:
     levels: tuple[Array, ...] | None = None
     places: NDArray[np.intp] | None = None
     workspace: Surface | None = None
+    head: tuple[tuple[str, str], ...] = ()
 
     @property
     def size(self) -> float:
