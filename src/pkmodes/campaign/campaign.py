@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from os import PathLike, fspath
 from pathlib import Path
 
@@ -15,6 +15,7 @@ from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, sensors_of,
 from pkmodes.identification.asked import Asked
 from pkmodes.model.loading import load
 from pkmodes.model.model import Model
+from pkmodes.robot.report_fields import read_report
 from pkmodes.updating.load_cases import settable
 from pkmodes.updating.robot_structure import channels
 
@@ -85,6 +86,8 @@ class Campaign:
         Relative standard deviation of a frequency when a pose is approached again; None to estimate it.
     tones : tuple of float
         Of mains, fans and motors [Hz]: these and their multiples are no modes.
+    report : mapping of str to str
+        Fields of the head of its report, which prevail over those of the robot.
     """
 
     source: str
@@ -96,6 +99,7 @@ class Campaign:
     forces: tuple[Place, ...]
     records: tuple[Record, ...]
     edits: tuple[Edit, ...]
+    report: Mapping[str, str] = field(default_factory=dict)
 
     def sensors_in(self, setup: str) -> dict[str, Sensor]:
         """Return the sensors that hold in a setup, by name."""
@@ -186,7 +190,15 @@ def campaign_of(table: CampaignTable, source: str) -> Campaign:
         edits=tuple(
             _edit(edit, records, f"{source}: edit.{i}") for i, edit in enumerate(table.edit, start=1)
         ),
+        report=_report(table, source),
     )
+
+
+def _report(table: CampaignTable, source: str) -> dict[str, str]:
+    def refuse(path: str, what: str, remedy: str) -> None:
+        raise MeasurementError(what, f"{source}: {path}", remedy)
+
+    return read_report(table.report, refuse)
 
 
 def _check_channels(names: list[str], source: str) -> None:

@@ -93,6 +93,7 @@ class CampaignTable(Part, frozen=True):
     sensor: list[SensorTable] = []
     force: list[ForceTable] = []
     edit: list[EditTable] = []
+    report: dict[str, Any] = {}
 
 
 #: Tables by the last name of their place in the file.

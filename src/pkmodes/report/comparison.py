@@ -50,6 +50,7 @@ def _summary(result: Comparison, setting: Setting) -> Summary:
         tone=tone,
         notes=[clean(note, SENTENCE) for note in result.notes],
         facts=[(name, cell) for name, cell in facts if cell.value is not None],
+        head=setting.head,
     )
 
 

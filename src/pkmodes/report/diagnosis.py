@@ -59,6 +59,7 @@ def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary
         tone=VERDICTS[result.verdict].colour,
         notes=[clean(_sentence(note), SENTENCE) for note in result.notes],
         facts=facts,
+        head=setting.head,
     )
 
 

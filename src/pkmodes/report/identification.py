@@ -18,6 +18,7 @@ from pkmodes.report.identified_record import auto_macs, record_section
 from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source
+from pkmodes.robot.report_fields import head_of
 
 #: Places that a note of the head names at most.
 PLACES = 8
@@ -91,6 +92,7 @@ def _summary(found: Identification, campaign: Campaign, content: Mapping[str, An
         tone="open" if notes else "good",
         notes=notes,
         facts=facts,
+        head=head_of(campaign.report, {} if campaign.model is None else campaign.model.robot.report),
     )
 
 

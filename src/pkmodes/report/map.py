@@ -30,6 +30,7 @@ from pkmodes.report.origin import files_of, view_section
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.robot.corrections import changeable
+from pkmodes.robot.report_fields import head_of
 from pkmodes.robot.units import SHOWN
 
 if TYPE_CHECKING:
@@ -120,6 +121,7 @@ def _summary(model: Model, content: dict[str, Any]) -> Summary:
         tone="plain",
         notes=notes,
         facts=facts,
+        head=head_of(model.robot.report),
     )
 
 

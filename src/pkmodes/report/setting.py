@@ -11,6 +11,7 @@ from pkmodes.measured.measurements import Measurements
 from pkmodes.plots.labels import typeset
 from pkmodes.report.formatting import clean, unit
 from pkmodes.report.sources import Source
+from pkmodes.robot.report_fields import head_of
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.load_cases import settable
 
@@ -36,6 +37,11 @@ class Setting:
     def title(self, drives: Iterable[str | None]) -> str:
         """Return the subject, with what the motors of a robot did."""
         return clean(self.subject) if self.robot is None else f"{clean(self.subject)}, {motors(drives)}"
+
+    @property
+    def head(self) -> list[tuple[str, str]]:
+        """Lines of the head of the report: what the robot file says of the machine."""
+        return [] if self.robot is None else head_of(self.robot.report)
 
     @cached_property
     def _units(self) -> dict[str, str]:

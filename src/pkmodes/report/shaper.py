@@ -15,6 +15,7 @@ from pkmodes.report.formatting import clean, number, pointer
 from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
+from pkmodes.robot.report_fields import head_of
 from pkmodes.robot.units import SHOWN
 from pkmodes.shaping.firmware import NAMES
 from pkmodes.shaping.residual_vibration import residual
@@ -65,10 +66,10 @@ def shaper_report(
         Section("firmware", "Lines for firmware", _firmware(content)),
         Section("origin", "Data and versions", [Facts(files_of(sources))]),
     ]
-    return page(_summary(choice, content), sections)
+    return page(_summary(model, choice, content), sections)
 
 
-def _summary(choice: Choice, content: dict[str, Any]) -> Summary:
+def _summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
     best, unshaped = choice.candidates[choice.recommended], choice.unshaped
     at = pointer("shapers", choice.recommended, "left", "worst")
     share = float(best.left_at.max())
@@ -95,6 +96,7 @@ def _summary(choice: Choice, content: dict[str, Any]) -> Summary:
                 Cell(f"{1e6 * unshaped.worst:.3g} um", unshaped.worst, pointer("unshaped", "worst")),
             ),
         ],
+        head=head_of(model.robot.report),
     )
 
 

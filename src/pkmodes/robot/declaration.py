@@ -45,6 +45,8 @@ class Declaration:
         not the effect is declared.
     usable : mapping of str to tuple of float
         Where the machine is used: lower and upper limit of components of the pose in SI units.
+    report : mapping of str to str
+        What the head of reports says of the machine, by key of the table ``[report]``.
     """
 
     name: str
@@ -55,6 +57,7 @@ class Declaration:
     effects: Mapping[str, float] = field(default_factory=dict)
     constants: Mapping[str, float] = field(default_factory=dict)
     usable: Mapping[str, Limits] = field(default_factory=dict)
+    report: Mapping[str, str] = field(default_factory=dict)
 
     def __eq__(self, other: object) -> bool:
         return self._content == other._content if isinstance(other, Declaration) else NotImplemented
@@ -77,7 +80,7 @@ class Declaration:
     def _content(self) -> tuple[object, ...]:
         """Everything except the source, in a form that can be compared and hashed."""
         arrays = (np.asarray(value) for value in self.parameters)
-        mappings = (self.quantities, self.effects, self.constants, self.usable)
+        mappings = (self.quantities, self.effects, self.constants, self.usable, self.report)
         return (
             self.name,
             self.mechanism_name,

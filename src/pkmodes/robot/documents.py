@@ -7,12 +7,17 @@ from typing import Any
 
 from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot.layout import EFFECTS, items, lent
+from pkmodes.robot.report_fields import REPORT
 from pkmodes.robot.tables import FORMAT
 from pkmodes.robot.usable import USABLE, Limits
 
 
 def document_of(
-    mechanism: Mechanism, name: str, values: Mapping[str, Any], usable: Mapping[str, Limits] | None = None
+    mechanism: Mechanism,
+    name: str,
+    values: Mapping[str, Any],
+    usable: Mapping[str, Limits] | None = None,
+    report: Mapping[str, str] | None = None,
 ) -> dict[str, Any]:
     """Return the document of a robot file with only these values.
 
@@ -24,6 +29,8 @@ def document_of(
         By path, as a file could contain them; a vector by all of its elements.
     usable : mapping of str to tuple of float, optional
         Limits of components of the pose.
+    report : mapping of str to str, optional
+        Fields of the head of reports.
 
     Raises
     ------
@@ -46,6 +53,8 @@ def document_of(
             _put(document, tuple(path.split(".")), raw)
     if usable:
         document[USABLE] = {name: list(ends) for name, ends in usable.items()}
+    if report:
+        document[REPORT] = dict(report)
     return document
 
 

@@ -14,7 +14,8 @@ class Robot(Declaration):
 
     Two robots are equal if their declarations are equal; the location of their files is ignored.  The attributes are
     those of `pkmodes.robot.declaration.Declaration`: ``name``, ``mechanism_name``, ``source``, ``parameters``,
-    ``quantities``, ``effects``, ``constants``, ``usable``, and the derived ``mechanism`` and ``declared``.
+    ``quantities``, ``effects``, ``constants``, ``usable``, ``report``, and the derived
+    ``mechanism`` and ``declared``.
     """
 
     def with_values(self, values: Mapping[str, Any]) -> Robot:

@@ -11,6 +11,7 @@ from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot import schema
 from pkmodes.robot.effects import read_effects
 from pkmodes.robot.layout import EFFECTS, GRAVITY, by_path, lent
+from pkmodes.robot.report_fields import REPORT, read_report
 from pkmodes.robot.units import DIMENSIONS, Quantity
 from pkmodes.robot.usable import USABLE, Limits, read_usable
 from pkmodes_description import Key, Table
@@ -44,6 +45,8 @@ class Tables:
         Parameters of the effects in the file, by path.
     usable : mapping of str to tuple of float
         Limits of components of the pose, where the file gives any.
+    report : mapping of str to str
+        Fields of the head of reports.
 
     Raises
     ------
@@ -74,7 +77,10 @@ class Tables:
         self.usable: dict[str, Limits] = {}
         if USABLE not in tables:  # a mechanism of a user may have a table of that name
             self.usable = read_usable(mechanism, document.get(USABLE, {}), self.problem)
-        self._unknown(document, "", [*HEAD, *tables, EFFECTS, USABLE])
+        self.report: dict[str, str] = {}
+        if REPORT not in tables:
+            self.report = read_report(document.get(REPORT, {}), self.problem)
+        self._unknown(document, "", [*HEAD, *tables, EFFECTS, USABLE, REPORT])
 
     def raise_problems(self) -> None:
         """Raise an error with all problems, if there are any."""

@@ -57,6 +57,7 @@ def declaration(document: Mapping[str, Any], source: str) -> Declaration:
         effects=_by_effect(tables.effects),
         constants=_by_effect(constants),
         usable=tables.usable,
+        report=tables.report,
     )
 
 

@@ -46,7 +46,7 @@ def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
 
 def _read(robot: Declaration, values: Mapping[str, Any], source: str) -> Declaration:
     """Return the declaration of a file with only these values."""
-    return declaration(document_of(robot.mechanism, robot.name, values, robot.usable), source)
+    return declaration(document_of(robot.mechanism, robot.name, values, robot.usable, robot.report), source)
 
 
 def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict[str, Any]:

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.base.drives import FREE
 from pkmodes.measured.pose_table import poses_by_name
 from pkmodes.model.model import Model
+from pkmodes.robot.report_fields import head_of
 from pkmodes.view.page import page
 from pkmodes.view.robot_drawing import RobotDrawing, Springs, present
 from pkmodes.view.scene import Scene
@@ -133,6 +134,7 @@ def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: 
         vertical=drawing.vertical,
         drives=drives,
         chosen=chosen,
+        head=tuple(head_of(model.robot.report)),
     )
 
 

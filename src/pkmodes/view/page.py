@@ -64,7 +64,7 @@ def page(scene: Scene) -> str:
 <header>
 <h1>{name}</h1>
 <p>{escape(scene.title[:1].upper() + scene.title[1:])}; motors {scene.drives}</p>
-</header>
+{_head(scene)}</header>
 {fragment(scene)}
 <footer>
 <p>A mode is a free vibration about the static equilibrium at the pose.  The picture enlarges it; displacements are
@@ -75,6 +75,12 @@ give are drawn schematically.</p>
 {assets()}</body>
 </html>
 """)
+
+
+def _head(scene: Scene) -> str:
+    """Return what the robot file says of the machine; nothing if it says nothing."""
+    lines = "".join(f"<dt>{title}</dt><dd><bdi>{escape(text)}</bdi></dd>\n" for title, text in scene.head)
+    return f'<dl class="about">\n{lines}</dl>\n' if lines else ""
 
 
 def assets() -> str:

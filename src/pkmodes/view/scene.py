@@ -86,6 +86,8 @@ class Scene:
         Measured modes at these poses; None where the scene has nothing to do with a measurement.
     channels : tuple of Channel
         Components at which their shapes were measured.
+    head : tuple of (str, str)
+        Lines of the head of a page, such as the customer.
     """
 
     robot: str
@@ -120,6 +122,7 @@ class Scene:
     what: str = ""
     measured: tuple[MeasuredMode, ...] | None = None
     channels: tuple[Channel, ...] = ()
+    head: tuple[tuple[str, str], ...] = ()
 
     @property
     def size(self) -> float:

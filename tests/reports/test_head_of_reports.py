@@ -1,0 +1,163 @@
+"""The head of every page says for whom and on what it is, as the robot file and the campaign file do."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+
+from helpers.pages.page_reading import Element, read
+from helpers.pages.report_examples import HOSTILE
+from pkmodes import read_robot
+from pkmodes.base.errors import MeasurementError, RobotFileError
+from pkmodes.campaign.campaign import read_campaign
+from pkmodes.cli import run
+from pkmodes.codegen.generation import specification
+from pkmodes.robot.corrections import Correction
+from pkmodes.robot.robot import Robot
+from pkmodes.robot.saving import corrected_text
+from pkmodes.robot.text import text_of
+
+ROOT = Path(__file__).parents[2]
+LOOP, CAMPAIGN = ROOT / "examples" / "closed_loop", ROOT / "examples" / "campaign"
+TABLE = """
+[report]
+operator = "A. Berg"
+customer = "M\u00fcller & S\u00f6hne <GmbH>"
+serial = "00123"
+"""
+#: In the order of the head, whatever the order in the file.
+HEAD = [("Customer", "M\u00fcller & S\u00f6hne <GmbH>"), ("Serial number", "00123"), ("Operator", "A. Berg")]
+
+
+def robot_with(folder: Path, table: str = TABLE, of: Path = LOOP / "robot.toml") -> Path:
+    (folder / "robot.toml").write_text(of.read_text("utf-8") + table, encoding="utf-8")
+    return folder / "robot.toml"
+
+
+def head(page: Path) -> list[tuple[str, str]]:
+    (header,) = read(page.read_text("utf-8")).all("header")
+    lists: list[Element] = header.all("dl")
+    return [
+        (term.text, text.text)
+        for one in lists
+        for term, text in zip(one.all("dt"), one.all("dd"), strict=True)
+    ]
+
+
+def pages(robot: Path, folder: Path) -> dict[str, Sequence[str]]:
+    corexy = folder / "corexy.toml"
+    corexy.write_text((ROOT / "robots" / "corexy-printer.toml").read_text("utf-8") + TABLE, encoding="utf-8")
+    few = ["--pose", "x=0.05:0.2:3,y=0.05:0.2:3"]
+    return {
+        "compare": ["compare", str(robot), str(LOOP / "measured.csv"), "--report"],
+        "diagnose": [
+            "diagnose",
+            str(robot),
+            str(LOOP / "measured.csv"),
+            "--candidates",
+            "payload",
+            "--report",
+        ],
+        "map": ["map", str(corexy), "--grid", few[1], "--out", str(folder / "map.nc"), "--report"],
+        "shaper": ["shaper", str(corexy), "--report"],
+        "show": ["show", str(corexy), "--out"],
+    }
+
+
+@pytest.mark.parametrize("command", ["compare", "diagnose", "map", "shaper", "show"])
+def test_every_page_of_a_robot_has_what_its_file_says(command: str, tmp_path: Path) -> None:
+    target = tmp_path / "page.html"
+    arguments = pages(robot_with(tmp_path), tmp_path)[command]
+    assert run([*arguments, str(target)]) == 0
+    assert head(target) == HEAD
+    first = target.read_bytes()
+    assert run([*arguments, str(target), *(["--overwrite"] if command == "map" else [])]) == 0
+    assert target.read_bytes() == first
+
+
+def test_without_the_table_there_is_no_head(tmp_path: Path) -> None:
+    target = tmp_path / "page.html"
+    robot = robot_with(tmp_path, "")
+    assert run(["compare", str(robot), str(LOOP / "measured.csv"), "--report", str(target)]) == 0
+    assert head(target) == []
+
+
+def test_what_the_campaign_says_prevails_over_the_robot(tmp_path: Path) -> None:
+    folder = tmp_path / "campaign"
+    shutil.copytree(CAMPAIGN, folder)
+    robot_with(folder, TABLE, folder / "robot.toml")
+    text = (folder / "campaign.toml").read_text("utf-8")
+    own = '\n[report]\noperator = "C. Diaz"\nmachine = "Cell 4"\n'
+    (folder / "campaign.toml").write_text(text + own, encoding="utf-8")
+    target = tmp_path / "page.html"
+    command = ["identify", str(folder / "campaign.toml"), "--out", str(tmp_path / "modes.csv"), "--report"]
+    assert run([*command, str(target)]) == 0
+    assert head(target) == [HEAD[0], ("Machine", "Cell 4"), HEAD[1], ("Operator", "C. Diaz")]
+
+
+@pytest.mark.parametrize("given", HOSTILE[:-1])
+def test_hostile_text_is_shown_as_text(given: str, tmp_path: Path) -> None:
+    if "\x00" in given:
+        pytest.skip("TOML has no such characters")
+    quoted = given.replace("\\", "\\\\").replace('"', '\\"')
+    robot = robot_with(tmp_path, f'\n[report]\ncustomer = "{quoted}"\n')
+    target = tmp_path / "page.html"
+    assert run(["compare", str(robot), str(LOOP / "measured.csv"), "--report", str(target)]) == 0
+    ((title, shown),) = head(target)
+    assert title == "Customer"
+    assert shown.isprintable()
+    if given.isprintable():
+        assert shown == given
+
+
+@pytest.mark.parametrize(
+    ("table", "place", "remedy"),
+    [
+        ('[report]\ncustommer = "x"', "report.custommer", '"customer"'),
+        ("[report]\nserial = 123", "report.serial", 'serial = "..."'),
+        ('[report]\nmachine = ""', "report.machine", "leave it out"),
+        (f'[report]\nmachine = "{"x" * 121}"', "report.machine", "leave it out"),
+        ("report = 1", "report", "[report]"),
+    ],
+)
+def test_other_keys_and_values_are_refused_in_both_files(
+    table: str, place: str, remedy: str, tmp_path: Path
+) -> None:
+    text = (LOOP / "robot.toml").read_text("utf-8")
+    joined = f"{table}\n{text}" if table.startswith("report =") else f"{text}\n{table}\n"
+    (tmp_path / "robot.toml").write_text(joined, encoding="utf-8")
+    with pytest.raises(RobotFileError) as refused:
+        read_robot(tmp_path / "robot.toml")
+    (problem,) = refused.value.problems
+    assert problem.where.endswith(f": {place}")
+    assert remedy in problem.remedy
+    if table == "report = 1":
+        return  # the kinds of values of a campaign file are tested with it
+    shutil.copy(CAMPAIGN / "robot.toml", tmp_path / "robot.toml")
+    text = (CAMPAIGN / "campaign.toml").read_text("utf-8")
+    (tmp_path / "campaign.toml").write_text(f"{text}\n{table}\n", encoding="utf-8")
+    with pytest.raises(MeasurementError) as wrong:
+        read_campaign(tmp_path / "campaign.toml")
+    assert str(wrong.value.where).endswith(f": {place}")
+    assert remedy in wrong.value.remedy
+
+
+def test_generated_code_does_not_depend_on_the_table(tmp_path: Path) -> None:
+    plain = read_robot(LOOP / "robot.toml")
+    named = read_robot(robot_with(tmp_path))
+    assert specification(named, "robot.toml") == specification(plain, "robot.toml")
+
+
+def test_other_values_and_written_robots_keep_the_table(tmp_path: Path) -> None:
+    path = robot_with(tmp_path)
+    robot = read_robot(path)
+    assert dict(robot.report) == {"customer": HEAD[0][1], "serial": "00123", "operator": "A. Berg"}
+    other: Robot = robot.with_values({"platform.mass": 2.0})
+    assert other.report == robot.report
+    (tmp_path / "other.toml").write_text(text_of(other), encoding="utf-8")
+    assert read_robot(tmp_path / "other.toml").report == robot.report
+    saved = corrected_text(path, {"platform.mass": Correction(2.0)})
+    assert TABLE in saved
