@@ -95,6 +95,22 @@ def test_the_spectrum_has_the_lines_of_each_stage_and_a_mark_for_each_row() -> N
     assert axes.get_ylim() == pytest.approx((0.0, 336.0))
 
 
+def test_bands_are_one_standard_deviation_on_either_side_of_the_declared_model() -> None:
+    """The declared model has 102, 210 Hz and 98, 190, 206 Hz; one mode of setup A has no standard deviation."""
+    spread = np.array([[2.0, np.nan, np.nan], [1.0, 3.0, 0.5]])
+    (axes,) = spectrum.spectrum(replace(EVIDENCE, spread=spread)).axes
+    (bands,) = (one for one in axes.collections if one.get_label() == "\u00b1 \u03c3 as declared")
+    boxes = sorted(
+        tuple(path.vertices[:4].min(axis=0)) + tuple(path.vertices[:4].max(axis=0))
+        for path in bands.get_paths()
+    )
+    expected = [(0, 102.0, 2.0), (1, 98.0, 1.0), (1, 190.0, 3.0), (1, 206.0, 0.5)]
+    assert boxes == [pytest.approx((at - 0.36, f - s, at + 0.36, f + s)) for at, f, s in expected]
+    by_frequency, *_ = figures.mode_figures(replace(EVIDENCE, spread=spread))
+    assert "one standard deviation on either side of the model as declared" in by_frequency.caption
+    assert "standard deviation on" not in figures.mode_figures(EVIDENCE)[0].caption
+
+
 def test_a_comparison_has_one_kind_of_lines() -> None:
     (axes,) = spectrum.spectrum(replace(EVIDENCE, stages=EVIDENCE.stages[:1])).axes
     assert len(segments(axes, "model as declared")) == 5

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import click
 import numpy as np
@@ -14,14 +15,16 @@ from pkmodes.base.documents import Count, Document, Matrix
 from pkmodes.base.drives import Drives
 from pkmodes.base.progress import say
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import comma_list, drives_option, json_option, mechanism_option
+from pkmodes.cli.options import comma_list, drives_option, json_option, mechanism_option, report_option
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
-from pkmodes.cli.targets import check_targets
+from pkmodes.cli.reporting import report_file, sources_of
+from pkmodes.cli.targets import check_targets, report_target
 from pkmodes.model.loading import load
 from pkmodes.sensitivity.relative import relative_of
 
 if TYPE_CHECKING:
     from pkmodes.model.model import Model
+    from pkmodes.report.sources import Source
     from pkmodes.sensitivity.sensitivities import Sensitivities
     from pkmodes.solve.results import Modes
 
@@ -102,9 +105,16 @@ class SensitivitiesDocument(Document):
 )
 @drives_option
 @mechanism_option
+@report_option
 @json_option
 def sensitivities(
-    robot: Path, pose: str, parameters: str | None, everything: bool, drives: str, json_file: str | None
+    robot: Path,
+    pose: str,
+    parameters: str | None,
+    everything: bool,
+    drives: str,
+    report_to: Path | None,
+    json_file: str | None,
 ) -> None:
     """Compute exact derivatives of the frequencies at a pose with respect to the robot's quantities and to effects.
 
@@ -113,7 +123,8 @@ def sensitivities(
     """
     if everything and parameters is not None:
         raise click.UsageError("--all and --parameters exclude each other", click.get_current_context())
-    check_targets(json_file, [robot])
+    check_targets(json_file, [robot], report_target(report_to))
+    sources = sources_of(report_to, {"robot file": robot})
     paths = None if parameters is None else comma_list(parameters, "--parameters", EXAMPLE, "parameter paths")
     model = load(robot)
     point = parse_pose(pose, model.mechanism)
@@ -139,7 +150,14 @@ def sensitivities(
         json_file,
         document.as_json(),
         lambda: _print(model, modes, derivatives, relative, asked, everything),
+        report_file(report_to, lambda: _page(model, document.as_json(), sources)),
     )
+
+
+def _page(model: Model, content: dict[str, Any], sources: Sequence[Source]) -> str:
+    from pkmodes.report.sensitivities import sensitivities_report
+
+    return sensitivities_report(model, content, sources)
 
 
 def _print(

@@ -54,6 +54,8 @@ class Evidence:
     components, units : tuple of str, length d
     place : str
         Noun for a setup.
+    spread : ndarray, shape (S, m), or None
+        Standard deviations of the frequencies of the declared model, from those that the robot file states [Hz].
     """
 
     labels: tuple[str, ...]
@@ -67,10 +69,15 @@ class Evidence:
     components: tuple[str, ...]
     units: tuple[str, ...]
     place: str
+    spread: Array | None = None
 
     @classmethod
     def of(
-        cls, result: Diagnosis | Comparison, data: Measurements | None = None, place: str = "pose"
+        cls,
+        result: Diagnosis | Comparison,
+        data: Measurements | None = None,
+        place: str = "pose",
+        spread: Array | None = None,
     ) -> Evidence:
         """Return what a result shows.
 
@@ -80,6 +87,8 @@ class Evidence:
             The measurements that it is about: their poses are the axes of some figures.
         place : str
             Noun for a place of measurement, such as pose, or setup for a structure without positions.
+        spread : ndarray, shape (S, m), optional
+            Standard deviations of the frequencies of the declared model [Hz].
 
         Raises
         ------
@@ -107,6 +116,7 @@ class Evidence:
             components=() if placed is None else placed.components,
             units=() if placed is None else placed.component_units,
             place=place,
+            spread=spread,
         )
 
     @property

@@ -23,16 +23,23 @@ STYLES = (
     {"color": GREY, "linewidth": 2.6, "alpha": 0.55},
     {"color": GREEN, "linewidth": 1.2},
 )
+#: Of the bands around the lines of the declared model.
+SHADE, BAND = 0.25, "\u00b1 \u03c3 as declared"
 
 
 def spectrum(evidence: Evidence) -> Figure:
-    """Return the frequencies of all setups: dots are measured, lines are the model."""
+    """Return the frequencies of all setups: dots are measured, lines are the model.
+
+    Bands are one standard deviation of the declared values on either side of the declared model.
+    """
     with styled():
         drawn = figure(3.9)
         axes = drawn.subplots()
         most = ABOVE * float(evidence.measured.max())
         for stage, style in zip(evidence.stages, STYLES[-len(evidence.stages) :], strict=True):
             _lines(axes, stage.predicted.spectrum, most, f"model {stage.title}", style)
+        if evidence.spread is not None:
+            _bands(axes, evidence.stages[0].predicted.spectrum, evidence.spread, most)
         place = evidence.setup.astype(float)
         paired = evidence.mode() > 0
         marks.rows(axes, evidence, np.where(paired, place, np.nan), evidence.measured)
@@ -53,3 +60,22 @@ def _lines(axes: Axes, spectrum: NDArray[np.float64], most: float, label: str, s
     setup, mode = np.nonzero(spectrum <= most)
     y = spectrum[setup, mode]
     axes.hlines(y, setup - HALF, setup + HALF, label=label, zorder=2, rasterized=len(y) > marks.MANY, **style)
+
+
+def _bands(axes: Axes, spectrum: NDArray[np.float64], spread: NDArray[np.float64], most: float) -> None:
+    """Shade one standard deviation on either side of the lines of the declared model."""
+    from matplotlib.collections import PolyCollection
+
+    modes = min(spectrum.shape[1], spread.shape[1])  # modes that pad a setup are in neither
+    y, sigma = spectrum[:, :modes], spread[:, :modes]
+    setup, mode = np.nonzero((y <= most) & (sigma > 0.0))
+    if not len(setup):
+        return
+    low, high = (y[setup, mode] + side * sigma[setup, mode] for side in (-1.0, 1.0))
+    corners = [(setup - HALF, low), (setup + HALF, low), (setup + HALF, high), (setup - HALF, high)]
+    boxes = np.stack([np.stack(corner, axis=-1) for corner in corners], axis=1)
+    many = len(setup) > marks.MANY
+    bands = PolyCollection(
+        list(boxes), facecolor=GREY, alpha=SHADE, linewidth=0, zorder=1, rasterized=many, label=BAND
+    )
+    axes.add_collection(bands, autolim=False)

@@ -25,7 +25,7 @@ def mode_figures(evidence: Evidence) -> list[Block]:
             f"Frequencies at each {evidence.place}",
             f"{count} at {where}, with the modes of the model as lines. {_unmatched(evidence)}",
             f"Frequencies at each {evidence.place}: marks are measured, lines are the modes of the model. A line "
-            f"without a mark is a mode that was not measured. {_unmatched(evidence)}",
+            f"without a mark is a mode that was not measured. {_spread(evidence)}{_unmatched(evidence)}",
         )
     ]
     if not any(stage.paired.any() for stage in evidence.stages):
@@ -94,6 +94,21 @@ def shape_figures(evidence: Evidence) -> list[Block]:
             f"their partners. Bottom: the {evidence.place} with the lowest MAC of a pair, {lowest}.",
         )
     ]
+
+
+def _spread(evidence: Evidence) -> str:
+    """Return what the bands are; nothing without any."""
+    if evidence.spread is None or not (evidence.spread > 0.0).any():
+        return ""
+    later = (
+        " Later stages have none: the measurements tell their values better."
+        if len(evidence.stages) > 1
+        else ""
+    )
+    return (
+        "The bands are one standard deviation on either side of the model as declared, to first order from those of "
+        f"the values in the robot file.{later} "
+    )
 
 
 def _paired(evidence: Evidence) -> bool:

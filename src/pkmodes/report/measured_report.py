@@ -16,6 +16,7 @@ from pkmodes.report.page import need_report
 from pkmodes.report.setting import Setting
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.robot.robot import Robot
+from pkmodes.updating.declared_spread import declared_spread
 
 
 def report(
@@ -70,7 +71,8 @@ def report(
         sources = known_sources([*places, *([] if data is None else [("measurement file", data.source)])])
     subject = title if title is not None else "Structure" if own is None else own.name
     setting = Setting(subject, own, data, tuple(sources), view)
-    evidence = Evidence.of(result, data, "setup" if own is None else "pose")
+    spread = None if own is None or data is None else declared_spread(own, data)
+    evidence = Evidence.of(result, data, "setup" if own is None else "pose", spread)
     if isinstance(result, Comparison):
         return comparison_page(result, evidence, setting)
     return diagnosis_page(result, evidence, setting)

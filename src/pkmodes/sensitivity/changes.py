@@ -6,7 +6,6 @@ rise, the other way.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -33,8 +32,10 @@ class Changes:
     ----------
     by : {"percent", "sigma"}
         By how much each quantity changes.
-    names : tuple of tuple of str, length T
+    paths : tuple of tuple of str, length T
         Of each quantity; several where they act as one.
+    names : tuple of tuple of str, length T
+        The same as they are shown: ``1/...`` for one that acts like the reciprocal.
     frequencies : ndarray, shape (m,)
         In Hz.
     changes : ndarray, shape (T, m)
@@ -44,6 +45,7 @@ class Changes:
     """
 
     by: str
+    paths: tuple[tuple[str, ...], ...]
     names: tuple[tuple[str, ...], ...]
     frequencies: Array
     changes: Array
@@ -83,28 +85,21 @@ def changes_at(dynamics: Dynamics, pose: ArrayLike, drives: str, by: str = PERCE
     """
     rigid = dynamics.solved(drives).rigid_modes
     if by == PERCENT:
-        paths = scalable(dynamics.robot)
-        together = None
-        names, first = _named(dynamics, pose, paths, drives)
-        paths = [paths[i] for i in first]
-        steps = [0.01 * path.value for path in resolve_all(dynamics.robot, paths)]
+        every, together = scalable(dynamics.robot), None
+        found = alike_around(dynamics, pose, every, drives)
+        members = tuple(tuple(every[i] for i in one.members) for one in found)
+        names = tuple(tuple(one.names(every)) for one in found)
+        values = resolve_all(dynamics.robot, [paths[0] for paths in members])
+        steps = [0.01 * path.value for path in values]
     elif by == SIGMA:
         together = needed_spread_of(dynamics, pose, drives, "raise")[rigid:]
         sigmas = stated_sigmas(dynamics.robot)
-        paths, steps = list(sigmas), list(sigmas.values())
-        names = [(path,) for path in paths]
+        steps = list(sigmas.values())
+        names = members = tuple((path,) for path in sigmas)
     else:
         raise PkmodesError(
             f'expected "{PERCENT}" or "{SIGMA}", found {by!r}', "by", f'for example: by="{SIGMA}"'
         )
-    rates = rates_of(dynamics, pose, paths, drives, "raise")[:, rigid:]
+    rates = rates_of(dynamics, pose, [paths[0] for paths in members], drives, "raise")[:, rigid:]
     frequencies = dynamics.frequencies(pose, drives=drives)[rigid:]
-    return Changes(by, tuple(names), frequencies, rates * np.array(steps)[:, None], together)
-
-
-def _named(
-    dynamics: Dynamics, pose: ArrayLike, paths: Sequence[str], drives: str
-) -> tuple[list[tuple[str, ...]], list[int]]:
-    """Return the names of quantities that differ in what they do, and the first index of each."""
-    together = alike_around(dynamics, pose, list(paths), drives)
-    return [tuple(one.names(paths)) for one in together], [one.members[0] for one in together]
+    return Changes(by, members, names, frequencies, rates * np.array(steps)[:, None], together)

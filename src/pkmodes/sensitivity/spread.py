@@ -13,6 +13,8 @@ JCGM 100:2008, Evaluation of measurement data: Guide to the expression of uncert
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -32,12 +34,23 @@ def stated_sigmas(robot: Robot) -> dict[str, float]:
     return {path: q.sigma for path, q in robot.quantities.items() if q.sigma and path in known}
 
 
-def spread_of(dynamics: Dynamics, poses: ArrayLike, drives: str, on_error: str = "raise") -> Array | None:
+def spread_of(
+    dynamics: Dynamics,
+    poses: ArrayLike,
+    drives: str,
+    on_error: str = "raise",
+    known: Collection[str] = (),
+) -> Array | None:
     """Return the standard deviations of all frequencies, (..., m) [Hz]; None where the robot file states none.
 
     See `pkmodes.Model.frequency_sigmas`.
+
+    Parameters
+    ----------
+    known : collection of str
+        Paths of values that are known exactly all the same, such as those that a sweep sets.
     """
-    sigmas = stated_sigmas(dynamics.robot)
+    sigmas = {path: sigma for path, sigma in stated_sigmas(dynamics.robot).items() if path not in known}
     if not sigmas:
         return None
     rates = rates_of(dynamics, poses, list(sigmas), drives, on_error)

@@ -1,0 +1,121 @@
+"""Tornado charts: what one per cent or one sigma of each quantity does to each frequency, the largest on top."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pkmodes.plots.labels import typeset, visible
+from pkmodes.plots.style import BLUE, GREY, INK, PAPER, figure
+from pkmodes.sensitivity.changes import PERCENT, Changes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+#: Bars in a panel at most, panels beside each other, and panels in a figure so that it fits a printed page.
+MOST, COLUMNS, PANELS = 10, 2, 6
+#: Longest line of a name; a longer one is broken before its last part.
+LONGEST = 24
+#: Height of a bar with its space, and of what is around the bars of a panel [inch].
+BAR, AROUND = 0.23, 0.6
+#: Bars shorter than this fraction of the longest cannot be seen; the empty space beside the longest.
+LEAST, SPACE = 1e-3, 1.06
+#: A rise is filled and a fall is not, so that they differ without colour.
+RISE: dict[str, Any] = {"color": BLUE, "edgecolor": BLUE}
+FALL: dict[str, Any] = {"color": PAPER, "edgecolor": BLUE}
+TOGETHER: dict[str, Any] = {"color": GREY, "edgecolor": GREY}
+ALL = "all together"
+
+
+def tornado(changes: Changes, modes: Sequence[int] | None = None) -> Figure:
+    """Draw the largest changes of each frequency, one panel for each mode.
+
+    Parameters
+    ----------
+    changes : Changes
+        From `pkmodes.sensitivity.changes.changes_at`.
+    modes : sequence of int, optional
+        Modes that are drawn, counted from 0; by default all.
+
+    Returns
+    -------
+    Figure
+        Call it inside `pkmodes.plots.style.styled`.
+    """
+    from matplotlib.layout_engine import ConstrainedLayoutEngine
+
+    shown = range(len(changes.frequencies)) if modes is None else modes
+    columns = min(COLUMNS, len(shown))
+    rows = -(-len(shown) // columns)
+    bars = max(_bars(changes, mode) for mode in shown)
+    drawn = figure(rows * (BAR * bars + AROUND) + 0.3)
+    drawn.set_layout_engine(ConstrainedLayoutEngine(h_pad=0.08))  # a title is near its own panel
+    panels = drawn.subplots(rows, columns, squeeze=False)
+    for mode, axes in zip(shown, panels.flat, strict=False):
+        _panel(axes, changes, mode, bars)
+    for axes in panels.flat[len(shown) :]:
+        axes.set_axis_off()
+    _legend(drawn, changes)
+    return drawn
+
+
+def broken(name: str) -> str:
+    """Return a name on lines that are short enough for the space beside a panel."""
+    text = visible(name)
+    if len(text) <= LONGEST or "." not in text:
+        return text
+    head, _, last = text.rpartition(".")
+    return f"{head}\n.{last}"
+
+
+def _visible(changes: Changes, mode: int) -> list[int]:
+    size = np.abs(changes.changes[:, mode])
+    return [i for i in changes.largest(mode, MOST) if size[i] > LEAST * size.max()]
+
+
+def _bars(changes: Changes, mode: int) -> int:
+    return len(_visible(changes, mode)) + (changes.together is not None)
+
+
+def _panel(axes: Axes, changes: Changes, mode: int, bars: int) -> None:
+    largest = _visible(changes, mode)
+    names = [",\n".join(map(broken, changes.names[i])) for i in largest]
+    style: dict[str, Any] = {"height": 0.66, "linewidth": 0.8}
+    for place, i in enumerate(largest):
+        size = float(changes.changes[i, mode])
+        axes.barh(place, size, **style, **RISE)
+        axes.barh(place, -size, **style, **FALL)
+    if changes.together is not None:
+        size = float(changes.together[mode])
+        axes.barh(len(names), 2.0 * size, left=-size, **style, **TOGETHER)
+        names.append(ALL)
+    axes.axvline(0.0, color=INK, linewidth=0.8)
+    axes.set_yticks(range(len(names)), names, fontsize=7, linespacing=0.95)
+    axes.set_ylim(bars - 0.4, -0.6)  # the largest on top, bars equally wide in all panels
+    axes.tick_params(axis="y", length=0)
+    axes.grid(visible=False, axis="y")
+    longest = max(
+        [float(np.abs(changes.changes[largest, mode]).max(initial=0.0))]
+        + ([] if changes.together is None else [float(changes.together[mode])])
+    )
+    if longest > 0.0:
+        axes.set_xlim(-SPACE * longest, SPACE * longest)
+    axes.locator_params(axis="x", nbins=5)
+    axes.set_title(f"mode {mode + 1}, {typeset(f'{changes.frequencies[mode]:.2f}')} Hz")
+    axes.set_xlabel("change of the frequency [Hz]")
+
+
+def _legend(drawn: Figure, changes: Changes) -> None:
+    from matplotlib.patches import Patch
+
+    step = "1 %" if changes.by == PERCENT else "one sigma"
+    handles = [
+        Patch(label=f"{step} more", facecolor=RISE["color"], edgecolor=BLUE),
+        Patch(label=f"{step} less", facecolor=FALL["color"], edgecolor=BLUE),
+    ]
+    if changes.together is not None:
+        handles.append(Patch(label=f"{ALL}: standard deviation", facecolor=GREY, edgecolor=GREY))
+    drawn.legend(handles=handles, loc="outside upper right", ncols=len(handles))

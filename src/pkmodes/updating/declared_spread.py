@@ -1,0 +1,50 @@
+"""How surely the declared values say the frequencies at the places of measurement."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.measured.measurements import Measurements
+from pkmodes.mechanism.poses import MAX_CONDITION
+from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.spread import spread_of, stated_sigmas
+from pkmodes.solve.dynamics import Dynamics
+from pkmodes.updating.load_cases import load_cases
+
+Array = NDArray[np.float64]
+
+
+def declared_spread(robot: Robot, data: Measurements) -> Array | None:
+    """Return the standard deviations of the frequencies of the declared robot at S setups.
+
+    Parameters
+    ----------
+    robot : Robot
+        As declared.
+    data : Measurements
+        A value that they set at a setup is known there, and has no standard deviation.
+
+    Returns
+    -------
+    ndarray, shape (S, m), or None
+        Of the elastic modes, ascending [Hz]; NaN where a pose cannot be evaluated, or a setup has fewer modes.  None
+        where the robot file states no standard deviations.
+    """
+    if not stated_sigmas(robot):
+        return None
+    loads = load_cases(robot, data)
+    found: dict[int, Array] = {}
+    for c, case in enumerate(loads.cases):
+        setups = np.flatnonzero(loads.of == c)
+        dynamics = Dynamics.of(case.robot, MAX_CONDITION)
+        known = data.load(int(setups[0]))
+        spread = spread_of(dynamics, data.points[setups], case.drives, "nan", known)
+        rigid = dynamics.solved(case.drives).rigid_modes
+        for i, setup in enumerate(setups.tolist()):
+            found[setup] = np.empty(0) if spread is None else spread[i, rigid:]
+    most = max((len(each) for each in found.values()), default=0)
+    every = np.full((len(loads.of), most), np.nan)
+    for setup, each in found.items():
+        every[setup, : len(each)] = each
+    return every

@@ -1,0 +1,121 @@
+"""The report of sensitivities: its numbers are those of the JSON, and it is usable in a real browser."""
+
+from __future__ import annotations
+
+import json
+import re
+import tomllib
+from html import unescape
+from pathlib import Path
+
+import pytest
+
+import pkmodes
+from helpers.pages.browser import opened
+from helpers.pages.page_reading import at, read, shown
+from pkmodes.cli import run
+from pkmodes.report.sensitivities import sensitivities_report
+from pkmodes.robot.reading import robot_from_document
+
+ROBOT, POSE = "robots/corexy-printer.toml", "0.1,0.15"
+
+
+def made(folder: Path, robot: str, pose: str, *more: str) -> tuple[Path, dict[str, object]]:
+    files = ["--report", str(folder / "page.html"), "--json", str(folder / "page.json")]
+    assert run(["sensitivities", robot, "--pose", pose, *files, *more]) == 0
+    return folder / "page.html", json.loads((folder / "page.json").read_text())
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return made(tmp_path_factory.mktemp("sensitivities"), ROBOT, POSE)[0]
+
+
+def test_its_numbers_are_those_of_the_json(page: Path) -> None:
+    content = json.loads((page.parent / "page.json").read_text())
+    found = [
+        one for one in read(page.read_text(encoding="utf-8")).all("data") if one.attributes.get("data-at")
+    ]
+    assert len(found) > 15
+    for one in found:
+        exact = at(content, one.attributes["data-at"])
+        assert float(one.attributes["value"]) == exact
+    rows = [one for one in found if one.attributes["data-at"].startswith("/relative_derivatives")]
+    for one in rows:
+        value, half = shown(one.text)
+        assert abs(value - float(one.attributes["value"])) <= 1.01 * half
+
+
+def test_frequencies_have_their_standard_deviations_in_the_head(page: Path) -> None:
+    sigmas = pkmodes.load(ROBOT).frequency_sigmas([0.1, 0.15])[-2:]
+    text = unescape(page.read_text(encoding="utf-8"))
+    assert f"106.3 \u00b1 {sigmas[0]:.1f} Hz" in text
+    assert f"124.9 \u00b1 {sigmas[1]:.1f} Hz" in text
+
+
+def test_parameters_that_act_as_one_are_one_row(page: Path) -> None:
+    text = read(page.read_text(encoding="utf-8")).by_id("percent").text
+    assert "belt.specific_stiffness, belt.width" in text
+    assert "act as one" in text
+
+
+def test_without_standard_deviations_it_says_how_to_state_them(tmp_path: Path) -> None:
+    file, _ = made(tmp_path, "robots/linear-delta-2022.toml", "0.6,0,-0.245", "--drives", "held")
+    text = unescape(file.read_text(encoding="utf-8"))
+    assert "The robot file states no standard deviations." in text
+    assert "motors held" in text
+    assert "\u00b1" not in text
+
+
+def test_it_has_the_largest_also_where_others_were_asked_for(tmp_path: Path) -> None:
+    file, content = made(tmp_path, ROBOT, POSE, "--parameters", "gantry.mass")
+    assert content["parameters"] == ["gantry.mass"]
+    assert "pulley.radius" in file.read_text(encoding="utf-8")
+
+
+def test_the_same_input_gives_the_same_bytes(page: Path, tmp_path: Path) -> None:
+    again, _ = made(tmp_path, ROBOT, POSE)
+    assert again.read_bytes() == page.read_bytes()
+    assert str(tmp_path) not in again.read_text(encoding="utf-8")
+
+
+def test_modes_that_coincide_are_named(tmp_path: Path) -> None:
+    file, _ = made(tmp_path, "robots/clavel-delta.toml", "0,0,-0.8")
+    assert "Modes 1, 2 coincide" in file.read_text(encoding="utf-8")
+
+
+def test_no_request_leaves_it_and_nothing_complains(page: Path) -> None:
+    with opened(page) as found:
+        assert found.problems == []
+        assert found.outside == []
+        assert found.page.locator("figure svg").count() == 2
+    assert page.stat().st_size < 6_000_000
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_has_no_grave_findings(page: Path, scheme: str) -> None:
+    with opened(page, scheme=scheme) as found:  # type: ignore[arg-type]
+        assert found.findings() == []
+
+
+def test_it_fits_a_phone(page: Path) -> None:
+    with opened(page, width=360) as found:
+        assert not found.sideways
+
+
+def test_a_hostile_name_is_harmless() -> None:
+    name = "</script><script>alert(1)</script><img src=x onerror=alert(2)>"
+    text = re.sub(r"^name = .*$", f"name = '{name}'", Path(ROBOT).read_text(encoding="utf-8"), flags=re.M)
+    model = pkmodes.Model(robot_from_document(tomllib.loads(text), "hostile.toml"))
+    content = {
+        "robot": model.robot.name,
+        "pose": [0.1, 0.15],
+        "drives": "free",
+        "rigid_modes": 2,
+        "groups": [0, 1, 2, 3],
+        "parameters": [],
+        "frequencies_hz": [0.0, 0.0, 106.3, 124.9],
+    }
+    page = sensitivities_report(model, content)
+    assert "<img src=x" not in page
+    assert "<script>alert" not in page
