@@ -257,11 +257,17 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     where = "the plane of the map"
     if places is None:
         places = working_plane(model)
-        where = "the plane of the workspace with the lowest mean condition number"
+        where = (
+            "the plane with the lowest mean condition number on a coarse grid of the workspace, of planes of at "
+            "least half the largest area"
+        )
     drives = str(dataset.attrs["drives"])
     text = f"The robot as declared, its motors {drives}, in {where}; modes are numbered by frequency."
     blocks: list[Block] = [Paragraph(text)]
     for picture in pictures(model, places, drives=drives):
+        if picture.instead:
+            blocks.append(Paragraph(f"{picture.title}: {picture.instead}"))
+            continue
         with styled():
             svg = inline(picture.figure, picture.title, picture.description, cropped=True)
         blocks.append(Picture(svg, picture.description, picture.title))
