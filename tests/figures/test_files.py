@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import pkmodes
 from pkmodes.cli import run
 from pkmodes.figures.files import write_pictures
+from pkmodes.figures.pictures import pictures
 
 NAMES = ["workspace", "frequencies", "directions", "components", "influence", "dominant", "mac"]
 #: What only this figure says.
@@ -34,11 +37,19 @@ PLANES = {
 def test_every_robot_has_its_figures(robot: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = tmp_path / "new" / "figures"
     assert run(["figures", f"robots/{robot}.toml", "--out", str(folder), "--grid", PLANES[robot]]) == 0
-    printed = capsys.readouterr().out.split()
-    assert printed == [str(folder / f"{name}.svg") for name in NAMES]
+    printed, notes = capsys.readouterr()
+    assert printed.split() == [str(folder / f"{name}.svg") for name in NAMES]
+    said = dict(re.findall(r"^note: (\w+) holds a sentence instead of a picture: (.*)$", notes, re.M))
+    # The printer's condition number and largest parameter are the same everywhere.
+    assert bool(said) == (robot == "corexy-printer")
     for name in NAMES:
         text = (folder / f"{name}.svg").read_text(encoding="utf-8")
         words = " ".join(re.findall(r"<text[^>]*>([^<]*)</text>", text))
+        assert f"{robot}, motors free" in words, name
+        assert f"{robot}, motors free" in text.partition("<g id=")[0], name  # its metadata
+        if name in said:
+            assert said[name] in words
+            continue
         if name != "influence":
             assert "x [mm]" in words, name
             assert "y [mm]" in words, name
@@ -59,7 +70,58 @@ def test_figures_are_the_same_at_every_run(tmp_path: Path) -> None:
     assert len(first) == 3 * len(NAMES)
     for one, other in zip(first, second, strict=True):
         assert one.read_bytes() == other.read_bytes(), one.name
-        assert one.stat().st_size > 5_000
+        assert one.stat().st_size > 1_500
+
+
+def test_what_is_the_same_everywhere_is_said_and_its_file_holds_the_sentence(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder, json_file = tmp_path / "figures", tmp_path / "figures.json"
+    arguments = [
+        "figures",
+        "robots/corexy-printer.toml",
+        "--out",
+        str(folder),
+        "--grid",
+        PLANES["corexy-printer"],
+    ]
+    assert run([*arguments, "--json", str(json_file)]) == 0
+    found = json.loads(json_file.read_text())
+    assert found["files"] == [f"{name}.svg" for name in NAMES]
+    assert {
+        "workspace": "The condition number of the platform Jacobian is 1 at every pose.",
+        "dominant": "At every pose each frequency changes most with pulley.radius, of 8 parameters.",
+    }.items() <= found["same_everywhere"].items()
+    model = pkmodes.load("robots/corexy-printer.toml")
+    grid = {"x": np.linspace(0.01, 0.29, 6), "y": np.linspace(0.01, 0.29, 6)}
+    first = next(pictures(model, grid))
+    assert first.instead == found["same_everywhere"]["workspace"]
+    shown = first._repr_html_()
+    assert f"<p>{first.instead}</p>" in shown
+    assert "<svg" not in shown
+
+
+def test_a_file_says_what_it_shows_below_everything_and_in_its_metadata(tmp_path: Path) -> None:
+    """The line stands below the legend, which follows the edge of the figure."""
+    model = pkmodes.load("robots/clavel-delta.toml")
+    grid = {"x": np.linspace(-0.4, 0.4, 9), "y": np.linspace(-0.4, 0.4, 9), "z": -0.6}
+    about = "clavel-delta, motors held, z = \N{MINUS SIGN}600 mm"
+    for path in write_pictures(model, tmp_path, grid, ["svg", "png", "pdf"], drives="held"):
+        if path.suffix == ".svg":
+            placed = [
+                (float(y), text)
+                for y, text in re.findall(
+                    r"<text[^>]*?(?:y=\"|translate\([-\d.]+ )([-\d.]+)[^>]*>([^<]+)</text>",
+                    path.read_text("utf-8"),
+                )
+            ]
+            assert max(placed)[1] == about, path.name
+        elif path.suffix == ".png":
+            with Image.open(path) as image:
+                assert about in image.info["Description"]
+                assert image.info["Title"]
+        else:
+            assert b"/Subject" in path.read_bytes()
 
 
 @pytest.mark.parametrize(

@@ -16,6 +16,7 @@ from pkmodes.figures.quantities import (
     volume_of,
 )
 from pkmodes.figures.working_plane import working_plane
+from pkmodes.maps.summary import summary_of
 from pkmodes.plots.maps import extremes
 from pkmodes.plots.plane import Plane
 
@@ -142,13 +143,32 @@ def test_sensitivities_need_about_two_thousand_poses_with_the_same_spacing_both_
     assert (few.across, few.along, few.normal, few.at) == ("y", "x", "z", -0.2)
 
 
-def test_extremes_are_looked_for_on_the_centre_line_without_its_ends(plane: Plane) -> None:
-    values = np.full(plane.dataset["valid"].shape, np.nan)
-    line = np.array([0.0, 5, 1, 2, 3, 9, 8, 7, 6, 5, 4, 3, 99])
-    values[:, plane.middle] = line
-    values[:, 0] = 1000.0
-    assert plane.dataset["y"].values[plane.middle] == pytest.approx(0.0)
-    assert extremes(plane, values) == {"minimum": (2, 1.0), "maximum": (5, 9.0)}
+def test_extremes_are_those_of_the_whole_plane(plane: Plane) -> None:
+    """As in the table of a map: also at the edge; mirrored poses share an extreme but for rounding."""
+    values = np.full(plane.dataset["valid"].shape, 50.0)
+    values[0, 0] = np.nan
+    values[12, 3] = 99.0
+    values[4, 1], values[4, 5] = 40.0, 40.0 * (1.0 + 1e-12)
+    assert extremes(values) == {"minimum": [(4, 1), (4, 5)], "maximum": [(12, 3)]}
+    assert extremes(np.full((3, 5), np.nan)) == {"minimum": [], "maximum": []}
+    assert extremes(np.full((3, 5), 7.0)) == {"minimum": [], "maximum": []}  # everywhere is no place
+
+
+def test_the_triangles_of_the_picture_are_where_the_table_of_the_same_map_says(model: pkmodes.Model) -> None:
+    found = model.map(GRID, shapes=True)
+    drawn = Plane.of(found, ["x", "y", "z"])
+    for mode, row in enumerate(summary_of(found, None)["modes"]):
+        places = extremes(drawn.dataset["frequency"].values[..., mode])
+        for name in ("minimum", "maximum"):
+            at = {(float(drawn.dataset["x"][i]), float(drawn.dataset["y"][j])) for i, j in places[name]}
+            assert (row[f"{name}_at"]["x"], row[f"{name}_at"]["y"]) in at, (mode, name)
+
+
+def test_the_area_of_a_plane_is_that_of_the_poses_that_can_be_evaluated(plane: Plane) -> None:
+    cell = (0.9 / 12) * (0.24 / 6)
+    assert plane.area == pytest.approx(plane.dataset["valid"].values.sum() * cell)
+    angles = plane.dataset.assign_coords(y=("y", plane.dataset["y"].values, {"units": "rad"}))
+    assert Plane(angles, "y", "x", "z", -0.245).area is None
 
 
 def test_the_volume_encloses_the_plane(model: pkmodes.Model, plane: Plane) -> None:

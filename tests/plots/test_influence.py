@@ -13,6 +13,7 @@ from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 
 from pkmodes.plots import influence
+from pkmodes.plots.dominant import COLOURS, dominant, middles
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.style import styled
 from pkmodes.plots.svg import inline
@@ -70,9 +71,10 @@ def test_parameters_that_act_as_one_have_a_line_each_in_the_name_of_their_row() 
 
 def test_the_legend_of_the_largest_influence_has_the_colours_of_the_map() -> None:
     relative = np.zeros((5, 5, 3, 1))
-    relative[:2, :, 1], relative[2:, :, 2] = 1.0, -1.0
+    relative[:, :, 2] = -1.0
+    relative[0, 0, 1] = 2.0
     with styled():
-        drawn = influence.dominant(plane(), PATHS, relative)
+        drawn = dominant(plane(), PATHS, relative)
     (legend,) = drawn.legends
     shown = {
         t.get_text(): to_hex(p.get_facecolor())
@@ -80,6 +82,37 @@ def test_the_legend_of_the_largest_influence_has_the_colours_of_the_map() -> Non
     }
     mesh = drawn.axes[0].collections[0]
     colours = [to_hex(c) for c in mesh.to_rgba(mesh.get_array()).reshape(-1, 4)]
-    assert shown == {"belt.width": colours[0], "link.length": colours[-1]}
+    assert shown == {"2  belt.width": colours[0], "1  link.length": colours[-1]}
+    written = {t.get_text(): t.get_position() for t in drawn.axes[0].texts}
+    assert written == {"1": (500.0, 500.0)}  # mm, in the middle of its region; the other one has no room
     page = inline(drawn, "t", "d")
     assert all(colour in page and f", {colour})" not in page for colour in shown.values())
+
+
+def test_regions_can_be_told_apart_in_grey() -> None:
+    """Any two colours differ by 7 of the 100 steps of lightness from black to white (CIE 1976 L*)."""
+    lightness = sorted(116.0 * luminance(c) ** (1 / 3) - 16.0 for c in COLOURS)
+    assert min(np.diff(lightness)) >= 7.0
+
+
+def test_each_region_with_room_has_its_number_in_its_middle() -> None:
+    inside = np.zeros((12, 20), dtype=bool)
+    inside[1:8, 1:8] = True  # middle (4, 4)
+    inside[3:8, 12:17] = True  # (5, 14)
+    inside[10, 1:19] = True  # a sliver
+    assert list(middles(inside)) == [(4, 4), (5, 14)]
+    assert list(middles(np.zeros((3, 3), dtype=bool))) == []
+
+
+def test_one_parameter_everywhere_is_a_sentence() -> None:
+    relative = np.zeros((5, 5, 3, 2))
+    relative[..., 1, :] = 0.5
+    with styled():
+        same = dominant(plane(), PATHS, relative)
+        relative[..., 2, 1] = -0.7
+        other = dominant(plane(), PATHS, relative)
+    assert same == "At every pose each frequency changes most with belt.width, of 3 parameters."
+    assert other == (
+        "At every pose the frequencies change most with the same one of 3 parameters: that of mode 1 with "
+        "belt.width, that of mode 2 with link.length."
+    )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,9 @@ from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
 
 from pkmodes.plots import influence, maps
+from pkmodes.plots.dominant import dominant
 from pkmodes.plots.mac_map import neighbouring_mac
+from pkmodes.plots.panels import arranged
 from pkmodes.plots.plane import Plane, where
 from pkmodes.plots.style import styled
 from pkmodes.plots.workspace import Volume, workspace
@@ -49,6 +52,19 @@ def plane() -> Plane:
     coords = {"x": ("x", X, metres), "y": ("y", Y, metres), "z": ("z", [-0.2], metres)}
     dataset = xarray.Dataset(data, {**coords, "mode": [1, 2], "direction": ["x", "y", "z"]})
     return Plane.of(dataset, ["x", "y", "z"])
+
+
+@pytest.fixture(scope="module")
+def varied(plane: Plane) -> Plane:
+    """The plane with another motion at its last pose: along x alone, and a third smaller."""
+    dataset = plane.dataset.copy(deep=True)
+    dataset["platform_shape"].values[4, 2, 0] = [1.0, 0.0, 0.0]
+    dataset["in_plane"].values[4, 2, 0] = 0.2
+    return Plane(dataset, "y", "x", "z", -0.2)
+
+
+#: The other poses.
+LIKE = np.isfinite(PLACE) & (np.arange(15).reshape(5, 3) < 14)
 
 
 def title(axes: Any) -> str:
@@ -87,7 +103,7 @@ def marks(axes: Any, marker: str) -> list[tuple[float, float]]:
 
 def test_each_frequency_is_drawn_at_its_place_on_a_scale_of_its_own(plane: Plane) -> None:
     with styled():
-        figure = maps.frequencies(plane, np.array([[-500.0, 100.0], [20.0, 900.0]]))
+        figure = maps.frequencies(plane, np.array([[-500.0, 100.0], [20.0, 900.0], [50.0, 200.0]]))
     found = panels(figure)
     assert list(found) == ["mode 1", "mode 2"]
     for number, axes in enumerate(found.values(), start=1):
@@ -97,25 +113,33 @@ def test_each_frequency_is_drawn_at_its_place_on_a_scale_of_its_own(plane: Plane
         np.testing.assert_allclose(edges[:, 0, 1], np.arange(-50.0, 451.0, 100.0))  # x [mm], upwards
         assert axes.get_ylim() == pytest.approx((-50.0, 450.0))
         np.testing.assert_allclose(mesh_of(axes).get_clim(), np.array(INNER) + 100.0 * number)
-        # On the centre line, but not at its ends.
-        assert marks(axes, "v") == [pytest.approx((0.0, 100.0))]
-        assert marks(axes, "^") == [pytest.approx((0.0, 300.0))]
-        # Motors beyond the map are at its edge.
-        assert marks(axes, "s") == [pytest.approx((-150.0, 100.0)), pytest.approx((20.0, 450.0))]
+        assert f"{number}01\u2013{number}42 Hz" in [text.get_text() for text in axes.texts]
+        # The lowest value, 1, is at (0, 1), the highest at (4, 2).
+        assert marks(axes, "v") == [pytest.approx((0.0, 0.0))]
+        assert marks(axes, "^") == [pytest.approx((100.0, 400.0))]
+        # Motors beyond the map are at its edge, hollow.
+        assert marks(axes, "s") == [
+            pytest.approx((-150.0, 100.0)),
+            pytest.approx((20.0, 450.0)),
+            pytest.approx((50.0, 200.0)),
+        ]
+        filled = [line.get_markerfacecolor() for line in axes.lines if line.get_marker() == "s"]
+        assert filled == ["#ffffff", "#ffffff", "#000000"]
     assert found["mode 1"].get_xlabel() == "y [mm]"
     assert found["mode 1"].get_ylabel() == "x [mm]"
 
 
-def test_lines_point_along_the_motion_and_colours_are_its_share_along_the_normal(plane: Plane) -> None:
+def test_lines_point_along_the_motion_and_colours_are_its_share_along_the_normal(varied: Plane) -> None:
     with styled():
-        figure = maps.directions(plane)
+        figure = maps.directions(varied)
     found = panels(figure)
-    assert plane.normal == "z"
+    assert varied.normal == "z"
     assert "share of the motion along z [1]" in [axes.get_ylabel() for axes in figure.axes]
     for name, share, half in (("mode 1", 0.8, (0.0, 27.0)), ("mode 2", 0.0, (45.0, 0.0))):
         axes = found[name]
         values = shown(axes)
-        np.testing.assert_allclose(values[np.isfinite(PLACE)], share, atol=1e-9)
+        np.testing.assert_allclose(values[LIKE], share, atol=1e-9)
+        assert values[4, 2] == pytest.approx(0.0, abs=1e-9)
         assert np.isnan(values[0, 0])
         assert mesh_of(axes).get_clim() == (0.0, 1.0)
         (strokes,) = (one for one in axes.collections if isinstance(one, LineCollection))
@@ -127,18 +151,18 @@ def test_lines_point_along_the_motion_and_colours_are_its_share_along_the_normal
         } - {(-100.0, 0.0)}
         # 0.45 of the distance of two lines at full length; mode 1 has 0.6 of its motion along x, upwards.
         np.testing.assert_allclose(
-            np.abs(np.diff(ends, axis=1))[:, 0], np.tile(2.0 * np.array(half), (14, 1))
+            np.abs(np.diff(ends, axis=1))[:-1, 0], np.tile(2.0 * np.array(half), (13, 1))
         )
 
 
-def test_components_are_drawn_on_one_scale(plane: Plane) -> None:
+def test_components_are_drawn_on_one_scale(varied: Plane) -> None:
     with styled():
-        figure = maps.components(plane)
+        figure = maps.components(varied)
     drawn = maps_of(figure)
     assert [axes.get_ylabel() for axes in drawn] == ["in plane\nx [mm]", "", "along z\nx [mm]", ""]
     assert [title(axes) for axes in drawn] == ["mode 1", "mode 2", "", ""]
     for axes, value in zip(drawn, (0.3, 0.5, 0.4, 0.0), strict=True):
-        np.testing.assert_allclose(shown(axes)[np.isfinite(PLACE)], value)
+        np.testing.assert_allclose(shown(axes)[LIKE], value)
         np.testing.assert_allclose(mesh_of(axes).get_clim(), (0.0, 0.5))
 
 
@@ -184,10 +208,11 @@ def test_the_table_of_influences_has_medians_the_largest_first(relative: np.ndar
 
 def test_the_dominant_parameter_has_its_colour_at_each_pose(plane: Plane, relative: np.ndarray) -> None:
     with styled():
-        figure = influence.dominant(plane, PATHS, relative)
+        figure = dominant(plane, PATHS, relative)
     (legend,) = figure.legends
     patches = zip(legend.get_texts(), legend.get_patches(), strict=True)
     colours = {text.get_text(): to_rgba(patch.get_facecolor()) for text, patch in patches}
+    colours = {name.partition("  ")[2]: colour for name, colour in colours.items()}
     assert set(colours) == set(PATHS)
     found = panels(figure)
     for i, j in np.argwhere(np.isfinite(PLACE)):
@@ -215,26 +240,150 @@ def test_condition_number_and_outlines_of_the_volume(plane: Plane) -> None:
     (flat,) = maps_of(figure)
     np.testing.assert_array_equal(shown(flat), PLACE)
     np.testing.assert_allclose(mesh_of(flat).get_clim(), TENTH)
-    assert title(flat) == f"mean {PLACE[np.isfinite(PLACE)].mean():.2f}"
+    # 14 poses, each of 0.1 m by 0.1 m.
+    assert title(flat) == f"median {np.median(PLACE[np.isfinite(PLACE)]):.2f}\nover 0.14 m\u00b2"
     (solid,) = (axes for axes in figure.axes if axes.name == "3d")
     assert (solid.get_xlabel(), solid.get_ylabel(), solid.get_zlabel()) == ("y [mm]", "x [mm]", "z [mm]")
-    outlines = [one for one in solid.collections if isinstance(one, ContourSet)]
-    assert len(outlines) == 2
-    for outline in outlines:
-        corners = np.concatenate([path.vertices for path in outline.get_paths()])
-        np.testing.assert_allclose(corners.min(axis=0), [-50.0, 100.0], atol=10.0)  # a step of the grid
-        np.testing.assert_allclose(corners.max(axis=0), [100.0, 300.0], atol=10.0)
+    outlines = [np.array(line.get_data_3d()) for line in solid.lines]
+    assert [set(line[2]) for line in outlines] == [{-300.0}, {-100.0}]
+    for line in outlines:
+        np.testing.assert_allclose(line[:2].min(axis=1), [-50.0, 100.0], atol=10.0)  # a step of the grid
+        np.testing.assert_allclose(line[:2].max(axis=1), [100.0, 300.0], atol=10.0)
+
+
+def test_shards_of_a_volume_are_left_out(plane: Plane) -> None:
+    along, across = np.linspace(0.0, 0.4, 81), np.linspace(-0.1, 0.2, 61)
+    inside = (along[:, None] > 0.1) & (along[:, None] < 0.3) & (across > -0.05) & (across < 0.1)
+    shard = (along[:, None] > 0.35) & (along[:, None] < 0.37) & (across > 0.15) & (across < 0.18)
+    volume = Volume(np.array([-0.3, -0.1]), along, across, np.stack([inside | shard, shard]))
+    with styled():
+        figure = workspace(plane, volume)
+    (solid,) = (axes for axes in figure.axes if axes.name == "3d")
+    assert len(solid.lines) == 1
+
+
+def of_modes(plane: Plane, count: int, *, tall: bool = True) -> Plane:
+    """Return a plane with more modes, the same two again and again."""
+    dataset = plane.dataset[["frequency", "valid"]]
+    if not tall:
+        wide = {"y": ("y", 5.0 * Y, {"units": "m"}), "x": ("x", X, {"units": "m"})}
+        dataset = dataset.assign_coords(wide)
+    parts = [dataset.isel(mode=[i % 2]).assign_coords(mode=[i + 1]) for i in range(count)]
+    return Plane(xarray.concat(parts, "mode", data_vars="minimal"), "y", "x", "z", -0.2)
+
+
+@pytest.mark.parametrize(
+    ("modes", "tall", "shape"),
+    [
+        *((2, False, (1, 2)), (3, False, (1, 3)), (4, False, (2, 2)), (5, False, (2, 3)), (6, False, (2, 3))),
+        *((7, False, (2, 4)), (8, False, (2, 4)), (9, False, (3, 3)), (6, True, (1, 6)), (7, True, (2, 4))),
+    ],
+)
+def test_panels_stand_in_rows_of_about_the_same_length(
+    modes: int, tall: bool, shape: tuple[int, int]
+) -> None:
+    assert arranged(modes, tall=tall) == shape
+    assert shape[0] * shape[1] - modes < shape[1]  # no row is empty
+
+
+def test_a_small_range_of_frequencies_looks_small_and_is_said(plane: Plane) -> None:
+    """From 100.1 to 100.3 Hz over 5 % of 100 Hz, instead of over all colours."""
+    dataset = plane.dataset.assign(frequency=100.0 + 0.01 * (plane.dataset["frequency"] - 90.0))
+    assert float(dataset["frequency"].sel(mode=1).max() - dataset["frequency"].sel(mode=1).min()) < 0.5
+    with styled():
+        found = panels(maps.frequencies(Plane(dataset, "y", "x", "z", -0.2)))
+    low, high = mesh_of(found["mode 1"]).get_clim()
+    assert high - low == pytest.approx(0.05 * (low + high) / 2)
+    first, last = 100.1 + 0.01 * np.array(INNER)
+    assert f"{first:.2f}\u2013{last:.2f} Hz" in [text.get_text() for text in found["mode 1"].texts]
+
+
+@pytest.mark.parametrize("tall", [True, False])
+def test_scales_have_three_ticks_or_more_that_are_apart(plane: Plane, tall: bool) -> None:
+    with styled():
+        figure = maps.frequencies(of_modes(plane, 6 if tall else 2, tall=tall))
+        figure.draw_without_rendering()
+    bars = [axes for axes in figure.axes[0].child_axes + figure.axes if "f [Hz]" in labels_of(axes)]
+    assert bars
+    for bar in bars:
+        axis = bar.xaxis if bar.get_xlabel() else bar.yaxis
+        low, high = axis.get_view_interval()
+        shown = [label for label in axis.get_ticklabels() if low <= place_of(label, axis) <= high]
+        assert len(shown) >= 3
+        boxes = [label.get_window_extent() for label in shown]
+        assert not any(one.overlaps(other) for one, other in pairwise(boxes))
+
+
+def labels_of(axes: Any) -> tuple[str, str]:
+    return axes.get_xlabel(), axes.get_ylabel()
+
+
+def place_of(label: Any, axis: Any) -> float:
+    return float(label.get_position()[0 if axis.axis_name == "x" else 1])
+
+
+def test_contours_have_their_numbers_apart_from_one_another(plane: Plane) -> None:
+    with styled():
+        figure = maps.frequencies(of_modes(plane, 2, tall=False))
+        figure.draw_without_rendering()
+    for axes in panels(figure).values():
+        (lines,) = (one for one in axes.collections if isinstance(one, ContourSet))
+        written = {float(text.get_text()) for text in lines.labelTexts}
+        assert written
+        assert written <= set(lines.levels.tolist())
+        boxes = [text.get_window_extent() for text in lines.labelTexts]
+        assert not any(one.overlaps(other) for i, one in enumerate(boxes) for other in boxes[:i])
+
+
+def test_lines_of_directions_can_be_seen_on_every_colour_also_in_grey(varied: Plane) -> None:
+    with styled():
+        figure = maps.directions(varied)
+    for axes in panels(figure).values():
+        (strokes,) = (one for one in axes.collections if isinstance(one, LineCollection))
+        assert to_rgba(strokes.get_colors()[0]) == (0.0, 0.0, 0.0, 1.0)
+        for share in (0.0, 0.5, 1.0):
+            colour = np.array(mesh_of(axes).to_rgba(share)[:3])
+            linear = np.where(colour <= 0.04045, colour / 12.92, ((colour + 0.055) / 1.055) ** 2.4)
+            contrast = (linear @ [0.2126, 0.7152, 0.0722] + 0.05) / 0.05
+            assert contrast > 4.5, share
+
+
+def test_what_is_the_same_everywhere_is_a_sentence(plane: Plane) -> None:
+    flat = {"y": ("y", Y, {"units": "m"}), "x": ("x", X, {"units": "m"})}
+    ones = xarray.ones_like(plane.dataset["condition"])
+    same = plane.dataset.assign(frequency=ones * xarray.DataArray([40.0, 60.0], dims="mode"), condition=ones)
+    planar = Plane(same.assign_coords(flat), "y", "x", None, 0.0)
+    level = Plane(same.assign_coords(flat), "y", "x", "z", -0.2)
+    with styled():
+        assert maps.frequencies(planar) == (
+            "Every frequency is the same within 0.025 % at every pose: 40.00, 60.00 Hz."
+        )
+        assert (
+            maps.directions(planar)
+            == "In each mode the platform moves in almost the same direction at every pose."
+        )
+        assert (
+            maps.components(planar)
+            == "In each mode the platform moves by almost the same amount at every pose."
+        )
+        assert workspace(planar, None) == (
+            "The condition number of the platform Jacobian is 1 at every pose."
+        )
+        assert neighbouring_mac(planar, np.full((5, 3, 2), 0.9994)) == (
+            "No mode shape changes abruptly: the smallest MAC of a mode with the mode of the same number at a "
+            "neighbouring pose is 0.999."
+        )
+        assert not isinstance(
+            workspace(level, Volume(np.array([-0.3, -0.1]), X, Y, np.zeros((2, 5, 3), bool))), str
+        )
 
 
 def test_a_panel_with_none_below_it_has_its_labels(plane: Plane) -> None:
-    """Four modes of a wide map stand in rows of three: below modes 2 and 3 there is nothing."""
-    wide = {"y": ("y", 5.0 * Y, {"units": "m"}), "x": ("x", X, {"units": "m"})}
-    dataset = plane.dataset[["frequency", "valid"]].assign_coords(wide)
-    four = xarray.concat([dataset, dataset.assign_coords(mode=[3, 4])], "mode", data_vars="minimal")
+    """Five modes of a wide map stand in rows of three: below mode 3 there is nothing."""
     with styled():
-        found = panels(maps.frequencies(Plane(four, "y", "x", "z", -0.2)))
+        found = panels(maps.frequencies(of_modes(plane, 5, tall=False)))
     assert {name: axes.get_xlabel() for name, axes in found.items()} == {
-        "mode 1": "",
-        **dict.fromkeys(("mode 2", "mode 3", "mode 4"), "y [mm]"),
+        **dict.fromkeys(("mode 1", "mode 2"), ""),
+        **dict.fromkeys(("mode 3", "mode 4", "mode 5"), "y [mm]"),
     }
-    assert [axes.get_ylabel() for axes in found.values()] == ["x [mm]", "", "", "x [mm]"]
+    assert [axes.get_ylabel() for axes in found.values()] == ["x [mm]", "", "", "x [mm]", ""]

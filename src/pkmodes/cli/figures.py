@@ -24,6 +24,13 @@ class FiguresDocument(Document):
     robot: Annotated[str, Meta(description="The robot file, as given.")]
     out: Annotated[str, Meta(description="The folder of the figures, as given.")]
     files: Annotated[list[str], Meta(description="Names of the files written there.")]
+    same_everywhere: Annotated[
+        dict[str, str],
+        Meta(
+            description="What is said instead of a figure that would show the same everywhere, by the name of its "
+            "file without suffix; the file holds this sentence."
+        ),
+    ]
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes figures robots/linear-delta-2022.toml --out figures")
@@ -58,11 +65,21 @@ def figures(
         raise OutputError("expected the name of a folder", f"--out {shown(out)}", "choose another place")
     resolved(folder, "--out")
     model = load(robot)
-    from pkmodes.figures.files import write_pictures
+    from pkmodes.figures.files import written_pictures
     from pkmodes.maps.ranges import parse_grid
 
     places = None if grid is None else parse_grid(grid, model.mechanism, "--grid")
     with named_as_options({"grid": "--grid"}):
-        written = write_pictures(model, folder, places, tuple(dict.fromkeys(formats)), drives=drives)
-    document = FiguresDocument(robot=str(robot), out=out, files=[path.name for path in written])
-    deliver(json_file, document.as_json(), lambda: list(map(echo, written)))
+        written, said = written_pictures(model, folder, places, tuple(dict.fromkeys(formats)), drives=drives)
+    document = FiguresDocument(
+        robot=str(robot), out=out, files=[path.name for path in written], same_everywhere=said
+    )
+    deliver(json_file, document.as_json(), lambda: _print(written, said))
+
+
+def _print(written: list[Path], said: dict[str, str]) -> None:
+    """Print the files, and apart from them which of them hold a sentence."""
+    for path in written:
+        echo(path)
+    for name, sentence in said.items():
+        echo(f"note: {name} holds a sentence instead of a picture: {sentence}", err=True)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,12 +13,16 @@ from pkmodes.base.drives import FREE
 from pkmodes.base.errors import OutputError
 from pkmodes.base.writing import write_files
 from pkmodes.figures.pictures import Picture, pictures
-from pkmodes.plots.style import styled
+from pkmodes.plots.style import GREY, styled
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from pkmodes.model.model import Model
 
 FORMATS = ("svg", "png", "pdf")
+#: Between a figure and the line below it [inch].
+GAP = 0.08
 
 
 def write_pictures(
@@ -28,7 +33,7 @@ def write_pictures(
     *,
     drives: str = FREE,
 ) -> list[Path]:
-    """Draw the figures of a robot and write them, all or none.
+    """Draw the figures of a robot and write them, all or none; one that would show the same everywhere is a sentence.
 
     Parameters
     ----------
@@ -55,26 +60,54 @@ def write_pictures(
     OutputError
         If a format is unknown, or the folder cannot be written.
     """
+    return written_pictures(model, folder, grid, formats, drives=drives)[0]
+
+
+def written_pictures(
+    model: Model, folder: Path, grid: Any, formats: Sequence[str], *, drives: str
+) -> tuple[list[Path], dict[str, str]]:
+    """Do as `write_pictures`; return the files, and the sentences instead of figures by name."""
     for one in formats:
         check_argument(one, one_of(FORMATS), "formats", "choose one of the three", OutputError)
     files: dict[str, bytes] = {}
+    said: dict[str, str] = {}
     for picture in pictures(model, grid, drives=drives):
+        if picture.instead:
+            said[picture.name] = picture.instead
         for one in formats:
             files[f"{picture.name}.{one}"] = rendered(picture, one)
-    return write_files(folder, files)
+    return write_files(folder, files), said
 
 
 def rendered(picture: Picture, suffix: str) -> bytes:
-    """Return a figure as the content of a file: on white, the same at every run."""
-    nothing: dict[str, Any] = {
-        "svg": {"Date": None},
-        "pdf": {"CreationDate": None},
-        "png": {"Software": None},
+    """Return a figure as the content of a file: on white, with what it shows below it, the same at every run."""
+    known: dict[str, dict[str, Any]] = {
+        "svg": {"Date": None, "Description": picture.description},
+        "pdf": {"CreationDate": None, "Subject": picture.description},
+        "png": {"Software": None, "Description": picture.description},
     }
     target = BytesIO()
-    with styled():
-        metadata = {**nothing[suffix], "Title": picture.title}
+    with styled(), _with_line_below(picture.figure, picture.about):
+        metadata = {**known[suffix], "Title": picture.title}
         picture.figure.savefig(
             target, format=suffix, metadata=metadata, bbox_inches="tight", pad_inches=0.05, facecolor="white"
         )
     return target.getvalue()
+
+
+@contextmanager
+def _with_line_below(figure: Figure, line: str) -> Iterator[None]:
+    """Write a line below everything that a figure shows, for as long as it is saved."""
+    if not line:
+        yield
+        return
+    figure.draw_without_rendering()
+    box = figure.get_tightbbox()
+    width, height = figure.get_size_inches()
+    text = figure.text(
+        box.x0 / width, (box.y0 - GAP) / height, line, va="top", fontsize=7, color=GREY, in_layout=True
+    )
+    try:
+        yield
+    finally:
+        text.remove()

@@ -22,9 +22,11 @@ from pkmodes.figures.quantities import coarser, motors_of, relative_sensitivitie
 from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.poses import places_of
 from pkmodes.plots import influence, maps
+from pkmodes.plots.dominant import dominant
+from pkmodes.plots.labels import visible
 from pkmodes.plots.mac_map import neighbouring_mac
 from pkmodes.plots.plane import Plane, plane_axes, where
-from pkmodes.plots.style import styled
+from pkmodes.plots.style import stated, styled
 from pkmodes.plots.svg import inline
 from pkmodes.plots.workspace import workspace
 
@@ -32,6 +34,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from pkmodes.model.model import Model
+
+#: Length of the name of a robot below its figures at most.
+LONGEST = 60
 
 
 @dataclass(frozen=True)
@@ -44,17 +49,27 @@ class Picture:
         Of its file, without a suffix.
     title, description : str
     figure : matplotlib.figure.Figure
+    about : str
+        The robot and what of it is shown, which also stands below the figure in its file.
+    instead : str
+        What is said instead of a figure that would show the same everywhere; the figure then consists of these words.
     """
 
     name: str
     title: str
     description: str
     figure: Figure
+    about: str = ""
+    instead: str = ""
 
     def _repr_html_(self) -> str:
         """Return the figure with its caption, for notebooks."""
         with styled():
-            drawn = inline(self.figure, self.title, self.description, cropped=True)
+            drawn = (
+                f"<p>{escape(self.instead)}</p>"
+                if self.instead
+                else inline(self.figure, self.title, self.description, cropped=True)
+            )
         caption = f"<figcaption><b>{escape(self.title)}.</b> {escape(self.description)}</figcaption>"
         return f'<figure style="max-width:60rem">{drawn}{caption}</figure>'
 
@@ -81,6 +96,8 @@ class PictureKind:
     ----------
     name, title, description : str
         As those of the `Picture`; the robot and its plane are added to the description.
+    draw : function
+        Returns the figure, or a sentence where it would show the same everywhere.
     planar : str or None
         The description for a mechanism that moves in a plane, if it is another.
     """
@@ -88,7 +105,7 @@ class PictureKind:
     name: str
     title: str
     description: str
-    draw: Callable[[RobotPlane], Figure]
+    draw: Callable[[RobotPlane], Figure | str]
     planar: str | None = None
 
 
@@ -98,15 +115,16 @@ PICTURES = (
         "workspace",
         "Working plane and condition number",
         "Left, outlines of the reachable volume at several heights, with the plane; right, the condition number of "
-        "the platform Jacobian in the plane.",
+        "the platform Jacobian in the plane, and its median over the part of the plane that can be reached.",
         lambda robot: workspace(robot.plane, volume_of(robot.model, robot.plane)),
-        planar="The condition number of the platform Jacobian in the workspace.",
+        planar="The condition number of the platform Jacobian in the workspace, and its median.",
     ),
     PictureKind(
         "frequencies",
         "Natural frequencies",
-        "Triangles mark the lowest (down) and highest (up) frequency along the centre line, without its ends; "
-        "squares at the edge mark the motors; the colour scale ignores the lowest and highest 2 % of the values.",
+        "The numbers above a panel are the ends of its colours: they leave out the lowest and the highest 2 % of the "
+        "poses, and span at least 5 % of the frequency. Triangles mark the lowest (down) and the highest (up) "
+        "frequency in the plane, squares the motors, hollow ones at the edge those beyond it.",
         lambda robot: maps.frequencies(robot.plane, motors_of(robot.model, robot.plane)),
     ),
     PictureKind(
@@ -120,6 +138,7 @@ PICTURES = (
         "In-plane and out-of-plane motion of the platform",
         "Mass-normalised mode shapes on one scale.",
         lambda robot: maps.components(robot.plane),
+        planar="Mass-normalised mode shapes on one scale; this mechanism does not move out of the plane.",
     ),
     PictureKind(
         "influence",
@@ -131,7 +150,7 @@ PICTURES = (
         "dominant",
         "The parameter with the largest influence",
         "At each pose, the parameter whose relative change changes the frequency most.",
-        lambda robot: influence.dominant(coarser(robot.plane), *robot.influences),
+        lambda robot: dominant(coarser(robot.plane), *robot.influences),
     ),
     PictureKind(
         "mac",
@@ -180,9 +199,13 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
     )  # before it is evaluated
     say("computing the modes in the plane")
     plane = Plane.of(model.map(places, shapes=True, drives=drives), components)
-    robot, about = RobotPlane(model, plane, drives), f"{model.robot.name}, motors {drives}, {where(plane)}"
+    robot = RobotPlane(model, plane, drives)
+    about = f"{visible(model.robot.name, LONGEST)}, motors {drives}, {where(plane)}"
     for number, kind in enumerate(PICTURES, start=1):
         say(f"picture {number} of {len(PICTURES)}: {kind.name}")
         description = kind.description if plane.normal else kind.planar or kind.description
         with styled():
-            yield Picture(kind.name, kind.title, f"{description} {about}.", kind.draw(robot))
+            drawn = kind.draw(robot)
+            instead = drawn if isinstance(drawn, str) else ""
+            figure = stated(drawn) if isinstance(drawn, str) else drawn
+            yield Picture(kind.name, kind.title, f"{instead or description} {about}.", figure, about, instead)

@@ -47,6 +47,11 @@ def typeset(text: str) -> str:
     return digits if not power else f"{digits}{TIMES}10{str(int(power)).translate(RAISED)}"
 
 
+def broken(name: str) -> str:
+    """Return a name of several parameters with each on a line of its own."""
+    return name.replace(", ", ",\n")
+
+
 def decades(axis: Axis, write: Callable[[float], str]) -> None:
     """Label a logarithmic axis: at its decades, and where it has few of them at others too.
 

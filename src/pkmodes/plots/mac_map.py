@@ -4,31 +4,43 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.plots.maps import mode_panels, panels_of
+from pkmodes.plots.panels import mode_panels, panels_of, shared_scale
 from pkmodes.plots.plane import Plane
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[Any]
+#: MAC from which on shapes hardly differ; `pkmodes.maps.tracking` speaks of a veering below 0.9.
+GRADUAL = 0.95
 
 
-def neighbouring_mac(plane: Plane, mac: Array) -> Figure:
+def neighbouring_mac(plane: Plane, mac: Array) -> Figure | str:
     """Draw the smallest MAC of each mode with the mode of the same number at the neighbouring poses.
 
     Parameters
     ----------
     mac : ndarray, shape (along, across, modes)
         From `pkmodes.figures.quantities.smallest_mac`.
+
+    Returns
+    -------
+    Figure or str
+        A sentence if it is nearly 1 everywhere.
     """
+    if np.isfinite(mac).any() and (smallest := float(np.nanmin(mac))) >= GRADUAL:
+        return (
+            "No mode shape changes abruptly: the smallest MAC of a mode with the mode of the same number at a "
+            f"neighbouring pose is {np.floor(1e3 * smallest) / 1e3:.3f}."
+        )
     modes = mac.shape[-1]
-    drawn, panels = panels_of(plane, modes, colour_bars=False)
+    drawn, panels = panels_of(plane, modes, colour_bars=False, below=0.0 if plane.is_tall else 0.5)
     mesh = None
     for mode, axes in mode_panels(plane, panels, modes):
         mesh = plane.draw(axes, mac[..., mode], vmin=0.0, vmax=1.0)
     if mesh is not None:
-        bar = drawn.colorbar(mesh, ax=panels, location="right", shrink=0.9, aspect=35)
-        bar.set_label("smallest MAC with a neighbouring pose [1]")
+        shared_scale(plane, drawn, panels, mesh, "smallest MAC with a neighbouring pose [1]")
     return drawn

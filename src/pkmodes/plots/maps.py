@@ -2,56 +2,92 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.plots.plane import Plane, limits_of
-from pkmodes.plots.style import INK, VERMILLION, WHITE, WIDTH, figure
+from pkmodes.plots.labels import typeset
+from pkmodes.plots.panels import (
+    HIGHEST,
+    LEAST_SPAN,
+    TALL_ROW,
+    TALLEST,
+    compressed,
+    mode_panels,
+    panels_of,
+    scale_beside,
+    shared_scale,
+    widened,
+    width_of,
+)
+from pkmodes.plots.plane import SAME, Plane, limits_of, same_everywhere
+from pkmodes.plots.style import BLACK, WHITE, WIDTH, ink_on
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 Array = NDArray[Any]
-#: Part of the centre line at each end where its extremes are not looked for.
-EDGE = 0.05
 #: Lines along the shorter side of a map.
 STROKES = 9
-#: Space for labels and colour bars beside and below each panel [inch].
-BESIDE, BELOW, UNDER = 0.62, 1.0, 0.62
-#: Height of a panel over its width at most.
-TALLEST = 3.5
+#: Relative difference of frequencies up to which two poses have the same one, such as mirrored ones.
+ROUNDING = 1e-9
+#: Poses that can share an extreme; where more do, it is no place.
+SHARED = 8
+#: Numbers on contours are at least this far from one another, and from the edges of a panel; shorter lines have none
+#: [inch].
+APART, MARGIN, SHORTEST = 0.22, 0.12, 0.5
+#: Blues up to this part are so light that black lines on them can be seen, also in grey.
+LIGHT = 0.55
 
 
-def frequencies(plane: Plane, motors: Array | None = None) -> Figure:
-    """Draw the frequency of each mode, with its extremes along the centre line (figure 8).
+def frequencies(plane: Plane, motors: Array | None = None) -> Figure | str:
+    """Draw the frequency of each mode, with its extremes in the plane (figure 8).
 
     Parameters
     ----------
     motors : ndarray, shape (N, 2), optional
         Positions of the motors (across, along) in the drawn units.
+
+    Returns
+    -------
+    Figure or str
+        A sentence if no frequency depends on the pose.
     """
     values = plane.dataset["frequency"].values
     modes = values.shape[-1]
-    drawn, panels = panels_of(plane, modes, colour_bars=True)
-    for mode, axes in mode_panels(plane, panels, modes):
+    if np.isfinite(values).any() and all(
+        same_everywhere(values[..., mode], scale=LEAST_SPAN * float(np.nanmax(np.abs(values[..., mode]))))
+        for mode in range(modes)
+    ):
+        found = ", ".join(f"{value:.2f}" for value in np.nanmedian(values, axis=(0, 1)))
+        return (
+            f"Every frequency is the same within {100 * SAME * LEAST_SPAN:.2g} % at every pose: {found} Hz."
+        )
+    drawn, panels = panels_of(plane, modes, colour_bars=True, line=True)
+    inch = float(np.ptp(plane.drawn(plane.across))) / width_of(plane, modes, colour_bars=True)
+    for mode, axes in mode_panels(plane, panels, modes, line=True):
         one = values[..., mode]
-        low, high = limits_of(one)
+        limits = limits_of(one)
+        low, high = widened(*limits)
         mesh = plane.draw(axes, one, vmin=low, vmax=high)
-        _contours(plane, axes, one, low, high)
+        _contours(plane, axes, mesh, one, inch)
         _extremes(plane, axes, one)
         _motors(axes, motors)
+        axes.annotate(
+            _range(*limits), (0, 1), (0, 2), "axes fraction", "offset points", va="bottom", fontsize=7
+        )
         scale_beside(plane, axes, mesh, "f [Hz]")
     return drawn
 
 
-def directions(plane: Plane) -> Figure:
+def directions(plane: Plane) -> Figure | str:
     """Draw the direction of the platform's motion in each mode (figures 9 to 14).
 
-    Lines show the part in the plane, as long as its share of the motion; colours the share perpendicular to it.
+    Lines show the part in the plane, as long as its share of the motion; colours the share perpendicular to it.  A
+    sentence if no direction depends on the pose.
     """
     motion = plane.dataset["platform_shape"].values
     names = plane.dataset["direction"].values.tolist()
@@ -59,7 +95,11 @@ def directions(plane: Plane) -> Figure:
     length = np.sqrt((motion**2).sum(axis=-1))
     unit = motion / np.where(length > 0.0, length, np.nan)[..., None]
     modes = motion.shape[2]
-    drawn, panels = panels_of(plane, modes, colour_bars=False)
+    # Directions have no sign: their squares and products tell them apart.
+    if same_everywhere(unit[..., :, None] * unit[..., None, :], axes=(0, 1), scale=1.0):
+        return "In each mode the platform moves in almost the same direction at every pose."
+    below = 0.0 if plane.is_tall or plane.normal is None else 0.5
+    drawn, panels = panels_of(plane, modes, colour_bars=False, below=below)
     x, y = plane.drawn(plane.across), plane.drawn(plane.along)
     step = max(1, round(min(len(x), len(y)) / STROKES))
     rows, columns = (slice(step // 2, None, step) for _ in range(2))
@@ -70,57 +110,87 @@ def directions(plane: Plane) -> Figure:
         )
         if plane.normal is None:
             perpendicular = np.where(np.isfinite(unit[:, :, mode, across]), 0.0, np.nan)
-        mesh = plane.draw(axes, perpendicular, vmin=0.0, vmax=1.0, cmap="Blues")
+        mesh = plane.draw(axes, perpendicular, vmin=0.0, vmax=1.0, cmap=_light_blues())
         part = unit[rows, columns, mode]
         reach = step * (y[-1] - y[0]) / max(len(y) - 1, 1) * 0.45
         _strokes(axes, x[columns], y[rows], reach * part[..., across], reach * part[..., along])
     if mesh is not None and plane.normal is not None:
-        bar = drawn.colorbar(mesh, ax=panels, location="right", shrink=0.9, aspect=35)
-        bar.set_label(f"share of the motion along {plane.normal} [1]")
+        shared_scale(plane, drawn, panels, mesh, f"share of the motion along {plane.normal} [1]")
     return drawn
 
 
-def components(plane: Plane) -> Figure:
+def components(plane: Plane) -> Figure | str:
     """Draw the in-plane and out-of-plane motion of the platform in each mode, all on one scale (figures 15 to 20).
 
-    Mass-normalised shapes are compared: the platform's motion for the same kinetic energy of the whole robot.
+    Mass-normalised shapes are compared: the platform's motion for the same kinetic energy of the whole robot.  A
+    sentence if none depends on the pose.
     """
-    rows = [("in_plane", "in plane")]
+    kinds = [("in_plane", "in plane")]
     if plane.normal is not None:
-        rows.append(("out_of_plane", f"along {plane.normal}"))
+        kinds.append(("out_of_plane", f"along {plane.normal}"))
     modes = plane.dataset.sizes["mode"]
-    every = np.concatenate([plane.dataset[name].values.ravel() for name, _ in rows])
+    every = np.stack([plane.dataset[name].values for name, _ in kinds])
     high = limits_of(every)[1]
-    width = (WIDTH - 1.3) / modes
-    drawn = _figure(len(rows) * (min(plane.height, TALLEST) * width + 0.2) + 0.8)
-    panels = drawn.subplots(len(rows), modes, squeeze=False)
+    if same_everywhere(every, axes=(1, 2), scale=high):
+        return "In each mode the platform moves by almost the same amount at every pose."
+    lines = -(-modes // TALL_ROW)
+    columns = -(-modes // lines)
+    width = (WIDTH - 1.3) / columns
+    drawn = compressed(
+        lines * len(kinds) * (min(plane.height * width, TALLEST * width, HIGHEST) + 0.25) + 1.0
+    )
+    panels: Any = drawn.subplots(lines * len(kinds), columns, squeeze=False)
     mesh = None
-    for row, (name, title) in enumerate(rows):
-        for mode in range(modes):
-            axes = panels[row, mode]
-            mesh = plane.draw(axes, plane.dataset[name].values[..., mode], vmin=0.0, vmax=high)
-            axes.set_title(f"mode {mode + 1}" if row == 0 else "")
-            plane.label_axes(axes, left=mode == 0, bottom=row == len(rows) - 1)
-        panels[row, 0].set_ylabel(f"{title}\n{plane.label(plane.along)}")
+    for row, column in np.ndindex(panels.shape):
+        axes, (name, title) = panels[row, column], kinds[row % len(kinds)]
+        mode = row // len(kinds) * columns + column
+        if mode >= modes:
+            axes.set_axis_off()
+            continue
+        mesh = plane.draw(axes, plane.dataset[name].values[..., mode], vmin=0.0, vmax=high)
+        axes.set_title(f"mode {mode + 1}" if row % len(kinds) == 0 else "")
+        plane.label_axes(axes, left=column == 0, bottom=row % len(kinds) == len(kinds) - 1)
+        if column == 0:
+            axes.set_ylabel(f"{title}\n{plane.label(plane.along)}")
     if mesh is not None:
-        bar = drawn.colorbar(mesh, ax=panels, location="right", shrink=0.7, aspect=30, extend="max")
-        bar.set_label("mass-normalised motion [1/\N{SQUARE ROOT}kg]")
+        shared_scale(plane, drawn, panels, mesh, "mass-normalised motion [1/\N{SQUARE ROOT}kg]", extend="max")
     return drawn
 
 
-def scale_beside(plane: Plane, axes: Axes, mesh: Any, label: str) -> None:
-    """Draw the colour scale of one panel: below a tall map, right of another."""
-    from matplotlib.ticker import MaxNLocator
+def extremes(values: Array) -> dict[str, list[tuple[int, int]]]:
+    """Return where values are lowest and highest: the same definition as in the table of a map.
 
-    inches = min(plane.height, TALLEST) * WIDTH / 7
-    below = (0.0, -UNDER / inches, 1.0, 0.08 / inches)
-    inset = axes.inset_axes(below if plane.is_tall else (1.05, 0.0, 0.06, 1.0))
-    orientation = "horizontal" if plane.is_tall else "vertical"
-    bar = axes.figure.colorbar(mesh, cax=inset, orientation=orientation, extend="both")
-    bar.set_label(label)
-    bar.locator = MaxNLocator(2 if plane.is_tall else 5)
-    bar.update_ticks()
-    bar.ax.tick_params(length=2)
+    Parameters
+    ----------
+    values : ndarray, shape (along, across)
+
+    Returns
+    -------
+    dict
+        For ``minimum`` and ``maximum`` the indices of the poses, of several where they share the value, as mirrored
+        poses do; none if no pose can be evaluated, or if it is shared by so many that it is no place.
+    """
+    found: dict[str, list[tuple[int, int]]] = {"minimum": [], "maximum": []}
+    if not np.isfinite(values).any():
+        return found
+    for name, value in (("minimum", np.nanmin(values)), ("maximum", np.nanmax(values))):
+        places = [(int(i), int(j)) for i, j in np.argwhere(np.abs(values - value) <= ROUNDING * abs(value))]
+        found[name] = places if len(places) <= SHARED else []
+    return found
+
+
+def _range(low: float, high: float) -> str:
+    """Write a range of frequencies with as many decimals as tell its ends apart."""
+    decimals = 1 if high <= low else max(0, min(4, 1 - math.floor(math.log10(high - low))))
+    return f"{typeset(f'{low:.{decimals}f}')}\N{EN DASH}{typeset(f'{high:.{decimals}f}')} Hz"
+
+
+def _light_blues() -> Any:
+    """Return a scale from white to a blue on which black can be seen."""
+    from matplotlib import colormaps
+    from matplotlib.colors import ListedColormap
+
+    return ListedColormap(colormaps["Blues"](np.linspace(0.0, LIGHT, 256)))
 
 
 def _strokes(axes: Axes, x: Array, y: Array, across: Array, along: Array) -> None:
@@ -131,92 +201,79 @@ def _strokes(axes: Axes, x: Array, y: Array, across: Array, along: Array) -> Non
     half = np.stack([across, along], axis=-1)
     lines = np.stack([place - half, place + half], axis=-2).reshape(-1, 2, 2)
     axes.add_collection(
-        LineCollection(lines[np.isfinite(lines).all(axis=(1, 2))], colors=VERMILLION, linewidths=1.2)
+        LineCollection(lines[np.isfinite(lines).all(axis=(1, 2))], colors=BLACK, linewidths=0.9)
     )
 
 
-def _figure(height: float) -> Figure:
-    drawn = figure(height)
-    drawn.set_layout_engine("compressed")
-    return drawn
-
-
-def panels_of(plane: Plane, modes: int, *, colour_bars: bool) -> tuple[Figure, Any]:
-    """Return a figure with a panel for each mode: one row of tall maps, otherwise rows of three."""
-    columns = modes if plane.is_tall and modes <= 6 else min(modes, 3)
-    rows = -(-modes // columns)
-    beside = BESIDE if colour_bars and not plane.is_tall else 0.15
-    width = WIDTH / columns - beside
-    height = min(plane.height, TALLEST) * width + (BELOW if colour_bars and plane.is_tall else 0.25)
-    drawn = _figure(rows * (height + 0.3) + 0.3)
-    return drawn, drawn.subplots(rows, columns, squeeze=False)
-
-
-def mode_panels(plane: Plane, panels: Any, modes: int) -> Iterator[tuple[int, Axes]]:
-    """Yield each mode with its panel, titled, and labelled where no panel is beside or below; others stay empty."""
-    columns = panels.shape[1]
-    for mode, axes in enumerate(panels.flat):
-        if mode >= modes:
-            axes.set_axis_off()
-            continue
-        yield mode, axes
-        axes.set_title(f"mode {mode + 1}")
-        plane.label_axes(axes, left=mode % columns == 0, bottom=mode + columns >= modes)
-
-
-def _contours(plane: Plane, axes: Axes, values: Array, low: float, high: float) -> None:
-    levels = np.linspace(low, high, 9)[1:-1]
-    finite = np.isfinite(values)
-    if finite.any() and values[finite].min() < levels[-1] and values[finite].max() > levels[0]:
-        axes.contour(
-            plane.drawn(plane.across),
-            plane.drawn(plane.along),
-            np.ma.masked_invalid(values),
-            levels,
-            colors=WHITE,
-            linewidths=0.4,
-            alpha=0.7,
-        )
-
-
-def extremes(plane: Plane, values: Array) -> dict[str, tuple[int, float]]:
-    """Return the minimum and maximum along the centre line, without its ends.
+def _contours(plane: Plane, axes: Axes, mesh: Any, values: Array, inch: float) -> None:
+    """Draw contours at round frequencies, with their numbers, in black or white, whichever can be seen.
 
     Parameters
     ----------
-    values : ndarray, shape (along, across)
-
-    Returns
-    -------
-    dict
-        For ``minimum`` and ``maximum`` the index along the line and the value; empty if no pose can be evaluated.
+    inch : float
+        Of the panel in the units of its axes, about: numbers that would stand on one another are left out.
     """
-    line = values[:, plane.middle]
-    reached = np.flatnonzero(np.isfinite(line))
-    if not len(reached):
-        return {}
-    place = plane.dataset[plane.along].values
-    margin = EDGE * (place[reached[-1]] - place[reached[0]])
-    kept = reached[
-        (place[reached] >= place[reached[0]] + margin) & (place[reached] <= place[reached[-1]] - margin)
-    ]
-    kept = kept if len(kept) else reached
-    lowest, highest = kept[np.argmin(line[kept])], kept[np.argmax(line[kept])]
-    return {"minimum": (int(lowest), float(line[lowest])), "maximum": (int(highest), float(line[highest]))}
+    from matplotlib.ticker import MaxNLocator
+
+    low, high = mesh.get_clim()
+    finite = values[np.isfinite(values)]
+    levels = MaxNLocator(6, steps=[1, 2, 5, 10]).tick_values(low, high)
+    levels = [level for level in levels if low < level < high and finite.min() < level < finite.max()]
+    if not levels:
+        return
+    inks = [ink_on(mesh.to_rgba(level)) for level in levels]
+    x, y = plane.drawn(plane.across), plane.drawn(plane.along)
+    lines = axes.contour(x, y, np.ma.masked_invalid(values), levels, colors=inks, linewidths=0.5)
+    marks = [(x[j], y[i]) for places in extremes(values).values() for i, j in places]
+    places = _number_places([line for one in lines.allsegs for line in one], marks, axes, inch)
+    if places:
+        settings: dict[str, Any] = {
+            "colors": inks,
+            "fontsize": 6.5,
+            "fmt": lambda level: typeset(f"{level:g}"),
+        }
+        axes.clabel(lines, inline_spacing=1.5, manual=places, **settings)
+
+
+def _number_places(
+    lines: list[Array], marks: list[Any], axes: Axes, inch: float
+) -> list[tuple[float, float]]:
+    """Return a place on each line that is long enough for a number, apart from others, from marks and from edges."""
+    kept: list[tuple[float, float]] = []
+    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+    for line in lines:
+        if np.hypot(*np.diff(line, axis=0).T).sum() < SHORTEST * inch:
+            continue
+        for share in (0.5, 0.35, 0.65, 0.2, 0.8):
+            x, y = map(float, line[int(share * (len(line) - 1))])
+            near = min(x - left, right - x, y - bottom, top - y) < MARGIN * inch
+            if not near and all(math.hypot(x - a, y - b) >= APART * inch for a, b in [*kept, *marks]):
+                kept.append((x, y))
+                break
+    return kept
 
 
 def _extremes(plane: Plane, axes: Axes, values: Array) -> None:
-    """Mark the extremes along the centre line: a triangle down for the minimum, up for the maximum."""
-    x, y = plane.drawn(plane.across)[plane.middle], plane.drawn(plane.along)
-    for name, (place, _) in extremes(plane, values).items():
-        marker = "v" if name == "minimum" else "^"
-        axes.plot(x, y[place], marker, color=VERMILLION, markeredgecolor=WHITE, markersize=6, clip_on=False)
+    """Mark the extremes in the plane: a triangle down for the lowest, up for the highest frequency."""
+    x, y = plane.drawn(plane.across), plane.drawn(plane.along)
+    for name, places in extremes(values).items():
+        for i, j in places:
+            _mark(axes, x[j], y[i], "v" if name == "minimum" else "^", filled=False, size=5.5)
 
 
 def _motors(axes: Axes, motors: Array | None) -> None:
+    """Mark motors as squares; those beyond the map at its edge, hollow."""
     if motors is None:
         return
     (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
-    # A motor beyond the map is marked at its edge.
-    x, y = np.clip(motors[:, 0], left, right), np.clip(motors[:, 1], bottom, top)
-    axes.plot(x, y, "s", color=INK, markersize=4.5, clip_on=False)
+    for x, y in motors:
+        at = float(np.clip(x, left, right)), float(np.clip(y, bottom, top))
+        _mark(axes, *at, "s", filled=at == (x, y), size=4.0)
+
+
+def _mark(axes: Axes, x: float, y: float, marker: str, *, filled: bool, size: float) -> None:
+    """Draw a mark that can be seen on any colour, black with a white edge or the other way round."""
+    face, edge = (BLACK, WHITE) if filled else (WHITE, BLACK)
+    axes.plot(
+        x, y, marker, color=face, markeredgecolor=edge, markeredgewidth=0.7, markersize=size, clip_on=False
+    )

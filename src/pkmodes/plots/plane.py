@@ -24,6 +24,9 @@ Array = NDArray[Any]
 OUTLIERS = 0.02
 #: Ratio of the extents from which on the longer one is vertical.
 LONGER = 1.1
+#: Range of a quantity, relative to its colour scale or its size, below which it is the same everywhere: no eye tells
+#: two of its colours apart.
+SAME = 0.005
 #: Height of a map over its width from which on maps stand side by side in one row.
 TALL = 1.6
 
@@ -92,12 +95,15 @@ class Plane:
         return float(size[0] / size[1]) if len(units) == 1 and size[1] > 0 else 1.0
 
     @property
-    def middle(self) -> int:
-        """Index across of the centre line, halfway between the outermost poses that can be evaluated."""
-        reached = np.flatnonzero(self.dataset["valid"].values.any(axis=0))
-        values = self.dataset[self.across].values
-        centre = (values[reached[0]] + values[reached[-1]]) / 2 if len(reached) else values.mean()
-        return int(np.argmin(np.abs(values - centre)))
+    def area(self) -> float | None:
+        """Area that can be reached [m^2]; None unless both components are lengths."""
+        if any(self.dataset[name].attrs["units"] != "m" for name in (self.along, self.across)):
+            return None
+        steps = [np.ptp(values) / (len(values) - 1) for values in self._axes()]
+        return float(self.dataset["valid"].values.sum() * steps[0] * steps[1])
+
+    def _axes(self) -> list[Array]:
+        return [self.dataset[name].values for name in (self.along, self.across)]
 
     def unit(self, name: str) -> tuple[str, float]:
         """Return the unit in which a component is drawn, and the factor from SI units."""
@@ -184,6 +190,26 @@ def limits_of(values: Array, outliers: float = OUTLIERS) -> tuple[float, float]:
         return 0.0, 1.0
     low, high = np.quantile(finite, [outliers, 1.0 - outliers])
     return (float(low), float(high)) if high > low else (float(low) - 0.5, float(high) + 0.5)
+
+
+def same_everywhere(values: Array, axes: tuple[int, int] = (0, 1), scale: float | None = None) -> bool:
+    """Whether a picture of values would have one colour: they differ by less than `SAME` of a scale.
+
+    Parameters
+    ----------
+    values : ndarray
+        NaN where there is none.
+    axes : tuple of int
+        Those of the plane.
+    scale : float, optional
+        By default the largest size of the values.
+    """
+    flat = np.moveaxis(values, axes, (0, 1)).reshape(values.shape[axes[0]] * values.shape[axes[1]], -1)
+    flat = flat[np.isfinite(flat).all(axis=1)]
+    if not len(flat):
+        return False
+    scale = float(np.abs(flat).max()) if scale is None else scale
+    return bool(np.ptp(flat, axis=0).max() <= SAME * scale)
 
 
 def _ends(values: Array) -> tuple[float, float]:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from functools import cache
 from importlib.resources import as_file, files
 from typing import TYPE_CHECKING, Any
+
+from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -24,12 +26,14 @@ BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY = (
 )
 GREY = "#80868b"
 PALETTE = (BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY)
-#: Colours that a page does not redefine, for images, for marks on them and for their legends: an image keeps its
-#: colours on a dark page.  The palette is one step off, so that it is not recognised.
+#: Colours that a page does not redefine, for marks on images: an image keeps its colours on a dark page.
 BLACK, WHITE = "#000000", "#ffffff"
-UNCHANGED = ("#0072b3", "#d55e01", "#009e74", "#cc79a8", "#e69f01", "#56b4e8", "#80868c")
+#: Luminance at which black and white have the same contrast: 1.05 / (L + 0.05) = (L + 0.05) / 0.05.
+MIDDLE = 0.179
 #: Width of a figure that is as wide as a page's text [inch].
 WIDTH = 6.3
+#: Characters in a line of such a figure.
+CHARACTERS = 90
 #: Settings of a session that are not a matter of style.
 OF_THE_SESSION = ("backend", "backend_fallback", "interactive", "toolbar", "timezone")
 
@@ -49,6 +53,28 @@ def figure(height: float, width: float = WIDTH) -> Figure:
     from matplotlib.figure import Figure
 
     return Figure(figsize=(width, height), layout="constrained")
+
+
+def stated(sentence: str) -> Figure:
+    """Return a figure that consists of a sentence; call it inside `styled`."""
+    from textwrap import wrap
+
+    lines = wrap(sentence, CHARACTERS)
+    drawn = figure(0.2 * len(lines) + 0.1)
+    drawn.text(0.01, 0.5, "\n".join(lines), va="center", linespacing=1.5)
+    return drawn
+
+
+def ink_on(colour: Sequence[float] | NDArray[Any]) -> str:
+    """Return the colour of text on a colour that no page redefines: black or white, whichever has more contrast.
+
+    References
+    ----------
+    Web Content Accessibility Guidelines 2.1, relative luminance.
+    """
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour[:3]]
+    luminance = sum(weight * c for weight, c in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
+    return BLACK if luminance > MIDDLE else WHITE
 
 
 @cache

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.plots.maps import scale_beside
-from pkmodes.plots.plane import Plane, limits_of, where
+from pkmodes.plots.labels import typeset
+from pkmodes.plots.panels import scale_beside
+from pkmodes.plots.plane import Plane, limits_of, same_everywhere, where
 from pkmodes.plots.style import GREEN, INK, WIDTH, figure
 
 if TYPE_CHECKING:
@@ -20,6 +21,9 @@ Array = NDArray[Any]
 ELEVATION, AZIMUTH = 20.0, -60.0
 #: Share of the poses at each end of the colour scale: condition numbers grow without bound towards a singularity.
 NEAR_SINGULAR = 0.1
+#: Outlines that enclose less than this part of the largest one are left out: at the rim of a workspace a step between
+#: two heights leaves shards of it.
+SHARD = 0.03
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,32 +43,71 @@ class Volume:
     valid: Array
 
 
-def workspace(plane: Plane, volume: Volume | None) -> Figure:
+def workspace(plane: Plane, volume: Volume | None) -> Figure | str:
     """Draw the condition number of the platform Jacobian in a plane, and where the plane lies in the workspace.
 
     Parameters
     ----------
     volume : Volume, optional
         None for a mechanism that moves in a plane.
+
+    Returns
+    -------
+    Figure or str
+        A sentence for a mechanism that moves in a plane with the same condition number everywhere.
     """
     condition = plane.dataset["condition"].values
     low, high = limits_of(condition, NEAR_SINGULAR)
     if volume is None:
+        if same_everywhere(condition):
+            return f"The condition number of the platform Jacobian is {np.nanmedian(condition):.3g} at every pose."
         drawn = figure(WIDTH * 0.55, WIDTH * 0.7)
         flat = drawn.add_subplot()
     else:
-        drawn = figure(WIDTH * 0.55)
+        drawn = figure(WIDTH * 0.5)
         parts: Any = drawn.subfigures(1, 2, width_ratios=(1.5, 1.0))
         left, right = parts
-        solid = left.add_axes((0.02, 0.0, 0.9, 1.0), projection="3d", computed_zorder=False)
+        solid = left.add_axes((0.02, 0.02, 0.86, 0.96), projection="3d", computed_zorder=False)
         _volume(solid, plane, volume, low, high)
         flat = right.add_subplot()
     mesh = plane.draw(flat, condition, vmin=low, vmax=high)
     plane.label_axes(flat, left=True)
-    finite = condition[np.isfinite(condition)]
-    flat.set_title(f"mean {finite.mean():.2f}" if len(finite) else "")
-    scale_beside(plane, flat, mesh, "condition number [1]")
+    flat.set_title(_median(plane, condition))
+    if plane.is_tall:
+        flat.set_anchor("E")  # next to its scale
+        bar = flat.figure.colorbar(mesh, ax=flat, aspect=30, shrink=0.7, extend="both")
+        bar.set_label("condition number [1]")
+    else:
+        scale_beside(plane, flat, mesh, "condition number [1]")
     return drawn
+
+
+def _median(plane: Plane, condition: Array) -> str:
+    """Return the median and its area: a mean would grow without bound as the poses come nearer to a singular edge."""
+    finite = condition[np.isfinite(condition)]
+    if not len(finite):
+        return ""
+    over = "" if plane.area is None else f"\nover {typeset(f'{plane.area:.2g}')} m\N{SUPERSCRIPT TWO}"
+    return f"median {np.median(finite):.2f}{over}"
+
+
+def _outlines(x: Array, y: Array, valid: Array) -> list[list[Array]]:
+    """Return the outlines at each height, closed lines of (x, y), without those that enclose next to nothing."""
+    from matplotlib.figure import Figure
+
+    flat = Figure().add_subplot()  # only to find them
+    every = [
+        flat.contour(x, y, inside.astype(float), [0.5]).allsegs[0] if inside.any() else [] for inside in valid
+    ]
+    least = SHARD * max((_enclosed(line) for closed in every for line in closed), default=0.0)
+    return [[line for line in closed if _enclosed(line) >= least] for closed in every]
+
+
+def _enclosed(line: Any) -> float:
+    """Return the area that a closed line encloses."""
+    x, y = line[:-1].T
+    following = line[1:].T
+    return float(abs(np.sum(x * following[1] - y * following[0])) / 2.0)
 
 
 def _volume(axes: Any, plane: Plane, volume: Volume, low: float, high: float) -> None:
@@ -78,11 +121,11 @@ def _volume(axes: Any, plane: Plane, volume: Volume, low: float, high: float) ->
         v * f for v, f in zip((volume.across, volume.along, volume.heights), factors, strict=True)
     )
     at = plane.at * factors[2]
-    line = {"colors": GREEN, "linewidths": 0.7, "alpha": 0.8}
+    outlines = _outlines(x, y, volume.valid)
     for above in (False, True):
-        for height, inside in zip(heights, volume.valid, strict=True):
-            if (height > at) == above and inside.any():
-                axes.contour(x, y, inside.astype(float), [0.5], zdir="z", offset=height, **line)
+        for height, closed in zip(heights, outlines, strict=True):
+            for line in closed if (height > at) == above else []:
+                axes.plot(line[:, 0], line[:, 1], height, color=GREEN, linewidth=0.7, alpha=0.8)
         if not above:
             condition = plane.dataset["condition"].values
             colours = colormaps["cividis"](Normalize(low, high)(condition))
@@ -95,10 +138,10 @@ def _volume(axes: Any, plane: Plane, volume: Volume, low: float, high: float) ->
     axes.set(xlim=(x[0], x[-1]), ylim=(y[0], y[-1]), zlim=(heights[0], heights[-1]))
     for letter, name in zip("xyz", names, strict=True):
         getattr(axes, f"set_{letter}label")(plane.label(name), labelpad=2 if letter == "z" else -4)
-    axes.set_box_aspect([np.ptp(values) for values in (x, y, heights)], zoom=0.95)
+    axes.set_box_aspect([np.ptp(values) for values in (x, y, heights)], zoom=0.9)
     axes.grid(visible=False)
     axes.tick_params(pad=-3, labelsize=7)
-    axes.tick_params(axis="z", pad=1)
+    axes.tick_params(axis="z", pad=0)
     for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
         axis.set_pane_color((0, 0, 0, 0))
         axis.line.set_color(INK)

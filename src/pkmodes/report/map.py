@@ -259,8 +259,7 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     """Yield the figures of the robot: in the plane of the map if it has one, otherwise in its working plane."""
     if len(model.mechanism.pose) < 2:
         return
-    places, where = plane_of(model, dataset)
-    title = "Over the working plane" if where.endswith("condition number") else "Over the plane of the map"
+    places, where, title = plane_of(model, dataset)
     if places is None:
         yield Section("figures", title, [Paragraph(where)])
         return
@@ -276,6 +275,9 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     blocks.append(Paragraph(text))
     for picture in pictures(model, places, drives=drives):
         text = picture.description
+        if picture.instead:
+            blocks.append(Paragraph(f"{picture.title}: {picture.instead}"))
+            continue
         with styled():
             blocks.append(Picture.of(picture.figure, picture.title, text, text, cropped=True))
     yield Section("figures", title, blocks)

@@ -13,8 +13,7 @@ from pkmodes.plots import maps
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.plane import Plane, where
 from pkmodes.plots.style import styled
-from pkmodes.plots.svg import inline
-from pkmodes.report.blocks import Picture
+from pkmodes.report.blocks import Paragraph, Picture
 from pkmodes.report.formatting import clean, unit
 
 if TYPE_CHECKING:
@@ -24,6 +23,11 @@ if TYPE_CHECKING:
 
 #: Values along each side of the plane that is drawn at most.
 FINEST = 150
+#: Titles, and how a plane was chosen.
+WORKING, OF_MAP = "Over the working plane", "Over the plane of the map"
+CHOSEN = (
+    "with the lowest mean condition number, among those of at least half the largest area, on a coarse grid"
+)
 
 
 def swept_paths(dataset: xarray.Dataset) -> list[str]:
@@ -31,7 +35,7 @@ def swept_paths(dataset: xarray.Dataset) -> list[str]:
     return [str(dim) for dim in dataset["frequency"].dims if "." in str(dim) and dataset.sizes[dim] > 1]
 
 
-def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str]:
+def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str, str]:
     """Choose the plane in which the report of a map draws the robot, and say which it is.
 
     Returns
@@ -42,13 +46,16 @@ def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str]:
         sweep, or a map of one pose, has no plane.
     str
         Which plane that is, for a sentence; or why there is none.
+    str
+        A title.
     """
     names = [component.name for component in model.mechanism.pose]
     several = [name for name in names if dataset.sizes.get(name, 1) > 1]
     listed = "pose" in dataset["frequency"].dims
     varied = bool(swept_paths(dataset))
     if len(several) == 2 and not listed:
-        return _thinned({name: dataset[name].values for name in names}), "the plane of the map"
+        places = _thinned({name: dataset[name].values for name in names})
+        return places, "the plane of the map", OF_MAP
     if len(several) > 2 and not listed:
         normal = model.mechanism.directions[2]
         found = None if varied else working_plane(model)
@@ -56,15 +63,16 @@ def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str]:
         if found is None or not values[0] <= found.axes[normal][0] <= values[-1]:
             at = _best(dataset, normal)
             axes = {name: np.array([at]) if name == normal else dataset[name].values for name in names}
-            return _thinned(axes), "the plane of the map with the lowest mean condition number"
-        return found, "the plane of the workspace with the lowest mean condition number"
+            return _thinned(axes), f"the plane of the map {CHOSEN}", OF_MAP
+        return found, f"the plane {CHOSEN} of the workspace", WORKING
     if not listed and (varied or not several):
         what = f"along {clean(several[0])}" if several else "at one pose"
         return (
             None,
             f"The map is {what}: it has no plane to draw. pkmodes figures draws the robot in a plane.",
+            OF_MAP,
         )
-    return working_plane(model), "the plane of the workspace with the lowest mean condition number"
+    return working_plane(model), f"the plane {CHOSEN} of the workspace", WORKING
 
 
 def _thinned(axes: dict[str, np.ndarray]) -> Grid:
@@ -83,7 +91,7 @@ def _best(dataset: xarray.Dataset, normal: str) -> float:
 
 def swept_pictures(
     model: Model, dataset: xarray.Dataset, plane: Grid, units: dict[str, str]
-) -> Iterator[Picture]:
+) -> Iterator[Picture | Paragraph]:
     """Draw the frequencies in the plane of a sweep, at its first and its last values.
 
     Parameters
@@ -107,12 +115,14 @@ def swept_pictures(
         title = f"Natural frequencies at {values}"
         description = (
             f"{title}, in the plane {where(shown)}: an end of the sweep. The picture has its own colour scales; "
-            "triangles mark the lowest (down) and highest (up) frequency along the centre line, without its ends."
+            "triangles mark the lowest (down) and the highest (up) frequency in the plane."
         )
         with styled():
-            yield Picture(
-                inline(maps.frequencies(shown), title, description, cropped=True), description, title
-            )
+            drawn = maps.frequencies(shown)
+            if isinstance(drawn, str):
+                yield Paragraph(f"{title}: {drawn}")
+            else:
+                yield Picture.of(drawn, title, description, description, cropped=True)
 
 
 def value(path: str, number: float, units: dict[str, str]) -> str:

@@ -1,0 +1,114 @@
+"""Panels of a figure, one for each mode, with their colour scales."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.plots.plane import Plane
+from pkmodes.plots.style import WIDTH, figure
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[Any]
+#: Space for labels and colour bars beside and below each panel, and for a line below its title [inch].
+BESIDE, BELOW, UNDER, LINE = 0.62, 1.0, 0.62, 0.15
+#: Height of a panel over its width at most, and in inches.
+TALLEST, HIGHEST = 3.5, 4.5
+#: Tall panels in a row at most; others: as long as there are few, and at most.
+TALL_ROW, FEW, ROW, LONG_ROW = 6, 6, 3, 4
+#: Span of a colour scale of frequencies at least, relative to the frequency: a smaller range looks as small as it is.
+LEAST_SPAN = 0.05
+
+
+def arranged(modes: int, *, tall: bool) -> tuple[int, int]:
+    """Return the rows and columns of panels: as many in a row as fit, and rows as equally long as possible."""
+    most = TALL_ROW if tall else ROW if modes <= FEW else LONG_ROW
+    rows = -(-modes // most)
+    return rows, -(-modes // rows)
+
+
+def panels_of(
+    plane: Plane, modes: int, *, colour_bars: bool, line: bool = False, below: float = 0.0
+) -> tuple[Figure, NDArray[np.object_]]:
+    """Return a figure with a panel for each mode, and its panels by row and column.
+
+    Parameters
+    ----------
+    colour_bars : bool
+        Whether each panel has a colour scale of its own.
+    line : bool
+        Whether there is a line between title and panel.
+    below : float
+        Height of what stands below all panels [inch].
+    """
+    rows, columns = arranged(modes, tall=plane.is_tall)
+    panel = min(min(plane.height, TALLEST) * width_of(plane, modes, colour_bars=colour_bars), HIGHEST)
+    height = panel + (BELOW if colour_bars and plane.is_tall else 0.25) + (LINE if line else 0.0)
+    drawn = compressed(rows * (height + 0.3) + 0.3 + below)
+    return drawn, drawn.subplots(rows, columns, squeeze=False)
+
+
+def width_of(plane: Plane, modes: int, *, colour_bars: bool) -> float:
+    """Return the width of a panel, about [inch]."""
+    columns = arranged(modes, tall=plane.is_tall)[1]
+    return WIDTH / columns - (BESIDE if colour_bars and not plane.is_tall else 0.15)
+
+
+def compressed(height: float) -> Figure:
+    """Return an empty figure whose panels keep their proportions and stand close together."""
+    drawn = figure(height)
+    drawn.set_layout_engine("compressed")
+    return drawn
+
+
+def mode_panels(plane: Plane, panels: Any, modes: int, *, line: bool = False) -> Iterator[tuple[int, Axes]]:
+    """Yield each mode with its panel, titled, and labelled where no panel is beside or below; others stay empty."""
+    columns = panels.shape[1]
+    pad = 72 * LINE + 3 if line else None  # [points]
+    for mode, axes in enumerate(panels.flat):
+        if mode >= modes:
+            axes.set_axis_off()
+            continue
+        yield mode, axes
+        axes.set_title(f"mode {mode + 1}", pad=pad)
+        plane.label_axes(axes, left=mode % columns == 0, bottom=mode + columns >= modes)
+
+
+def scale_beside(plane: Plane, axes: Axes, mesh: Any, label: str) -> None:
+    """Draw the colour scale of one panel: below a tall map, right of another."""
+    from matplotlib.ticker import MaxNLocator
+
+    inches = min(plane.height, TALLEST) * WIDTH / 7
+    below = (0.0, -UNDER / inches, 1.0, 0.08 / inches)
+    inset = axes.inset_axes(below if plane.is_tall else (1.05, 0.0, 0.06, 1.0))
+    orientation = "horizontal" if plane.is_tall else "vertical"
+    bar = axes.figure.colorbar(mesh, cax=inset, orientation=orientation, extend="both")
+    bar.set_label(label)
+    # Below a narrow panel few short numbers have room.
+    few, many = (3, [1, 2, 3, 4, 5, 6, 8, 10]), (5, [1, 2, 2.5, 5, 10])
+    most, steps = few if plane.is_tall else many
+    bar.locator = MaxNLocator(most, steps=steps, min_n_ticks=3)
+    bar.update_ticks()
+    bar.ax.tick_params(length=2, labelsize=6.5)
+
+
+def shared_scale(plane: Plane, drawn: Figure, panels: Any, mesh: Any, label: str, **settings: Any) -> None:
+    """Draw the colour scale of all panels: right of tall maps, below others."""
+    if plane.is_tall:
+        bar = drawn.colorbar(mesh, ax=panels, location="right", shrink=0.9, aspect=35, **settings)
+    else:
+        bar = drawn.colorbar(mesh, ax=panels, location="bottom", shrink=0.6, aspect=35, **settings)
+    bar.set_label(label)
+
+
+def widened(low: float, high: float) -> tuple[float, float]:
+    """Return the ends of a scale of frequencies that spans at least `LEAST_SPAN` of them."""
+    half = max(high - low, LEAST_SPAN * abs(low + high) / 2) / 2
+    middle = (low + high) / 2
+    return (low, high) if 2 * half <= high - low else (middle - half, middle + half)
