@@ -140,9 +140,10 @@ def compare(
 
 
 def _print(robot: Robot, modes: Path, result: Comparison) -> None:
+    from pkmodes.base.numbers import p_in_words
+    from pkmodes.base.ordering import sorted_labels
     from pkmodes.cli.diagnosis_tables import setting
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.diagnosis.verdict.result import p_in_words
 
     terminal = Terminal()
     did = motors(row.drives for row in result.rows)
@@ -162,7 +163,7 @@ def _print(robot: Robot, modes: Path, result: Comparison) -> None:
         *(["MAC"] if shapes else []),
         *(["set"] if loads else []),
     ]
-    poses = {pose: i for i, pose in enumerate(dict.fromkeys(row.pose for row in result.rows))}
+    poses = {pose: i for i, pose in enumerate(sorted_labels(dict.fromkeys(row.pose for row in result.rows)))}
     rows, previous = [], None
     for row in sorted(result.rows, key=lambda row: (poses[row.pose], row.measured)):
         new = row.pose != previous

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,7 +16,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 #: Most candidates or values in a figure, and their longest name.
-MOST, LONGEST = 24, 40
+MOST, LONGEST = 16, 58
+#: Heights of a row with a label of one line, and of two [inch].
+LOW, TALL = 0.2, 0.31
 #: Smallest p-value that is distinguished from 0.
 LEAST = 1e-300
 
@@ -34,7 +36,7 @@ def candidates(result: Diagnosis) -> Figure | None:
         ("not claimed", GREY, [c for c in tested if c.name not in claimed | left]),
     ]
     with styled():
-        drawn = figure(0.85 + 0.19 * len(tested))
+        drawn = figure(0.85 + _rows([_label(one.sentence, one.name) for one in tested]))
         axes = drawn.subplots()
         for label, colour, group in kinds:
             for seen, face in ((True, colour), (False, "none")):
@@ -47,7 +49,7 @@ def candidates(result: Diagnosis) -> Figure | None:
                     axes.scatter(
                         x, y, s=22, facecolor=face, edgecolor=colour, linewidth=1.2, zorder=3, label=name
                     )
-        axes.set_yticks(range(len(tested)), [short(one.name, LONGEST) for one in tested])
+        axes.set_yticks(range(len(tested)), [_label(one.sentence, one.name) for one in tested])
         axes.set_ylim(len(tested) - 0.4, -0.6)
         axes.set_xlim(left=0.0)
         axes.grid(visible=False, axis="y")
@@ -56,19 +58,40 @@ def candidates(result: Diagnosis) -> Figure | None:
     return drawn
 
 
-def pulls(values: Sequence[Corrected]) -> Figure | None:
-    """Return how far the fit moved each value, in standard deviations of its prior; None if none has a prior."""
+def _label(words: str, name: str) -> str:
+    """Return the label of a row: in words, with the name below."""
+    return (
+        f"{short(words, LONGEST)}\n{short(name, LONGEST)}"
+        if words and words != name
+        else short(name, LONGEST)
+    )
+
+
+def _rows(labels: Sequence[str]) -> float:
+    """Return the height that the rows with these labels need [inch]."""
+    return (TALL if any("\n" in label for label in labels) else LOW) * len(labels)
+
+
+def pulls(values: Sequence[Corrected], words: Callable[[str], str] | None = None) -> Figure | None:
+    """Return how far the fit moved each value, in standard deviations of its prior; None if none has a prior.
+
+    Parameters
+    ----------
+    words : callable
+        Returns what the name of a value means, or nothing.
+    """
     known = [(value, value.prior_sigma) for value in values if value.prior_sigma]
     moved = [((v.value - v.declared) / prior, v.sigma / prior, v.name) for v, prior in known]
     shown = sorted(moved, key=lambda one: -abs(one[0]))[:MOST]
     if not shown:
         return None
     with styled():
-        drawn = figure(0.8 + 0.21 * len(shown))
+        labels = [_label(words(name) if words else "", name) for _, _, name in shown]
+        drawn = figure(0.8 + _rows(labels))
         axes = drawn.subplots()
         axes.axvspan(-1.0, 1.0, color=GREY, alpha=0.16, linewidth=0, label="prior, \u00b11 \u03c3")
         marks.zero_across(axes)
-        away, width, names = zip(*shown, strict=True)
+        away, width, _ = zip(*shown, strict=True)
         axes.errorbar(
             away,
             range(len(shown)),
@@ -78,7 +101,7 @@ def pulls(values: Sequence[Corrected]) -> Figure | None:
             capsize=2.5,
             label="after the fit, \u00b11 \u03c3",
         )
-        axes.set_yticks(range(len(shown)), [short(name, LONGEST) for name in names])
+        axes.set_yticks(range(len(shown)), labels)
         axes.set_ylim(len(shown) - 0.4, -0.6)
         most = max(3.0, *(abs(a) + w for a, w, _ in shown)) * 1.05
         axes.set_xlim(-most, most)
