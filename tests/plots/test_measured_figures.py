@@ -176,7 +176,7 @@ def test_mac_matrices_have_the_measured_modes_in_rows_and_the_setup_with_the_low
 
 
 def test_captions_say_the_errors_of_each_stage() -> None:
-    by_frequency, by_mode, by_setup = figures.mode_figures(EVIDENCE)
+    by_mode, by_setup, by_frequency = figures.mode_figures(EVIDENCE)
     assert "1 measured mode without a partner in the model." in by_frequency.caption
     # Without the row set aside, 2, -2 and 3 %: rms sqrt(17 / 3).
     assert "as declared: rms 2.4 %; with the cause: rms 0.5 %" in by_mode.svg

@@ -11,7 +11,7 @@ import pytest
 
 from campaign.structures import Frame, accelerations, write_frf
 from helpers.pages.browser import opened
-from helpers.pages.page_reading import Element, at, read, shown
+from helpers.pages.page_reading import Element, at, powers, read, shown
 from helpers.pages.report_examples import HOSTILE
 from pkmodes.cli import run
 
@@ -56,6 +56,9 @@ def report(folder: Path, path: Path, name: str = "r.html") -> str:
     return (folder / name).read_text(encoding="utf-8")
 
 
+PARTS = [f"sigma_parts/{part}" for part in ("scatter", "fit", "repeatability")]
+
+
 @pytest.fixture(scope="module")
 def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("identified")
@@ -69,20 +72,25 @@ def content(page: Path) -> dict:
 
 def test_numbers_are_those_of_the_json(page: Path) -> None:
     document, root = content(page), read(page.read_text(encoding="utf-8"))
-    placed = [one for one in root.all("data") if "data-at" in one.attributes]
+    placed, exponents = [one for one in root.all("data") if "data-at" in one.attributes], powers(root)
     for one in placed:
         where = one.attributes["data-at"]
         value = at(document, where)
         assert float(one.attributes["value"]) == value
-        number, half = shown(one.text)
+        number, half = (10.0 ** exponents.get(id(one), 0) * part for part in shown(one.text))
         scale = 100.0 if where.endswith(("damping", "repeatability")) and "parts" not in where else 1.0
         assert number == pytest.approx(scale * value, abs=half * 1.001, rel=0.06)
     found = {one.attributes["data-at"] for one in placed}
     for i, record in enumerate(document["records"]):
-        for k, mode in enumerate(record["modes"]):
-            keys = ["frequency", "sigma", "files", *(f"sigma_parts/{key}" for key in mode["sigma_parts"])]
-            keys += [key for key in ("damping", "sigma_damping", "complexity") if mode[key] is not None]
-            assert {f"/records/{i}/modes/{k}/{key}" for key in keys} <= found
+        said = root.by_id(f"record-{i + 1}").text.partition("In every row: ")[2].partition(".")[0].split(", ")
+        for key in ("frequency", "sigma", "damping", "sigma_damping", "complexity", "files", *PARTS):
+            pointers = [f"/records/{i}/modes/{k}/{key}" for k in range(len(record["modes"]))]
+            values = [at(document, pointer) for pointer in pointers]
+            if any(pointer in found for pointer in pointers):
+                assert {p for p, v in zip(pointers, values, strict=True) if v is not None} <= found
+            elif any(value is not None for value in values):  # a count that is the same for all modes
+                assert len(set(values)) == 1
+                assert any(text.endswith(f"{key.rsplit('/')[-1]} {values[0]:.0f}") for text in said)
         assert {f"/records/{i}/struck/{k}" for k in range(len(record["struck"]))} <= found
 
 

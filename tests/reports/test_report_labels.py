@@ -68,7 +68,7 @@ def test_each_stage_has_its_errors(page: Element) -> None:
 
 def test_the_head_has_the_first_and_the_last_error(page: Element) -> None:
     assert facts(page.by_id("summary")) == {
-        "mass": "0.3 kg",
+        "mass [kg]": "0.300 \u00b1 0.010",
         "rms difference as declared [%]": "2.000",
         "rms difference with the cause [%]": "0.200",
         "rms of held-out poses with the cause [%]": "0.300",
@@ -82,8 +82,7 @@ def test_a_fitted_value_stands_below_what_it_is(page: Element) -> None:
         "value": "effects.payload.mass",
         "role": "cause",
         "before": "0",
-        "after": "0.3",
-        "\u03c3 after": "0.01",
+        "after": "0.300 \u00b1 0.010",
         "\u03c3 saved": "0.01",
         "unit": "kg",
         "prior \u03c3": "0.2",
@@ -121,9 +120,9 @@ def test_candidates_have_their_standing(page: Element) -> None:
         ("payload", "found"),
         ("belt_mass", "not claimed"),
     ]
-    assert {
-        (one["p of its score"], one["visible from"], one["unit"], one["detectable"]) for one in found
-    } == {("0.1", "0.3", "kg", "yes")}
+    assert {(one["p of its score"], one["visible from"]) for one in found} == {("0.1", "0.3")}
+    assert "In every row: unit kg, detectable yes." in page.by_id("candidates").text
+    assert not {"unit", "detectable", "limit (95 %)"} & set(titles)
 
 
 @pytest.fixture(scope="module")
@@ -163,9 +162,9 @@ def test_what_remains_has_the_number_of_its_explanation(undecided: Element) -> N
 def test_the_stability_says_what_was_changed(undecided: Element) -> None:
     _, rows = table(undecided.by_id("stability"))
     assert rows == [
-        ["\u03c3 halved", "unexplained", "payload"],
-        ["\u03c3 doubled", "adequate", "\u2013"],
-        ["priors twice as wide", "effect_found", "belt_mass, payload"],
+        ["\u03c3 halved", "unexplained", "payload", "usual where the stated sigma is right"],
+        ["\u03c3 doubled", "adequate", "\u2013", "errors twice as large would explain the residual"],
+        ["priors twice as wide", "effect_found", "belt_mass, payload", "\u2013"],
     ]
 
 

@@ -163,7 +163,7 @@ def test_the_table_has_a_line_for_each_mode_counted_as_modes_does(tmp_path: Path
     ]
     assert len(answer.table) == 18
     given = rows_of(measured())
-    order = list(dict.fromkeys(row["pose"] for row in given))
+    order = sorted(dict.fromkeys(row["pose"] for row in given))
     assert [cells[0] for cells in answer.table[::6]] == order
     model = pkmodes.load(PUBLISHED)
     for i, cells in enumerate(answer.table):
@@ -199,7 +199,7 @@ def test_modes_that_were_rigid_have_no_partner_until_something_ties_the_platform
     assert found["p_value"] == pytest.approx(0.0, abs=1e-300)
     answer = call(PUBLISHED, modes, "--all")
     assert f"27 measured modes at 3 poses, {found['unpaired']} of them unmatched" in answer.out
-    assert "(p < 1e-300)" in answer.out
+    assert "(p < 1e-6)" in answer.out
     assert sum("none" in cells for cells in answer.table) == found["unpaired"]
     tied = PUBLISHED.read_text(encoding="utf-8") + '\n[effects.servo_stiffness]\nstiffness = "300 N*m/rad"\n'
     answer = call(write(tmp_path, tied, "tied.toml"), modes, "--all")
@@ -256,7 +256,7 @@ def test_small_numbers_are_not_shown_as_zero(tmp_path: Path) -> None:
     assert answer.out.count("1 measured mode at 1 pose,") == 1
 
 
-def test_a_thousand_rows_come_in_the_order_of_the_poses(tmp_path: Path) -> None:
+def test_a_thousand_rows_come_in_the_order_in_which_people_count(tmp_path: Path) -> None:
     rows = [
         {**row, "pose": f"{row['pose']}/{k}", "frequency": f"{float(row['frequency']) * (1 + 1e-5 * k):.9g}"}
         for k in range(60)
@@ -265,7 +265,9 @@ def test_a_thousand_rows_come_in_the_order_of_the_poses(tmp_path: Path) -> None:
     answer = call(PUBLISHED, write(tmp_path, csv_of(rows)), "--all")
     assert answer.code == 0
     assert len(answer.table) == len(rows) == 1080
-    assert [cells[0] for cells in answer.table[::6]] == list(dict.fromkeys(row["pose"] for row in rows))
+    poses = sorted({row["pose"] for row in rows}, key=lambda label: [int(n) for n in label[1:].split("/")])
+    assert poses[1:3] == ["P1/1", "P1/2"]
+    assert [cells[0] for cells in answer.table[::6]] == poses
 
 
 def test_a_robot_whose_axes_override_what_they_share(tmp_path: Path) -> None:

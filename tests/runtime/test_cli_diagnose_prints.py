@@ -42,10 +42,10 @@ def test_the_table_of_a_cause(tmp_path: Path) -> None:
     assert max(map(len, lines)) <= 80
     assert "…" not in answer.out
     assert lines[0] == "linear-delta-2022: effect_found"
-    assert lines[1].startswith("  the residual of the declared model is not noise (p = ")
+    assert lines[1].startswith("  the residual of the declared model is not noise (p < 1e-6); ")
     assert "18 measured modes fitted, motors free (held out: P3)" in lines
     cause = re.search(
-        r"^  gearbox_compliance\.compliance = \((\d\.\d+) \+- 0\.\d\d\)e-04 rad/\(N\*m\)$", answer.out, re.M
+        r"^  gearbox_compliance\.compliance = \((\d\.\d+) \+- 0\.\d\d\)e-4 rad/\(N\*m\)$", answer.out, re.M
     )
     assert cause is not None
     assert 4.0 < float(cause[1]) < 6.0
@@ -63,7 +63,7 @@ def test_the_table_of_a_cause(tmp_path: Path) -> None:
         "motor.inertia",
         "belt_end_compliance.compliance",
     ]
-    for column in ("before", "after", "sigma"):  # right ends of the numbers
+    for column in ("before", "after"):  # right ends of the numbers
         end = lines[start].index(column) + len(column)
         assert all(line[end - 1] != " " and line[end] == " " for line in lines[start + 1 : start + 5])
     assert lines[start + 4].split()[-1] == "m/N"
@@ -93,7 +93,7 @@ def test_the_table_of_two_causes_and_of_causes_that_look_alike(tmp_path: Path) -
     )
     start = out.index("  these data cannot distinguish it from\n")
     for name in effect["class"][1:]:
-        assert re.search(rf"^    {name}\.compliance = \(\S+ \+- \S+\)e-\d\d \S+$", out[start:], re.M)
+        assert re.search(rf"^    {name}\.compliance = \(\S+ \+- \S+\)e-\d+ \S+$", out[start:], re.M)
 
 
 def test_belts_are_printed_relative_to_their_mean_where_their_common_stiffness_is_uncertain(
@@ -152,7 +152,7 @@ def test_every_terminal_gets_whole_numbers(tmp_path: Path, environment: dict[str
     if "FORCE_COLOR" not in environment:  # which would show the progress too
         assert without_progress(found.stderr.decode()) == ""
     assert "\u2026" not in out
-    assert re.search(r"motor\.inertia +1\.7e-05 +1\.\d+e-05 +\d\.?\d*e-0[78] +kg\*m\^2", out)
+    assert re.search(r"motor\.inertia +1\.7e-5 +\(1\.\d+ \+- 0\.0\d+\)e-5 +kg\*m\^2", out)
     label = "Gr\\xf6\\xdfe" if "PYTHONIOENCODING" in environment else "Größe"
     assert f"18 measured modes fitted, motors free (held out: {label})" in " ".join(out.split())
     if "COLUMNS" in environment:

@@ -42,19 +42,20 @@ def said(verdict: str, *entries: tuple[str, str]) -> str:
             "effect_found",
             (NOTHING, SAME, SAME),
             "stable: the same cause with sigma doubled and priors twice as wide; nothing explains the residual with "
-            "sigma halved, as usual where the stated sigma is right",
+            "sigma halved (usual where the stated sigma is right)",
         ),
         (
             "effect_found",
             (NOTHING, ENOUGH, SAME),
-            "stable: the same cause with priors twice as wide; nothing explains the residual with sigma halved, as "
-            "usual where the stated sigma is right; no cause is needed with sigma doubled",
+            "stable: the same cause with priors twice as wide; nothing explains the residual with sigma halved "
+            "(usual where the stated sigma is right); no cause is needed with sigma doubled (errors twice as large "
+            "would explain the residual)",
         ),
         (
             "effect_found",
             (SAME, ("effect_found", "belt_mass"), ("ambiguous", "payload")),
             "stability: the same cause with sigma halved; belt_mass instead with sigma doubled; the same cause, but "
-            "not alone, with priors twice as wide",
+            "not alone, with priors twice as wide (the uncertain values would then make up for the differences)",
         ),
         (
             "adequate",
@@ -65,7 +66,7 @@ def said(verdict: str, *entries: tuple[str, str]) -> str:
             "adequate",
             (("effect_found", "payload belt_mass"), ENOUGH, ENOUGH),
             "stability: adequate with sigma doubled and priors twice as wide; the best explanation, which is not "
-            "claimed, is payload and belt_mass with sigma halved",
+            "claimed, is payload and belt_mass with sigma halved (smaller errors give noise a meaning)",
         ),
         (
             "unexplained",
@@ -75,7 +76,16 @@ def said(verdict: str, *entries: tuple[str, str]) -> str:
         (
             "unexplained",
             (NOTHING, ENOUGH, ENOUGH),
-            "stable: unexplained with sigma halved; adequate with sigma doubled and priors twice as wide",
+            "stable: unexplained with sigma halved; adequate with sigma doubled (errors twice as large would explain "
+            "the residual); adequate with priors twice as wide (the uncertain values would then make up for "
+            "the residual)",
+        ),
+        (
+            "unexplained",
+            (NOTHING, ("ambiguous", "payload belt_mass"), NOTHING),
+            "stability: unexplained with sigma halved and priors twice as wide; the best explanation, which is not "
+            "claimed, is payload and belt_mass, but not alone, with sigma doubled (errors twice as large would "
+            "explain what it leaves)",
         ),
         ("insufficient_data", (("insufficient_data", ""),) * 3, ""),
         ("effect_found", (), ""),

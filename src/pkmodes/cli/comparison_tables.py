@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pkmodes.base.drives import motors
+from pkmodes.base.numbers import p_in_words
+from pkmodes.base.ordering import sorted_labels
 from pkmodes.cli.diagnosis_tables import setting
 from pkmodes.cli.terminal import Terminal
-from pkmodes.diagnosis.verdict.result import p_in_words
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -59,7 +60,7 @@ def show(robot: Robot, modes: Path, result: Comparison, everything: bool) -> Non
     if everything or few:
         terminal.line()
         terminal.line("all measured modes:")
-        poses = {pose: i for i, pose in enumerate(dict.fromkeys(row.pose for row in rows))}
+        poses = {pose: i for i, pose in enumerate(sorted_labels(dict.fromkeys(row.pose for row in rows)))}
         ordered = sorted(rows, key=lambda row: (poses[row.pose], row.measured))
         table.show(ordered, sorted_by_pose=True)
         _damping(terminal, ordered, result.rigid)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import click
 
 from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.base.numbers import plain
 from pkmodes.base.pasting import pasted
 from pkmodes.base.progress import say
 from pkmodes.cli.delivery import ResultFile, deliver
@@ -161,8 +162,8 @@ def _widened(result: Diagnosis) -> list[str]:
 
     values = sorted(widened(result), key=lambda value: -value.saved_sigma / max(value.sigma, 1e-300))
     shown = [
-        f"{value.name.removeprefix('effects.')} {value.saved_sigma:.2g} instead of {value.sigma:.2g} {value.unit}"
-        f" ({value.unseen.candidate})"
+        f"{value.name.removeprefix('effects.')} {plain(value.saved_sigma, 2)} instead of "
+        f"{plain(value.sigma, 2)} {value.unit} ({value.unseen.candidate})"
         for value in values[:MOST_WIDENED]
         if value.unseen is not None
     ]

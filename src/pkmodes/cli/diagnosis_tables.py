@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 
 from pkmodes.base.drives import HELD, motors
+from pkmodes.base.numbers import p_in_words, plain, rounded
+from pkmodes.base.ordering import sorted_labels
 from pkmodes.cli.stability_text import stability_sentence
 from pkmodes.cli.terminal import Terminal
-from pkmodes.diagnosis.verdict.result import Diagnosis, Finding, Value, p_in_words
+from pkmodes.diagnosis.verdict.result import Diagnosis, Finding, Value
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.mechanism.poses import placed
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.load_cases import settable
 
-#: Decimal exponents for which numbers are written without an exponent.
-PLAIN = range(-3, 6)
 #: Largest number of measurement lines listed; the JSON has all of them.
 MOST_LISTED = 8
 #: Largest number of limits listed.
@@ -108,19 +107,19 @@ def _damping(terminal: Terminal, result: Diagnosis) -> None:
 
 def _counts(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
     count = sum(not (row.held_out or row.outlier) for row in result.rows)
-    held = f" (held out: {', '.join(result.held_out_poses)})" if result.held_out_poses else ""
+    held = f" (held out: {', '.join(sorted_labels(result.held_out_poses))})" if result.held_out_poses else ""
     terminal.line()
     did = motors(row.drives for row in result.rows)
     terminal.line(f"{count} measured mode{'' if count == 1 else 's'} fitted, {did}{held}")
     if len({row.drives for row in result.rows}) > 1:
-        labels = list(dict.fromkeys(row.pose for row in result.rows if row.drives == HELD))
+        labels = sorted_labels(dict.fromkeys(row.pose for row in result.rows if row.drives == HELD))
         terminal.line(f"motors held: {_poses(labels)}")
-    loads: dict[str, dict[str, None]] = {}
-    for row in result.rows:
-        if row.load:
-            loads.setdefault(setting(robot.mechanism, row.load), {})[row.pose] = None
+    at = {row.pose: setting(robot.mechanism, row.load) for row in result.rows if row.load}
+    loads: dict[str, list[str]] = {}
+    for label in sorted_labels(at):
+        loads.setdefault(at[label], []).append(label)
     if loads:
-        cases = [f"{load} ({_poses(list(labels))})" for load, labels in loads.items()]
+        cases = [f"{load} ({_poses(labels)})" for load, labels in loads.items()]
         more = f"; and {len(cases) - MOST_LISTED} more" if len(cases) > MOST_LISTED else ""
         terminal.line(f"set by the measurements: {'; '.join(cases[:MOST_LISTED])}{more}")
 
@@ -134,14 +133,13 @@ def _refitted(terminal: Terminal, result: Diagnosis) -> None:
     rows = [
         (
             value.name.removeprefix("effects."),
-            f"{value.before:.6g}",
-            f"{value.after:.6g}",
-            f"{value.sigma:.2g}",
+            plain(value.before),
+            str(rounded(value.after, value.sigma)),
             "" if value.unit == "1" else value.unit,
         )
         for value in result.refitted
     ]
-    terminal.table(("uncertain value", "before", "after", "sigma", "unit"), rows, ("uncertain value", "unit"))
+    terminal.table(("uncertain value", "before", "after", "unit"), rows, ("uncertain value", "unit"))
 
 
 def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
@@ -180,15 +178,18 @@ def largest_limits(result: Diagnosis) -> list[str]:
     for name in ranked:
         first.setdefault(effects[name].candidate, name)
     return [
-        f"{name} up to {effects[name].value:.2g} {effects[name].unit}".removesuffix(" 1")
+        f"{name} up to {plain(value, 2)} {effects[name].unit}".removesuffix(" 1")
         for name in list(first.values())[:MOST_LIMITS]
+        if (value := effects[name].value) is not None
     ]
 
 
 def setting(mechanism: Mechanism, load: Mapping[str, float]) -> str:
     """Format the settings of a pose: paths with values and units."""
     units = settable(mechanism)
-    return ", ".join(f"{path} = {value:g} {units[path]}".removesuffix(" 1") for path, value in load.items())
+    return ", ".join(
+        f"{path} = {plain(value)} {units[path]}".removesuffix(" 1") for path, value in load.items()
+    )
 
 
 def _listed(rows: Sequence[Row]) -> str:
@@ -203,17 +204,4 @@ def _short(value: Value) -> str:
 
 def _with_sigma(value: Value) -> str:
     unit = "" if value.unit == "1" else f" {value.unit}"
-    return f"{_number_with_sigma(value.value, value.sigma)}{unit}"
-
-
-def _number_with_sigma(value: float, sigma: float) -> str:
-    """Format both with the same decimals and exponent, the standard deviation with two digits."""
-    if not (math.isfinite(value) and math.isfinite(sigma) and sigma > 0.0):
-        return f"{value:.6g} +- {sigma:.2g}"
-    exponent = math.floor(math.log10(max(abs(value), sigma)))
-    shift = 0 if exponent in PLAIN else exponent
-    decimals = min(max(1 - math.floor(math.log10(sigma)) + shift, 0), 9)
-    scale = 10.0**shift
-    rounded = round(value / scale, decimals) + 0.0  # + 0.0: no minus zero
-    text = f"{rounded:.{decimals}f} +- {sigma / scale:.{decimals}f}"
-    return f"({text})e{shift:+03d}" if shift else text
+    return f"{rounded(value.value, value.sigma)}{unit}"

@@ -10,6 +10,7 @@ import numpy as np
 from msgspec import Meta
 
 from pkmodes.base.documents import Count, Document, Probability, Size
+from pkmodes.base.numbers import plain, rounded
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.options import json_option, mechanism_option, report_option
 from pkmodes.cli.printing import echo
@@ -178,14 +179,14 @@ def _print(found: Identification) -> None:
         terminal.heading(f"{one.record.pose}, {one.record.kind}, motors {one.record.drives}")
         rows = []
         for number, mode in enumerate(one.modes, start=1):
+            damping, its_sigma = rounded(100.0 * mode.damping, 100.0 * mode.sigma_damping).columns
             known, stated = np.isfinite(mode.damping), np.isfinite(mode.sigma_damping)
             rows.append(
                 [
                     str(number),
-                    f"{mode.frequency:.4f}",
-                    f"{mode.sigma:.2g}",
-                    f"{100.0 * mode.damping:.3g}" if known else "-",
-                    f"{100.0 * mode.sigma_damping:.2g}" if known and stated else "-",
+                    *rounded(mode.frequency, mode.sigma).columns,
+                    (damping if stated else plain(100.0 * mode.damping, 3)) if known else "-",
+                    its_sigma if known and stated else "-",
                     str(len(mode.shape)),
                     str(mode.files),
                 ]

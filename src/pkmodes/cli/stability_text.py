@@ -1,18 +1,16 @@
-"""What other stated errors and priors make of a diagnosis, in one sentence."""
+"""What other stated errors and priors make of a diagnosis, and why, in one sentence."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 from pkmodes.diagnosis.verdict.result import Diagnosis, Stability
+from pkmodes.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, meaning
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
 
-HALVED, DOUBLED = "sigma x 0.5", "sigma x 2"
 #: The changes as people say them.
-CHANGES = {HALVED: "sigma halved", DOUBLED: "sigma doubled", "priors x 2": "priors twice as wide"}
+CHANGES = {HALVED: "sigma halved", DOUBLED: "sigma doubled", WIDENED: "priors twice as wide"}
 NOTHING = "nothing explains the residual"
-#: Halved errors make a right residual too large for every explanation.
-USUAL = ", as usual where the stated sigma is right"
 
 
 def stability_sentence(result: Diagnosis) -> str:
@@ -26,13 +24,14 @@ def stability_sentence(result: Diagnosis) -> str:
     if not result.stability or result.verdict == INSUFFICIENT_DATA.word:
         return ""
     claimed = {member for effect in result.effects for member in effect.members}
-    outcomes: dict[str, list[str]] = {}
+    outcomes: dict[tuple[str, str], list[str]] = {}
     for entry in result.stability:
-        outcomes.setdefault(_outcome(result, entry, claimed), []).append(entry.change)
+        found = _outcome(result, entry, claimed), meaning(result, entry)
+        outcomes.setdefault(found, []).append(entry.change)
     moved = any(not set(entry.effects) <= claimed for entry in result.stability)
     same = _same(result)
-    order = sorted(outcomes, key=lambda outcome: outcome != same)  # what stays comes first
-    parts = [_part(outcome, outcomes[outcome], len(outcomes) == 1, result.settled) for outcome in order]
+    order = sorted(outcomes, key=lambda found: found[0] != same)  # what stays comes first
+    parts = [_part(*found, outcomes[found], len(outcomes) == 1) for found in order]
     return f"{'stability' if moved else 'stable'}: {'; '.join(parts)}"
 
 
@@ -57,8 +56,8 @@ def _same(result: Diagnosis) -> str:
     return result.verdict
 
 
-def _part(outcome: str, changes: Sequence[str], alone: bool, settled: bool) -> str:
+def _part(outcome: str, why: str, changes: Sequence[str], alone: bool) -> str:
     words = [CHANGES.get(change, change) for change in changes]
     joined = words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
-    usual = USUAL if settled and outcome in (UNEXPLAINED.word, NOTHING) and list(changes) == [HALVED] else ""
-    return f"{outcome} {'also ' if alone and ' ' not in outcome else ''}with {joined}{usual}"
+    because = f" ({why})" if why else ""
+    return f"{outcome} {'also ' if alone and ' ' not in outcome else ''}with {joined}{because}"

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.base.ordering import in_order
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.result import Diagnosis
@@ -41,7 +42,7 @@ class Evidence:
     Attributes
     ----------
     labels : tuple of str
-        Labels of the setups in the order of the measurements.
+        Labels of the setups in their natural order.
     setup : ndarray of int, shape (R,)
         Setup of each row.
     measured, sigma : ndarray, shape (R,)
@@ -95,10 +96,12 @@ class Evidence:
         PkmodesError
             If the measurements are others than those of the result.
         """
-        labels = tuple(dict.fromkeys(row.pose for row in result.rows))
+        given = tuple(dict.fromkeys(row.pose for row in result.rows))
+        order = in_order(given)
+        labels = tuple(given[i] for i in order)
         index = {label: i for i, label in enumerate(labels)}
         if data is not None and (
-            data.labels != labels or data.frequency.tolist() != [row.measured for row in result.rows]
+            data.labels != given or data.frequency.tolist() != [row.measured for row in result.rows]
         ):
             what = f"expected the measurements of the result, found others ({shown(data.source)})"
             raise PkmodesError(what, "data", "give those that were passed to diagnose or compare")
@@ -111,8 +114,8 @@ class Evidence:
             sigma=np.array([row.sigma for row in result.rows]),
             held_out=np.array([getattr(row, "held_out", False) for row in result.rows], dtype=bool),
             outlier=np.array([getattr(row, "outlier", False) for row in result.rows], dtype=bool),
-            stages=_stages(result),
-            points=np.empty((len(labels), 0)) if placed is None else placed.points,
+            stages=tuple(_in_order(stage, order) for stage in _stages(result)),
+            points=np.empty((len(labels), 0)) if placed is None else placed.points[order],
             components=() if placed is None else placed.components,
             units=() if placed is None else placed.component_units,
             place=place,
@@ -139,6 +142,13 @@ class Evidence:
         for stage in self.stages:
             modes = np.where(stage.paired, stage.predicted.mode, modes)
         return modes
+
+
+def _in_order(stage: Stage, order: list[int]) -> Stage:
+    """Return a stage with its setups in another order."""
+    if order == list(range(len(order))):
+        return stage
+    return replace(stage, predicted=replace(stage.predicted, spectrum=stage.predicted.spectrum[order]))
 
 
 def _stages(result: Diagnosis | Comparison) -> tuple[Stage, ...]:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 LONGEST = 18
 #: Decades below which an axis has labels between them.
 FEW = 2.0
-MINUS, TIMES = "\u2212", "\u2009\u00d7\u2009"
+MINUS, TIMES, PLUS_MINUS = "\u2212", "\u2009\u00d7\u2009", "\u00b1"
 RAISED = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079")
 
 
@@ -37,13 +37,13 @@ def short(text: object, longest: int = LONGEST) -> str:
 
 
 def typeset(text: str) -> str:
-    """Write a formatted number as in print: a minus sign, and a power of ten."""
-    digits, _, power = text.partition("e")
+    """Write a formatted number as in print: a minus sign, a power of ten, and ± before a standard deviation."""
+    digits, _, power = text.replace("+-", PLUS_MINUS).partition("e")
     if not any(c in "123456789" for c in digits):
         digits = digits.replace("-", "").replace("+", "")  # no sign of a zero
     digits = digits.replace("-", MINUS)
-    if power and digits == "1":
-        return f"10{str(int(power)).translate(RAISED)}"
+    if power and digits in ("1", "< 1"):
+        return f"{digits[:-1]}10{str(int(power)).translate(RAISED)}"
     return digits if not power else f"{digits}{TIMES}10{str(int(power)).translate(RAISED)}"
 
 

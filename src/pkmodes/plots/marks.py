@@ -110,7 +110,7 @@ def setups(axes: Axes, evidence: Evidence, most: int = 30) -> None:
     """Name the setups on the horizontal axis, or number them if there are many."""
     labels = [short(label) for label in evidence.labels]
     if len(labels) > most:
-        axes.set_xlabel(f"{evidence.place}, in the order of the measurements")
+        axes.set_xlabel(f"{evidence.place}, in the order of their labels")
         return
     turned = len(labels) * max(map(len, labels)) > 90
     axes.set_xticks(range(len(labels)), labels, rotation=90 if turned else 0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,10 +13,15 @@ from pkmodes.plots.labels import short
 from pkmodes.plots.style import BLUE, GREEN, GREY, figure, styled
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 #: Most candidates or values in a figure, and their longest name.
-MOST, LONGEST = 24, 40
+MOST, LONGEST = 16, 64
+#: Height of a row with its label [inch]; its label is this part of a row above the line.
+ROW, ABOVE = 0.3, 0.12
+#: Part of the axis left of 0, so that a mark at 0 is whole.
+LEFT = 0.012
 #: Smallest p-value that is distinguished from 0.
 LEAST = 1e-300
 
@@ -34,7 +39,7 @@ def candidates(result: Diagnosis) -> Figure | None:
         ("not claimed", GREY, [c for c in tested if c.name not in claimed | left]),
     ]
     with styled():
-        drawn = figure(0.85 + 0.19 * len(tested))
+        drawn = figure(0.85 + ROW * len(tested))
         axes = drawn.subplots()
         for label, colour, group in kinds:
             for seen, face in ((True, colour), (False, "none")):
@@ -47,28 +52,53 @@ def candidates(result: Diagnosis) -> Figure | None:
                     axes.scatter(
                         x, y, s=22, facecolor=face, edgecolor=colour, linewidth=1.2, zorder=3, label=name
                     )
-        axes.set_yticks(range(len(tested)), [short(one.name, LONGEST) for one in tested])
-        axes.set_ylim(len(tested) - 0.4, -0.6)
-        axes.set_xlim(left=0.0)
-        axes.grid(visible=False, axis="y")
+        _rows(axes, [_label(one.sentence, one.name) for one in tested])
+        most = axes.get_xlim()[1]
+        axes.set_xlim(-LEFT * most, most)
         axes.set_xlabel("score: \u2212log\u2081\u2080 of the p-value of this candidate alone [1]")
         marks.legend(axes)
     return drawn
 
 
-def pulls(values: Sequence[Corrected]) -> Figure | None:
-    """Return how far the fit moved each value, in standard deviations of its prior; None if none has a prior."""
+def _label(words: str, name: str) -> str:
+    """Return the label of a row: in words, and the name after them."""
+    return (
+        f"{short(words, LONGEST)} ({short(name.removeprefix('effects.'), LONGEST)})"
+        if words
+        else short(name.removeprefix("effects."), LONGEST)
+    )
+
+
+def _rows(axes: Axes, labels: Sequence[str]) -> None:
+    """Name the rows, each above its line, so that the lines have the whole width, also on a small screen."""
+    axes.set_yticks([i - ABOVE for i in range(len(labels))], labels)
+    axes.set_ylim(len(labels) - 0.5, -0.9)
+    axes.tick_params(axis="y", length=0.0, pad=-3.0)
+    for text in axes.get_yticklabels():
+        text.set(horizontalalignment="left", verticalalignment="bottom")
+    axes.grid(visible=False, axis="y")
+
+
+def pulls(values: Sequence[Corrected], words: Callable[[str], str] | None = None) -> Figure | None:
+    """Return how far the fit moved each value, in standard deviations of its prior; None if none has a prior.
+
+    Parameters
+    ----------
+    words : callable
+        Returns what the name of a value means, or nothing.
+    """
     known = [(value, value.prior_sigma) for value in values if value.prior_sigma]
     moved = [((v.value - v.declared) / prior, v.sigma / prior, v.name) for v, prior in known]
     shown = sorted(moved, key=lambda one: -abs(one[0]))[:MOST]
     if not shown:
         return None
     with styled():
-        drawn = figure(0.8 + 0.21 * len(shown))
+        labels = [_label(words(name) if words else "", name) for _, _, name in shown]
+        drawn = figure(0.8 + ROW * len(labels))
         axes = drawn.subplots()
         axes.axvspan(-1.0, 1.0, color=GREY, alpha=0.16, linewidth=0, label="prior, \u00b11 \u03c3")
         marks.zero_across(axes)
-        away, width, names = zip(*shown, strict=True)
+        away, width, _ = zip(*shown, strict=True)
         axes.errorbar(
             away,
             range(len(shown)),
@@ -78,8 +108,7 @@ def pulls(values: Sequence[Corrected]) -> Figure | None:
             capsize=2.5,
             label="after the fit, \u00b11 \u03c3",
         )
-        axes.set_yticks(range(len(shown)), [short(name, LONGEST) for name in names])
-        axes.set_ylim(len(shown) - 0.4, -0.6)
+        _rows(axes, labels)
         most = max(3.0, *(abs(a) + w for a, w, _ in shown)) * 1.05
         axes.set_xlim(-most, most)
         axes.grid(visible=False, axis="y")

@@ -25,6 +25,28 @@ Tone = Colour
 
 
 @dataclass(frozen=True)
+class Spread:
+    """The standard deviation of a value in the same cell: (1.92 ± 0.13) times a power of ten.
+
+    Attributes
+    ----------
+    sigma : float
+    at : str
+        JSON pointer of it; empty if it is not in the JSON.
+    digits, of_sigma : str
+        Those of the value and of the standard deviation.
+    power : str
+        What both are multiplied by; empty for nothing.
+    """
+
+    sigma: float
+    at: str
+    digits: str
+    of_sigma: str
+    power: str
+
+
+@dataclass(frozen=True)
 class Cell:
     """A cell of a table, or a value in a list.
 
@@ -38,12 +60,23 @@ class Cell:
         JSON pointer of that number in the output of ``--json``; empty if it is not in it.
     strong : bool
         Whether it is emphasised.
+    spread : Spread or None
+        The standard deviation that its text contains.
+    name : str
+        Identifier of what the text says in words, shown below it; empty for none.
     """
 
     text: str
     value: float | None = None
     at: str = ""
     strong: bool = False
+    spread: Spread | None = None
+    name: str = ""
+
+    @classmethod
+    def named(cls, words: str, name: str) -> Cell:
+        """Return words with the identifier of what they mean, or the identifier alone where there are none."""
+        return cls(words, name=name) if words and words != name else cls(name)
 
     @property
     def short(self) -> bool:

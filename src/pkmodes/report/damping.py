@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.rows import Row
-from pkmodes.report.blocks import Block, Cell, Column, Paragraph, Table
+from pkmodes.report.blocks import Block, Cell, Column, Paragraph
 from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer
+from pkmodes.report.tables import table
 
 #: Most rows on the page.
 MOST = 300
@@ -32,7 +33,7 @@ def damping(result: Diagnosis) -> list[Block]:
     columns = [Column("pose", False), Column("line"), Column("f [Hz]")]
     columns += [*(Column(title) for title in RATIOS.values()), Column("remark", False)]
     caption = "Damping ratios: measured, and those of the model, whose frequencies are the final ones."
-    blocks.append(Table(caption, columns, [_row(i, row) for i, row in rows[:MOST]], note=note))
+    blocks.append(table(caption, columns, [_row(i, row) for i, row in rows[:MOST]], note=note))
     return blocks
 
 

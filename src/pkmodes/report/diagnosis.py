@@ -5,12 +5,11 @@ from __future__ import annotations
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.plots.evidence import Evidence
-from pkmodes.plots.labels import typeset
 from pkmodes.report import explanations, figures, numbers
 from pkmodes.report.blocks import Cell, Section, Summary
 from pkmodes.report.correction import correction
 from pkmodes.report.damping import damping
-from pkmodes.report.formatting import SENTENCE, clean, number, pointer, unit
+from pkmodes.report.formatting import SENTENCE, clean, number, pointer, uncertain, unit
 from pkmodes.report.glossary import glossary
 from pkmodes.report.mode_table import mode_table
 from pkmodes.report.origin import origin, view_section
@@ -23,7 +22,7 @@ MOST = 4
 
 def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> str:
     """Return the report of a diagnosis as HTML."""
-    causes = explanations.causes(result)
+    causes = explanations.causes(result, setting)
     title = (
         "Remaining explanations" if result.survivors else "Cause" + ("s" if len(result.effects) > 1 else "")
     )
@@ -36,7 +35,7 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
         Section("shapes", "Mode shapes", figures.shape_figures(evidence)),
         *([Section("damping", "Damping", ratios)] if (ratios := damping(result)) else []),
         Section("candidates", "Candidates", explanations.candidates(result)),
-        Section("values", "Values before and after", numbers.values(result)),
+        Section("values", "Values before and after", numbers.values(result, setting)),
         *([Section("stability", "Stability", trials)] if (trials := numbers.stability(result)) else []),
         Section("next", "Next measurement", numbers.next_measurement(result, setting)),
         Section("correction", "Correction", correction(result, setting.robot)),
@@ -49,7 +48,7 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
 
 
 def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary:
-    facts = [(name, cell) for name, cell in _facts(result) if cell.value is not None]
+    facts = [(name, cell) for name, cell in _facts(result, setting) if cell.value is not None]
     return Summary(
         subject=setting.title(row.drives for row in result.rows),
         kind="Diagnosis",
@@ -73,17 +72,18 @@ def _sentence(text: str) -> str:
     return f"{text[:1].upper()}{text[1:]}" + ("" if text.endswith((".", "?", "!")) else ".")
 
 
-def _facts(result: Diagnosis) -> list[tuple[str, Cell]]:
+def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
     """Return the sizes of the causes, and the errors of the first and the last stage."""
     facts: list[tuple[str, Cell]] = []
     for i, effect in enumerate(result.effects):
         relative = effect.relative()
         where = "relative" if relative else "parameters"
         for value in relative or effect.parameters:
-            text = f"{typeset(f'{value.value:.3g}')} {unit(value.unit)}".rstrip()
-            at = pointer("effects", i, where, key(value), "value")
-            title = f"{key(value)} relative to the mean" if relative else key(value)
-            facts.append((clean(title), Cell(text, value.value, at)))
+            own = ("effects", i, where, key(value))
+            cell = uncertain(value.value, value.sigma, pointer(*own, "value"), pointer(*own, "sigma"))
+            name = clean(key(value))
+            title = f"{name} relative to the mean" if relative else setting.words(value.name) or name
+            facts.append((f"{title} [{unit(value.unit)}]" if unit(value.unit) else title, cell))
     facts = facts[:MOST]
     last = "after" if result.after is not None else "refit"
     stages = {"before": (result.before, "as declared")}

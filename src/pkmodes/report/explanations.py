@@ -2,24 +2,40 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from pkmodes.diagnosis.verdict.result import Diagnosis, Examined, Finding, Value, key
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Table
-from pkmodes.report.formatting import NOTHING, SENTENCE, clean, number, p_value, plural, pointer, unit
+from pkmodes.report.formatting import (
+    NOTHING,
+    SENTENCE,
+    clean,
+    figures,
+    p_value,
+    plural,
+    pointer,
+    uncertain,
+    unit,
+)
+from pkmodes.report.setting import Setting
+from pkmodes.report.tables import table
 
 #: Most candidates in the table; more than any robot has.
 MOST = 200
 
 
-def causes(result: Diagnosis) -> list[Block]:
+def causes(result: Diagnosis, setting: Setting) -> list[Block]:
     """Return the causes found with their classes, or the explanations that remain."""
+    sentences = {one.name: one.sentence for one in result.candidates}
     blocks: list[Block] = []
     for i, effect in enumerate(result.effects):
-        entries: list[tuple[str, list[Cell]]] = [("Cause", [Cell(clean(effect.name), strong=True)])]
+        what = clean(effect.sentence or effect.name, SENTENCE)
+        entries: list[tuple[str, list[Cell]]] = [("Cause", [Cell(what, strong=True)])]
         if effect.sentence:
-            entries.append(("What it is", [Cell(clean(effect.sentence, SENTENCE))]))
+            entries.append(("Name", [Cell(clean(effect.name))]))
         entries.append(("p-value", [p_value(effect.p_value, pointer("effects", i, "p_value"))]))
-        blocks += [Facts(entries), *_relative(effect, i), _members(effect, i)]
+        blocks += [Facts(entries), *_relative(effect, i, setting), _members(effect, i, setting, sentences)]
         if len(effect.members) > 1:
             blocks.append(
                 Paragraph(
@@ -29,11 +45,21 @@ def causes(result: Diagnosis) -> list[Block]:
             )
     if result.survivors:
         blocks.append(Paragraph("These explanations remain; the data do not decide between them:"))
-        blocks.append(Listing([" or ".join(map(clean, group)) for group in result.survivors]))
+        blocks.append(
+            Listing([" or ".join(_named(each, sentences) for each in group) for group in result.survivors])
+        )
     return blocks
 
 
-def _members(effect: Finding, i: int) -> Table:
+def _named(explanation: str, sentences: Mapping[str, str]) -> str:
+    """Return an explanation of one cause or two in words, with their names."""
+    names = explanation.split(" + ")
+    return " + ".join(
+        f"{clean(sentences[name])} ({clean(name)})" if sentences.get(name) else clean(name) for name in names
+    )
+
+
+def _members(effect: Finding, i: int, setting: Setting, sentences: Mapping[str, str]) -> Table:
     """Return the values of the cause, and of each other member of its class if it were the cause."""
     rows = []
     for member in effect.members:
@@ -41,40 +67,40 @@ def _members(effect: Finding, i: int) -> Table:
             at = ("effects", i, "alternatives", member, key(value))
             rows.append(
                 [
-                    Cell(clean(member)),
-                    Cell(clean(value.name)),
-                    number(value.value, ".4g", pointer(*at, "value")),
-                    number(value.sigma, ".2g", pointer(*at, "sigma")),
+                    Cell.named(clean(sentences.get(member, "")), clean(member)),
+                    Cell.named(setting.words(value.name), clean(value.name)),
+                    uncertain(value.value, value.sigma, pointer(*at, "value"), pointer(*at, "sigma")),
                     Cell(unit(value.unit)),
                 ]
             )
-    columns = [Column("cause", False), Column("parameter", False), Column("value"), Column("\u03c3")]
+    columns = [Column("cause", False), Column("parameter", False), Column("value")]
+    if len(effect.members) == 1:  # the cause stands above
+        rows, columns = [row[1:] for row in rows], columns[1:]
     caption = (
         f"Size of the cause{', with that mean' if effect.relative() else ''}."
         if len(effect.members) == 1
         else "The class: each member as if it were the cause."
     )
-    return Table(caption, [*columns, Column("unit", False)], rows)
+    return table(caption, [*columns, Column("unit", False)], rows)
 
 
-def _relative(effect: Finding, i: int) -> list[Block]:
+def _relative(effect: Finding, i: int, setting: Setting) -> list[Block]:
     """Return the values relative to their mean, where the mean is far less certain."""
     rows = []
     for value in effect.relative():
         at = ("effects", i, "relative", key(value))
         rows.append(
             [
-                Cell(clean(value.name)),
-                number(value.value, ".4g", pointer(*at, "value")),
-                number(value.sigma, ".2g", pointer(*at, "sigma")),
+                Cell.named(setting.words(value.name), clean(value.name)),
+                uncertain(value.value, value.sigma, pointer(*at, "value"), pointer(*at, "sigma")),
                 Cell(unit(value.unit)),
             ]
         )
     if not rows:
         return []
-    columns = [Column("parameter", False), Column("value"), Column("\u03c3"), Column("unit", False)]
+    columns = [Column("parameter", False), Column("value"), Column("unit", False)]
     caption = "Size of the cause, relative to the mean of its values. That mean is less certain."
-    return [Table(caption, columns, rows)]
+    return [table(caption, columns, rows)]
 
 
 def candidates(result: Diagnosis) -> list[Block]:
@@ -94,52 +120,47 @@ def candidates(result: Diagnosis) -> list[Block]:
                 "Scores of the candidates",
                 f"{plural(len(result.candidates), 'candidate')} by the p-value of their score; the most "
                 f"significant is {name}.",
-                "Scores of the candidates: how clearly the residual of the refitted model points at each. The score "
-                "only shortlists: the choice is made by refitting, so the longest line need not be the cause. Open "
-                "marks would not be detectable with these data.",
+                f"Scores of the candidates{_which(result)}: how clearly the residual of the refitted model points at "
+                "each. The score only shortlists: the choice is made by refitting, so the longest line need not be "
+                "the cause. Open marks are not detectable: these data would show no plausible change of them.",
             )
         )
     return [*blocks, _table(result), *_undetectable(result)]
 
 
+def _which(result: Diagnosis) -> str:
+    """Return which candidates the figure shows, if not all."""
+    count = len(result.candidates)
+    return f" (the {scores.MOST} most significant of {count})" if count > scores.MOST else ""
+
+
 def _table(result: Diagnosis) -> Table:
     order = sorted(range(len(result.candidates)), key=lambda k: result.candidates[k].p_value)
-    rows, several = [], False
+    rows = []
     for k in order[:MOST]:
         one = result.candidates[k]
         at = ("candidates", k)
         sizes = _sizes(result, one)
-        several = several or len(sizes) > 1
         for value, name in sizes:
             rows.append(
                 [
-                    Cell(clean(one.name)),
+                    Cell.named(clean(one.sentence), clean(_identifier(one.name, name, len(sizes)))),
                     Cell(_standing(result, one.name)),
                     p_value(one.p_value, pointer(*at, "p_value")),
                     _visible(value, pointer(*at, "visible_from")),
                     _limit(result, name),
                     Cell(_unit(result, value, name)),
-                    Cell("" if len(sizes) == 1 else clean(name.removeprefix(f"{one.name}."))),
                     Cell("yes" if one.detectable else "no"),
                 ]
             )
-    columns = [Column("candidate", False), Column("standing", False), Column("p of its score")]
+    columns = [Column("candidate", False), Column("standing", False)]
     columns += [
+        Column("p of its score"),
         Column("visible from"),
         Column("limit (95 %)"),
         Column("unit", False),
-        Column("of", False),
         Column("detectable", False),
     ]
-    # Columns that would be the same for all: which parameter, if each has one; the standing, if nothing was found.
-    kept = [
-        c
-        for c in range(8)
-        if (c != 6 or several)
-        and (c != 4 or result.limits)
-        and (c != 1 or result.effects or result.survivors)
-    ]
-    rows, columns = [[row[c] for c in kept] for row in rows], [columns[c] for c in kept]
     left = len(result.candidates) - MOST
     note = (
         f"{plural(left, 'more candidate')} with larger p-values: see --json, under candidates."
@@ -148,11 +169,16 @@ def _table(result: Diagnosis) -> Table:
     )
     caption = (
         "Candidates, the most significant score first. Visible from: the smallest change that these data would "
-        "probably show (5 \u03c3). Limit: how far the value may still be from the declared one at 95 %, beside what "
-        f"the diagnosis says; {NOTHING} where nothing bounds it within its plausible range. That nothing was found "
-        "is no proof that an effect is absent."
+        "probably show (5 \u03c3), where a plausible one is enough. Limit: how far the value may still be from the "
+        f"declared one at 95 %, beside what the diagnosis says; {NOTHING} where nothing bounds it within its "
+        "plausible range. That nothing was found is no proof that an effect is absent."
     )
-    return Table(caption, columns, rows, note=note)
+    return table(caption, columns, rows, note=note)
+
+
+def _identifier(name: str, parameter: str, count: int) -> str:
+    """Return the name of a candidate, with that of its parameter if it has several."""
+    return name if count == 1 else f"{name}.{parameter.removeprefix(f'{name}.')}"
 
 
 def _limits(result: Diagnosis) -> list[Block]:
@@ -179,7 +205,7 @@ def _sizes(result: Diagnosis, one: Examined) -> list[tuple[Value | None, str]]:
 def _visible(value: Value | None, at: str) -> Cell:
     if value is None:
         return Cell(NOTHING)
-    return number(value.value, ".2g", at + pointer(key(value), "value"))
+    return figures(value.value, 2, at + pointer(key(value), "value"))
 
 
 def _limit(result: Diagnosis, name: str) -> Cell:
@@ -187,7 +213,7 @@ def _limit(result: Diagnosis, name: str) -> Cell:
     if limit is None:
         return Cell("")
     at = pointer("limits", name) if limit.value is None else pointer("limits", name, "value")
-    return number(limit.value, ".2g", at)
+    return figures(limit.value, 2, at)
 
 
 def _unit(result: Diagnosis, value: Value | None, name: str) -> str:

@@ -13,27 +13,25 @@ from pkmodes.report.formatting import clean, plural
 
 
 def mode_figures(evidence: Evidence) -> list[Block]:
-    """Return the measured modes beside the model: frequencies, differences by mode and by pose."""
+    """Return the measured modes beside the model: what differs by mode and by pose, then all frequencies."""
     if not evidence.stages:
         return [Paragraph("The result has no predictions to show.")]
     count = plural(len(evidence.measured), "measured mode")
     where = plural(len(evidence.labels), evidence.place)
     single = len(evidence.stages) == 1
-    blocks: list[Block] = [
-        Picture.of(
-            spectrum.spectrum(evidence),
-            f"Frequencies at each {evidence.place}",
-            f"{count} at {where}, with the modes of the model as lines. {_unmatched(evidence)}",
-            f"Frequencies at each {evidence.place}: marks are measured, lines are the modes of the model. A line "
-            f"without a mark is a mode that was not measured. {_spread(evidence)}{_unmatched(evidence)}",
-        )
-    ]
+    overview = Picture.of(
+        spectrum.spectrum(evidence),
+        f"Frequencies at each {evidence.place}",
+        f"{count} at {where}, with the modes of the model as lines. {_unmatched(evidence)}",
+        f"Frequencies at each {evidence.place}: marks are measured, lines are the modes of the model. A line "
+        f"without a mark is a mode that was not measured. {_spread(evidence)}{_unmatched(evidence)}",
+    )
     if not any(stage.paired.any() for stage in evidence.stages):
         return [
-            *blocks,
+            overview,
             Paragraph("No measured mode has a partner in the model, so there are no differences."),
         ]
-    blocks.append(
+    blocks: list[Block] = [
         Picture.of(
             differences.by_mode(evidence),
             "Differences by mode",
@@ -42,7 +40,7 @@ def mode_figures(evidence: Evidence) -> list[Block]:
             "median. A bar away from 0 is what the model gets wrong everywhere; scatter about it is noise or depends "
             f"on the {evidence.place}.{'' if single else ' Both panels have the same scale.'}{_marks(evidence)}",
         )
-    )
+    ]
     blocks.append(
         Picture.of(
             differences.by_setup(evidence),
@@ -53,7 +51,7 @@ def mode_figures(evidence: Evidence) -> list[Block]:
             f"{'' if single else ' The scales of the panels differ.'}",
         )
     )
-    return blocks
+    return [*blocks, overview]
 
 
 def pose_figures(evidence: Evidence) -> list[Block]:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 
-from pkmodes.plots.labels import TIMES, typeset, visible
-from pkmodes.report.blocks import Cell
+from pkmodes.base.numbers import p_text, plain, rounded
+from pkmodes.plots.labels import RAISED, TIMES, typeset, visible
+from pkmodes.report.blocks import Cell, Spread
 
 #: Labels and names longer than this are shortened; the JSON has them whole.
 LONGEST = 100
@@ -24,6 +25,13 @@ def clean(text: object, longest: int | None = LONGEST) -> str:
         Longer text is shortened; None for any length.
     """
     return visible(text, longest)
+
+
+def figures(value: float | None, digits: int = 6, at: str = "") -> Cell:
+    """Return a number with at most some significant digits as a cell; without one, `NOTHING`."""
+    if value is None or math.isnan(value):
+        return Cell(NOTHING, None, at)
+    return Cell(typeset(plain(value, digits)), float(value), at)
 
 
 def number(
@@ -56,9 +64,26 @@ def hertz(value: float | None, at: str = "") -> Cell:
 
 def p_value(value: float | None, at: str = "") -> Cell:
     """Return a p-value, which is never zero."""
-    if value == 0.0:
-        return Cell(f"< {typeset('1e-300').removeprefix('1' + TIMES)}", 0.0, at)
-    return number(value, ".2g", at)
+    if value is None or math.isnan(value):
+        return Cell(NOTHING, None, at)
+    return Cell(typeset(p_text(value)), float(value), at)
+
+
+def uncertain(value: float, sigma: float, at: str = "", at_sigma: str = "", *, scale: float = 1.0) -> Cell:
+    """Return a value with its standard deviation, both rounded by it.
+
+    Parameters
+    ----------
+    at, at_sigma : str
+        Their places in the JSON.
+    scale : float
+        The text shows this multiple of both.
+    """
+    found = rounded(scale * value, scale * sigma)
+    power = f"{TIMES}10{str(found.exponent).translate(RAISED)}" if found.exponent else ""
+    digits, of_sigma = typeset(found.value), typeset(found.sigma)
+    spread = Spread(float(sigma), at_sigma, digits, of_sigma, power)
+    return Cell(typeset(str(found)), float(value), at, spread=spread)
 
 
 def unit(name: str) -> str:

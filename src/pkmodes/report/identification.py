@@ -12,12 +12,13 @@ from pkmodes.campaign.campaign import Campaign
 from pkmodes.campaign.identify import COMPLEX
 from pkmodes.campaign.results import Identification, IdentifiedMode, RecordResult
 from pkmodes.plots import identified_modes
-from pkmodes.report.blocks import Block, Cell, Column, Facts, Picture, Section, Summary, Table
+from pkmodes.report.blocks import Block, Cell, Column, Facts, Picture, Section, Summary
 from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer
 from pkmodes.report.identified_record import auto_macs, record_section
 from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source
+from pkmodes.report.tables import table
 from pkmodes.robot.report_fields import head_of
 
 #: Places that a note of the head names at most.
@@ -221,7 +222,7 @@ def _overview(found: Identification, content: Mapping[str, Any]) -> list[Block]:
                 "neighbours lack was hidden there, or is none.",
             )
         )
-    return [*blocks, Table("Records.", columns, rows)]
+    return [*blocks, table("Records.", columns, rows)]
 
 
 def _frequency(index: int, result: RecordResult, k: int) -> Cell:

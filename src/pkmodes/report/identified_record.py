@@ -13,7 +13,8 @@ from pkmodes.campaign.inspection import Inspection
 from pkmodes.campaign.results import IdentifiedMode, RecordResult
 from pkmodes.plots import fits, identified_modes
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Section, Table
-from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer
+from pkmodes.report.formatting import SENTENCE, clean, figures, hertz, number, plural, pointer, uncertain
+from pkmodes.report.tables import table
 
 #: Complex shapes drawn of a record at most: the least collinear.
 MOST_SHAPES = 18
@@ -85,12 +86,12 @@ def _table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
     shaped = any(mode["complexity"] is not None for mode in modes)
     ordered = any(mode["found_in"] is not None for mode in modes)
     edited = any(mode["edited"] for mode in modes)
-    columns = [Column("mode"), Column("f [Hz]"), Column("\u03c3 [Hz]")]
+    columns = [Column("mode"), Column("f [Hz]")]
     columns += [Column("scatter"), Column("fit"), Column("repeatability")]
-    groups = [("", 3), ("parts of \u03c3 [Hz]", 3)]
+    groups = [("", 2), ("parts of \u03c3 [Hz]", 3)]
     if damped:
-        columns += [Column("[%]"), Column("\u03c3 [%]")]
-        groups.append(("damping ratio", 2))
+        columns.append(Column("damping ratio [%]"))
+        groups.append(("", 1))
     rest = [Column("MPC")] * shaped + [Column("orders", False)] * ordered + [Column("files")]
     rest += [Column("edited", False)] * edited
     columns, groups = [*columns, *rest], [*groups, ("", len(rest))]
@@ -100,13 +101,11 @@ def _table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
         parts = mode["sigma_parts"]
         cells = [
             Cell(str(k + 1)),
-            hertz(mode["frequency"], pointer(*at, "frequency")),
-            number(mode["sigma"], ".2g", pointer(*at, "sigma")),
+            uncertain(mode["frequency"], mode["sigma"], pointer(*at, "frequency"), pointer(*at, "sigma")),
         ]
-        cells += [number(parts[key], ".2g", pointer(*at, "sigma_parts", key)) for key in parts]
+        cells += [figures(parts[key], 2, pointer(*at, "sigma_parts", key)) for key in parts]
         if damped:
-            cells.append(number(mode["damping"], ".3g", pointer(*at, "damping"), scale=100.0))
-            cells.append(number(mode["sigma_damping"], ".2g", pointer(*at, "sigma_damping"), scale=100.0))
+            cells.append(_damping(mode, at))
         cells += [number(mode["complexity"], ".3f", pointer(*at, "complexity"))] if shaped else []
         if ordered:
             found = mode["found_in"]
@@ -117,7 +116,15 @@ def _table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
     meanings = ["\u03c3 is one standard deviation, the root of the sum of the squares of its parts"]
     meanings += ["MPC is the modal phase collinearity, 1 for a real shape"] if shaped else []
     meanings += ["orders: in how many model orders the pole was found"] if ordered else []
-    return Table("Modes.", columns, rows, groups, "; ".join(meanings) + ".")
+    return table("Modes.", columns, rows, groups, "; ".join(meanings) + ".")
+
+
+def _damping(mode: Mapping[str, Any], at: Sequence[object]) -> Cell:
+    """Return a damping ratio in per cent, with its standard deviation where that is known."""
+    ratio, sigma, place = mode["damping"], mode["sigma_damping"], pointer(*at, "damping")
+    if ratio is None or sigma is None:
+        return number(ratio, ".3g", place, scale=100.0)
+    return uncertain(ratio, sigma, place, pointer(*at, "sigma_damping"), scale=100.0)
 
 
 def _fit(one: Inspection, result: RecordResult, campaign: Campaign) -> list[Block]:

@@ -118,11 +118,11 @@ def swept_pictures(
             "triangles mark the lowest (down) and the highest (up) frequency in the plane."
         )
         with styled():
-            drawn = maps.frequencies(shown)
-            if isinstance(drawn, str):
-                yield Paragraph(f"{title}: {drawn}")
+            picture = maps.frequencies(shown)
+            if isinstance(picture, str):
+                yield Paragraph(f"{title}: {picture}")
             else:
-                yield Picture.of(drawn, title, description, description, cropped=True)
+                yield Picture.of(picture, title, description, description, cropped=True)
 
 
 def value(path: str, number: float, units: dict[str, str]) -> str:

@@ -12,6 +12,7 @@ from pkmodes.plots.evidence import Evidence
 from pkmodes.report.blocks import Cell, Column, Table
 from pkmodes.report.formatting import clean, hertz, number, plural, pointer
 from pkmodes.report.setting import Setting
+from pkmodes.report.tables import table
 
 #: Most rows on the page: beyond that, those that differ most.
 MOST = 300
@@ -64,7 +65,7 @@ def mode_table(result: Diagnosis | Comparison, evidence: Evidence, setting: Sett
         cells += [Cell(setting.load(row.load))] if loads else []
         lines.append(cells)
     caption = "Measured modes and the model; differences are model minus measurement."
-    return Table(caption, columns, lines, groups, note)
+    return table(caption, columns, lines, groups, note)
 
 
 def _numbers(result: Diagnosis | Comparison, evidence: Evidence, i: int) -> list[Cell]:

@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
+from pkmodes.base.ordering import sorted_labels
 from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis, key
 from pkmodes.diagnosis.verdict.rows import Error
+from pkmodes.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, meaning, same
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Paragraph, Picture, Table
-from pkmodes.report.formatting import NOTHING, clean, number, plural, pointer, unit
+from pkmodes.report.formatting import NOTHING, clean, figures, number, plural, pointer, uncertain, unit
 from pkmodes.report.setting import Setting
+from pkmodes.report.tables import table
 
 STAGES = {
     "before": "before: as declared",
     "refit": "refit of the uncertain values only",
     "after": "after: with the cause",
 }
-CHANGES = {
-    "sigma x 0.5": "\u03c3 halved",
-    "sigma x 2": "\u03c3 doubled",
-    "priors x 2": "priors twice as wide",
-}
+CHANGES = {HALVED: "\u03c3 halved", DOUBLED: "\u03c3 doubled", WIDENED: "priors twice as wide"}
+SAME = "as stated"
 
 
 def errors(result: Diagnosis) -> list[Block]:
@@ -49,7 +49,7 @@ def errors(result: Diagnosis) -> list[Block]:
     caption = "Errors of the model: rms of model / measurement \u2212 1, and chi\u00b2 per degree of freedom."
     blocks: list[Block] = [Table(caption, columns, rows)]
     if result.held_out_poses:
-        shown = ", ".join(map(clean, result.held_out_poses[:20]))
+        shown = ", ".join(map(clean, sorted_labels(result.held_out_poses)[:20]))
         more = f" and {len(result.held_out_poses) - 20} more" if len(result.held_out_poses) > 20 else ""
         blocks.append(
             Paragraph(
@@ -65,14 +65,14 @@ def percent(relative: float | None, at: str = "", strong: bool = False) -> Cell:
     return number(relative, ".3f", at, scale=100.0, strong=strong)
 
 
-def values(result: Diagnosis) -> list[Block]:
+def values(result: Diagnosis, setting: Setting) -> list[Block]:
     """Return the fitted values, with what was declared about them."""
     if not result.corrected:
         return [Paragraph("No value was uncertain, and none was fitted.")]
-    rows = [_value(result, value) for value in result.corrected]
-    columns = [Column("value", False), Column("role", False), Column("before"), Column("after")]
+    rows = [_value(result, value, setting) for value in result.corrected]
+    columns = [Column("value", False), Column("role", False), Column("before")]
     columns += [
-        Column("\u03c3 after"),
+        Column("after"),
         Column("\u03c3 saved"),
         Column("unit", False),
         Column("prior \u03c3"),
@@ -82,8 +82,8 @@ def values(result: Diagnosis) -> list[Block]:
         "Fitted values: as declared, and after the fit with their standard deviations. \u03c3 saved, in the "
         "corrected robot file, includes what a candidate that these data do not show could have done to the value."
     )
-    blocks: list[Block] = [Table(caption, columns, rows)]
-    figure = scores.pulls(result.corrected)
+    blocks: list[Block] = [table(caption, columns, rows)]
+    figure = scores.pulls(result.corrected, setting.words)
     if figure is not None:
         count = plural(sum(v.prior_sigma is not None for v in result.corrected), "value")
         blocks.append(
@@ -99,7 +99,7 @@ def values(result: Diagnosis) -> list[Block]:
     return blocks
 
 
-def _value(result: Diagnosis, value: Corrected) -> list[Cell]:
+def _value(result: Diagnosis, value: Corrected, setting: Setting) -> list[Cell]:
     """Return a row; its numbers are in the JSON under refitted, or with the cause."""
     before, after, sigma, saved = "", "", "", ""
     role = "fitted"
@@ -115,14 +115,13 @@ def _value(result: Diagnosis, value: Corrected) -> list[Cell]:
             after, sigma, saved = (pointer(*at, name) for name in ("value", "sigma", "saved_sigma"))
     prior = value.prior_sigma
     return [
-        Cell(clean(value.name)),
+        Cell.named(setting.words(value.name), clean(value.name)),
         Cell(f"{role}, at a bound" if value.at_bound else role),
-        number(value.declared, ".6g", before),
-        number(value.value, ".6g", after),
-        number(value.sigma, ".2g", sigma),
-        number(value.saved_sigma, ".2g", saved),
+        figures(value.declared, 6, before),
+        uncertain(value.value, value.sigma, after, sigma),
+        figures(value.saved_sigma, 2, saved),
         Cell(unit(value.unit)),
-        number(prior, ".2g"),
+        figures(prior, 2),
         number((value.value - value.declared) / prior if prior else None, "+.1f"),
     ]
 
@@ -136,19 +135,14 @@ def stability(result: Diagnosis) -> list[Block]:
             Cell(CHANGES.get(s.change, s.change)),
             Cell(s.verdict),
             Cell(", ".join(map(clean, s.effects)) or NOTHING),
+            Cell(SAME if same(result, s) else meaning(result, s) or NOTHING),
         ]
         for s in result.stability
     ]
     columns = [Column("change", False), Column("verdict", False), Column("best explanation", False)]
+    columns.append(Column("why", False))
     caption = "The explanations tried, fitted again with other errors and priors."
-    blocks: list[Block] = [Table(caption, columns, rows)]
-    if result.verdict != "unexplained":
-        sentence = (
-            "With halved \u03c3, unexplained is normal where the stated errors are right: the residual is then too "
-            "large for them."
-        )
-        blocks.append(Paragraph(sentence))
-    return blocks
+    return [table(caption, columns, rows)]
 
 
 def next_measurement(result: Diagnosis, setting: Setting) -> list[Block]:

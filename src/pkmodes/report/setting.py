@@ -7,12 +7,14 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from pkmodes.base.drives import motors
+from pkmodes.base.numbers import plain
 from pkmodes.measured.measurements import Measurements
 from pkmodes.plots.labels import typeset
 from pkmodes.report.formatting import clean, unit
 from pkmodes.report.sources import Source
 from pkmodes.robot.report_fields import head_of
 from pkmodes.robot.robot import Robot
+from pkmodes.robot.words import in_words
 from pkmodes.updating.load_cases import settable
 
 
@@ -47,10 +49,14 @@ class Setting:
     def _units(self) -> dict[str, str]:
         return {} if self.robot is None else settable(self.robot.mechanism)
 
+    def words(self, path: str) -> str:
+        """Return what the path of a value means; empty where the robot does not describe it."""
+        return "" if self.robot is None else clean(in_words(self.robot.mechanism, path))
+
     def load(self, load: Mapping[str, float]) -> str:
         """Return the values set at a pose as text."""
         return ", ".join(
-            f"{clean(path)} = {typeset(f'{value:g}')} {unit(self._units.get(path, '1'))}".rstrip()
+            f"{clean(path)} = {typeset(plain(value))} {unit(self._units.get(path, '1'))}".rstrip()
             for path, value in load.items()
         )
 

@@ -21,6 +21,7 @@ from pkmodes.robot.layout import GRAVITY, Item, by_path, lent, takers
 from pkmodes.robot.parameter_groups import groups_by_path, items_of, weights_of
 from pkmodes.robot.paths import ParameterPath, paths, resolve
 from pkmodes.robot.robot import Robot
+from pkmodes.robot.words import in_words
 from pkmodes.updating import frame
 from pkmodes.updating.load_cases import LoadCases
 from pkmodes_description import Effect, ParameterGroup
@@ -171,7 +172,7 @@ def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
             f"to suspect {path}, declare it in the robot file without a sigma",
         )
     resolve(robot, path)
-    return Candidate(name, (path,), f"the declared value of {path} is wrong")
+    return Candidate(name, (path,), _wrong(robot, path))
 
 
 def _refuse_declared(robot: Robot, what: str, declared: Sequence[str]) -> None:
@@ -225,9 +226,14 @@ def _suspected(robot: Robot) -> dict[str, Candidate]:
         if free and weights_of(robot, whole):
             suspected.append(whole.path)
     return {
-        f"{PREFIX}{path}": Candidate(f"{PREFIX}{path}", (path,), f"the declared value of {path} is wrong")
-        for path in suspected
+        f"{PREFIX}{path}": Candidate(f"{PREFIX}{path}", (path,), _wrong(robot, path)) for path in suspected
     }
+
+
+def _wrong(robot: Robot, path: str) -> str:
+    """Return the sentence of a suspected value, in the words of the mechanism's description."""
+    words = in_words(robot.mechanism, path).partition(",")[0]
+    return f"the declared {words or f'value of {path}'} is wrong"
 
 
 def _may_be_wrong(robot: Robot, path: str) -> bool:

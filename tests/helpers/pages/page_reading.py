@@ -78,6 +78,17 @@ def read(html: str) -> Element:
     return reader.root
 
 
+def powers(page: Element) -> dict[int, int]:
+    """Return the power of ten that numbers share with their standard deviation, by the id of their elements."""
+    found = {}
+    for span in page.all("span"):
+        if span.attributes.get("class") == "uncertain":
+            _, _, power = span.text.partition("\u200910")
+            exponent = int("".join("-0123456789"[RAISED.index(c)] for c in power)) if power else 0
+            found |= {id(element): exponent for element in span.all("data")}
+    return found
+
+
 def at(content: Any, pointer: str) -> Any:
     """Follow a JSON pointer."""
     for part in pointer.split("/")[1:]:
@@ -98,4 +109,6 @@ def shown(text: str) -> tuple[float, float]:
     digits, decimals, power = found.groups()
     exponent = int("".join("-0123456789"[RAISED.index(c)] for c in power or "\u2070"))
     unit = 10.0 ** (exponent - len(decimals or ""))
+    if not decimals and len(digits) > 2 and digits.endswith("0"):  # 730 has two significant digits
+        unit *= 10.0
     return float(digits.replace("\u2212", "-")) * 10.0**exponent, 0.5 * unit

@@ -16,7 +16,7 @@ from scipy import stats
 from pkmodes.diagnosis.damping import words
 from pkmodes.diagnosis.damping.fit import NEARLY, LossFit, LossFitter
 from pkmodes.diagnosis.damping.found import findings as findings_of
-from pkmodes.diagnosis.damping.found import members, survivors, tested, value_of
+from pkmodes.diagnosis.damping.found import survivors, tested, value_of
 from pkmodes.diagnosis.damping.judgement import DampingJudgement, names_of
 from pkmodes.diagnosis.damping.outcome import Damping
 from pkmodes.diagnosis.damping.stage import Stage
@@ -86,7 +86,7 @@ def with_outcome(result: Diagnosis, data: Measurements, stage: Stage) -> Diagnos
             f"the damping of the held-out poses is not predicted: a factor of {damping.held_out:.2g} in the mean"
         )
     tests, limits = tested(stage, found)
-    unseen = [one.name for one in tests if not one.detectable and one.name not in members(found)]
+    unseen = [one.name for one in tests if not one.detectable]
     both = replace(
         result,
         rows=_rows(result, data, stage),

@@ -11,7 +11,7 @@ from pkmodes.diagnosis.damping.stage import Stage
 from pkmodes.diagnosis.verdict.limits import name_of
 from pkmodes.diagnosis.verdict.result import Examined, Finding, Value
 from pkmodes.diagnosis.verdict.unseen import Limit
-from pkmodes.diagnosis.verdict.verdicts import EFFECT_FOUND, INSUFFICIENT_DATA
+from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA
 
 #: Explanations beside which limits are found.
 MOST = 4
@@ -65,6 +65,8 @@ def tested(stage: Stage, findings: Sequence[Finding]) -> tuple[list[Examined], d
     fitter, judged, claimed = stage.fitter, stage.judged, members(findings)
     tests, limits = [], {}
     beside = judged.rivals[:MOST] or (judged.final,)
+    remain = {fitter.losses[j].candidate for fit in judged.rivals for j in fit.causes}
+    remain = remain if judged.verdict is AMBIGUOUS else set()
     for j, loss in enumerate(fitter.losses):
         if not loss.candidate or not loss.claimable:
             continue
@@ -75,7 +77,9 @@ def tested(stage: Stage, findings: Sequence[Finding]) -> tuple[list[Examined], d
             if j in fitter.candidates
             else Limit(loss.candidate, None, loss.parameter.unit)
         )
-        tests.append(examined(fitter, judged.final, j, p_value, limit.value is not None))
+        seen = loss.candidate in claimed | remain
+        bounded = limit.value is not None
+        tests.append(examined(fitter, judged.final, j, p_value, bounded=bounded, shown=seen))
         if loss.candidate not in claimed:
             limits[name_of(loss.parameter)] = limit
     return tests, limits

@@ -71,16 +71,27 @@ def _as_large_as_left(fitter: LossFitter, fit: LossFit) -> LossFitter:
     return replace(fitter, rows=rows, _fits={})
 
 
-def examined(fitter: LossFitter, final: LossFit, loss: int, p_value: float, bounded: bool) -> Examined:
-    """Return the test of a loss, and the smallest one that would show beside a fit."""
+def examined(
+    fitter: LossFitter, final: LossFit, loss: int, p_value: float, *, bounded: bool, shown: bool
+) -> Examined:
+    """Return the test of a loss, the smallest one that would show beside a fit, and whether it is detectable.
+
+    Parameters
+    ----------
+    bounded : bool
+        Whether the data bound it.
+    shown : bool
+        Whether it is claimed, in the class of a claim, or remains as an explanation.
+    """
     c, one = fitter.criteria, fitter.losses[loss]
     sigma = _sigma(fitter, final, loss)
     size = c.seen * sigma
-    if not bounded or not np.isfinite(size) or size > one.parameter.upper:
-        return Examined(one.candidate, p_value, (), False)
-    shown = Value(one.parameter.name, float(size), float(sigma), one.parameter.unit)
+    seen = shown or p_value <= c.surely
+    if not (bounded or shown) or not np.isfinite(size) or size > one.parameter.upper:
+        return Examined(one.candidate, p_value, (), seen, one.sentence)
+    visible = Value(one.parameter.name, float(size), float(sigma), one.parameter.unit)
     largest = float(size * fitter.rows.rates[:, loss].max())
-    return Examined(one.candidate, p_value, (shown,), largest < 1.0)
+    return Examined(one.candidate, p_value, (visible,), seen or largest < 1.0, one.sentence)
 
 
 def _sigma(fitter: LossFitter, fit: LossFit, loss: int) -> float:

@@ -6,10 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from pkmodes.base.numbers import p_in_words, rounded
 from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
 from pkmodes.diagnosis.damping.judgement import DampingJudgement, names_of
 from pkmodes.diagnosis.problem import Array
-from pkmodes.diagnosis.verdict.result import Finding, p_in_words
+from pkmodes.diagnosis.verdict.result import Finding
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA
 
 #: Most lines that a note lists.
@@ -39,7 +40,7 @@ def _cause(finding: Finding) -> str:
 
 def common_ratio(ratio: float, sigma: float) -> str:
     """Return the note if one ratio explains the damping of a model that declares none."""
-    percent = f"{100.0 * ratio:.2g} +- {100.0 * sigma:.1g} %"
+    percent = f"{rounded(100.0 * ratio, 100.0 * sigma)} %"
     return (
         f"the file declares no damping; every measured mode agrees with a damping ratio of {percent}, which names no "
         f'joint: to declare it, write ratio = "{100.0 * ratio:.2g} %" in a table [damping]'

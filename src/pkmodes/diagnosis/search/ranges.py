@@ -10,9 +10,12 @@ A bound of the data beyond this range says nothing.  The range of a parameter en
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array, Candidate, Prediction
 from pkmodes.diagnosis.search.starts import SIZES
 
@@ -46,3 +49,17 @@ def plausible_size(fitter: Fitter, candidate: Candidate, i: int, sign: int, rate
     else:
         plausible = SIZES[-1] / rate if rate > 0.0 else np.inf
     return float(min(room, plausible))
+
+
+def plausible_sizes(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> dict[int, float]:
+    """Return the largest plausible deviation of each parameter of some candidates, on either side."""
+    by = list(dict.fromkeys(i for candidate in candidates for i in fitter.indices(candidate)))
+    if not by:
+        return {}
+    prediction = fitter.structure.predict(fit.values, by, shape_rates=False)
+    rates = dict(zip(by, largest_rates(prediction).tolist(), strict=True))
+    return {
+        i: max(plausible_size(fitter, candidate, i, sign, rates[i]) for sign in (1, -1))
+        for candidate in candidates
+        for i in fitter.indices(candidate)
+    }

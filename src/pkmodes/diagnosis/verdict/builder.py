@@ -10,10 +10,11 @@ import numpy as np
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import reached_bounds
-from pkmodes.diagnosis.search.score import Scores
+from pkmodes.diagnosis.search.ranges import plausible_sizes
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import held_out, limits
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
+from pkmodes.diagnosis.verdict.detectable import examined
 from pkmodes.diagnosis.verdict.judgement import Judgement
 from pkmodes.diagnosis.verdict.limits import Limits
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
@@ -21,7 +22,6 @@ from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.result import (
     Corrected,
     Diagnosis,
-    Examined,
     Finding,
     Refitted,
     Stability,
@@ -62,8 +62,17 @@ class DiagnosisBuilder:
             open_fits = [fit for named in remaining for _, fit in named] or [outcome.nuisances]
             bounded = limits.beside(search.store, open_fits, unclaimed, noise=False)
         last = judged.last.scores if verdict.settled else outcome.first.scores
-        examined = self.examined(outcome.first.scores, last, bounded, verdict.settled)
-        undetectable = tuple(c.name for c in examined if not c.detectable and c.name not in claimed)
+        shown = claimed | {cause.name for named in remaining for _, fit in named for cause in fit.causes}
+        apart = [candidate for candidate in search.candidates if candidate.name not in bounded.candidates]
+        tested = examined(
+            self.fitter,
+            outcome.first.scores,
+            last,
+            {**plausible_sizes(self.fitter, outcome.nuisances, apart), **bounded.plausible},
+            shown=shown,
+            unbounded=bounded.unbounded - shown if verdict.settled else (),
+        )
+        undetectable = tuple(one.name for one in tested if not one.detectable)
         diagnosis = self.without_search(
             verdict,
             reason,
@@ -91,7 +100,7 @@ class DiagnosisBuilder:
             effects=findings,
             survivors=tuple(tuple(name for name, _ in named) for named in remaining),
             next_measurement=next_measurement(self.fitter, contested),
-            candidates=examined,
+            candidates=tested,
             notes=(*diagnosis.notes, *contradictions),
         )
 
@@ -221,31 +230,6 @@ class DiagnosisBuilder:
             for v in self.corrected(fit, bounded)
             if v.name in names
         )
-
-    def examined(self, first: Scores, last: Scores, bounded: Limits, settled: bool) -> tuple[Examined, ...]:
-        """Return each candidate's p-value before any claim, and its smallest detectable size beside the claims.
-
-        A candidate that the data do not bound is not detectable, and neither is a size that is not plausible.
-        """
-        beside = {one.candidate.name: one for one in last.each}
-        unbounded = bounded.unbounded if settled else frozenset[str]()
-        candidates, criteria = [], self.fitter.criteria
-        for tested in first.each:
-            name, index = tested.candidate.name, self.fitter.indices(tested.candidate)
-            one = beside[name] if name in beside and name in bounded.candidates else tested
-            visible: tuple[Value, ...] = ()
-            detectable = False
-            sizes = criteria.seen * one.sigma
-            most = np.array([bounded.plausible.get(i, np.inf) for i in index])
-            if one.visible and name not in unbounded and np.isfinite(sizes).all() and (sizes <= most).all():
-                parameters = [self.fitter.parameters[i] for i in index]
-                visible = tuple(
-                    Value(p.name, float(size), float(size / criteria.seen), p.unit)
-                    for p, size in zip(parameters, sizes, strict=True)
-                )
-                detectable = bool((sizes * one.largest <= criteria.noticeable).all())
-            candidates.append(Examined(name, tested.p_value, visible, detectable))
-        return tuple(candidates)
 
 
 def remains(judged: Judgement) -> list[list[tuple[str, Fit]]]:

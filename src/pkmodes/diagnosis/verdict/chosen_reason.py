@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.misfit import Misfit
@@ -24,17 +26,27 @@ def reason_of(builder: DiagnosisBuilder, search: Search, outcome: Outcome, judge
         return reasons.effect_found(builder.findings(judged), outcome.first, noise)
     if judged.verdict is AMBIGUOUS:
         return reasons.ambiguous([[name for name, _ in named] for named in remains(judged)])
-    return _unexplained(search, outcome, judged)
+    named = _named(search, outcome, judged)
+    if named:
+        return named
+    best = _best_of_all(search, outcome)
+    left = _left(search, outcome, explained=bool(best))
+    return f"{left}; {best}" if best else left
 
 
-def _unexplained(search: Search, outcome: Outcome, judged: Judgement) -> str:
-    """Return what the residual is, and in which part of the data."""
-    store, fit, first, last = search.store, outcome.nuisances, outcome.first, outcome.last
-    c, final = search.criteria, judged.final
+def _named(search: Search, outcome: Outcome, judged: Judgement) -> str:
+    """Return a reason that names an explanation which would nearly do; empty if none would."""
+    last = outcome.last
     if last.p_unmeasured <= last.level < min(last.p_value, last.p_candidates):
-        return reasons.added_modes(final.causes)
-    if last.unpaired:
-        return reasons.unpaired(last.unpaired)
+        return reasons.added_modes(judged.final.causes)
+    if last.unpaired or _in_part(search, outcome):
+        return ""
+    return _beyond_prior(search) or _nearly(search, outcome.nuisances)
+
+
+def _in_part(search: Search, outcome: Outcome) -> str:
+    """Return a reason if only one part of the data disagrees: an uncertain value, or the shapes."""
+    store, fit, first, c = search.store, outcome.nuisances, outcome.first, search.criteria
     frequencies, shapes = _misfits(store, fit)
     if min(frequencies.p_value, shapes.p_value) > c.surely:
         name, away = misfit.far_away(store, fit, store.fitter.nuisances)
@@ -42,28 +54,75 @@ def _unexplained(search: Search, outcome: Outcome, judged: Judgement) -> str:
             return reasons.declared_value(name, away)
     elif frequencies.p_value > c.gate:
         return reasons.shapes_left(shapes.ratio, misfit.worst_shape(store, fit))
-    beyond = _beyond_prior(search)
-    if beyond:
-        return beyond
-    nearly = _nearly(search, fit)
-    if nearly:
-        return nearly
+    return ""
+
+
+def _left(search: Search, outcome: Outcome, *, explained: bool) -> str:
+    """Return what the residual is, and in which part of the data."""
+    store, fit, first, last, c = search.store, outcome.nuisances, outcome.first, outcome.last, search.criteria
+    if last.unpaired:
+        return reasons.unpaired(last.unpaired)
+    part = _in_part(search, outcome)
+    if part:
+        return part
+    frequencies, _ = _misfits(store, fit)
     pattern = reasons.uneven(store.fitter, fit)
     if _dispersed(first, frequencies, c):
         few = len(store.fitter.log) < c.rows_to_set_aside
-        return reasons.scattered(frequencies.ratio, pattern, few)
+        return reasons.scattered(frequencies.ratio, pattern, few=few, explained=explained)
     if first.p_value > c.gate:
-        return reasons.small(first.p_candidates)
+        return reasons.small(_pointed(first), first.p_candidates)
     return reasons.real(frequencies.ratio, pattern)
+
+
+def _best_of_all(search: Search, outcome: Outcome) -> str:
+    """Return which explanation reduces the residual most, and why it is not claimed; empty if none does clearly.
+
+    A second cause is named if the data clearly ask for it.
+    """
+    store, c = search.store, search.criteria
+    better = store.criterion(outcome.nuisances) - c.survives
+    some = [fit for fit in _plain(store) if not fit.at_bound and store.criterion(fit) < better]
+    best = min(some, key=_priced(search), default=None)
+    if best is None:
+        return ""
+    gate = search.gate(best)
+    if gate.unpaired:
+        why = reasons.leaves_unmatched(gate.unpaired)
+    elif gate.p_value <= gate.level:
+        why = reasons.leaves(_larger(store, best), gate.p_value)
+    elif gate.p_unmeasured <= gate.level:
+        why = reasons.adds_modes()
+    elif gate.p_candidates <= gate.level:
+        why = reasons.leaves_direction(_pointed(gate), gate.p_candidates)
+    else:
+        return ""
+    return reasons.best_of_all(best.causes, why)
+
+
+def _pointed(gate: Gate) -> str:
+    """Return the candidate to which a residual points most clearly."""
+    return min(gate.scores.each, key=lambda one: one.p_value).candidate.name
+
+
+def _plain(store: FitStore) -> list[Fit]:
+    """Return the explanations tried without errors of the measurement and without remote causes."""
+    fits = store.tried()
+    return [fit for fit in fits if (h := fit.hypothesis).causes and not (h.remote or h.excluded or h.scatter)]
+
+
+def _priced(search: Search) -> Callable[[Fit], float]:
+    """Return the order of explanations: by their criterion, a second cause only where the data ask for it."""
+    store, price = search.store, search.criteria.told_apart
+    return lambda fit: store.criterion(fit) + price * len(fit.causes)
 
 
 def _beyond_prior(search: Search) -> str:
     """Return a reason if a single candidate would explain the data, but only with a value beyond its prior."""
     store, c = search.store, search.criteria
     explanations = []
-    for fit in store.tried():
-        h = fit.hypothesis
-        if len(h.causes) != 1 or h.remote or h.excluded or h.scatter:
+    for fit in _plain(store):
+        if len(fit.causes) != 1:
             continue
         index = store.fitter.indices(fit.causes[0])
         _, away = misfit.far_away(store, fit, index)
@@ -81,17 +140,16 @@ def _nearly(search: Search, first: Fit) -> str:
     store, (part, most) = search.store, search.criteria.nearly_all
     before = _larger(store, first)
     explanations = []
-    for fit in store.tried():
-        h = fit.hypothesis
-        if not h.causes or h.remote or h.excluded or h.scatter or fit.at_bound:
+    for fit in _plain(store):
+        if fit.at_bound:
             continue
         after = _larger(store, fit)
         if after <= min(part * before, most) and search.gate(fit).p_unmeasured > search.criteria.surely:
             explanations.append((fit, after))
     if not explanations:
         return ""
-    price = search.criteria.told_apart
-    best, after = min(explanations, key=lambda one: store.criterion(one[0]) + price * len(one[0].causes))
+    order = _priced(search)
+    best, after = min(explanations, key=lambda one: order(one[0]))
     return reasons.nearly(best.causes, before, after, store.p_value(best))
 
 

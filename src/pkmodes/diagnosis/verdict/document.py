@@ -146,12 +146,16 @@ class CandidateDocument(Document):
     p_value: Annotated[
         Probability,
         Meta(
-            description="p-value of its score at the refit of the uncertain values, for this candidate alone."
+            description="p-value of its score at the refit of the uncertain values, for this candidate alone: of "
+            "its best plausible change."
         ),
     ]
     detectable: Annotated[
         bool,
-        Meta(description="Whether a plausible change that moves a frequency by a tenth is detectable."),
+        Meta(
+            description="Whether these data show it, or would show a plausible change that moves a frequency by a "
+            "tenth."
+        ),
     ]
     visible_from: Annotated[
         dict[str, SizeDocument],

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from scipy import stats
 
+from pkmodes.base.numbers import plain
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
@@ -85,14 +86,14 @@ def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
         unit = "" if p.unit == "1" else f" {p.unit}"
         if free and abs(far) > fitter.criteria.far:
             yield (
-                f"{p.name} = {fit.values[i]:.4g}{unit} is {abs(far):.1f} sigma from its declared value "
-                f"({p.value:.4g}{unit}): the declared value or its sigma is wrong, or it compensates for a cause"
+                f"{p.name} = {plain(float(fit.values[i]), 4)}{unit} is {abs(far):.1f} sigma from its declared value, "
+                f"{plain(p.value, 4)}{unit}: the declared value or its sigma is wrong, or it compensates for a cause"
             )
     for i in fit.free:
         p = fitter.parameters[i]
         for bound in reached_bounds(p, fit.values[i], p.sigma or 0.0):
             if bound != p.value:
-                yield f"{p.name} is at its bound, {bound:.4g}"
+                yield f"{p.name} is at its bound, {plain(bound, 4)}"
 
 
 def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:

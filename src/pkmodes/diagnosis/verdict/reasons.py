@@ -8,11 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
+from pkmodes.base.numbers import p_in_words, p_text, plain, rounded
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.gate import Gate
-from pkmodes.diagnosis.verdict.result import Finding, p_in_words
+from pkmodes.diagnosis.verdict.result import Finding
 
 
 def noise(fit: Fit, lines: NDArray[np.int_]) -> str:
@@ -32,7 +33,7 @@ def adequate(gate: Gate, setting_aside: str) -> str:
     aside = f", with {setting_aside}" if setting_aside else ""
     return (
         f"the residual of the declared model is noise ({p_in_words(gate.p_value)}, "
-        f"and {gate.p_candidates:.2g} for the best candidate){aside}"
+        f"and {p_text(gate.p_candidates)} for the best candidate){aside}"
     )
 
 
@@ -129,8 +130,8 @@ def two_of_few(causes: Sequence[Candidate], rows: int, needed: int) -> str:
 def at_bound(cause: Candidate, value: float, sigma: float, bound: float) -> str:
     """Return the reason if the value of a cause is at a bound."""
     return (
-        f"{cause.name} would explain the residual, but its value, {value:.4g} +- {sigma:.2g}, is at its bound "
-        f"{bound:.4g}: something else may be the cause"
+        f"{cause.name} would explain the residual, but its value, {rounded(value, sigma)}, is at its bound "
+        f"{plain(bound, 4)}: something else may be the cause"
     )
 
 
@@ -144,7 +145,7 @@ def near_absence(cause: Candidate) -> str:
 
 def rests_on(cause: Candidate, line: int, label: str, frequency: float, value: float | None) -> str:
     """Return the reason if a cause or its value depends on a single row."""
-    without = "it would not be detected" if value is None else f"its value would be {value:.4g}"
+    without = "it would not be detected" if value is None else f"its value would be {plain(value, 4)}"
     return (
         f"{cause.name} would explain the residual, but depends on line {line} ({label}, {frequency:g} Hz) alone: "
         f"without that row, {without}; check the row"
@@ -243,24 +244,60 @@ def shapes_left(ratio: float, line: int) -> str:
 def beyond_prior(name: str, value: float, away: float) -> str:
     """Return the reason if only a candidate far beyond its prior explains the data."""
     return (
-        f"{name} = {value:.4g} would explain the data, but this is {away:.1f} sigma outside the range declared "
+        f"{name} = {plain(value, 4)} would explain the data, but this is {away:.1f} sigma outside the range declared "
         "plausible for it, and nothing else explains them"
     )
 
 
-def scattered(ratio: float, pattern: str, few: bool) -> str:
-    """Return the reason if the residual has no direction."""
+def scattered(ratio: float, pattern: str, *, few: bool, explained: bool) -> str:
+    """Return the reason if no candidate stands out from a residual of that size.
+
+    Parameters
+    ----------
+    explained : bool
+        Whether some explanation reduces it clearly if the stated errors are right.
+    """
     perhaps = "something outside the candidates, or stated errors that are too small"
     what = pattern or (perhaps if few else "perhaps the stated sigma is too small")
-    return f"the residual is {larger(ratio**0.5)} the stated errors and points to no candidate: {what}"
+    nowhere = "" if explained else " and points to no candidate"
+    return f"the residual is {larger(ratio**0.5)} the stated errors{nowhere}: {what}"
 
 
-def small(p_candidates: float) -> str:
+def small(name: str, p_candidates: float) -> str:
     """Return the reason if the residual is hardly more than noise."""
     return (
-        f"the residual is small but points to a candidate ({p_in_words(p_candidates)}), and no candidate explains "
-        "it well enough for a claim: measure more"
+        f"the residual is small but points to a candidate, {name} ({p_in_words(p_candidates)}), and no candidate "
+        "explains it well enough for a claim: measure more"
     )
+
+
+def best_of_all(causes: Sequence[Candidate], why: str) -> str:
+    """Return the clause on the best explanation, which is not claimed, and why it is not."""
+    sentences = " and ".join(
+        f"{cause.sentence} ({cause.name})" if cause.sentence else cause.name for cause in causes
+    )
+    that = "that " if causes[0].sentence else ""
+    return f"the best explanation, {that}{sentences}, is not claimed: {why}"
+
+
+def leaves(ratio: float, p_value: float) -> str:
+    """Return why an explanation is not claimed that leaves more than the stated errors."""
+    return f"it leaves a residual {larger(ratio**0.5)} the stated errors ({p_in_words(p_value)})"
+
+
+def leaves_unmatched(count: int) -> str:
+    """Return why an explanation is not claimed that leaves measured modes without a partner."""
+    return f"it leaves {count} measured mode{'' if count == 1 else 's'} unmatched"
+
+
+def adds_modes() -> str:
+    """Return why an explanation is not claimed that adds modes which should have been measured."""
+    return "it adds modes between the measured ones that were not measured"
+
+
+def leaves_direction(name: str, p_value: float) -> str:
+    """Return why an explanation is not claimed whose residual still points somewhere."""
+    return f"what it leaves still points to a candidate, {name} ({p_in_words(p_value)})"
 
 
 def nearly(causes: Sequence[Candidate], before: float, after: float, p_value: float) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from pkmodes.base.documents import Document
+from pkmodes.base.numbers import p_in_words, rounded
 from pkmodes.diagnosis.damping.outcome import Damping
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.document import (
@@ -166,18 +167,21 @@ class Examined:
     Attributes
     ----------
     p_value : float
-        p-value of its score at the refit of the nuisances, for this candidate alone.
+        p-value of its score at the refit of the nuisances, for this candidate alone: of its best plausible change.
     visible_from : tuple of Value
         Smallest change of each parameter that these data would probably show, with its standard deviation, beside
         what is claimed; none if it would not be plausible.
     detectable : bool
-        Whether these data would show a plausible change that moves a frequency by a tenth.
+        Whether these data show it, or would show a plausible change that moves a frequency by a tenth.
+    sentence : str
+        Physical meaning.
     """
 
     name: str
     p_value: float
     visible_from: tuple[Value, ...]
     detectable: bool
+    sentence: str = ""
 
 
 @dataclass(frozen=True)
@@ -273,11 +277,11 @@ class Diagnosis:
         for effect in self.effects:
             relative = effect.relative()
             values = [
-                f"{v.name} = {v.value:.4g} +- {v.sigma:.2g} {v.unit}".removesuffix(" 1")
+                f"{v.name} = {rounded(v.value, v.sigma)} {v.unit}".removesuffix(" 1")
                 for v in relative or effect.parameters
             ]
             also = " relative to their mean" if relative else ""
-            lines.append(f"cause: {effect.name} (p = {effect.p_value:.2g}): {', '.join(values)}{also}")
+            lines.append(f"cause: {effect.name} ({p_in_words(effect.p_value)}): {', '.join(values)}{also}")
             if len(effect.members) > 1:
                 lines.append(f"  these data cannot tell it from {', '.join(effect.members[1:])}")
         lines += [f"remains: {' or '.join(group)}" for group in self.survivors]
@@ -339,11 +343,6 @@ class Diagnosis:
             rows=list(map(RowDocument.of, self.rows)),
         )
         return document.as_json()
-
-
-def p_in_words(p_value: float) -> str:
-    """Return a p-value as text; it is never zero."""
-    return f"p = {p_value:.2g}" if p_value > 0.0 else "p < 1e-300"
 
 
 def key(v: Value) -> str:

@@ -1,0 +1,116 @@
+"""Numbers as people read them: values with their standard deviations, and p-values.
+
+A standard deviation has two significant digits, and its value is rounded to the same place: digits below that say
+nothing, and a single digit would round 0.15 to 0.2 (JCGM 100:2008, 7.2.6).  Both have the same power of ten, which is
+left out where all their digits can be read without it.  Programs read the exact numbers in the JSON.
+
+The text is ASCII, ``(1.92 +- 0.13)e-4``; `pkmodes.plots.labels.typeset` sets it as in print.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+#: Powers of ten of numbers that are written without one.
+PLAIN = range(-3, 6)
+#: Most zeros that stand for digits below the last significant one: 730 +- 210 has one.
+MOST_ZEROS = 1
+#: Most decimals: beyond that, a value does not hold the digits that its standard deviation asks for.
+MOST_DECIMALS = 12
+#: p-values below this are not told apart: what is left then depends on tails that nobody has checked.
+LEAST_P = 1e-6
+
+
+@dataclass(frozen=True)
+class Rounded:
+    """A value and its standard deviation, rounded to the same place.
+
+    Attributes
+    ----------
+    value, sigma : str
+        Their digits.
+    exponent : int
+        Power of ten by which both are multiplied; 0 for none.
+    """
+
+    value: str
+    sigma: str
+    exponent: int = 0
+
+    @property
+    def power(self) -> str:
+        """The power of ten after the digits, such as ``e-4``; empty for none."""
+        return f"e{self.exponent}" if self.exponent else ""
+
+    @property
+    def columns(self) -> tuple[str, str]:
+        """The value and its standard deviation by themselves, for columns of a table."""
+        return self.value + self.power, self.sigma + self.power
+
+    def __str__(self) -> str:
+        text = f"{self.value} +- {self.sigma}"
+        return f"({text}){self.power}" if self.exponent else text
+
+
+def rounded(value: float, sigma: float) -> Rounded:
+    """Round a value by its standard deviation, which has two significant digits.
+
+    Parameters
+    ----------
+    value, sigma : float
+        A standard deviation that is 0, not finite, or below the digits of the value rounds nothing.
+    """
+    if not (math.isfinite(value) and math.isfinite(sigma) and sigma > 0.0):
+        return Rounded(plain(value), plain(sigma, 2))
+    place = _exponent(sigma, 2) - 1  # of the last digit
+    exponent = max(_exponent(value, _digits(value, place)), place + 1)
+    shift = 0 if exponent in PLAIN and place <= MOST_ZEROS else exponent
+    decimals = shift - place
+    if decimals > MOST_DECIMALS:
+        return Rounded(plain(value, MOST_DECIMALS), plain(sigma, 2))
+    texts = (f"{round(_scaled(one, shift), decimals):.{max(decimals, 0)}f}" for one in (value, sigma))
+    first, second = (_unsigned(text) for text in texts)
+    return Rounded(first, second, shift)
+
+
+def plain(value: float, digits: int = 6) -> str:
+    """Return a number with at most some significant digits, and a power of ten where it needs one: ``2.42e6``."""
+    if not math.isfinite(value) or not value:
+        return _unsigned(f"{value:g}")
+    exponent = _exponent(value, digits)
+    shift = 0 if exponent in PLAIN and exponent - digits + 1 <= MOST_ZEROS else exponent
+    decimals = digits - 1 - exponent + shift
+    text = f"{round(_scaled(value, shift), decimals):.{max(decimals, 0)}f}"
+    text = text.rstrip("0").rstrip(".") if "." in text else text
+    return f"{text}e{shift}" if shift else text
+
+
+def p_in_words(p_value: float) -> str:
+    """Return a p-value as text: ``p = 0.0024``, ``p < 1e-6``."""
+    return f"p {p_text(p_value)}" if p_value < LEAST_P else f"p = {p_text(p_value)}"
+
+
+def p_text(p_value: float) -> str:
+    """Return a p-value without its name: ``0.0024``, ``< 1e-6``."""
+    return f"< {plain(LEAST_P)}" if p_value < LEAST_P else plain(p_value, 2)
+
+
+def _exponent(value: float, digits: int) -> int:
+    """Return the power of ten of a number rounded to some significant digits; a very small one for 0."""
+    return int(f"{value:.{max(digits, 1) - 1}e}".partition("e")[2]) if value else -(10**6)
+
+
+def _digits(value: float, place: int) -> int:
+    """Return the number of significant digits of a value down to a decimal place."""
+    return math.floor(math.log10(abs(value))) - place + 1 if value else 1
+
+
+def _scaled(value: float, shift: int) -> float:
+    """Return a value divided by a power of ten, without the rounding of that power."""
+    return float(f"{value!r}e{-shift}") if "e" not in repr(value) else value / 10.0**shift
+
+
+def _unsigned(text: str) -> str:
+    """Return the text of a number without the sign of a zero."""
+    return text.lstrip("-") if not any(c in "123456789" for c in text.partition("e")[0]) else text

@@ -1,0 +1,39 @@
+"""The order of labels in tables and figures: as people count, P2 before P10, and -0.5 mm before +0.0 mm."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+#: A number with its unit, as the whole of a label; a number within one.
+QUANTITY = re.compile(r"\s*([+\-\u2212]?\d+(?:\.\d+)?)\s*(\D*?)\s*")
+NUMBER = re.compile(r"(\d+(?:\.\d+)?)")
+
+
+def in_order(labels: Sequence[str]) -> list[int]:
+    """Return the places of labels in their natural order.
+
+    Labels that are numbers of one unit are in the order of these numbers, and others in that of the numbers within
+    them.  If any has no number, all stay in the order given, which is that of their file.
+    """
+    places = list(range(len(labels)))
+    whole = [QUANTITY.fullmatch(label) for label in labels]
+    quantities = [(found[1], found[2]) for found in whole if found is not None]
+    if len(quantities) == len(labels) and len({unit for _, unit in quantities}) == 1:
+        values = [float(digits.replace("\u2212", "-")) for digits, _ in quantities]
+        return sorted(places, key=lambda i: values[i])
+    if not all(NUMBER.search(label) for label in labels):
+        return places
+    return sorted(places, key=lambda i: _key(labels[i]))
+
+
+def sorted_labels(labels: Iterable[str]) -> list[str]:
+    """Return labels in their natural order."""
+    given = list(labels)
+    return [given[i] for i in in_order(given)]
+
+
+def _key(label: str) -> list[tuple[float, str]]:
+    """Return texts and numbers of a label by turns; numbers come in the order of their values."""
+    parts = NUMBER.split(label)
+    return [(float(part), "") if k % 2 else (-1.0, part.casefold()) for k, part in enumerate(parts)]

@@ -1,0 +1,85 @@
+"""Which candidates the data can show: one definition, for the JSON, the table, the chart and the list.
+
+A candidate is *detectable* if one of these holds:
+
+* it is claimed, in the class of a claim, or remains as an explanation;
+* the residual of the refitted model shows it: its score is significant;
+* the data would show it: the smallest change of it that they would probably show, beside what is claimed, is
+  plausible and moves no measured frequency by more than a tenth, and they bound it.
+
+Only plausible changes count, those in the range in which limits are sought (`search.ranges`); the score too is that
+of the best change within it.  A candidate nearly parallel to an uncertain value, such as gravity, would otherwise
+seem significant at a size that no machine has.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+import numpy as np
+from scipy import stats
+
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.search.score import Score, Scores, one_sided
+from pkmodes.diagnosis.verdict.result import Examined, Value
+
+
+def examined(
+    fitter: Fitter,
+    first: Scores,
+    last: Scores,
+    plausible: Mapping[int, float],
+    *,
+    shown: Collection[str],
+    unbounded: Collection[str],
+) -> tuple[Examined, ...]:
+    """Return the test of each candidate, its smallest visible change, and whether it is detectable.
+
+    Parameters
+    ----------
+    first, last : Scores
+        Before any claim, and beside the claims.
+    plausible : mapping of int to float
+        Largest plausible deviation of each parameter.
+    shown : collection of str
+        Candidates that are claimed, in the class of a claim, or remain.
+    unbounded : collection of str
+        Candidates that the data do not bound.
+    """
+    c, beside = fitter.criteria, {one.candidate.name: one for one in last.each}
+    found = []
+    for tested in first.each:
+        name, index = tested.candidate.name, fitter.indices(tested.candidate)
+        one = tested if name in shown else beside.get(name, tested)
+        most = np.array([plausible.get(i, np.inf) for i in index])
+        p_value = p_of_plausible(fitter, tested, most)
+        sizes = c.seen * one.sigma
+        visible = one.visible and name not in unbounded and bool((np.isfinite(sizes) & (sizes <= most)).all())
+        small = visible and bool((sizes * one.largest <= c.noticeable).all())
+        parameters = [fitter.parameters[i] for i in index] if visible else []
+        values = tuple(
+            Value(p.name, float(size), float(size / c.seen), p.unit)
+            for p, size in zip(parameters, sizes, strict=bool(parameters))
+        )
+        seen = name in shown or p_value <= c.surely
+        found.append(Examined(name, p_value, values, seen or small, tested.candidate.sentence))
+    return tuple(found)
+
+
+def p_of_plausible(fitter: Fitter, tested: Score, most: Array) -> float:
+    """Return the p-value of a score, of the best change within the plausible range.
+
+    A change by a part t of the step to the best one gains t (2 - t) of its decrease of chi2.
+
+    Parameters
+    ----------
+    most : ndarray, shape (k,)
+        Largest plausible deviations.
+    """
+    step = np.abs(tested.step)
+    part = float(np.min(np.where(step > most, most / np.where(step > 0.0, step, 1.0), 1.0), initial=1.0))
+    if part >= 1.0:
+        return tested.p_value
+    p = float(stats.chi2.sf(tested.gain * part * (2.0 - part), max(int((step > 0.0).sum()), 1)))
+    return 0.5 * p if one_sided(fitter, tested.candidate) else p

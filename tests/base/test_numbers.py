@@ -1,0 +1,102 @@
+"""Numbers as people read them: a standard deviation has two digits, and its value ends at the same place."""
+
+from __future__ import annotations
+
+import re
+from decimal import Decimal
+
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from pkmodes.base.numbers import p_in_words, plain, rounded
+from pkmodes.plots.labels import typeset
+
+#: What a rounded number with its standard deviation looks like.
+FORM = re.compile(r"\((-?\d+(?:\.\d+)?) \+- (\d+(?:\.\d+)?)\)e(-?\d+)|(-?\d+(?:\.\d+)?) \+- (\d+(?:\.\d+)?)")
+SIZES = st.floats(1e-30, 1e30)
+#: Values with at most ten digits above the last one of the standard deviation.
+RATIOS = st.floats(-1e8, 1e8)
+
+
+def parts(text: str) -> tuple[str, str, int]:
+    found = FORM.fullmatch(text)
+    assert found, text
+    value, sigma, power, own, its = found.groups()
+    return (value, sigma, int(power)) if power else (own, its, 0)
+
+
+@given(sigma=SIZES, ratio=RATIOS)
+@example(sigma=0.0996, ratio=100.0)
+@example(sigma=99.7, ratio=10.0)
+@example(sigma=0.013, ratio=0.0)
+@example(sigma=4.0, ratio=-1e-10)
+def test_both_end_at_the_second_digit_of_the_standard_deviation(sigma: float, ratio: float) -> None:
+    value = sigma * ratio
+    digits, spread, power = parts(str(rounded(value, sigma)))
+    exact, of_sigma = Decimal(value).scaleb(-power), Decimal(sigma).scaleb(-power)
+    seen, its = Decimal(digits), Decimal(spread)
+    assert abs(its - of_sigma) <= Decimal("0.0501") * of_sigma  # two digits: at most half of one in ten
+    significant = spread.replace(".", "").lstrip("0")
+    assert len(significant) == 2 or (
+        len(significant) == 3 and significant.endswith("0") and "." not in spread
+    )
+    unit = Decimal(1).scaleb(its.adjusted() - 1)
+    assert abs(seen - exact) <= Decimal("0.5000001") * unit
+    assert seen % unit == 0
+    assert seen.as_tuple().exponent == its.as_tuple().exponent
+    assert digits.lstrip("-0.") or not digits.startswith("-")  # no minus zero
+    if not power:
+        assert len(digits.lstrip("-").partition(".")[0]) <= 6
+
+
+@pytest.mark.parametrize(
+    ("value", "sigma", "text", "print_"),
+    [
+        (1.9234e-4, 1.31e-5, "(1.92 +- 0.13)e-4", "(1.92 \u00b1 0.13)\u2009\u00d7\u200910\u207b\u2074"),
+        (1.4969, 0.0132, "1.497 +- 0.013", "1.497 \u00b1 0.013"),
+        (1.27396e6, 3.8e4, "(1.274 +- 0.038)e6", "(1.274 \u00b1 0.038)\u2009\u00d7\u200910\u2076"),
+        (732.0, 214.0, "730 +- 210", "730 \u00b1 210"),
+        (20900.0, 3400.0, "(2.09 +- 0.34)e4", "(2.09 \u00b1 0.34)\u2009\u00d7\u200910\u2074"),
+        (-0.0512, 0.3, "-0.05 +- 0.30", "\u22120.05 \u00b1 0.30"),
+        (0.0, 0.01, "0.000 +- 0.010", "0.000 \u00b1 0.010"),
+        (5.0, 0.0, "5 +- 0", "5 \u00b1 0"),
+    ],
+)
+def test_as_it_is_printed(value: float, sigma: float, text: str, print_: str) -> None:
+    assert str(rounded(value, sigma)) == text
+    assert typeset(text) == print_
+
+
+def test_columns_of_a_table_share_the_power_of_ten() -> None:
+    assert rounded(1.9234e-4, 1.31e-5).columns == ("1.92e-4", "0.13e-4")
+    assert rounded(29.97661, 0.0601).columns == ("29.977", "0.060")
+
+
+@given(value=st.floats(allow_nan=False, allow_infinity=False), digits=st.integers(1, 12))
+def test_a_plain_number_is_right_to_its_digits_and_has_no_padding(value: float, digits: int) -> None:
+    text = plain(value, digits)
+    exact, seen = Decimal(value), Decimal(text)
+    assert abs(seen - exact) <= Decimal("0.5000001") * Decimal(1).scaleb(exact.adjusted() - digits + 1)
+    assert re.fullmatch(r"-?\d+(\.\d*[1-9])?(e-?[1-9]\d*)?", text)
+
+
+def test_integers_and_large_values_are_readable() -> None:
+    values = (15.0, 2.42e6, 1e6, 1.7e-5, 123456.0, 0.5, 730.4)
+    assert [plain(value) for value in values[:-1]] == ["15", "2.42e6", "1e6", "1.7e-5", "123456", "0.5"]
+    assert plain(values[-1], 2) == "730"
+    assert plain(12345.0, 2) == "1.2e4"
+
+
+@pytest.mark.parametrize(
+    ("p", "text"),
+    [
+        (0.93, "p = 0.93"),
+        (0.0024, "p = 0.0024"),
+        (1.1e-6, "p = 1.1e-6"),
+        (9e-7, "p < 1e-6"),
+        (0.0, "p < 1e-6"),
+    ],
+)
+def test_p_values_below_a_millionth_are_not_told_apart(p: float, text: str) -> None:
+    assert p_in_words(p) == text

@@ -1,0 +1,28 @@
+"""Labels stand in the order in which people count."""
+
+from __future__ import annotations
+
+import pytest
+
+from pkmodes.base.ordering import in_order, sorted_labels
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        (["P10", "P2", "P1"], ["P1", "P2", "P10"]),
+        (["+0.5 mm", "-0.5 mm", "+1.0 mm", "+0.0 mm"], ["-0.5 mm", "+0.0 mm", "+0.5 mm", "+1.0 mm"]),
+        (["18.4 N", "4.6 N", "8.2 N"], ["4.6 N", "8.2 N", "18.4 N"]),
+        (["row 2 left", "row 10 left", "row 2 right"], ["row 2 left", "row 2 right", "row 10 left"]),
+        (["front", "centre", "P1"], ["front", "centre", "P1"]),  # no number: the order of the file
+        (["9 mm", "10 m"], ["9 mm", "10 m"]),
+        ([], []),
+    ],
+)
+def test_the_order(given: list[str], expected: list[str]) -> None:
+    assert sorted_labels(given) == expected
+    assert sorted(in_order(given)) == list(range(len(given)))
+
+
+def test_equal_labels_keep_their_order() -> None:
+    assert in_order(["1.0 mm", "1 mm", "0 mm"]) == [2, 0, 1]

@@ -1,0 +1,148 @@
+"""What the data can show: one value in the JSON, the table and the list; why the best explanation is not claimed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from helpers.diagnoses.verdict_examples import VERDICTS
+from helpers.pages.page_reading import read
+from helpers.pages.report_examples import diagnosed
+from helpers.robots.small_structures import log_linear, logs_measured
+from pkmodes import read_robot, updating
+from pkmodes.diagnosis import Candidate, Diagnosis, Parameter
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.search.score import Score, Scores
+from pkmodes.diagnosis.verdict.detectable import examined
+from pkmodes.diagnosis.verdict.result import Examined
+from pkmodes.report import report
+
+ROOT = Path(__file__).parents[2]
+#: p-value of a score that no chance explains.
+SIGNIFICANT = 1e-3
+
+
+def example(name: str) -> Diagnosis:
+    robot = read_robot(ROOT / f"examples/{name}/robot.toml")
+    data = updating.read(ROOT / f"examples/{name}/measured.csv", robot=robot)
+    return updating.diagnose(robot, data)
+
+
+@pytest.fixture(scope="module")
+def voron() -> Diagnosis:
+    return example("voron")
+
+
+@pytest.fixture(scope="module", params=VERDICTS)
+def made(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[Diagnosis, str]:
+    result, robot, data = diagnosed(request.param, tmp_path_factory.mktemp("made"))
+    return result, report(result, robot=robot, data=data)
+
+
+def by_name(result: Diagnosis) -> Mapping[str, Examined]:
+    return {one.name: one for one in result.candidates}
+
+
+def expect_one_value(result: Diagnosis) -> None:
+    shown = {name for effect in result.effects for name in effect.members}
+    shown |= {name for group in result.survivors for each in group for name in each.split(" + ")}
+    tested = by_name(result)
+    assert set(result.undetectable) >= {name for name, one in tested.items() if not one.detectable}
+    assert not set(result.undetectable) & {name for name, one in tested.items() if one.detectable}
+    for name, one in tested.items():
+        assert one.detectable or (one.p_value > SIGNIFICANT and name not in shown), name
+
+
+def test_every_verdict_calls_the_same_candidates_detectable(made: tuple[Diagnosis, str]) -> None:
+    result, html = made
+    expect_one_value(result)
+    content: Any = result.as_json()
+    assert {one["name"]: one["detectable"] for one in content["candidates"]} == {
+        name: one.detectable for name, one in by_name(result).items()
+    }
+    if result.candidates:
+        said = [item.text for item in read(html).by_id("candidates").all("li")]
+        assert said == content["undetectable"]
+
+
+def test_a_candidate_to_which_the_residual_points_is_detectable_although_it_would_have_to_be_large(
+    voron: Diagnosis,
+) -> None:
+    expect_one_value(voron)
+    tension = by_name(voron)["belt_tension_stiffness"]
+    assert tension.p_value < 1e-100
+    assert tension.detectable
+    assert "belt_tension_stiffness" not in voron.undetectable
+
+
+def test_the_best_explanation_that_is_not_claimed_is_named_with_the_reason_why(voron: Diagnosis) -> None:
+    assert voron.verdict == "unexplained"
+    assert "points to no candidate" not in voron.reason
+    left = voron.reason.partition("; the best explanation, ")[2]
+    assert left.startswith(
+        "that the stiffness of the belts increases with their tension (belt_tension_stiffness), is not claimed: it "
+        "leaves a residual 2.9 times as large as the stated errors (p < 1e-6)"
+    )
+
+
+def test_gravity_does_not_seem_significant_at_a_size_that_no_machine_has() -> None:
+    """Its signature is nearly that of a mass: the unbounded score has p = 5e-16, at ten times g."""
+    found = example("closed_loop")
+    expect_one_value(found)
+    gravity = by_name(found)["parameter:gravity.z"]
+    assert (gravity.detectable, gravity.visible_from) == (False, ())
+    assert gravity.p_value > 0.01
+
+
+#: A parameter whose score asks for 8 standard deviations.
+Z = 8.0
+
+
+def one_examined(
+    most: float, *, z: float = Z, largest: float = 1e-3, shown: bool = False, lower: float = -np.inf
+) -> Examined:
+    """One candidate of unit standard deviation, plausible up to some size."""
+    candidate = Candidate("a", ("a",))
+    model = log_linear(np.random.default_rng(1), 4, 3, [Parameter("a", 0.0, lower=lower)], [candidate])
+    fitter = Fitter(model, logs_measured(model.base, 0.002))
+    p = float(stats.norm.sf(z) if np.isfinite(lower) else stats.chi2.sf(z**2, 1))
+    one = Score(candidate, p, z**2, np.array([z]), np.ones(1), np.array([largest]), visible=True)
+    scores = Scores((one,), ())
+    (found,) = examined(fitter, scores, scores, {0: most}, shown={"a"} if shown else set(), unbounded=set())
+    return found
+
+
+def test_the_score_is_that_of_the_best_plausible_change() -> None:
+    """The sum of squares at the size t is (z - t)^2 above its least."""
+    assert one_examined(9.0).p_value == pytest.approx(stats.chi2.sf(Z**2, 1))
+    for t in (0.5, 1.0, 3.0):
+        gain = Z**2 - (Z - t) ** 2
+        assert one_examined(t).p_value == pytest.approx(stats.chi2.sf(gain, 1), rel=1e-12)
+        assert one_examined(t, lower=0.0).p_value == pytest.approx(stats.norm.sf(np.sqrt(gain)), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("most", "z", "largest", "detectable", "visible"),
+    [
+        (100.0, 0.1, 1e-3, True, True),  # a change of half a per cent would be seen
+        (100.0, 0.1, 0.03, False, True),  # only one of 15 % would
+        (100.0, 8.0, 0.03, True, True),  # and is
+        (4.0, 0.1, 1e-3, False, False),  # only one that is not plausible would
+        (0.5, 8.0, 1e-3, False, False),  # and what is seen is not plausible
+    ],
+)
+def test_only_a_plausible_change_counts(
+    most: float, z: float, largest: float, detectable: bool, visible: bool
+) -> None:
+    found = one_examined(most, z=z, largest=largest)
+    assert (found.detectable, bool(found.visible_from)) == (detectable, visible)
+
+
+def test_a_member_of_a_claimed_class_is_detectable_but_visible_from_no_implausible_size() -> None:
+    found = one_examined(4.0, z=0.1, shown=True)
+    assert (found.detectable, found.visible_from) == (True, ())
