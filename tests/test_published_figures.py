@@ -41,6 +41,48 @@ def test_the_table_of_the_page_is_what_the_study_finds(claims: Any) -> None:
         assert rows[-1][column] == f"**{agree} of {len(rows) - 1}**"
 
 
+def test_the_sentences_of_the_page_have_the_numbers_of_the_study(claims: Any) -> None:
+    page = (ROOT / "docs/figures.md").read_text(encoding="utf-8")
+    assert len(claims.PARTS) == 3
+    for begin, part in claims.PARTS.items():
+        (shown,) = re.findall(re.escape(begin) + r"\n(.*?)" + re.escape(claims.END), page, re.S)
+        for one, other in zip(shown.splitlines(), part().splitlines(), strict=True):
+            same(one, other, fit=True)
+
+
+def test_the_median_condition_number_hardly_depends_on_the_spacing_and_the_mean_does(claims: Any) -> None:
+    means, medians, area = claims.sentences.condition_numbers()
+    assert np.ptp(means) > 1.0
+    assert np.ptp(medians) < 0.05
+    # The picture's median, over the plane of docs/figures/identified.
+    model = pkmodes.load(ROOT / "robots/linear-delta-2022-identified.toml")
+    found = model.map(claims.sentences.PLANE)["condition"].values
+    assert np.nanmedian(found) == pytest.approx(medians[0], abs=0.05)
+    assert area == pytest.approx(np.isfinite(found).sum() * 0.01**2, rel=0.05)
+
+
+def test_the_page_says_of_the_links_what_its_picture_shows(claims: Any) -> None:
+    """Against differences at the poses of a coarse grid of the same plane."""
+    model = pkmodes.load(ROOT / "robots/linear-delta-2022-identified.toml")
+    grid = {**claims.sentences.PLANE, "x": np.linspace(0.29, 1.23, 48), "y": np.linspace(-0.16, 0.16, 17)}
+    length, step = model.robot.quantities["link.length"].value, 1e-6
+    up, down = (
+        np.log(model.with_values({"link.length": length * (1 + s)}).map(grid)["frequency"].values)
+        for s in (step, -step)
+    )
+    change = ((up - down) / (2 * step)).reshape(-1, 6)
+    expected = np.median(change[np.isfinite(change).all(axis=1)], axis=0)
+    text = claims.sentences.influences()
+    found = re.search(
+        r"length of the links matters most in modes (\d) \((.*?)\) and (\d) \((.*?)\)", " ".join(text.split())
+    )
+    assert found
+    first, second = np.argsort(-np.abs(expected))[:2]
+    assert (int(found[1]), int(found[3])) == (first + 1, second + 1)
+    for shown, value in ((found[2], expected[first]), (found[4], expected[second])):
+        assert float(shown.replace("\u2212", "-")) == pytest.approx(value, abs=0.05)
+
+
 @pytest.mark.parametrize("name", ["identified", "declared"])
 def test_the_page_has_its_pictures(name: str) -> None:
     page = (ROOT / "docs/figures.md").read_text(encoding="utf-8")

@@ -2,14 +2,16 @@
 
     python docs/studies/published_figures/claims.py
 
-writes the table in docs/figures.md.  "Upper" and "lower" are the ends of the rails with large and small x, as in the
-published tables (docs/published-tables.md); the paper calls this direction y in section 5 and x in section 2.
+writes the table in docs/figures.md, and the sentences with numbers below it (sentences.py).  "Upper" and "lower" are
+the ends of the rails with large and small x, as in the published tables (docs/published-tables.md); the paper calls
+this direction y in section 5 and x in section 2.
 """
 
 from __future__ import annotations
 
 import frequencies as f
 import motions as m
+import sentences
 from answers import Check
 from working_area import CASES, ROOT, area_of
 
@@ -75,12 +77,22 @@ def table() -> str:
     return "\n".join(lines) + "\n"
 
 
+#: What the page has from here, by its first line; each part ends with `END`.
+PARTS = {
+    BEGIN: table,
+    "<!-- begin: written by differences() of docs/studies/published_figures/sentences.py -->": sentences.differences,
+    "<!-- begin: written by influences() of docs/studies/published_figures/sentences.py -->": sentences.influences,
+}
+
+
 def main() -> None:
-    """Write the table."""
+    """Write the table and the sentences."""
     text = PAGE.read_text(encoding="utf-8")
-    before, rest = text.split(BEGIN)
-    _, after = rest.split(END)
-    PAGE.write_text(f"{before}{BEGIN}\n{table()}{END}{after}", encoding="utf-8")
+    for begin, part in PARTS.items():
+        before, rest = text.split(begin)
+        _, after = rest.split(END, maxsplit=1)
+        text = f"{before}{begin}\n{part()}{END}{after}"
+    PAGE.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

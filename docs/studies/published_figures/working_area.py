@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -88,6 +89,7 @@ class Area:
         return float(change.max() / np.ptp(line)), self.place(int(change.argmax()) + step // 2)
 
 
+@cache
 def area_of(case: Case) -> Area:
     """Evaluate a robot over its working area."""
     model = pkmodes.load(ROOT / "robots" / f"{case.name}.toml")

@@ -83,7 +83,7 @@ def workspace(plane: Plane, volume: Volume | None) -> Figure | str:
 
 
 def _median(plane: Plane, condition: Array) -> str:
-    """Return the median and its area: a mean would grow without bound as the poses come nearer to a singular edge."""
+    """Return the median and its area: poses next to a singular edge would decide a mean."""
     finite = condition[np.isfinite(condition)]
     if not len(finite):
         return ""
