@@ -29,6 +29,8 @@ OF_SOME = (
     *("carriage_positions", "set", "damping", "sigma_damping", "predicted_damping"),
     *("damping_before", "damping_after", "damping_used"),
 )
+#: What a command writes for other arguments.
+OTHER = {"compare-robots"}
 LOOP = [str(ROOT / "examples" / "closed_loop" / name) for name in ("robot.toml", "measured.csv")]
 POSE = ["--pose", "0.6,0.03,-0.245"]
 
@@ -96,9 +98,9 @@ def test_a_document_is_plain_json() -> None:
 
 
 def test_every_command_has_a_schema_that_is_one_and_a_section_with_its_keys() -> None:
-    assert SCHEMAS.keys() == cli.commands.keys()
+    assert SCHEMAS.keys() == {*cli.commands, *OTHER}
     text = (ROOT / "docs" / "json.md").read_text(encoding="utf-8")
-    sections = dict(re.findall(r"^### (\w+)\n(.*?)(?=^### |\Z)", text, flags=re.DOTALL | re.MULTILINE))
+    sections = dict(re.findall(r"^### ([\w-]+)\n(.*?)(?=^### |\Z)", text, flags=re.DOTALL | re.MULTILINE))
     assert sections.keys() == SCHEMAS.keys()
     for command in SCHEMAS:
         described = schema(command)
@@ -179,6 +181,17 @@ def test_compare(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert alone["p_value"] is None
     assert alone["rows"][0]["partner"] is None
     expect_described("compare", alone)
+
+
+def test_compare_of_two_robots(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    grid = ["--grid", "x=0.5:0.7:3,y=0:0.02:2,z=-0.245"]
+    other = tmp_path / "other.toml"
+    text = edited("1.5 kg", "1.6 kg") + '\n[effects.servo_stiffness]\nstiffness = "300 N*m/rad"\n'
+    other.write_text(text, encoding="utf-8")
+    for files in ([str(PUBLISHED), str(other)], [str(other), str(PUBLISHED)]):
+        found = result(capsys, "compare", *files, *grid)
+        assert found["values"]
+        expect_described("compare-robots", found)
 
 
 def test_what_is_set_is_described(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,4 +1,4 @@
-"""``pkmodes compare``: predicted and measured modes, paired, with residuals and their significance."""
+"""``pkmodes compare``: a robot with its measurements, paired and with their significance, or with another robot."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from msgspec import Meta, field
 
 from pkmodes.base.documents import Count, Document, Number, Probability, Settings, Size
 from pkmodes.base.drives import Drives
+from pkmodes.cli.compare_robots import compare_robots
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import (
     band_of,
@@ -20,6 +21,7 @@ from pkmodes.cli.options import (
     mechanism_option,
     report_option,
 )
+from pkmodes.cli.poses import grid_option, poses_option
 from pkmodes.cli.reporting import page_of, report_file, sources_of
 from pkmodes.cli.targets import check_targets, report_target
 from pkmodes.model.loading import read_robot
@@ -91,10 +93,13 @@ class CompareDocument(Document):
 
 
 @click.command(
-    epilog="\b\nExample:\n  pkmodes compare examples/closed_loop/robot.toml examples/closed_loop/measured.csv"
+    epilog="\b\nExamples:\n  pkmodes compare examples/closed_loop/robot.toml examples/closed_loop/measured.csv\n"
+    "  pkmodes compare robots/linear-delta-2022.toml robots/linear-delta-2022-identified.toml"
 )
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
-@click.argument("modes", metavar="MODES.csv", type=click.Path(path_type=Path))
+@click.argument("modes", metavar="MODES.csv|ROBOT.toml", type=click.Path(path_type=Path))
+@grid_option
+@poses_option
 @band_option
 @measured_drives_option
 @mechanism_option
@@ -102,26 +107,37 @@ class CompareDocument(Document):
     "--all",
     "everything",
     is_flag=True,
-    help="Print every measured mode, not only those that differ most.",
+    help="Print every measured mode, or every value of two robots, not only those that differ most.",
 )
 @report_option
 @json_option
 def compare(
     robot: Path,
     modes: Path,
+    grid: str | None,
+    poses: Path | None,
     band: str | None,
     drives: str | None,
     everything: bool,
     report_to: Path | None,
     json_file: str | None,
 ) -> None:
-    """Compare predicted and measured modes without fitting anything.
+    """Compare predicted and measured modes without fitting anything, or two robots.
 
     Measured modes are paired with predicted modes by frequency and, if measured, by shape.  The exit code is 0
     however much they differ; scripts can use p_value in the JSON, or diagnose --fail-on.
+
+    Two robot files are compared by what they declare and by their frequencies at the poses that both can reach: of
+    --grid or --poses, by default of their workspaces.  Modes are paired by their shapes.
     """
     check_order(robot, modes, "pkmodes compare")
-    check_targets(json_file, [robot, modes], report_target(report_to))
+    check_targets(json_file, [robot, modes, *([poses] if poses else [])], report_target(report_to))
+    if modes.suffix.lower() == ".toml":
+        _refuse(band, "--band", "is of measurements, and two robots are compared")
+        compare_robots((robot, modes), grid, poses, drives, everything, report_to, json_file)
+        return
+    _refuse(grid, "--grid", "is for two robots; measurements have their own poses")
+    _refuse(poses, "--poses", "is for two robots; measurements have their own poses")
     from pkmodes import updating  # SciPy is loaded only where it is used
     from pkmodes.cli.comparison_tables import show
 
@@ -137,3 +153,9 @@ def compare(
     )
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))
     deliver(json_file, document.as_json(), lambda: show(declared, modes, result, everything), report)
+
+
+def _refuse(value: object, option: str, why: str) -> None:
+    """Refuse an option that does not belong to what is compared."""
+    if value is not None:
+        raise click.UsageError(f"{option} {why}", click.get_current_context())

@@ -11,6 +11,7 @@ from pkmodes.base.drives import motors
 from pkmodes.base.numbers import p_in_words
 from pkmodes.base.ordering import sorted_labels
 from pkmodes.cli.diagnosis_tables import setting
+from pkmodes.cli.printing import signed
 from pkmodes.cli.terminal import Terminal
 
 if TYPE_CHECKING:
@@ -98,10 +99,10 @@ def _by_mode(terminal: Terminal, result: Comparison) -> None:
             [
                 str(partner - result.rigid),
                 str(len(mine)),
-                f"{np.median(differences):+.2f}",
+                signed(float(np.median(differences))),
                 f"{np.sqrt(np.mean(differences**2)):.2f}",
-                f"{100.0 * (largest.residual or 0.0):+.2f}",
-                f"{largest.sigmas or 0.0:+.1f}",
+                signed(100.0 * (largest.residual or 0.0)),
+                signed(largest.sigmas or 0.0, 1),
                 str(largest.line),
                 *(
                     [_median(row.damping for row in mine), _median(row.predicted_damping for row in mine)]
@@ -205,8 +206,8 @@ def _numbers(row: ComparedRow, rigid: int) -> list[str]:
         _hertz(row.measured),
         _hertz(row.sigma),
         "" if row.predicted is None else _hertz(row.predicted),
-        "" if row.residual is None else f"{100.0 * row.residual:+.2f}",
-        "" if row.sigmas is None else f"{row.sigmas:+.1f}",
+        "" if row.residual is None else signed(100.0 * row.residual),
+        "" if row.sigmas is None else signed(row.sigmas, 1),
     ]
 
 

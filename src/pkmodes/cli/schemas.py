@@ -10,6 +10,7 @@ from pkmodes.base.documents import Document, schema_of
 from pkmodes.base.writing import write_files
 from pkmodes.cli.check import CheckDocument
 from pkmodes.cli.compare import CompareDocument
+from pkmodes.cli.compare_robots import RobotsDocument
 from pkmodes.cli.figures import FiguresDocument
 from pkmodes.cli.generate import GenerateDocument
 from pkmodes.cli.identify import IdentifyDocument
@@ -21,7 +22,7 @@ from pkmodes.cli.shaper import ShaperDocument
 from pkmodes.cli.show import ShowDocument
 from pkmodes.diagnosis.verdict.document import DiagnoseDocument
 
-#: What each command writes.
+#: What each command writes; `compare` writes the second where it compares two robots.
 DOCUMENTS: dict[str, type[Document]] = {
     "generate": GenerateDocument,
     "check": CheckDocument,
@@ -34,6 +35,7 @@ DOCUMENTS: dict[str, type[Document]] = {
     "shaper": ShaperDocument,
     "identify": IdentifyDocument,
     "compare": CompareDocument,
+    "compare-robots": RobotsDocument,
     "diagnose": DiagnoseDocument,
 }
 
@@ -41,7 +43,9 @@ DOCUMENTS: dict[str, type[Document]] = {
 def schema_files() -> dict[str, str]:
     """Return the schema of each command by the name of its file."""
     return {
-        f"{command}.schema.json": json.dumps(schema_of(document, f"pkmodes {command} --json"), indent=1)
+        f"{command}.schema.json": json.dumps(
+            schema_of(document, f"pkmodes {command.partition('-')[0]} --json"), indent=1
+        )
         + "\n"
         for command, document in DOCUMENTS.items()
     }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -43,11 +44,19 @@ def reachable(model: Kinematics, poses: int = POSES) -> Grid:
     PoseError
         If no pose was found.
     """
+    return reachable_by([model], poses)
+
+
+def reachable_by(models: Sequence[Kinematics], poses: int = POSES) -> Grid:
+    """Return a grid over the workspaces of several robots of one mechanism together: see `reachable`."""
     say("looking for the workspace")
-    low, high = usable_box(model)
-    limits = limits_of(model.mechanism, model.robot.usable)
-    names = [component.name for component in model.mechanism.pose]
-    units = [component.unit for component in model.mechanism.pose]
+    boxes = [usable_box(model) for model in models]
+    low, high = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)
+    mechanism = models[0].mechanism
+    every = [limits_of(mechanism, model.robot.usable) for model in models]
+    limits = np.min([one[0] for one in every], axis=0), np.max([one[1] for one in every], axis=0)
+    names = [component.name for component in mechanism.pose]
+    units = [component.unit for component in mechanism.pose]
     size = np.where(high > low, high - low, 1e-3)
     # The same step for components of one unit; components of another unit are divided as finely.
     per_unit = {unit: max(size[[u == unit for u in units]]) for unit in units}

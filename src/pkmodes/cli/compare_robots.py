@@ -1,0 +1,273 @@
+"""``pkmodes compare`` of two robot files: their values, and their frequencies over the poses that both reach."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal, cast
+
+import numpy as np
+from msgspec import Meta
+
+from pkmodes.base.documents import Count, Document, Number, Probability
+from pkmodes.base.drives import FREE, Drives
+from pkmodes.base.errors import PkmodesError
+from pkmodes.base.progress import say
+from pkmodes.cli.delivery import deliver
+from pkmodes.cli.options import named_as_options
+from pkmodes.cli.poses import places_given
+from pkmodes.cli.printing import signed
+from pkmodes.cli.reporting import report_file, sources_of
+from pkmodes.model.loading import load
+
+if TYPE_CHECKING:
+    from pkmodes.maps.poses import Grid, Places
+    from pkmodes.maps.robots_compared import FrequencyChanges
+    from pkmodes.model.model import Model
+    from pkmodes.robot.differences import Differences
+
+#: Poses of the workspace, about, and poses at most: all of them are held at once.
+POSES, MOST = 20_000, 1_000_000
+#: Values that are printed without ``--all``.
+LARGEST = 10
+
+
+class ValueDocument(Document):
+    """A quantity that the two robots declare differently."""
+
+    path: Annotated[str, Meta(description="Its dotted path.")]
+    unit: Annotated[str, Meta(description="Its SI unit; 1 if dimensionless.")]
+    first: Annotated[float | None, Meta(description="Value of the first robot; null where it declares none.")]
+    second: Annotated[
+        float | None, Meta(description="Value of the second robot; null where it declares none.")
+    ]
+    first_sigma: Annotated[float | None, Meta(description="Standard deviation; null where none is declared.")]
+    second_sigma: Annotated[float | None, Meta(description="Likewise of the second robot.")]
+    relative: Annotated[
+        float | None,
+        Meta(description="second / first - 1; null where one is not declared, or the first is 0."),
+    ]
+
+
+class ChoiceDocument(Document):
+    """A choice, such as a direction, that the two robots declare differently."""
+
+    path: Annotated[str, Meta(description="Its dotted path.")]
+    first: Annotated[str, Meta(description="As the first robot has it.")]
+    second: Annotated[str, Meta(description="As the second robot has it.")]
+
+
+class PosesDocument(Document):
+    """How many of the poses each robot can reach."""
+
+    both: Annotated[Count, Meta(description="Both robots.")]
+    first_only: Annotated[Count, Meta(description="The first robot only.")]
+    second_only: Annotated[Count, Meta(description="The second robot only.")]
+    none: Annotated[Count, Meta(description="None of them, such as corners of a grid.")]
+
+
+class ModeChangeDocument(Document):
+    """The relative difference of a frequency over the poses that both robots reach."""
+
+    mode: Annotated[
+        Number, Meta(description="Number by frequency in the first robot: 1 is its first vibration mode.")
+    ]
+    poses: Annotated[Count, Meta(description="Poses at which it has a partner in the second robot.")]
+    median: Annotated[
+        float | None,
+        Meta(description="Median of second / first - 1; null, like the next five, without a partner."),
+    ]
+    low: Annotated[float | None, Meta(description="2 % of the poses lie below it.")]
+    high: Annotated[float | None, Meta(description="2 % of the poses lie above it.")]
+    partner: Annotated[
+        Number | None,
+        Meta(
+            description="Number of its partner among the vibration modes of the second robot, at most of the poses."
+        ),
+    ]
+    exchanged: Annotated[
+        Probability | None, Meta(description="Share of the poses at which the partner has another number.")
+    ]
+    mac: Annotated[float | None, Meta(description="Median modal assurance criterion of the pairs.")]
+
+
+class RobotsDocument(Document):
+    """The differences of two robots: the second against the first."""
+
+    first: Annotated[str, Meta(description="Name of the first robot.")]
+    second: Annotated[str, Meta(description="Name of the second robot.")]
+    drives: Drives
+    compared: Annotated[Count, Meta(description="Number of declared values compared.")]
+    values: Annotated[
+        list[ValueDocument], Meta(description="Those that differ, also by their standard deviations.")
+    ]
+    choices: Annotated[list[ChoiceDocument], Meta(description="Choices that differ.")]
+    effects_added: Annotated[list[str], Meta(description="Effects of the second robot only.")]
+    effects_removed: Annotated[list[str], Meta(description="Effects of the first robot only.")]
+    poses: Annotated[PosesDocument, Meta(description="Poses considered.")]
+    modes: Annotated[list[ModeChangeDocument], Meta(description="The vibration modes of the first robot.")]
+    second_modes: Annotated[Count, Meta(description="Number of vibration modes of the second robot.")]
+    notes: Annotated[list[str], Meta(description="What the reader should know.")]
+
+
+def compare_robots(
+    files: tuple[Path, Path],
+    grid: str | None,
+    poses: Path | None,
+    drives: str | None,
+    everything: bool,
+    report_to: Path | None,
+    json_file: str | None,
+) -> None:
+    """Compare two robot files, and print, write and draw what differs."""
+    from pkmodes.maps.robots_compared import compare_frequencies, mode_changes
+    from pkmodes.robot.differences import check_one_mechanism, differences
+
+    sources = sources_of(report_to, dict(zip(("first robot file", "second robot file"), files, strict=True)))
+    first, second = map(load, files)
+    check_one_mechanism(first.robot, second.robot)
+    found = differences(first.robot, second.robot)
+    places = places_given(first, grid, poses)
+    with named_as_options({"poses": "--poses" if poses else "--grid", "grid": "--grid"}):
+        changes = compare_frequencies(
+            first.dynamics, second.dynamics, _points(first, second, places), drives or FREE
+        )
+    document = RobotsDocument(
+        first=first.robot.name,
+        second=second.robot.name,
+        drives=cast('Literal["free", "held"]', drives or FREE),
+        compared=found.compared,
+        values=list(map(ValueDocument.of, found.values)),
+        choices=list(map(ChoiceDocument.of, found.choices)),
+        effects_added=list(found.added),
+        effects_removed=list(found.removed),
+        poses=PosesDocument(**changes.counts),
+        modes=list(map(ModeChangeDocument.of, mode_changes(changes))),
+        second_modes=changes.second_modes,
+        notes=_notes(found, changes),
+    )
+    report = report_file(report_to, lambda: _page(first, second, document, sources, _plane(places)))
+    deliver(json_file, document.as_json(), lambda: _print(files, document, everything), report)
+
+
+def _points(first: Model, second: Model, places: Places | None) -> np.ndarray:
+    from pkmodes.maps.workspace import reachable_by
+
+    if places is None:
+        places = reachable_by([first.kinematics, second.kinematics], POSES)
+    count = math.prod(places.shape)
+    if count > MOST:
+        raise PkmodesError(f"expected at most {MOST:,} poses, found {count:,}", "poses", "give fewer")
+    return np.asarray(places.points(np.arange(count)))
+
+
+def _plane(places: Places | None) -> Grid | None:
+    """Return the given grid if it is a plane."""
+    from pkmodes.maps.poses import Grid
+
+    return places if isinstance(places, Grid) and sum(n > 1 for n in places.shape) == 2 else None
+
+
+def _notes(found: Differences, changes: FrequencyChanges) -> list[str]:
+    notes = []
+    more = changes.second_modes - changes.modes
+    if more:
+        has = "second" if more > 0 else "first"
+        modes = "mode" if abs(more) == 1 else "modes"
+        notes.append(
+            f"the {has} robot has {abs(more)} {modes} of vibration more, without partners at each pose"
+        )
+    if not (found.values or found.choices or found.added or found.removed):
+        notes.append("the two files declare the same robot")
+    return notes
+
+
+def _page(
+    first: Model, second: Model, document: RobotsDocument, sources: Sequence[object], plane: Grid | None
+) -> str:
+    from pkmodes.report.robots import robots_report
+
+    say("drawing the differences over the working plane")
+    return robots_report(first, second, document.as_json(), sources, plane)  # type: ignore[arg-type]
+
+
+def _print(files: tuple[Path, Path], document: RobotsDocument, everything: bool) -> None:
+    from pkmodes.cli.terminal import Terminal
+
+    terminal = Terminal()
+    terminal.heading(f"first:  {document.first} ({files[0]})")
+    terminal.heading(f"second: {document.second} ({files[1]})")
+    terminal.line()
+    values = document.values
+    differ = "differs:" if len(values) == 1 else "differ:" if values else "differ"
+    terminal.line(f"{len(values)} of {document.compared} declared values {differ}")
+    shown = values if everything else sorted(values, key=_size)[:LARGEST]
+    rows = [
+        [
+            value.path.removeprefix("effects."),
+            _value(value.first),
+            _value(value.second),
+            "" if value.relative is None else signed(100.0 * value.relative),
+            "" if value.unit == "1" else value.unit,
+        ]
+        for value in shown
+    ]
+    if rows:
+        terminal.table(["value", "first", "second", "diff [%]", "unit"], rows, ("value", "unit"))
+    if len(shown) < len(values):
+        terminal.line(f"and {len(values) - len(shown)} more: --all, --json or --report")
+    spread = [value.path for value in values if _other_sigma(value)]
+    if spread:
+        more = f" and {len(spread) - LARGEST} more" if len(spread) > LARGEST and not everything else ""
+        named = spread if everything else spread[:LARGEST]
+        terminal.line(f"other standard deviations: {', '.join(named)}{more}")
+    for choice in document.choices:
+        terminal.line(f"{choice.path}: {choice.first}, then {choice.second}")
+    for what, names in (("added", document.effects_added), ("removed", document.effects_removed)):
+        if names:
+            terminal.line(f"effects {what}: {', '.join(names)}")
+    terminal.line()
+    poses = document.poses
+    terminal.line(
+        f"frequencies at the {poses.both:,} poses that both reach (the first only: {poses.first_only:,}, the second "
+        f"only: {poses.second_only:,}), motors {document.drives}, second minus first in per cent of the first:"
+    )
+    terminal.table(
+        ["mode", "partner", "2 %", "median", "98 %", "exchanged", "MAC"],
+        [_mode(mode) for mode in document.modes],
+    )
+    for note in document.notes:
+        terminal.line()
+        terminal.line(f"note: {note}")
+    terminal.line()
+    terminal.line(
+        "mode: by frequency in the first robot, paired at each pose with a mode of the second by shape (MAC: median "
+        "of the pairs); 2 %, 98 %: below it lies that share of the poses; exchanged: per cent of the poses at which "
+        "the partner has another number than at most of them"
+    )
+
+
+def _other_sigma(value: ValueDocument) -> bool:
+    """Return whether the standard deviations differ, also relative to the values, which a file may state."""
+    ours, theirs = value.first_sigma, value.second_sigma
+    if ours is None or theirs is None:
+        return ours is not theirs
+    same = math.isclose(ours * (value.second or 0.0), theirs * (value.first or 0.0), rel_tol=1e-9)
+    return ours != theirs and not (same and value.first is not None)
+
+
+def _size(value: ValueDocument) -> tuple[int, float]:
+    """Return the key by which values are sorted: those without a relative difference first, then the largest ones."""
+    return (0, 0.0) if value.relative is None else (1, -abs(value.relative))
+
+
+def _value(value: float | None) -> str:
+    return "-" if value is None else f"{value:.6g}"
+
+
+def _mode(mode: ModeChangeDocument) -> list[str]:
+    ends = ["-" if value is None else signed(100.0 * value) for value in (mode.low, mode.median, mode.high)]
+    partner = "-" if mode.partner is None else str(mode.partner)
+    exchanged = "-" if mode.exchanged is None else f"{100.0 * mode.exchanged:.1f}"
+    return [str(mode.mode), partner, *ends, exchanged, "-" if mode.mac is None else f"{mode.mac:.3f}"]

@@ -1,0 +1,56 @@
+"""Maps of the difference between the frequencies of two robots."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.plots.maps import mode_panels, panels_of
+from pkmodes.plots.plane import Plane
+from pkmodes.plots.style import BLACK
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = NDArray[Any]
+#: Share of the values, by size, that do not determine the colours: those beside singularities.
+OUTLIERS = 0.02
+#: Blue for lower, red for higher frequencies, white for none; also for colour-blind readers.
+COLOURS = "RdBu_r"
+
+
+def relative_changes(plane: Plane, relative: Array) -> Figure:
+    """Draw the relative difference of each mode's frequency in a plane, all on one scale that is symmetric about 0.
+
+    A line marks where nothing changes.
+
+    Parameters
+    ----------
+    plane : Plane
+        Of the first robot.
+    relative : ndarray, shape (along, across, modes)
+        Frequency of the second robot over that of the first, minus 1; NaN where one of them has none.
+    """
+    modes = relative.shape[-1]
+    drawn, panels = panels_of(plane, modes, colour_bars=False)
+    high = scale_of(relative)
+    mesh = None
+    for mode, axes in mode_panels(plane, panels, modes):
+        values = 100.0 * relative[..., mode]
+        mesh = plane.draw(axes, values, vmin=-high, vmax=high, cmap=COLOURS)
+        finite = values[np.isfinite(values)]
+        if len(finite) and finite.min() < 0.0 < finite.max():
+            x, y = plane.drawn(plane.across), plane.drawn(plane.along)
+            axes.contour(x, y, np.ma.masked_invalid(values), [0.0], colors=BLACK, linewidths=0.6)
+    if mesh is not None:
+        bar = drawn.colorbar(mesh, ax=panels, location="right", shrink=0.9, aspect=35, extend="both")
+        bar.set_label("difference of the frequency [%]")
+    return drawn
+
+
+def scale_of(relative: Array) -> float:
+    """Return the end of the colour scale [%]: beyond it lie 2 % of the values."""
+    finite = np.abs(relative[np.isfinite(relative)])
+    return max(100.0 * float(np.quantile(finite, 1.0 - OUTLIERS)), 1e-3) if len(finite) else 1.0

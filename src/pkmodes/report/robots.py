@@ -1,0 +1,226 @@
+"""The report of two robots: what their files declare differently, and what that does to the frequencies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+from pkmodes.base.version import VERSION
+from pkmodes.figures.quantities import points_of
+from pkmodes.figures.working_plane import working_plane
+from pkmodes.maps.poses import Grid
+from pkmodes.maps.robots_compared import compare_frequencies
+from pkmodes.plots.changes import relative_changes, scale_of
+from pkmodes.plots.plane import Plane, where
+from pkmodes.plots.style import styled
+from pkmodes.plots.svg import inline
+from pkmodes.report.blocks import (
+    Block,
+    Cell,
+    Column,
+    Facts,
+    Listing,
+    Paragraph,
+    Picture,
+    Section,
+    Summary,
+    Table,
+)
+from pkmodes.report.formatting import clean, number, plural, pointer, unit
+from pkmodes.report.origin import files_of
+from pkmodes.report.page import need_report, page
+from pkmodes.report.sources import Source
+
+if TYPE_CHECKING:
+    from pkmodes.model.model import Model
+
+#: Differences of a frequency below this are no differences [%].
+NOTHING = 0.005
+#: Titles of standard deviations by their keys.
+SIGMAS = {"first_sigma": "\u03c3, first", "second_sigma": "\u03c3, second"}
+
+
+def robots_report(
+    first: Model,
+    second: Model,
+    content: dict[str, Any],
+    sources: Sequence[Source],
+    places: Grid | None = None,
+) -> str:
+    """Return the report of two robots of one mechanism.
+
+    Parameters
+    ----------
+    content : dict
+        The JSON of ``pkmodes compare``.
+    sources : sequence of Source
+        The robot files.
+    places : Grid, optional
+        The plane of the pictures; by default the working plane of the first robot.
+
+    Raises
+    ------
+    MissingExtraError
+        If the libraries of the extra ``report`` are not installed.
+    """
+    need_report()
+    sections = [
+        Section("values", "What the files declare differently", list(_values(content))),
+        Section("frequencies", "Frequencies over the poses that both reach", list(_frequencies(content))),
+        *_pictures(first, second, content["drives"], places),
+        Section("origin", "Data and versions", [_origin(first, content, sources)]),
+    ]
+    return page(_summary(content), sections)
+
+
+def _summary(content: dict[str, Any]) -> Summary:
+    known = [mode for mode in content["modes"] if mode["median"] is not None]
+    headline = "No frequency changes"
+    if known:
+        most = max(known, key=lambda mode: abs(mode["median"]))
+        if abs(100.0 * most["median"]) >= NOTHING:
+            headline = f"Mode {most['mode']} changes most: {_signed(most['median'])} % in the median"
+    poses = content["poses"]
+    facts = [
+        ("values that differ", Cell(str(len(content["values"])), len(content["values"]))),
+        (
+            "poses that both reach",
+            Cell(f"{poses['both']:,}".replace(",", "\u2009"), poses["both"], pointer("poses", "both")),
+        ),
+        (
+            "the first only",
+            Cell(str(poses["first_only"]), poses["first_only"], pointer("poses", "first_only")),
+        ),
+        (
+            "the second only",
+            Cell(str(poses["second_only"]), poses["second_only"], pointer("poses", "second_only")),
+        ),
+    ]
+    names = f"{clean(content['first'])} (first) and {clean(content['second'])} (second)"
+    return Summary(
+        subject=f"{names}, motors {content['drives']}",
+        kind="Comparison of robots",
+        verdict="",
+        headline=headline,
+        reason="Differences are second minus first, relative to the first.",
+        tone="plain",
+        notes=[clean(note, None) for note in content["notes"]],
+        facts=facts,
+    )
+
+
+def _signed(relative: float) -> str:
+    return f"{100.0 * relative:+.2f}".replace("-", "\u2212")
+
+
+def _values(content: dict[str, Any]) -> Iterator[Block]:
+    values = content["values"]
+    if values:
+        # Columns that would say nothing are left out.
+        sigmas = [
+            key for key in ("first_sigma", "second_sigma") if any(value[key] is not None for value in values)
+        ]
+        rows = [
+            [
+                Cell(clean(value["path"])),
+                number(value["first"], ".6g", pointer("values", i, "first")),
+                number(value["second"], ".6g", pointer("values", i, "second")),
+                number(value["relative"], "+.2f", pointer("values", i, "relative"), scale=100.0),
+                *(number(value[key], ".2g", pointer("values", i, key)) for key in sigmas),
+                Cell(unit(value["unit"])),
+            ]
+            for i, value in enumerate(values)
+        ]
+        titles = ["first", "second", "difference [%]", *(SIGMAS[key] for key in sigmas)]
+        columns = [Column("quantity", numbers=False), *map(Column, titles), Column("unit", numbers=False)]
+        yield Table("Declared values that differ, in SI units; \u2013: not declared.", columns, rows)
+    else:
+        yield Paragraph("Every value is the same in both files.")
+    choices = [
+        f"{clean(one['path'])}: {clean(one['first'])}, then {clean(one['second'])}"
+        for one in content["choices"]
+    ]
+    if choices:
+        yield Listing(choices)
+    for key, sentence in (
+        ("effects_added", "Effects of the second robot only:"),
+        ("effects_removed", "Effects of the first robot only:"),
+    ):
+        if content[key]:
+            yield Paragraph(sentence)
+            yield Listing([clean(name) for name in content[key]], names=True)
+
+
+def _frequencies(content: dict[str, Any]) -> Iterator[Block]:
+    rows = [
+        [
+            Cell(str(mode["mode"])),
+            number(mode["partner"], ".0f", pointer("modes", i, "partner")),
+            number(mode["poses"], ".0f", pointer("modes", i, "poses")),
+            *(
+                number(mode[key], "+.2f", pointer("modes", i, key), scale=100.0)
+                for key in ("low", "median", "high")
+            ),
+            number(mode["exchanged"], ".1f", pointer("modes", i, "exchanged"), scale=100.0),
+            number(mode["mac"], ".3f", pointer("modes", i, "mac")),
+        ]
+        for i, mode in enumerate(content["modes"])
+    ]
+    titles = (
+        "mode",
+        "partner",
+        "poses",
+        "2 % [%]",
+        "median [%]",
+        "98 % [%]",
+        "exchanged [%]",
+        "MAC",
+    )
+    caption = (
+        "Relative difference of each frequency: its median, and the values below which 2 % and 98 % lie."
+    )
+    yield Table(caption, [Column(title) for title in titles], rows)
+    yield Paragraph(
+        "Modes are numbered by frequency in the first robot. At each pose they are paired with those of the second "
+        "by their shapes: the pairs with the largest sum of MAC. Exchanged is the share of poses at which the "
+        "partner has another number than at most poses, because frequencies cross or veer; MAC is the median of the "
+        "pairs."
+    )
+
+
+def _pictures(first: Model, second: Model, drives: str, places: Grid | None) -> Iterator[Section]:
+    components = [component.name for component in first.mechanism.pose]
+    if len(components) < 2:
+        return
+    chosen = working_plane(first) if places is None else places
+    plane = Plane.of(first.map(chosen, drives=drives), components)
+    points = points_of(first, plane)
+    changes = compare_frequencies(
+        first.dynamics, second.dynamics, points.reshape(-1, points.shape[-1]), drives
+    )
+    relative = changes.relative.reshape(*points.shape[:-1], -1)
+    name, plane_in_words = clean(first.robot.name), where(plane)
+    of = "the plane of the grid" if places is not None else f"the working plane of {name}"
+    if scale_of(relative) < NOTHING:
+        text = f"In {of}, {plane_in_words}, no frequency changes by more than {NOTHING} %."
+        yield Section("maps", "Over the working plane", [Paragraph(text)])
+        return
+    caption = (
+        f"Relative difference of each frequency in {of}, {plane_in_words}: red where the second robot is "
+        "higher, blue where it is lower, a line where they agree. One scale for all modes; 2 % of the values lie "
+        "beyond its ends. Blank where one of the robots cannot be evaluated."
+    )
+    with styled():
+        svg = inline(
+            relative_changes(plane, relative), "Difference of the frequencies", caption, cropped=True
+        )
+    yield Section("maps", "Over the working plane", [Picture(svg, caption, "Difference of the frequencies")])
+
+
+def _origin(first: Model, content: dict[str, Any], sources: Sequence[Source]) -> Facts:
+    considered = sum(content["poses"].values())
+    entries = files_of(sources)
+    entries.append(("mechanism", [Cell(clean(first.mechanism.title))]))
+    entries.append(("poses", [Cell(f"{plural(considered, 'pose')} considered")]))
+    entries.append(("pkmodes", [Cell(VERSION)]))
+    return Facts(entries)
