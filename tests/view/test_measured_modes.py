@@ -139,6 +139,37 @@ def test_the_page_moves_the_measured_marks_and_tells_them_in_numbers(tmp_path: P
         assert found.problems == []
 
 
+def test_the_measured_modes_fit_a_phone(tmp_path: Path) -> None:
+    file = tmp_path / "page.html"
+    file.write_text(page(replace(measured_scene(), what="with the causes: " + "very long names " * 6)))
+    with opened(file, width=360, height=800, motion="reduce") as found:
+        assert not found.sideways
+        boxes = [found.page.locator(f".pkview-{name}").bounding_box() for name in ("title", "buttons")]
+        picture = found.page.locator("canvas[tabindex]").bounding_box()
+        title, buttons = boxes
+        assert title is not None
+        assert buttons is not None
+        assert picture is not None
+        assert title["y"] + title["height"] <= picture["y"] + 1
+        assert picture["y"] + picture["height"] <= buttons["y"] + 1
+        edge = found.page.locator(".pkview-panel").bounding_box()
+        assert edge is not None
+        for label in found.page.locator(".pkview-modes label").all():
+            box = label.bounding_box()
+            assert box is not None
+            assert box["x"] + box["width"] <= edge["x"] + edge["width"] + 1
+        # The camera sees the whole robot from the beginning.
+        corners = found.page.evaluate("""(() => {
+          const { stage, state } = document.querySelector('.pkview').viewer, at = [];
+          for (let i = 0; i < state.points.length; i += 3) {
+            const p = stage.camera.position.clone().set(...state.points.slice(i, i + 3)).project(stage.camera);
+            at.push(Math.max(Math.abs(p.x), Math.abs(p.y)));
+          }
+          return Math.max(...at);
+        })()""")
+        assert 0.3 < corners < 1.0
+
+
 def test_a_measured_mode_without_a_partner_is_told(tmp_path: Path) -> None:
     file = tmp_path / "page.html"
     file.write_text(page(measured_scene(mode=None)), encoding="utf-8")

@@ -132,7 +132,7 @@ class Panel {
     if (!data.measured) return;
     this.all("beside").forEach((part) => {
       const one = measuredAt(data, state, Number(part.dataset.mode));
-      part.textContent = one ? `measured ${this.uncertain(one)}` : "not measured";
+      part.textContent = one ? `measured ${this.uncertain(one).replaceAll(" ", "\u00a0")}` : "not measured";
       part.classList.toggle("pkview-without", !one);
     });
     const one = measuredAt(data, state, mode), said = this.about(one);

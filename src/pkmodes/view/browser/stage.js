@@ -1,7 +1,7 @@
 // The three-dimensional part: camera, lights, the robot at a pose, and its motion in a mode.
 
-// Where a label may stand beside its place, in heights of a label: there, above it, below it.
-const SHIFTS = [0, 1.05, -1.05, 2.1, -2.1, 3.15, -3.15];
+// Where a label may stand, in widths and heights of a label from its place: there, above, below, beside it.
+const SHIFTS = [[0, 0], [0, 1.05], [0, -1.05], [-0.6, 0], [0.6, 0], [-0.6, 1.05], [0.6, 1.05], [-0.6, -1.05], [0.6, -1.05]];
 
 class Stage {
   constructor(canvas, data, state) {
@@ -239,7 +239,7 @@ class Stage {
     });
   }
 
-  // Move labels that would cover each other up or down in the picture; one that finds no room is left out.
+  // Move labels that would cover each other aside in the picture; one that finds no room near its place is left out.
   arrange() {
     const { elements: m } = this.camera.projectionMatrix, placed = [];
     const order = [...this.labels.children].sort((a, b) => b.importance - a.importance);
@@ -247,12 +247,13 @@ class Stage {
     for (const label of order) {
       const { x, y } = label.position.clone().project(this.camera);
       const [wide, high] = [label.scale.x * m[0], label.scale.y * m[5]];
-      const free = (shift) => placed.every((one) => Math.abs(one.x - x) > (one.wide + wide) / 2 || Math.abs(one.y - y - shift * high) > high);
+      const beside = (one, u, v) => Math.abs(one.x - u) > (one.wide + wide) / 2 || Math.abs(one.y - v) > high;
+      const free = ([u, v]) => placed.every((one) => beside(one, x + u * wide, y + v * high));
       const shift = SHIFTS.find(free);
       label.visible = shift !== undefined;
       if (!label.visible) continue;
-      label.center.set(0.5, 0.5 - shift);
-      placed.push({ x, y: y + shift * high, wide });
+      label.center.set(0.5 - shift[0], 0.5 - shift[1]);
+      placed.push({ x: x + shift[0] * wide, y: y + shift[1] * high, wide });
     }
   }
 

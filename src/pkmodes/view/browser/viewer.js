@@ -20,9 +20,7 @@ class Viewer {
     this.panel.measured(this.state, this.mode, false);
     this.panel.declared(this.state, this.mode, this.states);
     this.panel.playing(this.on);
-    if (!this.stage) return;
-    root.classList.add("pkview-live");
-    this.run();
+    if (this.stage) this.run();
   }
 
   // The evaluated state that is shown, or the nearest one.
@@ -38,6 +36,7 @@ class Viewer {
   start() {
     try {
       const stage = new Stage(this.canvas, this.data, this.state);
+      this.root.classList.add("pkview-live"); // the picture takes the place of the still, and has a size
       this.canvas.addEventListener("webglcontextlost", () => this.fail("The graphics of the browser have stopped."));
       return stage;
     } catch (error) {
@@ -110,9 +109,9 @@ class Viewer {
   fit(first) {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (!width || !height) return; // hidden, as on paper
-    this.fitted = true;
     const changed = this.stage.resize(width, height);
-    if (first || (changed && !this.turned)) this.stage.resetView();
+    if (first || !this.fitted || (changed && !this.turned)) this.stage.resetView();
+    this.fitted = true;
     this.draw();
   }
 
