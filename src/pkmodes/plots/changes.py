@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.plots.maps import mode_panels, panels_of
+from pkmodes.plots.panels import mode_panels, panels_of
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.style import BLACK
 
