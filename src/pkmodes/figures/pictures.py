@@ -17,7 +17,14 @@ from numpy.typing import NDArray
 from pkmodes.base.drives import FREE
 from pkmodes.base.errors import PkmodesError
 from pkmodes.base.extras import require
-from pkmodes.figures.quantities import coarser, motors_of, relative_sensitivities, smallest_mac, volume_of
+from pkmodes.figures.quantities import (
+    coarser,
+    median_spread,
+    motors_of,
+    relative_sensitivities,
+    smallest_mac,
+    volume_of,
+)
 from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.poses import places_of
 from pkmodes.plots import influence, maps
@@ -82,6 +89,8 @@ class PictureKind:
         As those of the `Picture`; the robot and its plane are added to the description.
     planar : str or None
         The description for a mechanism that moves in a plane, if it is another.
+    more : callable or None
+        Returns what the description says besides of this robot.
     """
 
     name: str
@@ -89,6 +98,17 @@ class PictureKind:
     description: str
     draw: Callable[[RobotPlane], Figure]
     planar: str | None = None
+    more: Callable[[RobotPlane], str] | None = None
+
+
+def known_to(spread: NDArray[Any] | None) -> str:
+    """Return how surely the frequencies are known, as a sentence; nothing without standard deviations."""
+    if spread is None:
+        return ""
+    sizes = ", ".join(f"{size:.2g}" for size in spread.tolist())
+    modes = "" if len(spread) == 1 else f" of modes 1 to {len(spread)}"
+    text = f" From the standard deviations in the robot file, the frequencies{modes} are known to \u00b1 {sizes} Hz"
+    return f"{text} (median)."
 
 
 #: The figures in their order.  Another is an entry here, the function that draws it, and a row of docs/figures.md.
@@ -107,6 +127,7 @@ PICTURES = (
         "Triangles mark the lowest (down) and highest (up) frequency along the centre line, without its ends; "
         "squares at the edge mark the motors; the colour scale ignores the lowest and highest 2 % of the values.",
         lambda robot: maps.frequencies(robot.plane, motors_of(robot.model, robot.plane)),
+        more=lambda robot: known_to(median_spread(robot.model, robot.plane, robot.drives)),
     ),
     PictureKind(
         "directions",
@@ -180,5 +201,6 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
     robot, about = RobotPlane(model, plane, drives), f"{model.robot.name}, motors {drives}, {where(plane)}"
     for kind in PICTURES:
         description = kind.description if plane.normal else kind.planar or kind.description
+        description += kind.more(robot) if kind.more else ""
         with styled():
             yield Picture(kind.name, kind.title, f"{description} {about}.", kind.draw(robot))

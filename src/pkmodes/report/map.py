@@ -9,6 +9,7 @@ from pkmodes.dataset.fields import FIELDS
 from pkmodes.figures.pictures import pictures
 from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.poses import Grid
+from pkmodes.maps.spread import spread_along
 from pkmodes.maps.summary import summary_of
 from pkmodes.plots import sweeps
 from pkmodes.plots.labels import typeset
@@ -38,6 +39,10 @@ if TYPE_CHECKING:
 
     from pkmodes.model.model import Model
 
+#: What the bands are where the robot file states standard deviations.
+BAND = (
+    "the band is one standard deviation on either side, to first order from those that the robot file states"
+)
 #: Values along each side of the plane that is drawn at most.
 FINEST = 150
 
@@ -189,11 +194,12 @@ def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     if swept:
         blocks: list[Block] = []
         for path in swept:
-            caption = (
-                f"Frequencies against {clean(path)}: the line is the median, the band the range at all poses."
-            )
+            spread = spread_along(model.robot, dataset, path, model.max_condition)
+            rest = "the line is the median, the band the range at all poses" if spread is None else BAND
+            caption = f"Frequencies against {clean(path)}: {rest}."
             with styled():
-                blocks.append(Picture.of(sweeps.against(dataset, path), clean(path), caption, caption))
+                figure = sweeps.against(dataset, path, spread)
+                blocks.append(Picture.of(figure, clean(path), caption, caption))
         yield Section("sweeps", "Swept parameters", blocks)
     if "sample" in dims:
         drawn = [
@@ -212,16 +218,22 @@ def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
             [picture, Paragraph("Drawn from their standard deviations:"), listing],
         )
     if "pose" in dims:
+        spread = spread_along(model.robot, dataset, "pose", model.max_condition)
         caption = "Frequencies along the poses, medians over everything else."
+        if spread is not None:
+            caption = f"Frequencies along the poses: {BAND}."
         with styled():
-            picture = Picture.of(sweeps.along(dataset), "Frequencies along the poses", caption, caption)
+            figure = sweeps.along(dataset, spread)
+            picture = Picture.of(figure, "Frequencies along the poses", caption, caption)
         yield Section("poses", "Along the poses", [picture])
     line = [dim for dim in dims if dim in components]
     if len(line) == 1:
         rest = ": the line is the median, the band the range over everything else" if len(dims) > 1 else ""
-        caption = f"Frequencies along {line[0]}{rest}."
+        spread = spread_along(model.robot, dataset, line[0], model.max_condition)
+        caption = f"Frequencies along {line[0]}{rest if spread is None else f': {BAND}'}."
         with styled():
-            picture = Picture.of(sweeps.against(dataset, line[0]), f"Along {line[0]}", caption, caption)
+            figure = sweeps.against(dataset, line[0], spread)
+            picture = Picture.of(figure, f"Along {line[0]}", caption, caption)
         yield Section("line", f"Along {line[0]}", [picture])
 
 
