@@ -18,7 +18,14 @@ from pkmodes.base.drives import FREE
 from pkmodes.base.errors import PkmodesError
 from pkmodes.base.extras import require
 from pkmodes.base.progress import say
-from pkmodes.figures.quantities import coarser, motors_of, relative_sensitivities, smallest_mac, volume_of
+from pkmodes.figures.quantities import (
+    coarser,
+    median_spread,
+    motors_of,
+    relative_sensitivities,
+    smallest_mac,
+    volume_of,
+)
 from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.poses import places_of
 from pkmodes.plots import influence, maps
@@ -100,6 +107,8 @@ class PictureKind:
         Returns the figure, or a sentence where it would show the same everywhere.
     planar : str or None
         The description for a mechanism that moves in a plane, if it is another.
+    more : callable or None
+        Returns what the description says besides of this robot.
     """
 
     name: str
@@ -107,6 +116,17 @@ class PictureKind:
     description: str
     draw: Callable[[RobotPlane], Figure | str]
     planar: str | None = None
+    more: Callable[[RobotPlane], str] | None = None
+
+
+def known_to(spread: NDArray[Any] | None) -> str:
+    """Return how surely the frequencies are known, as a sentence; nothing without standard deviations."""
+    if spread is None:
+        return ""
+    sizes = ", ".join(f"{size:.2g}" for size in spread.tolist())
+    modes = "" if len(spread) == 1 else f" of modes 1 to {len(spread)}"
+    text = f" From the standard deviations in the robot file, the frequencies{modes} are known to \u00b1 {sizes} Hz"
+    return f"{text} (median)."
 
 
 #: The figures in their order.  Another is an entry here, the function that draws it, and a row of docs/figures.md.
@@ -126,6 +146,7 @@ PICTURES = (
         "poses, and span at least 5 % of the frequency. Triangles mark the lowest (down) and the highest (up) "
         "frequency in the plane, squares the motors, hollow ones at the edge those beyond it.",
         lambda robot: maps.frequencies(robot.plane, motors_of(robot.model, robot.plane)),
+        more=lambda robot: known_to(median_spread(robot.model, robot.plane, robot.drives)),
     ),
     PictureKind(
         "directions",
@@ -204,6 +225,7 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
     for number, kind in enumerate(PICTURES, start=1):
         say(f"picture {number} of {len(PICTURES)}: {kind.name}")
         description = kind.description if plane.normal else kind.planar or kind.description
+        description += kind.more(robot) if kind.more else ""
         with styled():
             drawn = kind.draw(robot)
             instead = drawn if isinstance(drawn, str) else ""

@@ -13,6 +13,7 @@ from pkmodes.plots.plane import Plane
 from pkmodes.plots.workspace import Volume
 from pkmodes.sensitivity.alike import alike
 from pkmodes.sensitivity.relative import scalable
+from pkmodes.sensitivity.spread import spread_of
 from pkmodes.solve.usable import usable_box, within
 from pkmodes.solve.workspace import box_of
 from pkmodes.view.robot_drawing import RobotDrawing
@@ -48,6 +49,23 @@ def relative_sensitivities(model: Model, plane: Plane, drives: str) -> tuple[lis
     relative = rates * sensitivities.values[:, None] / frequency[..., None, :]
     together = alike(relative)
     return [one.name(paths) for one in together], relative[..., [one.members[0] for one in together], :]
+
+
+def median_spread(model: Model, plane: Plane, drives: str) -> Array | None:
+    """Return the median standard deviation of each frequency of vibration over a coarser grid of the plane.
+
+    Returns
+    -------
+    ndarray, shape (modes,), or None
+        In Hz, from those of the robot file; None where it states none.
+    """
+    few = coarser(plane)
+    poses = points_of(model, few)[few.dataset["valid"].values]
+    spread = spread_of(model.dynamics, poses, drives, "nan")
+    if spread is None:
+        return None
+    middle: Array = np.nanmedian(spread[:, -plane.dataset.sizes["mode"] :], axis=0)
+    return middle
 
 
 def coarser(plane: Plane) -> Plane:

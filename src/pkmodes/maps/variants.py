@@ -105,8 +105,8 @@ def _drawn(
         return {}, 1
     check_argument(samples, POSITIVE_INTEGER, "samples", "for example: 200")
     check_argument(seed, NATURAL_NUMBER, "seed", "for example: 0")
-    taken = _taken(robot, swept)
-    spread = {path: q for path, q in robot.quantities.items() if q.sigma and path not in taken}
+    known = taken(robot, swept)
+    spread = {path: q for path, q in robot.quantities.items() if q.sigma and path not in known}
     if not spread:
         what = "no value of the robot has a standard deviation from which it could be drawn"
         remedy = 'declare some, such as mass = { value = "1.5 kg", sigma = "1 %" }'
@@ -119,8 +119,14 @@ def _drawn(
     return {path: np.array(values) for path, values in draws.items()}, int(samples)
 
 
-def _taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
-    """Return the paths of all values that a sweep sets: also the elements of a whole, and another name of a value."""
+def taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
+    """Return the paths of all values that a sweep sets: also the elements of a whole, and another name of a value.
+
+    Parameters
+    ----------
+    swept : mapping of str to ndarray
+        Values by path.
+    """
     paths = set(swept)
     for path, values in swept.items():
         if path in groups_by_path(robot.mechanism):

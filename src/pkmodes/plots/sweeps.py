@@ -20,7 +20,7 @@ Array = NDArray[Any]
 LABELS = 24
 
 
-def against(dataset: xarray.Dataset, path: str) -> Figure:
+def against(dataset: xarray.Dataset, path: str, spread: Array | None = None) -> Figure:
     """Draw the frequency of each mode against one axis of a map: median and range over everything else.
 
     Parameters
@@ -29,8 +29,11 @@ def against(dataset: xarray.Dataset, path: str) -> Figure:
         A map.
     path : str
         The axis: a swept parameter, in SI units, or a component of the pose, in the units of figures.
+    spread : ndarray, shape (values, modes), optional
+        Standard deviations of the frequencies along the axis [Hz], as a band; for a map without other axes.
     """
-    dataset = dataset.sortby(path)
+    order = np.argsort(dataset[path].values, kind="stable")
+    dataset = dataset.isel({path: order})
     unit, factor = dataset[path].attrs["units"], 1.0
     if "." not in path:  # a component of the pose
         unit, factor = SHOWN[unit]
@@ -45,6 +48,8 @@ def against(dataset: xarray.Dataset, path: str) -> Figure:
             axes.set_axis_off()
             continue
         low, middle, high = _quantiles(frequency[..., mode], (0.0, 0.5, 1.0))
+        if spread is not None:
+            low, high = middle - spread[order, mode], middle + spread[order, mode]
         axes.fill_between(values, low, high, color=BLUE, alpha=0.18, linewidth=0)
         axes.plot(values, middle, color=BLUE, marker="o" if len(values) <= 15 else None)
         axes.set_title(f"mode {mode + 1}")
@@ -56,13 +61,15 @@ def against(dataset: xarray.Dataset, path: str) -> Figure:
     return drawn
 
 
-def along(dataset: xarray.Dataset) -> Figure:
+def along(dataset: xarray.Dataset, spread: Array | None = None) -> Figure:
     """Draw the frequencies along a list of poses.
 
     Parameters
     ----------
     dataset : xarray.Dataset
         A map with the dimension ``pose``.
+    spread : ndarray, shape (poses, modes), optional
+        Standard deviations of the frequencies [Hz], as bands.
     """
     every = _flat(dataset, "pose")
     frequency = np.stack(
@@ -75,6 +82,9 @@ def along(dataset: xarray.Dataset) -> Figure:
         colour = PALETTE[mode % len(PALETTE)]
         style = "-" if mode < len(PALETTE) else "--"
         marker = "o" if len(labels) <= 60 else None
+        if spread is not None:
+            low, high = (frequency[:, mode] + side * spread[:, mode] for side in (-1.0, 1.0))
+            axes.fill_between(range(len(labels)), low, high, color=colour, alpha=0.18, linewidth=0)
         axes.plot(frequency[:, mode], style, color=colour, marker=marker, label=f"mode {mode + 1}")
     step = max(1, -(-len(labels) // LABELS))
     axes.set_xticks(range(0, len(labels), step), labels[::step], rotation=90 if len(labels) > 10 else 0)

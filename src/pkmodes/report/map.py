@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from pkmodes.dataset.fields import FIELDS
 from pkmodes.figures.pictures import pictures
+from pkmodes.maps.spread import spread_along
 from pkmodes.maps.summary import SHARES, remark_on, shown_hertz, summary_of
 from pkmodes.plots import sweeps
 from pkmodes.plots.labels import typeset
@@ -40,6 +41,10 @@ if TYPE_CHECKING:
 
 #: Number of poses below which 2 % of them are less than one.
 FEW = 50
+#: What the bands are where the robot file states standard deviations.
+BAND = (
+    "the band is one standard deviation on either side, to first order from those that the robot file states"
+)
 
 
 def map_report(
@@ -219,11 +224,12 @@ def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     if swept:
         blocks: list[Block] = []
         for path in swept:
-            caption = (
-                f"Frequencies against {clean(path)}: the line is the median, the band the range at all poses."
-            )
+            spread = spread_along(model.robot, dataset, path, model.max_condition)
+            rest = "the line is the median, the band the range at all poses" if spread is None else BAND
+            caption = f"Frequencies against {clean(path)}: {rest}."
             with styled():
-                blocks.append(Picture.of(sweeps.against(dataset, path), clean(path), caption, caption))
+                figure = sweeps.against(dataset, path, spread)
+                blocks.append(Picture.of(figure, clean(path), caption, caption))
         yield Section("sweeps", "Swept parameters", blocks)
     if "sample" in dims:
         drawn = [
@@ -242,16 +248,22 @@ def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
             [picture, Paragraph("Drawn from their standard deviations:"), listing],
         )
     if "pose" in dims:
+        spread = spread_along(model.robot, dataset, "pose", model.max_condition)
         caption = "Frequencies along the poses, medians over everything else."
+        if spread is not None:
+            caption = f"Frequencies along the poses: {BAND}."
         with styled():
-            picture = Picture.of(sweeps.along(dataset), "Frequencies along the poses", caption, caption)
+            figure = sweeps.along(dataset, spread)
+            picture = Picture.of(figure, "Frequencies along the poses", caption, caption)
         yield Section("poses", "Along the poses", [picture])
     line = [dim for dim in dims if dim in components]
     if len(line) == 1:
         rest = ": the line is the median, the band the range over everything else" if len(dims) > 1 else ""
-        caption = f"Frequencies along {line[0]}{rest}."
+        spread = spread_along(model.robot, dataset, line[0], model.max_condition)
+        caption = f"Frequencies along {line[0]}{rest if spread is None else f': {BAND}'}."
         with styled():
-            picture = Picture.of(sweeps.against(dataset, line[0]), f"Along {line[0]}", caption, caption)
+            figure = sweeps.against(dataset, line[0], spread)
+            picture = Picture.of(figure, f"Along {line[0]}", caption, caption)
         yield Section("line", f"Along {line[0]}", [picture])
 
 

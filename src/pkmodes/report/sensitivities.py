@@ -11,7 +11,7 @@ import numpy as np
 from pkmodes.base.version import VERSION
 from pkmodes.figures.tornado_picture import describe
 from pkmodes.mechanism.poses import placed
-from pkmodes.plots.labels import typeset
+from pkmodes.plots.labels import MINUS, typeset
 from pkmodes.plots.style import styled
 from pkmodes.plots.tornado import PANELS, tornado
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Paragraph, Picture, Section, Summary, Table
@@ -78,7 +78,7 @@ def _summary(model: Model, percent: Changes, sigma: Changes | None, content: dic
         name = clean(" or ".join(percent.names[first[0]]))
         headline = f"Mode {mode + 1} depends most on {name}: {change} % for 1 %"
         reason = "The largest change of any frequency for one per cent of a quantity. "
-    at = placed(model.mechanism, np.array(content["pose"]), "g")
+    at = placed(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
     facts = []
     for mode, frequency in enumerate(percent.frequencies.tolist()):
         text = f"{frequency:.2f} Hz"

@@ -112,7 +112,12 @@ def _machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
         unit, factor = SHOWN[component.unit]
         entries.append((component.name, [Cell(f"{_range(at.poses[:, i] * factor, '.5g')} {unit}")]))
     for k in range(at.frequencies.shape[1]):
-        entries.append((f"mode {k + 1}", [Cell(f"{_range(at.frequencies[:, k], '.1f')} Hz")]))
+        text = f"{_range(at.frequencies[:, k], '.1f')} Hz"
+        cells = [Cell(text)]
+        if at.spread is not None:
+            sigma = float(np.median(at.spread[:, k] * at.frequencies[:, k]))
+            cells = [Cell(f"{text},"), Cell(f"standard deviation {sigma:.2g} Hz (median)", sigma)]
+        entries.append((f"mode {k + 1}", cells))
     return Facts(entries)
 
 

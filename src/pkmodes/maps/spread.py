@@ -1,0 +1,72 @@
+"""How surely the declared values say the frequencies of a map along one of its axes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.maps.variants import SAMPLE, taken
+from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.spread import spread_of, stated_sigmas
+from pkmodes.solve.dynamics import Dynamics
+
+if TYPE_CHECKING:
+    import xarray
+
+Array = NDArray[np.float64]
+
+
+def spread_along(robot: Robot, dataset: xarray.Dataset, dim: str, max_condition: float) -> Array | None:
+    """Return the standard deviations of the frequencies of a map along one axis.
+
+    Parameters
+    ----------
+    robot : Robot
+        As declared.
+    dataset : xarray.Dataset
+        A map of this robot.
+    dim : str
+        The axis: ``pose``, a component of the pose, or a swept parameter, whose values are known.
+    max_condition : float
+        As for `pkmodes.Model`.
+
+    Returns
+    -------
+    ndarray, shape (values, m), or None
+        In Hz, in the order of the map's modes.  None where the robot file states no standard deviations, and where
+        the map has further axes: its frequencies then differ at each value, and sampled robots show their scatter.
+    """
+    dims = [str(name) for name in dataset["frequency"].dims]
+    others = [name for name in dims if name not in (dim, "mode") and dataset.sizes[name] > 1]
+    if others or SAMPLE in dims or not stated_sigmas(robot):
+        return None
+    drives = str(dataset.attrs["drives"])
+    frequencies = dataset["frequency"].transpose(dim, ..., "mode").values.reshape(dataset.sizes[dim], -1)
+    components = [component.name for component in robot.mechanism.pose]
+    points = np.stack(
+        [np.broadcast_to(dataset[name].values.reshape(-1), len(frequencies)) for name in components], axis=-1
+    )
+    swept = {name: dataset[name].values for name in dims if "." in name}
+    known = taken(robot, swept)
+    if dim in swept:
+        robots = [
+            robot.with_values(
+                {name: float(values[i if name == dim else 0]) for name, values in swept.items()}
+            )
+            for i in range(len(frequencies))
+        ]
+        found = [
+            spread_of(Dynamics.of(one, max_condition), point, drives, "nan", known)
+            for one, point in zip(robots, points, strict=True)
+        ]
+    else:
+        one = robot.with_values({name: float(v[0]) for name, v in swept.items()}) if swept else robot
+        found = [spread_of(Dynamics.of(one, max_condition), points, drives, "nan", known)]
+    if any(each is None for each in found):
+        return None
+    spread = np.vstack([each for each in found if each is not None])[:, -frequencies.shape[1] :]
+    # A tracked map numbers its modes by shape, not by frequency.
+    ranks = np.argsort(np.argsort(frequencies, axis=1), axis=1)
+    return np.take_along_axis(spread, ranks, axis=1)
