@@ -152,11 +152,13 @@ def _values(content: dict[str, Any]) -> Iterator[Block]:
 
 
 def _frequencies(content: dict[str, Any]) -> Iterator[Block]:
+    counts = {mode["poses"] for mode in content["modes"]}
+    known = len(counts) > 1  # otherwise the summary says it
     rows = [
         [
             Cell(str(mode["mode"])),
             number(mode["partner"], ".0f", pointer("modes", i, "partner")),
-            number(mode["poses"], ".0f", pointer("modes", i, "poses")),
+            *([number(mode["poses"], ".0f", pointer("modes", i, "poses"))] if known else []),
             *(
                 number(mode[key], "+.2f", pointer("modes", i, key), scale=100.0)
                 for key in ("low", "median", "high")
@@ -166,16 +168,8 @@ def _frequencies(content: dict[str, Any]) -> Iterator[Block]:
         ]
         for i, mode in enumerate(content["modes"])
     ]
-    titles = (
-        "mode",
-        "partner",
-        "poses",
-        "2 % [%]",
-        "median [%]",
-        "98 % [%]",
-        "exchanged [%]",
-        "MAC",
-    )
+    titles = ["mode", "partner", *(["poses"] if known else [])]
+    titles += ["2 % [%]", "median [%]", "98 % [%]", "exchanged [%]", "MAC"]
     caption = (
         "Relative difference of each frequency: its median, and the values below which 2 % and 98 % lie."
     )
