@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 import pkmodes
+from pkmodes.base.numbers import rounded
 from pkmodes.diagnosis import Diagnosis, Measurements
 from pkmodes.updating import compare, diagnose, read
 
@@ -202,7 +203,7 @@ def report(loop: Loop) -> str:
             if e is not None and e.rms_relative is not None
         )
         lines += [f"{series}, {robot}, sigma {sigma}: {found.verdict}; rms {told}", f"  {found.reason}"]
-        fits = ", ".join(f"{v.name} = {v.after:.3g} +- {v.sigma:.2g} {v.unit}" for v in found.refitted)
+        fits = ", ".join(f"{v.name} = {rounded(v.after, v.sigma)} {v.unit}" for v in found.refitted)
         lines.append(f"  {fits}")
         better = [f"{s.change}: {s.verdict} {' and '.join(s.effects)}".rstrip() for s in found.stability]
         lines.append(f"  {'; '.join(better)}")

@@ -12,6 +12,7 @@ from pkmodes.report.formatting import (
     SENTENCE,
     clean,
     figures,
+    named,
     p_value,
     plural,
     pointer,
@@ -46,17 +47,9 @@ def causes(result: Diagnosis, setting: Setting) -> list[Block]:
     if result.survivors:
         blocks.append(Paragraph("These explanations remain; the data do not decide between them:"))
         blocks.append(
-            Listing([" or ".join(_named(each, sentences) for each in group) for group in result.survivors])
+            Listing([" or ".join(named(each, sentences) for each in group) for group in result.survivors])
         )
     return blocks
-
-
-def _named(explanation: str, sentences: Mapping[str, str]) -> str:
-    """Return an explanation of one cause or two in words, with their names."""
-    names = explanation.split(" + ")
-    return " + ".join(
-        f"{clean(sentences[name])} ({clean(name)})" if sentences.get(name) else clean(name) for name in names
-    )
 
 
 def _members(effect: Finding, i: int, setting: Setting, sentences: Mapping[str, str]) -> Table:

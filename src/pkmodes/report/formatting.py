@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 from pkmodes.base.numbers import p_text, plain, rounded
 from pkmodes.plots.labels import RAISED, TIMES, typeset, visible
@@ -84,6 +85,14 @@ def uncertain(value: float, sigma: float, at: str = "", at_sigma: str = "", *, s
     digits, of_sigma = typeset(found.value), typeset(found.sigma)
     spread = Spread(float(sigma), at_sigma, digits, of_sigma, power)
     return Cell(typeset(str(found)), float(value), at, spread=spread)
+
+
+def named(explanation: str, sentences: Mapping[str, str]) -> str:
+    """Return an explanation of one cause or two in words, with their names."""
+    names = explanation.split(" + ")
+    return " + ".join(
+        f"{clean(sentences[name])} ({clean(name)})" if sentences.get(name) else clean(name) for name in names
+    )
 
 
 def unit(name: str) -> str:

@@ -9,7 +9,7 @@ from pkmodes.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, 
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Paragraph, Picture, Table
-from pkmodes.report.formatting import NOTHING, clean, figures, number, plural, pointer, uncertain, unit
+from pkmodes.report.formatting import NOTHING, clean, figures, named, number, plural, pointer, uncertain, unit
 from pkmodes.report.setting import Setting
 from pkmodes.report.tables import table
 
@@ -19,7 +19,7 @@ STAGES = {
     "after": "after: with the cause",
 }
 CHANGES = {HALVED: "\u03c3 halved", DOUBLED: "\u03c3 doubled", WIDENED: "priors twice as wide"}
-SAME = "as stated"
+SAME = "no change"
 
 
 def errors(result: Diagnosis) -> list[Block]:
@@ -130,17 +130,18 @@ def stability(result: Diagnosis) -> list[Block]:
     """Return what the verdict becomes with other errors or priors."""
     if not result.stability:
         return []
+    sentences = {one.name: one.sentence for one in result.candidates}
     rows = [
         [
             Cell(CHANGES.get(s.change, s.change)),
             Cell(s.verdict),
-            Cell(", ".join(map(clean, s.effects)) or NOTHING),
+            Cell(" + ".join(named(name, sentences) for name in s.effects) or NOTHING),
             Cell(SAME if same(result, s) else meaning(result, s) or NOTHING),
         ]
         for s in result.stability
     ]
     columns = [Column("change", False), Column("verdict", False), Column("best explanation", False)]
-    columns.append(Column("why", False))
+    columns.append(Column("why it differs", False))
     caption = "The explanations tried, fitted again with other errors and priors."
     return [table(caption, columns, rows)]
 
