@@ -265,18 +265,26 @@ def test_keys_turn_the_view_and_reset_it(pages: dict[str, Path]) -> None:
 
 def test_a_printed_page_is_light_and_still(pages: dict[str, Path]) -> None:
     with opened(pages["linear-delta-2022"], scheme="dark") as seen:
+        before = stage(seen, "viewer.stage.view().map((one) => one.toArray())")
         seen.page.emulate_media(media="print", color_scheme="dark")
         seen.until("document.querySelector('.pkview').viewer.printing")
         assert picture(seen)[2, 2].mean() > 200
         corner = "[...document.querySelector('.pkview-still').getContext('2d').getImageData(2, 2, 1, 1).data]"
         assert np.mean(seen.page.evaluate(corner)) > 200
         assert seen.page.locator("canvas.pkview-still").is_visible()
+        wide, high = seen.page.evaluate(
+            "[...['width', 'height'].map((k) => document.querySelector('.pkview-still')[k])]"
+        )
+        assert wide > 2 * high, "as wide as paper"
         assert not seen.page.locator(".pkview-svg").is_visible()
         first = stage(seen, "viewer.stage.moved()")
         seen.page.wait_for_timeout(300)
         assert stage(seen, "viewer.stage.moved()") == first
         assert not seen.page.get_by_role("button", name="Pause").is_visible()
         assert seen.page.locator("table").is_visible()
+        seen.page.emulate_media(media="screen")
+        after = stage(seen, "viewer.stage.view().map((one) => one.toArray())")
+        np.testing.assert_allclose(after, before, atol=1e-9)
 
 
 def test_a_hostile_name_is_only_text(tmp_path: Path) -> None:

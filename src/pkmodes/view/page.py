@@ -307,7 +307,11 @@ def _place(scene: Scene, index: int) -> str:
 
 def _shown(component: Named, value: float) -> str:
     if "." in component.name:  # a parameter, of any size
-        return f"{value:.4g} {component.unit}".removesuffix(" 1").replace("-", "\u2212")
+        digits = float(f"{value:.4g}")
+        text = (
+            np.format_float_positional(digits, trim="-") if abs(value) >= 1e-6 or not value else f"{digits:g}"
+        )
+        return f"{text} {component.unit}".removesuffix(" 1").replace("-", "\u2212")
     unit, factor = SHOWN.get(component.unit, (component.unit, 1.0))
     return f"{round(factor * value, 1) + 0.0:.1f} {unit}".replace("-", "\u2212")
 

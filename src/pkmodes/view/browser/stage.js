@@ -171,6 +171,17 @@ class Stage {
     }
   }
 
+  // From where the camera looks, and back there.
+  view() {
+    return [this.camera.position.clone(), this.controls.target.clone()];
+  }
+
+  look([position, target]) {
+    this.camera.position.copy(position);
+    this.controls.target.copy(target);
+    this.controls.update();
+  }
+
   orbit(right, up) {
     const offset = this.camera.position.clone().sub(this.controls.target);
     const side = this.camera.getWorldDirection(new T.Vector3()).cross(this.vertical).normalize();

@@ -1,5 +1,8 @@
 // One viewer: the stage, the panel, and what the user does.
 
+// Size of the copy for paper.
+const PAPER = [1600, 620];
+
 class Viewer {
   constructor(root) {
     this.root = root;
@@ -61,7 +64,7 @@ class Viewer {
     on("amplitude", "input", (slider) => { this.amplitude = Number(slider.value) / 100; this.refresh(); });
     on("speed", "input", (slider) => { this.pace(Number(slider.value)); });
     on("play", "click", () => this.toggle());
-    on("reset", "click", () => this.stage && this.stage.resetView());
+    on("reset", "click", () => { if (this.stage) { this.turned = false; this.stage.resetView(); } });
     on("labels", "change", (box) => { if (this.stage) { this.stage.labels.visible = box.checked; this.stage.dirty = true; } });
     on("marks", "change", (box) => { if (this.stage) { this.stage.marks.group.visible = box.checked; this.stage.dirty = true; } });
     on("space", "change", (box) => { if (this.stage) { this.stage.workspace.visible = box.checked; this.stage.dirty = true; } });
@@ -73,6 +76,7 @@ class Viewer {
     canvas.addEventListener("focus", () => this.zooming(true));
     canvas.addEventListener("blur", () => this.zooming(false));
     if (!this.stage) return;
+    this.stage.controls.addEventListener("start", () => { this.turned = true; });
     const dark = matchMedia("(prefers-color-scheme: dark)"), print = matchMedia("print");
     const repaint = () => {
       this.stage.paint(PALETTES[dark.matches && !this.printing ? "dark" : "light"]);
@@ -97,9 +101,16 @@ class Viewer {
   still() {
     if (!this.fitted) return; // opened on paper: the still of the page serves
     this.root.classList.add("pkview-copied");
-    const copy = this.root.querySelector(".pkview-still");
-    [copy.width, copy.height] = [this.canvas.width, this.canvas.height];
-    copy.getContext("2d").drawImage(this.canvas, 0, 0);
+    const copy = this.root.querySelector(".pkview-still"), { stage, canvas } = this;
+    const { clientWidth: width, clientHeight: height } = canvas, seen = stage.view();
+    stage.resize(...PAPER);
+    if (!this.turned) stage.resetView();
+    this.draw();
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    copy.getContext("2d").drawImage(canvas, 0, 0);
+    if (width && height) stage.resize(width, height);
+    stage.look(seen);
+    this.draw();
   }
 
   zooming(on) {
