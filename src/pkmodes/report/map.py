@@ -191,8 +191,8 @@ def _ranges(model: Model, content: dict[str, Any]) -> list[Block]:
     columns = [Column("mode"), *shares, frequency, *places, frequency, *places]
     groups = [("", 1), ("quantiles [Hz]", 3), ("lowest", 1 + len(dims)), ("highest", 1 + len(dims))]
     caption = (
-        "Each vibration mode: at 96 % of the poses its frequency lies between the 2 % and the 98 % quantile; its "
-        "lowest and highest frequency, and where."
+        "At 96\N{NO-BREAK SPACE}% of the poses a frequency lies between its 2\N{NO-BREAK SPACE}% and its "
+        "98\N{NO-BREAK SPACE}% quantile. Its lowest and its highest value stand beside them, with their poses."
     )
     remark = remark_on(content)
     return [Table(caption, columns, rows, groups), *([Paragraph(remark)] if remark else [])]
