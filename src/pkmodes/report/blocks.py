@@ -6,18 +6,22 @@ templates escape it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from pkmodes.diagnosis.verdict.verdicts import Colour
-from pkmodes.plots.svg import inline
+from pkmodes.plots.svg import inline, inline_narrow
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 #: Cells with at most this number of characters are not broken into lines.
 SHORT = 26
+#: Height over width from which on a figure is tall.
+TALL = 0.85
+VIEW_BOX = re.compile(r'viewBox="\S+ \S+ (\S+) (\S+)"')
 Tone = Colour
 
 
@@ -87,15 +91,30 @@ class Table(Placed):
 
 @dataclass(frozen=True)
 class Picture(Placed):
-    """A figure as an SVG element, how to read it, and its name."""
+    """A figure as an SVG element, how to read it, and its name.
+
+    Attributes
+    ----------
+    narrow : str
+        The same laid out for narrow screens; empty if it does not fit one.
+    """
 
     svg: str
     caption: str
     title: str = "Figure"
+    narrow: str = ""
     kind: str = "picture"
 
+    @property
+    def tall(self) -> bool:
+        """Whether it is nearly as high as wide: it needs more height on paper to be read."""
+        box = VIEW_BOX.search(self.svg)
+        return box is not None and float(box[2]) > TALL * float(box[1])
+
     @classmethod
-    def of(cls, figure: Figure, title: str, description: str, caption: str) -> Picture:
+    def of(
+        cls, figure: Figure, title: str, description: str, caption: str, *, cropped: bool = False
+    ) -> Picture:
         """Return a figure for a page.
 
         Parameters
@@ -106,8 +125,11 @@ class Picture(Placed):
             What it shows, for those who do not see it.
         caption : str
             How to read it.
+        cropped : bool
+            As for `pkmodes.plots.svg.inline`.
         """
-        return cls(inline(figure, title, description), caption, title)
+        wide = inline(figure, title, description, cropped=cropped)
+        return cls(wide, caption, title, inline_narrow(figure, title, description))
 
 
 @dataclass(frozen=True)

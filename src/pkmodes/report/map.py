@@ -11,7 +11,6 @@ from pkmodes.maps.summary import summary_of
 from pkmodes.plots import sweeps
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.style import styled
-from pkmodes.plots.svg import inline
 from pkmodes.report.blocks import (
     Block,
     Cell,
@@ -250,8 +249,8 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     blocks.append(Paragraph(text))
     for picture in pictures(model, places, drives=drives):
         with styled():
-            svg = inline(picture.figure, picture.title, picture.description, cropped=True)
-        blocks.append(Picture(svg, picture.description, picture.title))
+            caption = picture.description
+            blocks.append(Picture.of(picture.figure, picture.title, caption, caption, cropped=True))
     yield Section("figures", title, blocks)
 
 

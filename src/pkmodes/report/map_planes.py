@@ -13,7 +13,6 @@ from pkmodes.plots import maps
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.plane import Plane, where
 from pkmodes.plots.style import styled
-from pkmodes.plots.svg import inline
 from pkmodes.report.blocks import Picture
 from pkmodes.report.formatting import clean, unit
 
@@ -110,9 +109,7 @@ def swept_pictures(
             "triangles mark the lowest (down) and highest (up) frequency along the centre line, without its ends."
         )
         with styled():
-            yield Picture(
-                inline(maps.frequencies(shown), title, description, cropped=True), description, title
-            )
+            yield Picture.of(maps.frequencies(shown), title, description, description, cropped=True)
 
 
 def value(path: str, number: float, units: dict[str, str]) -> str:
