@@ -154,7 +154,7 @@ def test_no_request_leaves_it_and_nothing_complains(page: Path) -> None:
         assert found.problems == []
         assert found.outside == []
         boxes = found.page.evaluate(
-            "[...document.querySelectorAll('figure svg')].map(s => [s.getBoundingClientRect().width, "
+            "[...document.querySelectorAll('.plot > svg, .wide > svg')].map(s => [s.getBoundingClientRect().width, "
             "s.querySelectorAll('path, image').length])"
         )
         assert len(boxes) == 7

@@ -21,7 +21,7 @@ VORON = [str(ROOT / "examples" / "voron" / name) for name in ("robot.toml", "mea
 PAGES = (*VERDICTS, "compare", "load cases", "structure", "many", "hostile")
 #: Every drawn element of a figure, with its box and whether it has a path.
 DRAWN = """
-() => [...document.querySelectorAll("figure svg[role=img]")].map(svg => {
+() => [...document.querySelectorAll("figure svg[role=img]")].filter(svg => svg.checkVisibility()).map(svg => {
   const box = svg.getBoundingClientRect();
   const parts = [...svg.querySelectorAll("path, use, image, text")];
   return {
@@ -90,17 +90,47 @@ def test_nothing_is_loaded_executed_or_complained_about(page: Path) -> None:
         assert "hacked" not in browser.page.title() or "<script>" in browser.page.title()
 
 
-def test_every_figure_is_drawn(page: Path) -> None:
-    with opened(page) as browser:
+@pytest.mark.parametrize(("width", "least"), [(1280, 400), (360, 300)])
+def test_every_figure_is_drawn(page: Path, width: int, least: int) -> None:
+    with opened(page, width=width) as browser:
         figures = browser.page.evaluate(DRAWN)
-    assert len(figures) == len(read(page.read_text("utf-8")).all("svg"))
-    assert figures
+        count = browser.page.locator(".plot").count()
+    assert len(figures) == count > 0
     for figure in figures:
-        assert figure["width"] > 400, figure
+        assert figure["width"] > least, figure
         assert figure["height"] > 50, figure
         assert figure["visible"] > 10, figure
         assert figure["empty"] == 0, figure
         assert figure["outside"] == [], figure
+
+
+def test_panels_are_stacked_on_a_phone_and_not_on_paper(tmp_path: Path) -> None:
+    """Each box shows one layout; what is wider than the screen says so."""
+    result, robot, data = diagnosed("effect_found", tmp_path)
+    (tmp_path / "page.html").write_text(report(result, robot=robot, data=data), encoding="utf-8")
+    shown = """() => [...document.querySelectorAll(".plot")].map(box => ({
+      layouts: [...box.querySelectorAll("svg")].filter(svg => svg.checkVisibility()).length,
+      narrow: !!box.querySelector(".narrow svg")?.checkVisibility(),
+      wider: box.scrollWidth > box.clientWidth,
+      said: getComputedStyle(box.nextElementSibling, "::before").content.includes("sideways"),
+      small: Math.min(...[...box.querySelectorAll("svg text")].filter(text => text.checkVisibility())
+        .map(text => parseFloat(getComputedStyle(text).fontSize) * Math.hypot(text.getCTM().c, text.getCTM().d))),
+    }))"""
+    with opened(tmp_path / "page.html", width=360) as browser:
+        phone = browser.page.evaluate(shown)
+        assert all(one["layouts"] == 1 and one["said"] == one["wider"] for one in phone)
+        assert all(one["narrow"] != one["wider"] for one in phone)
+        assert sum(one["narrow"] for one in phone) >= 6
+        assert min(one["small"] for one in phone if one["narrow"]) > 8  # pixels
+        first = browser.page.locator("#rows tbody th").first
+        before = first.bounding_box()
+        browser.page.locator("#rows .box").evaluate("box => { box.scrollLeft = 200; }")
+        assert before is not None
+        assert first.bounding_box()["x"] == pytest.approx(before["x"], abs=1)  # type: ignore[index]
+        browser.page.emulate_media(media="print")
+        assert not any(one["narrow"] or one["said"] for one in browser.page.evaluate(shown))
+    with opened(tmp_path / "page.html") as browser:
+        assert not any(one["narrow"] or one["said"] for one in browser.page.evaluate(shown))
 
 
 def test_the_fitted_values_fit_beside_the_contents(tmp_path: Path) -> None:
@@ -149,6 +179,13 @@ def test_a_page_prints_on_paper_without_cutting_figures_and_rows(page: Path) -> 
         browser.page.emulate_media(media="print")
         paper = browser.page.evaluate("getComputedStyle(document.body).backgroundColor")
         hidden = browser.page.evaluate("getComputedStyle(document.querySelector('nav')).display")
+        # Two figures fit on a page of A4, so that none leaves half a page blank; tall ones are still read.
+        heights = browser.page.evaluate(
+            "[...document.querySelectorAll('.plot:not(.tall) svg')].map(one => one.getBoundingClientRect().height)"
+        )
+        heads = browser.page.evaluate(
+            "[...document.querySelectorAll('thead')].map(one => getComputedStyle(one).display)"
+        )
         breaks = browser.page.evaluate(
             """[...document.querySelectorAll("figure:has(svg), tbody tr, .summary")]
                .map(one => getComputedStyle(one).breakInside)"""
@@ -158,6 +195,8 @@ def test_a_page_prints_on_paper_without_cutting_figures_and_rows(page: Path) -> 
     assert b"[0 0 594.95996 841.91998]" in pdf or b"[0 0 595" in pdf  # A4
     assert paper == "rgb(255, 255, 255)"
     assert hidden == "none"
+    assert max(heights) <= 108 * 96 / 25.4 + 1
+    assert set(heads) == {"table-header-group"}  # repeated on every page
     assert set(breaks) == {"avoid"}
 
 

@@ -9,6 +9,7 @@ from hashlib import sha256
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
+from pkmodes.plots.narrow import NARROW, narrowed
 from pkmodes.plots.style import BLUE, GREEN, GREY, INK, ORANGE, PAPER, PURPLE, SKY, VERMILLION, styled
 
 if TYPE_CHECKING:
@@ -42,6 +43,10 @@ SPACE = re.compile(r"\s+")
 REFERENCE = re.compile(r"url\(#([^)]+)\)")
 #: Characters that XML cannot hold.
 FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
+#: Resolution of the images in narrow figures, whose panels are large [1/inch].
+SPARING = 130
+#: Space around narrow figures [inch].
+MARGIN = 0.08
 #: Length of the prefix that makes ids differ between figures.
 DIGITS = 8
 
@@ -60,12 +65,37 @@ def inline(figure: Figure, title: str, description: str, *, cropped: bool = Fals
     cropped : bool
         Whether empty margins are cut off, as those of maps, whose panels keep their proportions.
     """
+    return _element(
+        figure, title, description, {"bbox_inches": "tight", "pad_inches": 0.05} if cropped else {}
+    )
+
+
+def inline_narrow(figure: Figure, title: str, description: str) -> str:
+    """Return a figure as `inline` does, laid out anew for a narrow screen; nothing if it does not fit one.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        It is changed: everything else is drawn from it before.
+    """
+    from matplotlib.transforms import Bbox
+
+    with styled(), warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # panels that collapse, and characters that a font lacks
+        if not narrowed(figure):
+            return ""
+        box = figure.get_tightbbox()
+        # Text is drawn by the reader's fonts, which may be somewhat wider.
+        crop = Bbox([[min(box.x0, 0.0), box.y0], [max(box.x1, NARROW), box.y1]]).padded(MARGIN)
+    return _element(figure, title, description, {"bbox_inches": crop, "dpi": SPARING})
+
+
+def _element(figure: Figure, title: str, description: str, settings: dict[str, Any]) -> str:
     target = io.StringIO()
     with styled(), warnings.catch_warnings():
         # Text is drawn by the reader's fonts; that the layout's font lacks a character only affects its width.
         warnings.filterwarnings("ignore", message="Glyph .* missing from")
-        margins: dict[str, Any] = {"bbox_inches": "tight", "pad_inches": 0.05} if cropped else {}
-        figure.savefig(target, format="svg", metadata={"Date": None, "Creator": None}, **margins)
+        figure.savefig(target, format="svg", metadata={"Date": None, "Creator": None}, **settings)
     text = FORBIDDEN.sub("\ufffd", target.getvalue())
     root = ElementTree.fromstring(text)
     title, description = FORBIDDEN.sub("\ufffd", title), FORBIDDEN.sub("\ufffd", description)

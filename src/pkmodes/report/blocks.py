@@ -6,6 +6,7 @@ templates escape it.
 
 from __future__ import annotations
 
+import re
 import zlib
 from base64 import b64encode
 from collections.abc import Sequence
@@ -14,13 +15,16 @@ from typing import TYPE_CHECKING, ClassVar
 
 from pkmodes.diagnosis.verdict.verdicts import Colour
 from pkmodes.plots.drawn_data import drawn_data
-from pkmodes.plots.svg import inline
+from pkmodes.plots.svg import inline, inline_narrow
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 #: Cells with at most this number of characters are not broken into lines.
 SHORT = 26
+#: Height over width from which on a figure is tall.
+TALL = 0.85
+VIEW_BOX = re.compile(r'viewBox="\S+ \S+ (\S+) (\S+)"')
 Tone = Colour
 
 
@@ -130,14 +134,23 @@ class Picture(Placed):
     data : str
         The numbers, the columns of `drawn_data` one after the other, deflated (RFC 1950) and in base 64; empty if
         there are none.
+    narrow : str
+        The same laid out for narrow screens; empty if it does not fit one.
     """
 
     svg: str
     caption: str
     title: str = "Figure"
     data: str = ""
+    narrow: str = ""
     kind: str = "picture"
     programs: ClassVar[Sequence[str]] = ("download",)
+
+    @property
+    def tall(self) -> bool:
+        """Whether it is nearly as high as wide: it needs more height on paper to be read."""
+        box = VIEW_BOX.search(self.svg)
+        return box is not None and float(box[2]) > TALL * float(box[1])
 
     @classmethod
     def of(
@@ -157,7 +170,8 @@ class Picture(Placed):
             As for `pkmodes.plots.svg.inline`.
         """
         data = _packed(drawn_data(figure))
-        return cls(inline(figure, title, description, cropped=cropped), caption, title, data)
+        wide = inline(figure, title, description, cropped=cropped)
+        return cls(wide, caption, title, data, inline_narrow(figure, title, description))
 
 
 def _packed(columns: Sequence[Sequence[str]]) -> str:
