@@ -143,8 +143,8 @@ PICTURES = (
         "frequencies",
         "Natural frequencies",
         "The range above a panel leaves out the lowest and the highest 2\N{NO-BREAK SPACE}% of the poses; its "
-        "colours span at least 5\N{NO-BREAK SPACE}% of the frequency. Triangles mark the lowest (down) and the highest "
-        "(up) frequency in the plane; squares are the motors, hollow ones at the edge those beyond it.",
+        "colours span at least 5\N{NO-BREAK SPACE}% of the frequency. Triangles mark the lowest (down) and the "
+        "highest (up) frequency in the plane; squares are the motors, hollow ones at the edge those beyond it.",
         lambda robot: maps.frequencies(robot.plane, motors_of(robot.model, robot.plane)),
         more=lambda robot: known_to(median_spread(robot.model, robot.plane, robot.drives)),
     ),
