@@ -13,7 +13,6 @@ from pkmodes.maps.robots_compared import compare_frequencies
 from pkmodes.plots.changes import relative_changes, scale_of
 from pkmodes.plots.plane import Plane, where
 from pkmodes.plots.style import styled
-from pkmodes.plots.svg import inline
 from pkmodes.report.blocks import (
     Block,
     Cell,
@@ -205,10 +204,9 @@ def _pictures(first: Model, second: Model, drives: str, places: Grid | None) -> 
         "beyond its ends. Blank where one of the robots cannot be evaluated."
     )
     with styled():
-        svg = inline(
-            relative_changes(plane, relative), "Difference of the frequencies", caption, cropped=True
-        )
-    yield Section("maps", "Over the working plane", [Picture(svg, caption, "Difference of the frequencies")])
+        drawn = relative_changes(plane, relative)
+        picture = Picture.of(drawn, "Difference of the frequencies", caption, caption, cropped=True)
+    yield Section("maps", "Over the working plane", [picture])
 
 
 def _origin(first: Model, content: dict[str, Any], sources: Sequence[Source]) -> Facts:
