@@ -73,12 +73,19 @@ def test_columns_of_a_table_share_the_power_of_ten() -> None:
     assert rounded(29.97661, 0.0601).columns == ("29.977", "0.060")
 
 
-@given(value=st.floats(allow_nan=False, allow_infinity=False), digits=st.integers(1, 12))
+@given(
+    value=st.floats(allow_nan=False, allow_infinity=False, allow_subnormal=False), digits=st.integers(1, 12)
+)
+@example(value=-1.7976931348623157e308, digits=3)
 def test_a_plain_number_is_right_to_its_digits_and_has_no_padding(value: float, digits: int) -> None:
     text = plain(value, digits)
     exact, seen = Decimal(value), Decimal(text)
     assert abs(seen - exact) <= Decimal("0.5000001") * Decimal(1).scaleb(exact.adjusted() - digits + 1)
     assert re.fullmatch(r"-?\d+(\.\d*[1-9])?(e-?[1-9]\d*)?", text)
+
+
+def test_the_smallest_number_has_the_digits_that_it_has() -> None:
+    assert plain(5e-324, 1) == plain(5e-324, 6) == "5e-324"
 
 
 def test_integers_and_large_values_are_readable() -> None:

@@ -88,7 +88,7 @@ def test_no_request_leaves_it_and_nothing_complains(page: Path) -> None:
     with opened(page) as found:
         assert found.problems == []
         assert found.outside == []
-        assert found.page.locator("figure svg").count() == 2
+        assert found.page.locator("figure .wide svg").count() == 2
     assert page.stat().st_size < 6_000_000
 
 

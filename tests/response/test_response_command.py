@@ -114,7 +114,7 @@ def test_modes_show_damping_and_poles(robot: str, capsys: pytest.CaptureFixture[
     assert document["notes"] == []
     assert run(["modes", robot, *POSE]) == 0
     row = next(line for line in capsys.readouterr().out.splitlines() if line.startswith("damping [%]"))
-    assert row.split()[2:] == [f"{100 * ratio:.3g}" for ratio in modes.damping_ratios[3:]]
+    assert row.split()[2:] == [f"{100 * ratio:.3f}" for ratio in modes.damping_ratios[3:]]
     assert run(["modes", str(PUBLISHED), *POSE]) == 0
     assert "damping" not in capsys.readouterr().out
 

@@ -309,8 +309,7 @@ def test_arguments_that_are_refused(tmp_path: Path) -> None:
     for arguments, part in {
         (modes, modes): "not valid TOML",
         (modes, PUBLISHED): "the robot file comes first: pkmodes compare ",
-        (PUBLISHED, PUBLISHED): "expected the names of the columns",
-        (PUBLISHED,): "missing argument 'MODES.csv' (pkmodes compare)",
+        (PUBLISHED,): "missing argument 'MODES.csv|ROBOT.toml' (pkmodes compare)",
         (PUBLISHED, modes, modes): "unexpected extra argument",
         (PUBLISHED, modes, "--json", modes): "would replace its own input",
         # Of two mistakes, that of --json is told first.
@@ -408,8 +407,9 @@ def test_settings_damping_motors_and_long_labels_do_not_widen_it(tmp_path: Path)
 
 def test_help_shows_an_example_that_works() -> None:
     answer = call("--help")
-    example = answer.out.split("Example:\n")[1].split()
-    assert example[:2] == ["pkmodes", "compare"]
-    found = call(*(ROOT / place for place in example[2:]))
-    assert found.code == 0
-    assert found.out.startswith("workshop-delta compared with ")
+    examples = [line.split() for line in answer.out.split("Examples:\n")[1].strip().splitlines()]
+    assert [one[:2] for one in examples] == [["pkmodes", "compare"]] * 2
+    found = [call(*(ROOT / place for place in one[2:])) for one in examples]
+    assert [one.code for one in found] == [0, 0]
+    assert found[0].out.startswith("workshop-delta compared with ")
+    assert found[1].out.startswith("first:  linear-delta-2022 ")

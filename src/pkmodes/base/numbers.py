@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from decimal import Decimal
 
 #: Powers of ten of numbers that are written without one.
 PLAIN = range(-3, 6)
@@ -107,8 +108,8 @@ def _digits(value: float, place: int) -> int:
 
 
 def _scaled(value: float, shift: int) -> float:
-    """Return a value divided by a power of ten, without the rounding of that power."""
-    return float(f"{value!r}e{-shift}") if "e" not in repr(value) else value / 10.0**shift
+    """Return a value divided by a power of ten, which may itself be out of the range of floats."""
+    return float(Decimal(repr(float(value))).scaleb(-shift))
 
 
 def _unsigned(text: str) -> str:

@@ -179,13 +179,13 @@ def _look(artist: Any) -> tuple[Any, ...] | None:
     from matplotlib.colors import to_rgba
     from matplotlib.lines import Line2D
 
-    kind, alpha = type(artist), artist.get_alpha()
+    kind = type(artist)
     if issubclass(kind, Line2D):
         marker = artist.get_marker()
         style = artist.get_linestyle() if marker in ("None", "none", "", None) else "-"
-        return ("line", _rgb(to_rgba(artist.get_color())), style, alpha)
+        return ("line", _rgb(to_rgba(artist.get_color())), style, artist.get_alpha())
     if issubclass(kind, LineCollection) and len(artist.get_colors()):
-        return ("line", _rgb(artist.get_colors()[0]), "-", alpha)
+        return ("line", _rgb(artist.get_colors()[0]), "-", artist.get_alpha())
     if issubclass(kind, PathCollection) and len(artist.get_edgecolors()) and artist.get_array() is None:
         return ("marks", _rgb(artist.get_edgecolors()[0]), len(artist.get_facecolors()))
     return None
