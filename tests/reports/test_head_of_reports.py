@@ -63,11 +63,12 @@ def pages(robot: Path, folder: Path) -> dict[str, Sequence[str]]:
         ],
         "map": ["map", str(corexy), "--grid", few[1], "--out", str(folder / "map.nc"), "--report"],
         "shaper": ["shaper", str(corexy), "--report"],
+        "sensitivities": ["sensitivities", str(corexy), "--pose", "0.1,0.15", "--report"],
         "show": ["show", str(corexy), "--out"],
     }
 
 
-@pytest.mark.parametrize("command", ["compare", "diagnose", "map", "shaper", "show"])
+@pytest.mark.parametrize("command", ["compare", "diagnose", "map", "shaper", "sensitivities", "show"])
 def test_every_page_of_a_robot_has_what_its_file_says(command: str, tmp_path: Path) -> None:
     target = tmp_path / "page.html"
     arguments = pages(robot_with(tmp_path), tmp_path)[command]
@@ -76,6 +77,15 @@ def test_every_page_of_a_robot_has_what_its_file_says(command: str, tmp_path: Pa
     first = target.read_bytes()
     assert run([*arguments, str(target), *(["--overwrite"] if command == "map" else [])]) == 0
     assert target.read_bytes() == first
+
+
+def test_a_page_on_two_robots_has_what_both_files_say(tmp_path: Path) -> None:
+    text = (ROOT / "robots" / "corexy-printer.toml").read_text("utf-8") + TABLE
+    (tmp_path / "first.toml").write_text(text, encoding="utf-8")
+    (tmp_path / "second.toml").write_text(text.replace("00123", "00124"), encoding="utf-8")
+    robots, target = [str(tmp_path / f"{name}.toml") for name in ("first", "second")], tmp_path / "page.html"
+    assert run(["compare", *robots, "--grid", "x=0.05:0.2:3,y=0.05:0.2:3", "--report", str(target)]) == 0
+    assert head(target) == [HEAD[0], HEAD[2]]
 
 
 def test_without_the_table_there_is_no_head(tmp_path: Path) -> None:

@@ -71,7 +71,7 @@ def test_the_command_writes_a_picture(tmp_path: Path, capsys: pytest.CaptureFixt
     for wrong, message in (
         (
             ["--measured", str(tmp_path / "m.csv")],
-            "--measured is for the picture, which is not written (--measured)",
+            "--measured is for the picture and the report, which are not written (--measured)",
         ),
         (["--figure", str(tmp_path / "r.jpg")], "expected a name that ends in .svg or .png or .pdf"),
         (["--figure", str(tmp_path / "x.svg"), "--measured", str(tmp_path / "none.csv")], "none.csv"),

@@ -15,9 +15,17 @@ from pkmodes.base.documents import Document
 from pkmodes.base.drives import Drives
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.cli.delivery import ResultFile, deliver
-from pkmodes.cli.options import comma_list, drives_option, json_option, mechanism_option, named_as_options
+from pkmodes.cli.options import (
+    comma_list,
+    drives_option,
+    json_option,
+    mechanism_option,
+    named_as_options,
+    report_option,
+)
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
-from pkmodes.cli.targets import Target, check_targets
+from pkmodes.cli.reporting import report_file, sources_of
+from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.mechanism.poses import placed
 from pkmodes.model.loading import load
 from pkmodes.response.ports import QUANTITIES
@@ -25,6 +33,7 @@ from pkmodes.response.ports import QUANTITIES
 if TYPE_CHECKING:
     from pkmodes.mechanism.registry import Mechanism
     from pkmodes.response.frequency_response import FrequencyResponse
+    from pkmodes.response.measured import MeasuredResponse
 
 OPTIONS = {
     "inputs": "--inputs",
@@ -124,6 +133,7 @@ class ResponseDocument(Document):
 )
 @drives_option
 @mechanism_option
+@report_option
 @json_option
 def response(
     robot: Path,
@@ -139,25 +149,31 @@ def response(
     figure: Path | None,
     measured: Path | None,
     drives: str,
+    report_to: Path | None,
     json_file: str | None,
 ) -> None:
     """Compute how the machine answers its motors and forces, as functions of frequency.
 
-    Prints the largest response of each channel; --out writes all of it.
+    Prints the largest response of each channel; --out writes all of it, --report a page with pictures.
     """
     targets = (
         Target("--out", out, "the table", (".csv",)),
         Target("--state-space", model_file, "the state space model", (".mat",)),
         Target("--figure", figure, "the picture", (".svg", ".png", ".pdf")),
+        report_target(report_to),
     )
     check_targets(json_file, [robot, *([measured] if measured else [])], *targets)
     given = _frequencies(frequencies, log)
     if modes is not None and model_file is None:
         what = "--modes is for the state space model, which is not written"
         raise PkmodesError(what, "--modes", "add --state-space FILE.mat, or leave --modes out")
-    if measured is not None and figure is None:
-        what = "--measured is for the picture, which is not written"
-        raise PkmodesError(what, "--measured", "add --figure FILE.svg, or leave --measured out")
+    if measured is not None and figure is None and report_to is None:
+        what = "--measured is for the picture and the report, which are not written"
+        raise PkmodesError(
+            what, "--measured", "add --report FILE.html or --figure FILE.svg, or leave --measured out"
+        )
+    inputs_of_report = {"robot file": robot, **({"measured responses": measured} if measured else {})}
+    sources = sources_of(report_to, inputs_of_report)
     model = load(robot)
     point = parse_pose(pose, model.mechanism)
     check_metres(model, pose, point)
@@ -176,26 +192,38 @@ def response(
         real=found.values.real.tolist(),
         imaginary=found.values.imag.tolist(),
     )
+    over = _measured(measured)
     files = [
         ResultFile(out, found.to_csv, lambda path: (f"wrote {path}",)),
-        ResultFile(figure, _picture(found, figure, measured), lambda path: (f"wrote {path}",)),
+        ResultFile(figure, _picture(found, figure, over), lambda path: (f"wrote {path}",)),
     ]
     if system is not None:
         files.append(ResultFile(model_file, system.to_mat, lambda path: (f"wrote {path}",)))
+    if report_to is not None:
+        from pkmodes.report.response import response_report
+
+        page = response_report(model, found, over, sources)  # drawn before anything is written
+        files.append(report_file(report_to, lambda: page))
     deliver(json_file, document.as_json(), lambda: _print(model.mechanism, found), *files)
 
 
-def _picture(found: FrequencyResponse, figure: Path | None, measured: Path | None) -> Callable[[Path], None]:
+def _measured(file: Path | None) -> MeasuredResponse | None:
+    from pkmodes.response.measured import read_response
+
+    return None if file is None else read_response(file)
+
+
+def _picture(
+    found: FrequencyResponse, figure: Path | None, measured: MeasuredResponse | None
+) -> Callable[[Path], None]:
     """Return what writes the picture; it is drawn before anything is written."""
     if figure is None:
         return lambda path: None
     from pkmodes.base.writing import write_file
     from pkmodes.figures.files import rendered
     from pkmodes.figures.response_picture import response_picture
-    from pkmodes.response.measured import read_response
 
-    over = None if measured is None else read_response(measured)
-    content = rendered(response_picture(found, over), figure.suffix[1:].lower())
+    content = rendered(response_picture(found, measured), figure.suffix[1:].lower())
     return lambda path: write_file(path, content)
 
 

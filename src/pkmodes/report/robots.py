@@ -29,6 +29,7 @@ from pkmodes.report.formatting import clean, number, plural, pointer, unit
 from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source
+from pkmodes.robot.report_fields import common_head
 
 if TYPE_CHECKING:
     from pkmodes.model.model import Model
@@ -69,10 +70,11 @@ def robots_report(
         *_pictures(first, second, content["drives"], places),
         Section("origin", "Data and versions", [_origin(first, content, sources)]),
     ]
-    return page(_summary(content), sections)
+    head = common_head(first.robot.report, second.robot.report)
+    return page(_summary(content, head), sections)
 
 
-def _summary(content: dict[str, Any]) -> Summary:
+def _summary(content: dict[str, Any], head: Sequence[tuple[str, str]]) -> Summary:
     known = [mode for mode in content["modes"] if mode["median"] is not None]
     headline = "No frequency changes"
     if known:
@@ -105,6 +107,7 @@ def _summary(content: dict[str, Any]) -> Summary:
         tone="plain",
         notes=[clean(note, None) for note in content["notes"]],
         facts=facts,
+        head=head,
     )
 
 

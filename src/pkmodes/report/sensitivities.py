@@ -19,6 +19,7 @@ from pkmodes.report.formatting import NOTHING, clean, number, pointer, unit
 from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
+from pkmodes.robot.report_fields import head_of
 from pkmodes.sensitivity.changes import PERCENT, SIGMA, Changes, changes_at
 from pkmodes.sensitivity.spread import stated_sigmas
 
@@ -95,6 +96,7 @@ def _summary(model: Model, percent: Changes, sigma: Changes | None, content: dic
         tone="plain",
         notes=_notes(content),
         facts=facts,
+        head=head_of(model.robot.report),
     )
 
 

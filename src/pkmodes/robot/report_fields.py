@@ -53,3 +53,8 @@ def head_of(*reports: Mapping[str, str]) -> list[tuple[str, str]]:
     """Return the lines of a head, titles with texts: each field as the first table has it that gives it."""
     given = {name: text for report in reversed(reports) for name, text in report.items()}
     return [(TITLES[name], given[name]) for name in TITLES if name in given]
+
+
+def common_head(first: Mapping[str, str], second: Mapping[str, str]) -> list[tuple[str, str]]:
+    """Return the lines of the head of a page on two robots: the fields that both tables give alike."""
+    return head_of({name: text for name, text in first.items() if second.get(name) == text})
