@@ -64,13 +64,20 @@ def test_figures_says_which_picture_it_draws_and_erases_it(tmp_path: Path) -> No
     printed, received = on_terminal("figures", PRINTER, "--out", str(tmp_path / "out"), "--grid", PLANE)
     assert "loading ... " in received
     assert "of 7: " in received
-    assert visible(received) == [""]
+    assert visible(received)[0].startswith("note: workspace holds a sentence instead of a picture: ")
+    assert not any(word in line for line in visible(received) for word in ("of 7: ", "loading"))
+    assert max(map(len, visible(received))) <= 80
     assert len(printed.splitlines()) == 7
     assert all(Path(line).exists() for line in printed.splitlines())
 
 
 def test_nothing_of_it_reaches_a_pipe(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["figures", PRINTER, "--out", str(tmp_path / "out"), "--grid", PLANE]) == 0
+    notes = capsys.readouterr().err
+    assert notes.startswith("note: workspace holds a sentence instead of a picture: ")
+    assert "\r" not in notes
+    assert "\x1b" not in notes
+    assert "of 7: " not in notes
     assert run(["map", PRINTER, "--grid", PLANE]) == 0
     assert capsys.readouterr().err == ""
 

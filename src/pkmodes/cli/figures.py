@@ -15,6 +15,7 @@ from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
+from pkmodes.cli.terminal import Terminal
 from pkmodes.model.loading import load
 
 
@@ -82,4 +83,5 @@ def _print(written: list[Path], said: dict[str, str]) -> None:
     for path in written:
         echo(path)
     for name, sentence in said.items():
-        echo(f"note: {name} holds a sentence instead of a picture: {sentence}", err=True)
+        for line in Terminal().wrapped(f"note: {name} holds a sentence instead of a picture: {sentence}"):
+            echo(line, err=True)

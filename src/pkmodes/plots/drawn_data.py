@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from pkmodes.plots.drawn_names import Names, Side, names_of
 from pkmodes.plots.labels import visible
+from pkmodes.plots.style import styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -75,6 +76,11 @@ def drawn_data(figure: Figure) -> list[list[str]]:
         shown as colours seven; where there are tens of thousands, six and five.  Text never begins as a formula of a
         spreadsheet does.  Empty if nothing is drawn.
     """
+    with styled():  # labels of ticks are made here, and would otherwise read a name as a formula
+        return _columns_of(figure)
+
+
+def _columns_of(figure: Figure) -> list[list[str]]:
     tables: list[tuple[int, dict[str, list[Any]]]] = []
     names = names_of(figure)
     found = [(axes, drawn) for axes in names.panels for drawn in _series(axes, names)]
