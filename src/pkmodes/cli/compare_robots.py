@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from pkmodes.maps.poses import Grid, Places
     from pkmodes.maps.robots_compared import FrequencyChanges
     from pkmodes.model.model import Model
+    from pkmodes.report.sources import Source
     from pkmodes.robot.differences import Differences
 
 #: Poses of the workspace, about, and poses at most: all of them are held at once.
@@ -184,12 +185,12 @@ def _notes(found: Differences, changes: FrequencyChanges) -> list[str]:
 
 
 def _page(
-    first: Model, second: Model, document: RobotsDocument, sources: Sequence[object], plane: Grid | None
+    first: Model, second: Model, document: RobotsDocument, sources: Sequence[Source], plane: Grid | None
 ) -> str:
     from pkmodes.report.robots import robots_report
 
     say("drawing the differences over the working plane")
-    return robots_report(first, second, document.as_json(), sources, plane)  # type: ignore[arg-type]
+    return robots_report(first, second, document.as_json(), sources, plane)
 
 
 def _print(files: tuple[Path, Path], document: RobotsDocument, everything: bool) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import tomllib
 from dataclasses import replace
 from typing import NamedTuple
@@ -11,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import PkmodesError
+from pkmodes.base.ordering import in_order
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.result import Diagnosis
@@ -99,7 +99,7 @@ def measured_scene(
     ][:MOST]
     if not kept:
         return None
-    kept.sort(key=lambda i: _natural(data.labels[i]))
+    kept = [kept[k] for k in in_order([data.labels[i] for i in kept])]  # as in tables and figures
     seen = scene_of([models[loads[i]] for i in kept], points[kept], drives=drives)
     known = channels(shown.robot.mechanism)
     return replace(
@@ -143,12 +143,3 @@ def _label(robot: Robot, data: Measurements, pose: int) -> str:
         for path, value in data.load(pose).items()
     ]
     return data.labels[pose] + (f" ({', '.join(load)})" if load else "")
-
-
-def _natural(label: str) -> tuple[tuple[int, float, str], ...]:
-    """Return a key that sorts P2 before P10, and -0.5 mm before +0.5 mm."""
-    parts = re.findall(r"[-+]?\d+(?:\.\d+)?|[^\d+-]+|[-+]", label)
-    return tuple(
-        (0, float(part), "") if re.fullmatch(r"[-+]?\d+(?:\.\d+)?", part) else (1, 0.0, part)
-        for part in parts
-    )
