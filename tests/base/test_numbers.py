@@ -88,6 +88,11 @@ def test_the_smallest_number_has_the_digits_that_it_has() -> None:
     assert plain(5e-324, 1) == plain(5e-324, 6) == "5e-324"
 
 
+def test_infinities_keep_their_signs_and_zeros_have_none() -> None:
+    assert [plain(value) for value in (float("inf"), float("-inf"), 0.0, -0.0)] == ["inf", "-inf", "0", "0"]
+    assert str(rounded(float("-inf"), 1.0)) == "-inf +- 1"
+
+
 def test_integers_and_large_values_are_readable() -> None:
     values = (15.0, 2.42e6, 1e6, 1.7e-5, 123456.0, 0.5, 730.4)
     assert [plain(value) for value in values[:-1]] == ["15", "2.42e6", "1e6", "1.7e-5", "123456", "0.5"]

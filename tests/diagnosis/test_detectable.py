@@ -104,7 +104,13 @@ Z = 8.0
 
 
 def one_examined(
-    most: float, *, z: float = Z, largest: float = 1e-3, shown: bool = False, lower: float = -np.inf
+    most: float,
+    *,
+    z: float = Z,
+    largest: float = 1e-3,
+    shown: bool = False,
+    lower: float = -np.inf,
+    bound: bool = True,
 ) -> Examined:
     """One candidate of unit standard deviation, plausible up to some size."""
     candidate = Candidate("a", ("a",))
@@ -113,7 +119,10 @@ def one_examined(
     p = float(stats.norm.sf(z) if np.isfinite(lower) else stats.chi2.sf(z**2, 1))
     one = Score(candidate, p, z**2, np.array([z]), np.ones(1), np.array([largest]), visible=True)
     scores = Scores((one,), ())
-    (found,) = examined(fitter, scores, scores, {0: most}, shown={"a"} if shown else set(), unbounded=set())
+    unbounded = set() if bound else {"a"}
+    (found,) = examined(
+        fitter, scores, scores, {0: most}, shown={"a"} if shown else set(), unbounded=unbounded
+    )
     return found
 
 
@@ -146,3 +155,8 @@ def test_only_a_plausible_change_counts(
 def test_a_member_of_a_claimed_class_is_detectable_but_visible_from_no_implausible_size() -> None:
     found = one_examined(4.0, z=0.1, shown=True)
     assert (found.detectable, found.visible_from) == (True, ())
+
+
+def test_a_candidate_that_the_data_do_not_bound_is_visible_from_no_size() -> None:
+    found = one_examined(100.0, z=0.1, bound=False)
+    assert (found.detectable, found.visible_from) == (False, ())

@@ -65,6 +65,17 @@ def test_tracked_modes_have_their_own() -> None:
     np.testing.assert_array_equal(other, [found[0], found[1][::-1]])
 
 
+def test_three_modes_in_another_order_have_their_own() -> None:
+    """An order that is not its own inverse."""
+    model = pkmodes.load("robots/clavel-delta.toml")
+    line = model.map({"x": [0.05, 0.1], "y": 0.03, "z": -0.6})
+    turned = line.copy(deep=True)
+    turned["frequency"].values[...] = np.roll(line["frequency"].values, 1, axis=-1)
+    found, other = (spread_along(model.robot, one, "x", model.max_condition) for one in (line, turned))
+    assert found is not None
+    np.testing.assert_array_equal(other, np.roll(found, 1, axis=-1))
+
+
 def test_there_is_none_with_further_axes_samples_or_without_sigmas() -> None:
     model = pkmodes.load(PRINTER)
     plane = model.map({"x": [0.1, 0.2], "y": [0.1, 0.2]})

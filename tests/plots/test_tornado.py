@@ -16,6 +16,7 @@ from pkmodes.figures import tornado_picture
 from pkmodes.plots.style import BLUE, GREY
 from pkmodes.plots.svg import inline
 from pkmodes.plots.tornado import broken
+from pkmodes.sensitivity.changes import PERCENT, Changes
 
 PRINTER, AT = "robots/corexy-printer.toml", [0.1, 0.15]
 
@@ -94,3 +95,12 @@ def test_by_something_else_or_without_sigmas_is_refused() -> None:
 def test_long_names_are_broken() -> None:
     assert broken("belt.width") == "belt.width"
     assert broken("effects.gearbox_compliance.compliance") == "effects.gearbox_compliance\n.compliance"
+
+
+def test_of_all_modes_the_largest_fraction_of_a_frequency_comes_first() -> None:
+    names = (("a",), ("b",))
+    changes = Changes(
+        PERCENT, names, names, np.array([10.0, 1000.0]), np.array([[0.0, 2.0], [-1.0, 0.0]]), None
+    )
+    assert changes.largest_of_all() == [1, 0]
+    assert changes.largest(1) == [0]

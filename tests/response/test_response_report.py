@@ -99,6 +99,17 @@ def test_the_head_says_where_the_first_channel_answers_most(page: Element, folde
     assert said in page.by_id("summary").text
 
 
+def test_what_was_measured_beyond_the_frequencies_of_the_model_is_no_peak(tmp_path: Path) -> None:
+    beyond = tmp_path / "beyond.csv"
+    beyond.write_text("frequency,re:p_x/force_x,im:p_x/force_x\n500,1,0\n501,2,0\n", encoding="utf-8")
+    page = made(tmp_path, damped(tmp_path), "0.6,0,-0.245", "force_x", "p_x", "--measured", str(beyond))
+    summary = page.by_id("summary").text
+    assert "p_x answers force_x most at" in summary
+    assert "measured at" not in summary
+    (row,) = rows_of(page.by_id("responses"))
+    assert len(row) == 5  # channel and unit, and size, frequency and phase of the model
+
+
 def test_places_in_the_json_hold_the_numbers(page: Element, folder: Path) -> None:
     content = json.loads((folder / "page.json").read_text("utf-8"))
     placed = [one for one in page.all("data") if "data-at" in one.attributes]

@@ -78,7 +78,7 @@ def rounded(value: float, sigma: float) -> Rounded:
 def plain(value: float, digits: int = 6) -> str:
     """Return a number with at most some significant digits, and a power of ten where it needs one: ``2.42e6``."""
     if not math.isfinite(value) or not value:
-        return _unsigned(f"{value:g}")
+        return f"{value + 0.0:g}"
     exponent = _exponent(value, digits)
     shift = 0 if exponent in PLAIN and exponent - digits + 1 <= MOST_ZEROS else exponent
     decimals = digits - 1 - exponent + shift

@@ -231,7 +231,7 @@ def _print(files: tuple[Path, Path], document: RobotsDocument, everything: bool)
     terminal.line()
     poses = document.poses
     terminal.line(
-        f"frequencies at the {poses.both:,} poses that both reach (the first only: {poses.first_only:,}, the second "
+        f"frequencies at {_places(poses.both)} that both reach (the first only: {poses.first_only:,}, the second "
         f"only: {poses.second_only:,}), motors {document.drives}, second minus first in per cent of the first:"
     )
     terminal.table(
@@ -247,6 +247,10 @@ def _print(files: tuple[Path, Path], document: RobotsDocument, everything: bool)
         "of the pairs); 2 %, 98 %: below it lies that share of the poses; exchanged: per cent of the poses at which "
         "the partner has another number than at most of them"
     )
+
+
+def _places(count: int) -> str:
+    return "the one pose" if count == 1 else f"the {count:,} poses"
 
 
 def _other_sigma(value: ValueDocument) -> bool:

@@ -84,11 +84,12 @@ def _summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) ->
     at = placed(model.mechanism, response.poses[response.one(())], "g").replace("-", MINUS)
     name = next(iter(drawn.model))
     output, _, into = name.partition("/")
-    peak = _peak(drawn.frequencies, drawn.model[name])
+    peak = int(np.abs(drawn.model[name]).argmax())
     headline = f"{clean(output)} answers {clean(into)} most at {drawn.frequencies[peak]:.1f} Hz"
     if drawn.measured is not None:
-        f, values = drawn.measured[0], drawn.measured[1][name]
-        headline += f", measured at {f[_within(drawn, values)]:.1f} Hz"
+        place = _within(drawn, drawn.measured[1][name])
+        if place is not None:
+            headline += f", measured at {drawn.measured[0][place]:.1f} Hz"
     first, last = (float(drawn.frequencies[i]) for i in (0, -1))
     facts = [
         ("channels", Cell(str(len(drawn.model)), len(drawn.model))),
@@ -114,15 +115,12 @@ def _summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) ->
     )
 
 
-def _peak(f: NDArray[Any], values: NDArray[Any], ends: tuple[float, float] = (0.0, np.inf)) -> int:
-    """Return the place of the largest response between two frequencies."""
-    return int(np.where((f >= ends[0]) & (f <= ends[1]), np.abs(values), -1.0).argmax())
-
-
-def _within(drawn: DrawnChannels, values: NDArray[Any]) -> int:
-    """Return the place of the largest measured response among the frequencies of the model."""
+def _within(drawn: DrawnChannels, values: NDArray[Any]) -> int | None:
+    """Return the place of the largest measured response among the frequencies of the model; None if none is there."""
     assert drawn.measured is not None
-    return _peak(drawn.measured[0], values, (float(drawn.frequencies[0]), float(drawn.frequencies[-1])))
+    f = drawn.measured[0]
+    inside = (f >= drawn.frequencies[0]) & (f <= drawn.frequencies[-1])
+    return int(np.where(inside, np.abs(values), -1.0).argmax()) if inside.any() else None
 
 
 def _pictures(drawn: DrawnChannels) -> list[Block]:
@@ -151,13 +149,12 @@ def _largest(drawn: DrawnChannels) -> Block:
     titles += [Column(title) for _ in groups[1:] for title in ("largest", "at [Hz]", "phase [\u00b0]")]
     rows = []
     for name, values in drawn.model.items():
-        peak = _peak(drawn.frequencies, values)
+        peak = int(np.abs(values).argmax())
         row = [Cell(clean(name)), Cell(unit(drawn.units[name]))]
         row += _cells(drawn.frequencies, values, peak, pointer("frequencies_hz", peak))
-        if over is not None and name in over[1]:
-            row += _cells(over[0], over[1][name], _within(drawn, over[1][name]))
-        elif over is not None:
-            row += [number(None)] * 3
+        if over is not None:
+            place = _within(drawn, over[1][name]) if name in over[1] else None
+            row += [number(None)] * 3 if place is None else _cells(over[0], over[1][name], place)
         rows.append(row)
     return table("The largest response in each channel.", titles, rows, groups)
 
