@@ -115,10 +115,17 @@ def candidates(result: Diagnosis) -> list[Block]:
                 f"significant is {name}.",
                 f"Scores of the candidates{_which(result)}: how clearly the residual of the refitted model points at "
                 "each. The score only shortlists: the choice is made by refitting, so the longest line need not be "
-                "the cause. Open marks are candidates that these data cannot detect, listed below the table.",
+                f"the cause.{_open(result)}",
             )
         )
     return [*blocks, _table(result), *_undetectable(result)]
+
+
+def _open(result: Diagnosis) -> str:
+    """Return what open marks are, if the figure has any."""
+    shown = sorted(result.candidates, key=lambda one: one.p_value)[: scores.MOST]
+    said = " Open marks are candidates that these data cannot detect, listed below the table."
+    return "" if all(one.detectable for one in shown) else said
 
 
 def _which(result: Diagnosis) -> str:

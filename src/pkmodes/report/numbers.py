@@ -72,7 +72,8 @@ def errors(result: Diagnosis) -> list[Block]:
 
 def percent(relative: float | None, at: str = "", strong: bool = False) -> Cell:
     """Return a relative error in per cent."""
-    return number(relative, ".3f", at, scale=100.0, strong=strong)
+    form = ".3f" if relative is None or abs(relative) < 0.1 else ".1f"
+    return number(relative, form, at, scale=100.0, strong=strong)
 
 
 def values(result: Diagnosis, setting: Setting) -> list[Block]:

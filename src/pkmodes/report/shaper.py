@@ -220,7 +220,9 @@ def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
     caption = "Vibration that is left, in per cent of the largest one without a shaper"
     judged = ". A shaper that follows the pose is judged at rest; a move adds to it."
     if clear and len(shares) < len(_picked(choice)):
-        judged = f". At rest, {' and '.join(clear)} leaves nothing anywhere; a move adds to it."
+        judged = (
+            f". At rest, {' and '.join(clear).replace(',', '')} leaves nothing anywhere; a move adds to it."
+        )
     with styled():
         if len(varying) == 1:
             drawn = shapers.along_line(at.poses[:, varying[0]], named[0], units[0], shares)
