@@ -154,7 +154,8 @@ def _labels(places: dict[tuple[int, int], Axes], place: tuple[int, int]) -> tupl
     beside = [places[one] for one in sorted(places) if one[0] == row]
     above = [places[one] for one in sorted(places) if one[1] == column]
     axes = places[place]
-    title = _title(axes) or _title(above[0]) or _title(beside[0])
+    nearest = [places[one] for one in sorted(places, reverse=True) if one[1] == column and one[0] <= row]
+    title = next((title for one in nearest if (title := _title(one))), "") or _title(beside[0])
     across = axes.get_xlabel() or above[-1].get_xlabel() or places[max(places)].get_xlabel()
     return title, across, axes.get_ylabel() or beside[0].get_ylabel()
 
