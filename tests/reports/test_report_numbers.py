@@ -123,7 +123,7 @@ def test_advice_fits_the_verdict(made: Made) -> None:
 
 
 def test_only_what_can_be_detected_has_a_smallest_visible_size(made: Made) -> None:
-    for row in made.page.by_id("candidates").all("tbody")[0].all("tr"):
+    for row in (row for body in made.page.by_id("candidates").all("tbody") for row in body.all("tr")):
         cells = row.all("td")
         if cells[-1].text.strip() == "no":
             assert cells[-4].text.strip() == "\u2013"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
-from pkmodes.diagnosis.verdict.verdicts import VERDICTS
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, VERDICTS
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report import explanations, figures, numbers
 from pkmodes.report.blocks import Cell, Section, Summary
@@ -54,12 +54,19 @@ def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary
         kind="Diagnosis",
         verdict=result.verdict,
         headline=_headline(result),
-        reason=prose(_sentence(result.reason)),
+        reason=prose(_sentence(result.reason) + _refitted(result)),
         tone=VERDICTS[result.verdict].colour,
         notes=[prose(_sentence(note)) for note in result.notes],
         facts=facts,
         head=setting.head,
     )
+
+
+def _refitted(result: Diagnosis) -> str:
+    """Return that an adequate model is one whose uncertain values were refitted, if it has any."""
+    if result.verdict != ADEQUATE.word or not any(value.prior_sigma for value in result.corrected):
+        return ""
+    return " Its uncertain values were refitted within their standard deviations."
 
 
 def _headline(result: Diagnosis) -> str:
