@@ -125,7 +125,7 @@ def _table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
 
 def _two_digits(sigma: float | None, at: str) -> Cell:
     """Return a part of a standard deviation with two significant digits, zeros among them."""
-    return number(sigma, "#.2g" if sigma is None or sigma < 9.95 else ".0f", at)
+    return number(sigma, "#.2g" if sigma is None or 0.0 < sigma < 9.95 else ".0f", at)
 
 
 def _damping(mode: Mapping[str, Any], at: Sequence[object]) -> Cell:
