@@ -13,6 +13,7 @@ from matplotlib.patches import Rectangle
 
 import pkmodes
 from pkmodes.figures import tornado_picture
+from pkmodes.plots.drawn_data import drawn_data
 from pkmodes.plots.style import BLUE, GREY
 from pkmodes.plots.svg import inline
 from pkmodes.plots.tornado import broken
@@ -74,6 +75,19 @@ def test_bars_by_sigma_end_with_all_together() -> None:
         low, high = axes.get_xlim()
         assert low == -high
         assert high > abs(together)
+
+
+def test_the_saved_table_says_which_bars_are_for_more_and_which_for_less() -> None:
+    model = pkmodes.load(PRINTER)
+    for by, expected in (
+        ("percent", {"1 % more", "1 % less"}),
+        (
+            "sigma",
+            {"one sigma more", "one sigma less", "all together, lower end", "all together, upper end"},
+        ),
+    ):
+        table = {column[0]: column[1:] for column in drawn_data(drawn_of(model, by))}
+        assert {name.strip('"') for name in table["series"]} == expected
 
 
 def test_at_most_ten_are_in_a_panel() -> None:

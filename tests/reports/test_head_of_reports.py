@@ -64,11 +64,17 @@ def pages(robot: Path, folder: Path) -> dict[str, Sequence[str]]:
         "map": ["map", str(corexy), "--grid", few[1], "--out", str(folder / "map.nc"), "--report"],
         "shaper": ["shaper", str(corexy), "--report"],
         "sensitivities": ["sensitivities", str(corexy), "--pose", "0.1,0.15", "--report"],
+        "response": [
+            *("response", str(corexy), "--pose", "0.1,0.15", "--inputs", "force_x", "--outputs", "p_x"),
+            *("--frequencies", "50:150:11", "--report"),
+        ],
         "show": ["show", str(corexy), "--out"],
     }
 
 
-@pytest.mark.parametrize("command", ["compare", "diagnose", "map", "shaper", "sensitivities", "show"])
+@pytest.mark.parametrize(
+    "command", ["compare", "diagnose", "map", "shaper", "sensitivities", "response", "show"]
+)
 def test_every_page_of_a_robot_has_what_its_file_says(command: str, tmp_path: Path) -> None:
     target = tmp_path / "page.html"
     arguments = pages(robot_with(tmp_path), tmp_path)[command]

@@ -100,7 +100,7 @@ def test_the_verdict_comes_first(made: Made) -> None:
     summary = next(child for child in main.children if isinstance(child, Element))
     assert summary.attributes["id"] == "summary"
     assert f"Verdict: {made.content['verdict']}" in summary.text
-    assert made.content["reason"][1:] in summary.text
+    assert made.content["reason"][1:].replace("1e-6", "10\u207b\u2076") in summary.text  # as in print
     assert [item.text[1:].rstrip(".") for item in summary.all("li")] == [
         note[1:].rstrip(".") for note in made.content["notes"]
     ]
@@ -122,6 +122,23 @@ def test_advice_fits_the_verdict(made: Made) -> None:
     assert ("left to separate" in made.page.by_id("next").text) == (verdict in ("adequate", "effect_found"))
 
 
+def test_only_what_can_be_detected_has_a_smallest_visible_size(made: Made) -> None:
+    for row in (row for body in made.page.by_id("candidates").all("tbody") for row in body.all("tr")):
+        cells = row.all("td")
+        if cells[-1].text.strip() == "no":
+            assert cells[-4].text.strip() == "\u2013"
+
+
+def test_rows_of_the_stability_that_say_the_same_are_one_sentence(made: Made) -> None:
+    entries, verdict = made.content["stability"], made.content["verdict"]
+    claimed = {member for effect in made.content["effects"] for member in effect["class"]}
+    same = [one["verdict"] == verdict and (not claimed or set(one["effects"]) <= claimed) for one in entries]
+    if entries:
+        section = made.page.by_id("stability")
+        assert bool(section.all("table")) != all(same)
+        assert (" the same with \u03c3 halved" in section.text) == all(same)
+
+
 def test_every_measured_mode_is_in_the_table(made: Made) -> None:
     lines = [
         int(float(cell.attributes["value"]))
@@ -141,7 +158,13 @@ def test_causes_survivors_and_what_is_not_detectable_are_named(made: Made) -> No
     assert len(listed) == len(content["survivors"])
     for said, group in zip(listed, content["survivors"], strict=True):
         assert all(name in said for each in group for name in each.split(" + "))
-    assert [item.text for item in page.by_id("candidates").all("li")] == content["undetectable"]
+    unseen = [item.text for item in page.by_id("candidates").all("li")]  # in words, and their names
+    assert [said.rpartition(" ")[2].strip("()") for said in unseen] == content["undetectable"]
+    sentences = {one.name: one.sentence for one in made.result.candidates}
+    assert all(
+        said.startswith(sentences.get(name) or name)
+        for said, name in zip(unseen, content["undetectable"], strict=True)
+    )
     rows = page.by_id("candidates").all("tbody")
     named = {row.all("th")[0].text.split()[-1] for body in rows for row in body.all("tr")}
     assert named == {one["name"] for one in content["candidates"]}

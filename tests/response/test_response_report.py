@@ -125,7 +125,7 @@ def test_modes_have_their_frequency_damping_and_direction(page: Element) -> None
     assert len(rows) == len(modes.frequencies) == 6
     for row, f, shape in zip(rows, modes.frequencies, modes.platform_shapes, strict=True):
         assert shown(row[1].text.strip())[0] == pytest.approx(f, abs=5e-4)
-        assert row[2].text.strip() == "2"
+        assert row[2].text.strip() == "2.00"
         direction = [shown(cell.text.strip())[0] for cell in row[3:]]
         assert direction == pytest.approx(shape / np.linalg.norm(shape), abs=5.01e-4)
 
@@ -137,6 +137,16 @@ def test_frequencies_have_the_standard_deviations_of_the_file(tmp_path: Path) ->
         _, its = row[1].all("data")
         assert float(its.attributes["value"]) == pytest.approx(sigma)
     assert "has no damping" in page.by_id("summary").text
+
+
+def test_a_prescribed_motion_is_no_response_to_itself(tmp_path: Path) -> None:
+    page = made(tmp_path, damped(tmp_path), "0.6,0,-0.245", "motor_1,force_x", "p_x,motor_1")
+    names = [row[0].text.strip() for row in rows_of(page.by_id("responses"))]
+    assert names == ["p_x/motor_1", "p_x/force_x"]
+    said = page.by_id("summary").text
+    assert "motor_1/motor_1 is left out: the motion is prescribed." in said
+    assert "No response in motor_1/force_x." in said
+    assert "p_x is the motion of the platform along x, motor_1 is the angle of motor 1." in said
 
 
 def test_many_channels_are_in_figures_of_four(tmp_path: Path) -> None:

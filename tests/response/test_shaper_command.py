@@ -196,4 +196,13 @@ def test_the_page_shows_what_varies(robot: str, tmp_path: Path, grid: str, said:
     text = page.read_text(encoding="utf-8")
     assert said in text
     assert ("y [mm]" in text and "z [mm]" in text) == ("y=-0.05" in grid)
+    assert ">\u2212240 to \u2212200 mm<" in text or "z=-0.24" not in grid
+    assert (
+        "that leaves at most 10 % there." in text
+        or "No fixed one leaves at most 10 % there; it leaves" in text
+    )
+    assert "for a step of 1 m/s\u00b2" in text
+    assert "\u00b5m" in text
+    assert "/s^2" not in text
+    assert " um<" not in text
     assert "shaper_type: mzv" in text or "Klipper has no such shaper" in text

@@ -27,6 +27,7 @@ ROBOTS = Path(__file__).parents[2] / "robots"
             "compliance of every gearbox, output side",
         ),
         ("linear-delta-2022", "gearbox_compliance.compliance", "compliance of every gearbox, output side"),
+        ("linear-delta-2022", "axis.2.limits.max", "max(x_2)"),
         ("linear-delta-2022", "damping.ratio", "damping ratio of every mode"),
         ("linear-delta-2022", "measurement.yaw", ""),
         ("linear-delta-2022", "colour", ""),

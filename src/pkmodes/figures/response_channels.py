@@ -33,6 +33,8 @@ class DrawnChannels:
         Frequencies, and responses by channel.
     silent : tuple of str
         Channels without a response, which are left out.
+    prescribed : tuple of str
+        Channels from a prescribed motion to itself, which are left out.
     text : str
         What is drawn: quantity, robot, pose, and what the motors do.
     """
@@ -42,6 +44,7 @@ class DrawnChannels:
     units: Mapping[str, str]
     measured: tuple[Array, Mapping[str, Array]] | None
     silent: tuple[str, ...]
+    prescribed: tuple[str, ...]
     text: str
 
     @classmethod
@@ -71,6 +74,13 @@ class DrawnChannels:
         if over is not None:  # these first: only so many are drawn
             model = {**{name: model[name] for name in over[1]}, **model}
             silent = [name for name in silent if name not in over[1]]
+        over_names = () if over is None else tuple(over[1])
+        prescribed = [f"{one}/{one}" for one in response.outputs if one in response.inputs]
+        prescribed = [name for name in prescribed if name not in over_names]
+        if len(prescribed) + len(silent) < len(model):
+            model = {name: values for name, values in model.items() if name not in prescribed}
+        else:
+            prescribed = []
         if len(silent) < len(model):
             model = {name: values for name, values in model.items() if name not in silent}
         else:
@@ -81,4 +91,4 @@ class DrawnChannels:
         text = f"{quantity} of {response.robot.name} at {at}, motors {response.drives}{also}."
         if silent:
             text += f" No response in {', '.join(silent)}."
-        return cls(response.frequencies, model, units, over, tuple(silent), text)
+        return cls(response.frequencies, model, units, over, tuple(silent), tuple(prescribed), text)

@@ -24,8 +24,8 @@ Complex = NDArray[np.complex128]
 SAME_FREQUENCY, SAME_DAMPING = 0.005, 0.1
 #: Half the height of a pole's mark, relative to the least distance of orders.
 HALF = 0.3
-#: Width of a digit relative to that of the axes, and rows of labels at most.
-DIGIT, ROWS = 0.016, 3
+#: Width of a digit relative to that of the axes on a narrow screen, and rows of labels at most.
+DIGIT, ROWS = 0.032, 3
 #: Decades of a magnitude below its highest value that are drawn.
 DECADES = 5.0
 POLE: dict[str, Any] = {
@@ -72,7 +72,7 @@ def stabilisation(one: Inspection, marked: Lines, band: tuple[float, float]) -> 
         axes.set_xlabel("frequency [Hz]")
         _mark(axes, marked, band)
         axes.grid(visible=False, axis="x")
-        axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.10), ncols=6, columnspacing=1.2, fontsize=7.5)
+        axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.13), ncols=6, columnspacing=1.2, fontsize=7.5)
     return drawn
 
 

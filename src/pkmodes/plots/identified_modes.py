@@ -86,7 +86,7 @@ def scatter_of_repeats(setups: Sequence[Repeats]) -> Figure:
                     zorder=3,
                 )
         step = -(-len(distinct) // 12)
-        axes.set_xticks(range(0, len(distinct), step), [f"{f:.4g}" for f in distinct[::step]])
+        axes.set_xticks(range(0, len(distinct), step), [f"{f:#.4g}".rstrip(".") for f in distinct[::step]])
         axes.set_xlim(-0.6, len(distinct) - 0.4)
         axes.set_xlabel("mean frequency [Hz]")
         axes.set_ylabel("file, above the mean [%]")

@@ -154,7 +154,8 @@ def _labels(places: dict[tuple[int, int], Axes], place: tuple[int, int]) -> tupl
     beside = [places[one] for one in sorted(places) if one[0] == row]
     above = [places[one] for one in sorted(places) if one[1] == column]
     axes = places[place]
-    title = _title(axes) or _title(above[0]) or _title(beside[0])
+    nearest = [places[one] for one in sorted(places, reverse=True) if one[1] == column and one[0] <= row]
+    title = next((title for one in nearest if (title := _title(one))), "") or _title(beside[0])
     across = axes.get_xlabel() or above[-1].get_xlabel() or places[max(places)].get_xlabel()
     return title, across, axes.get_ylabel() or beside[0].get_ylabel()
 
@@ -178,10 +179,13 @@ def _legends(figure: Figure) -> None:
         above = axes.get_legend()
         if above is None or above.get_window_extent().y1 < axes.bbox.y1:
             continue
-        title_box = axes._left_title.get_window_extent() if _title(axes) else None  # type: ignore[attr-defined]
+        above_it = [axes._left_title] if _title(axes) else []  # type: ignore[attr-defined]
+        above_it += [text for text in axes.texts if text.get_visible() and text.get_text()]
         made = _fitted(figure, axes, above, {"loc": "lower right", "bbox_to_anchor": (1.0, 1.0)})
-        if title_box is not None and made.get_window_extent().overlaps(title_box):
-            top = (title_box.y1 - axes.bbox.y0) / axes.bbox.height
+        boxes = [text.get_window_extent() for text in above_it]
+        over = [box.y1 for box in boxes if box.y1 > axes.bbox.y1]
+        if any(made.get_window_extent().overlaps(box) for box in boxes):
+            top = (max(over, default=axes.bbox.y1) - axes.bbox.y0) / axes.bbox.height
             made.set_bbox_to_anchor((1.0, top), axes.transAxes)
 
 

@@ -70,7 +70,7 @@ def responses(
             above.annotate("no response in the model", (0.5, 0.5), xycoords="axes fraction", ha="center")
         _channel(above, below, curves, (float(frequencies[0]), float(frequencies[-1])))
         above.set_title(name)
-        above.set_ylabel(f"[{units[name]}]")
+        above.set_ylabel(f"magnitude [{units[name]}]")
         if len(curves) > 1 and not explained:
             above.legend()
             explained = True
@@ -102,7 +102,7 @@ def _channel(
         below.plot(*_unbroken(f[seen], np.degrees(np.angle(values[seen]))), **look)
     below.set_ylim(-190.0, 190.0)
     below.set_yticks([-180, 0, 180])
-    below.set_ylabel("phase [deg]")
+    below.set_ylabel("phase [\u00b0]")
     if curves:
         decades(above.yaxis, lambda value: typeset(f"{value:.0e}"))
     else:

@@ -10,7 +10,7 @@ import numpy as np
 from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis
 from pkmodes.plots import marks
 from pkmodes.plots.labels import short
-from pkmodes.plots.style import BLUE, GREEN, GREY, figure, styled
+from pkmodes.plots.style import BLUE, GREEN, GREY, PAPER, figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 #: Most candidates or values in a figure, and their longest name.
 MOST, LONGEST = 16, 64
+#: Longest label of a row: words and a name.
+WHOLE = 96
 #: Height of a row with its label [inch]; its label is this part of a row above the line.
 ROW, ABOVE = 0.3, 0.12
 #: Part of the axis left of 0, so that a mark at 0 is whole.
@@ -42,7 +44,7 @@ def candidates(result: Diagnosis) -> Figure | None:
         drawn = figure(0.85 + ROW * len(tested))
         axes = drawn.subplots()
         for label, colour, group in kinds:
-            for seen, face in ((True, colour), (False, "none")):
+            for seen, face in ((True, colour), (False, PAPER)):
                 some = [c for c in group if c.detectable == seen]
                 if some:
                     y = np.array([tested.index(c) for c in some])
@@ -62,11 +64,8 @@ def candidates(result: Diagnosis) -> Figure | None:
 
 def _label(words: str, name: str) -> str:
     """Return the label of a row: in words, and the name after them."""
-    return (
-        f"{short(words, LONGEST)} ({short(name.removeprefix('effects.'), LONGEST)})"
-        if words
-        else short(name.removeprefix("effects."), LONGEST)
-    )
+    named = short(name.removeprefix("effects."), LONGEST)
+    return f"{short(words, max(WHOLE - len(named), LONGEST))} ({named})" if words else named
 
 
 def _rows(axes: Axes, labels: Sequence[str]) -> None:

@@ -19,6 +19,8 @@ Array = NDArray[Any]
 FILLED = 0.25
 #: Height of a map over its width, at least and at most; space for titles and labels [inch].
 SHAPES, AROUND = (0.3, 1.3), 0.75
+#: Part of the width that a single map has, as one over this.
+ALONE = 1.6
 
 
 def over_plane(
@@ -38,7 +40,7 @@ def over_plane(
     x, y = (points[:, i] * units[i][1] for i in (0, 1))
     alike = units[0][0] == units[1][0]
     shape = float(np.clip(np.ptp(y) / np.ptp(x), *SHAPES)) if alike else 0.8
-    drawn = figure(shape * (WIDTH - 1.2) / len(left) + AROUND)
+    drawn = figure(shape * (WIDTH - 1.2) / max(len(left), ALONE) + AROUND)
     panels = drawn.subplots(1, len(left), squeeze=False, sharey=True)[0]
     highest = max(1e-9, *(float(values.max()) for values in left.values()))
     for axes, (title, values) in zip(panels, left.items(), strict=True):

@@ -9,7 +9,7 @@ import numpy as np
 
 from pkmodes.plots.labels import typeset, visible
 from pkmodes.plots.style import BLUE, GREY, INK, PAPER, figure
-from pkmodes.sensitivity.changes import PERCENT, Changes
+from pkmodes.sensitivity.changes import PERCENT, SIGMA, Changes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,6 +28,8 @@ RISE: dict[str, Any] = {"color": BLUE, "edgecolor": BLUE}
 FALL: dict[str, Any] = {"color": PAPER, "edgecolor": BLUE}
 TOGETHER: dict[str, Any] = {"color": GREY, "edgecolor": GREY}
 ALL = "all together"
+#: By how much each quantity changes.
+STEPS = {PERCENT: "1 %", SIGMA: "one sigma"}
 
 
 def tornado(changes: Changes, modes: Sequence[int] | None = None) -> Figure:
@@ -84,13 +86,14 @@ def _panel(axes: Axes, changes: Changes, mode: int, bars: int) -> None:
     largest = _visible(changes, mode)
     names = [",\n".join(map(broken, changes.names[i])) for i in largest]
     style: dict[str, Any] = {"height": 0.66, "linewidth": 0.8}
+    step = STEPS[changes.by]
     for place, i in enumerate(largest):
         size = float(changes.changes[i, mode])
-        axes.barh(place, size, **style, **RISE)
-        axes.barh(place, -size, **style, **FALL)
+        axes.barh(place, size, label=f"{step} more", **style, **RISE)
+        axes.barh(place, -size, label=f"{step} less", **style, **FALL)
     if changes.together is not None:
         size = float(changes.together[mode])
-        axes.barh(len(names), 2.0 * size, left=-size, **style, **TOGETHER)
+        axes.barh(len(names), 2.0 * size, left=-size, label=ALL, **style, **TOGETHER)
         names.append(ALL)
     axes.axvline(0.0, color=INK, linewidth=0.8)
     axes.set_yticks(range(len(names)), names, fontsize=7, linespacing=0.95)
@@ -111,7 +114,7 @@ def _panel(axes: Axes, changes: Changes, mode: int, bars: int) -> None:
 def _legend(drawn: Figure, changes: Changes) -> None:
     from matplotlib.patches import Patch
 
-    step = "1 %" if changes.by == PERCENT else "one sigma"
+    step = STEPS[changes.by]
     handles = [
         Patch(label=f"{step} more", facecolor=RISE["color"], edgecolor=BLUE),
         Patch(label=f"{step} less", facecolor=FALL["color"], edgecolor=BLUE),

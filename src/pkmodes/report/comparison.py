@@ -7,7 +7,7 @@ from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report import figures
 from pkmodes.report.blocks import Cell, Section, Summary, Tone
-from pkmodes.report.formatting import SENTENCE, clean, number, p_value, plural, pointer
+from pkmodes.report.formatting import p_value, plural, pointer, prose, three_digits
 from pkmodes.report.glossary import glossary
 from pkmodes.report.mode_table import mode_table
 from pkmodes.report.numbers import percent
@@ -36,7 +36,7 @@ def _summary(result: Comparison, setting: Setting) -> Summary:
     count = len(result.rows)
     facts = [
         ("rms difference [%]", percent(result.rms_relative, pointer("rms_relative"))),
-        ("chi\u00b2 per degree of freedom", number(result.chi2_per_dof, ".3g", pointer("chi2_per_dof"))),
+        ("chi\u00b2 per degree of freedom", three_digits(result.chi2_per_dof, pointer("chi2_per_dof"))),
         ("p-value", p_value(result.p_value, pointer("p_value"))),
         ("measured modes", Cell(str(count), count)),
         ("of them unmatched", Cell(str(len(result.unpaired)), len(result.unpaired), pointer("unpaired"))),
@@ -48,7 +48,7 @@ def _summary(result: Comparison, setting: Setting) -> Summary:
         headline=headline,
         reason=reason,
         tone=tone,
-        notes=[clean(note, SENTENCE) for note in result.notes],
+        notes=[prose(note) for note in result.notes],
         facts=[(name, cell) for name, cell in facts if cell.value is not None],
         head=setting.head,
     )

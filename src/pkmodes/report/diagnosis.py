@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
-from pkmodes.diagnosis.verdict.verdicts import VERDICTS
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, VERDICTS
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report import explanations, figures, numbers
 from pkmodes.report.blocks import Cell, Section, Summary
 from pkmodes.report.correction import correction
 from pkmodes.report.damping import damping
-from pkmodes.report.formatting import SENTENCE, clean, number, pointer, uncertain, unit
+from pkmodes.report.formatting import clean, number, pointer, prose, three_digits, uncertain, unit
 from pkmodes.report.glossary import glossary
 from pkmodes.report.mode_table import mode_table
 from pkmodes.report.origin import origin, view_section
@@ -54,12 +54,19 @@ def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary
         kind="Diagnosis",
         verdict=result.verdict,
         headline=_headline(result),
-        reason=clean(_sentence(result.reason), SENTENCE),
+        reason=prose(_sentence(result.reason) + _refitted(result)),
         tone=VERDICTS[result.verdict].colour,
-        notes=[clean(_sentence(note), SENTENCE) for note in result.notes],
+        notes=[prose(_sentence(note)) for note in result.notes],
         facts=facts,
         head=setting.head,
     )
+
+
+def _refitted(result: Diagnosis) -> str:
+    """Return that an adequate model is one whose uncertain values were refitted, if it has any."""
+    if result.verdict != ADEQUATE.word or not any(value.prior_sigma for value in result.corrected):
+        return ""
+    return " Its uncertain values were refitted within their standard deviations."
 
 
 def _headline(result: Diagnosis) -> str:
@@ -88,7 +95,9 @@ def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
     last = "after" if result.after is not None else "refit"
     stages = {"before": (result.before, "as declared")}
     stages[last] = (
-        (result.after, "with the cause") if result.after is not None else (result.refit, "refitted")
+        (result.after, f"with the cause{'s' if len(result.effects) > 1 else ''}")
+        if result.after is not None
+        else (result.refit, "refitted")
     )
     for name, (error, title) in stages.items():
         if error is not None:
@@ -100,8 +109,7 @@ def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
         held = error.held_out_rms_relative
         at = pointer("error", last, "held_out_rms_relative")
         facts.append((f"rms of held-out poses {stages[last][1]} [%]", numbers.percent(held, at)))
-        form = ".3g" if error.chi2_per_dof < 999.5 else ".0f"
-        chi2 = number(error.chi2_per_dof, form, pointer("error", last, "chi2_per_dof"))
+        chi2 = three_digits(error.chi2_per_dof, pointer("error", last, "chi2_per_dof"))
         facts.append((f"chi\u00b2 per degree of freedom {stages[last][1]}", chi2))
     return facts
 

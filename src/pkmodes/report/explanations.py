@@ -115,10 +115,17 @@ def candidates(result: Diagnosis) -> list[Block]:
                 f"significant is {name}.",
                 f"Scores of the candidates{_which(result)}: how clearly the residual of the refitted model points at "
                 "each. The score only shortlists: the choice is made by refitting, so the longest line need not be "
-                "the cause. Open marks are not detectable: these data would show no plausible change of them.",
+                f"the cause.{_open(result)}",
             )
         )
     return [*blocks, _table(result), *_undetectable(result)]
+
+
+def _open(result: Diagnosis) -> str:
+    """Return what open marks are, if the figure has any."""
+    shown = sorted(result.candidates, key=lambda one: one.p_value)[: scores.MOST]
+    said = " Open marks are candidates that these data cannot detect, listed below the table."
+    return "" if all(one.detectable for one in shown) else said
 
 
 def _which(result: Diagnosis) -> str:
@@ -135,14 +142,15 @@ def _table(result: Diagnosis) -> Table:
         at = ("candidates", k)
         sizes = _sizes(result, one)
         for value, name in sizes:
+            seen = value if one.detectable else None
             rows.append(
                 [
                     Cell.named(clean(one.sentence), clean(_identifier(one.name, name, len(sizes)))),
                     Cell(_standing(result, one.name)),
                     p_value(one.p_value, pointer(*at, "p_value")),
-                    _visible(value, pointer(*at, "visible_from")),
+                    _visible(seen, pointer(*at, "visible_from")),
                     _limit(result, name),
-                    Cell(_unit(result, value, name)),
+                    Cell(_unit(result, seen, name)),
                     Cell("yes" if one.detectable else "no"),
                 ]
             )
@@ -150,7 +158,7 @@ def _table(result: Diagnosis) -> Table:
     columns += [
         Column("p of its score"),
         Column("visible from"),
-        Column("limit (95 %)"),
+        Column("limit (95\u00a0%)"),
         Column("unit", False),
         Column("detectable", False),
     ]
@@ -162,8 +170,8 @@ def _table(result: Diagnosis) -> Table:
     )
     caption = (
         "Candidates, the most significant score first. Visible from: the smallest change that these data would "
-        "probably show (5 \u03c3), where a plausible one is enough. Limit: how far the value may still be from the "
-        f"declared one at 95 %, beside what the diagnosis says; {NOTHING} where nothing bounds it within its "
+        "probably show (5 \u03c3), of a candidate that they can detect. Limit: how far the value may still be from "
+        f"the declared one at 95 %, beside what the diagnosis says; {NOTHING} where nothing bounds it within its "
         "plausible range. That nothing was found is no proof that an effect is absent."
     )
     return table(caption, columns, rows, note=note)
@@ -233,10 +241,11 @@ def _undetectable(result: Diagnosis) -> list[Block]:
     """Return what these data would not show, not even of a size that moves a frequency by a tenth."""
     if not result.undetectable:
         return []
+    sentences = {one.name: one.sentence for one in result.candidates}
     return [
         Paragraph(
             "Not detectable with these data, even if they moved a measured frequency by 10 % or had their largest "
-            "plausible size. Nothing is said about them:"
+            "plausible size. That they were not found says nothing about them:"
         ),
-        Listing([clean(name) for name in result.undetectable], names=True),
+        Listing([named(name, sentences) for name in result.undetectable]),
     ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 
 from pkmodes.base.numbers import p_text, plain, rounded
@@ -15,6 +16,8 @@ LONGEST = 100
 SENTENCE = 1500
 #: Shown where there is no number.
 NOTHING = "\u2013"
+#: A number with a power of ten within a sentence.
+POWER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?e[+-]?\d+(?!\w|\.\d)")
 
 
 def clean(text: object, longest: int | None = LONGEST) -> str:
@@ -26,6 +29,11 @@ def clean(text: object, longest: int | None = LONGEST) -> str:
         Longer text is shortened; None for any length.
     """
     return visible(text, longest)
+
+
+def prose(text: object) -> str:
+    """Return sentences on one line, with their powers of ten set as in print."""
+    return POWER.sub(lambda found: typeset(found[0]), clean(text, SENTENCE))
 
 
 def figures(value: float | None, digits: int = 6, at: str = "") -> Cell:
@@ -56,6 +64,12 @@ def number(
     if value is None or math.isnan(value):
         return Cell(NOTHING, None, at)
     return Cell(typeset(format(scale * value, form)), float(value), at, strong)
+
+
+def three_digits(value: float | None, at: str = "", *, scale: float = 1.0, strong: bool = False) -> Cell:
+    """Return a number with three significant digits, zeros among them: 5.30 beside 12.7."""
+    shown = 0.0 if value is None or math.isnan(value) else abs(scale * value)
+    return number(value, "#.3g" if 0.0 < shown < 99.95 else ".0f", at, scale=scale, strong=strong)
 
 
 def hertz(value: float | None, at: str = "") -> Cell:
@@ -97,11 +111,13 @@ def named(explanation: str, sentences: Mapping[str, str]) -> str:
 
 def unit(name: str) -> str:
     """Return a unit as it is shown after a number; nothing for a number without one."""
-    return (
-        ""
-        if name == "1"
-        else clean(name).replace("*", "\u00b7").replace("^2", "\u00b2").replace("^3", "\u00b3")
-    )
+    product = re.sub(r"[* ]+", "\u00b7", clean(name))
+    return "" if name == "1" else product.replace("^2", "\u00b2").replace("^3", "\u00b3")
+
+
+def thousands(count: int) -> str:
+    """Return a count with thin spaces between its thousands."""
+    return f"{count:,}".replace(",", "\u2009")
 
 
 def pointer(*parts: object) -> str:
@@ -111,4 +127,4 @@ def pointer(*parts: object) -> str:
 
 def plural(count: int, noun: str) -> str:
     """Return a number with its noun."""
-    return f"{count:,} {noun}{'' if count == 1 else 's'}".replace(",", "\u2009")
+    return f"{thousands(count)} {noun}{'' if count == 1 else 's'}"

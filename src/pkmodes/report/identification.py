@@ -14,7 +14,7 @@ from pkmodes.campaign.results import Identification, IdentifiedMode, RecordResul
 from pkmodes.plots import identified_modes
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Picture, Section, Summary
 from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer
-from pkmodes.report.identified_record import auto_macs, record_section
+from pkmodes.report.identified_record import SHOWN, auto_macs, record_section
 from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source
@@ -190,7 +190,7 @@ def _overview(found: Identification, content: Mapping[str, Any]) -> list[Block]:
         rows.append(
             [
                 Cell(clean(result.record.pose)),
-                Cell(result.record.kind),
+                Cell(SHOWN.get(result.record.kind, result.record.kind)),
                 number(len(result.modes), ".0f"),
                 _frequency(i, result, 0),
                 _frequency(i, result, last),

@@ -13,7 +13,7 @@ from pkmodes.campaign.inspection import Inspection
 from pkmodes.campaign.results import IdentifiedMode, RecordResult
 from pkmodes.plots import fits, identified_modes
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Section, Table
-from pkmodes.report.formatting import SENTENCE, clean, figures, hertz, number, plural, pointer, uncertain
+from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer, uncertain
 from pkmodes.report.tables import table
 
 #: Complex shapes drawn of a record at most: the least collinear.
@@ -22,6 +22,8 @@ MOST_SHAPES = 18
 MOST_MAC = 60
 #: Messages of a record that are listed at most.
 MOST_MESSAGES = 40
+#: Kinds of record whose name is an abbreviation.
+SHOWN = {"frf": "FRF"}
 #: What the functions of each kind of record are.
 FUNCTIONS = {
     "frf": "frequency response function, as acceleration per force in SI units",
@@ -58,7 +60,9 @@ def record_section(
         blocks += _fit(one, result, campaign)
     blocks += _shapes(result)
     blocks += _repeats(result)
-    return Section(f"record-{index + 1}", clean(f"{record.pose}: {record.kind}", 60), blocks)
+    return Section(
+        f"record-{index + 1}", clean(f"{record.pose}: {SHOWN.get(record.kind, record.kind)}", 60), blocks
+    )
 
 
 def _name(path: str) -> str:
@@ -103,7 +107,7 @@ def _table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
             Cell(str(k + 1)),
             uncertain(mode["frequency"], mode["sigma"], pointer(*at, "frequency"), pointer(*at, "sigma")),
         ]
-        cells += [figures(parts[key], 2, pointer(*at, "sigma_parts", key)) for key in parts]
+        cells += [_two_digits(parts[key], pointer(*at, "sigma_parts", key)) for key in parts]
         if damped:
             cells.append(_damping(mode, at))
         cells += [number(mode["complexity"], ".3f", pointer(*at, "complexity"))] if shaped else []
@@ -117,6 +121,11 @@ def _table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
     meanings += ["MPC is the modal phase collinearity, 1 for a real shape"] if shaped else []
     meanings += ["orders: in how many model orders the pole was found"] if ordered else []
     return table("Modes.", columns, rows, groups, "; ".join(meanings) + ".")
+
+
+def _two_digits(sigma: float | None, at: str) -> Cell:
+    """Return a part of a standard deviation with two significant digits, zeros among them."""
+    return number(sigma, "#.2g" if sigma is None or 0.0 < sigma < 9.95 else ".0f", at)
 
 
 def _damping(mode: Mapping[str, Any], at: Sequence[object]) -> Cell:

@@ -25,7 +25,7 @@ from pkmodes.report.blocks import (
     Table,
 )
 from pkmodes.report.explorer import explorer_of
-from pkmodes.report.formatting import clean, number, plural, pointer, unit
+from pkmodes.report.formatting import clean, number, plural, pointer, thousands, unit
 from pkmodes.report.map_planes import declared_values, plane_of, swept_paths, swept_pictures
 from pkmodes.report.origin import files_of, view_section
 from pkmodes.report.page import need_report, page
@@ -110,10 +110,10 @@ def _summary(model: Model, content: dict[str, Any]) -> Summary:
         for code, count in content["reasons"].items()
     ]
     facts = [
-        ("poses", Cell(_thousands(content["poses"]), content["poses"], pointer("poses"))),
+        ("poses", Cell(thousands(content["poses"]), content["poses"], pointer("poses"))),
         (
             "can be evaluated",
-            Cell(f"{_thousands(content['valid'])} ({100 * share:.3g} %)", content["valid"], pointer("valid")),
+            Cell(f"{thousands(content['valid'])} ({100 * share:.3g} %)", content["valid"], pointer("valid")),
         ),
         ("vibration modes", Cell(str(len(content["modes"])), len(content["modes"]))),
     ]
@@ -143,10 +143,6 @@ def _headline(content: dict[str, Any]) -> str:
     if count == 1:
         return f"{lowest} is {low:.2f} Hz"
     return f"{lowest} lies between {low:.2f} and {high:.2f} Hz{where}"
-
-
-def _thousands(count: int) -> str:
-    return f"{count:,}".replace(",", "\u2009")
 
 
 def _extent(model: Model, content: dict[str, Any]) -> str:

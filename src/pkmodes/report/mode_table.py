@@ -64,7 +64,10 @@ def mode_table(result: Diagnosis | Comparison, evidence: Evidence, setting: Sett
         cells += [Cell(remarks[i])] if any(remarks) else []
         cells += [Cell(setting.load(row.load))] if loads else []
         lines.append(cells)
-    caption = "Measured modes and the model; differences are model minus measurement."
+    caption = (
+        "Measured modes and the model; differences are model minus measurement. Line: of the measurement file"
+    )
+    caption += "; own: the name of the mode there." if own else "."
     return table(caption, columns, lines, groups, note)
 
 

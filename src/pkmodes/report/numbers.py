@@ -9,7 +9,18 @@ from pkmodes.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, 
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Paragraph, Picture, Table
-from pkmodes.report.formatting import NOTHING, clean, figures, named, number, plural, pointer, uncertain, unit
+from pkmodes.report.formatting import (
+    NOTHING,
+    clean,
+    figures,
+    named,
+    number,
+    plural,
+    pointer,
+    three_digits,
+    uncertain,
+    unit,
+)
 from pkmodes.report.setting import Setting
 from pkmodes.report.tables import table
 
@@ -33,13 +44,12 @@ def errors(result: Diagnosis) -> list[Block]:
         at, strong = ("error", name), name in last
         title = STAGES[name] + ("s" if name == "after" and len(result.effects) > 1 else "")
         held = error.held_out_rms_relative
-        form = ".3g" if error.chi2_per_dof < 999.5 else ".0f"
         rows.append(
             [
                 Cell(title, strong=strong),
                 percent(error.rms_relative, pointer(*at, "rms_relative"), strong),
                 percent(held, pointer(*at, "held_out_rms_relative"), strong),
-                number(error.chi2_per_dof, form, pointer(*at, "chi2_per_dof"), strong=strong),
+                three_digits(error.chi2_per_dof, pointer(*at, "chi2_per_dof"), strong=strong),
             ]
         )
     columns = [Column("model", False), Column("rms, fitted [%]"), Column("rms, held out [%]")]
@@ -53,8 +63,8 @@ def errors(result: Diagnosis) -> list[Block]:
         more = f" and {len(result.held_out_poses) - 20} more" if len(result.held_out_poses) > 20 else ""
         blocks.append(
             Paragraph(
-                f"Held out, so that no choice and no fit has seen them: {shown}{more}. Their error is that of a "
-                "prediction."
+                f"Held out, so that no choice and no fit has seen them: {shown}{more}. The error there is that "
+                "of a prediction."
             )
         )
     return blocks
@@ -62,7 +72,8 @@ def errors(result: Diagnosis) -> list[Block]:
 
 def percent(relative: float | None, at: str = "", strong: bool = False) -> Cell:
     """Return a relative error in per cent."""
-    return number(relative, ".3f", at, scale=100.0, strong=strong)
+    form = ".3f" if relative is None or abs(relative) < 0.1 else ".1f"
+    return number(relative, form, at, scale=100.0, strong=strong)
 
 
 def values(result: Diagnosis, setting: Setting) -> list[Block]:
@@ -130,11 +141,16 @@ def stability(result: Diagnosis) -> list[Block]:
     """Return what the verdict becomes with other errors or priors."""
     if not result.stability:
         return []
+    if all(same(result, s) for s in result.stability):
+        *first, last = (f"with {CHANGES.get(s.change, s.change)}" for s in result.stability)
+        changes = " and ".join([", ".join(first), last] if first else [last])
+        kept = "The verdict and its causes stay" if result.effects else "The verdict stays"
+        return [Paragraph(f"{kept} the same {changes}.")]
     sentences = {one.name: one.sentence for one in result.candidates}
     rows = [
         [
             Cell(CHANGES.get(s.change, s.change)),
-            Cell(s.verdict),
+            Cell(s.verdict.replace("_", " ")),
             Cell(" + ".join(named(name, sentences) for name in s.effects) or NOTHING),
             Cell(SAME if same(result, s) else meaning(result, s) or NOTHING),
         ]

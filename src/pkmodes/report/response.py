@@ -15,7 +15,16 @@ from pkmodes.plots.labels import MINUS
 from pkmodes.plots.responses import responses
 from pkmodes.plots.style import styled
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Picture, Section, Summary
-from pkmodes.report.formatting import clean, figures, hertz, number, plural, pointer, uncertain, unit
+from pkmodes.report.formatting import (
+    clean,
+    hertz,
+    number,
+    plural,
+    pointer,
+    three_digits,
+    uncertain,
+    unit,
+)
 from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
@@ -99,7 +108,11 @@ def _summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) ->
         count = len(drawn.measured[1])
         facts.append(("of the channels measured", Cell(str(count), count)))
     reason = f"{response.quantity.capitalize()} at {at}, motors {response.drives}."
+    if meanings := [f"{clean(one)} is {words}" for one in (output, into) if (words := _meaning(one))]:
+        reason += f" Here {', '.join(meanings)}."
     notes = [] if model.robot.dissipates else [UNDAMPED]
+    if drawn.prescribed:
+        notes.append(f"{clean(', '.join(drawn.prescribed), None)} is left out: the motion is prescribed.")
     if drawn.silent:
         notes.append(f"No response in {clean(', '.join(drawn.silent), None)}.")
     return Summary(
@@ -113,6 +126,17 @@ def _summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) ->
         facts=facts,
         head=head_of(model.robot.report),
     )
+
+
+def _meaning(port: str) -> str:
+    """Return what an input or output is; empty for one whose name says it, or that has none."""
+    kind, _, which = port.partition("_")
+    return {
+        "p": f"the motion of the platform along {which}",
+        "force": f"a force on the platform along {which}",
+        "motor": f"the angle of motor {which}",
+        "torque": f"the torque of motor {which}",
+    }.get(kind, "")
 
 
 def _within(drawn: DrawnChannels, values: NDArray[Any]) -> int | None:
@@ -162,10 +186,15 @@ def _largest(drawn: DrawnChannels) -> Block:
 def _cells(f: NDArray[Any], values: NDArray[Any], peak: int, at: str = "") -> list[Cell]:
     value = complex(values[peak])
     return [
-        figures(abs(value), 4),
+        _four_digits(abs(value)),
         number(float(f[peak]), ".2f", at),
         number(float(np.degrees(np.angle(value))), ".0f"),
     ]
+
+
+def _four_digits(value: float) -> Cell:
+    """Return a magnitude with four significant digits, zeros among them, so that columns align."""
+    return number(value, "#.4g" if 1e-3 <= value < 999.9 else ".3e")
 
 
 def _modes(model: Model, response: FrequencyResponse) -> Block:
@@ -184,7 +213,7 @@ def _modes(model: Model, response: FrequencyResponse) -> Block:
             [
                 Cell(str(i + 1 - rigid)),
                 uncertain(f, sigma) if sigma > 0.0 else hertz(f),
-                number(float(modes.damping_ratios[i]), ".3g", scale=100.0),
+                three_digits(float(modes.damping_ratios[i]), scale=100.0),
                 *(number(float(part) + 0.0, ".3f") for part in direction),
             ]
         )

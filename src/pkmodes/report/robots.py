@@ -25,11 +25,12 @@ from pkmodes.report.blocks import (
     Summary,
     Table,
 )
-from pkmodes.report.formatting import clean, number, plural, pointer, unit
+from pkmodes.report.formatting import clean, number, plural, pointer, thousands, unit
 from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source
 from pkmodes.robot.report_fields import common_head
+from pkmodes.robot.words import in_words
 
 if TYPE_CHECKING:
     from pkmodes.model.model import Model
@@ -65,7 +66,7 @@ def robots_report(
     """
     need_report()
     sections = [
-        Section("values", "What the files declare differently", list(_values(content))),
+        Section("values", "What the files declare differently", list(_values(first, content))),
         Section("frequencies", "Frequencies over the poses that both reach", list(_frequencies(content))),
         *_pictures(first, second, content["drives"], places),
         Section("origin", "Data and versions", [_origin(first, content, sources)]),
@@ -86,15 +87,15 @@ def _summary(content: dict[str, Any], head: Sequence[tuple[str, str]]) -> Summar
         ("values that differ", Cell(str(len(content["values"])), len(content["values"]))),
         (
             "poses that both reach",
-            Cell(f"{poses['both']:,}".replace(",", "\u2009"), poses["both"], pointer("poses", "both")),
+            Cell(thousands(poses["both"]), poses["both"], pointer("poses", "both")),
         ),
         (
             "the first only",
-            Cell(str(poses["first_only"]), poses["first_only"], pointer("poses", "first_only")),
+            Cell(thousands(poses["first_only"]), poses["first_only"], pointer("poses", "first_only")),
         ),
         (
             "the second only",
-            Cell(str(poses["second_only"]), poses["second_only"], pointer("poses", "second_only")),
+            Cell(thousands(poses["second_only"]), poses["second_only"], pointer("poses", "second_only")),
         ),
     ]
     names = f"{clean(content['first'])} (first) and {clean(content['second'])} (second)"
@@ -115,7 +116,7 @@ def _signed(relative: float) -> str:
     return f"{100.0 * relative:+.2f}".replace("-", "\u2212")
 
 
-def _values(content: dict[str, Any]) -> Iterator[Block]:
+def _values(first: Model, content: dict[str, Any]) -> Iterator[Block]:
     values = content["values"]
     if values:
         # Columns that would say nothing are left out.
@@ -124,7 +125,7 @@ def _values(content: dict[str, Any]) -> Iterator[Block]:
         ]
         rows = [
             [
-                Cell(clean(value["path"])),
+                Cell.named(clean(in_words(first.robot.mechanism, value["path"])), clean(value["path"])),
                 number(value["first"], ".6g", pointer("values", i, "first")),
                 number(value["second"], ".6g", pointer("values", i, "second")),
                 number(value["relative"], "+.2f", pointer("values", i, "relative"), scale=100.0),
@@ -178,9 +179,9 @@ def _frequencies(content: dict[str, Any]) -> Iterator[Block]:
     yield Table(caption, [Column(title) for title in titles], rows)
     yield Paragraph(
         "Modes are numbered by frequency in the first robot. At each pose they are paired with those of the second "
-        "by their shapes: the pairs with the largest sum of MAC. Exchanged is the share of poses at which the "
-        "partner has another number than at most poses, because frequencies cross or veer; MAC is the median of the "
-        "pairs."
+        "by their shapes: the pairs with the largest sum of MAC. Partner is the number that the partner has most "
+        "often; exchanged, the share of poses at which it has another one, because frequencies cross or veer; MAC is "
+        "the median of the pairs."
     )
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pkmodes.base.numbers import plain
 from pkmodes.base.version import VERSION
 from pkmodes.figures.tornado_picture import describe
 from pkmodes.mechanism.poses import placed
@@ -20,6 +21,7 @@ from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.robot.report_fields import head_of
+from pkmodes.robot.words import in_words
 from pkmodes.sensitivity.changes import PERCENT, SIGMA, Changes, changes_at
 from pkmodes.sensitivity.spread import stated_sigmas
 
@@ -62,7 +64,7 @@ def sensitivities_report(
     percent = changes_at(model.dynamics, pose, drives, PERCENT)
     sigma = changes_at(model.dynamics, pose, drives, SIGMA) if stated_sigmas(model.robot) else None
     sections = [
-        Section("percent", "One per cent of each quantity", _per_cent(percent, content)),
+        Section("percent", "One per cent of each quantity", _per_cent(model, percent, content)),
         Section("sigma", "Standard deviations of the robot file", _per_sigma(model, sigma, content)),
         Section("origin", "Data and versions", [_origin(model, content, sources)]),
     ]
@@ -76,7 +78,7 @@ def _summary(model: Model, percent: Changes, sigma: Changes | None, content: dic
     if first:
         mode = int(relative[first[0]].argmax())
         change = f"{relative[first[0], mode]:.2g}"
-        name = clean(" or ".join(percent.names[first[0]]))
+        name = " or ".join(_named(model, path) for path in percent.names[first[0]])
         headline = f"Mode {mode + 1} depends most on {name}: {change} % for 1 %"
         reason = "The largest change of any frequency for one per cent of a quantity. "
     at = placed(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
@@ -100,6 +102,18 @@ def _summary(model: Model, percent: Changes, sigma: Changes | None, content: dic
     )
 
 
+def _named(model: Model, path: str) -> str:
+    """Return what a quantity is within a sentence: in words, with its path."""
+    words = clean(in_words(model.robot.mechanism, path))
+    return f"the {words} ({clean(path)})" if words else clean(path)
+
+
+def _quantity(model: Model, paths: Sequence[str]) -> Cell:
+    """Return the quantities of a row: in words, and their paths beneath."""
+    words = [clean(in_words(model.robot.mechanism, path)) for path in paths]
+    return Cell.named(", ".join(words) if all(words) else "", clean(", ".join(paths)))
+
+
 def _with_sigma(frequency: float, sigma: float) -> str:
     """Return a frequency with its standard deviation, both to two digits of the latter."""
     if not sigma > 0.0:
@@ -121,7 +135,7 @@ def _notes(content: dict[str, Any]) -> list[str]:
     ]
 
 
-def _per_cent(changes: Changes, content: dict[str, Any]) -> list[Block]:
+def _per_cent(model: Model, changes: Changes, content: dict[str, Any]) -> list[Block]:
     order = changes.largest_of_all()
     if not order:
         return [Paragraph("No frequency depends on any quantity of the robot file.")]
@@ -129,11 +143,9 @@ def _per_cent(changes: Changes, content: dict[str, Any]) -> list[Block]:
     rows = []
     for i in order:
         known = [paths.index(name) for name in changes.paths[i] if name in paths]
-        values = [
-            f"{typeset(format(content['values'][t], '.5g'))} {unit(content['units'][t])}" for t in known
-        ]
+        values = [f"{typeset(plain(content['values'][t], 5))} {unit(content['units'][t])}" for t in known]
         row = [
-            Cell(clean(", ".join(changes.names[i]))),
+            _quantity(model, changes.names[i]),
             Cell(", ".join(value.rstrip() for value in values) or NOTHING),
         ]
         for mode, frequency in enumerate(changes.frequencies.tolist()):
@@ -141,7 +153,7 @@ def _per_cent(changes: Changes, content: dict[str, Any]) -> list[Block]:
             if known:
                 place = pointer("relative_derivatives", known[0], rigid + mode)
                 value = content["relative_derivatives"][known[0]][rigid + mode]
-            row.append(number(value, ".4f", place))
+            row.append(number(value, "+.4f", place))
         rows.append(row)
     caption = "Per cent of each frequency for one per cent more of a quantity, the largest first."
     note = "" if all(len(names) == 1 for names in changes.names) else ONE + " "
@@ -165,8 +177,8 @@ def _per_sigma(model: Model, changes: Changes | None, content: dict[str, Any]) -
     for i in changes.largest_of_all():
         (path,) = changes.names[i]
         quantity = model.robot.quantities[path]
-        text = f"{typeset(format(sigmas[path], '.3g'))} {unit(quantity.unit)}".rstrip()
-        row = [Cell(clean(path)), Cell(text, sigmas[path])]
+        text = f"{typeset(plain(sigmas[path], 3))} {unit(quantity.unit)}".rstrip()
+        row = [_quantity(model, [path]), Cell(text, sigmas[path])]
         rows.append([*row, *(number(float(value), "+.3f") for value in changes.changes[i])])
     rows.append(
         [

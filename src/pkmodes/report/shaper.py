@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.base.version import VERSION
 from pkmodes.plots import shapers
+from pkmodes.plots.labels import typeset
 from pkmodes.plots.style import styled
 from pkmodes.report.blocks import Cell, Column, Facts, Lines, Paragraph, Picture, Section, Summary, Table
-from pkmodes.report.formatting import clean, number, pointer
+from pkmodes.report.formatting import clean, number, pointer, thousands
 from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
@@ -30,6 +32,8 @@ ERRORS = np.linspace(-0.2, 0.2, 81)
 CURVES, POSES = 5, 400
 #: Poses whose components differ by less are in one layer [SI].
 SAME = 1e-9
+#: Per cent left everywhere below which a map would be of one colour.
+FLAT = 0.05
 #: Poses in a layer, of those that a layer of a regular grid would have, at least.
 LAYER = 0.3
 
@@ -64,9 +68,14 @@ def shaper_report(
         Section("workspace", "Over the workspace", [_over_workspace(model, choice)]),
         Section("errors", "Where frequencies differ from the model's", [_against_error(choice)]),
         Section("firmware", "Lines for firmware", _firmware(content)),
-        Section("origin", "Data and versions", [Facts(files_of(sources))]),
+        Section("origin", "Data and versions", [Facts(_origin(model, sources))]),
     ]
     return page(_summary(model, choice, content), sections)
+
+
+def _origin(model: Model, sources: Sequence[Source]) -> list[tuple[str, Sequence[Cell]]]:
+    more = [("mechanism", model.mechanism.title), ("pkmodes", VERSION)]
+    return [*files_of(sources), *((name, [Cell(clean(value))]) for name, value in more)]
 
 
 def _summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
@@ -80,10 +89,10 @@ def _summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
         headline=f"{best.kind} leaves {100.0 * best.left.worst:.2g} % of the largest vibration",
         reason=(
             f"The recommended fixed shaper, for {_design(best)}; motors held. Where it leaves most, the vibration is "
-            f"{100.0 * best.left.worst:.2g} % of the largest one without a shaper."
+            f"{100.0 * best.left.worst:.2g} % of the largest one without a shaper. {_why(choice)}"
         ),
         tone="plain",
-        notes=[clean(note, None) for note in content["notes"]],
+        notes=[_sentence(clean(note, None)) for note in content["notes"]],
         facts=[
             ("lasts", Cell(f"{1e3 * best.duration:.3g} ms", best.duration)),
             (
@@ -92,12 +101,28 @@ def _summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
             ),
             ("most left at one pose, of the vibration there", Cell(_per_cent(share), share)),
             (
-                "largest vibration without, for a step of 1 m/s^2",
-                Cell(f"{1e6 * unshaped.worst:.3g} um", unshaped.worst, pointer("unshaped", "worst")),
+                "largest vibration without, for a step of 1 m/s\u00b2",
+                Cell(f"{1e6 * unshaped.worst:.3g} \u00b5m", unshaped.worst, pointer("unshaped", "worst")),
             ),
         ],
         head=head_of(model.robot.report),
     )
+
+
+def _why(choice: Choice) -> str:
+    """Return why it is recommended."""
+    most, length = choice.left, choice.length
+    lasting = "" if length is None else f" that lasts at most {1e3 * length:.4g} ms"
+    if choice.candidates[choice.recommended].left.worst <= most:
+        return f"It is the shortest fixed one{lasting} that leaves at most {100.0 * most:.3g} % there."
+    return f"No fixed one{lasting} leaves at most {100.0 * most:.3g} % there; it leaves least."
+
+
+def _sentence(text: str) -> str:
+    """Begin with a capital, except where a name stands first, and end with a full stop."""
+    first = text.partition(" ")[0]
+    text = text[:1].upper() + text[1:] if first.isalpha() else text
+    return text if text.endswith(".") else f"{text}."
 
 
 def _per_cent(share: float) -> str:
@@ -107,7 +132,7 @@ def _per_cent(share: float) -> str:
 def _machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
     """Return the poses and the modes that count."""
     at = choice.ringing
-    entries = [("poses", [Cell(f"{content['poses']:,}", content["poses"], pointer("poses"))])]
+    entries = [("poses", [Cell(thousands(content["poses"]), content["poses"], pointer("poses"))])]
     for i, component in enumerate(model.mechanism.pose):
         unit, factor = SHOWN[component.unit]
         entries.append((component.name, [Cell(f"{_range(at.poses[:, i] * factor, '.5g')} {unit}")]))
@@ -123,11 +148,12 @@ def _machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
 
 def _range(values: NDArray[np.float64], form: str) -> str:
     ends = dict.fromkeys(format(end, form) for end in (values.min() + 0.0, values.max() + 0.0))
-    return " to ".join(ends)
+    return " to ".join(typeset(end) for end in ends)
 
 
 def _design(one: Candidate) -> str:
-    return ", ".join(f"{f:.1f}" for f in one.frequencies) + " Hz"
+    *first, last = (f"{f:.1f}" for f in one.frequencies)
+    return f"{', '.join(first)} and {last} Hz" if first else f"{last} Hz"
 
 
 def _table(content: dict[str, Any]) -> Table:
@@ -187,10 +213,16 @@ def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
     if not varying:
         share = ", ".join(f"{name}: {_per_cent(values[0] / 100.0)}" for name, values in shares.items())
         return Paragraph(f"There is one pose only. Left of the vibration there: {share}.")
+    clear = [name for name, values in shares.items() if values.max() < FLAT]
+    shares = {name: values for name, values in shares.items() if name not in clear} or shares
     named = [components[i].name for i in varying]
     units = [SHOWN[components[i].unit] for i in varying]
     caption = "Vibration that is left, in per cent of the largest one without a shaper"
     judged = ". A shaper that follows the pose is judged at rest; a move adds to it."
+    if clear and len(shares) < len(_picked(choice)):
+        judged = (
+            f". At rest, {' and '.join(clear).replace(',', '')} leaves nothing anywhere; a move adds to it."
+        )
     with styled():
         if len(varying) == 1:
             drawn = shapers.along_line(at.poses[:, varying[0]], named[0], units[0], shares)
@@ -198,7 +230,7 @@ def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
             plane, layer = _plane(at.poses, choice.candidates[choice.recommended].left.pose, varying[2:])
             for i, value in layer.items():
                 unit, factor = SHOWN[components[i].unit]
-                caption += f", at {components[i].name} = {value * factor:.4g} {unit}"
+                caption += f", at {components[i].name} = {typeset(f'{value * factor:.4g}')} {unit}"
             caption += ", where the recommended shaper leaves most" if layer else ""
             drawn = shapers.over_plane(
                 at.poses[plane][:, varying[:2]],

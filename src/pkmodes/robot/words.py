@@ -46,7 +46,8 @@ def _of_item(item: Item, path: str) -> str:
     element = path.removeprefix(item.path).lstrip(".")
     if element.isdigit():
         return _counted(words, ELEMENT, int(element) - 1)
-    return f"{words} ({element})" if element else words
+    own = [part for part in words.split(", ") if element and part.startswith(f"{element}(")]
+    return own[0] if own else f"{words} ({element})" if element else words
 
 
 def _counted(words: str, letter: str, entry: int | None) -> str:

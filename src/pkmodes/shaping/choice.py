@@ -101,6 +101,10 @@ class Choice:
     recommended : int
         Index of a fixed one.
     notes : tuple of str
+    left : float
+        Share of the vibration at the worst pose that is good enough.
+    length : float or None
+        Longest duration allowed [s].
     """
 
     ringing: Ringing
@@ -108,6 +112,8 @@ class Choice:
     candidates: tuple[Candidate, ...]
     recommended: int
     notes: tuple[str, ...]
+    left: float = LEFT
+    length: float | None = None
 
 
 def default_kinds(modes: int) -> tuple[str, ...]:
@@ -156,7 +162,9 @@ def choose(
         kept = {one.kind for one in candidates}
         listed = dict.fromkeys(f"{one.kind}{_variant(one) if one.kind in kept else ''}" for one in short)
         notes.append(f"{', '.join(listed)}: left out, shorter than two ticks of {1e3 * tick:.3g} ms")
-    return Choice(at, _amplitude(at, at.unshaped), candidates, recommended, (*_about(at), *notes))
+    return Choice(
+        at, _amplitude(at, at.unshaped), candidates, recommended, (*_about(at), *notes), left, length
+    )
 
 
 def _per_cent(share: float) -> str:

@@ -1,0 +1,61 @@
+"""Numbers, counts and units of reports are set as in print, within sentences too."""
+
+from __future__ import annotations
+
+import pytest
+
+from pkmodes.report.formatting import plural, prose, thousands, three_digits, unit
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "not noise (p < 1e-6); explanation: it winds up.",
+            "not noise (p < 10\u207b\u2076); explanation: it winds up.",
+        ),
+        ("p = 2.4e-3.", "p = 2.4\u2009\u00d7\u200910\u207b\u00b3."),
+        ("up to 5.9e4 N/m", "up to 5.9\u2009\u00d7\u200910\u2074 N/m"),
+        ("pose 1e-6b, file a1e-6", "pose 1e-6b, file a1e-6"),  # names
+        ("2.9 times, at 50 Hz", "2.9 times, at 50 Hz"),
+    ],
+)
+def test_powers_of_ten_within_sentences(text: str, expected: str) -> None:
+    assert prose(text) == expected
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("kg*m^2", "kg\u00b7m\u00b2"),
+        ("kg m^2", "kg\u00b7m\u00b2"),
+        ("rad/(N*m)", "rad/(N\u00b7m)"),
+        ("N m/rad", "N\u00b7m/rad"),
+        ("m/s^2", "m/s\u00b2"),
+        ("1", ""),
+    ],
+)
+def test_units_have_points_and_raised_powers(name: str, expected: str) -> None:
+    assert unit(name) == expected
+
+
+def test_counts_have_thin_spaces_between_thousands() -> None:
+    assert thousands(492) == "492"
+    assert thousands(6583) == "6\u2009583"
+    assert plural(1234567, "pose") == "1\u2009234\u2009567 poses"
+
+
+@pytest.mark.parametrize(
+    ("value", "expected"),
+    [
+        (5.3, "5.30"),
+        (12.7, "12.7"),
+        (0.755, "0.755"),
+        (134.2, "134"),
+        (99.96, "100"),
+        (0.0, "0"),
+        (None, "\u2013"),
+    ],
+)
+def test_three_digits_keep_their_zeros(value: float | None, expected: str) -> None:
+    assert three_digits(value).text == expected
