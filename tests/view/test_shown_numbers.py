@@ -197,7 +197,17 @@ def test_between_computed_poses_the_page_interpolates_and_says_so(seen: Opened) 
     assert found["frequencies"][3:] == pytest.approx(mean_frequency(ranked).tolist(), abs=2e-4)
     assert found["frequencies"] == sorted(found["frequencies"])
     assert said(seen, "title") == f"Mode 1: \u2248 {found['frequencies'][3]:.1f} Hz"
-    assert said(seen, "between").startswith("Interpolated between computed poses: in the middle between them")
+    checked = np.arange(1, FINE) / FINE
+    values = [(1 - t) * levels[low] + t * levels[low + 1] for t in checked]
+    exact = [model.frequencies([value, *before["pose"][1:]])[3:] for value in values]
+    between = [mean_frequency(ranked, np.array([1 - t, t])) for t in checked]
+    off = np.abs(np.array(between) / np.array(exact) - 1.0).max()
+    assert found["deviation"] == pytest.approx(off, abs=6e-6), (
+        "that of this edge of the grid, not of a cell beside it"
+    )
+    assert said(seen, "between") == (
+        f"Interpolated between computed poses: frequencies are off by up to {float(f'{100 * off:.2g}'):g} %."
+    )
     assert said(seen, "place").endswith(", interpolated")
     shapes = [np.array(one["moved"][3]) for one in (before, found)]
     cosine = shapes[0] @ shapes[1] / np.linalg.norm(shapes[0]) / np.linalg.norm(shapes[1])

@@ -13,6 +13,7 @@ import numpy as np
 
 from pkmodes.base.page_policy import with_policy
 from pkmodes.robot.units import SHOWN
+from pkmodes.view.interpolation import FINE
 from pkmodes.view.measured_table import measured_table, observed
 from pkmodes.view.page_data import as_data, embedded, platform_directions
 from pkmodes.view.scene import AMPLITUDE, Scene
@@ -21,8 +22,6 @@ from pkmodes_description import Named
 
 #: Parts of the program in the browser, in order.
 PROGRAM = ("palette.js", "states.js", "shapes.js", "stage.js", "panel.js", "viewer.js")
-#: Steps of a slider from one evaluated state to the next, as in states.js.
-FINE = 10
 ICON = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E"
 
 

@@ -91,8 +91,9 @@ class Panel {
 
   interpolated(state) {
     const off = state.deviation, what = this.data.varied ? "values" : "poses";
-    if (!(off > 0)) return `Interpolated between computed ${what}.`;
-    return `Interpolated between computed ${what}: in the middle between them, frequencies are off by up to ${precise(100 * off)} %.`;
+    if (off === null) return `Interpolated between computed ${what}; not checked here.`;
+    const size = off < 1e-4 ? "less than 0.01" : `up to ${precise(100 * off)}`, where = this.data.varied ? "half-way between them, " : "";
+    return `Interpolated between computed ${what}: ${where}frequencies are off by ${size} %.`;
   }
 
   // A frequency, between states with no more decimals than it deserves.
