@@ -111,7 +111,7 @@ def test_the_page_moves_the_measured_marks_and_tells_them_in_numbers(tmp_path: P
         assert text("observed") == re.findall(r'"observed">(.*?)<', file.read_text(encoding="utf-8"))[0]
         assert text("observed") == "Measured: 48.25 \u00b1 0.10 Hz, MAC 0.987."
         assert "Model as declared" in found.page.locator(".pkview-title").inner_text()
-        assert text("place").startswith("P2: x = 500 mm")
+        assert text("place").startswith("P2: x = 500.0 mm")
         # The balls lie where the model is: the measured shape is that of the model.
         moved = np.reshape(
             found.page.evaluate("document.querySelector('.pkview').viewer.stage.moved()"), (-1, 3)

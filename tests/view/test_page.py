@@ -189,7 +189,7 @@ def test_another_part_of_the_page_moves_the_robot_and_learns_of_its_moves(pages:
             "(pose) => document.dispatchEvent(new CustomEvent('pkmodes-pose', { detail: { pose } }))", far
         )
         assert seen.page.evaluate("moves") == [], "what was asked for is not told"
-        shown = ", ".join(f"{name} = {1e3 * value:g} mm" for name, value in zip("xyz", far, strict=True))
+        shown = ", ".join(f"{name} = {1e3 * value:.1f} mm" for name, value in zip("xyz", far, strict=True))
         assert text(seen, "place").replace("\u2212", "-") == shown
         near = stage(seen, f"viewer.states.at({between}).pose")
         seen.page.evaluate(
