@@ -111,7 +111,7 @@ def test_the_page_moves_the_measured_marks_and_tells_them_in_numbers(tmp_path: P
         assert text("observed") == re.findall(r'"observed">(.*?)<', file.read_text(encoding="utf-8"))[0]
         assert text("observed") == "Measured: 48.25 \u00b1 0.10 Hz, MAC 0.987."
         assert "Model as declared" in found.page.locator(".pkview-title").inner_text()
-        assert text("place").startswith("P2: x = 500 mm")
+        assert text("place").startswith("P2: x = 500.0 mm")
         # The balls lie where the model is: the measured shape is that of the model.
         moved = np.reshape(
             found.page.evaluate("document.querySelector('.pkview').viewer.stage.moved()"), (-1, 3)
@@ -144,14 +144,18 @@ def test_the_measured_modes_fit_a_phone(tmp_path: Path) -> None:
     file.write_text(page(replace(measured_scene(), what="with the causes: " + "very long names " * 6)))
     with opened(file, width=360, height=800, motion="reduce") as found:
         assert not found.sideways
-        boxes = [found.page.locator(f".pkview-{name}").bounding_box() for name in ("title", "buttons")]
+        boxes = [
+            found.page.locator(f".pkview-{name}").bounding_box() for name in ("title", "legend", "buttons")
+        ]
         picture = found.page.locator("canvas[tabindex]").bounding_box()
-        title, buttons = boxes
+        title, legend, buttons = boxes
         assert title is not None
+        assert legend is not None
         assert buttons is not None
         assert picture is not None
         assert title["y"] + title["height"] <= picture["y"] + 1
-        assert picture["y"] + picture["height"] <= buttons["y"] + 1
+        assert picture["y"] + picture["height"] <= legend["y"] + 1
+        assert legend["y"] + legend["height"] <= buttons["y"]
         edge = found.page.locator(".pkview-panel").bounding_box()
         assert edge is not None
         for label in found.page.locator(".pkview-modes label").all():

@@ -78,7 +78,13 @@ def test_combinations_that_cannot_be_at_the_pose_have_no_place() -> None:
         ("a=1:2,b=1:2,c=1:2,d=1:2", "expected at most 3 parameters, found 4"),
         ("platform.mass=-1:2", "expected a mass greater than 0 kg, found -1"),
         ("platform.mass=1:2:40,effects.payload.mass=0:1:40", "expected at most 600 combinations of values"),
-        ("platform.mass=1 m:2 m", "m"),
+        ("platform.mass=1 m:2 m", 'expected a mass such as "1.5 kg", found "1 m", which is a length'),
+        ("platform.mass=1:2:1", 'a slider needs several values, found "1:2:1"'),
+        ("platform.mass=1:1", 'a slider needs several values, found "1:1"'),
+        (
+            "link.length=0.1:0.2",
+            "the pose is out of reach with every value of link.length but the declared one",
+        ),
     ],
 )
 def test_a_mistake_in_the_option_is_told_with_what_to_do(

@@ -65,6 +65,12 @@ def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:
         if span.count(":") not in (1, 2):
             what = f"expected start:stop or start:stop:count, found {shown(span)}"
             raise PkmodesError(what, f"{OPTION} {path}", EXAMPLE)
+        start, stop, *count = (piece.strip() for piece in span.split(":"))
+        if start == stop or count == ["1"]:
+            what = f"a slider needs several values, found {shown(span)}"
+            raise PkmodesError(
+                what, f"{OPTION} {path}", "give two different ends and a count of at least 2, or none"
+            )
         whole = span if span.count(":") == 2 else f"{span}:{COUNTS[len(parts)]}"
         found[path] = parse_range(whole, units[path], f"{OPTION} {path}")
     return found

@@ -13,6 +13,7 @@ import numpy as np
 
 from pkmodes.base.page_policy import with_policy
 from pkmodes.robot.units import SHOWN
+from pkmodes.view.interpolation import FINE
 from pkmodes.view.measured_table import measured_table, observed
 from pkmodes.view.page_data import as_data, embedded, platform_directions
 from pkmodes.view.scene import AMPLITUDE, Scene
@@ -21,8 +22,8 @@ from pkmodes_description import Named
 
 #: Parts of the program in the browser, in order.
 PROGRAM = ("palette.js", "states.js", "shapes.js", "stage.js", "panel.js", "viewer.js")
-#: Steps of a slider from one evaluated state to the next, as in states.js.
-FINE = 10
+#: Shares of the strain energy that differ by less are equal, as in panel.js.
+TIED = 0.0005
 ICON = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E"
 
 
@@ -150,11 +151,12 @@ def fragment(scene: Scene, name: str = "robot") -> str:
 def _poses(scene: Scene, key: str) -> str:
     if scene.levels is None:
         options = "".join(
-            f'<option value="{i}"{" selected" if i == scene.chosen else ""}>{_place(scene, i)}</option>'
+            f'<option value="{i}"{" selected" if i == scene.chosen else ""}>{_option(scene, i)}</option>'
             for i in range(len(scene.poses))
         )
+        names = escape(", ".join(c.name for c in scene.pose))
         return (
-            f'<fieldset><legend id="{key}-pose-title">Pose</legend>'
+            f'<fieldset><legend id="{key}-pose-title">Pose: {names}</legend>'
             f'<select id="{key}-pose" data-part="pose" aria-labelledby="{key}-pose-title">{options}</select>'
             "</fieldset>"
         )
@@ -178,8 +180,12 @@ def _title(scene: Scene) -> str:
     name = f"Mode {number}" if number > 0 else f"Rigid-body motion {mode + 1}"
     held = "no spring is strained"
     if np.isfinite(shares).any():
-        most = int(np.nanargmax(shares))
-        held = f"{100 * shares[most]:.0f} % of the strain energy in {escape(scene.springs[most].name)}"
+        most = float(np.nanmax(shares))
+        *others, last = (
+            escape(one.name) for one, share in zip(scene.springs, shares, strict=True) if share > most - TIED
+        )
+        where = f"each of {', '.join(others)} and {last}" if others else last
+        held = f"{100 * most:.0f} % of the strain energy in {where}"
     moves = zip(scene.directions, platform_directions(scene)[pose, mode], strict=True)
     along = ", ".join(
         f"{component} {round(move, 2) + 0.0:.2f}".replace("-", "\u2212") for component, move in moves
@@ -291,6 +297,16 @@ def _table(scene: Scene, key: str) -> str:
 
 def _percent(share: float) -> str:
     return "\u2013" if np.isnan(share) else f"{100 * share:.1f}"
+
+
+def _option(scene: Scene, index: int) -> str:
+    """Return a pose in few characters: its label, and its components with one unit where all have the same."""
+    told = [_shown(c, value).rpartition(" ") for c, value in zip(scene.pose, scene.poses[index], strict=True)]
+    units = [unit for *_, unit in told]
+    one = len(set(units)) == 1
+    values = ", ".join(value if one else f"{value} {unit}" for value, _, unit in told)
+    label = f"{scene.labels[index]}: " if scene.labels else ""
+    return escape(f"{label}{values} {units[0]}" if one else label + values)
 
 
 def _place(scene: Scene, index: int) -> str:

@@ -8,13 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.view.interpolation import largest_around
 from pkmodes.view.measured_data import measured_data
 from pkmodes.view.scene import AMPLITUDE, Scene
 from pkmodes.view.workspace import Surface
 
 Array = NDArray[np.float64]
-#: Decimals of positions [m], of displacements and rotations per metre, and of shares.
-PLACES, MOVES, SHARES = 5, 4, 4
+#: Decimals of positions [m], of displacements and rotations per metre, of shares, and of errors between states.
+PLACES, MOVES, SHARES, OFF = 5, 4, 4, 5
 
 
 def as_data(scene: Scene) -> dict[str, Any]:
@@ -88,11 +89,11 @@ def _moves(scene: Scene, turned: list[str]) -> tuple[Array, Array]:
 
 
 def _largest_deviations(scene: Scene) -> list[float | None] | None:
-    """Return for each cell of a grid how far a frequency in its middle is off at most; None where that is unknown."""
+    """Return how far frequencies are off at most at the places of `interpolation.deviations`; None where unknown."""
     if scene.deviations is None:
         return None
-    sizes = [np.abs(cell) for cell in scene.deviations]
-    return [_rounded(float(one.max()), 4) if np.isfinite(one).all() else None for one in sizes]
+    sizes = largest_around(scene.deviations).ravel().tolist()
+    return [_rounded(one, OFF) if np.isfinite(one) else None for one in sizes]
 
 
 def _levels(scene: Scene, values: Array) -> Any:

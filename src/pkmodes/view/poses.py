@@ -15,7 +15,7 @@ from pkmodes.model.model import Model
 from pkmodes.solve.usable import usable_box, usable_poses, used, within
 from pkmodes.solve.workspace import hanging
 from pkmodes.view.evaluating import scene
-from pkmodes.view.interpolation import deviations
+from pkmodes.view.interpolation import FINE, deviations
 from pkmodes.view.pairing import paired_modes
 from pkmodes.view.scene import Scene
 from pkmodes.view.workspace import workspace
@@ -23,6 +23,8 @@ from pkmodes.view.workspace import workspace
 Array = NDArray[np.float64]
 #: Values of each component in the grid, by the number of components; a page holds some hundred poses.
 LEVELS = {1: 41, 2: 11, 3: 7}
+#: Where between two values of a component frequencies are computed for comparison: at every stop of its slider.
+CHECKED = tuple(k / FINE for k in range(1, FINE))
 #: Regular poses that are looked for.
 SEEDS = 200
 
@@ -109,7 +111,8 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
             order[:, rigid:] - rigid,
             places,
             levels,
-            lambda middles: model.frequencies(middles, on_error="nan", drives=drives)[:, rigid:],
+            lambda points: model.frequencies(points, on_error="nan", drives=drives)[:, rigid:],
+            CHECKED,
         ),
     )
 

@@ -50,7 +50,8 @@ def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, dr
     Raises
     ------
     PkmodesError
-        If a path is unknown, a robot file with such a value would be rejected, or there are too many.
+        If a path is unknown, a robot file with such a value would be rejected, the pose is out of reach with all
+        of its values, or there are too many.
     PoseError
         If the declared robot cannot be at the pose.
     """
@@ -84,6 +85,11 @@ def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, dr
     machines = [machine(one) for one in combinations]
     there = np.array([bool(one.check(point).valid) for one in machines])
     shape = tuple(len(level) for level in levels)
+    for axis, path in enumerate(paths):
+        reached = np.moveaxis(there.reshape(shape), axis, 0).reshape(shape[axis], -1).any(axis=1)
+        if np.count_nonzero(reached) == 1 < shape[axis]:
+            what = f"the pose is out of reach with every value of {path.path} but the declared one"
+            raise PkmodesError(what, "values", "give values nearer to it, or another pose")
     places = np.where(there, np.cumsum(there) - 1, -1).reshape(shape)
     declared = int(
         places[tuple(int(np.flatnonzero(v == p.value)[0]) for p, v in zip(paths, levels, strict=True))]

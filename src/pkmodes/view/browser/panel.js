@@ -1,9 +1,18 @@
 // Controls and table around the picture: what they say follows the pose and the mode.
 
+// A component of the pose, with as many decimals as in page.py.
 function shown(value, unit) {
-  if (unit === "m") return `${tidy(1000 * value, 1)} mm`;
-  if (unit === "rad") return `${tidy((180 * value) / Math.PI, 1)} deg`;
-  return `${tidy(value, 3)} ${unit}`;
+  if (unit === "m") return `${fixed(1000 * value, 1)} mm`;
+  if (unit === "rad") return `${fixed((180 * value) / Math.PI, 1)} deg`;
+  return `${fixed(value, 1)} ${unit}`;
+}
+
+// The springs with the largest share of a mode, as in page.py: by symmetry there may be several.
+function heldBy(shares, springs) {
+  const most = Math.max(...shares), names = springs.filter((_, i) => shares[i] > most - TIED);
+  const [rest, last] = [names.slice(0, -1), names.at(-1)];
+  const where = rest.length ? `each of ${rest.join(", ")} and ${last}` : last;
+  return `${fixed(100 * most, 0)} % of the strain energy in ${where}`;
 }
 
 function tidy(value, digits) {
@@ -25,6 +34,8 @@ function fixed(value, digits) {
   return (Math.abs(value) < 0.5 * 10 ** -digits ? 0 : value).toFixed(digits).replace("-", "\u2212");
 }
 
+// Shares of the strain energy that differ by less are equal.
+const TIED = 0.0005;
 // Amplitude, as a share of the robot's size, from which the exaggeration is mentioned.
 const LARGE = 0.1;
 
@@ -91,8 +102,9 @@ class Panel {
 
   interpolated(state) {
     const off = state.deviation, what = this.data.varied ? "values" : "poses";
-    if (!(off > 0)) return `Interpolated between computed ${what}.`;
-    return `Interpolated between computed ${what}: in the middle between them, frequencies are off by up to ${precise(100 * off)} %.`;
+    if (off === null) return `Interpolated between computed ${what}; not checked here.`;
+    const size = off < 1e-4 ? "less than 0.01" : `up to ${precise(100 * off)}`, where = this.data.varied ? "half-way between them, " : "";
+    return `Interpolated between computed ${what}: ${where}frequencies are off by ${size} %.`;
   }
 
   // A frequency, between states with no more decimals than it deserves.
@@ -111,8 +123,7 @@ class Panel {
     const along = state.directions[mode].map((c, i) => `${data.components[i]} ${fixed(c, 2)}`).join(", ");
     let held = "no spring is strained";
     if (shares) {
-      const most = shares.indexOf(Math.max(...shares));
-      held = `${fixed(100 * shares[most], 0)} % of the strain energy in ${data.springs[most]}`;
+      held = heldBy(shares, data.springs);
     }
     this.find("title").textContent = `${name}: ${this.hertz(state, mode)}`;
     this.find("held").textContent = held;
@@ -176,7 +187,7 @@ class Panel {
   }
 
   motion(frequency, amplitude) {
-    const { data } = this, enlarged = shown(amplitude * data.size, "m");
+    const { data } = this, enlarged = `${tidy(1000 * amplitude * data.size, 1)} mm`;
     this.find("amplitude-value").textContent = `${tidy(100 * amplitude, 1)} %`;
     this.find("amplitude").setAttribute("aria-valuetext", `${tidy(100 * amplitude, 1)} percent of the robot's size`);
     this.find("speed-value").textContent = `${tidy(this.cycles, 2)} /s`;

@@ -106,12 +106,14 @@ class States {
     };
   }
 
-  // How far frequencies between states are off about here, as was computed in the middle; null where it was not.
+  // How far frequencies between states are off about here, where it was checked; null where it was not.
   deviation(place) {
-    const { deviations } = this.data;
     let flat = 0;
-    place.forEach((at, i) => { flat = flat * (this.sizes[i] - 1) + Math.min(Math.floor(at + 1e-9), this.sizes[i] - 2); });
-    return this.sizes.every((size) => size > 1) ? deviations[flat] : null;
+    place.forEach((at, i) => {
+      const low = Math.floor(at + 1e-9);
+      flat = flat * (2 * this.sizes[i] - 1) + 2 * low + (at - low > 1e-9 ? 1 : 0);
+    });
+    return this.data.deviations[flat];
   }
 
   // The mode of one number, between the modes of this number at all corners, with the sign of the nearest.

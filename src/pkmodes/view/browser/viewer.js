@@ -132,8 +132,9 @@ class Viewer {
     wanted[axis] = Number(moved.value) / FINE;
     const place = states.nearest(wanted, axis);
     this.choose(states.at(place), this.mode);
-    if (place[axis] !== wanted[axis]) panel.find("status").textContent += " No pose that was computed is reachable there.";
-    else if (place !== wanted) panel.find("status").textContent += " Moved to the nearest pose that the robot can reach.";
+    const { varied } = this.data, status = panel.find("status");
+    if (place[axis] !== wanted[axis]) status.textContent += varied ? " With that value the robot cannot be at the pose." : " No pose that was computed is reachable there.";
+    else if (place !== wanted) status.textContent += varied ? " Moved to the nearest values with which the robot can be at the pose." : " Moved to the nearest pose that the robot can reach.";
     this.tell();
   }
 
