@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -104,11 +104,11 @@ def scale_beside(plane: Plane, axes: Axes, mesh: Any, label: str) -> None:
     bar.ax.tick_params(length=2, labelsize=SMALL)
 
 
-def _below_labels(axes: Axes) -> Callable[[Axes, Any], Any]:
+def _below_labels(axes: Axes) -> Any:
     """Return where a colour bar stands: as wide as a panel, below the labels of its horizontal axis."""
     from matplotlib.transforms import Bbox
 
-    def place(_: Axes, renderer: Any) -> Any:
+    def place(_: Any, renderer: Any) -> Any:
         drawn: Any = axes.figure
         labels = axes.xaxis.get_tightbbox(renderer)
         top = (axes.bbox.y0 if labels is None else min(labels.y0, axes.bbox.y0)) - CLEAR * drawn.dpi
