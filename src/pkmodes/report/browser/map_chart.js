@@ -29,7 +29,7 @@ class MapChart {
 
   // The space for the data: x and y as [low, high], `same` where both have one unit.
   frame(x, y, same) {
-    const width = this.canvas.clientWidth, left = 52, right = 78, top = 30, bottom = 44;
+    const width = this.canvas.clientWidth, left = 60, right = 78, top = 30, bottom = 44;
     const inner = width - left - right, ratio = (y[1] - y[0]) / (x[1] - x[0]);
     let [w, h] = [inner, Math.min(Math.max(0.62 * inner, 200), 460)];
     if (same && ratio > 0.12 && ratio < 8) {
