@@ -180,26 +180,22 @@ def _ranges(model: Model, content: dict[str, Any]) -> list[Block]:
     axes = [f"{dim} [{units[dim][0]}]" if units.get(dim, ("",))[0] else dim for dim in dims]
     places = [Column(axis, numbers=dim != "pose") for dim, axis in zip(dims, axes, strict=True)]
     rows = []
-    few = content["valid"] < FEW
-    shares = ["median_hz"] if few else list(SHARES)
     for i, mode in enumerate(content["modes"]):
-        cells = [Cell(str(mode["mode"])), *(_frequency(mode, i, key) for key in shares)]
+        cells = [Cell(str(mode["mode"])), *(_frequency(mode, i, key) for key in SHARES)]
         for end in ("minimum", "maximum"):
             at = mode[f"{end}_at"] or {}
             cells.append(_frequency(mode, i, f"{end}_hz"))
             cells += [_place(at.get(dim), units.get(dim, ("", 1.0))[1]) for dim in dims]
         rows.append(cells)
     frequency = Column(FIELDS["frequencies"].heading)
-    titles = ["median f [Hz]"] if few else ["2 %", "median", "98 %"]
-    columns = [Column("mode"), *map(Column, titles), frequency, *places, frequency, *places]
+    shares = [Column(title) for title in ("2 %", "median", "98 %")]
+    columns = [Column("mode"), *shares, frequency, *places, frequency, *places]
     ends = [("lowest", 1 + len(dims)), ("highest", 1 + len(dims))]
-    groups = [("", 2), *ends] if few else [("", 1), ("quantiles [Hz]", 3), *ends]
+    groups = [("", 1), ("quantiles [Hz]", 3), *ends]
     caption = (
         "At 96\N{NO-BREAK SPACE}% of the poses a frequency lies between its 2\N{NO-BREAK SPACE}% and its "
         "98\N{NO-BREAK SPACE}% quantile. Its lowest and its highest value stand beside them, with their poses."
     )
-    if few:
-        caption = "The median of each frequency, and its lowest and its highest value with their poses."
     remark = remark_on(content)
     return [Table(caption, columns, rows, groups), *([Paragraph(remark)] if remark else [])]
 
