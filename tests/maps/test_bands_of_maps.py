@@ -111,7 +111,7 @@ def test_the_report_says_what_the_band_is() -> None:
     text = map_report(model, model.map([[0.1, 0.1], [0.2, 0.1]]))
     assert "along the poses: the band is one standard deviation on either side" in text
     # The picture of the frequencies: the median over its plane, 5 % of the frequency from the belts and some more.
-    assert "the frequencies of modes 1 to 2 are known to" in text
+    assert "the frequencies of modes 1 and 2 are known to \u00b1" in text
 
 
 def test_without_sigmas_captions_do_not_change() -> None:

@@ -16,6 +16,7 @@ from matplotlib.figure import Figure
 from pkmodes.plots import influence, maps
 from pkmodes.plots.dominant import dominant
 from pkmodes.plots.mac_map import neighbouring_mac
+from pkmodes.plots.narrow import narrowed
 from pkmodes.plots.panels import arranged
 from pkmodes.plots.plane import Plane, where
 from pkmodes.plots.style import styled
@@ -387,3 +388,49 @@ def test_a_panel_with_none_below_it_has_its_labels(plane: Plane) -> None:
         **dict.fromkeys(("mode 3", "mode 4", "mode 5"), "y [mm]"),
     }
     assert [axes.get_ylabel() for axes in found.values()] == ["x [mm]", "", "", "x [mm]", ""]
+
+
+@pytest.mark.parametrize("frequencies", [(124.37, 131.6), (162.0, 562.0), (40.6, 49.0)])
+def test_numbers_at_the_scales_of_six_panels_in_a_row_do_not_touch(
+    plane: Plane, frequencies: tuple[float, float]
+) -> None:
+    low, high = frequencies
+    dataset = of_modes(plane, 6).dataset
+    place = dataset["frequency"] - 100.0 * (2 - dataset["mode"] % 2)
+    share = (place - INNER[0]) / (INNER[1] - INNER[0])
+    dataset = dataset.assign(frequency=low + (high - low) * share)
+    with styled():
+        figure = maps.frequencies(Plane(dataset, "y", "x", "z", -0.2))
+        figure.draw_without_rendering()
+        bar = figure.axes[0].child_axes[0]
+        low, high = bar.get_xlim()
+        shown = [text for text in bar.get_xticklabels() if low <= text.get_position()[0] <= high]
+        boxes = [text.get_window_extent() for text in shown]
+    assert len(shown) >= 2
+    assert all(other.x0 - one.x1 > 0.03 * figure.dpi for one, other in pairwise(boxes))
+
+
+@pytest.mark.parametrize("stretch", [1.0, 3.0])
+def test_on_a_narrow_screen_titles_ranges_labels_and_scales_lie_below_each_other(
+    plane: Plane, stretch: float
+) -> None:
+    """Three columns of a slender plane leave so little width that the numbers of an axis are turned."""
+    dataset = of_modes(plane, 6).dataset
+    dataset = dataset.assign_coords(x=("x", stretch * X, {"units": "m"}))
+    with styled():
+        figure = maps.frequencies(Plane(dataset, "y", "x", "z", -0.2))
+        assert narrowed(figure)
+        figure.draw_without_rendering()
+        assert figure.get_tightbbox().width <= figure.get_figwidth()
+        for axes in panels(figure).values():
+            (written,) = (text for text in axes.texts if text.get_text().endswith("Hz"))
+            (bar,) = axes.child_axes
+            parts = [
+                axes._left_title.get_window_extent(),
+                written.get_window_extent(),
+                axes.bbox,
+                axes.xaxis.label.get_window_extent(),
+                bar.get_window_extent(),
+                bar.xaxis.label.get_window_extent(),
+            ]
+            assert all(upper.y0 >= lower.y1 for upper, lower in pairwise(parts))

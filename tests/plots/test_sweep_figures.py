@@ -73,3 +73,13 @@ def test_the_scatter_of_samples_is_relative_to_the_median_at_the_same_pose_in_pe
         np.testing.assert_allclose(thick.get_ydata(), [-1.0, 1.0], atol=1e-9)
         np.testing.assert_allclose(median.get_ydata(), 0.0, atol=1e-9)
         assert thick.get_linewidth() > 3 * thin.get_linewidth()
+
+
+def test_the_band_of_many_poses_leaves_out_the_extremes() -> None:
+    """Of 101 poses, 0 to 99 Hz and one far above, the band shows 2 to 98 Hz."""
+    frequency = np.append(np.arange(100.0), 5000.0)[None].repeat(2, axis=0)
+    masses = {"link.mass": ("link.mass", [1.0, 2.0], {"units": "kg"})}
+    with styled():
+        figure = sweeps.against(map_of(("link.mass", "pose"), frequency, **masses), "link.mass")
+    heights = figure.axes[0].collections[0].get_paths()[0].vertices[:, 1]
+    np.testing.assert_allclose([heights.min(), heights.max()], [2.0, 98.0])

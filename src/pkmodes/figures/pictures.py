@@ -30,7 +30,7 @@ from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.poses import places_of
 from pkmodes.plots import influence, maps
 from pkmodes.plots.dominant import dominant
-from pkmodes.plots.labels import visible
+from pkmodes.plots.labels import typeset, visible
 from pkmodes.plots.mac_map import neighbouring_mac
 from pkmodes.plots.plane import Plane, plane_axes, where
 from pkmodes.plots.style import stated, styled
@@ -123,9 +123,11 @@ def known_to(spread: NDArray[Any] | None) -> str:
     """Return how surely the frequencies are known, as a sentence; nothing without standard deviations."""
     if spread is None:
         return ""
-    sizes = ", ".join(f"{size:.2g}" for size in spread.tolist())
-    modes = "" if len(spread) == 1 else f" of modes 1 to {len(spread)}"
-    text = f" From the standard deviations in the robot file, the frequencies{modes} are known to \u00b1 {sizes} Hz"
+    *first, last = (f"\u00b1{typeset(f'{size:.2g}')}" for size in spread.tolist())
+    sizes = f"{', '.join(first)} and {last}" if first else last
+    through = "and" if len(spread) == 2 else "to"
+    modes = "" if len(spread) == 1 else f" of modes 1 {through} {len(spread)}"
+    text = f" From the standard deviations in the robot file, the frequencies{modes} are known to {sizes} Hz"
     return f"{text} (median)."
 
 

@@ -39,6 +39,8 @@ SHARED = 8
 #: Numbers on contours are at least this far from one another, and from the edges of a panel; shorter lines have none
 #: [inch].
 APART, MARGIN, SHORTEST = 0.22, 0.12, 0.5
+#: Numbers on contours that are steeper stand upright: turned, 60 reads as 09 [degree].
+STEEP = 60.0
 #: Blues up to this part are so light that black lines on them can be seen, also in grey.
 LIGHT = 0.55
 
@@ -232,7 +234,9 @@ def _contours(plane: Plane, axes: Axes, mesh: Any, values: Array, inch: float) -
             "fontsize": 6.5,
             "fmt": lambda level: typeset(f"{level:g}"),
         }
-        axes.clabel(lines, inline_spacing=1.5, manual=places, **settings)
+        for text in axes.clabel(lines, inline_spacing=1.5, manual=places, **settings):
+            if abs((text.get_rotation() + 90.0) % 180.0 - 90.0) > STEEP:
+                text.set_rotation(0.0)
 
 
 def _number_places(

@@ -25,6 +25,8 @@ SLACK = 1.03
 LEAST = 0.5
 #: Characters of a title or label in one line.
 LINE = 44
+#: How often the height of a figure is adapted to its width.
+ROUNDS = 3
 #: Distance of the labels of ticks that are not turned [inch].
 APART = 0.04
 
@@ -72,10 +74,11 @@ def narrowed(figure: Figure) -> bool:
             for axes in grid[place]:
                 axes.remove()
     _legends(figure)
-    figure.draw_without_rendering()
+    panels = [places[place] for place in order]
+    _fill(figure, panels, columns)
     _turn(figure)
     _break(figure)
-    figure.draw_without_rendering()
+    _fill(figure, panels, columns)
     figure.set_layout_engine("none")  # it stays as it is
     for axes in figure.axes:
         legend = axes.get_legend()
@@ -161,7 +164,11 @@ def _labels(places: dict[tuple[int, int], Axes], place: tuple[int, int]) -> tupl
 
 
 def _label(axes: Axes, title: str, across: str, along: str, *, inner: bool) -> None:
-    axes.set_title(fill(title, LINE))
+    own: Any = axes._left_title  # type: ignore[attr-defined]
+    if own.get_text():
+        own.set_text(fill(title, LINE))  # it keeps its distance
+    else:
+        axes.set_title(fill(title, LINE))
     axes.set_xlabel("\n".join(fill(line, LINE) for line in across.split("\n")))
     axes.set_ylabel("" if inner else along)
     axes.tick_params(labelbottom=True, labelleft=not inner)
@@ -203,6 +210,20 @@ def _fitted(figure: Figure, owner: Any, legend: Legend, settings: dict[str, Any]
             break
         made.remove()
     return made
+
+
+def _fill(figure: Figure, panels: list[Axes], columns: int) -> None:
+    """Make a figure as high as panels side by side that keep their proportions need to fill its width."""
+    ratios = [_ratio(axes) for axes in panels]
+    for _ in range(ROUNDS):
+        figure.draw_without_rendering()
+        if columns == 1 or not all(ratios):
+            return
+        left = (NARROW - figure.get_tightbbox().width - 2 * APART) / columns
+        if abs(left) < APART / columns:
+            return
+        taller = [left * max(ratios[i : i + columns]) for i in range(0, len(ratios), columns)]
+        figure.set_figheight(figure.get_figheight() + sum(taller))
 
 
 def _turn(figure: Figure) -> None:

@@ -17,7 +17,13 @@ if TYPE_CHECKING:
 
 Array = NDArray[Any]
 #: Space for labels and colour bars beside and below each panel, and for a line below its title [inch].
-BESIDE, BELOW, UNDER, LINE = 0.62, 1.0, 0.62, 0.15
+BESIDE, BELOW, LINE = 0.62, 1.0, 0.15
+#: Height of a colour bar below a panel, its distance from the labels above it, and of two numbers at it [inch].
+THICK, CLEAR, GAP = 0.08, 0.07, 0.05
+#: Width of a colour bar below a panel at least [inch].
+NARROWEST = 0.7
+#: Numbers at colour bars: their size [points], and the width of a digit over it.
+SMALL, DIGIT = 6.5, 0.64
 #: Height of a panel over its width at most, and in inches.
 TALLEST, HIGHEST = 3.5, 4.5
 #: Tall panels in a row at most; others: as long as there are few, and at most.
@@ -84,18 +90,48 @@ def scale_beside(plane: Plane, axes: Axes, mesh: Any, label: str) -> None:
     """Draw the colour scale of one panel: below a tall map, right of another."""
     from matplotlib.ticker import MaxNLocator
 
-    inches = min(plane.height, TALLEST) * WIDTH / 7
-    below = (0.0, -UNDER / inches, 1.0, 0.08 / inches)
-    inset = axes.inset_axes(below if plane.is_tall else (1.05, 0.0, 0.06, 1.0))
+    inset = axes.inset_axes((0.0, -0.5, 1.0, 0.05) if plane.is_tall else (1.05, 0.0, 0.06, 1.0))
+    if plane.is_tall:
+        inset.set_axes_locator(_below_labels(axes))
     orientation = "horizontal" if plane.is_tall else "vertical"
     bar = axes.figure.colorbar(mesh, cax=inset, orientation=orientation, extend="both")
     bar.set_label(label)
-    # Below a narrow panel few short numbers have room.
-    few, many = (3, [1, 2, 3, 4, 5, 6, 8, 10]), (5, [1, 2, 2.5, 5, 10])
-    most, steps = few if plane.is_tall else many
-    bar.locator = MaxNLocator(most, steps=steps, min_n_ticks=3)
+    if plane.is_tall:
+        bar.locator = _apart(*mesh.get_clim())
+    else:
+        bar.locator = MaxNLocator(5, steps=[1, 2, 2.5, 5, 10], min_n_ticks=3)
     bar.update_ticks()
-    bar.ax.tick_params(length=2, labelsize=6.5)
+    bar.ax.tick_params(length=2, labelsize=SMALL)
+
+
+def _below_labels(axes: Axes) -> Any:
+    """Return where a colour bar stands: as wide as a panel, below the labels of its horizontal axis."""
+    from matplotlib.transforms import Bbox
+
+    def place(_: Any, renderer: Any) -> Any:
+        drawn: Any = axes.figure
+        labels = axes.xaxis.get_tightbbox(renderer)
+        top = (axes.bbox.y0 if labels is None else min(labels.y0, axes.bbox.y0)) - CLEAR * drawn.dpi
+        box = Bbox.from_extents(axes.bbox.x0, top - THICK * drawn.dpi, axes.bbox.x1, top)
+        return drawn.transFigure.inverted().transform_bbox(box)
+
+    return place
+
+
+def _apart(low: float, high: float) -> Any:
+    """Return a locator of two or three numbers that do not touch each other at a colour bar below a panel."""
+    from matplotlib.ticker import MaxNLocator
+
+    steps = [1, 1.5, 2, 3, 4, 5, 6, 8, 10]
+    for most in (3, 2):
+        locator = MaxNLocator(most, steps=steps, min_n_ticks=most)
+        ticks = [tick for tick in locator.tick_values(low, high) if low <= tick <= high]
+        if len(ticks) < 2:
+            continue
+        longest = max(len(f"{tick:.6g}") for tick in ticks) * DIGIT * SMALL / 72
+        if NARROWEST * (ticks[1] - ticks[0]) / (high - low) >= longest + GAP:
+            return locator
+    return MaxNLocator(2, steps=[1, 2, 2.5, 5, 10], min_n_ticks=2)
 
 
 def shared_scale(plane: Plane, drawn: Figure, panels: Any, mesh: Any, label: str, **settings: Any) -> None:

@@ -18,10 +18,17 @@ if TYPE_CHECKING:
 Array = NDArray[Any]
 #: Names of poses written at most under an axis.
 LABELS = 24
+#: Values below which 2 % of them are less than one: the band then shows all of them.
+FEW = 50
+#: Quantiles at the edges of a band of many values, and of few.
+INNER, ALL = (0.02, 0.5, 0.98), (0.0, 0.5, 1.0)
 
 
 def against(dataset: xarray.Dataset, path: str, spread: Array | None = None) -> Figure:
     """Draw the frequency of each mode against one axis of a map: median and range over everything else.
+
+    The band leaves out the lowest and the highest 2 % of many values, as the table of a map does: a few poses at the
+    edge of the workspace would hide everything else.
 
     Parameters
     ----------
@@ -39,6 +46,7 @@ def against(dataset: xarray.Dataset, path: str, spread: Array | None = None) -> 
         unit, factor = SHOWN[unit]
     values = dataset[path].values * factor
     frequency = _flat(dataset, path)
+    shares = ALL if frequency.shape[1] < FEW else INNER
     modes = frequency.shape[-1]
     columns = min(modes, 3)
     drawn = figure(1.75 * -(-modes // columns) + 0.2)
@@ -47,7 +55,7 @@ def against(dataset: xarray.Dataset, path: str, spread: Array | None = None) -> 
         if mode >= modes:
             axes.set_axis_off()
             continue
-        low, middle, high = _quantiles(frequency[..., mode], (0.0, 0.5, 1.0))
+        low, middle, high = _quantiles(frequency[..., mode], shares)
         if spread is not None:
             low, high = middle - spread[order, mode], middle + spread[order, mode]
         axes.fill_between(values, low, high, color=BLUE, alpha=0.18, linewidth=0)
@@ -118,6 +126,7 @@ def scatter(dataset: xarray.Dataset) -> Figure:
         axes.plot([mode + 1] * 2, [quarter, three], color=BLUE, linewidth=7, solid_capstyle="butt")
         axes.plot(mode + 1, middle, "o", color=VERMILLION)
     axes.set_xticks(range(1, modes + 1))
+    axes.set_xlim(0.5, modes + 0.5)
     axes.set_xlabel("mode")
     axes.set_ylabel("f / median at the pose \u2212 1 [%]")
     return drawn

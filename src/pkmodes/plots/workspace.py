@@ -137,7 +137,7 @@ def _volume(axes: Any, plane: Plane, volume: Volume, low: float, high: float) ->
     axes.view_init(ELEVATION, AZIMUTH)
     axes.set(xlim=(x[0], x[-1]), ylim=(y[0], y[-1]), zlim=(heights[0], heights[-1]))
     for letter, name in zip("xyz", names, strict=True):
-        getattr(axes, f"set_{letter}label")(plane.label(name), labelpad=2 if letter == "z" else -4)
+        getattr(axes, f"set_{letter}label")(plane.label(name), labelpad={"x": -4, "y": 1, "z": 2}[letter])
     axes.set_box_aspect([np.ptp(values) for values in (x, y, heights)], zoom=0.9)
     axes.grid(visible=False)
     axes.tick_params(pad=-3, labelsize=7)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -172,8 +173,8 @@ def _value(value: float) -> str:
 def _ranges(model: Model, content: dict[str, Any]) -> list[Block]:
     units = _units(model)
     dims = [dim for dim in content["ranges"] if content["dimensions"][dim] > 1]
-    titles = [f"{dim} [{units[dim][0]}]" if units.get(dim, ("",))[0] else dim for dim in dims]
-    places = [Column(title, numbers=dim != "pose") for dim, title in zip(dims, titles, strict=True)]
+    axes = [f"{dim} [{units[dim][0]}]" if units.get(dim, ("",))[0] else dim for dim in dims]
+    places = [Column(axis, numbers=dim != "pose") for dim, axis in zip(dims, axes, strict=True)]
     rows = []
     for i, mode in enumerate(content["modes"]):
         cells = [Cell(str(mode["mode"])), *(_frequency(mode, i, key) for key in SHARES)]
@@ -185,7 +186,8 @@ def _ranges(model: Model, content: dict[str, Any]) -> list[Block]:
     frequency = Column(FIELDS["frequencies"].heading)
     shares = [Column(title) for title in ("2 %", "median", "98 %")]
     columns = [Column("mode"), *shares, frequency, *places, frequency, *places]
-    groups = [("", 1), ("quantiles [Hz]", 3), ("lowest", 1 + len(dims)), ("highest", 1 + len(dims))]
+    ends = [("lowest", 1 + len(dims)), ("highest", 1 + len(dims))]
+    groups = [("", 1), ("quantiles [Hz]", 3), *ends]
     caption = (
         "At 96\N{NO-BREAK SPACE}% of the poses a frequency lies between its 2\N{NO-BREAK SPACE}% and its "
         "98\N{NO-BREAK SPACE}% quantile. Its lowest and its highest value stand beside them, with their poses."
@@ -221,8 +223,7 @@ def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
         blocks: list[Block] = []
         for path in swept:
             spread = spread_along(model.robot, dataset, path, model.max_condition)
-            rest = "the line is the median, the band the range at all poses" if spread is None else BAND
-            caption = f"Frequencies against {clean(path)}: {rest}."
+            caption = f"Frequencies against {clean(path)}{_banded(dataset, path, spread)}."
             with styled():
                 figure = sweeps.against(dataset, path, spread)
                 blocks.append(Picture.of(figure, clean(path), caption, caption))
@@ -254,13 +255,29 @@ def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
         yield Section("poses", "Along the poses", [picture])
     line = [dim for dim in dims if dim in components]
     if len(line) == 1:
-        rest = ": the line is the median, the band the range over everything else" if len(dims) > 1 else ""
         spread = spread_along(model.robot, dataset, line[0], model.max_condition)
-        caption = f"Frequencies along {line[0]}{rest if spread is None else f': {BAND}'}."
+        caption = f"Frequencies along {line[0]}{_banded(dataset, line[0], spread)}."
         with styled():
             figure = sweeps.against(dataset, line[0], spread)
             picture = Picture.of(figure, f"Along {line[0]}", caption, caption)
         yield Section("line", f"Along {line[0]}", [picture])
+
+
+def _banded(dataset: xarray.Dataset, dim: str, spread: Any) -> str:
+    """Return what line and band of `pkmodes.plots.sweeps.against` are, to end a caption; nothing without a band."""
+    if spread is not None:
+        return f": {BAND}"
+    others = [str(other) for other in dataset["frequency"].dims if other not in (dim, "mode")]
+    count = math.prod(dataset.sizes[other] for other in others)
+    if count == 1:
+        return ""
+    several = [other for other in others if dataset.sizes[other] > 1]
+    robots = any("." in other or other == "sample" for other in several)
+    over = "everything else" if robots else "all poses"
+    if count < sweeps.FEW:
+        return f": the line is the median, the band the range over {over}"
+    left_out = "the lowest and the highest 2\N{NO-BREAK SPACE}%"
+    return f": the line is the median over {over}, the band leaves out {left_out}"
 
 
 def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
@@ -282,12 +299,12 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     )
     blocks.append(Paragraph(text))
     for picture in pictures(model, places, drives=drives):
-        text = picture.description
+        text = f"{picture.title}. {picture.description}"
         if picture.instead:
             blocks.append(Paragraph(f"{picture.title}: {picture.instead}"))
             continue
         with styled():
-            blocks.append(Picture.of(picture.figure, picture.title, text, text, cropped=True))
+            blocks.append(Picture.of(picture.figure, picture.title, picture.description, text, cropped=True))
     yield Section("figures", title, blocks)
 
 

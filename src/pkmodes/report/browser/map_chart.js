@@ -1,9 +1,12 @@
 // The drawing of a map: places as coloured cells or points over two components, or frequencies over one.
 
-// Round numbers from low to high, about so many.
+// Round numbers from low to high, about so many, but two at least.
 function ticks(low, high, about) {
   const rough = (high - low) / about, power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 2.5, 5, 10].map((k) => k * power).find((one) => one >= rough * 0.999);
+  const step = [10, 5, 2.5, 2, 1].map((k) => k * power).find((one, i, all) => {
+    const next = all[i + 1] ?? 0;
+    return next < rough * 0.999 && Math.floor(high / one + 1e-6) > Math.ceil(low / one - 1e-6);
+  }) ?? power;
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9) + (step / power === 2.5 ? 1 : 0));
   const found = [];
   for (let k = Math.ceil(low / step - 1e-6); k * step <= high + 1e-6 * step; k++) found.push([k * step, fixed(k * step, digits)]);
@@ -26,7 +29,7 @@ class MapChart {
 
   // The space for the data: x and y as [low, high], `same` where both have one unit.
   frame(x, y, same) {
-    const width = this.canvas.clientWidth, left = 52, right = 78, top = 12, bottom = 44;
+    const width = this.canvas.clientWidth, left = 60, right = 78, top = 30, bottom = 44;
     const inner = width - left - right, ratio = (y[1] - y[0]) / (x[1] - x[0]);
     let [w, h] = [inner, Math.min(Math.max(0.62 * inner, 200), 460)];
     if (same && ratio > 0.12 && ratio < 8) {
@@ -94,7 +97,7 @@ class MapChart {
     return this.colours[Math.round(share * (this.colours.length - 1))];
   }
 
-  // The scale beside the data, with pointed ends: there are values beyond.
+  // The scale beside the data, with pointed ends: there are values beyond.  Its title is above it, apart from all axes.
   bar([low, high], title) {
     const { pen, top, h, colours } = this, left = this.left + this.w + 14, wide = 11, tall = h - 16;
     colours.forEach((colour, i) => {
@@ -111,8 +114,8 @@ class MapChart {
       this.stroke([[left + wide, y], [left + wide + 3, y]]);
       pen.fillText(text, left + wide + 5, y);
     }
-    pen.textBaseline = "top";
-    pen.fillText(title, left - 4, top + h + 7);
+    pen.textBaseline = "bottom";
+    pen.fillText(title, left - 4, top - 6);
   }
 
   // Cells over a grid; `inside` says which are marked.

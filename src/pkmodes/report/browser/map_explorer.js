@@ -31,7 +31,7 @@ class MapExplorer extends MapPicture {
   listen() {
     const canvas = this.chart.canvas;
     const on = (name, event, act) => this.all(name).forEach((part) => part.addEventListener(event, () => act(part)));
-    on("mode", "change", (input) => { this.mode = Number(input.value); this.refresh(); });
+    on("mode", "change", (input) => { this.mode = Number(input.value); this.refresh(); this.say(); });
     on("axis", "input", (slider) => this.slide(Number(slider.dataset.axis), Number(slider.value)));
     on("plane", "change", () => { this.choosePlane(); this.refresh(); });
     for (const name of ["target", "width"]) on(name, "input", () => this.search());
