@@ -243,8 +243,8 @@ def _print(files: tuple[Path, Path], document: RobotsDocument, everything: bool)
     terminal.line()
     terminal.line(
         "mode: by frequency in the first robot, paired at each pose with a mode of the second by shape (MAC: median "
-        "of the pairs); 2 %, 98 %: below it lies that share of the poses; exchanged: per cent of the poses at which "
-        "the partner has another number than at most of them"
+        "of the pairs); partner: its most frequent number; 2 %, 98 %: below it lies that share of the poses; "
+        "exchanged: per cent of the poses at which the partner has another number"
     )
 
 

@@ -182,6 +182,8 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
     terminal.table(["mode", *numbers], rows, left=("mode",), gap=1, repeated=1)
     terminal.line()
     terminal.line("p: direction in which the platform moves, a unit vector in the base frame")
+    if sigmas is not None:
+        terminal.line("+-: one standard deviation, from those that the robot file states")
     for sentence in _rigid(result.frequencies[:rigid], ZERO_FREQUENCY * largest):
         terminal.line(sentence)
     units = {q.name: q.unit for q in model.mechanism.coordinates}
@@ -198,7 +200,7 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
 def _rigid(frequencies: Array, zero: float) -> Iterator[str]:
     """Say why rigid modes have frequencies; nothing where there are none, or all are zero."""
     if (np.abs(frequencies) >= zero).any():
-        yield ("rigid: no strain, only gravity; f = sqrt(|lambda|)/(2 pi), negative with lambda")
+        yield "rigid: nothing is strained, only gravity acts; f has the sign of the eigenvalue"
 
 
 def _per_cent(ratio: float) -> str:

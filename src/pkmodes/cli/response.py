@@ -63,8 +63,8 @@ class ResponseDocument(Document):
 
 
 @click.command(
-    epilog="\b\nExample:\n  pkmodes response robots/linear-delta-2022.toml --pose 0.6,0,-0.245 --drives held "
-    "--inputs motor_1,force_x --outputs p_x,p_z --frequencies 5:400:1000"
+    epilog="\b\nExample:\n  pkmodes response robots/linear-delta-2022.toml --pose 0.6,0,-0.245 \\\n"
+    "    --drives held --inputs motor_1,force_x --outputs p_x,p_z \\\n    --frequencies 5:400:1000"
 )
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
 @pose_option
@@ -285,7 +285,7 @@ def _print(mechanism: Mechanism, found: FrequencyResponse) -> None:
                 ]
             )
     titles = ["channel", "unit", "first", "largest", "at [Hz]", "phase [deg]"]
-    terminal.table(titles, rows, left=("channel", "unit"))
+    terminal.table(titles, rows, left=("channel", "unit"), repeated=1)
     terminal.line()
     first, last = found.frequencies[0], found.frequencies[-1]
     terminal.line(
