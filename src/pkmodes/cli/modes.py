@@ -200,7 +200,7 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
 def _rigid(frequencies: Array, zero: float) -> Iterator[str]:
     """Say why rigid modes have frequencies; nothing where there are none, or all are zero."""
     if (np.abs(frequencies) >= zero).any():
-        yield "rigid: nothing is strained, only gravity acts; f has the sign of the eigenvalue"
+        yield "rigid: only gravity acts; f = sqrt(|lambda|)/(2 pi) with the sign of lambda"
 
 
 def _per_cent(ratio: float) -> str:

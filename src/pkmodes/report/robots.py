@@ -179,8 +179,8 @@ def _frequencies(content: dict[str, Any]) -> Iterator[Block]:
     yield Paragraph(
         "Modes are numbered by frequency in the first robot. At each pose they are paired with those of the second "
         "by their shapes: the pairs with the largest sum of MAC. The partner named is the most frequent one; "
-        "exchanged is the share of poses at which it is another, because frequencies cross or veer; MAC is the median of the "
-        "pairs."
+        "exchanged is the share of poses at which it is another, because frequencies cross or veer; MAC is the "
+        "median of the pairs."
     )
 
 
