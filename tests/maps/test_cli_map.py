@@ -149,7 +149,7 @@ def test_help_shows_an_example(capsys: pytest.CaptureFixture[str]) -> None:
     out = printed(capsys, "--help")
     assert (
         "pkmodes map robots/linear-delta-2022.toml --grid x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245 --out map.nc"
-        in (" ".join(out.split()))
+        in (" ".join(out.replace("\\\n", " ").split()))
     )
     for option in ("--samples", "--tracked", "--scheduler", "--set", "--poses", "--overwrite"):
         assert option in out

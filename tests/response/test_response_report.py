@@ -95,7 +95,7 @@ def test_the_head_says_where_the_first_channel_answers_most(page: Element, folde
     g, softer = column(folder / "softer" / "table.csv", "p_x/force_x")
     first, second = f[np.abs(values).argmax()], g[np.abs(softer).argmax()]
     assert first - second > 1.0
-    said = f"p_x answers force_x most at {first:.1f} Hz, measured at {second:.1f} Hz"
+    said = f"p_x responds most to force_x at {first:.1f} Hz, measured at {second:.1f} Hz"
     assert said in page.by_id("summary").text
 
 

@@ -85,7 +85,7 @@ def _summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) ->
     name = next(iter(drawn.model))
     output, _, into = name.partition("/")
     peak = _peak(drawn.frequencies, drawn.model[name])
-    headline = f"{clean(output)} answers {clean(into)} most at {drawn.frequencies[peak]:.1f} Hz"
+    headline = f"{clean(output)} responds most to {clean(into)} at {drawn.frequencies[peak]:.1f} Hz"
     if drawn.measured is not None:
         f, values = drawn.measured[0], drawn.measured[1][name]
         headline += f", measured at {f[_within(drawn, values)]:.1f} Hz"
