@@ -25,6 +25,7 @@ SHOWN = {
     "comparison": ("comparison.html", "#modes"),
     "identification": ("identification.html", "#records ~ section"),
     "map": ("map.html", ""),
+    "response": ("response.html", "#responses"),
     "shaper": ("shaper.html", "#workspace"),
 }
 #: Viewport [px], width of a thumbnail, and colours of its palette.

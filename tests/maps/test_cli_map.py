@@ -149,7 +149,7 @@ def test_help_shows_an_example(capsys: pytest.CaptureFixture[str]) -> None:
     out = printed(capsys, "--help")
     assert (
         "pkmodes map robots/linear-delta-2022.toml --grid x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245 --out map.nc"
-        in (" ".join(out.split()))
+        in (" ".join(out.replace("\\\n", " ").split()))
     )
     for option in ("--samples", "--tracked", "--scheduler", "--set", "--poses", "--overwrite"):
         assert option in out
@@ -202,3 +202,22 @@ def test_motors_are_held_if_asked(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert text.count("motors held, z =") > 3
     content = json.loads(printed(capsys, ROBOT, *grid, "--json", "-"))
     assert (content["drives"], content["rigid_modes"], len(content["modes"])) == ("held", 0, 6)
+
+
+def test_long_names_of_swept_parameters_do_not_widen_it(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    payload, gearbox = "effects.payload.mass", "effects.gearbox_compliance.compliance"
+    swept = ("--set", f"{payload}=0:1:2", "--set", f"{gearbox}=1e-5:1e-4:2")
+    lines = printed(capsys, ROBOT, "--grid", "x=0.6:0.7:2,y=0,z=-0.245:-0.2:2", *swept).splitlines()
+    assert max(map(len, lines)) <= 80
+    heads = [line.split() for line in lines if line.startswith("mode ")]
+    assert [name for head in heads[1:] for name in head if name not in ("mode", "f", "[Hz]")] == [
+        payload,
+        gearbox,
+        "x",
+        "z",
+    ]
+    first = [line for line in lines if line.split()[:2] == ["1", "lowest"]]
+    assert len(first) == len(heads) - 1 > 1, "each part begins with mode and frequency"

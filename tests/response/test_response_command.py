@@ -153,3 +153,16 @@ def test_compare_shows_measured_damping_beside_that_of_the_model(
             assert not {"sigma_damping", "predicted_damping"} & row.keys()
     assert run(["compare", robot, str(file)]) == 0
     assert "damping [%]" in capsys.readouterr().out
+
+
+def test_long_names_of_outputs_do_not_widen_the_table(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    name = "nozzle_of_the_second_tool_beside_the_first"
+    channels = ("--drives", "held", "--inputs", "force_x", "--outputs", f"{name}=1:1:0")
+    assert run(["response", str(PUBLISHED), *POSE, *channels, "--frequencies", "5:60:12"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert max(map(len, lines)) <= 80
+    assert sum(line.startswith(f"{name}/force_x ") for line in lines) > 1
+    assert any(line.endswith("phase [deg]") for line in lines)

@@ -95,7 +95,7 @@ def test_the_head_says_where_the_first_channel_answers_most(page: Element, folde
     g, softer = column(folder / "softer" / "table.csv", "p_x/force_x")
     first, second = f[np.abs(values).argmax()], g[np.abs(softer).argmax()]
     assert first - second > 1.0
-    said = f"p_x answers force_x most at {first:.1f} Hz, measured at {second:.1f} Hz"
+    said = f"p_x responds most to force_x at {first:.1f} Hz, measured at {second:.1f} Hz"
     assert said in page.by_id("summary").text
 
 
@@ -104,7 +104,7 @@ def test_what_was_measured_beyond_the_frequencies_of_the_model_is_no_peak(tmp_pa
     beyond.write_text("frequency,re:p_x/force_x,im:p_x/force_x\n500,1,0\n501,2,0\n", encoding="utf-8")
     page = made(tmp_path, damped(tmp_path), "0.6,0,-0.245", "force_x", "p_x", "--measured", str(beyond))
     summary = page.by_id("summary").text
-    assert "p_x answers force_x most at" in summary
+    assert "p_x responds most to force_x at" in summary
     assert "measured at" not in summary
     (row,) = rows_of(page.by_id("responses"))
     assert len(row) == 5  # channel and unit, and size, frequency and phase of the model

@@ -407,7 +407,9 @@ def test_settings_damping_motors_and_long_labels_do_not_widen_it(tmp_path: Path)
 
 def test_help_shows_an_example_that_works() -> None:
     answer = call("--help")
-    examples = [line.split() for line in answer.out.split("Examples:\n")[1].strip().splitlines()]
+    examples = [
+        line.split() for line in answer.out.split("Examples:\n")[1].replace("\\\n", " ").strip().splitlines()
+    ]
     assert [one[:2] for one in examples] == [["pkmodes", "compare"]] * 2
     found = [call(*(ROOT / place for place in one[2:])) for one in examples]
     assert [one.code for one in found] == [0, 0]

@@ -37,8 +37,10 @@ def test_they_are_below_the_frequencies(capsys: pytest.CaptureFixture[str]) -> N
 
 def test_rigid_modes_have_none(capsys: pytest.CaptureFixture[str]) -> None:
     lines = printed(capsys, "robots/corexy-printer.toml", "--pose", "0.1,0.15").splitlines()
-    (row,) = (line for line in lines if line.startswith("+-"))
+    (row,) = (line for line in lines if line.startswith("+- [Hz]"))
     assert len(row.split()) == 4, "two of the four modes are rigid"
+    (meaning,) = (line for line in lines if line.startswith("+-: "))
+    assert "standard deviation" in meaning
 
 
 def test_without_any_nothing_changes(capsys: pytest.CaptureFixture[str]) -> None:

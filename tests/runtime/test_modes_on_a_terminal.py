@@ -15,6 +15,8 @@ from pkmodes.cli import run
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 #: A zero but for rounding, or three decimals; a frequency of 100 kHz or more has an exponent.
 NUMBER = re.compile(r"0|-?\d+\.\d{3}|-?\d\.\d\de\+\d\d")
+#: Two digits, and no decimals that frequencies do not have.
+SIGMA = re.compile(r"<0\.001|0\.00[1-9]|0\.0[1-9]\d?|0\.[1-9]\d|\d\.\d|[1-9]\d+")
 #: Poses on and off the planes of symmetry.
 POSES = {
     "linear-delta-2022": ("0.6,0,-0.245", "0.7,0.05,-0.2"),
@@ -67,6 +69,8 @@ def test_numbers_have_fixed_decimals_and_zeros_are_zeros(
     assert "-0.000" not in out
     modes = pkmodes.load(file).modes([float(c) for c in pose.split(",")], drives=drives)
     table = cells(out)
+    sigmas = table.pop("+-", [])
+    assert all(map(SIGMA.fullmatch, sigmas)), sigmas
     for name, row in table.items():
         assert len(row) == len(modes.frequencies), name
         assert name == "mode" or all(map(NUMBER.fullmatch, row)), row

@@ -71,6 +71,14 @@ def test_figures_says_which_picture_it_draws_and_erases_it(tmp_path: Path) -> No
     assert all(Path(line).exists() for line in printed.splitlines())
 
 
+def test_response_says_that_it_draws_its_report(tmp_path: Path) -> None:
+    channels = ("--drives", "held", "--inputs", "force_x", "--outputs", "p_x", "--frequencies", "5:60:12")
+    page = str(tmp_path / "page.html")
+    _, received = on_terminal("response", PRINTER, "--pose", "0.1,0.1", *channels, "--report", page)
+    assert "drawing the report ... " in received
+    assert not any("drawing" in line for line in visible(received))
+
+
 def test_nothing_of_it_reaches_a_pipe(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["figures", PRINTER, "--out", str(tmp_path / "out"), "--grid", PLANE]) == 0
     notes = capsys.readouterr().err

@@ -91,7 +91,7 @@ def influences() -> str:
     lines = []
     for mode, column in enumerate(middle.T, start=1):
         order = np.argsort(-np.abs(column.round(3)), kind="stable")[:LARGEST]  # ties in their own order
-        lines.append(f"* mode {mode}: {', '.join(f'`{paths[i]}` {_signed(column[i])}' for i in order)}")
+        lines.append(f"* mode {mode}: {', '.join(f'{_named(paths[i])} {_signed(column[i])}' for i in order)}")
     links = middle[_place(paths, "link.length")]
     first, second = np.argsort(-np.abs(links))[:2]
     lines += [
@@ -147,6 +147,11 @@ def _halves(paths: list[str], middle: np.ndarray, path: str) -> str:
 def _place(paths: list[str], path: str) -> int:
     """Return the place of a parameter, which may stand with others that act alike."""
     return next(i for i, names in enumerate(paths) if path in names)
+
+
+def _named(names: str) -> str:
+    """Return the name of a parameter, or of those that act as one, as code."""
+    return " and ".join(f"`{name}`" for name in names.split(", "))
 
 
 def _between(values: np.ndarray) -> str:

@@ -93,8 +93,9 @@ class CompareDocument(Document):
 
 
 @click.command(
-    epilog="\b\nExamples:\n  pkmodes compare examples/closed_loop/robot.toml examples/closed_loop/measured.csv\n"
-    "  pkmodes compare robots/linear-delta-2022.toml robots/linear-delta-2022-identified.toml"
+    epilog="\b\nExamples:\n"
+    "  pkmodes compare examples/closed_loop/robot.toml \\\n    examples/closed_loop/measured.csv\n"
+    "  pkmodes compare robots/linear-delta-2022.toml \\\n    robots/linear-delta-2022-identified.toml"
 )
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
 @click.argument("modes", metavar="MODES.csv|ROBOT.toml", type=click.Path(path_type=Path))

@@ -244,8 +244,8 @@ def _print(files: tuple[Path, Path], document: RobotsDocument, everything: bool)
     terminal.line()
     terminal.line(
         "mode: by frequency in the first robot, paired at each pose with a mode of the second by shape (MAC: median "
-        "of the pairs); 2 %, 98 %: below it lies that share of the poses; exchanged: per cent of the poses at which "
-        "the partner has another number than it has most often"
+        "of the pairs); 2 %, 98 %: below it lies that share of the poses; partner: its most frequent number; "
+        "exchanged: per cent of the poses at which it has another"
     )
 
 

@@ -44,8 +44,8 @@ SECONDS = 5.0
 
 @click.command(
     epilog="\b\nExample:\n"
-    "  pkmodes diagnose examples/closed_loop/robot.toml examples/closed_loop/measured.csv \\\n"
-    "    --candidates effects,parameter:axis.span --holdout P3,P7 --save-robot corrected.toml"
+    "  pkmodes diagnose examples/closed_loop/robot.toml \\\n    examples/closed_loop/measured.csv \\\n"
+    "    --candidates effects,parameter:axis.span --holdout P3,P7 \\\n    --save-robot corrected.toml"
 )
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
 @click.argument("modes", metavar="MODES.csv", type=click.Path(path_type=Path))

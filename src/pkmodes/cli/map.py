@@ -85,8 +85,8 @@ class MapDocument(Document):
 
 @click.command(
     "map",
-    epilog="\b\nExample:\n  pkmodes map robots/linear-delta-2022.toml --grid x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245 "
-    "--out map.nc",
+    epilog="\b\nExample:\n  pkmodes map robots/linear-delta-2022.toml \\\n"
+    "    --grid x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245 --out map.nc",
 )
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
 @grid_option

@@ -42,6 +42,7 @@ def show(model: Model, content: dict[str, Any]) -> None:
         ("mode", "", "f [Hz]", *several),
         [cells for row in content["modes"] for cells in _ends(row, several)],
         left=[""],
+        repeated=3,
     )
     if remark := remark_on(content):
         terminal.line()

@@ -32,6 +32,8 @@ from pkmodes.solve.results import Modes, Statics
 Array = NDArray[np.float64]
 #: Components smaller than this are rounding; of frequencies, whose squares are computed, this part of the largest.
 ZERO, ZERO_FREQUENCY = 1e-9, 1e-6
+#: Standard deviations below this would be rounded to zero [Hz].
+SMALLEST_SIGMA = 0.0005
 #: Numbers from here on are written with an exponent.
 LARGE = 99_999.9995
 
@@ -164,7 +166,7 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
     rows = [["f [Hz]", *(_fixed(f, ZERO_FREQUENCY * largest) for f in result.frequencies)]]
     sigmas = spread_of(model.dynamics, result.poses, result.drives)
     if sigmas is not None:
-        rows.append(["+- [Hz]", *("" if np.isnan(sigma) else f"{sigma:.2g}" for sigma in sigmas)])
+        rows.append(["+- [Hz]", *map(_sigma, sigmas)])
     if model.robot.dissipates:
         rows.append(["damping [%]", *map(_per_cent, result.damping_ratios)])
     scaled, symbols = result.shapes.copy(), {}
@@ -182,6 +184,8 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
     terminal.table(["mode", *numbers], rows, left=("mode",), gap=1, repeated=1)
     terminal.line()
     terminal.line("p: direction in which the platform moves, a unit vector in the base frame")
+    if sigmas is not None:
+        terminal.line("+-: one standard deviation, from those that the robot file states")
     for sentence in _rigid(result.frequencies[:rigid], ZERO_FREQUENCY * largest):
         terminal.line(sentence)
     units = {q.name: q.unit for q in model.mechanism.coordinates}
@@ -198,11 +202,22 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
 def _rigid(frequencies: Array, zero: float) -> Iterator[str]:
     """Say why rigid modes have frequencies; nothing where there are none, or all are zero."""
     if (np.abs(frequencies) >= zero).any():
-        yield ("rigid: no strain, only gravity; f = sqrt(|lambda|)/(2 pi), negative with lambda")
+        yield "rigid: only gravity acts; f = sqrt(|lambda|)/(2 pi) with the sign of lambda"
 
 
 def _per_cent(ratio: float) -> str:
     return "" if np.isnan(ratio) else _fixed(100.0 * ratio)
+
+
+def _sigma(value: float) -> str:
+    """Format a standard deviation with two digits, but no decimals that the frequency above it does not have."""
+    if np.isnan(value):
+        return ""
+    if value < SMALLEST_SIGMA:
+        return "<0.001"
+    rounded = float(f"{value:.2g}")
+    decimals = int(np.clip(1 - np.floor(np.log10(rounded)), 0, 3))
+    return f"{rounded:.{decimals}f}" + (3 - decimals + (decimals == 0)) * " "  # its point below the others
 
 
 def _fixed(value: float, zero: float = ZERO) -> str:

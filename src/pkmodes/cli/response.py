@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from pkmodes.base.documents import Document
 from pkmodes.base.drives import Drives
 from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.base.progress import say
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.options import (
     comma_list,
@@ -63,8 +64,8 @@ class ResponseDocument(Document):
 
 
 @click.command(
-    epilog="\b\nExample:\n  pkmodes response robots/linear-delta-2022.toml --pose 0.6,0,-0.245 --drives held "
-    "--inputs motor_1,force_x --outputs p_x,p_z --frequencies 5:400:1000"
+    epilog="\b\nExample:\n  pkmodes response robots/linear-delta-2022.toml --pose 0.6,0,-0.245 \\\n"
+    "    --drives held --inputs motor_1,force_x --outputs p_x,p_z \\\n    --frequencies 5:400:1000"
 )
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
 @pose_option
@@ -152,7 +153,7 @@ def response(
     report_to: Path | None,
     json_file: str | None,
 ) -> None:
-    """Compute how the machine answers its motors and forces, as functions of frequency.
+    """Compute how the machine responds to its motors and to forces, as functions of frequency.
 
     Prints the largest response of each channel; --out writes all of it, --report a page with pictures.
     """
@@ -179,6 +180,7 @@ def response(
     check_metres(model, pose, point)
     into = comma_list(inputs, "--inputs", "--inputs torque_1,force_x")
     shown_by = [_output(name) for name in comma_list(outputs, "--outputs", "--outputs p_x,nozzle=1:1:0")]
+    say("computing the responses")
     with named_as_options(OPTIONS):
         found = model.frf(point, given, into, shown_by, drives=drives, quantity=quantity)
         system = None
@@ -202,6 +204,7 @@ def response(
     if report_to is not None:
         from pkmodes.report.response import response_report
 
+        say("drawing the report")
         page = response_report(model, found, over, sources)  # drawn before anything is written
         files.append(report_file(report_to, lambda: page))
     deliver(json_file, document.as_json(), lambda: _print(model.mechanism, found), *files)
@@ -285,7 +288,7 @@ def _print(mechanism: Mechanism, found: FrequencyResponse) -> None:
                 ]
             )
     titles = ["channel", "unit", "first", "largest", "at [Hz]", "phase [deg]"]
-    terminal.table(titles, rows, left=("channel", "unit"))
+    terminal.table(titles, rows, left=("channel", "unit"), repeated=1)
     terminal.line()
     first, last = found.frequencies[0], found.frequencies[-1]
     terminal.line(

@@ -101,7 +101,7 @@ class SensitivitiesDocument(Document):
     "everything",
     is_flag=True,
     help="Print every quantity, also coordinates and absent effects, and derivatives in Hz per unit; without it the "
-    "ten largest per cent.",
+    "ten with the largest relative effect.",
 )
 @drives_option
 @mechanism_option

@@ -108,8 +108,8 @@ class ShaperDocument(Document):
 
 
 @click.command(
-    epilog="\b\nExample:\n  pkmodes shaper robots/linear-delta-2022-identified.toml "
-    "--grid x=0.32:0.82:26,y=-0.1:0.1:11,z=-0.24:-0.16:9"
+    epilog="\b\nExample:\n  pkmodes shaper robots/linear-delta-2022-identified.toml \\\n"
+    "    --grid x=0.32:0.82:26,y=-0.1:0.1:11,z=-0.24:-0.16:9"
 )
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
 @grid_option

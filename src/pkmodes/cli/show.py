@@ -30,7 +30,8 @@ class ShowDocument(Document):
 
 
 @click.command(
-    epilog="\b\nExample:\n  pkmodes show robots/linear-delta-2022.toml --pose 0.6,0,-0.245 --out delta.html"
+    epilog="\b\nExample:\n  pkmodes show robots/linear-delta-2022.toml \\\n"
+    "    --pose 0.6,0,-0.245 --out delta.html"
 )
 @click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
 @click.option(

@@ -94,7 +94,7 @@ def _summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) ->
     name = next(iter(drawn.model))
     output, _, into = name.partition("/")
     peak = int(np.abs(drawn.model[name]).argmax())
-    headline = f"{clean(output)} answers {clean(into)} most at {drawn.frequencies[peak]:.1f} Hz"
+    headline = f"{clean(output)} responds most to {clean(into)} at {drawn.frequencies[peak]:.1f} Hz"
     if drawn.measured is not None:
         place = _within(drawn, drawn.measured[1][name])
         if place is not None:

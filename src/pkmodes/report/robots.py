@@ -179,9 +179,9 @@ def _frequencies(content: dict[str, Any]) -> Iterator[Block]:
     yield Table(caption, [Column(title) for title in titles], rows)
     yield Paragraph(
         "Modes are numbered by frequency in the first robot. At each pose they are paired with those of the second "
-        "by their shapes: the pairs with the largest sum of MAC. Partner is the number that the partner has most "
-        "often; exchanged, the share of poses at which it has another one, because frequencies cross or veer; MAC is "
-        "the median of the pairs."
+        "by their shapes: the pairs with the largest sum of MAC. The partner named is the most frequent one; "
+        "exchanged is the share of poses at which it is another, because frequencies cross or veer; MAC is the "
+        "median of the pairs."
     )
 
 

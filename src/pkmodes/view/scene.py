@@ -69,9 +69,9 @@ class Scene:
     workspace : Surface, optional
         Boundary of the reachable workspace of the platform.
     order : ndarray of int, shape (N, m), optional
-        On a grid, index of the mode that carries each number at each pose: see `pkmodes.view.pairing`.
+        On a grid, index of the mode that carries each number at each pose: see ``pkmodes.view.pairing``.
     deviations : ndarray, shape (2 size - 1 along each axis, m - rigid_modes), optional
-        How far frequencies between the states of a grid are off: see `pkmodes.view.interpolation`.
+        How far frequencies between the states of a grid are off: see ``pkmodes.view.interpolation``.
     varied : tuple of Named
         Parameters that change between the states, by path; empty where only the pose does.
     values : ndarray, shape (N, len(varied)), optional
