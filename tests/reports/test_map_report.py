@@ -94,7 +94,7 @@ def test_each_frequency_stands_beside_where_it_is(page: Path) -> None:
     groups, heads = section.all("thead")[0].all("tr")
     assert [cell.text for cell in groups.all("th")] == ["quantiles [Hz]", "lowest", "highest"]
     assert [cell.text for cell in heads.all("th")] == [
-        *("mode", "2 %", "median", "98 %", "f [Hz]", "y [mm]", "x [mm]", "f [Hz]", "y [mm]", "x [mm]")
+        *("mode", "2 %", "median", "98 %", "f [Hz]", "x [mm]", "y [mm]", "f [Hz]", "x [mm]", "y [mm]")
     ]
     for row, mode in zip(section.all("tbody")[0].all("tr"), content["modes"], strict=True):
         cells = [cell.text for cell in row.children if isinstance(cell, Element)]
@@ -103,7 +103,7 @@ def test_each_frequency_stands_beside_where_it_is(page: Path) -> None:
         for end, shown in (("minimum", cells[4:7]), ("maximum", cells[7:])):
             assert shown[0] == f"{mode[f'{end}_hz']:.3f}"
             place = [float(text.replace("\u2212", "-")) for text in shown[1:]]
-            expected = [1e3 * mode[f"{end}_at"][name] for name in ("y", "x")]
+            expected = [1e3 * mode[f"{end}_at"][name] for name in ("x", "y")]
             assert place == pytest.approx(expected, rel=1e-4)
 
 
