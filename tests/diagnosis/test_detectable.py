@@ -90,6 +90,17 @@ def test_the_best_explanation_that_is_not_claimed_is_named_with_the_reason_why(v
     )
 
 
+@pytest.mark.parametrize("file", ["measured", "preloads"])
+def test_what_the_reason_points_to_is_never_called_undetectable(file: str) -> None:
+    """Of the preloads, the reason names two causes of which the second shows only beside the first."""
+    robot = read_robot(ROOT / "examples/voron/robot.toml")
+    found = updating.diagnose(robot, updating.read(ROOT / f"examples/voron/{file}.csv", robot=robot))
+    named = {name for name in by_name(found) if name in found.reason}
+    assert "belt_tension_stiffness" in named
+    assert ("frame_compliance" in named) == (file == "preloads")
+    assert not named & set(found.undetectable)
+
+
 def test_gravity_does_not_seem_significant_at_a_size_that_no_machine_has() -> None:
     """Its signature is nearly that of a mass: the unbounded score has p = 5e-16, at ten times g."""
     found = example("closed_loop")

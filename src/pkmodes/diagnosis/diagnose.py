@@ -30,7 +30,7 @@ from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import limits, reasons
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
-from pkmodes.diagnosis.verdict.chosen_reason import reason_of
+from pkmodes.diagnosis.verdict.chosen_reason import Reason, reason_of
 from pkmodes.diagnosis.verdict.held_out import HeldOut, predicted
 from pkmodes.diagnosis.verdict.judgement import Judgement, judge
 from pkmodes.diagnosis.verdict.mistakes import certain_wiring, other_unit, other_wiring
@@ -198,12 +198,13 @@ def _judged(builder: DiagnosisBuilder, search: Search, outcome: Outcome) -> Diag
     wiring = other_wiring(store.fitter, judged.final)
     if wiring:
         judged = replace(judged, verdict=UNEXPLAINED, doubt=wiring)
-    reason = judged.doubt or reason_of(builder, search, outcome, judged)
+    reason = Reason(wiring) if wiring else reason_of(builder, search, outcome, judged)
     return builder.after_search(
         search,
         outcome,
         judged,
-        reason,
+        reason.text,
+        reason.named,
         (*((wiring,) if wiring else ()), *remarks(builder.setups, judged.final), *held.notes),
         tuple(trial.entry for trial in changes),
     )

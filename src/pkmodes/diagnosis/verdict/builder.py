@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -43,10 +43,17 @@ class DiagnosisBuilder:
         outcome: Outcome,
         judged: Judgement,
         reason: str,
+        pointed: Collection[str],
         remarks: Sequence[str],
         stability: tuple[Stability, ...],
     ) -> Diagnosis:
-        """Return the result of a search and its judgement."""
+        """Return the result of a search and its judgement.
+
+        Parameters
+        ----------
+        pointed : collection of str
+            Candidates to which the reason says that the data point.
+        """
         verdict, final, grouped = judged.verdict, judged.final, judged.grouped
         findings = self.findings(judged) if verdict is EFFECT_FOUND else ()
         remaining = remains(judged) if verdict is AMBIGUOUS else []
@@ -63,6 +70,7 @@ class DiagnosisBuilder:
             bounded = limits.beside(search.store, open_fits, unclaimed, noise=False)
         last = judged.last.scores if verdict.settled else outcome.first.scores
         shown = claimed | {cause.name for named in remaining for _, fit in named for cause in fit.causes}
+        shown |= set(pointed)
         apart = [candidate for candidate in search.candidates if candidate.name not in bounded.candidates]
         tested = examined(
             self.fitter,

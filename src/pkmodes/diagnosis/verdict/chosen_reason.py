@@ -1,13 +1,15 @@
-"""The reason of a verdict, in one sentence."""
+"""The reason of a verdict, in one sentence, and the candidates to which it says that the data point."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.misfit import Misfit
 from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.gate import Gate
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import misfit, reasons
@@ -16,32 +18,55 @@ from pkmodes.diagnosis.verdict.judgement import Judgement
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND
 
 
-def reason_of(builder: DiagnosisBuilder, search: Search, outcome: Outcome, judged: Judgement) -> str:
+@dataclass(frozen=True)
+class Reason:
+    """Why a verdict was given.
+
+    Attributes
+    ----------
+    text : str
+    named : frozenset of str
+        Candidates to which it says that the data point, without a claim: what they show cannot be undetectable.
+    """
+
+    text: str = ""
+    named: frozenset[str] = frozenset()
+
+    @classmethod
+    def naming(cls, text: str, causes: Iterable[Candidate]) -> Reason:
+        """Return a reason that names some candidates."""
+        return cls(text, frozenset(cause.name for cause in causes))
+
+
+def reason_of(builder: DiagnosisBuilder, search: Search, outcome: Outcome, judged: Judgement) -> Reason:
     """Return why a verdict was given."""
     lines = search.store.fitter.data.lines
     noise = reasons.noise(judged.final, lines)
+    if judged.doubt:
+        return Reason.naming(judged.doubt, judged.final.causes)
     if judged.verdict is ADEQUATE:
-        return reasons.adequate(outcome.last, noise)
+        return Reason(reasons.adequate(outcome.last, noise))
     if judged.verdict is EFFECT_FOUND:
-        return reasons.effect_found(builder.findings(judged), outcome.first, noise)
+        return Reason(reasons.effect_found(builder.findings(judged), outcome.first, noise))
     if judged.verdict is AMBIGUOUS:
-        return reasons.ambiguous([[name for name, _ in named] for named in remains(judged)])
+        return Reason(reasons.ambiguous([[name for name, _ in named] for named in remains(judged)]))
     named = _named(search, outcome, judged)
-    if named:
+    if named.text:
         return named
     best = _best_of_all(search, outcome)
-    left = _left(search, outcome, explained=bool(best))
-    return f"{left}; {best}" if best else left
+    left = _left(search, outcome, explained=bool(best.text))
+    return Reason(f"{left.text}; {best.text}", left.named | best.named) if best.text else left
 
 
-def _named(search: Search, outcome: Outcome, judged: Judgement) -> str:
+def _named(search: Search, outcome: Outcome, judged: Judgement) -> Reason:
     """Return a reason that names an explanation which would nearly do; empty if none would."""
     last = outcome.last
     if last.p_unmeasured <= last.level < min(last.p_value, last.p_candidates):
-        return reasons.added_modes(judged.final.causes)
+        return Reason.naming(reasons.added_modes(judged.final.causes), judged.final.causes)
     if last.unpaired or _in_part(search, outcome):
-        return ""
-    return _beyond_prior(search) or _nearly(search, outcome.nuisances)
+        return Reason()
+    beyond = _beyond_prior(search)
+    return beyond if beyond.text else _nearly(search, outcome.nuisances)
 
 
 def _in_part(search: Search, outcome: Outcome) -> str:
@@ -57,25 +82,26 @@ def _in_part(search: Search, outcome: Outcome) -> str:
     return ""
 
 
-def _left(search: Search, outcome: Outcome, *, explained: bool) -> str:
+def _left(search: Search, outcome: Outcome, *, explained: bool) -> Reason:
     """Return what the residual is, and in which part of the data."""
     store, fit, first, last, c = search.store, outcome.nuisances, outcome.first, outcome.last, search.criteria
     if last.unpaired:
-        return reasons.unpaired(last.unpaired)
+        return Reason(reasons.unpaired(last.unpaired))
     part = _in_part(search, outcome)
     if part:
-        return part
+        return Reason(part)
     frequencies, _ = _misfits(store, fit)
     pattern = reasons.uneven(store.fitter, fit)
     if _dispersed(first, frequencies, c):
         few = len(store.fitter.log) < c.rows_to_set_aside
-        return reasons.scattered(frequencies.ratio, pattern, few=few, explained=explained)
+        return Reason(reasons.scattered(frequencies.ratio, pattern, few=few, explained=explained))
     if first.p_value > c.gate:
-        return reasons.small(_pointed(first), first.p_candidates)
-    return reasons.real(frequencies.ratio, pattern)
+        pointed = _pointed(first)
+        return Reason.naming(reasons.small(pointed.name, first.p_candidates), [pointed])
+    return Reason(reasons.real(frequencies.ratio, pattern))
 
 
-def _best_of_all(search: Search, outcome: Outcome) -> str:
+def _best_of_all(search: Search, outcome: Outcome) -> Reason:
     """Return which explanation reduces the residual most, and why it is not claimed; empty if none does clearly.
 
     A second cause is named if the data clearly ask for it.
@@ -85,8 +111,8 @@ def _best_of_all(search: Search, outcome: Outcome) -> str:
     some = [fit for fit in _plain(store) if not fit.at_bound and store.criterion(fit) < better]
     best = min(some, key=_priced(search), default=None)
     if best is None:
-        return ""
-    gate = search.gate(best)
+        return Reason()
+    named, gate = list(best.causes), search.gate(best)
     if gate.unpaired:
         why = reasons.leaves_unmatched(gate.unpaired)
     elif gate.p_value <= gate.level:
@@ -94,15 +120,16 @@ def _best_of_all(search: Search, outcome: Outcome) -> str:
     elif gate.p_unmeasured <= gate.level:
         why = reasons.adds_modes()
     elif gate.p_candidates <= gate.level:
-        why = reasons.leaves_direction(_pointed(gate), gate.p_candidates)
+        named.append(_pointed(gate))
+        why = reasons.leaves_direction(named[-1].name, gate.p_candidates)
     else:
-        return ""
-    return reasons.best_of_all(best.causes, why)
+        return Reason()
+    return Reason.naming(reasons.best_of_all(best.causes, why), named)
 
 
-def _pointed(gate: Gate) -> str:
+def _pointed(gate: Gate) -> Candidate:
     """Return the candidate to which a residual points most clearly."""
-    return min(gate.scores.each, key=lambda one: one.p_value).candidate.name
+    return min(gate.scores.each, key=lambda one: one.p_value).candidate
 
 
 def _plain(store: FitStore) -> list[Fit]:
@@ -117,7 +144,7 @@ def _priced(search: Search) -> Callable[[Fit], float]:
     return lambda fit: store.criterion(fit) + price * len(fit.causes)
 
 
-def _beyond_prior(search: Search) -> str:
+def _beyond_prior(search: Search) -> Reason:
     """Return a reason if a single candidate would explain the data, but only with a value beyond its prior."""
     store, c = search.store, search.criteria
     explanations = []
@@ -129,10 +156,13 @@ def _beyond_prior(search: Search) -> str:
         explained = min(part.p_value for part in _misfits(store, fit))
         if away > c.far and explained > c.gate:
             explanations.append((store.criterion(fit), fit.causes[0].name, float(fit.values[index[0]]), away))
-    return reasons.beyond_prior(*min(explanations)[1:]) if explanations else ""
+    if not explanations:
+        return Reason()
+    best = min(explanations)[1:]
+    return Reason(reasons.beyond_prior(*best), frozenset({best[0]}))
 
 
-def _nearly(search: Search, first: Fit) -> str:
+def _nearly(search: Search, first: Fit) -> Reason:
     """Return a reason if one cause, or else two, would explain nearly all of the residual but not all.
 
     A second cause is named if the data clearly ask for it.
@@ -147,10 +177,10 @@ def _nearly(search: Search, first: Fit) -> str:
         if after <= min(part * before, most) and search.gate(fit).p_unmeasured > search.criteria.surely:
             explanations.append((fit, after))
     if not explanations:
-        return ""
+        return Reason()
     order = _priced(search)
     best, after = min(explanations, key=lambda one: order(one[0]))
-    return reasons.nearly(best.causes, before, after, store.p_value(best))
+    return Reason.naming(reasons.nearly(best.causes, before, after, store.p_value(best)), best.causes)
 
 
 def _larger(store: FitStore, fit: Fit) -> float:

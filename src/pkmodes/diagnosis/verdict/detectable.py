@@ -2,7 +2,8 @@
 
 A candidate is *detectable* if one of these holds:
 
-* it is claimed, in the class of a claim, or remains as an explanation;
+* it is claimed, in the class of a claim, or remains as an explanation, or the reason of the verdict says that the
+  data point to it;
 * the residual of the refitted model shows it: its score is significant;
 * the data would show it: the smallest change of it that they would probably show, beside what is claimed, is
   plausible and moves no measured frequency by more than a tenth, and they bound it.
@@ -43,7 +44,7 @@ def examined(
     plausible : mapping of int to float
         Largest plausible deviation of each parameter.
     shown : collection of str
-        Candidates that are claimed, in the class of a claim, or remain.
+        Candidates that are claimed, in the class of a claim, remain, or are named by the reason.
     unbounded : collection of str
         Candidates that the data do not bound.
     """
