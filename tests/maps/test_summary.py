@@ -10,7 +10,7 @@ import pytest
 import pkmodes
 from pkmodes.maps import fields
 from pkmodes.maps.quantiles import quantiles
-from pkmodes.maps.summary import remark_on, shown_hertz, summary_of
+from pkmodes.maps.summary import quantiles_in_words, remark_on, shown_hertz, summary_of
 
 PUBLISHED = Path(__file__).parents[2] / "robots" / "linear-delta-2022.toml"
 
@@ -85,3 +85,15 @@ def test_only_highest_frequencies_far_above_the_rest_have_a_remark() -> None:
     assert remark_on(summary(1e3, 70.0, 1e9, 1e9)).startswith(
         "The highest frequencies of modes 1, 3 and 4 are"
     )
+
+
+@pytest.mark.parametrize(
+    ("count", "expected"),
+    [
+        (1, "Quantiles of each frequency over 1 pose, interpolated between its values there"),
+        (49, "Quantiles of each frequency over 49 poses, interpolated between its values there"),
+        (50, "At 96 % of the poses a frequency lies between its 2 % and its 98 % quantile"),
+    ],
+)
+def test_two_per_cent_of_the_poses_are_one_at_least(count: int, expected: str) -> None:
+    assert quantiles_in_words({"valid": count}) == expected

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from pkmodes.cli.terminal import Terminal
-from pkmodes.maps.summary import SHARES, remark_on, shown_hertz
+from pkmodes.maps.summary import SHARES, quantiles_in_words, remark_on, shown_hertz
 from pkmodes.model.model import Model
 from pkmodes.robot.corrections import changeable
 
@@ -31,7 +31,7 @@ def show(model: Model, content: dict[str, Any]) -> None:
     for code, count in content["reasons"].items():
         terminal.line(f"{count:,} cannot: {model.reasons[code]}", "  ")
     terminal.line()
-    terminal.line("At 96 % of the poses a frequency lies between its 2 % and its 98 % quantile:")
+    terminal.line(f"{quantiles_in_words(content)}:")
     terminal.table(
         ("mode", "2 % [Hz]", "median [Hz]", "98 % [Hz]"),
         [[str(row["mode"]), *(shown_hertz(row[key]) for key in SHARES)] for row in content["modes"]],

@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 #: Shares of the poses below the frequencies that stand for a mode: at the edge of a workspace a spring may become so
 #: short that the extremes say nothing about the rest.
 SHARES = {"quantile_2_hz": 0.02, "median_hz": 0.5, "quantile_98_hz": 0.98}
-
+#: Number of poses below which 2 % of them are less than one.
+FEW = 50
 #: A frequency is written with decimals up to this one [Hz], and a highest one is far above the others from this
 #: multiple of the 98 % quantile on.
 LARGE, FAR = 1e5, 10.0
@@ -89,6 +90,15 @@ def shown_hertz(value: float | None) -> str:
         return f"{value:.3f}"
     digits, _, power = f"{value:.2e}".partition("e")
     return f"{digits}e{int(power)}"
+
+
+def quantiles_in_words(content: dict[str, Any]) -> str:
+    """Return what the quantiles of a summary are: of few poses, 2 % are less than one."""
+    count = content["valid"]
+    if count >= FEW:
+        return "At 96 % of the poses a frequency lies between its 2 % and its 98 % quantile"
+    poses = "pose" if count == 1 else "poses"
+    return f"Quantiles of each frequency over {count} {poses}, interpolated between its values there"
 
 
 def remark_on(content: dict[str, Any]) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from pkmodes.dataset.fields import FIELDS
 from pkmodes.figures.pictures import pictures
 from pkmodes.maps.spread import spread_along
-from pkmodes.maps.summary import SHARES, remark_on, shown_hertz, summary_of
+from pkmodes.maps.summary import FEW, SHARES, quantiles_in_words, remark_on, shown_hertz, summary_of
 from pkmodes.plots import sweeps
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.style import styled
@@ -40,8 +40,7 @@ if TYPE_CHECKING:
 
     from pkmodes.model.model import Model
 
-#: Number of poses below which 2 % of them are less than one.
-FEW = 50
+NO_BREAK_PER_CENT = "\N{NO-BREAK SPACE}%"
 #: What the bands are where the robot file states standard deviations.
 BAND = (
     "the band is one standard deviation on either side, to first order from those that the robot file states"
@@ -189,8 +188,8 @@ def _ranges(model: Model, content: dict[str, Any]) -> list[Block]:
     ends = [("lowest", 1 + len(dims)), ("highest", 1 + len(dims))]
     groups = [("", 1), ("quantiles [Hz]", 3), *ends]
     caption = (
-        "At 96\N{NO-BREAK SPACE}% of the poses a frequency lies between its 2\N{NO-BREAK SPACE}% and its "
-        "98\N{NO-BREAK SPACE}% quantile. Its lowest and its highest value stand beside them, with their poses."
+        f"{quantiles_in_words(content).replace(' %', NO_BREAK_PER_CENT)}. Its lowest and its highest value stand "
+        "beside them, with their poses."
     )
     remark = remark_on(content)
     return [Table(caption, columns, rows, groups), *([Paragraph(remark)] if remark else [])]
