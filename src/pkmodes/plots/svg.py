@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import re
 import warnings
+from collections.abc import Mapping
 from hashlib import sha256
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
@@ -99,15 +100,19 @@ def _element(figure: Figure, title: str, description: str, settings: dict[str, A
     text = FORBIDDEN.sub("\ufffd", target.getvalue())
     root = ElementTree.fromstring(text)
     title, description = FORBIDDEN.sub("\ufffd", title), FORBIDDEN.sub("\ufffd", description)
-    digest = sha256("\0".join((title, description, text)).encode()).hexdigest()
-    prefix = f"f{digest[:DIGITS]}"
     for parent in list(root.iter()):
         for child in list(parent):  # a rule in a style element would apply to the whole page
             if child.tag in (f"{SVG}metadata", f"{SVG}style"):
                 parent.remove(child)
-    _rename(root, prefix)
+    # Matplotlib's ids are digests of places with all their digits, the last of which may differ between two layouts.
+    used = _used(root)
+    _rename(root, {own: str(k) for k, own in enumerate(used)})
     for element in root.iter():
         _simplify(element)
+    drawing = ElementTree.tostring(root, encoding="unicode")
+    digest = sha256("\0".join((title, description, drawing)).encode()).hexdigest()
+    prefix = f"f{digest[:DIGITS]}"
+    _rename(root, {str(k): f"{prefix}-{k}" for k in range(len(used))})
     named = {"title": title, "desc": description}
     for place, (tag, content) in enumerate(named.items()):
         element = ElementTree.Element(tag, id=f"{prefix}-{tag}")
@@ -124,24 +129,29 @@ def _element(figure: Figure, title: str, description: str, settings: dict[str, A
     return ElementTree.tostring(root, encoding="unicode")
 
 
-def _rename(root: ElementTree.Element, prefix: str) -> None:
-    """Give the ids that are referred to a prefix, and drop the others."""
+def _used(root: ElementTree.Element) -> list[str]:
+    """Return the ids that are referred to, in the order of their elements."""
     used: set[str] = set()
     for element in root.iter():
         for name, value in element.attrib.items():
             if name == LINK and value.startswith("#"):
                 used.add(value[1:])
             used.update(REFERENCE.findall(value))
+    return [own for element in root.iter() if (own := element.get("id")) in used and own is not None]
+
+
+def _rename(root: ElementTree.Element, names: Mapping[str, str]) -> None:
+    """Give elements other ids, also where they are referred to, and drop the ids that have no other name."""
     for element in root.iter():
-        own = element.attrib.pop("id", None)
-        if own in used:
-            element.set("id", f"{prefix}-{own}")
+        own = names.get(element.attrib.pop("id", ""))
+        if own is not None:
+            element.set("id", own)
         for name, value in list(element.attrib.items()):
-            if name == LINK:
+            if name in (LINK, "href"):
                 del element.attrib[name]
-                element.set("href", f"#{prefix}-{value[1:]}" if value.startswith("#") else value)
+                element.set("href", f"#{names[value[1:]]}" if value.startswith("#") else value)
             elif "url(#" in value:
-                element.set(name, REFERENCE.sub(rf"url(#{prefix}-\1)", value))
+                element.set(name, REFERENCE.sub(lambda found: f"url(#{names[found[1]]})", value))
 
 
 def _simplify(element: ElementTree.Element) -> None:
