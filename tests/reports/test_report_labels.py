@@ -61,7 +61,7 @@ def test_each_stage_has_its_errors(page: Element) -> None:
     assert titles == ["model", "rms, fitted [%]", "rms, held out [%]", "chi\u00b2 per dof"]
     assert rows == [
         ["before: as declared", "2.000", "2.100", "180"],
-        ["refit of the uncertain values only", "1.000", "1.100", "61"],
+        ["refit of the uncertain values only", "1.000", "1.100", "61.0"],
         ["after: with the cause", "0.200", "0.300", "1.02"],
     ]
 
@@ -164,7 +164,7 @@ def test_the_stability_says_what_was_changed(undecided: Element) -> None:
     assert rows == [
         ["\u03c3 halved", "unexplained", "payload", "usual where the stated sigma is right"],
         ["\u03c3 doubled", "adequate", "\u2013", "errors twice as large would explain the residual"],
-        ["priors twice as wide", "effect_found", "belt_mass + payload", "\u2013"],
+        ["priors twice as wide", "effect found", "belt_mass + payload", "\u2013"],
     ]
 
 

@@ -180,7 +180,10 @@ def _nearly(search: Search, first: Fit) -> Reason:
         return Reason()
     order = _priced(search)
     best, after = min(explanations, key=lambda one: order(one[0]))
-    return Reason.naming(reasons.nearly(best.causes, before, after, store.p_value(best)), best.causes)
+    # Two causes were found in both orders, which fit alike but for rounding: name them as the candidates stand.
+    places = {candidate.name: k for k, candidate in enumerate(search.candidates)}
+    causes = sorted(best.causes, key=lambda cause: places.get(cause.name, len(places)))
+    return Reason.naming(reasons.nearly(causes, before, after, store.p_value(best)), causes)
 
 
 def _larger(store: FitStore, fit: Fit) -> float:
