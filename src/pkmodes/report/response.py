@@ -131,6 +131,8 @@ def _summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) ->
 def _meaning(port: str) -> str:
     """Return what an input or output is; empty for one whose name says it, or that has none."""
     kind, _, which = port.partition("_")
+    if kind in ("p", "force") and which not in ("x", "y", "z"):
+        return ""  # a direction that the user named
     return {
         "p": f"the motion of the platform along {which}",
         "force": f"a force on the platform along {which}",
