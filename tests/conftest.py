@@ -27,6 +27,8 @@ from helpers.runs.shared import Shared
 from pkmodes.compiled import build
 from pkmodes.solve.backends import VARIABLE
 
+pytest_plugins = ["helpers.runs.processor_time"]
+
 # A plugin may have loaded NumPy before.
 threadpoolctl.threadpool_limits(1)
 
