@@ -101,12 +101,12 @@ def _arrange(figure: Figure) -> None:
     _adjust(figure.axes, renderer)
 
 
-def _adjust(every: Sequence[Axes], renderer: Any) -> None:
+def _adjust(every: Sequence[Any], renderer: Any) -> None:
     """Give panels and the scales inside them their proportions, and titles their distance."""
     for axes in every:
         locator = axes.get_axes_locator()
         axes.apply_aspect(locator(axes, renderer) if locator else None)
-        axes._update_title_position(renderer)  # type: ignore[attr-defined]
+        axes._update_title_position(renderer)
         _adjust(axes.child_axes, renderer)
 
 
