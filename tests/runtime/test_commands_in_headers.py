@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -17,7 +16,7 @@ from pkmodes_derive.emit.provenance import pasteable
 
 @pytest.mark.parametrize("place", ["plain", "it's a folder", 'q"uote', "star*", "-dash", "a*/b", "$HOME`x`"])
 def test_the_command_in_the_header_works_where_it_is_printed(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, place: str
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], place: str
 ) -> None:
     folder = tmp_path / place
     folder.mkdir(parents=True)
@@ -25,10 +24,9 @@ def test_the_command_in_the_header_works_where_it_is_printed(
     assert run(["generate", str(folder / "-my robot.toml"), "--out", str(tmp_path / "model")]) == 0
     programs = tmp_path / "programs"
     programs.mkdir()
-    (programs / "pkmodes").write_text(f'#!/bin/sh\nexec "{sys.executable}" -m pkmodes "$@"\n')
+    # The arguments as the shell passes them on.
+    (programs / "pkmodes").write_text("#!/bin/sh\nprintf '%s\\0' \"$@\"\n")
     (programs / "pkmodes").chmod(0o755)
-    root = Path(__file__).parents[2]
-    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(str(root / p) for p in ("src", "generated", "derive")))
     monkeypatch.setenv("PATH", f"{programs}{os.pathsep}{os.environ['PATH']}")
     for name in (MODULE, "linear_delta_2022.c", "linear_delta_2022.h"):
         header = (tmp_path / "model" / name).read_text(encoding="utf-8").split("\n")[2]
@@ -42,6 +40,10 @@ def test_the_command_in_the_header_works_where_it_is_printed(
         ["/bin/sh", "-c", command], cwd=tmp_path / "model", capture_output=True, text=True, check=False
     )
     assert (done.returncode, done.stderr) == (0, "")
+    monkeypatch.chdir(tmp_path / "model")
+    capsys.readouterr()
+    assert run(done.stdout.split("\0")[:-1]) == 0
+    assert capsys.readouterr().err == ""
     assert (tmp_path / "model" / MODULE).exists()
 
 
