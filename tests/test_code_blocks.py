@@ -6,9 +6,11 @@ import contextlib
 import io
 import os
 import re
+import shlex
 import subprocess
 import sys
 import tomllib
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -20,12 +22,25 @@ from helpers.robots.robot_text import published
 from helpers.runs.processes import without_progress
 from pkmodes import updating
 from pkmodes.campaign.campaign import read_campaign
+from pkmodes.cli import run
 from pkmodes.robot.reading import robot_from_document
 
+#: Characters with a meaning beside words, quotation marks, comments and lines that go on.
+NEEDS_A_SHELL = re.compile(r"[|&;<>$`*?~!(){}\[\]\\]")
 LANGUAGES = {"python", "sh", "text", "toml", "csv", "c"}
 RUN = [page for page in PAGES if any(block.elsewhere is None for block in blocks(page))]
 #: Pages with a diagnosis or several compilations; the others take a few seconds at most.
 LONG = {"docs/tutorial.md", "docs/diagnosis.md"}
+
+
+def commands_of(text: str) -> list[list[str]] | None:
+    """Return the arguments of commands of pkmodes, None where anything else is among them, or a shell is needed."""
+    lines = [line for line in text.replace("\\\n", " ").splitlines() if line.strip()]
+    if any(NEEDS_A_SHELL.search(line) for line in lines):
+        return None
+    commands = [shlex.split(line, comments=True) for line in lines]
+    commands = [words for words in commands if words]
+    return [words[1:] for words in commands] if all(words[0] == "pkmodes" for words in commands) else None
 
 
 class Reader:
@@ -68,6 +83,10 @@ class Reader:
             assert self.printed.splitlines() == shown
 
     def _sh(self, block: Block) -> None:
+        commands = commands_of(block.text)
+        if commands is not None:
+            self._run(commands, int(block.hint("exit") or 0))
+            return
         if re.search(r"^cc ", block.text, re.MULTILINE) and not COMPILER:
             pytest.skip("no C compiler")
         done = subprocess.run(
@@ -81,6 +100,17 @@ class Reader:
         )
         self.printed = without_progress(done.stdout)
         assert done.returncode == int(block.hint("exit") or 0), done.stdout
+
+    def _run(self, commands: Sequence[Sequence[str]], code: int) -> None:
+        """Run commands of pkmodes in this process: loading the libraries anew would take longer than most of them."""
+        printed = io.StringIO()
+        with pytest.MonkeyPatch.context() as patch:
+            patch.chdir(self.folder)
+            patch.setenv("COLUMNS", self.environment["COLUMNS"])
+            with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
+                codes = [run(words) for words in commands]
+        self.printed = without_progress(printed.getvalue())
+        assert codes == [*[0] * (len(codes) - 1), code], self.printed
 
     def _text(self, block: Block) -> None:
         if "drawing" not in block.hints:
@@ -148,6 +178,18 @@ def test_the_list_of_blocks_that_are_not_run_is_current() -> None:
         assert any(block.text.startswith(start) for block in blocks(page)), (page, start)
         if (found := re.match(r"tests/\S+", reason)) is not None:
             assert (ROOT / found[0]).is_file(), reason
+
+
+def test_commands_are_told_from_what_needs_a_shell() -> None:
+    shown = "# first\npkmodes modes 'a b.toml' \\\n    --pose 1,2  # there\n\npkmodes check\n"
+    assert commands_of(shown) == [["modes", "a b.toml", "--pose", "1,2"], ["check"]]
+    for text in (
+        "pkmodes check | head",
+        "A=1 pkmodes check",
+        "pkmodes check\ncc -c a.c",
+        "pkmodes check *.toml",
+    ):
+        assert commands_of(text) is None
 
 
 def test_outputs_are_compared() -> None:
