@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from pkmodes.base.errors import MeasurementError, shown
-from pkmodes.signals.checks import FEWEST
+from pkmodes.signals.checks import FEWEST, outside_coherence
 from pkmodes.signals.formats import Asked, SignalFormat
 from pkmodes.signals.functions import Array, Complex, Function, Kind, SignalFile
 from pkmodes.signals.table_columns import Column, Layout, layout_of
@@ -46,6 +46,9 @@ def read(path: Path, asked: Asked) -> SignalFile:
     numbers = dict(zip(read_places, text.columns(read_places), strict=True))
     rows = numbers[read_places[0]].size
     abscissa = _abscissa(layout, numbers, rows, text, asked)
+    for column in layout.columns:
+        if column.kind is Kind.COHERENCE:
+            _check_coherence(column, numbers, text)
     stated = _units(text.comments)
     functions = tuple(_function(column, numbers, abscissa, stated) for column in layout.columns)
     return SignalFile(source, functions, (), tuple(f"{source}: {one}" for one in _losses(text.comments)))
@@ -77,6 +80,16 @@ def _abscissa(layout: Layout, numbers: dict[int, Array], rows: int, text: TableT
         where = f"{text.source}: line {text.line_of(row)}, column {name}"
         raise MeasurementError(what, where, "sort the rows, and give each value once, with enough digits")
     return abscissa
+
+
+def _check_coherence(column: Column, numbers: dict[int, Array], text: TableText) -> None:
+    """Refuse a coherence outside 0 to 1, with its line."""
+    (place,) = column.places
+    found = outside_coherence(numbers[place])
+    if found is not None:
+        row, what, remedy = found
+        where = f"{text.source}: line {text.line_of(row)}, column {text.names[place]}"
+        raise MeasurementError(what, where, remedy)
 
 
 def _function(column: Column, numbers: dict[int, Array], abscissa: Array, stated: dict[str, str]) -> Function:
