@@ -179,7 +179,7 @@ def _chosen(result: Diagnosis) -> list[str]:
     return [
         f"it has {effect.name}; the data cannot tell it from {' or '.join(effect.members[1:])}: "
         f"to save that instead, add --candidates {effect.members[1]}"
-        for effect in result.effects
+        for effect in result.every_cause
         if len(effect.members) > 1
     ]
 

@@ -29,7 +29,7 @@ def correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
     lines = difference(source.read_bytes().decode("utf-8"), after, source.name)
     if not lines:
         return [Paragraph("The robot file needs no correction.")]
-    several = [effect for effect in result.effects if len(effect.members) > 1]
+    several = [effect for effect in result.every_cause if len(effect.members) > 1]
     chosen = "".join(
         f" It has {clean(effect.name)}; the data cannot tell it from {' or '.join(map(clean, effect.members[1:]))}."
         for effect in several

@@ -33,7 +33,7 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
         Section("modes", "Measurement and model", figures.mode_figures(evidence)),
         *([Section("poses", "Differences against the pose", where)] if where else []),
         Section("shapes", "Mode shapes", figures.shape_figures(evidence)),
-        *([Section("damping", "Damping", ratios)] if (ratios := damping(result)) else []),
+        *([Section("damping", "Damping", ratios)] if (ratios := damping(result, setting)) else []),
         Section("candidates", "Candidates", explanations.candidates(result)),
         Section("values", "Values before and after", numbers.values(result, setting)),
         *([Section("stability", "Stability", trials)] if (trials := numbers.stability(result)) else []),
@@ -56,7 +56,7 @@ def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary
         headline=_headline(result),
         reason=prose(_sentence(result.reason) + _refitted(result)),
         tone=VERDICTS[result.verdict].colour,
-        notes=[prose(_sentence(note)) for note in result.notes],
+        notes=[prose(_sentence(note)) for note in (*result.notes, *_of_damping(result))],
         facts=facts,
         head=setting.head,
     )
@@ -67,6 +67,12 @@ def _refitted(result: Diagnosis) -> str:
     if result.verdict != ADEQUATE.word or not any(value.prior_sigma for value in result.corrected):
         return ""
     return " Its uncertain values were refitted within their standard deviations."
+
+
+def _of_damping(result: Diagnosis) -> list[str]:
+    """Return what the damping says, which changes neither the verdict nor the headline."""
+    found = result.damping
+    return [f"the verdict is that of frequencies and shapes; {found.reason}"] if found.measured else []
 
 
 def _headline(result: Diagnosis) -> str:

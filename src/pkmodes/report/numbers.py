@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from pkmodes.base.ordering import sorted_labels
-from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis, key
+from pkmodes.diagnosis.verdict.findings import Corrected
+from pkmodes.diagnosis.verdict.result import Diagnosis, key
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, meaning, same
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
@@ -78,9 +79,11 @@ def percent(relative: float | None, at: str = "", strong: bool = False) -> Cell:
 
 def values(result: Diagnosis, setting: Setting) -> list[Block]:
     """Return the fitted values, with what was declared about them."""
-    if not result.corrected:
+    of_losses = {value.name for value in result.damping.refitted}  # the damping says more of them
+    corrected = [value for value in result.corrected if value.name not in of_losses]
+    if not corrected:
         return [Paragraph("No value was uncertain, and none was fitted.")]
-    rows = [_value(result, value, setting) for value in result.corrected]
+    rows = [_value(result, value, setting) for value in corrected]
     columns = [Column("value", False), Column("role", False), Column("before")]
     columns += [
         Column("after"),
@@ -94,9 +97,9 @@ def values(result: Diagnosis, setting: Setting) -> list[Block]:
         "corrected robot file, includes what a candidate that these data do not show could have done to the value."
     )
     blocks: list[Block] = [table(caption, columns, rows)]
-    figure = scores.pulls(result.corrected, setting.words)
+    figure = scores.pulls(corrected, setting.words)
     if figure is not None:
-        count = plural(sum(v.prior_sigma is not None for v in result.corrected), "value")
+        count = plural(sum(v.prior_sigma is not None for v in corrected), "value")
         blocks.append(
             Picture.of(
                 figure,

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis
+from pkmodes.diagnosis.verdict.findings import Corrected
+from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.mechanism.described import DAMPING_RATIO
 from pkmodes.model.model import Model
 from pkmodes.robot.paths import resolve
@@ -22,12 +23,13 @@ NOTICEABLE = 1.05
 def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
     """Return the changes of the robot file after a diagnosis: refitted values, causes, and their uncertainty.
 
-    The standard deviations include what candidates that the data do not show could have done to the values.
+    The standard deviations include what candidates that the data do not show could have done to the values.  Losses
+    that the damping shows are among the changes; they change no other value.
     """
     explained = {value.name for value in widened(diagnosis)}
-    causes = {v.name for finding in diagnosis.effects for v in finding.parameters}
+    causes = {v.name for finding in diagnosis.every_cause for v in finding.parameters}
     changes = {}
-    for value in diagnosis.corrected:
+    for value in (*diagnosis.corrected, *diagnosis.damping.corrected):
         if value.name.startswith(frame.OF_MEASUREMENT):
             continue  # it concerns the measurements, not the robot
         note = "found by pkmodes diagnose" if value.name in causes else "refitted by pkmodes diagnose"

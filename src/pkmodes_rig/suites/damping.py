@@ -64,7 +64,7 @@ def page(outcomes: Sequence[Outcome], seed: int, every: int, seconds: float, job
     """Return the page."""
     inside = [o for o in outcomes if o.what.names]
     missed = [o for o in inside if o.state in ("abstained", "partly")]
-    verdicts = grouped(outcomes, lambda o: f"{o.case.kind}: {o.verdict}")
+    verdicts = grouped(outcomes, lambda o: f"{o.case.kind}: {o.of_damping}")
     return [
         "# Damping, measured",
         "",
@@ -80,7 +80,8 @@ def page(outcomes: Sequence[Outcome], seed: int, every: int, seconds: float, job
         "",
         "*Named*: every class that is claimed contains what dissipates, and nothing is left out. *Partly*: something",
         "is left out. *Wrong*: a class without anything that dissipates is claimed, among others or alone.",
-        "*Adequate*: the damping is that of the file, or, where the file declares none, one ratio for all modes.",
+        "*Adequate*: the damping is that of the file, or, where the file declares none, one ratio for all modes,",
+        "within a scatter of 25 % beyond the stated errors, as that of repeated tests.",
         "*Abstained*: everything else. Where belts or reducers are the only springs, their losses are exactly one",
         "ratio for all modes, so that *adequate* is no mistake there, but names nothing either.",
         "",
@@ -103,10 +104,10 @@ def page(outcomes: Sequence[Outcome], seed: int, every: int, seconds: float, job
         "",
         *confusion(grouped(inside, lambda o: o.case.machine), "losses of the catalogue, machine"),
         "",
-        "## Verdicts on the whole",
+        "## Verdicts on the damping",
         "",
         *listed(
-            ["what dissipates", "verdict", "cases"],
+            ["what dissipates", "verdict on the damping", "cases"],
             [[*key.split(": "), str(len(some))] for key, some in verdicts.items()],
         ),
         "",

@@ -14,8 +14,8 @@ import numpy as np
 
 from pkmodes import updating
 from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE
 from pkmodes.measured.measurements import Measurements
-from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.losses import RATIO
 from pkmodes_rig import Identified, TrueModes, drawn_values, drives_of, identified
@@ -257,27 +257,21 @@ def _measured(
 
 def _judged(case: Case, what: Kind, truth: Mapping[str, float], found: Diagnosis, seconds: float) -> Outcome:
     """Judge what was said of the damping; causes of the frequencies are judged by the other suites."""
-    catalogue = mechanism(robot_of(case.machine).mechanism_name).effects
     springs = "reducer_loss" if case.machine == "rotary_delta" else "belt_loss"
     names = {loss: NAMES.get(loss, springs) for loss in what.names}
-    claimed = [
-        effect
-        for effect in found.effects
-        if effect.name == RATIO or (effect.name in catalogue and catalogue[effect.name].dissipates)
-    ]
+    claimed = found.damping.effects
     classes = tuple(effect.members for effect in claimed)
-    of_damping = "not diagnosed" if found.damping is None else found.damping.verdict
     right = [any(name in members for name in names.values()) for members in classes]
     named = [any(name in members for members in classes) for name in names.values()]
     if classes and not all(right):
         state = "wrong"
     elif classes:
         state = "named" if all(named) else "partly"
-    elif of_damping == "adequate" or any("every measured mode agrees" in note for note in found.notes):
+    elif found.damping.verdict == ADEQUATE.word:
         state = "adequate"
     else:
         state = "abstained"
-        classes = found.survivors
+        classes = found.damping.survivors
     away = tuple(
         abs(value.value - truth[loss]) / value.sigma
         for loss, name in names.items()
@@ -285,5 +279,5 @@ def _judged(case: Case, what: Kind, truth: Mapping[str, float], found: Diagnosis
         for value in effect.alternatives.get(name, ())
         if loss in truth
     )
-    ratios, reason = (0, "") if found.damping is None else (found.damping.fitted, found.damping.sentence)
-    return Outcome(case, state, found.verdict, of_damping, classes, away, ratios, seconds, reason)
+    of = found.damping
+    return Outcome(case, state, found.verdict, of.verdict, classes, away, of.fitted, seconds, of.reason)

@@ -15,19 +15,12 @@ from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import held_out, limits
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.detectable import examined
+from pkmodes.diagnosis.verdict.findings import Corrected, Finding, Refitted, Stability, Value
 from pkmodes.diagnosis.verdict.judgement import Judgement
 from pkmodes.diagnosis.verdict.limits import Limits
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.notes import notes
-from pkmodes.diagnosis.verdict.result import (
-    Corrected,
-    Diagnosis,
-    Finding,
-    Refitted,
-    Stability,
-    Stages,
-    Value,
-)
+from pkmodes.diagnosis.verdict.result import Diagnosis, Stages
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, Verdict
 
 

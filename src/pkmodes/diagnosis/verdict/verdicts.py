@@ -66,8 +66,13 @@ VERDICTS = {
     verdict.word: verdict for verdict in (ADEQUATE, EFFECT_FOUND, AMBIGUOUS, UNEXPLAINED, INSUFFICIENT_DATA)
 }
 
+#: What stands for a verdict on the damping where none was measured.
+NOT_MEASURED = "not_measured"
+
 if TYPE_CHECKING:
     Word = str
+    DampingWord = str
 else:
-    #: Type of a verdict in a result: the enumeration of the JSON schema.
+    #: Types of a verdict in a result, and of that on the damping: the enumerations of the JSON schema.
     Word = Literal[tuple(VERDICTS)]
+    DampingWord = Literal[(*VERDICTS, NOT_MEASURED)]
