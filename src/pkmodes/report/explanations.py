@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from pkmodes.diagnosis.verdict import naming
 from pkmodes.diagnosis.verdict.result import Diagnosis, Examined, Finding, Value, key
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Table
@@ -16,6 +17,7 @@ from pkmodes.report.formatting import (
     p_value,
     plural,
     pointer,
+    prose,
     uncertain,
     unit,
 )
@@ -31,17 +33,21 @@ def causes(result: Diagnosis, setting: Setting) -> list[Block]:
     sentences = {one.name: one.sentence for one in result.candidates}
     blocks: list[Block] = []
     for i, effect in enumerate(result.effects):
-        what = clean(effect.sentence or effect.name, SENTENCE)
-        entries: list[tuple[str, list[Cell]]] = [("Cause", [Cell(what, strong=True)])]
-        if effect.sentence:
-            entries.append(("Name", [Cell(clean(effect.name))]))
+        several = len(effect.members) > 1
+        what = clean(naming.of_class(effect), SENTENCE)
+        entries: list[tuple[str, list[Cell]]] = [
+            (f"One of {naming.count(len(effect.members))}" if several else "Cause", [Cell(what, strong=True)])
+        ]
+        if effect.sentence or several:
+            names = ", ".join(map(clean, effect.members))
+            entries.append(("Names" if several else "Name", [Cell(names)]))
         entries.append(("p-value", [p_value(effect.p_value, pointer("effects", i, "p_value"))]))
         blocks += [Facts(entries), *_relative(effect, i, setting), _members(effect, i, setting, sentences)]
-        if len(effect.members) > 1:
+        if several:
             blocks.append(
                 Paragraph(
                     "These data cannot tell the members of this class from one another: each explains the "
-                    "measurements as well, with the value in its row. The correction has the first."
+                    "measurements as well, with the value in its row. The corrected robot file has the first."
                 )
             )
     if result.survivors:
@@ -56,6 +62,7 @@ def _members(effect: Finding, i: int, setting: Setting, sentences: Mapping[str, 
     """Return the values of the cause, and of each other member of its class if it were the cause."""
     rows = []
     for member in effect.members:
+        why = effect.member(member).implausible
         for value in effect.alternatives[member]:
             at = ("effects", i, "alternatives", member, key(value))
             rows.append(
@@ -64,17 +71,21 @@ def _members(effect: Finding, i: int, setting: Setting, sentences: Mapping[str, 
                     Cell.named(setting.words(value.name), clean(value.name)),
                     uncertain(value.value, value.sigma, pointer(*at, "value"), pointer(*at, "sigma")),
                     Cell(unit(value.unit)),
+                    Cell(prose(f"no: {why}") if why else "yes"),
                 ]
             )
     columns = [Column("cause", False), Column("parameter", False), Column("value")]
+    columns += [Column("unit", False), Column("plausible", False)]
     if len(effect.members) == 1:  # the cause stands above
         rows, columns = [row[1:] for row in rows], columns[1:]
+    if all(effect.plausible.values()) and len(effect.members) == 1:
+        rows, columns = [row[:-1] for row in rows], columns[:-1]
     caption = (
         f"Size of the cause{', with that mean' if effect.relative() else ''}."
         if len(effect.members) == 1
         else "The class: each member as if it were the cause."
     )
-    return table(caption, [*columns, Column("unit", False)], rows)
+    return table(caption, columns, rows)
 
 
 def _relative(effect: Finding, i: int, setting: Setting) -> list[Block]:
@@ -227,10 +238,9 @@ def _unit(result: Diagnosis, value: Value | None, name: str) -> str:
 def _standing(result: Diagnosis, name: str) -> str:
     """Return what became of a candidate."""
     for effect in result.effects:
-        if name == effect.name:
-            return "found"
         if name in effect.members:
-            return "same class"
+            several = len(effect.members) > 1
+            return f"one of {naming.count(len(effect.members))}" if several else "found"
     for i, group in enumerate(result.survivors, start=1):
         if any(name in each.split(" + ") for each in group):
             return f"remains ({i})"

@@ -25,6 +25,7 @@ from pkmodes.diagnosis.verdict.document import (
     StagesDocument,
     ValueDocument,
 )
+from pkmodes.diagnosis.verdict.members import Member
 from pkmodes.diagnosis.verdict.relative import relative_to_mean
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.diagnosis.verdict.unseen import Limit, Unseen
@@ -119,6 +120,8 @@ class Finding:
         Physical meaning.
     covariances : mapping of str to tuple of tuple of float
         For each member, the covariance of its parameters, in their order.
+    about : mapping of str to Member
+        How its members are named, and whether their values are plausible.
     """
 
     name: str
@@ -128,6 +131,16 @@ class Finding:
     p_value: float
     sentence: str
     covariances: Mapping[str, tuple[tuple[float, ...], ...]] = field(default_factory=dict)
+    about: Mapping[str, Member] = field(default_factory=dict)
+
+    def member(self, name: str) -> Member:
+        """Return how a member of the class is named, and whether its value is plausible."""
+        return self.about.get(name, Member(name, self.sentence if name == self.name else ""))
+
+    @property
+    def plausible(self) -> dict[str, bool]:
+        """Whether the value of each member is one that such a part can have."""
+        return {name: not self.member(name).implausible for name in self.members}
 
     @property
     def covariance(self) -> tuple[tuple[float, ...], ...]:
@@ -275,15 +288,12 @@ class Diagnosis:
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]
         for effect in self.effects:
-            relative = effect.relative()
-            values = [
-                f"{v.name} = {rounded(v.value, v.sigma)} {v.unit}".removesuffix(" 1")
-                for v in relative or effect.parameters
-            ]
-            also = " relative to their mean" if relative else ""
-            lines.append(f"cause: {effect.name} ({p_in_words(effect.p_value)}): {', '.join(values)}{also}")
-            if len(effect.members) > 1:
-                lines.append(f"  these data cannot tell it from {', '.join(effect.members[1:])}")
+            p = p_in_words(effect.p_value)
+            if len(effect.members) == 1:
+                lines.append(f"cause: {effect.name} ({p}): {_values(effect, effect.name)}")
+                continue
+            lines.append(f"cause: one of these, which these data cannot tell apart ({p})")
+            lines += [f"  {name}: {_values(effect, name)}" for name in effect.members]
         lines += [f"remains: {' or '.join(group)}" for group in self.survivors]
         for stage, error in (("before", self.before), ("refit", self.refit), ("after", self.after)):
             if error is not None:
@@ -348,6 +358,17 @@ class Diagnosis:
 def key(v: Value) -> str:
     """Return the last name of an effect's parameter (`compliance`), as in the robot file; else the whole path."""
     return v.name.split(".")[-1] if v.name.startswith("effects.") else v.name
+
+
+def _values(effect: Finding, member: str) -> str:
+    """Return the values of a cause, or of another member of its class, and whether they are implausible."""
+    relative = effect.relative(member)
+    values = [
+        f"{v.name} = {rounded(v.value, v.sigma)} {v.unit}".removesuffix(" 1")
+        for v in relative or effect.alternatives.get(member, ())
+    ]
+    also, why = " relative to their mean" if relative else "", effect.member(member).implausible
+    return ", ".join(values) + also + (f" (implausible: {why})" if why else "")
 
 
 def _cause(cause: Finding, corrected: tuple[Corrected, ...]) -> CauseDocument:
