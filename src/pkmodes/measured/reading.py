@@ -48,9 +48,9 @@ def read_measurements(
     path : path-like
         A table in UTF-8, separated by commas, semicolons or tabs, with decimal commas where commas do not separate.
         It has one row for each identified mode: the columns ``pose``, one for each component of a pose,
-        ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``, ``mode``,
-        ``drives``, ``shape:<coordinate>``, ``sigma_shape`` and ``set:<path>``.  A column name may carry a unit,
-        ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` gives the band in which modes were identified,
+        ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``,
+        ``mode``, ``drives``, ``shape:<coordinate>``, ``sigma_shape`` and ``set:<path>``.  A column name may carry a
+        unit, ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` gives the band with identified modes,
         and ``# drives: held`` says what the motors did in all rows; other lines that begin with ``#`` are ignored, as
         are blank lines.
     channels : collection of str, or mapping of str to str

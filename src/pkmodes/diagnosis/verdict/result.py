@@ -181,15 +181,12 @@ class Diagnosis:
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]
         for effect in self.effects:
-            relative = effect.relative()
-            values = [
-                f"{v.name} = {rounded(v.value, v.sigma)} {v.unit}".removesuffix(" 1")
-                for v in relative or effect.parameters
-            ]
-            also = " relative to their mean" if relative else ""
-            lines.append(f"cause: {effect.name} ({p_in_words(effect.p_value)}): {', '.join(values)}{also}")
-            if len(effect.members) > 1:
-                lines.append(f"  these data cannot tell it from {', '.join(effect.members[1:])}")
+            p = p_in_words(effect.p_value)
+            if len(effect.members) == 1:
+                lines.append(f"cause: {effect.name} ({p}): {_values(effect, effect.name)}")
+                continue
+            lines.append(f"cause: one of these, which these data cannot tell apart ({p})")
+            lines += [f"  {name}: {_values(effect, name)}" for name in effect.members]
         lines += [f"remains: {' or '.join(group)}" for group in self.survivors]
         for stage, error in (("before", self.before), ("refit", self.refit), ("after", self.after)):
             if error is not None:
@@ -257,6 +254,17 @@ class Diagnosis:
 def key(v: Value) -> str:
     """Return the last name of an effect's parameter (`compliance`), as in the robot file; else the whole path."""
     return v.name.split(".")[-1] if v.name.startswith("effects.") else v.name
+
+
+def _values(effect: Finding, member: str) -> str:
+    """Return the values of a cause, or of another member of its class, and whether they are implausible."""
+    relative = effect.relative(member)
+    values = [
+        f"{v.name} = {rounded(v.value, v.sigma)} {v.unit}".removesuffix(" 1")
+        for v in relative or effect.alternatives.get(member, ())
+    ]
+    also, why = " relative to their mean" if relative else "", effect.member(member).implausible
+    return ", ".join(values) + also + (f" (implausible: {why})" if why else "")
 
 
 def _cause(cause: Finding, corrected: tuple[Corrected, ...]) -> CauseDocument:
