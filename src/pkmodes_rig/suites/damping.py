@@ -31,6 +31,7 @@ LEAST = {
     "one loss": (("named",), 0.95),
     "two losses": (("named",), 0.70),
     "outside the catalogue": (("abstained",), 0.92),
+    "nothing missing, scatter by mode": (("named", "adequate"), 0.91),
 }
 WRONG = 0.01
 
@@ -40,6 +41,8 @@ def group(outcome: Outcome) -> str:
     kind, names = outcome.case.kind, outcome.what.names
     if kind in LEAST:
         return kind
+    if outcome.what.scattered:
+        return "nothing missing, scatter by mode"
     return {0: "outside the catalogue", 1: "one loss", 2: "two losses"}[len(names)]
 
 
@@ -52,6 +55,9 @@ def requirements(outcomes: Sequence[Outcome]) -> Iterator[str]:
         yield line(name, f"{' or '.join(states)} >= {100 * least:g} %", count, len(some), least)
     coulomb = [o for o in outcomes if o.what.amplitudes]
     yield line("Coulomb friction", "a loss claimed: none", _count(coulomb, "wrong"), len(coulomb), most=0.0)
+    scattered = [o for o in outcomes if o.unchanged is not None]
+    same = sum(bool(o.unchanged) for o in scattered)
+    yield line("scatter by mode", "frequencies and shapes: all as without damping", same, len(scattered), 1.0)
     what = f"confident and wrong <= {100 * WRONG:g} %"
     yield line("all", what, _count(outcomes, "wrong"), len(outcomes), most=WRONG)
     away = [one for o in outcomes for one in o.away]
