@@ -40,6 +40,9 @@ class Parameter:
     log : bool
         Whether the prior is log-normal, for a positive scale.  The standard deviation, here or in a candidate, is
         then relative.
+    correlated : tuple of tuple of str and float
+        Names of other uncertain parameters with the correlation of both priors; each lists the other.  Of logarithms
+        where a prior is log-normal.
     """
 
     name: str
@@ -49,6 +52,7 @@ class Parameter:
     lower: float = -np.inf
     upper: float = np.inf
     log: bool = False
+    correlated: tuple[tuple[str, float], ...] = ()
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ import numpy as np
 
 from pkmodes.base.errors import PkmodesError, nearest, shown
 from pkmodes.diagnosis.problem import Candidate, Parameter
+from pkmodes.robot.covariance import correlations_of
 from pkmodes.robot.layout import GRAVITY, Item, by_path, lent, takers
 from pkmodes.robot.parameter_groups import groups_by_path, items_of, weights_of
 from pkmodes.robot.paths import ParameterPath, paths, resolve
@@ -77,7 +78,8 @@ def suspects(
     ]
     candidates += _unlike(robot, candidates, joints)
     suspected = {name for candidate in candidates if candidate in frames for name in candidate.parameters}
-    parameters = [_parameter(robot, move) for move in moves]
+    rates = correlations_of(robot)
+    parameters = [_parameter(robot, move, rates.get(move.path, ())) for move in moves]
     parameters += [parameter for parameter in of_frame if parameter.name in suspected]
     return parameters, candidates, {move.path: move for move in moves}
 
@@ -290,7 +292,7 @@ def _unlike(
     return general
 
 
-def _parameter(robot: Robot, move: ParameterPath) -> Parameter:
+def _parameter(robot: Robot, move: ParameterPath, correlated: tuple[tuple[str, float], ...]) -> Parameter:
     quantity = robot.quantities.get(move.path)
     sigma = quantity.sigma if quantity is not None and quantity.sigma else None
     item = by_path(robot.mechanism).get(move.path)
@@ -307,7 +309,7 @@ def _parameter(robot: Robot, move: ParameterPath) -> Parameter:
         farthest = _farthest(robot, item)
         lower, upper = move.value - farthest, move.value + farthest
     unit = move.unit.replace(" ", "*")
-    return Parameter(move.path, move.value, unit, sigma, lower, upper)
+    return Parameter(move.path, move.value, unit, sigma, lower, upper, correlated=correlated)
 
 
 def _farthest(robot: Robot, item: Item) -> float:

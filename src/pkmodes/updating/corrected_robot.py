@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -9,6 +10,8 @@ from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis
 from pkmodes.mechanism.described import DAMPING_RATIO
 from pkmodes.model.model import Model
+from pkmodes.robot.covariance import Covariance
+from pkmodes.robot.parameter_groups import groups_by_path
 from pkmodes.robot.paths import resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.saving import Correction, corrected_text, save_corrected
@@ -44,6 +47,30 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
     return changes
 
 
+def covariance(robot: Robot, diagnosis: Diagnosis) -> Covariance | None:
+    """Return how the errors of the changed values of the robot file belong together; None where none has a sigma.
+
+    The standard deviations are those of the fit.  What an unseen candidate could have done to a value, which is in
+    its own standard deviation, these data show in no frequency: the candidate and the value make up for each other.
+    A group such as ``axis.span`` has no standard deviation in a file, so it is left out.
+    """
+    groups = groups_by_path(robot.mechanism)
+    some = [
+        i
+        for i, value in enumerate(diagnosis.corrected)
+        if not value.name.startswith(frame.OF_MEASUREMENT)
+        and value.name not in groups
+        and 0.0 < value.sigma < math.inf
+    ]
+    if not some:
+        return None
+    return Covariance(
+        tuple(diagnosis.corrected[i].name for i in some),
+        tuple(tuple(diagnosis.correlation[i][k] for k in some) for i in some),
+        tuple(diagnosis.corrected[i].sigma for i in some),
+    )
+
+
 def widened(diagnosis: Diagnosis) -> list[Corrected]:
     """Return the values whose saved standard deviation is noticeably larger than that of the fit.
 
@@ -74,7 +101,7 @@ def corrected_robot(robot: Robot | Model, diagnosis: Diagnosis) -> str:
         If there is nothing to correct, or the robot was not read from a file.
     """
     robot = _correctable(robot, diagnosis, "corrected_robot")
-    return corrected_text(Path(robot.source), corrections(robot, diagnosis))
+    return corrected_text(Path(robot.source), corrections(robot, diagnosis), covariance(robot, diagnosis))
 
 
 def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> None:
@@ -95,7 +122,8 @@ def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> No
         If there is nothing to correct, or the file cannot be written.
     """
     robot = _correctable(robot, found, str(target))
-    save_corrected(Path(robot.source), Path(target), corrections(robot, found))
+    changes = corrections(robot, found)
+    save_corrected(Path(robot.source), Path(target), changes, covariance(robot, found))
 
 
 def _correctable(given: Robot | Model, diagnosis: Diagnosis, where: str) -> Robot:

@@ -20,6 +20,7 @@ from pkmodes.diagnosis.damping.found import survivors, tested, value_of
 from pkmodes.diagnosis.damping.judgement import DampingJudgement, names_of
 from pkmodes.diagnosis.damping.outcome import Damping
 from pkmodes.diagnosis.damping.stage import Stage
+from pkmodes.diagnosis.fit.solver import correlation
 from pkmodes.diagnosis.problem import Loss
 from pkmodes.diagnosis.verdict.limits import name_of
 from pkmodes.diagnosis.verdict.result import (
@@ -87,6 +88,7 @@ def with_outcome(result: Diagnosis, data: Measurements, stage: Stage) -> Diagnos
         )
     tests, limits = tested(stage, found)
     unseen = [one.name for one in tests if not one.detectable]
+    corrected = _corrected(result, fitter, stage.final)
     both = replace(
         result,
         rows=_rows(result, data, stage),
@@ -100,7 +102,8 @@ def with_outcome(result: Diagnosis, data: Measurements, stage: Stage) -> Diagnos
         notes=tuple(notes),
         stability=tuple(_stability(one, stage) for one in result.stability),
         damping=damping,
-        corrected=_corrected(result, fitter, stage.final),
+        corrected=corrected,
+        correlation=_correlation(result, corrected, fitter, stage.final),
         refitted=_refitted(result, fitter, stage.final),
     )
     return _with_last_stage(both) if found else both
@@ -196,6 +199,22 @@ def _corrected(result: Diagnosis, fitter: LossFitter, final: LossFit) -> tuple[C
             value.name, value.value, value.sigma, p.unit, p.value, p.sigma, at_bound
         )
     return tuple(corrected.values())
+
+
+def _correlation(
+    result: Diagnosis, corrected: Sequence[Corrected], fitter: LossFitter, final: LossFit
+) -> tuple[tuple[float, ...], ...]:
+    """Return the correlation of the changed values: each stage has that of its fit."""
+    place = {value.name: i for i, value in enumerate(corrected)}
+    losses = [place[fitter.losses[j].parameter.name] for j in final.free]
+    every, first = np.eye(len(corrected)), [place[value.name] for value in result.corrected]
+    every[np.ix_(first, first)] = result.correlation
+    every[losses, :], every[:, losses] = (
+        0.0,
+        0.0,
+    )  # a loss with a prior is in the first stage, too, which has no data on it
+    every[np.ix_(losses, losses)] = correlation(final.covariance)
+    return tuple(map(tuple, every.tolist()))
 
 
 def _refitted(result: Diagnosis, fitter: LossFitter, final: LossFit) -> tuple[Refitted, ...]:

@@ -236,6 +236,8 @@ class Diagnosis:
         Relative error that the modes of a pose share; 0 if the data show none.
     corrected : tuple of Corrected
         Values of all parameters that the last stage changed, with their standard deviations.
+    correlation : tuple of tuple of float
+        Correlation of these values in the fit, in their order; of losses and other values it is 0.
     notes : tuple of str
         Notes on the data and the fit.
     stability : tuple of Stability
@@ -271,6 +273,7 @@ class Diagnosis:
     limits: Mapping[str, Limit] = field(default_factory=dict)
     stages: Stages | None = field(default=None, compare=False, repr=False)
     damping: Damping | None = None
+    correlation: tuple[tuple[float, ...], ...] = field(default=(), repr=False)
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]
