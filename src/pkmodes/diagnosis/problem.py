@@ -43,6 +43,9 @@ class Parameter:
     usual : tuple of two floats, optional
         Range of the values that such a part can have.  A claimed value outside is marked as implausible; no fit and
         no verdict depends on it.
+    correlated : tuple of tuple of str and float
+        Names of other uncertain parameters with the correlation of both priors; each lists the other.  Of logarithms
+        where a prior is log-normal.
     """
 
     name: str
@@ -53,6 +56,7 @@ class Parameter:
     upper: float = np.inf
     log: bool = False
     usual: tuple[float, float] | None = None
+    correlated: tuple[tuple[str, float], ...] = ()
 
 
 @dataclass(frozen=True)

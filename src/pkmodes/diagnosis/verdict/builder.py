@@ -160,6 +160,7 @@ class DiagnosisBuilder:
             rows=setups.rows(declared, refit, after, outlying),
             scatter=0.0 if last is None else last.scatter,
             corrected=() if last is None else self.corrected(last, bounded),
+            correlation=() if last is None else tuple(map(tuple, last.correlation.tolist())),
             notes=(*remarks, *(() if last is None else notes(store, last, verdict.settled))),
             stability=stability,
             shape_scatter=None if last is None else store.shape_scatter(last),

@@ -68,7 +68,7 @@ class Damping:
         One sentence.
     effects : tuple of Finding
         The losses found.
-    survivors, limits, refitted, undetectable, candidates, notes, stability, corrected
+    survivors, limits, refitted, undetectable, candidates, notes, stability, corrected, correlation
         As for a diagnosis, of losses and ratios.
     fitted : int
         Number of ratios that took part.
@@ -96,6 +96,7 @@ class Damping:
     after: float | None = None
     held_out: float | None = None
     corrected: tuple[Corrected, ...] = ()
+    correlation: tuple[tuple[float, ...], ...] = field(default=(), repr=False)
 
     @property
     def measured(self) -> bool:
@@ -142,6 +143,8 @@ class Diagnosis:
         Relative error that the modes of a pose share; 0 if the data show none.
     corrected : tuple of Corrected
         Values of all parameters that the last stage changed, with their standard deviations.
+    correlation : tuple of tuple of float
+        Correlation of these values in the fit, in their order.
     notes : tuple of str
         Notes on the data and the fit.
     stability : tuple of Stability
@@ -177,6 +180,7 @@ class Diagnosis:
     limits: Mapping[str, Limit] = field(default_factory=dict)
     stages: Stages | None = field(default=None, compare=False, repr=False)
     damping: Damping = field(default_factory=Damping)
+    correlation: tuple[tuple[float, ...], ...] = field(default=(), repr=False)
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]
