@@ -132,6 +132,7 @@ def test_the_place_of_a_mistake_is_named(
         ),
         ("frequency\n50\n", 'columns = { frequency = "f0", damping = "f0" }\n', "name the same column"),
         ("frequency\n5\n", "", "expected modes, found none in any record"),
+        ("frequency\n" + "50\n" * 201, "", "expected modes, found 201 within 1 % from 50 Hz (p1.csv)"),
         (
             "frequency\n50\n",
             '[[edit]]\npose = "P1"\nstrike = ["60 Hz"]\n',

@@ -50,9 +50,9 @@ def read_measurements(
         It has one row for each identified mode: the columns ``pose``, one for each component of a pose,
         ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``,
         ``mode``, ``drives``, ``shape:<coordinate>``, ``sigma_shape`` and ``set:<path>``.  A column name may carry a
-        unit, ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` gives the band with identified modes,
-        and ``# drives: held`` says what the motors did in all rows; other lines that begin with ``#`` are ignored, as
-        are blank lines.
+        unit, ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` gives the band in which modes were
+        identified, and ``# drives: held`` says what the motors did in all rows; other lines that begin with ``#`` are
+        ignored, as are blank lines.
     channels : collection of str, or mapping of str to str
         Coordinates that a shape column may name.  A mapping gives their SI units; otherwise the unit of a shape
         column may be a length or an angle.

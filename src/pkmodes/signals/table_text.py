@@ -127,6 +127,21 @@ class TableText:
         return MeasurementError("expected rows of numbers", self.source, REMEDY)
 
 
+def check_text(content: bytes, source: str) -> None:
+    """Refuse what is no text.
+
+    Raises
+    ------
+    MeasurementError
+    """
+    if content.startswith(WORKBOOKS):
+        remedy = "open it in a spreadsheet program and save it as CSV UTF-8"
+        raise MeasurementError("expected a table in text, found an Excel workbook", source, remedy)
+    if b"\0" in content:
+        remedy = "save a table as CSV UTF-8"
+        raise MeasurementError("expected a table in text, found binary data", source, remedy)
+
+
 def split_table(content: bytes, source: str) -> TableText:
     """Find the header of a table: the first line that is no comment, or a comment right above the numbers.
 
@@ -135,12 +150,7 @@ def split_table(content: bytes, source: str) -> TableText:
     MeasurementError
         If the content is not text, or has no header.
     """
-    if content.startswith(WORKBOOKS):
-        remedy = "open it in a spreadsheet program and save it as CSV UTF-8"
-        raise MeasurementError("expected a table in text, found an Excel workbook", source, remedy)
-    if b"\0" in content:
-        remedy = "save a table as CSV UTF-8"
-        raise MeasurementError("expected a table in text, found binary data", source, remedy)
+    check_text(content, source)
     content = content.removeprefix(b"\xef\xbb\xbf")
     if b"\n" not in content:
         content = content.replace(b"\r", b"\n")
