@@ -16,7 +16,9 @@ from helpers.diagnoses.damped_cases import columns, made
 from helpers.diagnoses.diagnose_command import call
 from helpers.pages.page_reading import read
 from pkmodes import read_robot, updating
+from pkmodes.cli.comparison_tables import show
 from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.writing import as_csv
 from pkmodes.report import report
 from pkmodes_rig.suites.mechanism_cases import robot_of
@@ -69,6 +71,15 @@ def test_ratios_that_scatter_by_mode_are_those_of_the_declared_model(machine: st
         assert "as repeated tests do" in found.damping.reason
 
 
+@pytest.mark.parametrize(("factor", "verdict"), [(1.2, "adequate"), (1.5, "effect_found")])
+def test_a_declared_ratio_is_wrong_only_where_repeated_tests_differ_less(factor: float, verdict: str) -> None:
+    robot = robot_of("published").with_values({"damping.ratio": RATIO})
+    data = made(columns({"ratio": factor * RATIO}, drives="held"))
+    found = updating.diagnose(robot, data, candidates=FEW).damping
+    assert found.verdict == verdict, found.reason
+    assert f"{100.0 * factor * RATIO:.1f}" in found.reason or verdict == "effect_found"
+
+
 @cache
 def damped() -> tuple[Any, Diagnosis]:
     """Rails that dissipate, with stated errors of a tenth of a per cent of the ratio."""
@@ -101,7 +112,8 @@ def test_a_loss_has_one_p_value_and_the_reason_has_none() -> None:
     assert "p-value" in page
 
 
-def test_a_ratio_of_another_shape_is_no_evidence() -> None:
+def with_another_shape() -> tuple[Measurements, int]:
+    """Rails that dissipate, and a row with the shape of another mode of its pose."""
     rows = columns({"rails": 50.0})
     modes = damped_cases._true("published", "free", ())
     names = ("x_1", "x_2", "x_3", "p_x", "p_y", "p_z")
@@ -115,7 +127,11 @@ def test_a_ratio_of_another_shape_is_no_evidence() -> None:
     damping[row] *= 1.2  # not an outlier among the others
     for shape in shapes.values():
         shape[row] = shape[other]
-    data = made({**rows, "damping": damping}, shapes=shapes)
+    return made({**rows, "damping": damping}, shapes=shapes), row
+
+
+def test_a_ratio_of_another_shape_is_no_evidence() -> None:
+    data, row = with_another_shape()
     found = updating.diagnose(robot_of("published"), data, candidates=FEW[:-1])
     mac = found.rows[row].mac
     assert mac is not None
@@ -125,6 +141,17 @@ def test_a_ratio_of_another_shape_is_no_evidence() -> None:
     (note,) = (note for note in found.damping.notes if "MAC" in note)
     assert note.startswith(f"the damping of line {found.rows[row].line} takes no part")
     assert [cause.name for cause in found.damping.effects] == ["rail_friction"]
+
+
+def test_a_comparison_remarks_a_ratio_of_another_shape(capsys: pytest.CaptureFixture[str]) -> None:
+    data, row = with_another_shape()
+    robot = robot_of("published")
+    compared = updating.compare(robot, data)
+    assert [i for i, one in enumerate(compared.rows) if one.no_evidence] == [row]
+    show(robot, Path("modes.csv"), compared, everything=True)
+    (line,) = (text for text in capsys.readouterr().out.splitlines() if "another shape" in text)
+    assert line.split()[0] == str(compared.rows[row].line)
+    assert line.endswith(f"another shape (MAC {compared.rows[row].mac:.2f})")
 
 
 def test_unexplained_damping_refuses_no_correction(tmp_path: Path) -> None:

@@ -124,17 +124,24 @@ def _of_repeated_tests(fitter: LossFitter, judged: DampingJudgement) -> DampingJ
 
     Tests of one machine find ratios that scatter by more than each states, mode by mode.  A model that declares no
     loss says nothing about damping, so that a ratio common to all modes contradicts nothing either, and names no
-    joint.
+    joint.  Nor does one that differs from the declared ratio by no more than repeated tests do.
     """
     if too_few(fitter):
         return judged
     enough = replace(judged, verdict=ADEQUATE, final=judged.base, places=(), rivals=(), p_values=())
+    common = next((j for j, loss in enumerate(fitter.losses) if not loss.effect), None)
     if any(loss.declared for loss in fitter.losses):
+        if judged.verdict is EFFECT_FOUND and (fit := _only_common(judged, common)) is not None:
+            ratio, declared = words.ratio_of(fit, fit.causes[0]), float(fitter.declared[fit.causes[0]])
+            if not declared or abs(math.log(ratio[0] / declared)) > fitter.criteria.damping_scatter:
+                return judged
+            return replace(
+                enough, why=words.nearly_declared(*ratio, declared), scatter=_scatter(fitter, judged.base)
+            )
         scatter = _scatter(fitter, judged.base)
         if judged.verdict not in OPEN or scatter > fitter.criteria.damping_scatter:
             return judged
         return replace(enough, why=words.scattered(None, scatter), scatter=scatter)
-    common = next((j for j, loss in enumerate(fitter.losses) if not loss.effect), None)
     if common is None or (judged.verdict is EFFECT_FOUND and judged.final.causes != (common,)):
         return judged
     fit = fitter.fit((common,))  # also where it is not among the chosen candidates
@@ -146,6 +153,13 @@ def _of_repeated_tests(fitter: LossFitter, judged: DampingJudgement) -> DampingJ
     if judged.verdict in OPEN and scatter <= fitter.criteria.damping_scatter:
         return replace(enough, why=words.scattered(value[0], scatter), scatter=scatter)
     return judged
+
+
+def _only_common(judged: DampingJudgement, common: int | None) -> LossFit | None:
+    """Return the fit of the common ratio alone, if it is in the class of the only cause."""
+    if len(judged.places) != 1 or common is None:
+        return None
+    return next((fit for fit in judged.places[0] if fit.causes == (common,)), None)
 
 
 def _scatter(fitter: LossFitter, fit: LossFit) -> float:

@@ -74,6 +74,15 @@ def scattered(ratio: float | None, scatter: float) -> str:
     )
 
 
+def nearly_declared(ratio: float, sigma: float, declared: float) -> str:
+    """Return what is said if another ratio of all modes than the declared one fits, as near as repeated tests are."""
+    percent = f"{rounded(100.0 * ratio, 100.0 * sigma)} %"
+    return (
+        f"the measured ratios are those of a damping ratio of {percent} instead of the "
+        f"declared {100.0 * declared:.3g} %, by which repeated tests may differ"
+    )
+
+
 def not_predicted(factor: float) -> str:
     """Return the note if the losses do not predict the damping of the held-out poses."""
     return f"the damping of the held-out poses is not predicted: a factor of {factor:.2g} in the mean"
