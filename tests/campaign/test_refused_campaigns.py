@@ -43,6 +43,12 @@ SENSOR = '[[sensor]]\nname = "a"\nchannel = "p_x"\nunit = "m/s^2"\n'
         (HEAD + RECORD.replace(', z = "-245 mm"', ""), "expected x, y, z, found no z (c.toml: record.1.at)"),
         (HEAD + RECORD.replace("z =", "w ="), 'unknown component "w" (c.toml: record.1.at)'),
         (HEAD + RECORD.replace("-245 mm", "-2 m"), "(c.toml: record.1.at)"),
+        (
+            HEAD + RECORD.replace('"P1"', '"P\\u001b[2J1"'),
+            r'expected a label, found "P\x1b[2J1" (c.toml: record.1.pose)',
+        ),
+        (HEAD + RECORD.replace('"P1"', '"P\\n1"'), r'found "P\n1" (c.toml: record.1.pose)'),
+        (HEAD + RECORD + RECORD.replace('"P1"', '" P1 "'), 'the label "P1" is that of record 1, too'),
         (HEAD + RECORD + RECORD, 'the label "P1" is that of record 1, too (c.toml: record.2.pose)'),
         (HEAD + RECORD.replace('["p1.csv"]', "[]"), "expected files, found none (c.toml: record.1.files)"),
         (

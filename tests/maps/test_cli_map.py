@@ -125,6 +125,10 @@ def test_a_file_of_measurements_is_a_list_of_poses(
     assert found["poses"] == found["valid"] == 2
     assert found["ranges"] == {"pose": ["A", "B"]}
     assert {row["minimum_at"]["x"] for row in found["modes"]} <= {0.5, 0.6}
+    poses.write_text(written.replace("B", "B\x1b[2J"), encoding="utf-8")
+    assert run(["map", ROBOT, "--poses", str(poses)]) == 2
+    where = rf'expected a label, found "B\x1b[2J" ({poses}: line 4, column pose)'
+    assert capsys.readouterr().err.startswith(f"error: {where}; write a name in printable characters")
     poses.write_text(written.replace(f"0{decimal}05", "5%"), encoding="utf-8")
     assert run(["map", ROBOT, "--poses", str(poses)]) == 2
     where = f'expected a finite number, found "5%" ({poses}: line 4, column y)'

@@ -14,6 +14,7 @@ from pkmodes.measured.cells import Notation
 from pkmodes.measured.csv_format import read_text
 from pkmodes.measured.csv_rows import read_lines
 from pkmodes.measured.header import column_of
+from pkmodes.measured.rules import PRINTABLE
 from pkmodes.mechanism.registry import Mechanism
 
 LABEL = "pose"
@@ -74,6 +75,9 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
             for name, i in places.items()
         )
         label = cells[names.index(LABEL)] if labelled else ""
+        if not label.isprintable():
+            where = f"{source}: line {number}, column {LABEL}"
+            raise MeasurementError(f"expected a label, found {shown(label)}", where, PRINTABLE)
         table[(label, *map(repr, point))] = point
         if labelled and at_label.setdefault(label, point) != point:
             what = f"the label {shown(label)} has two positions"
