@@ -41,7 +41,7 @@ demo: $(VENV)/.demo  ## the whole loop, from the robot file and signals to corre
 	@echo "  build/mode.gif              its second mode, as in the README"
 
 test: $(VENV)/.dev  ## all tests, including the slow ones
-	$(BIN)/python -m pytest -n auto --dist worksteal --durations=15
+	$(BIN)/python -m pytest -n auto --dist loadfile --no-loadscope-reorder --processor-time build/processor_time.tsv
 
 lint: $(VENV)/.dev
 	$(BIN)/python -m ruff format --check .

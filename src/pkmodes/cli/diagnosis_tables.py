@@ -10,6 +10,7 @@ from pkmodes.base.numbers import p_in_words, plain, rounded
 from pkmodes.base.ordering import sorted_labels
 from pkmodes.cli.stability_text import stability_sentence
 from pkmodes.cli.terminal import Terminal
+from pkmodes.diagnosis.verdict import naming
 from pkmodes.diagnosis.verdict.findings import Finding, Refitted, Value
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.rows import Error, Row
@@ -46,16 +47,28 @@ def show(robot: Robot, result: Diagnosis) -> None:
 def _causes(terminal: Terminal, effects: Sequence[Finding]) -> None:
     """Print causes with their values and classes."""
     for effect in effects:
-        sentence = f": {effect.sentence}" if effect.sentence else ""
         terminal.line()
+        if len(effect.members) > 1:
+            _class(terminal, effect)
+            continue
+        sentence = f": {effect.sentence}" if effect.sentence else ""
         terminal.line(f"cause: {effect.name} ({p_in_words(effect.p_value)}){sentence}")
         _values(terminal, effect)
-        if len(effect.members) > 1:
+
+
+def _class(terminal: Terminal, effect: Finding) -> None:
+    """Print a class: what its members have in common, and each with its value and whether that is implausible."""
+    what = f"one of {naming.count(len(effect.members))} ({p_in_words(effect.p_value)})"
+    terminal.line(f"cause: {what}: {naming.of_class(effect)}")
+    for place, member in enumerate(effect.members):
+        if place == 1:
             terminal.line("these data cannot distinguish it from", "  ")
-            for member in effect.members[1:]:
-                relative = effect.relative(member)
-                values = [f"{_short(v)} = {_with_sigma(v)}" for v in relative or effect.alternatives[member]]
-                terminal.line(", ".join(values) + (" relative to their mean" if relative else ""), "    ")
+        relative, why = effect.relative(member), effect.member(member).implausible
+        values = ", ".join(f"{_short(v)} = {_with_sigma(v)}" for v in relative or effect.alternatives[member])
+        also = f" (implausible: {why})" if why else ""
+        terminal.line(
+            f"{values}{' relative to their mean' if relative else ''}{also}", "    " if place else "  "
+        )
 
 
 def _values(terminal: Terminal, effect: Finding) -> None:
@@ -65,6 +78,8 @@ def _values(terminal: Terminal, effect: Finding) -> None:
         terminal.line("relative to their mean:", "  ")
     for value in relative or effect.parameters:
         terminal.line(f"{_short(value)} = {_with_sigma(value)}", "    " if relative else "  ")
+    if why := effect.member(effect.name).implausible:
+        terminal.line(f"implausible: {why}", "  ")
     if relative:
         each = ", ".join(map(_with_sigma, effect.parameters))
         terminal.line("with their mean, which is less certain:", "  ")

@@ -187,9 +187,8 @@ def run(case: Case) -> Outcome:
     if not what.scattered:
         return outcome
     blank = np.full(len(data.damping), np.nan)
-    without = updating.diagnose(
-        robot, replace(data, numbers={**data.numbers, "damping": blank, "damping_sigma": blank})
-    )
+    numbers = {**data.numbers, "damping": blank, "damping_sigma": blank}
+    without = updating.diagnose(robot, replace(data, numbers=numbers))
     return replace(outcome, unchanged=_of_frequencies(found) == _of_frequencies(without))
 
 

@@ -19,6 +19,7 @@ from pkmodes.diagnosis.damping.found import survivors, tested, value_of
 from pkmodes.diagnosis.damping.judgement import DampingJudgement, names_of
 from pkmodes.diagnosis.damping.rows import usable
 from pkmodes.diagnosis.damping.stage import Stage
+from pkmodes.diagnosis.fit.solver import correlation
 from pkmodes.diagnosis.problem import Loss
 from pkmodes.diagnosis.verdict.findings import Corrected, Refitted, Stability
 from pkmodes.diagnosis.verdict.limits import name_of
@@ -89,6 +90,7 @@ def _outcome(stage: Stage) -> Damping:
         after=words.factor_of(after[used & above]),
         held_out=held_out,
         corrected=corrected,
+        correlation=tuple(map(tuple, correlation(stage.final.covariance).tolist())),
     )
 
 

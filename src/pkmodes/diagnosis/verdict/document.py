@@ -73,6 +73,10 @@ class CauseDocument(Document):
             "by itself; else empty."
         ),
     ]
+    plausible: Annotated[
+        dict[str, bool],
+        Meta(description="For each member of the class, whether its value is one that such a part can have."),
+    ]
     alternatives: Annotated[
         dict[str, Annotated[Values, Meta(description="Parameters of one member.")]],
         Meta(description="For each member of the class, its parameters if it were the cause."),

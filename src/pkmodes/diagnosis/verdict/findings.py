@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+from pkmodes.diagnosis.verdict.members import Member
 from pkmodes.diagnosis.verdict.relative import relative_to_mean
 from pkmodes.diagnosis.verdict.unseen import Unseen
 from pkmodes.diagnosis.verdict.verdicts import Word
@@ -84,6 +85,8 @@ class Finding:
         Physical meaning.
     covariances : mapping of str to tuple of tuple of float
         For each member, the covariance of its parameters, in their order.
+    about : mapping of str to Member
+        How its members are named, and whether their values are plausible.
     """
 
     name: str
@@ -93,6 +96,16 @@ class Finding:
     p_value: float
     sentence: str
     covariances: Mapping[str, tuple[tuple[float, ...], ...]] = field(default_factory=dict)
+    about: Mapping[str, Member] = field(default_factory=dict)
+
+    def member(self, name: str) -> Member:
+        """Return how a member of the class is named, and whether its value is plausible."""
+        return self.about.get(name, Member(name, self.sentence if name == self.name else ""))
+
+    @property
+    def plausible(self) -> dict[str, bool]:
+        """Whether the value of each member is one that such a part can have."""
+        return {name: not self.member(name).implausible for name in self.members}
 
     @property
     def covariance(self) -> tuple[tuple[float, ...], ...]:

@@ -68,7 +68,7 @@ class Damping:
         One sentence.
     effects : tuple of Finding
         The losses found.
-    survivors, limits, refitted, undetectable, candidates, notes, stability, corrected
+    survivors, limits, refitted, undetectable, candidates, notes, stability, corrected, correlation
         As for a diagnosis, of losses and ratios.
     fitted : int
         Number of ratios that took part.
@@ -96,6 +96,7 @@ class Damping:
     after: float | None = None
     held_out: float | None = None
     corrected: tuple[Corrected, ...] = ()
+    correlation: tuple[tuple[float, ...], ...] = field(default=(), repr=False)
 
     @property
     def measured(self) -> bool:
@@ -142,6 +143,8 @@ class Diagnosis:
         Relative error that the modes of a pose share; 0 if the data show none.
     corrected : tuple of Corrected
         Values of all parameters that the last stage changed, with their standard deviations.
+    correlation : tuple of tuple of float
+        Correlation of these values in the fit, in their order.
     notes : tuple of str
         Notes on the data and the fit.
     stability : tuple of Stability
@@ -177,19 +180,17 @@ class Diagnosis:
     limits: Mapping[str, Limit] = field(default_factory=dict)
     stages: Stages | None = field(default=None, compare=False, repr=False)
     damping: Damping = field(default_factory=Damping)
+    correlation: tuple[tuple[float, ...], ...] = field(default=(), repr=False)
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]
         for effect in self.effects:
-            relative = effect.relative()
-            values = [
-                f"{v.name} = {rounded(v.value, v.sigma)} {v.unit}".removesuffix(" 1")
-                for v in relative or effect.parameters
-            ]
-            also = " relative to their mean" if relative else ""
-            lines.append(f"cause: {effect.name} ({p_in_words(effect.p_value)}): {', '.join(values)}{also}")
-            if len(effect.members) > 1:
-                lines.append(f"  these data cannot tell it from {', '.join(effect.members[1:])}")
+            p = p_in_words(effect.p_value)
+            if len(effect.members) == 1:
+                lines.append(f"cause: {effect.name} ({p}): {_values(effect, effect.name)}")
+                continue
+            lines.append(f"cause: one of these, which these data cannot tell apart ({p})")
+            lines += [f"  {name}: {_values(effect, name)}" for name in effect.members]
         lines += [f"remains: {' or '.join(group)}" for group in self.survivors]
         for stage, error in (("before", self.before), ("refit", self.refit), ("after", self.after)):
             if error is not None:
@@ -257,6 +258,17 @@ class Diagnosis:
 def key(v: Value) -> str:
     """Return the last name of an effect's parameter (`compliance`), as in the robot file; else the whole path."""
     return v.name.split(".")[-1] if v.name.startswith("effects.") else v.name
+
+
+def _values(effect: Finding, member: str) -> str:
+    """Return the values of a cause, or of another member of its class, and whether they are implausible."""
+    relative = effect.relative(member)
+    values = [
+        f"{v.name} = {rounded(v.value, v.sigma)} {v.unit}".removesuffix(" 1")
+        for v in relative or effect.alternatives.get(member, ())
+    ]
+    also, why = " relative to their mean" if relative else "", effect.member(member).implausible
+    return ", ".join(values) + also + (f" (implausible: {why})" if why else "")
 
 
 def _cause(cause: Finding, corrected: tuple[Corrected, ...]) -> CauseDocument:
