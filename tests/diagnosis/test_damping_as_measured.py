@@ -17,6 +17,7 @@ from helpers.diagnoses.diagnose_command import call
 from helpers.pages.page_reading import read
 from pkmodes import read_robot, updating
 from pkmodes.cli.comparison_tables import show
+from pkmodes.cli.diagnosis_tables import show as print_diagnosis
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.writing import as_csv
@@ -110,6 +111,22 @@ def test_a_loss_has_one_p_value_and_the_reason_has_none() -> None:
     page = read(report(found, robot=robot, data=data)).by_id("damping").text
     assert len(re.findall(r"\bp\b", page)) == 1
     assert "p-value" in page
+
+
+def test_the_terminal_prints_it_beside_the_verdict(capsys: pytest.CaptureFixture[str]) -> None:
+    _, found = damped()
+    print_diagnosis(robot_of("published"), found)
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].endswith(": adequate")
+    heading = lines.index("damping: effect_found")
+    (cause,) = (i for i, text in enumerate(lines) if text.startswith("cause: "))
+    assert cause > heading
+    assert "rail_friction" in lines[cause]
+    used = [row.sigma_damping_used / row.damping for row in found.rows if row.damping_used]
+    (count,) = (text for text in lines if "ratios fitted" in text)
+    assert count.startswith(
+        f"{len(used)} ratios fitted with a sigma of {100.0 * np.median(used):.0f} % (median)"
+    )
 
 
 def with_another_shape() -> tuple[Measurements, int]:
