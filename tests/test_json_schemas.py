@@ -27,7 +27,7 @@ SCHEMAS = {
 #: Keys of some mechanisms only, or of rows with settings: all others are always present.
 OF_SOME = (
     *("carriage_positions", "set", "damping", "sigma_damping", "predicted_damping"),
-    *("damping_before", "damping_after", "damping_used"),
+    *("damping_before", "damping_after", "damping_used", "hidden_by"),
 )
 #: What a command writes for other arguments.
 OTHER = {"compare-robots"}

@@ -25,6 +25,7 @@ from pkmodes.diagnosis.verdict.document import (
     StagesDocument,
     ValueDocument,
 )
+from pkmodes.diagnosis.verdict.proposal import NextMeasurement
 from pkmodes.diagnosis.verdict.relative import relative_to_mean
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.diagnosis.verdict.unseen import Limit, Unseen
@@ -185,16 +186,6 @@ class Examined:
 
 
 @dataclass(frozen=True)
-class NextMeasurement:
-    """The pose at which two explanations differ most, and the values to set there, by name."""
-
-    pose: tuple[float, ...]
-    separates: tuple[str, str]
-    sigmas: float
-    load: Mapping[str, float] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
 class Stability:
     """The verdict with other errors or priors than stated.
 
@@ -230,6 +221,8 @@ class Diagnosis:
         are too few data.  after is None unless a cause was found.
     held_out_poses, undetectable : tuple of str
     next_measurement : NextMeasurement or None
+    not_separated : str
+        Why none is proposed although explanations are left; empty where one is, or none are.
     candidates : tuple of Examined
     rows : tuple of Row
     scatter : float
@@ -271,6 +264,7 @@ class Diagnosis:
     limits: Mapping[str, Limit] = field(default_factory=dict)
     stages: Stages | None = field(default=None, compare=False, repr=False)
     damping: Damping | None = None
+    not_separated: str = ""
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]
@@ -298,6 +292,13 @@ class Diagnosis:
     def settled(self) -> bool:
         """Whether the last model leaves only noise, so that its values correct the robot file."""
         return VERDICTS[self.verdict].settled
+
+    @property
+    def next_measurement_reason(self) -> str:
+        """Why no next measurement is proposed; empty where one is."""
+        if self.next_measurement is not None:
+            return ""
+        return self.not_separated or VERDICTS[self.verdict].nothing_next
 
     @property
     def outliers(self) -> tuple[Row, ...]:
@@ -329,6 +330,7 @@ class Diagnosis:
                 self, before=_error(self.before), refit=_error(self.refit), after=_error(self.after)
             ),
             next_measurement=self.next_measurement and NextMeasurementDocument.of(self.next_measurement),
+            next_measurement_reason=self.next_measurement_reason or None,
             candidates=[
                 CandidateDocument.of(one, visible_from=_by_key(SizeDocument, one.visible_from))
                 for one in self.candidates
