@@ -15,7 +15,7 @@ from helpers.pages.page_reading import Element, read
 from helpers.pages.report_examples import diagnosed, made_up
 from pkmodes import Model, read_robot, updating
 from pkmodes.diagnosis.verdict.findings import Examined, Stability
-from pkmodes.diagnosis.verdict.result import NextMeasurement
+from pkmodes.diagnosis.verdict.proposal import NextMeasurement
 from pkmodes.report import report
 from pkmodes.report.model_view import view_of_result
 

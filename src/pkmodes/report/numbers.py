@@ -7,7 +7,6 @@ from pkmodes.diagnosis.verdict.findings import Corrected
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, meaning, same
-from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Paragraph, Picture, Table
 from pkmodes.report.formatting import (
@@ -169,7 +168,7 @@ def next_measurement(result: Diagnosis, setting: Setting) -> list[Block]:
     """Return where two remaining explanations differ most; nothing if nothing is left to separate."""
     proposed = result.next_measurement
     if proposed is None:
-        return [Paragraph(VERDICTS[result.verdict].nothing_next)]
+        return [Paragraph(f"None is proposed: {clean(result.next_measurement_reason)}.")]
     at = "next_measurement"
     entries: list[tuple[str, list[Cell]]] = [
         (f"{name} [{unit(symbol)}]" if unit(symbol) else name, [number(value, ".4f", pointer(at, "pose", k))])
@@ -177,10 +176,17 @@ def next_measurement(result: Diagnosis, setting: Setting) -> list[Block]:
             zip(setting.components(len(proposed.pose)), proposed.pose, strict=True)
         )
     ]
+    if proposed.drives:
+        entries.append(("motors", [Cell(proposed.drives)]))
     if proposed.load:
         entries.append(("set", [Cell(setting.load(proposed.load))]))
     one, other = map(clean, proposed.separates)
     entries.append(("separates", [Cell(f"{one} and {other}")]))
     sigmas = number(proposed.sigmas, ".0f", pointer(at, "sigmas"))
     entries.append(("by", [sigmas, Cell("standard deviations")]))
-    return [Paragraph("Measure next here, where two remaining explanations differ most:"), Facts(entries)]
+    caveat = [Paragraph(f"{proposed.caveat}.")] if proposed.caveat else []
+    return [
+        Paragraph("Measure next here, where two remaining explanations differ most:"),
+        Facts(entries),
+        *caveat,
+    ]
