@@ -201,7 +201,7 @@ def _refuse(what: str, where: str, remedy: str) -> NoReturn:
 
 
 def owners(names: Sequence[str], others: Mapping[str, Collection[str]]) -> str:
-    """Return, as a clause, whose columns the unknown ones of a file are; empty if no other machine has all of them."""
+    """Return, as a clause, whose columns the unknown ones of a file are; empty if no other machine has all."""
     having = [machine for machine, columns in others.items() if set(names) <= set(columns)]
     *some, last = having or [""]
     machines = f"{', '.join(some)} or {last}" if some else last
