@@ -26,8 +26,7 @@ from pkmodes.robot.units import QuantityError, base_units
 TEXT = ("pose", "mode", "drives")
 #: Prefix of the standard deviations of pose components.
 SPREAD = "sigma_"
-#: Separates the columns of tables that are no CSV.
-BAR = "|"
+SEPARATORS = {";": "semicolons", "\t": "tabs", "|": "bars"}
 EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"'}
 #: Units of a shape component of unknown kind: a displacement or a rotation.
 MOTIONS = ("m", "rad")
@@ -103,12 +102,13 @@ def read_header(
     known += [f"{SET}{name}" for name in settings]
     help_text = f"start with a header such as {','.join(required)}"
     text = ",".join(cells)
-    if BAR in text and (len(cells) == 1 or {part.strip() for part in text.split(BAR)} >= {"pose"}):
-        what = f"expected columns separated by commas, semicolons or tabs, found {shown(text)}"
-        remedy = (
-            f"the file uses bars: replace them, by semicolons if numbers have decimal commas; {help_text}"
-        )
-        _refuse(what, where, remedy)
+    separator = max(SEPARATORS, key=text.count)
+    if separator in text and (
+        len(cells) == 1 or {part.strip() for part in text.split(separator)} >= {"pose"}
+    ):
+        name = SEPARATORS[separator]
+        remedy = f"the file uses {name}: replace them by commas, and decimal commas by points; {help_text}"
+        _refuse(f"expected columns separated by commas, found {shown(text)}", where, remedy)
     parts = [_parted(cell, known) for cell in cells]
     names = [name for name, _ in parts]
     if not set(names) & set(required):
@@ -201,7 +201,7 @@ def _refuse(what: str, where: str, remedy: str) -> NoReturn:
 
 
 def owners(names: Sequence[str], others: Mapping[str, Collection[str]]) -> str:
-    """Return, as a clause, whose columns the unknown ones are; empty if no other machine has all of them."""
+    """Return, as a clause, whose columns the unknown ones of a file are; empty if no other machine has all."""
     having = [machine for machine, columns in others.items() if set(names) <= set(columns)]
     *some, last = having or [""]
     machines = f"{', '.join(some)} or {last}" if some else last
