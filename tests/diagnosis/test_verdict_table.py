@@ -54,6 +54,7 @@ def schema() -> dict[str, Any]:
     return json.loads((ROOT / "docs/schemas/diagnose.schema.json").read_text(encoding="utf-8"))
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_a_made_up_verdict_reaches_exit_code_terminal_json_and_page(
     hearsay: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
