@@ -69,6 +69,7 @@ docs: $(VENV)/.docs  ## the documentation as a site, in build/site
 
 benchmark: $(VENV)/.benchmark  ## tables of docs/compiled.md, docs/maps.md and docs/identification-compared.md, and other times
 	$(BIN)/python benchmarks/backends.py
+	$(BIN)/python benchmarks/one_core.py --keep
 	$(BIN)/python benchmarks/evaluation.py
 	$(BIN)/python benchmarks/many_rows.py
 	$(BIN)/python benchmarks/large_models.py

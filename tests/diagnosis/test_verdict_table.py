@@ -24,9 +24,7 @@ DIAGNOSE = [
     "diagnose",
     *(str(ROOT / "examples/closed_loop" / name) for name in ("robot.toml", "measured.csv")),
 ]
-HEARSAY = Verdict(
-    "hearsay", "Someone said so", True, "open", "None is proposed: ask the others.", settled=False
-)
+HEARSAY = Verdict("hearsay", "Someone said so", True, "open", "ask the others", settled=False)
 
 
 @pytest.fixture

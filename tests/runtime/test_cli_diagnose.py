@@ -84,8 +84,11 @@ def test_every_promised_key_is_there_with_its_type(verdict: Verdict) -> None:
             assert number(error["chi2_per_dof"])
     assert names(found["held_out_poses"])
     assert names(found["undetectable"])
-    proposed = found["next_measurement"]
+    proposed, reason = found["next_measurement"], found["next_measurement_reason"]
+    assert (proposed is None) == isinstance(reason, str)
+    assert reason != ""
     if proposed is not None:
+        assert proposed["drives"] in ("free", "held")
         assert len(proposed["pose"]) == 3
         assert all(map(number, proposed["pose"]))
         assert names(proposed["separates"])

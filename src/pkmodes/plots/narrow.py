@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
-from contextlib import suppress
 from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
@@ -52,7 +50,7 @@ def narrowed(figure: Figure) -> bool:
     grid = _grid(figure)
     if grid is None:
         return False
-    _arrange(figure)
+    figure.draw_without_rendering()
     places = _places(grid)
     if not places:
         return False
@@ -89,25 +87,6 @@ def narrowed(figure: Figure) -> bool:
     wide = figure.get_tightbbox().width > SLACK * NARROW
     thin = any(axes.bbox.width < LEAST * figure.dpi for axes in places.values())
     return not (wide or thin or any(_crowded(axes) for axes in places.values()))
-
-
-def _arrange(figure: Figure) -> None:
-    """Place everything as drawing does, which takes half as long again."""
-    renderer = figure._get_renderer()  # type: ignore[attr-defined]
-    _adjust(figure.axes, renderer)
-    engine: Any = figure.get_layout_engine()
-    with suppress(ValueError):  # as matplotlib does: there is no space
-        engine.execute(figure)
-    _adjust(figure.axes, renderer)
-
-
-def _adjust(every: Sequence[Any], renderer: Any) -> None:
-    """Give panels and the scales inside them their proportions, and titles their distance."""
-    for axes in every:
-        locator = axes.get_axes_locator()
-        axes.apply_aspect(locator(axes, renderer) if locator else None)
-        axes._update_title_position(renderer)
-        _adjust(axes.child_axes, renderer)
 
 
 def _crowded(axes: Axes) -> bool:
@@ -197,7 +176,7 @@ def _label(axes: Axes, title: str, across: str, along: str, *, inner: bool) -> N
 
 def _legends(figure: Figure) -> None:
     """Make legends of the figure and those above a panel anew, in as many columns as there is space for."""
-    _arrange(figure)
+    figure.draw_without_rendering()
     for legend in list(figure.legends):
         figure.legends.remove(legend)
         title = legend.get_title().get_text()
@@ -226,7 +205,7 @@ def _fitted(figure: Figure, owner: Any, legend: Legend, settings: dict[str, Any]
             handles, names, ncols=columns, columnspacing=1.2, handletextpad=0.4, **settings
         )
         made.set_in_layout(owner is figure)  # one above a panel may reach over the labels beside it
-        _arrange(figure)
+        figure.draw_without_rendering()
         if columns == 1 or made.get_window_extent().width <= (NARROW - 0.1) * figure.dpi:
             break
         made.remove()
@@ -237,7 +216,7 @@ def _fill(figure: Figure, panels: list[Axes], columns: int) -> None:
     """Make a figure as high as panels side by side that keep their proportions need to fill its width."""
     ratios = [_ratio(axes) for axes in panels]
     for _ in range(ROUNDS):
-        _arrange(figure)
+        figure.draw_without_rendering()
         if columns == 1 or not all(ratios):
             return
         left = (NARROW - figure.get_tightbbox().width - 2 * APART) / columns
