@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from pkmodes.base.drives import HELD, motors
+from pkmodes.base.drives import HELD
 from pkmodes.base.numbers import p_in_words, plain, rounded
 from pkmodes.base.ordering import sorted_labels
 from pkmodes.cli.stability_text import stability_sentence
@@ -13,6 +13,7 @@ from pkmodes.diagnosis.verdict.result import Diagnosis, Finding, Value
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.mechanism.poses import placed
 from pkmodes.mechanism.registry import Mechanism
+from pkmodes.robot.motors import motors_in_words
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.load_cases import settable
 
@@ -109,7 +110,7 @@ def _counts(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
     count = sum(not (row.held_out or row.outlier) for row in result.rows)
     held = f" (held out: {', '.join(sorted_labels(result.held_out_poses))})" if result.held_out_poses else ""
     terminal.line()
-    did = motors(row.drives for row in result.rows)
+    did = motors_in_words(robot, [row.drives for row in result.rows])
     terminal.line(f"{count} measured mode{'' if count == 1 else 's'} fitted, {did}{held}")
     if len({row.drives for row in result.rows}) > 1:
         labels = sorted_labels(dict.fromkeys(row.pose for row in result.rows if row.drives == HELD))
