@@ -19,7 +19,7 @@ from pkmodes.diagnosis import Candidate, Diagnosis, Parameter
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.search.score import Score, Scores
 from pkmodes.diagnosis.verdict.detectable import examined
-from pkmodes.diagnosis.verdict.result import Examined
+from pkmodes.diagnosis.verdict.findings import Examined
 from pkmodes.report import report
 
 ROOT = Path(__file__).parents[2]

@@ -144,6 +144,19 @@ def test_only_wanted_sensors_and_forces_are_kept(path: Path) -> None:
     ]
 
 
+@pytest.mark.parametrize("binary", [False, True])
+def test_a_coherence_in_per_cent_is_refused(path: Path, binary: bool) -> None:
+    lines = {"abscissa": (18, "Hz"), "step": 2.0, "function": 6, "reference": (3, 1)}
+    numbers = [99.0, 0.5, 25.0, 100.0]
+    written = dataset58b(packed(numbers, "f"), **lines) if binary else dataset58(numbers, **lines)
+    path.write_bytes(dataset58([1.0, 0.5, 0.25, 1.0], **lines) + written)
+    with pytest.raises(MeasurementError) as error:
+        read_signals(path)
+    assert error.value.what == "expected a coherence from 0 to 1, found 99 as value 1"
+    assert error.value.where.startswith(f"{path}: dataset 2")
+    assert error.value.remedy == "divide it by 100 if it is in per cent"
+
+
 def test_spectra_and_coherences(path: Path) -> None:
     lines = {"abscissa": (18, "Hz"), "step": 1.0}
     psd = dataset58([1.0, 2.0, 3.0, 4.0], function=9, quantity=(12, "(m/s^2)^2/Hz"), **lines)

@@ -53,7 +53,7 @@ class ValueDocument(Document):
 
 
 class ChoiceDocument(Document):
-    """A choice, such as a direction, that the two robots declare differently."""
+    """A choice, such as a direction, or the correlations, that the two robots declare differently."""
 
     path: Annotated[str, Meta(description="Its dotted path.")]
     first: Annotated[str, Meta(description="As the first robot has it.")]

@@ -182,8 +182,9 @@ class Criteria:
     damping_least: float = 0.01
     #: Ratios whose median is above this are no light damping, and more likely per cent.
     damping_most: float = 0.3
-    #: Ratios that scatter about one value by no more than this beyond their stated errors, as those of repeated tests
-    #: often do, contradict no model that declares no damping.
+    #: Ratios that scatter about those of the model by no more than this beyond their stated errors, as those of
+    #: repeated tests often do, contradict it no more than a common ratio that differs so much from the declared one;
+    #: about any one value, if the model declares no damping.
     damping_scatter: float = 0.25
     #: A claim needs data that reject laws outside the candidates: ratios that differ from mode to mode by a factor of
     #: two (the standard deviation of their logarithm); no larger part of them may look like a candidate, or a pair.

@@ -46,8 +46,9 @@ def read_measurements(
     Parameters
     ----------
     path : path-like
-        A CSV file in UTF-8 with one row for each identified mode: the columns ``pose``, one for each component of a
-        pose, ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``,
+        A table in UTF-8, separated by commas, semicolons or tabs, with decimal commas where commas do not separate.
+        It has one row for each identified mode: the columns ``pose``, one for each component of a pose,
+        ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``,
         ``mode``, ``drives``, ``shape:<coordinate>``, ``sigma_shape`` and ``set:<path>``.  A column name may carry a
         unit, ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` gives the band in which modes were
         identified, and ``# drives: held`` says what the motors did in all rows; other lines that begin with ``#`` are
@@ -83,7 +84,8 @@ def read_modes(path: str | PathLike[str], channels: Collection[str] | Mapping[st
     Parameters
     ----------
     path : path-like
-        A CSV file in UTF-8 with one row for each identified mode: the columns ``pose`` (the label of a setup),
+        A table in UTF-8, separated by commas, semicolons or tabs, with decimal commas where commas do not separate.
+        It has one row for each identified mode: the columns ``pose`` (the label of a setup),
         ``frequency``, ``sigma`` [Hz], and where known ``damping``, ``sigma_damping``, ``mode``,
         ``shape:<channel>`` and ``sigma_shape``.  A column name may carry a unit, ``frequency [rad/s]``.  A comment
         line ``# band: 10 Hz, 400 Hz`` gives the band in which modes were identified.

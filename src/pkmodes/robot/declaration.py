@@ -10,6 +10,7 @@ import numpy as np
 
 from pkmodes.mechanism import registry
 from pkmodes.mechanism.described import DAMPING_RATIO, Mechanism
+from pkmodes.robot.covariance import Covariance
 from pkmodes.robot.layout import OF_QUANTITIES, Item, items
 from pkmodes.robot.units import Quantity
 from pkmodes.robot.usable import Limits
@@ -47,6 +48,8 @@ class Declaration:
         Where the machine is used: lower and upper limit of components of the pose in SI units.
     report : mapping of str to str
         What the head of reports says of the machine, by key of the table ``[report]``.
+    covariance : tuple of Covariance
+        Values whose errors belong together; all others are independent.
     """
 
     name: str
@@ -58,6 +61,7 @@ class Declaration:
     constants: Mapping[str, float] = field(default_factory=dict)
     usable: Mapping[str, Limits] = field(default_factory=dict)
     report: Mapping[str, str] = field(default_factory=dict)
+    covariance: tuple[Covariance, ...] = ()
 
     def __eq__(self, other: object) -> bool:
         return self._content == other._content if isinstance(other, Declaration) else NotImplemented
@@ -86,6 +90,7 @@ class Declaration:
             self.mechanism_name,
             tuple((array.shape, *array.ravel().tolist()) for array in arrays),
             *(frozenset(mapping.items()) for mapping in mappings),
+            self.covariance,
         )
 
     @property

@@ -1,11 +1,12 @@
-"""What two robot files of one mechanism declare differently: values with their standard deviations, and effects."""
+"""What two robot files of one mechanism declare differently: values with their uncertainties, and effects."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from pkmodes.base.errors import PkmodesError
+from pkmodes.robot.covariance import COVARIANCE
 from pkmodes.robot.declaration import Declaration
 from pkmodes.robot.layout import by_path, takers
 from pkmodes.robot.units import Quantity
@@ -43,7 +44,7 @@ class ValueDifference:
 
 @dataclass(frozen=True)
 class ChoiceDifference:
-    """A choice, such as the direction of an axis, that two robots declare differently."""
+    """A choice, such as the direction of an axis, that two robots declare differently, or their correlations."""
 
     path: str
     first: str
@@ -109,7 +110,7 @@ def differences(first: Declaration, second: Declaration) -> Differences:
     ours, theirs = _effects(first), _effects(second)
     return Differences(
         tuple(one for one in some if (one.first, one.first_sigma) != (one.second, one.second_sigma)),
-        tuple(_choices(first, second)),
+        (*_choices(first, second), *_correlations(first, second)),
         tuple(name for name in theirs if name not in ours),
         tuple(name for name in ours if name not in theirs),
         len(some),
@@ -150,6 +151,44 @@ def _usable(first: Declaration, second: Declaration) -> Iterator[ValueDifference
         for end, ours, theirs in zip(ENDS, *limits, strict=True):
             if ours is not None or theirs is not None:
                 yield ValueDifference(f"{USABLE}.{name}.{end}", units[name], ours, theirs, None, None)
+
+
+def _correlations(first: Declaration, second: Declaration) -> Iterator[ChoiceDifference]:
+    """Yield one entry if the errors of values belong together in different ways."""
+    ours, theirs = (_pairs(robot) for robot in (first, second))
+    before, after = _between(ours), _between(theirs)
+    if ours != theirs:
+        far = max(abs(ours.get(pair, 0.0) - theirs.get(pair, 0.0)) for pair in ours.keys() | theirs.keys())
+        apart = f", which differ from those by up to {far:.2g}" if ours and theirs else ""
+        yield ChoiceDifference(COVARIANCE, before, after + apart)
+    elif ours and _stated(first) != _stated(second):
+        yield ChoiceDifference(COVARIANCE, before, f"{after}, the same with other standard deviations")
+
+
+def _pairs(robot: Declaration) -> dict[frozenset[str], float]:
+    """Return the correlation of each pair of values that are correlated."""
+    return {
+        frozenset((table.paths[i], table.paths[k])): rate
+        for table in robot.covariance
+        for i, row in enumerate(table.correlation)
+        for k, rate in enumerate(row[:i])
+        if rate
+    }
+
+
+def _stated(robot: Declaration) -> dict[str, float]:
+    """Return the standard deviations that tables state beside those of the values."""
+    return {
+        path: sigma
+        for table in robot.covariance
+        for path, sigma in zip(table.paths, table.sigmas or (), strict=False)
+    }
+
+
+def _between(pairs: Mapping[frozenset[str], float]) -> str:
+    """Return a table of correlations in words."""
+    count = len({path for pair in pairs for path in pair})
+    return f"correlations of {count} values" if count else "no correlations"
 
 
 def _effects(robot: Declaration) -> list[str]:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from pkmodes.mechanism.described import Mechanism
+from pkmodes.robot.covariance import COVARIANCE, Covariance
 from pkmodes.robot.layout import EFFECTS, items, lent
 from pkmodes.robot.report_fields import REPORT
 from pkmodes.robot.tables import FORMAT
@@ -18,6 +19,7 @@ def document_of(
     values: Mapping[str, Any],
     usable: Mapping[str, Limits] | None = None,
     report: Mapping[str, str] | None = None,
+    covariance: Sequence[Covariance] = (),
 ) -> dict[str, Any]:
     """Return the document of a robot file with only these values.
 
@@ -31,6 +33,8 @@ def document_of(
         Limits of components of the pose.
     report : mapping of str to str, optional
         Fields of the head of reports.
+    covariance : sequence of Covariance, optional
+        Values whose errors belong together.
 
     Raises
     ------
@@ -55,6 +59,8 @@ def document_of(
         document[USABLE] = {name: list(ends) for name, ends in usable.items()}
     if report:
         document[REPORT] = dict(report)
+    if covariance:
+        document[COVARIANCE] = [table.raw() for table in covariance]
     return document
 
 

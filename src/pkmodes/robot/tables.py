@@ -9,6 +9,7 @@ from pkmodes.base.errors import PkmodesError, RobotFileError, nearest, shown
 from pkmodes.mechanism import registry
 from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot import schema
+from pkmodes.robot.covariance import COVARIANCE
 from pkmodes.robot.effects import read_effects
 from pkmodes.robot.layout import EFFECTS, GRAVITY, by_path, lent
 from pkmodes.robot.report_fields import REPORT, read_report
@@ -47,6 +48,8 @@ class Tables:
         Limits of components of the pose, where the file gives any.
     report : mapping of str to str
         Fields of the head of reports.
+    covariance : object
+        The tables of correlations as they were given: they need all values.
 
     Raises
     ------
@@ -80,7 +83,8 @@ class Tables:
         self.report: dict[str, str] = {}
         if REPORT not in tables:
             self.report = read_report(document.get(REPORT, {}), self.problem)
-        self._unknown(document, "", [*HEAD, *tables, EFFECTS, USABLE, REPORT])
+        self.covariance: Any = [] if COVARIANCE in tables else document.get(COVARIANCE, [])
+        self._unknown(document, "", [*HEAD, *tables, EFFECTS, USABLE, REPORT, COVARIANCE])
 
     def raise_problems(self) -> None:
         """Raise an error with all problems, if there are any."""

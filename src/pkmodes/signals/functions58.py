@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from pkmodes.base.errors import MeasurementError
-from pkmodes.signals.checks import FEWEST
+from pkmodes.signals.checks import FEWEST, check_coherence
 from pkmodes.signals.dataset58 import Points, Stored
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Array, Complex, Function, Kind, StoredFunction
@@ -138,6 +138,9 @@ def _check(points: Points, kind: Kind) -> None:
     if header.count < FEWEST:
         what = f"expected at least {FEWEST} points, found {header.count}"
         raise MeasurementError(what, points.where, "export the whole measurement")
+    if kind is Kind.COHERENCE:
+        values = points.values.read("y") if isinstance(points.values, Stored) else points.values
+        check_coherence(converted(values, kind), points.where)
 
 
 def _reference(header: Header, kind: Kind) -> str:

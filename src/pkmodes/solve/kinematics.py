@@ -184,7 +184,7 @@ class Kinematics:
         size, names = len(self.mechanism.independent), ", ".join(self.mechanism.independent)
         units = {q.name: q.unit for q in self.mechanism.coordinates}
         given = by_name(positions, {name: units[name] for name in self.mechanism.independent}, what)
-        q, batch = as_points(given, what, size, f"give {names} in SI units")
+        q, batch = as_points(given, what, size, lambda: f"give {names} in SI units")
         with np.errstate(all="ignore"):
             p: Array = function(q, assembly)
         bad = ~np.isfinite(p).all(axis=-1)

@@ -17,13 +17,16 @@ import numpy as np
 
 from pkmodes.base.errors import PkmodesError, nearest, shown
 from pkmodes.diagnosis.problem import Candidate, Parameter
+from pkmodes.robot.covariance import correlations_of
 from pkmodes.robot.layout import GRAVITY, Item, by_path, lent, takers
 from pkmodes.robot.parameter_groups import groups_by_path, items_of, weights_of
 from pkmodes.robot.paths import ParameterPath, paths, resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.words import in_words
 from pkmodes.updating import frame
+from pkmodes.updating.kinds import with_kinds
 from pkmodes.updating.load_cases import LoadCases
+from pkmodes.updating.usual import usual
 from pkmodes_description import Effect, ParameterGroup
 
 #: Prefix of suspected values as candidates.
@@ -77,9 +80,10 @@ def suspects(
     ]
     candidates += _unlike(robot, candidates, joints)
     suspected = {name for candidate in candidates if candidate in frames for name in candidate.parameters}
-    parameters = [_parameter(robot, move) for move in moves]
+    rates = correlations_of(robot)
+    parameters = [_parameter(robot, move, rates.get(move.path, ())) for move in moves]
     parameters += [parameter for parameter in of_frame if parameter.name in suspected]
-    return parameters, candidates, {move.path: move for move in moves}
+    return parameters, with_kinds(candidates), {move.path: move for move in moves}
 
 
 def _unknown(candidates: Sequence[Candidate], known: set[str], chosen: Sequence[str]) -> list[Candidate]:
@@ -290,7 +294,7 @@ def _unlike(
     return general
 
 
-def _parameter(robot: Robot, move: ParameterPath) -> Parameter:
+def _parameter(robot: Robot, move: ParameterPath, correlated: tuple[tuple[str, float], ...]) -> Parameter:
     quantity = robot.quantities.get(move.path)
     sigma = quantity.sigma if quantity is not None and quantity.sigma else None
     item = by_path(robot.mechanism).get(move.path)
@@ -307,10 +311,18 @@ def _parameter(robot: Robot, move: ParameterPath) -> Parameter:
         farthest = _farthest(robot, item)
         lower, upper = move.value - farthest, move.value + farthest
     unit = move.unit.replace(" ", "*")
-    return Parameter(move.path, move.value, unit, sigma, lower, upper)
+    believed = None
+    if sigma is None and not move.path.startswith(EFFECTS):
+        believed = usual(item, move.value, move.unit, 0.0 if item is None else _largest(robot, item))
+    return Parameter(move.path, move.value, unit, sigma, lower, upper, usual=believed, correlated=correlated)
 
 
 def _farthest(robot: Robot, item: Item) -> float:
     """Return the largest plausible deviation of an element of a vector: that of a factor of three of the vector."""
+    return (FACTOR - 1.0) * _largest(robot, item) or np.inf
+
+
+def _largest(robot: Robot, item: Item) -> float:
+    """Return the largest element of a vector."""
     elements = [robot.quantities[n.path].value for n in item.numbers if n.path in robot.quantities]
-    return (FACTOR - 1.0) * max(map(abs, elements), default=0.0) or np.inf
+    return max(map(abs, elements), default=0.0)

@@ -21,6 +21,7 @@ from pkmodes.updating.losses import is_loss, losses_of, without_losses
 from pkmodes.updating.poses import check_reachable
 from pkmodes.updating.priors import with_priors
 from pkmodes.updating.robot_structure import RobotStructure, channels
+from pkmodes.updating.usual import of_frame
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,6 +78,7 @@ class MeasuredRobot:
         """
         losses = self._losses(candidates)
         parameters, causes, moves = suspects(self.robot, without_losses(self.robot, candidates), self.loads)
+        parameters = of_frame(parameters, self.data)
         if priors is not None:
             causes = with_priors(self.robot, parameters, causes, priors)
         return RobotStructure(self.robot, self.data.points, parameters, causes, moves, self.loads, losses)

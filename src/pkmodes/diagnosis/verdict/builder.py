@@ -15,19 +15,13 @@ from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import held_out, limits
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.detectable import examined
+from pkmodes.diagnosis.verdict.findings import Corrected, Finding, Refitted, Stability, Value
 from pkmodes.diagnosis.verdict.judgement import Judgement
 from pkmodes.diagnosis.verdict.limits import Limits
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.notes import notes
-from pkmodes.diagnosis.verdict.result import (
-    Corrected,
-    Diagnosis,
-    Finding,
-    Refitted,
-    Stability,
-    Stages,
-    Value,
-)
+from pkmodes.diagnosis.verdict.possible import member
+from pkmodes.diagnosis.verdict.result import Diagnosis, Stages
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, Verdict
 
 
@@ -109,7 +103,7 @@ class DiagnosisBuilder:
             survivors=tuple(tuple(name for name, _ in named) for named in remaining),
             next_measurement=next_measurement(self.fitter, contested),
             candidates=tested,
-            notes=(*diagnosis.notes, *contradictions),
+            notes=(*diagnosis.notes, *judged.left_out, *contradictions),
         )
 
     def without_search(
@@ -166,6 +160,7 @@ class DiagnosisBuilder:
             rows=setups.rows(declared, refit, after, outlying),
             scatter=0.0 if last is None else last.scatter,
             corrected=() if last is None else self.corrected(last, bounded),
+            correlation=() if last is None else tuple(map(tuple, last.correlation.tolist())),
             notes=(*remarks, *(() if last is None else notes(store, last, verdict.settled))),
             stability=stability,
             shape_scatter=None if last is None else store.shape_scatter(last),
@@ -179,14 +174,11 @@ class DiagnosisBuilder:
 
     def findings(self, judged: Judgement) -> tuple[Finding, ...]:
         """Return all claimed causes with their classes."""
-        return tuple(
-            self._finding(judged.final, place, groups[0], judged.p_values[place])
-            for place, groups in enumerate(judged.grouped)
-        )
+        return tuple(self._finding(judged, place, groups[0]) for place, groups in enumerate(judged.grouped))
 
-    def _finding(self, final: Fit, place: int, members: list[Fit], p_value: float) -> Finding:
+    def _finding(self, judged: Judgement, place: int, members: list[Fit]) -> Finding:
         """Return one cause with its class."""
-        cause = final.causes[place]
+        cause = judged.final.causes[place]
         index = {_name(fit): self.fitter.indices(fit.causes[-1]) for fit in members}
         alternatives = {_name(fit): self.values(fit, index[_name(fit)]) for fit in members}
         covariances = {
@@ -198,9 +190,10 @@ class DiagnosisBuilder:
             members=tuple(names),
             parameters=alternatives[cause.name],
             alternatives={name: alternatives[name] for name in names},
-            p_value=p_value,
+            p_value=judged.p_values[place],
             sentence=cause.sentence,
             covariances={name: covariances[name] for name in names},
+            about={_name(fit): member(self.fitter, fit, judged.plausible) for fit in members},
         )
 
     def values(self, fit: Fit, index: Sequence[int]) -> tuple[Value, ...]:

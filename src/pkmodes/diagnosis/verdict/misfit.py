@@ -22,7 +22,7 @@ def of_frequencies(store: FitStore, fit: Fit) -> Misfit:
 def far_away(store: FitStore, fit: Fit, among: Sequence[int]) -> tuple[str, float]:
     """Return which of some parameters is farthest from its declared value, and how far in sigma of its prior."""
     fitter = store.fitter
-    away = np.abs(fitter.priors.residual(fit.values))
+    away = np.abs(fitter.priors.away(fit.values))
     distances = [
         (fitter.parameters[i].name, float(away[row]))
         for i in among

@@ -18,7 +18,7 @@ class Verdict:
     word : str
         Its name in results and on the command line.
     sentence : str
-        Heading of a report; ``{causes}`` are those found, and ``{s}`` makes a plural.
+        Heading of a report; ``{causes}`` says what was found (`naming.found`), and ``{s}`` makes a plural.
     fails : bool
         Whether ``pkmodes diagnose --fail-on any`` ends with exit code 1.
     colour : str
@@ -38,7 +38,7 @@ class Verdict:
 
 
 ADEQUATE = Verdict("adequate", "The model is adequate", False, "good", settled=True)
-EFFECT_FOUND = Verdict("effect_found", "Cause{s} found: {causes}", True, "found", settled=True)
+EFFECT_FOUND = Verdict("effect_found", "Cause{s} {causes}", True, "found", settled=True)
 AMBIGUOUS = Verdict(
     "ambiguous",
     "Several explanations remain",
@@ -66,8 +66,13 @@ VERDICTS = {
     verdict.word: verdict for verdict in (ADEQUATE, EFFECT_FOUND, AMBIGUOUS, UNEXPLAINED, INSUFFICIENT_DATA)
 }
 
+#: What stands for a verdict on the damping where none was measured.
+NOT_MEASURED = "not_measured"
+
 if TYPE_CHECKING:
     Word = str
+    DampingWord = str
 else:
-    #: Type of a verdict in a result: the enumeration of the JSON schema.
+    #: Types of a verdict in a result, and of that on the damping: the enumerations of the JSON schema.
     Word = Literal[tuple(VERDICTS)]
+    DampingWord = Literal[(*VERDICTS, NOT_MEASURED)]
