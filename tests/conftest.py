@@ -29,6 +29,7 @@ import threadpoolctl
 
 from helpers.generated.emission import Emission
 from helpers.pages.browser import close_browsers
+from helpers.pages.without_drawing import without_drawing
 from helpers.runs.shared import Shared
 from pkmodes.compiled import build
 from pkmodes.solve.backends import VARIABLE
@@ -90,6 +91,13 @@ def shared(tmp_path_factory: pytest.TempPathFactory) -> Shared:
 def emission(shared: Shared) -> Emission:
     """The parametric models and the pages of the derivation: emitted once."""
     return Emission(shared)
+
+
+@pytest.fixture
+def no_drawing() -> Iterator[None]:
+    """Pages are made without their figures."""
+    with without_drawing():
+        yield
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -28,6 +28,7 @@ SCHEMAS = {
 OF_SOME = (
     *("carriage_positions", "set", "damping", "sigma_damping", "predicted_damping"),
     *("damping_before", "damping_after", "damping_used", "sigma_damping_used", "damping_remark"),
+    "hidden_by",
 )
 #: What a command writes for other arguments.
 OTHER = {"compare-robots"}

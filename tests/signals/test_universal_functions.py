@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import struct
 from pathlib import Path
 
@@ -142,6 +143,23 @@ def test_only_wanted_sensors_and_forces_are_kept(path: Path) -> None:
         ("1:+Z", True, "N"),
         ("12:+Y", False, "m/s^2"),
     ]
+
+
+@pytest.mark.parametrize(
+    ("start", "step", "what"),
+    [
+        (3e7, 1e-9, "found 30000000 after 30000000"),
+        (-1e20, 1.0, "found -1e+20 after -1e+20"),
+        (1e308, 1e308, "inf"),
+    ],
+)
+def test_an_even_abscissa_that_does_not_ascend_is_refused(
+    path: Path, start: float, step: float, what: str
+) -> None:
+    path.write_bytes(dataset58(NUMBERS, start=start, step=step))
+    with pytest.raises(MeasurementError, match=re.escape(what)) as error:
+        read_signals(path)
+    assert error.value.where.startswith(f"{path}: dataset 1")
 
 
 @pytest.mark.parametrize("binary", [False, True])

@@ -203,13 +203,16 @@ def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
         remarks.append(f"not detectable with these data: {', '.join(result.undetectable)}")
     if limits := largest_limits(result):
         remarks.append(f"not excluded at 95 %: {', '.join(limits)}; all limits: --json or --report")
-    if result.next_measurement is not None:
-        place = placed(robot.mechanism, result.next_measurement.pose, ".4f")
-        a, b = result.next_measurement.separates
-        sigmas = result.next_measurement.sigmas
-        load = setting(robot.mechanism, result.next_measurement.load)
+    if (proposed := result.next_measurement) is not None:
+        place = placed(robot.mechanism, proposed.pose, ".4f")
+        load = setting(robot.mechanism, proposed.load)
         place += f" with {load}" if load else ""
-        remarks.append(f"measure next at {place}: {a} and {b} differ there by {sigmas:.0f} sigma")
+        place += f", {motors([proposed.drives])}" if proposed.drives else ""
+        differ = f"{' and '.join(proposed.separates)} differ there by {proposed.sigmas:.0f} sigma"
+        caveat = f"; {proposed.caveat}" if proposed.caveat else ""
+        remarks.append(f"measure next at {place}: {differ}{caveat}")
+    elif result.next_measurement_reason:
+        remarks.append(f"no next measurement is proposed: {result.next_measurement_reason}")
     remarks += [f"note: {text}" for text in result.notes]
     remarks += [text] if (text := stability_sentence(result)) else []
     for remark in remarks:

@@ -260,8 +260,21 @@ class Loadable(Protocol):
 
 
 @runtime_checkable
+class Surrounded(Protocol):
+    """A structure that could be measured elsewhere under conditions of its own."""
+
+    @property
+    def surroundings(self) -> str:
+        """What `Structure.elsewhere` offers, as a plural noun in a sentence."""
+
+
+@runtime_checkable
 class Driven(Protocol):
     """A structure with motors, which turn freely or are held in each setup."""
+
+    @property
+    def drives(self) -> str:
+        """What the motors do in most of the setups: "free" or "held"."""
 
     def with_other_drives(self, setups: Sequence[int]) -> Structure:
         """Return the structure with the motors free instead of held, or held instead of free, in some setups."""

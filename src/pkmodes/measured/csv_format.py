@@ -29,7 +29,8 @@ def read(path: str | PathLike[str], machine: Machine) -> Measurements:
     where = f"{source}: line {number}"
     cells = lines.notation.cells(line, where)
     components = components_of(cells, machine.components, machine.channels)
-    columns = read_header(cells, where, machine.channels, machine.positions, components, machine.settings)
+    given = machine.channels, machine.positions, components, machine.settings, machine.others
+    columns = read_header(cells, where, *given)
     return read_table(columns, lines, source, components, machine.drives)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from types import MappingProxyType
@@ -40,6 +40,7 @@ def read_measurements(
     components: Sequence[Mapping[str, str]] = (POSITION,),
     settings: Mapping[str, str] = MappingProxyType({}),
     drives: str | None = None,
+    others: Callable[[], Mapping[str, Collection[str]]] = dict,
 ) -> Measurements:
     """Read modal measurements of a machine whose setups are poses.
 
@@ -64,6 +65,9 @@ def read_measurements(
         Paths that a column ``set:<path>`` may name, with their SI units.
     drives : {"free", "held"}, optional
         What the motors did, if the file does not say it; otherwise free.
+    others : callable, optional
+        Returns the columns of other machines, by what such a machine is called: an error says whose columns a file
+        has.
 
     Returns
     -------
@@ -75,7 +79,7 @@ def read_measurements(
     MeasurementError
         If the file cannot be read or is invalid, with line, column, what was expected and what was found.
     """
-    return format_of(path).read(path, Machine(channels, positions, components, settings, drives))
+    return format_of(path).read(path, Machine(channels, positions, components, settings, drives, others))
 
 
 def read_modes(path: str | PathLike[str], channels: Collection[str] | Mapping[str, str]) -> Measurements:

@@ -24,9 +24,9 @@ from pkmodes.mechanism.poses import (
     as_points,
     check_poses,
     largest_condition,
-    reasons,
 )
 from pkmodes.robot.robot import Robot
+from pkmodes.robot.usable import reasons_of
 from pkmodes.solve.field_arrays import FieldArrays
 from pkmodes.solve.results import PoseCheck
 
@@ -67,7 +67,7 @@ class Kinematics:
     @property
     def reasons(self) -> dict[str, str]:
         """Codes that ``reason`` may have for a pose that cannot be evaluated, with their meanings."""
-        return reasons(self.mechanism)
+        return reasons_of(self.robot)
 
     def check(self, poses: ArrayLike) -> PoseCheck:
         """Check which poses can be evaluated, and why the others cannot.

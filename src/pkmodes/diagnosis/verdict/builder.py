@@ -53,7 +53,9 @@ class DiagnosisBuilder:
         remaining = remains(judged) if verdict is AMBIGUOUS else []
         contested = [named[0] for named in remaining] if len(remaining) != 1 else remaining[0]
         if verdict is EFFECT_FOUND:
-            contested = [(_name(fit), fit) for fit in grouped[0][0]]
+            # The class of the first cause that the data cannot tell from others.
+            own = [groups[0] for groups in grouped]
+            contested = [(_name(fit), fit) for fit in next((fits for fits in own if len(fits) > 1), own[0])]
         # Beside a claimed cause, the other members of its class are not detectable; they are listed with it.
         claimed = {name for finding in findings for name in finding.members}
         unclaimed = [candidate for candidate in search.candidates if candidate.name not in claimed]
@@ -97,11 +99,13 @@ class DiagnosisBuilder:
             diagnosis.after,
             self.fitter.criteria.worse,
         )
+        proposed, not_separated = next_measurement(self.fitter, contested)
         return replace(
             diagnosis,
             effects=findings,
             survivors=tuple(tuple(name for name, _ in named) for named in remaining),
-            next_measurement=next_measurement(self.fitter, contested),
+            next_measurement=proposed,
+            not_separated=not_separated,
             candidates=tested,
             notes=(*diagnosis.notes, *judged.left_out, *contradictions),
         )

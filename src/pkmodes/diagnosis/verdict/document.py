@@ -135,6 +135,16 @@ class NextMeasurementDocument(Document, omit_defaults=True):
     pose: Annotated[list[float], Meta(description="Platform centre [m].")]
     separates: Annotated[list[str], Meta(description="The two explanations.", min_length=2, max_length=2)]
     sigmas: Annotated[float, Meta(description="By how many standard deviations they differ there.")]
+    drives: Annotated[
+        Drives | None, Meta(description="What the motors are to do; null for a structure without motors.")
+    ]
+    hidden_by: Annotated[
+        str,
+        Meta(
+            description="The uncertain value that could make up most of that difference within its standard "
+            "deviation, so that several such poses, or a more exact value, are needed; present only where one could."
+        ),
+    ] = ""
     load: Annotated[
         dict[str, float],
         Meta(
@@ -342,9 +352,11 @@ class DiagnoseDocument(Document):
     next_measurement: Annotated[
         NextMeasurementDocument | None,
         Meta(
-            description="The pose that best separates the remaining explanations; null when nothing is left to "
-            "separate."
+            description="The pose that best separates the remaining explanations; null where none is proposed."
         ),
+    ]
+    next_measurement_reason: Annotated[
+        str | None, Meta(description="Why no next measurement is proposed; null where one is.")
     ]
     candidates: Annotated[list[CandidateDocument], Meta(description="Result for each candidate.")]
     outliers: Annotated[list[PlaceDocument], Meta(description="Rows that were set aside.")]

@@ -26,6 +26,7 @@ from pkmodes.diagnosis.verdict.document import (
     ValueDocument,
 )
 from pkmodes.diagnosis.verdict.findings import Corrected, Examined, Finding, Refitted, Stability, Value
+from pkmodes.diagnosis.verdict.proposal import NextMeasurement
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.diagnosis.verdict.unseen import Limit
 from pkmodes.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, DampingWord, Word
@@ -44,16 +45,6 @@ class Stages:
     before: Predicted
     refit: Predicted | None
     after: Predicted | None
-
-
-@dataclass(frozen=True)
-class NextMeasurement:
-    """The pose at which two explanations differ most, and the values to set there, by name."""
-
-    pose: tuple[float, ...]
-    separates: tuple[str, str]
-    sigmas: float
-    load: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -137,6 +128,8 @@ class Diagnosis:
         are too few data.  after is None unless a cause was found.
     held_out_poses, undetectable : tuple of str
     next_measurement : NextMeasurement or None
+    not_separated : str
+        Why none is proposed although explanations are left; empty where one is, or none are.
     candidates : tuple of Examined
     rows : tuple of Row
     scatter : float
@@ -181,6 +174,7 @@ class Diagnosis:
     stages: Stages | None = field(default=None, compare=False, repr=False)
     damping: Damping = field(default_factory=Damping)
     correlation: tuple[tuple[float, ...], ...] = field(default=(), repr=False)
+    not_separated: str = ""
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]
@@ -215,6 +209,13 @@ class Diagnosis:
         return self.effects + self.damping.effects
 
     @property
+    def next_measurement_reason(self) -> str:
+        """Why no next measurement is proposed; empty where one is."""
+        if self.next_measurement is not None:
+            return ""
+        return self.not_separated or VERDICTS[self.verdict].nothing_next
+
+    @property
     def outliers(self) -> tuple[Row, ...]:
         """Rows set aside as outliers."""
         return tuple(row for row in self.rows if row.outlier)
@@ -244,6 +245,7 @@ class Diagnosis:
                 self, before=_error(self.before), refit=_error(self.refit), after=_error(self.after)
             ),
             next_measurement=self.next_measurement and NextMeasurementDocument.of(self.next_measurement),
+            next_measurement_reason=self.next_measurement_reason or None,
             candidates=_candidates(self.candidates),
             outliers=list(map(PlaceDocument.of, self.outliers)),
             unpaired=list(map(PlaceDocument.of, self.unpaired)),
