@@ -207,7 +207,7 @@ def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
         place = placed(robot.mechanism, proposed.pose, ".4f")
         load = setting(robot.mechanism, proposed.load)
         place += f" with {load}" if load else ""
-        place += f", {motors([proposed.drives])}" if proposed.drives else ""
+        place += f", {motors_in_words(robot, proposed.drives)}" if proposed.drives else ""
         differ = f"{' and '.join(proposed.separates)} differ there by {proposed.sigmas:.0f} sigma"
         caveat = f"; {proposed.caveat}" if proposed.caveat else ""
         remarks.append(f"measure next at {place}: {differ}{caveat}")
