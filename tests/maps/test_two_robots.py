@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import json
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,14 @@ import pytest
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.base.errors import PkmodesError, PoseError
-from pkmodes.maps.robots_compared import compare_frequencies, mode_changes
+from pkmodes.cli import run
+from pkmodes.maps.robots_compared import (
+    ModeChange,
+    compare_frequencies,
+    exchanging,
+    headline,
+    mode_changes,
+)
 from pkmodes.maps.workspace import reachable, reachable_by
 from pkmodes.robot.differences import differences
 
@@ -146,3 +154,39 @@ def test_robots_of_different_mechanisms_are_refused(model: pkmodes.Model) -> Non
     ):
         with pytest.raises(PkmodesError, match="one mechanism, found linear_delta and corexy"):
             call()
+
+
+def change(mode: int, median: float, exchanged: float, mac: float) -> ModeChange:
+    return ModeChange(mode, 100, median, median - 0.01, median + 0.01, mode, exchanged, mac)
+
+
+def test_what_leads_is_the_largest_difference_of_a_mode_that_keeps_its_partner() -> None:
+    """The difference of a mode that exchanges, or whose shape is another, is that of several motions."""
+    kept, small = change(1, -0.031, 0.0, 0.99), change(2, 0.012, 0.1, 0.8)
+    exchanged, unlike = change(3, -0.36, 0.11, 0.99), change(4, 0.5, 0.0, 0.79)
+    assert headline([kept, small]) == "Mode 1 changes most: -3.10 % in the median"
+    assert exchanging([kept, small]) == ""
+    found = headline([small, exchanged, unlike])
+    assert found == "Mode 2 changes most, of the modes that can be compared: +1.20 % in the median"
+    said = exchanging([kept, small, exchanged, unlike])
+    assert said.startswith("modes 3 and 4 cannot be compared: the partner is another one at more than 10 %")
+    assert headline([exchanged]) == "No mode of the first robot is one mode of the second throughout"
+    assert exchanging([exchanged]).endswith("so that its quantiles mix motions")
+    assert headline([change(1, 4.9e-5, 0.0, 1.0)]) == "No frequency changes"
+    nothing = ModeChange(5, 0, None, None, None, None, None, None)
+    assert headline([kept, nothing]).startswith("Mode 1 changes most, of the modes that can be compared")
+    assert exchanging([kept, nothing]) == ""  # it has no partner at all, which another note says
+
+
+def test_the_terminal_leads_with_what_can_be_compared(capsys: pytest.CaptureFixture[str]) -> None:
+    """Between these two deltas modes cross within a small part of the plane."""
+    second = str(PUBLISHED.with_name("linear-delta-2022-identified.toml"))
+    grid = ("--grid", "x=0.7:0.9:5,y=-0.05:0.05:3,z=-0.245")
+    assert run(["compare", str(PUBLISHED), second, *grid, "--json", "-"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert all(mode["exchanged"] > 0.1 for mode in found["modes"])
+    assert run(["compare", str(PUBLISHED), second, *grid]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    (place,) = (i for i, line in enumerate(lines) if line.startswith("frequencies at"))
+    assert lines[place - 1] == "No mode of the first robot is one mode of the second throughout"
+    assert found["notes"][0].startswith("modes 1, 2, 3, 4, 5 and 6 cannot be compared")

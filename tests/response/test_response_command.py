@@ -74,6 +74,31 @@ def test_the_table_and_the_model_are_those_of_python(
     assert "motors held" in printed
 
 
+def test_what_symmetry_keeps_at_rest_has_no_largest_response(
+    robot: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """On the plane of symmetry a force in it moves nothing across it; what is computed there is rounding."""
+    given = [
+        "--pose",
+        "0.6,0,-0.245",
+        "--inputs",
+        "force_x",
+        "--outputs",
+        "p_x,p_y",
+        "--frequencies",
+        "1:99:50",
+    ]
+    assert run(["response", robot, *given]) == 0
+    out = capsys.readouterr().out
+    found = pkmodes.load(robot).frf([0.6, 0.0, -0.245], np.linspace(1, 99, 50), ["force_x"], ["p_x", "p_y"])
+    sizes = np.abs(found.values[:, :, 0]).max(axis=0)
+    assert 0.0 < sizes[1] < 1e-10 * sizes[0]
+    rows = {line.split()[0]: line.split()[1:] for line in out.splitlines() if line.startswith("p_")}
+    assert rows["p_y/force_x"] == ["m/N", "0", "0"]
+    assert rows["p_x/force_x"][2] == f"{sizes[0]:.4g}"
+    assert "no response, but for rounding, in p_y/force_x" in out
+
+
 @pytest.mark.parametrize(
     ("arguments", "what"),
     [

@@ -149,6 +149,23 @@ def test_a_prescribed_motion_is_no_response_to_itself(tmp_path: Path) -> None:
     assert "p_x is the motion of the platform along x, motor_1 is the angle of motor 1." in said
 
 
+def test_the_head_names_the_channel_that_responds_most_of_one_unit(tmp_path: Path) -> None:
+    """Not the first one, nor one in which there is only rounding."""
+    page = made(tmp_path, damped(tmp_path), "0.6,0,-0.245", "force_z,force_x", "p_z,p_y,p_x,motor_1")
+    sizes = {}
+    for output in ("x", "z"):
+        f, values = column(tmp_path / "table.csv", f"p_{output}/force_{output}")
+        sizes[np.abs(values).max()] = output, f[np.abs(values).argmax()]
+    output, at = sizes[max(sizes)]
+    assert output == "x"
+    said = page.by_id("summary").text
+    assert f"p_x responds most to force_x at {at:.1f} Hz" in said
+    assert "Of the channels in m/N this one has the largest response." in said
+    assert "p_y/force_x" in said[said.index("No response in") :]  # by symmetry
+    shown_there = [row[0].text.strip() for row in rows_of(page.by_id("responses"))]
+    assert not any(name.startswith("p_y/") for name in shown_there)
+
+
 def test_many_channels_are_in_figures_of_four(tmp_path: Path) -> None:
     page = made(tmp_path, damped(tmp_path), "0.6,0,-0.245", "force_x,force_z", "p_x,p_z,x_1,x_2,x_3")
     titles = [one.text for one in page.by_id("responses").all("title")]

@@ -20,10 +20,11 @@ from pkmodes.cli.poses import places_given
 from pkmodes.cli.printing import signed
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.model.loading import load
+from pkmodes.robot.motors import motors_of_both
 
 if TYPE_CHECKING:
     from pkmodes.maps.poses import Grid, Places
-    from pkmodes.maps.robots_compared import FrequencyChanges
+    from pkmodes.maps.robots_compared import FrequencyChanges, ModeChange
     from pkmodes.model.model import Model
     from pkmodes.report.sources import Source
     from pkmodes.robot.differences import Differences
@@ -122,7 +123,7 @@ def compare_robots(
     json_file: str | None,
 ) -> None:
     """Compare two robot files, and print, write and draw what differs."""
-    from pkmodes.maps.robots_compared import compare_frequencies, mode_changes
+    from pkmodes.maps.robots_compared import compare_frequencies, headline, mode_changes
     from pkmodes.robot.differences import check_one_mechanism, differences
 
     sources = sources_of(report_to, dict(zip(("first robot file", "second robot file"), files, strict=True)))
@@ -134,6 +135,7 @@ def compare_robots(
         changes = compare_frequencies(
             first.dynamics, second.dynamics, _points(first, second, places), drives or FREE
         )
+    modes = mode_changes(changes)
     document = RobotsDocument(
         first=first.robot.name,
         second=second.robot.name,
@@ -144,12 +146,18 @@ def compare_robots(
         effects_added=list(found.added),
         effects_removed=list(found.removed),
         poses=PosesDocument(**changes.counts),
-        modes=list(map(ModeChangeDocument.of, mode_changes(changes))),
+        modes=list(map(ModeChangeDocument.of, modes)),
         second_modes=changes.second_modes,
-        notes=_notes(found, changes),
+        notes=_notes(found, changes, modes),
     )
+    doing = motors_of_both(first.robot, second.robot, document.drives)
     report = report_file(report_to, lambda: _page(first, second, document, sources, _plane(places)))
-    deliver(json_file, document.as_json(), lambda: _print(files, document, everything), report)
+    deliver(
+        json_file,
+        document.as_json(),
+        lambda: _print(files, document, everything, headline(modes), doing),
+        report,
+    )
 
 
 def _points(first: Model, second: Model, places: Places | None) -> np.ndarray:
@@ -175,8 +183,10 @@ def _plane(places: Places | None) -> Grid | None:
     return places if isinstance(places, Grid) and sum(n > 1 for n in places.shape) == 2 else None
 
 
-def _notes(found: Differences, changes: FrequencyChanges) -> list[str]:
-    notes = []
+def _notes(found: Differences, changes: FrequencyChanges, each: Sequence[ModeChange]) -> list[str]:
+    from pkmodes.maps.robots_compared import exchanging
+
+    notes = [sentence] if (sentence := exchanging(each)) else []
     more = changes.second_modes - changes.modes
     if more:
         has = "second" if more > 0 else "first"
@@ -198,7 +208,9 @@ def _page(
     return robots_report(first, second, document.as_json(), sources, plane)
 
 
-def _print(files: tuple[Path, Path], document: RobotsDocument, everything: bool) -> None:
+def _print(
+    files: tuple[Path, Path], document: RobotsDocument, everything: bool, headline: str, doing: str
+) -> None:
     from pkmodes.cli.terminal import Terminal
 
     terminal = Terminal()
@@ -234,10 +246,11 @@ def _print(files: tuple[Path, Path], document: RobotsDocument, everything: bool)
         if names:
             terminal.line(f"effects {what}: {', '.join(names)}")
     terminal.line()
+    terminal.line(headline)
     poses = document.poses
     terminal.line(
         f"frequencies at {_places(poses.both)} that both reach (the first only: {poses.first_only:,}, the second "
-        f"only: {poses.second_only:,}), motors {document.drives}, second minus first in per cent of the first:"
+        f"only: {poses.second_only:,}), {doing}, second minus first in per cent of the first:"
     )
     terminal.table(
         ["mode", "partner", "2 %", "median", "98 %", "exchanged", "MAC"],

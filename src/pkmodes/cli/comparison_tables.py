@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pkmodes.base.drives import motors
 from pkmodes.base.numbers import p_in_words
 from pkmodes.base.ordering import sorted_labels
 from pkmodes.cli.diagnosis_tables import setting
 from pkmodes.cli.printing import signed
 from pkmodes.cli.terminal import Terminal
+from pkmodes.robot.motors import motors_in_words
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -37,7 +37,7 @@ def show(robot: Robot, modes: Path, result: Comparison, everything: bool) -> Non
     """
     terminal, rows = Terminal(), result.rows
     terminal.heading(f"{robot.name} compared with {modes}")
-    terminal.line(_counted(result))
+    terminal.line(_counted(robot, result))
     rms, chi2, p = result.rms_relative, result.chi2_per_dof, result.p_value
     if rms is not None and chi2 is not None and p is not None:
         terminal.line(
@@ -76,12 +76,12 @@ def show(robot: Robot, modes: Path, result: Comparison, everything: bool) -> Non
         terminal.line("every row: --all, --json or --report")
 
 
-def _counted(result: Comparison) -> str:
+def _counted(robot: Robot, result: Comparison) -> str:
     count, poses = len(result.rows), len({row.pose for row in result.rows})
     unmatched = f", {len(result.unpaired)} of them unmatched" if result.unpaired else ""
     return (
         f"{count} measured mode{'' if count == 1 else 's'} at {poses} pose{'' if poses == 1 else 's'}{unmatched}, "
-        f"{motors(row.drives for row in result.rows)}, frequencies in Hz"
+        f"{motors_in_words(robot, [row.drives for row in result.rows])}, frequencies in Hz"
     )
 
 

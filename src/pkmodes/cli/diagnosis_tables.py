@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from statistics import median
 
-from pkmodes.base.drives import HELD, motors
+from pkmodes.base.drives import HELD
 from pkmodes.base.numbers import p_in_words, plain, rounded
 from pkmodes.base.ordering import sorted_labels
 from pkmodes.cli.stability_text import stability_sentence
@@ -16,6 +16,7 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.mechanism.poses import placed
 from pkmodes.mechanism.registry import Mechanism
+from pkmodes.robot.motors import motors_in_words
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.load_cases import settable
 
@@ -157,7 +158,7 @@ def _counts(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
     count = sum(not (row.held_out or row.outlier) for row in result.rows)
     held = f" (held out: {', '.join(sorted_labels(result.held_out_poses))})" if result.held_out_poses else ""
     terminal.line()
-    did = motors(row.drives for row in result.rows)
+    did = motors_in_words(robot, [row.drives for row in result.rows])
     terminal.line(f"{count} measured mode{'' if count == 1 else 's'} fitted, {did}{held}")
     if len({row.drives for row in result.rows}) > 1:
         labels = sorted_labels(dict.fromkeys(row.pose for row in result.rows if row.drives == HELD))
@@ -206,7 +207,7 @@ def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
         place = placed(robot.mechanism, proposed.pose, ".4f")
         load = setting(robot.mechanism, proposed.load)
         place += f" with {load}" if load else ""
-        place += f", {motors([proposed.drives])}" if proposed.drives else ""
+        place += f", {motors_in_words(robot, proposed.drives)}" if proposed.drives else ""
         differ = f"{' and '.join(proposed.separates)} differ there by {proposed.sigmas:.0f} sigma"
         caveat = f"; {proposed.caveat}" if proposed.caveat else ""
         remarks.append(f"measure next at {place}: {differ}{caveat}")

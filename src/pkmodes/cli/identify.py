@@ -10,12 +10,14 @@ import numpy as np
 from msgspec import Meta
 
 from pkmodes.base.documents import Count, Document, Probability, Size
+from pkmodes.base.drives import motors
 from pkmodes.base.numbers import plain, rounded
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.options import json_option, mechanism_option, report_option
 from pkmodes.cli.printing import echo
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
+from pkmodes.robot.motors import motors_in_words
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -125,7 +127,7 @@ def identify(
     rows = len(found.measurements.frequency)
     file = ResultFile(out, lambda path: write_file(path, text), lambda path: (f"wrote {path}: {rows} modes",))
     report = report_file(report_to, lambda: _page(found, declared, content, sources))
-    deliver(json_file, content, lambda: _print(found), file, report)
+    deliver(json_file, content, lambda: _print(found, declared), file, report)
 
 
 def _page(
@@ -171,12 +173,14 @@ def _mode(mode: IdentifiedMode) -> ModeDocument:
     )
 
 
-def _print(found: Identification) -> None:
+def _print(found: Identification, campaign: Campaign) -> None:
     from pkmodes.cli.terminal import Terminal
 
     terminal = Terminal()
     for one in found.records:
-        terminal.heading(f"{one.record.pose}, {one.record.kind}, motors {one.record.drives}")
+        drives, model = one.record.drives, campaign.model
+        doing = motors([drives]) if model is None else motors_in_words(model.robot, drives)
+        terminal.heading(f"{one.record.pose}, {one.record.kind}, {doing}")
         rows = []
         for number, mode in enumerate(one.modes, start=1):
             damping, its_sigma = rounded(100.0 * mode.damping, 100.0 * mode.sigma_damping).columns

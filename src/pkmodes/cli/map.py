@@ -36,7 +36,7 @@ class ExtremesDocument(Document):
     mode: Annotated[int, Meta(description="Number of the mode: 1 is the first vibration mode.")]
     minimum_hz: Annotated[
         float | None,
-        Meta(description="Its lowest frequency [Hz]; null where no robot of the map has this mode."),
+        Meta(description="Its lowest frequency [Hz]; null where it has none at any counted pose."),
     ]
     minimum_at: Annotated[
         dict[str, float | str] | None,
@@ -52,6 +52,18 @@ class ExtremesDocument(Document):
     ]
     quantile_98_hz: Annotated[
         float | None, Meta(description="The frequency below which it is at 98 % of the poses [Hz].")
+    ]
+
+
+class LeftOutDocument(Document):
+    """Poses that the numbers of the modes leave out."""
+
+    poses: Annotated[int, Meta(description="How many there are.")]
+    at: Annotated[
+        dict[str, float | str] | None,
+        Meta(
+            description="Where it is worst: the value of each coordinate of the map; null where there are none."
+        ),
     ]
 
 
@@ -74,6 +86,25 @@ class MapDocument(Document):
         int, Meta(description="Number of poses, of all robots of a sweep or of samples together.")
     ]
     valid: Annotated[int, Meta(description="How many of them could be evaluated.")]
+    counted: Annotated[
+        int,
+        Meta(
+            description="How many of these the numbers of modes are from: those neither near-singular nor unstable."
+        ),
+    ]
+    near_singular: Annotated[
+        LeftOutDocument,
+        Meta(
+            description="Poses at which the condition number of the platform Jacobian is above 100 and 10 times its "
+            "median over the map, or a frequency above 10 times its median."
+        ),
+    ]
+    unstable: Annotated[
+        LeftOutDocument,
+        Meta(
+            description="Poses at which an eigenvalue is negative: the machine moves away instead of vibrating."
+        ),
+    ]
     reasons: Annotated[dict[str, int], Meta(description="How many could not, by the code of the reason.")]
     rigid_modes: Annotated[
         int, Meta(description="Rigid-body modes of the robot as declared, which are left out.")

@@ -6,9 +6,11 @@ from collections.abc import Iterator
 from typing import Any
 
 from pkmodes.cli.terminal import Terminal
-from pkmodes.maps.summary import SHARES, quantiles_in_words, remark_on, shown_hertz
+from pkmodes.maps.left_out import sentences
+from pkmodes.maps.summary import SHARES, quantiles_in_words, shown_hertz
 from pkmodes.model.model import Model
 from pkmodes.robot.corrections import changeable
+from pkmodes.robot.motors import motors_in_words
 
 
 def show(model: Model, content: dict[str, Any]) -> None:
@@ -17,8 +19,8 @@ def show(model: Model, content: dict[str, Any]) -> None:
     units = {component.name: component.unit for component in model.mechanism.pose}
     units |= {path: unit for path, unit in changeable(model.robot).items() if unit != "1"}
     terminal.line(
-        f"{content['robot']}, motors {content['drives']}: {content['valid']:,} of {content['poses']:,} poses can be "
-        "evaluated"
+        f"{content['robot']}, {motors_in_words(model.robot, content['drives'])}: {content['valid']:,} of "
+        f"{content['poses']:,} poses can be evaluated"
     )
     several = [name for name in content["ranges"] if content["dimensions"][name] > 1]
     for dim, (first, last) in content["ranges"].items():
@@ -44,9 +46,9 @@ def show(model: Model, content: dict[str, Any]) -> None:
         left=[""],
         repeated=3,
     )
-    if remark := remark_on(content):
+    for sentence in sentences(content, units):
         terminal.line()
-        terminal.line(remark)
+        terminal.line(sentence)
     if content["file"]:
         terminal.line()
         terminal.heading(f"wrote {content['file']}")

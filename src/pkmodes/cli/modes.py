@@ -25,6 +25,7 @@ from pkmodes.model.loading import load
 from pkmodes.model.model import Model
 from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.poles import notes_on_damping
+from pkmodes.robot.motors import motors_in_words
 from pkmodes.sensitivity.spread import spread_of
 from pkmodes.solve.backends import AUTO, SOLVERS
 from pkmodes.solve.results import Modes, Statics
@@ -159,7 +160,7 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
 
     terminal = Terminal()
     at, rigid = placed(model.mechanism, result.poses, "g"), result.rigid_modes
-    terminal.heading(f"{model.robot.name} at {at}, motors {result.drives}")
+    terminal.heading(f"{model.robot.name} at {at}, {motors_in_words(model.robot, result.drives)}")
     terminal.line()
     numbers = [str(i + 1 - rigid) if i >= rigid else "rigid" for i in range(len(result.frequencies))]
     largest = float(np.abs(result.frequencies).max(initial=0.0))

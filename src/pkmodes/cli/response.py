@@ -29,7 +29,9 @@ from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.mechanism.poses import placed
 from pkmodes.model.loading import load
+from pkmodes.response.channels import without_response
 from pkmodes.response.ports import QUANTITIES
+from pkmodes.robot.motors import motors_in_words
 
 if TYPE_CHECKING:
     from pkmodes.mechanism.registry import Mechanism
@@ -269,24 +271,26 @@ def _print(mechanism: Mechanism, found: FrequencyResponse) -> None:
 
     terminal = Terminal()
     at = placed(mechanism, found.poses, "g")
-    terminal.heading(f"{found.robot.name} at {at}, motors {found.drives}, {found.quantity}")
+    terminal.heading(
+        f"{found.robot.name} at {at}, {motors_in_words(found.robot, found.drives)}, {found.quantity}"
+    )
     terminal.line()
-    size = np.abs(found.values)
+    channels = {
+        f"{output}/{into}": found.values[:, o, i]
+        for o, output in enumerate(found.outputs)
+        for i, into in enumerate(found.inputs)
+    }
+    units = dict(zip(channels, (unit for row in found.units for unit in row), strict=True))
+    silent = without_response(channels, units)
     rows = []
-    for o, output in enumerate(found.outputs):
-        for i, into in enumerate(found.inputs):
-            peak = int(size[:, o, i].argmax())
-            value = found.values[peak, o, i]
-            rows.append(
-                [
-                    f"{output}/{into}",
-                    found.units[o][i],
-                    f"{size[0, o, i]:.4g}",
-                    f"{size[peak, o, i]:.4g}",
-                    f"{found.frequencies[peak]:.3f}",
-                    f"{np.degrees(np.angle(value)):.0f}",
-                ]
-            )
+    for name, values in channels.items():
+        size = np.abs(values)
+        peak = int(size.argmax())
+        cells = ["0", "0", "", ""]
+        if name not in silent:
+            cells = [f"{size[0]:.4g}", f"{size[peak]:.4g}", f"{found.frequencies[peak]:.3f}"]
+            cells.append(f"{np.degrees(np.angle(values[peak])):.0f}")
+        rows.append([name, units[name], *cells])
     titles = ["channel", "unit", "first", "largest", "at [Hz]", "phase [deg]"]
     terminal.table(titles, rows, left=("channel", "unit"), repeated=1)
     terminal.line()
@@ -295,5 +299,7 @@ def _print(mechanism: Mechanism, found: FrequencyResponse) -> None:
         f"magnitude at the first frequency and the largest of {len(found.frequencies)} from {first:g} to {last:g} "
         "Hz, with its phase, for exp(+i omega t)"
     )
+    if silent:
+        terminal.line(f"no response, but for rounding, in {', '.join(silent)}")
     if not found.robot.dissipates:
         terminal.line("the robot file has no damping: a resonance has no height of its own; see [damping]")

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from pkmodes.cli.terminal import Terminal
 from pkmodes.cli.wide_tables import split
 from pkmodes.mechanism.poses import placed
+from pkmodes.robot.motors import motors_in_words
 from pkmodes.sensitivity.changes import CORRELATED, SIGMA, changes_at
 from pkmodes.sensitivity.relative import alike_around, scalable
 from pkmodes.sensitivity.spread import stated_sigmas
@@ -63,9 +64,8 @@ def print_tables(
     rigid = modes.rigid_modes
     every = _lines(modes, derivatives, relative)
     acting = [line for line in every if line.rates.any()]
-    terminal.heading(
-        f"{model.robot.name} at {placed(model.mechanism, modes.poses, 'g')}, motors {modes.drives}"
-    )
+    at, doing = placed(model.mechanism, modes.poses, "g"), motors_in_words(model.robot, modes.drives)
+    terminal.heading(f"{model.robot.name} at {at}, {doing}")
     numbers = [str(number) for number in range(1, len(modes.frequencies) - rigid + 1)]
     head = ["f [Hz]", *(f"{f:.3f}" for f in modes.frequencies[rigid:])]
     kept = set(scalable(model.robot)) if most is not None else {line.path for line in acting}

@@ -27,6 +27,7 @@ from pkmodes.figures.quantities import (
     volume_of,
 )
 from pkmodes.figures.working_plane import working_plane
+from pkmodes.maps import left_out
 from pkmodes.maps.poses import places_of
 from pkmodes.plots import influence, maps
 from pkmodes.plots.dominant import dominant
@@ -36,6 +37,7 @@ from pkmodes.plots.plane import Plane, plane_axes, where
 from pkmodes.plots.style import stated, styled
 from pkmodes.plots.svg import inline
 from pkmodes.plots.workspace import workspace
+from pkmodes.robot.motors import motors_in_words
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -148,7 +150,10 @@ PICTURES = (
         "colours span at least 5\N{NO-BREAK SPACE}% of the frequency. Triangles mark the lowest (down) and the "
         "highest (up) frequency in the plane; squares are the motors, hollow ones at the edge those beyond it.",
         lambda robot: maps.frequencies(robot.plane, motors_of(robot.model, robot.plane)),
-        more=lambda robot: known_to(median_spread(robot.model, robot.plane, robot.drives)),
+        more=lambda robot: (
+            left_out.in_words(robot.plane.dataset)
+            + known_to(median_spread(robot.model, robot.plane, robot.drives))
+        ),
     ),
     PictureKind(
         "directions",
@@ -223,7 +228,7 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
     say("computing the modes in the plane")
     plane = Plane.of(model.map(places, shapes=True, drives=drives), components)
     robot = RobotPlane(model, plane, drives)
-    about = f"{visible(model.robot.name, LONGEST)}, motors {drives}, {where(plane)}"
+    about = f"{visible(model.robot.name, LONGEST)}, {motors_in_words(model.robot, drives)}, {where(plane)}"
     for number, kind in enumerate(PICTURES, start=1):
         say(f"picture {number} of {len(PICTURES)}: {kind.name}")
         description = kind.description if plane.normal else kind.planar or kind.description

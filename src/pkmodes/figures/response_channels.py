@@ -9,10 +9,10 @@ from typing import Any
 from numpy.typing import NDArray
 
 from pkmodes.mechanism.poses import placed
-from pkmodes.plots.responses import without_response
-from pkmodes.response.channels import Index
+from pkmodes.response.channels import Index, without_response
 from pkmodes.response.frequency_response import FrequencyResponse
 from pkmodes.response.measured import MeasuredResponse
+from pkmodes.robot.motors import motors_in_words
 
 Array = NDArray[Any]
 
@@ -88,7 +88,8 @@ class DrawnChannels:
         at = placed(response.robot.mechanism, response.poses[where], "g")
         also = "" if over is None else ", with measured responses"
         quantity = response.quantity.capitalize()
-        text = f"{quantity} of {response.robot.name} at {at}, motors {response.drives}{also}."
+        doing = motors_in_words(response.robot, response.drives)
+        text = f"{quantity} of {response.robot.name} at {at}, {doing}{also}."
         if silent:
             text += f" No response in {', '.join(silent)}."
         return cls(response.frequencies, model, units, over, tuple(silent), tuple(prescribed), text)

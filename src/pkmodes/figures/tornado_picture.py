@@ -12,6 +12,7 @@ from pkmodes.figures.pictures import Picture
 from pkmodes.mechanism.poses import placed
 from pkmodes.plots.style import styled
 from pkmodes.plots.tornado import MOST, tornado
+from pkmodes.robot.motors import motors_in_words
 from pkmodes.sensitivity.changes import PERCENT, Changes, changes_at
 
 if TYPE_CHECKING:
@@ -54,9 +55,8 @@ def tornado_picture(model: Model, pose: ArrayLike, *, by: str = PERCENT, drives:
     require("tornado charts", "plot", "matplotlib")
     point = model.modes(pose, fields=["frequencies"], drives=checked_drives(drives)).poses
     changes = changes_at(model.dynamics, point, drives, by)
-    text = (
-        f"{describe(changes)} {model.robot.name} at {placed(model.mechanism, point, 'g')}, motors {drives}."
-    )
+    at, doing = placed(model.mechanism, point, "g"), motors_in_words(model.robot, drives)
+    text = f"{describe(changes)} {model.robot.name} at {at}, {doing}."
     with styled():
         return Picture("tornado", TITLES[by], text, tornado(changes))
 

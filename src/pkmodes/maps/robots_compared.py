@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,6 +22,11 @@ Array = NDArray[np.float64]
 CHUNK = 4096
 #: Shares of the poses below the ends of the range that is given for each mode.
 ENDS = (0.02, 0.98)
+#: A mode can be compared where its partner is another one at no more than this share of the poses, and the median MAC
+#: of the pairs is at least this.
+EXCHANGED, LIKE = 0.1, 0.8
+#: Relative differences of a frequency below this are no differences.
+NOTHING = 5e-5
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,6 +103,42 @@ class ModeChange:
     partner: int | None
     exchanged: float | None
     mac: float | None
+
+    @property
+    def comparable(self) -> bool:
+        """Whether it is one mode of the second robot, so that its difference is that of one motion."""
+        return (
+            self.exchanged is not None
+            and self.mac is not None
+            and self.exchanged <= EXCHANGED
+            and self.mac >= LIKE
+        )
+
+
+def headline(modes: Sequence[ModeChange]) -> str:
+    """Return the largest difference of a mode that can be compared, as a sentence without a stop."""
+    known = [mode for mode in modes if mode.comparable]
+    if not known:
+        return "No mode of the first robot is one mode of the second throughout"
+    of = "" if len(known) == len(modes) else " of the modes that can be compared"
+    most = max(known, key=lambda mode: abs(mode.median or 0.0))
+    if abs(most.median or 0.0) < NOTHING:
+        return f"No frequency{of} changes"
+    first = f"Mode {most.mode} changes most{',' if of else ''}{of}"
+    return f"{first}: {100.0 * (most.median or 0.0):+.2f} % in the median"
+
+
+def exchanging(modes: Sequence[ModeChange]) -> str:
+    """Return which modes have partners but cannot be compared, as a sentence without a stop; empty if none."""
+    names = [str(mode.mode) for mode in modes if mode.poses and not mode.comparable]
+    if not names:
+        return ""
+    several = len(names) > 1
+    which = f"modes {', '.join(names[:-1])} and {names[-1]}" if several else f"mode {names[0]}"
+    return (
+        f"{which} cannot be compared: the partner is another one at more than {100.0 * EXCHANGED:g} % of the poses, "
+        f"or the median MAC is below {LIKE:g}, so that {'their' if several else 'its'} quantiles mix motions"
+    )
 
 
 def compare_frequencies(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
@@ -10,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.maps.fields import chunks_of
+from pkmodes.maps.left_out import MEDIANS, near_singular, ordinary, parts, unstable, with_medians
 from pkmodes.maps.quantiles import quantiles
 from pkmodes.maps.variants import SAMPLE
 
@@ -22,9 +21,8 @@ if TYPE_CHECKING:
 SHARES = {"quantile_2_hz": 0.02, "median_hz": 0.5, "quantile_98_hz": 0.98}
 #: Number of poses below which 2 % of them are less than one.
 FEW = 50
-#: A frequency is written with decimals up to this one [Hz], and a highest one is far above the others from this
-#: multiple of the 98 % quantile on.
-LARGE, FAR = 1e5, 10.0
+#: A frequency is written with decimals up to this one [Hz].
+LARGE = 1e5
 
 
 def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
@@ -41,23 +39,27 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
     numbers = dataset["mode"].values.tolist()
     lowest: list[Any] = [None] * len(numbers)
     highest: list[Any] = [None] * len(numbers)
+    nearest: Any = None
+    fastest: Any = None
     reasons: Counter[str] = Counter()
-    valid = 0
-    for start, part in _parts(dataset[["frequency", "valid", "reason"]], leading):
+    valid = close = falling = counted = 0
+    dataset = with_medians(dataset)
+    for start, part in parts(dataset[["frequency", "condition", "valid", "reason", *MEDIANS]], leading):
         valid += int(part["valid"].values.sum())
         reasons.update(part["reason"].values[~part["valid"].values].tolist())
-        frequency = part["frequency"].values
+        frequency = part["frequency"].transpose(*leading, "mode").values
+        near, moves = near_singular(part).values, unstable(part).values
+        close += int((near > 1.0).sum())
+        falling += int(moves.sum())
+        nearest = _better(nearest, np.where(near > 1.0, near, np.nan), start, highest=True)
+        bottom = np.where(moves, np.nanmin(np.where(np.isnan(frequency), np.inf, frequency), axis=-1), np.nan)
+        fastest = _better(fastest, bottom, start, highest=False)
+        counts = (near <= 1.0) & ~moves
+        counted += int(counts.sum())
+        kept = np.where(counts[..., None], frequency, np.nan)
         for i in range(len(numbers)):
-            values = frequency[..., i]
-            if np.isnan(values).all():
-                continue
-            for extremes, place, better in (
-                (lowest, np.nanargmin(values), np.less),
-                (highest, np.nanargmax(values), np.greater),
-            ):
-                at = np.unravel_index(place, values.shape)
-                if extremes[i] is None or better(values[at], extremes[i][0]):
-                    extremes[i] = float(values[at]), [a + int(b) for a, b in zip(start, at, strict=True)]
+            lowest[i] = _better(lowest[i], kept[..., i], start, highest=False)
+            highest[i] = _better(highest[i], kept[..., i], start, highest=True)
     rows = quantiles(lambda: _frequencies(dataset, leading), list(SHARES.values())).tolist()
     return {
         "robot": dataset.attrs["robot"],
@@ -66,6 +68,9 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
         "ranges": {dim: _range(dataset[dim].values) for dim in _as_read(leading)},
         "poses": int(np.prod([dataset.sizes[dim] for dim in leading])),
         "valid": valid,
+        "counted": counted,
+        "near_singular": {"poses": close, "at": _at(nearest, dataset)},
+        "unstable": {"poses": falling, "at": _at(fastest, dataset)},
         "reasons": dict(sorted(reasons.items())),
         "rigid_modes": int(dataset.attrs["rigid_modes"]),
         "drives": str(dataset.attrs["drives"]),
@@ -94,28 +99,11 @@ def shown_hertz(value: float | None) -> str:
 
 def quantiles_in_words(content: dict[str, Any]) -> str:
     """Return what the quantiles of a summary are: of few poses, 2 % are less than one."""
-    count = content["valid"]
+    count = content["counted"]
     if count >= FEW:
         return "At 96 % of the poses a frequency lies between its 2 % and its 98 % quantile"
     poses = "pose" if count == 1 else "poses"
     return f"Quantiles of each frequency over {count} {poses}, interpolated between its values there"
-
-
-def remark_on(content: dict[str, Any]) -> str:
-    """Return a sentence on highest frequencies that say nothing about the rest of a map; empty if there are none."""
-    far = [
-        str(row["mode"])
-        for row in content["modes"]
-        if row["maximum_hz"] is not None and row["maximum_hz"] > FAR * abs(row["quantile_98_hz"])
-    ]
-    if not far:
-        return ""
-    several = len(far) > 1
-    modes = f"modes {', '.join(far[:-1])} and {far[-1]}" if several else f"mode {far[0]}"
-    return (
-        f"The highest {'frequencies' if several else 'frequency'} of {modes} {'are' if several else 'is'} more than "
-        f"ten times the 98 % quantile: usually at a pose where a spring, such as a belt span, has almost no length."
-    )
 
 
 def _as_read(leading: list[str]) -> list[str]:
@@ -124,31 +112,35 @@ def _as_read(leading: list[str]) -> list[str]:
     return [*(dim for dim in leading if dim not in pose), *reversed(pose)]
 
 
-def _parts(dataset: xarray.Dataset, leading: list[str]) -> Iterator[tuple[list[int], xarray.Dataset]]:
-    """Yield the first place of each part of a dataset along its leading axes, and the part."""
-    shape = tuple(dataset.sizes[dim] for dim in leading)
-    sizes = chunks_of(shape, len(shape))
-    for start in itertools.product(*(range(0, n, size) for n, size in zip(shape, sizes, strict=True))):
-        part = {dim: slice(a, a + size) for dim, a, size in zip(leading, start, sizes, strict=True)}
-        yield list(start), dataset.isel(part).load()
+def _better(known: Any, values: NDArray[Any], start: list[int], *, highest: bool) -> Any:
+    """Return the better one of an extreme with its place, if any, and that of a part; NaN is no value."""
+    if np.isnan(values).all():
+        return known
+    at = np.unravel_index(np.nanargmax(values) if highest else np.nanargmin(values), values.shape)
+    value = float(values[at])
+    if known is not None and (value <= known[0] if highest else value >= known[0]):
+        return known
+    return value, [a + int(b) for a, b in zip(start, at, strict=True)]
 
 
 def _frequencies(dataset: xarray.Dataset, leading: list[str]) -> Iterator[NDArray[Any]]:
-    """Yield the frequencies of each part, (poses, modes)."""
-    for _, part in _parts(dataset[["frequency"]], leading):
-        frequency = part["frequency"].transpose(..., "mode").values
+    """Yield the frequencies of each part at ordinary poses, (poses, modes)."""
+    for _, part in parts(dataset[["frequency", "condition", *MEDIANS]], leading):
+        frequency = part["frequency"].where(ordinary(part)).transpose(*leading, "mode").values
         yield frequency.reshape(-1, frequency.shape[-1])
 
 
 def _end(name: str, extreme: tuple[float, list[int]] | None, dataset: xarray.Dataset) -> dict[str, Any]:
     if extreme is None:
         return {f"{name}_hz": None, f"{name}_at": None}
-    value, at = extreme
-    one = dataset["condition"][tuple(at)]
-    return {
-        f"{name}_hz": value,
-        f"{name}_at": {str(key): coordinate.values.item() for key, coordinate in one.coords.items()},
-    }
+    return {f"{name}_hz": extreme[0], f"{name}_at": _at(extreme, dataset)}
+
+
+def _at(extreme: tuple[float, list[int]] | None, dataset: xarray.Dataset) -> dict[str, Any] | None:
+    if extreme is None:
+        return None
+    one = dataset["condition"][tuple(extreme[1])]
+    return {str(key): coordinate.values.item() for key, coordinate in one.coords.items()}
 
 
 def _range(values: NDArray[Any]) -> list[Any]:

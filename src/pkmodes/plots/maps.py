@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.maps.left_out import shown, unstable
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.panels import (
     HIGHEST,
@@ -59,6 +60,9 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Figure | str:
         A sentence if no frequency depends on the pose.
     """
     values = plane.dataset["frequency"].values
+    known = shown(plane.dataset)["frequency"].values
+    # A negative number is no frequency: where the machine is unstable the panels are blank.
+    values = np.where(unstable(plane.dataset).values[..., None], np.nan, values)
     modes = values.shape[-1]
     if np.isfinite(values).any() and all(
         same_everywhere(values[..., mode], scale=LEAST_SPAN * float(np.nanmax(np.abs(values[..., mode]))))
@@ -71,12 +75,12 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Figure | str:
     drawn, panels = panels_of(plane, modes, colour_bars=True, line=True)
     inch = float(np.ptp(plane.drawn(plane.across))) / width_of(plane, modes, colour_bars=True)
     for mode, axes in mode_panels(plane, panels, modes, line=True):
-        one = values[..., mode]
-        limits = limits_of(one)
+        one, counted = values[..., mode], known[..., mode]
+        limits = limits_of(counted)
         low, high = widened(*limits)
         mesh = plane.draw(axes, one, vmin=low, vmax=high)
         _contours(plane, axes, mesh, one, inch)
-        _extremes(plane, axes, one)
+        _extremes(plane, axes, counted)
         _motors(axes, motors)
         axes.annotate(
             _range(*limits), (0, 1), (0, 2), "axes fraction", "offset points", va="bottom", fontsize=7
@@ -219,6 +223,8 @@ def _contours(plane: Plane, axes: Axes, mesh: Any, values: Array, inch: float) -
 
     low, high = mesh.get_clim()
     finite = values[np.isfinite(values)]
+    if not len(finite):
+        return
     levels = MaxNLocator(6, steps=[1, 2, 5, 10]).tick_values(low, high)
     levels = [level for level in levels if low < level < high and finite.min() < level < finite.max()]
     if not levels:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from pkmodes.plots.labels import decades, typeset
 from pkmodes.plots.style import BLUE, VERMILLION, WIDTH, figure
+from pkmodes.response.channels import without_response
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -18,8 +19,6 @@ if TYPE_CHECKING:
 Array = NDArray[Any]
 #: Height of a channel [inch], and channels drawn at most: more cannot be read.
 HEIGHT, MOST = 2.4, 12
-#: A response below this fraction of the largest one of the same unit is rounding.
-NOTHING = 1e-10
 #: Ratio of the last to the first frequency from which on the axis is logarithmic.
 DECADES = 30.0
 #: Styles: the line of the model stays visible on a measured one that it fits.
@@ -80,14 +79,6 @@ def responses(
         for panel in panels[2 * rows - 2 :, columns - 1]:
             panel.set_visible(False)
     return drawn
-
-
-def without_response(model: Mapping[str, Array], units: Mapping[str, str]) -> list[str]:
-    """Return the channels in which nothing but rounding is seen, beside the others of the same unit."""
-    largest: dict[str, float] = {}
-    for name, values in model.items():
-        largest[units[name]] = max(largest.get(units[name], 0.0), float(np.abs(values).max()))
-    return [name for name, values in model.items() if np.abs(values).max() <= NOTHING * largest[units[name]]]
 
 
 def _channel(

@@ -15,6 +15,7 @@ from pkmodes.plots import fits, identified_modes
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Section, Table
 from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer, uncertain
 from pkmodes.report.tables import table
+from pkmodes.robot.motors import motors_in_words
 
 #: Complex shapes drawn of a record at most: the least collinear.
 MOST_SHAPES = 18
@@ -71,7 +72,10 @@ def _name(path: str) -> str:
 
 def _facts(index: int, result: RecordResult, campaign: Campaign) -> list[tuple[str, Sequence[Cell]]]:
     record, at = result.record, ("records", index)
-    facts: list[tuple[str, Sequence[Cell]]] = [("motors", [Cell(record.drives)])] if campaign.model else []
+    facts = list[tuple[str, Sequence[Cell]]]()
+    if campaign.model is not None:
+        doing = motors_in_words(campaign.model.robot, record.drives)
+        facts.append(("motors", [Cell(doing.removeprefix("motors "))]))
     low, high = record.band
     facts.append(("band", [Cell(f"{low:g} Hz to {high:g} Hz")]))
     for name, paths in record.setups.items():

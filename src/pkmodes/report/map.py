@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 from pkmodes.dataset.fields import FIELDS
 from pkmodes.figures.pictures import pictures
+from pkmodes.maps.left_out import sentences, shown
 from pkmodes.maps.spread import spread_along
-from pkmodes.maps.summary import FEW, SHARES, quantiles_in_words, remark_on, shown_hertz, summary_of
+from pkmodes.maps.summary import FEW, SHARES, quantiles_in_words, shown_hertz, summary_of
 from pkmodes.plots import sweeps
-from pkmodes.plots.labels import typeset
+from pkmodes.plots.labels import MINUS, typeset
 from pkmodes.plots.style import styled
 from pkmodes.report.blocks import (
     Block,
@@ -32,6 +33,7 @@ from pkmodes.report.origin import files_of, view_section
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.robot.corrections import changeable
+from pkmodes.robot.motors import motors_in_words
 from pkmodes.robot.report_fields import head_of
 from pkmodes.robot.units import SHOWN
 
@@ -86,7 +88,7 @@ def map_report(
         Section("modes", "Range of each frequency", _ranges(model, content)),
         *_explored(model, dataset, view),
         *view_section(view),
-        *_changes(model, dataset),
+        *_changes(model, dataset, shown(dataset)),
         *_figures(model, dataset),
         Section("origin", "Data and versions", [_origin(model, dataset, content, sources)]),
     ]
@@ -109,6 +111,7 @@ def _summary(model: Model, content: dict[str, Any]) -> Summary:
         f"{plural(count, 'pose')} cannot be evaluated: {model.reasons[code]}."
         for code, count in content["reasons"].items()
     ]
+    notes += [one.replace("= -", f"= {MINUS}") for one in sentences(content, _si_units(model))]
     facts = [
         ("poses", Cell(thousands(content["poses"]), content["poses"], pointer("poses"))),
         (
@@ -132,9 +135,9 @@ def _summary(model: Model, content: dict[str, Any]) -> Summary:
 
 def _headline(content: dict[str, Any]) -> str:
     """Return where the lowest frequency lies, without what a few poses at the edge of the workspace add."""
-    first, count = content["modes"][0], content["valid"]
+    first, count = content["modes"][0], content["counted"]
     if first["minimum_hz"] is None:
-        return "No pose could be evaluated"
+        return "The machine is stable at no pose" if content["valid"] else "No pose could be evaluated"
     lowest = "Mode 1" if content["tracked"] else "The lowest frequency of vibration"
     if count < FEW:
         low, high, where = first["minimum_hz"], first["maximum_hz"], ""
@@ -156,7 +159,11 @@ def _extent(model: Model, content: dict[str, Any]) -> str:
         name, factor = units.get(dim, ("", 1.0))
         ends = _value(low * factor) if count == 1 else f"{_value(low * factor)} to {_value(high * factor)}"
         parts.append(f"{dim} {ends} {name}".rstrip())
-    return f"Mapped with motors {content['drives']}: {', '.join(parts)}."
+    return f"Mapped with {motors_in_words(model.robot, content['drives'])}: {', '.join(parts)}."
+
+
+def _si_units(model: Model) -> dict[str, str]:
+    return {component.name: component.unit for component in model.mechanism.pose}
 
 
 def _units(model: Model) -> dict[str, tuple[str, float]]:
@@ -191,8 +198,7 @@ def _ranges(model: Model, content: dict[str, Any]) -> list[Block]:
         f"{quantiles_in_words(content).replace(' %', NO_BREAK_PER_CENT)}. Its lowest and its highest value stand "
         "beside them, with their poses."
     )
-    remark = remark_on(content)
-    return [Table(caption, columns, rows, groups), *([Paragraph(remark)] if remark else [])]
+    return [Table(caption, columns, rows, groups)]
 
 
 def _frequency(mode: dict[str, Any], index: int, key: str) -> Cell:
@@ -213,8 +219,14 @@ def _explored(model: Model, dataset: xarray.Dataset, view: str | None) -> list[S
     return [] if explorer is None else [Section("explore", "Pose by pose", [explorer])]
 
 
-def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
-    """Yield the sections of swept parameters, samples, and poses on a line or in a list."""
+def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) -> Iterator[Section]:
+    """Yield the sections of swept parameters, samples, and poses on a line or in a list.
+
+    Parameters
+    ----------
+    drawn_of : Dataset
+        The same without the poses that say nothing about the others.
+    """
     components = [component.name for component in model.mechanism.pose]
     dims = [str(dim) for dim in dataset["frequency"].dims if dataset.sizes[dim] > 1]
     swept = [dim for dim in dims if "." in dim]
@@ -224,7 +236,7 @@ def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
             spread = spread_along(model.robot, dataset, path, model.max_condition)
             caption = f"Frequencies against {clean(path)}{_banded(dataset, path, spread)}."
             with styled():
-                figure = sweeps.against(dataset, path, spread)
+                figure = sweeps.against(drawn_of, path, spread)
                 blocks.append(Picture.of(figure, clean(path), caption, caption))
         yield Section("sweeps", "Swept parameters", blocks)
     if "sample" in dims:
@@ -236,7 +248,7 @@ def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
             "values are within the bar, 95 % within the line."
         )
         with styled():
-            picture = Picture.of(sweeps.scatter(dataset), "Scatter over sampled robots", caption, caption)
+            picture = Picture.of(sweeps.scatter(drawn_of), "Scatter over sampled robots", caption, caption)
         listing = Listing([clean(path) for path in drawn], names=True)
         yield Section(
             "samples",
@@ -249,7 +261,7 @@ def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
         if spread is not None:
             caption = f"Frequencies along the poses: {BAND}."
         with styled():
-            figure = sweeps.along(dataset, spread)
+            figure = sweeps.along(drawn_of, spread)
             picture = Picture.of(figure, "Frequencies along the poses", caption, caption)
         yield Section("poses", "Along the poses", [picture])
     line = [dim for dim in dims if dim in components]
@@ -257,7 +269,7 @@ def _changes(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
         spread = spread_along(model.robot, dataset, line[0], model.max_condition)
         caption = f"Frequencies along {line[0]}{_banded(dataset, line[0], spread)}."
         with styled():
-            figure = sweeps.against(dataset, line[0], spread)
+            figure = sweeps.against(drawn_of, line[0], spread)
             picture = Picture.of(figure, f"Along {line[0]}", caption, caption)
         yield Section("line", f"Along {line[0]}", [picture])
 
@@ -293,9 +305,8 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
         blocks += swept_pictures(model, dataset, places, units)
     declared = declared_values(model, swept, units)
     declared = f" with {declared}" if declared else ""
-    text = (
-        f"The robot as declared{declared}, its motors {drives}, in {where}; modes are numbered by frequency."
-    )
+    doing = motors_in_words(model.robot, drives)
+    text = f"The robot as declared{declared}, its {doing}, in {where}; modes are numbered by frequency."
     blocks.append(Paragraph(text))
     for picture in pictures(model, places, drives=drives):
         text = f"{picture.title}. {picture.description}"

@@ -105,7 +105,7 @@ def swept_pictures(
     """
     components = [component.name for component in model.mechanism.pose]
     paths = swept_paths(dataset)
-    drawn = dataset[["frequency", "valid"]].sel(dict(plane.axes)).sortby(paths)
+    drawn = dataset[["frequency", "condition", "valid"]].sel(dict(plane.axes)).sortby(paths)
     if "sample" in drawn.dims:
         drawn = drawn.isel(sample=0)
     for end in (0, -1):

@@ -29,7 +29,9 @@ from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.report.tables import table
+from pkmodes.response.channels import most_responsive
 from pkmodes.response.measured import MeasuredResponse
+from pkmodes.robot.motors import motors_in_words
 from pkmodes.robot.report_fields import head_of
 from pkmodes.sensitivity.spread import spread_of
 
@@ -91,12 +93,14 @@ def response_report(
 
 def _summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> Summary:
     at = placed(model.mechanism, response.poses[response.one(())], "g").replace("-", MINUS)
-    name = next(iter(drawn.model))
+    measured = {} if drawn.measured is None else drawn.measured[1]
+    compared = {name: values for name, values in drawn.model.items() if name in measured} or drawn.model
+    name = most_responsive(compared, drawn.units)
     output, _, into = name.partition("/")
     peak = int(np.abs(drawn.model[name]).argmax())
     headline = f"{clean(output)} responds most to {clean(into)} at {drawn.frequencies[peak]:.1f} Hz"
-    if drawn.measured is not None:
-        place = _within(drawn, drawn.measured[1][name])
+    if drawn.measured is not None and name in measured:
+        place = _within(drawn, measured[name])
         if place is not None:
             headline += f", measured at {drawn.measured[0][place]:.1f} Hz"
     first, last = (float(drawn.frequencies[i]) for i in (0, -1))
@@ -107,7 +111,10 @@ def _summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) ->
     if drawn.measured is not None:
         count = len(drawn.measured[1])
         facts.append(("of the channels measured", Cell(str(count), count)))
-    reason = f"{response.quantity.capitalize()} at {at}, motors {response.drives}."
+    reason = f"{response.quantity.capitalize()} at {at}, {motors_in_words(model.robot, response.drives)}."
+    if len(drawn.model) > 1:
+        which = "measured channels" if measured else "channels"
+        reason += f" Of the {which} in {unit(drawn.units[name])} this one has the largest response."
     if meanings := [f"{clean(one)} is {words}" for one in (output, into) if (words := _meaning(one))]:
         reason += f" Here {', '.join(meanings)}."
     notes = [] if model.robot.dissipates else [UNDAMPED]

@@ -9,8 +9,9 @@ from pkmodes.base.version import VERSION
 from pkmodes.figures.quantities import points_of
 from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.poses import Grid
-from pkmodes.maps.robots_compared import compare_frequencies
+from pkmodes.maps.robots_compared import NOTHING, ModeChange, compare_frequencies, headline
 from pkmodes.plots.changes import relative_changes, scale_of
+from pkmodes.plots.labels import MINUS
 from pkmodes.plots.plane import Plane, where
 from pkmodes.plots.style import styled
 from pkmodes.report.blocks import (
@@ -29,14 +30,13 @@ from pkmodes.report.formatting import clean, number, plural, pointer, thousands,
 from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source
+from pkmodes.robot.motors import motors_of_both
 from pkmodes.robot.report_fields import common_head
 from pkmodes.robot.words import in_words
 
 if TYPE_CHECKING:
     from pkmodes.model.model import Model
 
-#: Differences of a frequency below this are no differences [%].
-NOTHING = 0.005
 #: Titles of standard deviations by their keys.
 SIGMAS = {"first_sigma": "\u03c3, first", "second_sigma": "\u03c3, second"}
 
@@ -72,16 +72,11 @@ def robots_report(
         Section("origin", "Data and versions", [_origin(first, content, sources)]),
     ]
     head = common_head(first.robot.report, second.robot.report)
-    return page(_summary(content, head), sections)
+    doing = motors_of_both(first.robot, second.robot, content["drives"])
+    return page(_summary(content, head, doing), sections)
 
 
-def _summary(content: dict[str, Any], head: Sequence[tuple[str, str]]) -> Summary:
-    known = [mode for mode in content["modes"] if mode["median"] is not None]
-    headline = "No frequency changes"
-    if known:
-        most = max(known, key=lambda mode: abs(mode["median"]))
-        if abs(100.0 * most["median"]) >= NOTHING:
-            headline = f"Mode {most['mode']} changes most: {_signed(most['median'])} % in the median"
+def _summary(content: dict[str, Any], head: Sequence[tuple[str, str]], doing: str) -> Summary:
     poses = content["poses"]
     facts = [
         ("values that differ", Cell(str(len(content["values"])), len(content["values"]))),
@@ -100,20 +95,16 @@ def _summary(content: dict[str, Any], head: Sequence[tuple[str, str]]) -> Summar
     ]
     names = f"{clean(content['first'])} (first) and {clean(content['second'])} (second)"
     return Summary(
-        subject=f"{names}, motors {content['drives']}",
+        subject=f"{names}, {doing}",
         kind="Comparison of robots",
         verdict="",
-        headline=headline,
+        headline=headline([ModeChange(**mode) for mode in content["modes"]]).replace("-", MINUS),
         reason="Differences are second minus first, relative to the first.",
         tone="plain",
         notes=[clean(note, None) for note in content["notes"]],
         facts=facts,
         head=head,
     )
-
-
-def _signed(relative: float) -> str:
-    return f"{100.0 * relative:+.2f}".replace("-", "\u2212")
 
 
 def _values(first: Model, content: dict[str, Any]) -> Iterator[Block]:
@@ -198,8 +189,8 @@ def _pictures(first: Model, second: Model, drives: str, places: Grid | None) -> 
     relative = changes.relative.reshape(*points.shape[:-1], -1)
     name, plane_in_words = clean(first.robot.name), where(plane)
     of = "the plane of the grid" if places is not None else f"the working plane of {name}"
-    if scale_of(relative) < NOTHING:
-        text = f"In {of}, {plane_in_words}, no frequency changes by more than {NOTHING} %."
+    if scale_of(relative) < 100.0 * NOTHING:
+        text = f"In {of}, {plane_in_words}, no frequency changes by more than {100.0 * NOTHING:g} %."
         yield Section("maps", "Over the working plane", [Paragraph(text)])
         return
     caption = (

@@ -20,6 +20,7 @@ from pkmodes.report.formatting import NOTHING, clean, number, pointer, unit
 from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
+from pkmodes.robot.motors import motors_in_words
 from pkmodes.robot.report_fields import head_of
 from pkmodes.robot.words import in_words
 from pkmodes.sensitivity.changes import CORRELATED, PERCENT, SIGMA, Changes, changes_at
@@ -82,7 +83,7 @@ def _summary(model: Model, percent: Changes, sigma: Changes | None, content: dic
         headline = f"Mode {mode + 1} depends most on {name}: {change} % for 1 %"
         reason = "The largest change of any frequency for one per cent of a quantity. "
     at = placed(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
-    facts = []
+    doing, facts = motors_in_words(model.robot, content["drives"]), []
     for mode, frequency in enumerate(percent.frequencies.tolist()):
         text = f"{frequency:.2f} Hz"
         if sigma is not None and sigma.together is not None:
@@ -94,7 +95,7 @@ def _summary(model: Model, percent: Changes, sigma: Changes | None, content: dic
         kind="Sensitivities",
         verdict="",
         headline=headline,
-        reason=f"{reason}At {at}, motors {content['drives']}; the pose and all other quantities are held constant.",
+        reason=f"{reason}At {at}, {doing}; the pose and all other quantities are held constant.",
         tone="plain",
         notes=_notes(content),
         facts=facts,

@@ -6,12 +6,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from pkmodes.base.drives import motors
 from pkmodes.base.numbers import plain
 from pkmodes.measured.measurements import Measurements
 from pkmodes.plots.labels import typeset
 from pkmodes.report.formatting import clean, unit
 from pkmodes.report.sources import Source
+from pkmodes.robot.motors import motors_in_words
 from pkmodes.robot.report_fields import head_of
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.words import in_words
@@ -38,7 +38,11 @@ class Setting:
 
     def title(self, drives: Iterable[str | None]) -> str:
         """Return the subject, with what the motors of a robot did."""
-        return clean(self.subject) if self.robot is None else f"{clean(self.subject)}, {motors(drives)}"
+        return (
+            clean(self.subject)
+            if self.robot is None
+            else f"{clean(self.subject)}, {motors_in_words(self.robot, drives)}"
+        )
 
     @property
     def head(self) -> list[tuple[str, str]]:

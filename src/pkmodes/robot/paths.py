@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pkmodes.base.errors import PkmodesError, nearest, shown
+from pkmodes.robot.corrections import changeable
 from pkmodes.robot.layout import EFFECTS, Item, Slot, effect_parameters, items, takers
 from pkmodes.robot.parameter_groups import groups_by_path, items_of, value_of, weights_of
 from pkmodes.robot.robot import Robot
@@ -61,7 +62,7 @@ def resolve(robot: Robot, path: str) -> ParameterPath:
     Raises
     ------
     PkmodesError
-        If there is no such quantity, or it cannot vary.
+        If there is no such quantity, it cannot vary, or no mode depends on it.
     """
     return resolve_all(robot, [path])[0]
 
@@ -75,6 +76,9 @@ def resolve_all(robot: Robot, wanted: Iterable[str | ParameterPath]) -> list[Par
 def _resolved(robot: Robot, path: str, known: Mapping[str, Moves]) -> ParameterPath:
     if not isinstance(path, str):
         raise PkmodesError(f"expected a parameter path, found {shown(path)}", "parameters", "give strings")
+    if path not in known and path in changeable(robot):
+        what = f"no frequency and no mode shape depends on {path}"
+        raise PkmodesError(what, robot.source, "choose a quantity that changes masses or stiffnesses")
     if path not in known:
         remedy = nearest(path, known, "see docs/sensitivities.md for the paths")
         raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)

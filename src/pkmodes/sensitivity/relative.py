@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.mechanism.regular import extent
 from pkmodes.robot.layout import effect_parameters, items
-from pkmodes.robot.parameter_groups import groups_by_path, value_of
-from pkmodes.robot.paths import ParameterPath
+from pkmodes.robot.parameter_groups import groups_by_path, value_of, weights_of
+from pkmodes.robot.paths import ParameterPath, paths
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.alike import Alike, alike
 from pkmodes.sensitivity.sensitivities import ResolvedPaths, sensitivities
@@ -31,21 +31,26 @@ def scalable(robot: Robot) -> list[str]:
     """Return the quantities of a robot of which a per cent means something and changes frequencies.
 
     These are its quantities that are not zero, and wholes such as ``axis.span``.  Components of vectors are left
-    out, since a per cent of a coordinate depends on where the origin lies; so is what only dissipates.
+    out, since a per cent of a coordinate depends on where the origin lies; so is what no frequency depends on:
+    damping ratios, what only dissipates, and shared values that every entry overrides.
     """
     mechanism = robot.mechanism
     single = {
         number.path for item in items(mechanism) if item.key.kind == "quantity" for number in item.numbers
     }
-    declared = robot.quantities
-    paths = [path for path, quantity in declared.items() if path in single and _scales(quantity.value)]
     conservative = {
         path for path in effect_parameters(mechanism) if path.split(".")[1] in mechanism.conservative_effects
     }
-    effects = [path for path in declared if path in conservative and _scales(declared[path].value)]
-    # A joint radius of zero has no direction in which it could change.
-    wholes = [path for path, whole in groups_by_path(mechanism).items() if _scales(value_of(robot, whole))]
-    return [*paths, *(path for path in effects if path not in paths), *wholes]
+    declared, varying = robot.quantities, set(paths(robot))
+    known = [path for path in declared if path in varying and _scales(declared[path].value)]
+    effects = [path for path in known if path in conservative and path not in single]
+    # A whole with a vector of zero has no direction in which it could change.
+    wholes = [
+        path
+        for path, whole in groups_by_path(mechanism).items()
+        if weights_of(robot, whole) and _scales(value_of(robot, whole))
+    ]
+    return [*(path for path in known if path in single), *effects, *wholes]
 
 
 def _scales(value: float) -> bool:

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.base.drives import FREE
 from pkmodes.measured.pose_table import poses_by_name
 from pkmodes.model.model import Model
+from pkmodes.robot.motors import motors_in_words
 from pkmodes.robot.report_fields import head_of
 from pkmodes.view.page import page
 from pkmodes.view.robot_drawing import RobotDrawing, Springs, present
@@ -135,6 +136,7 @@ def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: 
         drives=drives,
         chosen=chosen,
         head=tuple(head_of(model.robot.report)),
+        doing=motors_in_words(model.robot, drives),
     )
 
 

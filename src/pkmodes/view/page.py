@@ -64,7 +64,7 @@ def page(scene: Scene) -> str:
 <main>
 <header>
 <h1>{name}</h1>
-<p>{escape(scene.title[:1].upper() + scene.title[1:])}; motors {scene.drives}</p>
+<p>{escape(scene.title[:1].upper() + scene.title[1:])}; {scene.doing}</p>
 {_head(scene)}</header>
 {fragment(scene)}
 <footer>
@@ -286,7 +286,7 @@ def _table(scene: Scene, key: str) -> str:
             f"{title}</th>{cells}</tr>"
         )
     return (
-        f'<div class="pkview-numbers"><p id="{key}-caption"><b>What rings with motors {scene.drives}:</b>'
+        f'<div class="pkview-numbers"><p id="{key}-caption"><b>What rings with {scene.doing}:</b>'
         " share of every spring in the strain energy of each mode, and the direction of the platform&#8217;s motion,"
         f' at <span data-part="place">{_place(scene, i)}</span></p>'
         f'<div class="pkview-table" role="region" aria-labelledby="{key}-caption" tabindex="0">'

@@ -88,6 +88,8 @@ class Scene:
         Components at which their shapes were measured.
     head : tuple of (str, str)
         Lines of the head of a page, such as the customer.
+    doing : str
+        What the motors do, in words.
     """
 
     robot: str
@@ -123,6 +125,7 @@ class Scene:
     measured: tuple[MeasuredMode, ...] | None = None
     channels: tuple[Channel, ...] = ()
     head: tuple[tuple[str, str], ...] = ()
+    doing: str = f"motors {FREE}"
 
     @property
     def size(self) -> float:

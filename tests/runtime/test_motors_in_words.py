@@ -1,0 +1,24 @@
+"""What the motors do, in words: those of a machine that is switched on are not free."""
+
+from __future__ import annotations
+
+import pytest
+
+import pkmodes
+from helpers.robots.one_of_each import FILES, ROBOTS
+from pkmodes.robot.motors import motors_in_words, motors_of_both
+
+
+@pytest.mark.parametrize("name", list(FILES.values()))
+def test_motors_with_a_position_loop_are_not_called_free(name: str) -> None:
+    """Not even in the title of measurements, of which some were made with motors held."""
+    off = pkmodes.read_robot(ROBOTS / name)
+    on = off.with_values({"effects.servo_stiffness.stiffness": 15.0})
+    zero = off.with_values({"effects.servo_stiffness.stiffness": 0.0})
+    assert motors_in_words(off, "free") == motors_in_words(zero, "free") == "motors free"
+    assert motors_in_words(on, "free") == "motors on their servo stiffness"
+    assert motors_in_words(on, "held") == motors_in_words(off, "held") == "motors held"
+    assert motors_in_words(on, ["free", "held", "free"]) == "motors on their servo stiffness or held"
+    assert motors_of_both(off, zero, "free") == "motors free"
+    assert motors_of_both(off, on, "free") == "motors free (first) and on their servo stiffness (second)"
+    assert motors_of_both(off, on, "held") == "motors held"
