@@ -24,6 +24,7 @@ from helpers.diagnoses.diagnose_command import (
     measured,
     rows_of,
 )
+from helpers.pages.page_reading import read
 from helpers.runs.processes import without_progress
 
 pytestmark = pytest.mark.usefixtures("backend")
@@ -79,14 +80,35 @@ def test_the_table_of_two_causes_and_of_causes_that_look_alike(tmp_path: Path) -
     alike = {"gearbox_compliance.compliance": 1.5e-4}
     inputs = files(tmp_path, PUBLISHED, measured(poses=6, effects=alike, shapes=()))
     options = ("--candidates", "gearbox_compliance,clamp_compliance,belt_end_compliance")
-    saved = tmp_path / "saved.toml"
+    saved, page = tmp_path / "saved.toml", tmp_path / "page.html"
     out, found = (
         call(*inputs, *options, "--save-robot", saved).out,
-        call(*inputs, *options, "--json", "-").json,
+        call(*inputs, *options, "--json", "-", "--report", page).json,
     )
     (effect,) = found["effects"]
-    assert len(effect["class"]) > 1
+    assert len(effect["class"]) == 3
+    assert effect["plausible"] == dict.fromkeys(effect["class"], True)
     name, *others = effect["class"]
+    # No headline names one of them as the cause.
+    parts = {
+        "gearbox_compliance": "gearboxes",
+        "clamp_compliance": "clamps",
+        "belt_end_compliance": "belt ends",
+    }
+    shared = (
+        f"a compliance in series with the belt ({', '.join(parts[member] for member in effect['class'])})"
+    )
+    assert found["reason"].endswith(f"; the cause is narrowed to three: {shared}")
+    assert f" cause: one of three (p < 1e-6): {shared} {name}." in " ".join(out.split())
+    summary = read(page.read_text(encoding="utf-8")).by_id("summary")
+    assert summary.all("h2")[0].text == f"Cause narrowed to three: {shared}"
+    tiles = [title.text for title in summary.all("dt")]
+    assert [title.split(":")[0] for title in tiles[:4]] == [
+        "either",
+        "or",
+        "or",
+        "rms difference as declared [%]",
+    ]
     assert (
         f"it has {name}; the data cannot tell it from {' or '.join(others)}: to save that instead, add --candidates"
         f" {others[0]}" in " ".join(out.split())
@@ -96,6 +118,7 @@ def test_the_table_of_two_causes_and_of_causes_that_look_alike(tmp_path: Path) -
         assert re.search(rf"^    {name}\.compliance = \(\S+ \+- \S+\)e-\d+ \S+$", out[start:], re.M)
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_belts_are_printed_relative_to_their_mean_where_their_common_stiffness_is_uncertain(
     tmp_path: Path,
 ) -> None:

@@ -198,6 +198,7 @@ def shaper(
 def _points(model: Model, grid: str | None, poses: Path | None) -> NDArray[np.float64]:
     """Return the poses, by default those of the workspace that can be evaluated."""
     from pkmodes.maps.workspace import reachable
+    from pkmodes.solve.usable import within
 
     places = places_given(model, grid, poses)
     count = 0 if places is None else math.prod(places.shape)
@@ -210,7 +211,7 @@ def _points(model: Model, grid: str | None, poses: Path | None) -> NDArray[np.fl
         return np.asarray(places.points(np.arange(int(np.prod(places.shape)))))
     whole = reachable(model.kinematics)
     points = whole.points(np.arange(int(np.prod(whole.shape))))
-    return np.asarray(points[model.check(points).valid])
+    return np.asarray(points[model.check(points).valid & within(model.kinematics)(points)])
 
 
 def _document(model: Model, choice: Choice) -> ShaperDocument:

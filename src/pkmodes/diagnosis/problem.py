@@ -40,6 +40,9 @@ class Parameter:
     log : bool
         Whether the prior is log-normal, for a positive scale.  The standard deviation, here or in a candidate, is
         then relative.
+    usual : tuple of two floats, optional
+        Range of the values that such a part can have.  A claimed value outside is marked as implausible; no fit and
+        no verdict depends on it.
     correlated : tuple of tuple of str and float
         Names of other uncertain parameters with the correlation of both priors; each lists the other.  Of logarithms
         where a prior is log-normal.
@@ -52,6 +55,7 @@ class Parameter:
     lower: float = -np.inf
     upper: float = np.inf
     log: bool = False
+    usual: tuple[float, float] | None = None
     correlated: tuple[tuple[str, float], ...] = ()
 
 
@@ -79,6 +83,9 @@ class Candidate:
         Name of a candidate that is a special case of this one: that one has one value for all joints, this one has
         a value for each.  This one is never claimed.  A claim of the special case is refused if its residual points
         significantly to this one.
+    kind, part : str
+        What it has in common with other candidates, a noun phrase such as "a compliance in series with the belt", and
+        what it is among them, such as "clamps": the members of a class that share a kind are named by it.
     """
 
     name: str
@@ -88,6 +95,8 @@ class Candidate:
     nameable: bool = True
     sigma: tuple[float, ...] | None = None
     general_of: str = ""
+    kind: str = ""
+    part: str = ""
 
     @property
     def claimable(self) -> bool:
@@ -251,8 +260,21 @@ class Loadable(Protocol):
 
 
 @runtime_checkable
+class Surrounded(Protocol):
+    """A structure that could be measured elsewhere under conditions of its own."""
+
+    @property
+    def surroundings(self) -> str:
+        """What `Structure.elsewhere` offers, as a plural noun in a sentence."""
+
+
+@runtime_checkable
 class Driven(Protocol):
     """A structure with motors, which turn freely or are held in each setup."""
+
+    @property
+    def drives(self) -> str:
+        """What the motors do in most of the setups: "free" or "held"."""
 
     def with_other_drives(self, setups: Sequence[int]) -> Structure:
         """Return the structure with the motors free instead of held, or held instead of free, in some setups."""

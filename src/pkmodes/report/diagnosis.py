@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pkmodes.diagnosis.verdict import naming
+from pkmodes.diagnosis.verdict.findings import Finding
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, VERDICTS
 from pkmodes.plots.evidence import Evidence
@@ -9,7 +11,7 @@ from pkmodes.report import explanations, figures, numbers
 from pkmodes.report.blocks import Cell, Section, Summary
 from pkmodes.report.correction import correction
 from pkmodes.report.damping import damping
-from pkmodes.report.formatting import clean, number, pointer, prose, three_digits, uncertain, unit
+from pkmodes.report.formatting import SENTENCE, clean, number, pointer, prose, three_digits, uncertain, unit
 from pkmodes.report.glossary import glossary
 from pkmodes.report.mode_table import mode_table
 from pkmodes.report.origin import origin, view_section
@@ -17,7 +19,7 @@ from pkmodes.report.page import page
 from pkmodes.report.setting import Setting
 
 #: Most values of causes in the head.
-MOST = 4
+MOST = 5
 
 
 def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> str:
@@ -33,7 +35,7 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
         Section("modes", "Measurement and model", figures.mode_figures(evidence)),
         *([Section("poses", "Differences against the pose", where)] if where else []),
         Section("shapes", "Mode shapes", figures.shape_figures(evidence)),
-        *([Section("damping", "Damping", ratios)] if (ratios := damping(result)) else []),
+        *([Section("damping", "Damping", ratios)] if (ratios := damping(result, setting)) else []),
         Section("candidates", "Candidates", explanations.candidates(result)),
         Section("values", "Values before and after", numbers.values(result, setting)),
         *([Section("stability", "Stability", trials)] if (trials := numbers.stability(result)) else []),
@@ -56,7 +58,7 @@ def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary
         headline=_headline(result),
         reason=prose(_sentence(result.reason) + _refitted(result)),
         tone=VERDICTS[result.verdict].colour,
-        notes=[prose(_sentence(note)) for note in result.notes],
+        notes=[prose(_sentence(note)) for note in (*result.notes, *_of_damping(result))],
         facts=facts,
         head=setting.head,
     )
@@ -69,9 +71,15 @@ def _refitted(result: Diagnosis) -> str:
     return " Its uncertain values were refitted within their standard deviations."
 
 
+def _of_damping(result: Diagnosis) -> list[str]:
+    """Return what the damping says, which changes neither the verdict nor the headline."""
+    found = result.damping
+    return [f"the verdict is that of frequencies and shapes; {found.reason}"] if found.measured else []
+
+
 def _headline(result: Diagnosis) -> str:
-    names = " and ".join(clean(effect.sentence or effect.name) for effect in result.effects)
-    return VERDICTS[result.verdict].sentence.format(causes=names, s="s" if len(result.effects) > 1 else "")
+    causes = clean(naming.found(result.effects, naming.LONGEST), SENTENCE) if result.effects else ""
+    return VERDICTS[result.verdict].sentence.format(causes=causes, s="s" if len(result.effects) > 1 else "")
 
 
 def _sentence(text: str) -> str:
@@ -83,15 +91,8 @@ def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
     """Return the sizes of the causes, and the errors of the first and the last stage."""
     facts: list[tuple[str, Cell]] = []
     for i, effect in enumerate(result.effects):
-        relative = effect.relative()
-        where = "relative" if relative else "parameters"
-        for value in relative or effect.parameters:
-            own = ("effects", i, where, key(value))
-            cell = uncertain(value.value, value.sigma, pointer(*own, "value"), pointer(*own, "sigma"))
-            name = clean(key(value))
-            title = f"{name} relative to the mean" if relative else setting.words(value.name) or name
-            facts.append((f"{title} [{unit(value.unit)}]" if unit(value.unit) else title, cell))
-    facts = facts[:MOST]
+        sizes = _class_sizes(effect, i, setting) if len(effect.members) > 1 else _sizes(effect, i, setting)
+        facts += sizes[: MOST - len(facts)]
     last = "after" if result.after is not None else "refit"
     stages = {"before": (result.before, "as declared")}
     stages[last] = (
@@ -111,6 +112,37 @@ def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
         facts.append((f"rms of held-out poses {stages[last][1]} [%]", numbers.percent(held, at)))
         chi2 = three_digits(error.chi2_per_dof, pointer("error", last, "chi2_per_dof"))
         facts.append((f"chi\u00b2 per degree of freedom {stages[last][1]}", chi2))
+    return facts
+
+
+def _sizes(effect: Finding, i: int, setting: Setting) -> list[tuple[str, Cell]]:
+    """Return the values of a cause."""
+    facts, relative = [], effect.relative()
+    for value in relative or effect.parameters:
+        own = ("effects", i, "relative" if relative else "parameters", key(value))
+        cell = uncertain(value.value, value.sigma, pointer(*own, "value"), pointer(*own, "sigma"))
+        name = clean(key(value))
+        title = f"{name} relative to the mean" if relative else setting.words(value.name) or name
+        facts.append((f"{title} [{unit(value.unit)}]" if unit(value.unit) else title, cell))
+    return facts
+
+
+def _class_sizes(effect: Finding, i: int, setting: Setting) -> list[tuple[str, Cell]]:
+    """Return the value of each member of a class; how many members there are, where that is too much."""
+    facts: list[tuple[str, Cell]] = []
+    for name in effect.members:
+        start = "either" if not facts else "or"
+        also = ", implausible" if effect.member(name).implausible else ""
+        for value in effect.alternatives[name]:
+            own = ("effects", i, "alternatives", name, key(value))
+            cell = uncertain(value.value, value.sigma, pointer(*own, "value"), pointer(*own, "sigma"))
+            title = setting.words(value.name) or clean(effect.member(name).words)
+            of = f" [{unit(value.unit)}]" if unit(value.unit) else ""
+            facts.append((f"{start}{also}: {title}{of}", cell))
+    if len(facts) > MOST:
+        return [
+            ("possible causes, with their values below", Cell(str(len(effect.members)), len(effect.members)))
+        ]
     return facts
 
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from pkmodes.diagnosis.verdict.result import Diagnosis, Examined, Finding, Value, key
+from pkmodes.diagnosis.verdict import naming
+from pkmodes.diagnosis.verdict.findings import Examined, Finding, Value
+from pkmodes.diagnosis.verdict.result import Damping, Diagnosis, key
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Table
 from pkmodes.report.formatting import (
@@ -16,6 +18,7 @@ from pkmodes.report.formatting import (
     p_value,
     plural,
     pointer,
+    prose,
     uncertain,
     unit,
 )
@@ -26,22 +29,33 @@ from pkmodes.report.tables import table
 MOST = 200
 
 
-def causes(result: Diagnosis, setting: Setting) -> list[Block]:
-    """Return the causes found with their classes, or the explanations that remain."""
+def causes(result: Diagnosis | Damping, setting: Setting, *top: str) -> list[Block]:
+    """Return the causes found with their classes, or the explanations that remain.
+
+    Parameters
+    ----------
+    *top : str
+        Keys that lead to the result in the JSON: none, or that of the damping.
+    """
     sentences = {one.name: one.sentence for one in result.candidates}
     blocks: list[Block] = []
     for i, effect in enumerate(result.effects):
-        what = clean(effect.sentence or effect.name, SENTENCE)
-        entries: list[tuple[str, list[Cell]]] = [("Cause", [Cell(what, strong=True)])]
-        if effect.sentence:
-            entries.append(("Name", [Cell(clean(effect.name))]))
-        entries.append(("p-value", [p_value(effect.p_value, pointer("effects", i, "p_value"))]))
-        blocks += [Facts(entries), *_relative(effect, i, setting), _members(effect, i, setting, sentences)]
-        if len(effect.members) > 1:
+        several = len(effect.members) > 1
+        what = clean(naming.of_class(effect), SENTENCE)
+        entries: list[tuple[str, list[Cell]]] = [
+            (f"One of {naming.count(len(effect.members))}" if several else "Cause", [Cell(what, strong=True)])
+        ]
+        if effect.sentence or several:
+            names = ", ".join(map(clean, effect.members))
+            entries.append(("Names" if several else "Name", [Cell(names)]))
+        at = pointer(*top, "effects", i)
+        entries.append(("p-value", [p_value(effect.p_value, at + pointer("p_value"))]))
+        blocks += [Facts(entries), *_relative(effect, at, setting), _members(effect, at, setting, sentences)]
+        if several:
             blocks.append(
                 Paragraph(
                     "These data cannot tell the members of this class from one another: each explains the "
-                    "measurements as well, with the value in its row. The correction has the first."
+                    "measurements as well, with the value in its row. The corrected robot file has the first."
                 )
             )
     if result.survivors:
@@ -52,40 +66,45 @@ def causes(result: Diagnosis, setting: Setting) -> list[Block]:
     return blocks
 
 
-def _members(effect: Finding, i: int, setting: Setting, sentences: Mapping[str, str]) -> Table:
+def _members(effect: Finding, place: str, setting: Setting, sentences: Mapping[str, str]) -> Table:
     """Return the values of the cause, and of each other member of its class if it were the cause."""
     rows = []
     for member in effect.members:
+        why = effect.member(member).implausible
         for value in effect.alternatives[member]:
-            at = ("effects", i, "alternatives", member, key(value))
+            at = place + pointer("alternatives", member, key(value))
             rows.append(
                 [
                     Cell.named(clean(sentences.get(member, "")), clean(member)),
                     Cell.named(setting.words(value.name), clean(value.name)),
-                    uncertain(value.value, value.sigma, pointer(*at, "value"), pointer(*at, "sigma")),
+                    uncertain(value.value, value.sigma, at + pointer("value"), at + pointer("sigma")),
                     Cell(unit(value.unit)),
+                    Cell(prose(f"no: {why}") if why else "yes"),
                 ]
             )
     columns = [Column("cause", False), Column("parameter", False), Column("value")]
+    columns += [Column("unit", False), Column("plausible", False)]
     if len(effect.members) == 1:  # the cause stands above
         rows, columns = [row[1:] for row in rows], columns[1:]
+    if all(effect.plausible.values()) and len(effect.members) == 1:
+        rows, columns = [row[:-1] for row in rows], columns[:-1]
     caption = (
         f"Size of the cause{', with that mean' if effect.relative() else ''}."
         if len(effect.members) == 1
         else "The class: each member as if it were the cause."
     )
-    return table(caption, [*columns, Column("unit", False)], rows)
+    return table(caption, columns, rows)
 
 
-def _relative(effect: Finding, i: int, setting: Setting) -> list[Block]:
+def _relative(effect: Finding, place: str, setting: Setting) -> list[Block]:
     """Return the values relative to their mean, where the mean is far less certain."""
     rows = []
     for value in effect.relative():
-        at = ("effects", i, "relative", key(value))
+        at = place + pointer("relative", key(value))
         rows.append(
             [
                 Cell.named(setting.words(value.name), clean(value.name)),
-                uncertain(value.value, value.sigma, pointer(*at, "value"), pointer(*at, "sigma")),
+                uncertain(value.value, value.sigma, at + pointer("value"), at + pointer("sigma")),
                 Cell(unit(value.unit)),
             ]
         )
@@ -146,7 +165,7 @@ def _table(result: Diagnosis) -> Table:
             rows.append(
                 [
                     Cell.named(clean(one.sentence), clean(_identifier(one.name, name, len(sizes)))),
-                    Cell(_standing(result, one.name)),
+                    Cell(standing(result, one.name)),
                     p_value(one.p_value, pointer(*at, "p_value")),
                     _visible(seen, pointer(*at, "visible_from")),
                     _limit(result, name),
@@ -224,13 +243,12 @@ def _unit(result: Diagnosis, value: Value | None, name: str) -> str:
     return "" if limit is None or limit.value is None else unit(limit.unit)
 
 
-def _standing(result: Diagnosis, name: str) -> str:
+def standing(result: Diagnosis | Damping, name: str) -> str:
     """Return what became of a candidate."""
     for effect in result.effects:
-        if name == effect.name:
-            return "found"
         if name in effect.members:
-            return "same class"
+            several = len(effect.members) > 1
+            return f"one of {naming.count(len(effect.members))}" if several else "found"
     for i, group in enumerate(result.survivors, start=1):
         if any(name in each.split(" + ") for each in group):
             return f"remains ({i})"

@@ -13,7 +13,7 @@ from pkmodes.mechanism.described import DAMPING_RATIO, Mechanism
 from pkmodes.robot.covariance import Covariance
 from pkmodes.robot.layout import OF_QUANTITIES, Item, items
 from pkmodes.robot.units import Quantity
-from pkmodes.robot.usable import Limits
+from pkmodes.robot.usable import Bound
 
 #: The named tuple of the generated model; each mechanism has its own.
 Parameters = Any
@@ -44,8 +44,9 @@ class Declaration:
     constants : mapping of str to float
         Effect parameters that come from other tables of the file and are never fitted (the frame mass), whether or
         not the effect is declared.
-    usable : mapping of str to tuple of float
-        Where the machine is used: lower and upper limit of components of the pose in SI units.
+    usable : mapping of str to Limits, Radius or SingularAngle
+        Where the machine is used: lower and upper limit of components of the pose, ``radius`` and
+        ``singular_angle``, in SI units.
     report : mapping of str to str
         What the head of reports says of the machine, by key of the table ``[report]``.
     covariance : tuple of Covariance
@@ -59,7 +60,7 @@ class Declaration:
     quantities: Mapping[str, Quantity] = field(repr=False)
     effects: Mapping[str, float] = field(default_factory=dict)
     constants: Mapping[str, float] = field(default_factory=dict)
-    usable: Mapping[str, Limits] = field(default_factory=dict)
+    usable: Mapping[str, Bound] = field(default_factory=dict)
     report: Mapping[str, str] = field(default_factory=dict)
     covariance: tuple[Covariance, ...] = ()
 

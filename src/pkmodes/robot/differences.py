@@ -10,7 +10,7 @@ from pkmodes.robot.covariance import COVARIANCE
 from pkmodes.robot.declaration import Declaration
 from pkmodes.robot.layout import by_path, takers
 from pkmodes.robot.units import Quantity
-from pkmodes.robot.usable import ENDS, USABLE
+from pkmodes.robot.usable import numbers_of
 
 
 @dataclass(frozen=True)
@@ -145,12 +145,11 @@ def _quantity(path: str, robot: Declaration) -> Quantity | None:
 
 
 def _usable(first: Declaration, second: Declaration) -> Iterator[ValueDifference]:
-    units = {component.name: component.unit for component in first.mechanism.pose}
-    for name in units:
-        limits = [robot.usable.get(name, (None, None)) for robot in (first, second)]
-        for end, ours, theirs in zip(ENDS, *limits, strict=True):
-            if ours is not None or theirs is not None:
-                yield ValueDifference(f"{USABLE}.{name}.{end}", units[name], ours, theirs, None, None)
+    ours, theirs = (numbers_of(robot.mechanism, robot.usable) for robot in (first, second))
+    for path in dict.fromkeys([*ours, *theirs]):
+        unit = (ours.get(path) or theirs[path])[1]
+        mine, other = (of[path][0] if path in of else None for of in (ours, theirs))
+        yield ValueDifference(path, unit, mine, other, None, None)
 
 
 def _correlations(first: Declaration, second: Declaration) -> Iterator[ChoiceDifference]:

@@ -14,7 +14,7 @@ from pkmodes.robot.effects import read_effects
 from pkmodes.robot.layout import EFFECTS, GRAVITY, by_path, lent
 from pkmodes.robot.report_fields import REPORT, read_report
 from pkmodes.robot.units import DIMENSIONS, Quantity
-from pkmodes.robot.usable import USABLE, Limits, read_usable
+from pkmodes.robot.usable import USABLE, Bound, read_usable
 from pkmodes_description import Key, Table
 
 FORMAT_HELP = "see docs/robot-file.md for the format"
@@ -44,7 +44,7 @@ class Tables:
         By path, as given in the tables: without merging and without defaults.
     effects : mapping of str to Quantity
         Parameters of the effects in the file, by path.
-    usable : mapping of str to tuple of float
+    usable : mapping of str to Limits, Radius or SingularAngle
         Limits of components of the pose, where the file gives any.
     report : mapping of str to str
         Fields of the head of reports.
@@ -77,7 +77,7 @@ class Tables:
                 self._missing(table.name)
         self.effects = self._effects(document.get(EFFECTS, {}))
         tables = [table.name for table in mechanism.tables]
-        self.usable: dict[str, Limits] = {}
+        self.usable: dict[str, Bound] = {}
         if USABLE not in tables:  # a mechanism of a user may have a table of that name
             self.usable = read_usable(mechanism, document.get(USABLE, {}), self.problem)
         self.report: dict[str, str] = {}

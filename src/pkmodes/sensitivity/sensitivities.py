@@ -171,10 +171,9 @@ def sensitivities(
             resolved.terms,
             limit,
             asked,
-            threads,
             lambda p: _in_parts(lambda part: _at(resolved, part, limit, asked, solver), p),
         )
-        checked, arrays = run(job, robot, max_condition, poses, on_error, out)
+        checked, arrays = run(job, robot, max_condition, poses, on_error, out, threads)
     else:
         points = poses_by_name(poses, robot.mechanism)
         checked = check_poses(points, robot.mechanism, robot.parameters, on_error, max_condition)

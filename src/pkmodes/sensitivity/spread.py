@@ -36,8 +36,9 @@ Array = NDArray[np.float64]
 
 def stated_sigmas(robot: Robot) -> dict[str, float]:
     """Return the standard deviations of a robot file by path [SI], of those values that can change a frequency."""
-    known = set(paths(robot))  # damping ratios and loss factors change none
-    return {path: sigma for path, sigma in uncertain(robot).items() if path in known}
+    stated = uncertain(robot)
+    known = set(paths(robot)) if stated else set()  # damping ratios and loss factors change none
+    return {path: sigma for path, sigma in stated.items() if path in known}
 
 
 def spread_of(

@@ -24,7 +24,9 @@ from pkmodes.robot.paths import ParameterPath, paths, resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.words import in_words
 from pkmodes.updating import frame
+from pkmodes.updating.kinds import with_kinds
 from pkmodes.updating.load_cases import LoadCases
+from pkmodes.updating.usual import usual
 from pkmodes_description import Effect, ParameterGroup
 
 #: Prefix of suspected values as candidates.
@@ -81,7 +83,7 @@ def suspects(
     rates = correlations_of(robot)
     parameters = [_parameter(robot, move, rates.get(move.path, ())) for move in moves]
     parameters += [parameter for parameter in of_frame if parameter.name in suspected]
-    return parameters, candidates, {move.path: move for move in moves}
+    return parameters, with_kinds(candidates), {move.path: move for move in moves}
 
 
 def _unknown(candidates: Sequence[Candidate], known: set[str], chosen: Sequence[str]) -> list[Candidate]:
@@ -309,10 +311,18 @@ def _parameter(robot: Robot, move: ParameterPath, correlated: tuple[tuple[str, f
         farthest = _farthest(robot, item)
         lower, upper = move.value - farthest, move.value + farthest
     unit = move.unit.replace(" ", "*")
-    return Parameter(move.path, move.value, unit, sigma, lower, upper, correlated=correlated)
+    believed = None
+    if sigma is None and not move.path.startswith(EFFECTS):
+        believed = usual(item, move.value, move.unit, 0.0 if item is None else _largest(robot, item))
+    return Parameter(move.path, move.value, unit, sigma, lower, upper, usual=believed, correlated=correlated)
 
 
 def _farthest(robot: Robot, item: Item) -> float:
     """Return the largest plausible deviation of an element of a vector: that of a factor of three of the vector."""
+    return (FACTOR - 1.0) * _largest(robot, item) or np.inf
+
+
+def _largest(robot: Robot, item: Item) -> float:
+    """Return the largest element of a vector."""
     elements = [robot.quantities[n.path].value for n in item.numbers if n.path in robot.quantities]
-    return (FACTOR - 1.0) * max(map(abs, elements), default=0.0) or np.inf
+    return max(map(abs, elements), default=0.0)

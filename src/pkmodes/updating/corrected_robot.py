@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis
+from pkmodes.diagnosis.verdict.findings import Corrected
+from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.mechanism.described import DAMPING_RATIO
 from pkmodes.model.model import Model
 from pkmodes.robot.covariance import Covariance
@@ -25,12 +26,13 @@ NOTICEABLE = 1.05
 def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
     """Return the changes of the robot file after a diagnosis: refitted values, causes, and their uncertainty.
 
-    The standard deviations include what candidates that the data do not show could have done to the values.
+    The standard deviations include what candidates that the data do not show could have done to the values.  Losses
+    that the damping shows are among the changes; they change no other value.
     """
     explained = {value.name for value in widened(diagnosis)}
-    causes = {v.name for finding in diagnosis.effects for v in finding.parameters}
+    causes = {v.name for finding in diagnosis.every_cause for v in finding.parameters}
     changes = {}
-    for value in diagnosis.corrected:
+    for value in (*diagnosis.corrected, *diagnosis.damping.corrected):
         if value.name.startswith(frame.OF_MEASUREMENT):
             continue  # it concerns the measurements, not the robot
         note = "found by pkmodes diagnose" if value.name in causes else "refitted by pkmodes diagnose"
@@ -55,19 +57,26 @@ def covariance(robot: Robot, diagnosis: Diagnosis) -> Covariance | None:
     A group such as ``axis.span`` has no standard deviation in a file, so it is left out.
     """
     groups = groups_by_path(robot.mechanism)
+    losses = {value.name for value in diagnosis.damping.corrected}
     some = [
-        i
-        for i, value in enumerate(diagnosis.corrected)
+        (value, fit, place)
+        for fit in (diagnosis, diagnosis.damping)
+        for place, value in enumerate(fit.corrected)
         if not value.name.startswith(frame.OF_MEASUREMENT)
         and value.name not in groups
         and 0.0 < value.sigma < math.inf
+        and (fit is diagnosis.damping or value.name not in losses)
     ]
     if not some:
         return None
     return Covariance(
-        tuple(diagnosis.corrected[i].name for i in some),
-        tuple(tuple(diagnosis.correlation[i][k] for k in some) for i in some),
-        tuple(diagnosis.corrected[i].sigma for i in some),
+        tuple(value.name for value, _, _ in some),
+        tuple(
+            # Frequencies say nothing of losses, and ratios nothing else: the errors of the two fits are independent.
+            tuple(fit.correlation[i][k] if fit is other else 0.0 for _, other, k in some)
+            for _, fit, i in some
+        ),
+        tuple(value.sigma for value, _, _ in some),
     )
 
 

@@ -15,19 +15,13 @@ from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import held_out, limits
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.detectable import examined
+from pkmodes.diagnosis.verdict.findings import Corrected, Finding, Refitted, Stability, Value
 from pkmodes.diagnosis.verdict.judgement import Judgement
 from pkmodes.diagnosis.verdict.limits import Limits
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.notes import notes
-from pkmodes.diagnosis.verdict.result import (
-    Corrected,
-    Diagnosis,
-    Finding,
-    Refitted,
-    Stability,
-    Stages,
-    Value,
-)
+from pkmodes.diagnosis.verdict.possible import member
+from pkmodes.diagnosis.verdict.result import Diagnosis, Stages
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, Verdict
 
 
@@ -59,7 +53,9 @@ class DiagnosisBuilder:
         remaining = remains(judged) if verdict is AMBIGUOUS else []
         contested = [named[0] for named in remaining] if len(remaining) != 1 else remaining[0]
         if verdict is EFFECT_FOUND:
-            contested = [(_name(fit), fit) for fit in grouped[0][0]]
+            # The class of the first cause that the data cannot tell from others.
+            own = [groups[0] for groups in grouped]
+            contested = [(_name(fit), fit) for fit in next((fits for fits in own if len(fits) > 1), own[0])]
         # Beside a claimed cause, the other members of its class are not detectable; they are listed with it.
         claimed = {name for finding in findings for name in finding.members}
         unclaimed = [candidate for candidate in search.candidates if candidate.name not in claimed]
@@ -103,13 +99,15 @@ class DiagnosisBuilder:
             diagnosis.after,
             self.fitter.criteria.worse,
         )
+        proposed, not_separated = next_measurement(self.fitter, contested)
         return replace(
             diagnosis,
             effects=findings,
             survivors=tuple(tuple(name for name, _ in named) for named in remaining),
-            next_measurement=next_measurement(self.fitter, contested),
+            next_measurement=proposed,
+            not_separated=not_separated,
             candidates=tested,
-            notes=(*diagnosis.notes, *contradictions),
+            notes=(*diagnosis.notes, *judged.left_out, *contradictions),
         )
 
     def without_search(
@@ -180,14 +178,11 @@ class DiagnosisBuilder:
 
     def findings(self, judged: Judgement) -> tuple[Finding, ...]:
         """Return all claimed causes with their classes."""
-        return tuple(
-            self._finding(judged.final, place, groups[0], judged.p_values[place])
-            for place, groups in enumerate(judged.grouped)
-        )
+        return tuple(self._finding(judged, place, groups[0]) for place, groups in enumerate(judged.grouped))
 
-    def _finding(self, final: Fit, place: int, members: list[Fit], p_value: float) -> Finding:
+    def _finding(self, judged: Judgement, place: int, members: list[Fit]) -> Finding:
         """Return one cause with its class."""
-        cause = final.causes[place]
+        cause = judged.final.causes[place]
         index = {_name(fit): self.fitter.indices(fit.causes[-1]) for fit in members}
         alternatives = {_name(fit): self.values(fit, index[_name(fit)]) for fit in members}
         covariances = {
@@ -199,9 +194,10 @@ class DiagnosisBuilder:
             members=tuple(names),
             parameters=alternatives[cause.name],
             alternatives={name: alternatives[name] for name in names},
-            p_value=p_value,
+            p_value=judged.p_values[place],
             sentence=cause.sentence,
             covariances={name: covariances[name] for name in names},
+            about={_name(fit): member(self.fitter, fit, judged.plausible) for fit in members},
         )
 
     def values(self, fit: Fit, index: Sequence[int]) -> tuple[Value, ...]:

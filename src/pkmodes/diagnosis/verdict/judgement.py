@@ -11,7 +11,8 @@ Causes are claimed unless
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from math import comb
 
 import numpy as np
@@ -19,6 +20,7 @@ from scipy import stats
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.search.gate import Gate
+from pkmodes.diagnosis.search.ranges import plausible_sizes
 from pkmodes.diagnosis.search.score import one_sided
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
@@ -26,6 +28,7 @@ from pkmodes.diagnosis.verdict.classes import classes, other_pairs, survivors
 from pkmodes.diagnosis.verdict.measurement_errors import explained_by_errors
 from pkmodes.diagnosis.verdict.nested import more_general
 from pkmodes.diagnosis.verdict.notes import drift
+from pkmodes.diagnosis.verdict.possible import possible
 from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.diagnosis.verdict.specificity import p_coincidence
 from pkmodes.diagnosis.verdict.values import doubt_of_values
@@ -35,6 +38,8 @@ from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND
 PREFERENCES = 4
 #: Largest number of other causes that a reason mentions.
 MENTIONED = 4
+#: For each cause, the classes of fits that have another cause in its place.
+Grouped = tuple[list[list[Fit]], ...]
 
 
 @dataclass(frozen=True)
@@ -55,16 +60,22 @@ class Judgement:
         Why nothing is claimed although the residual would be explained.
     instead : Fit or None
         The explanation that is better with other errors or priors.
+    left_out : tuple of str
+        Sentences about what left a class, because its value is impossible.
+    plausible : mapping of int to float
+        Largest plausible deviations of the values of all members from the declared ones, by parameter.
     """
 
     verdict: Verdict
     final: Fit
     last: Gate
-    grouped: tuple[list[list[Fit]], ...]
+    grouped: Grouped
     others: tuple[Fit, ...]
     p_values: tuple[float, ...]
     doubt: str = ""
     instead: Fit | None = None
+    left_out: tuple[str, ...] = ()
+    plausible: Mapping[int, float] = field(default_factory=dict)
 
 
 def judge(search: Search, outcome: Outcome) -> Judgement:
@@ -84,8 +95,10 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
         if not final.causes[-1].remote:  # remote causes that are not nameable are not listed in a class
             named = [fit for fit in grouped[0][0] if fit.causes[-1].nameable]
             grouped = ([named, *grouped[0][1:]], *grouped[1:])
+    plausible, alike = _plausible(search, outcome.nuisances, grouped), grouped
+    final, grouped, left_out = _possible(search, final, grouped, plausible)
     last = search.gate(final)
-    others = tuple(other_pairs(search, final, _pairs_like(search, final), grouped))
+    others = tuple(other_pairs(search, final, _pairs_like(search, final), alike))
     p_values = tuple(_p_value(search, final, place) for place in range(len(final.causes)))
     kept = all(
         any(fit.causes[-1] == cause for fit in fits) for cause, fits in zip(final.causes, places, strict=True)
@@ -97,7 +110,33 @@ def judge(search: Search, outcome: Outcome) -> Judgement:
         verdict = AMBIGUOUS
     else:
         verdict = EFFECT_FOUND
-    return Judgement(verdict, final, last, grouped, others, p_values, doubt)
+    return Judgement(verdict, final, last, grouped, others, p_values, doubt, None, left_out, plausible)
+
+
+def _plausible(search: Search, plain: Fit, grouped: Sequence[Sequence[Sequence[Fit]]]) -> dict[int, float]:
+    """Return the largest plausible deviations of the values of the members of all classes that would be claimed."""
+    members = dict.fromkeys(fit.causes[-1] for groups in grouped if groups for fit in groups[0])
+    return plausible_sizes(search.store.fitter, plain, list(members))
+
+
+def _possible(
+    search: Search, final: Fit, grouped: Grouped, plausible: Mapping[int, float]
+) -> tuple[Fit, Grouped, tuple[str, ...]]:
+    """Return the claim and its classes without members whose value is impossible, and what is said of these.
+
+    If the one that names the class of a single cause is one of them, the best of the others names it.
+    """
+    classes, left_out = [], list[str]()
+    for cause, groups in zip(final.causes, grouped, strict=True):
+        kept, left = possible(search.store.fitter, groups[0] if groups else [], plausible)
+        if left and all(fit.causes[-1] != cause for fit in kept):
+            if len(final.causes) > 1 or not search.gate(kept[0]).passed:
+                kept, left = groups[0], []
+            else:
+                final = kept[0]
+        classes.append([kept, *groups[1:]] if groups else groups)
+        left_out += left
+    return final, tuple(classes), tuple(left_out)
 
 
 def _doubt_of_adequacy(search: Search, final: Fit) -> str:

@@ -13,7 +13,8 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.gate import Gate
-from pkmodes.diagnosis.verdict.result import Finding
+from pkmodes.diagnosis.verdict.findings import Finding
+from pkmodes.diagnosis.verdict.naming import explained
 
 
 def noise(fit: Fit, lines: NDArray[np.int_]) -> str:
@@ -39,17 +40,9 @@ def adequate(gate: Gate, setting_aside: str) -> str:
 
 def effect_found(findings: Sequence[Finding], gate: Gate, setting_aside: str) -> str:
     """Return the reason if causes are found."""
-    causes = " and ".join(_cause(finding) for finding in findings)
     smallest = min(gate.p_value, gate.p_candidates)
     aside = f"; {setting_aside}" if setting_aside else ""
-    return f"the residual of the declared model is not noise ({p_in_words(smallest)}); explanation: {causes}{aside}"
-
-
-def _cause(finding: Finding) -> str:
-    more = len(finding.members) - 1
-    others = "one other" if more == 1 else f"{more} others"
-    alike = f", or {others} of its class" if more else ""
-    return f"{finding.sentence} ({finding.name}{alike})" if finding.sentence else f"{finding.name}{alike}"
+    return f"the residual of the declared model is not noise ({p_in_words(smallest)}); {explained(findings)}{aside}"
 
 
 def ambiguous(classes: Sequence[Sequence[str]]) -> str:

@@ -1,0 +1,93 @@
+"""How a cause is named: a class of several candidates as what it is, never by one of them.
+
+Members that share a kind are named by it, "a compliance in series with the belt (clamps, gearboxes)"; the others by
+their sentences.  Every headline, reason and table takes its words from here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from pkmodes.diagnosis.verdict.findings import Finding
+from pkmodes.diagnosis.verdict.members import Member
+
+#: Numbers as words; larger ones are written in digits.
+NUMBERS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
+#: Characters of a class in a headline; what does not fit is counted, and listed below it.
+LONGEST = 120
+
+
+def count(number: int) -> str:
+    """Return a number in words."""
+    return NUMBERS[number] if number < len(NUMBERS) else str(number)
+
+
+def found(effects: Sequence[Finding], longest: int | None = None) -> str:
+    """Return what was found, to stand after "cause" or "causes".
+
+    Parameters
+    ----------
+    longest : int, optional
+        Characters of each class.
+
+    Returns
+    -------
+    str
+        "found: the gearboxes wind up", "narrowed to two: ...", or "found: ..., and one of two: ...".
+    """
+    if len(effects) == 1 and len(effects[0].members) > 1:
+        (effect,) = effects
+        return f"narrowed to {count(len(effect.members))}: {of_class(effect, longest)}"
+    return f"found: {', and '.join(_one(effect, longest) for effect in effects)}"
+
+
+def _one(effect: Finding, longest: int | None) -> str:
+    if len(effect.members) > 1:
+        return f"one of {count(len(effect.members))}: {of_class(effect, longest)}"
+    return effect.member(effect.name).words
+
+
+def explained(effects: Sequence[Finding]) -> str:
+    """Return what the causes explain, as a clause of a reason; a single candidate with its name."""
+    if len(effects) == 1 and len(effects[0].members) > 1:
+        return f"the cause is {found(effects)}"
+    parts = [
+        _one(effect, None) if len(effect.members) > 1 else effect.member(effect.name).with_name
+        for effect in effects
+    ]
+    return f"explanation: {' and '.join(parts)}"
+
+
+def of_class(effect: Finding, longest: int | None = None) -> str:
+    """Return the members of a class as alternatives, those of one kind together.
+
+    Parameters
+    ----------
+    longest : int, optional
+        Characters; the members that do not fit are counted.  There is always one alternative.
+    """
+    parts: list[str] = []
+    left = len(effect.members)
+    for text, size in _alternatives([effect.member(name) for name in effect.members]):
+        if longest is not None and parts and len(", or ".join([*parts, text])) > longest:
+            break
+        parts.append(text)
+        left -= size
+    if left:
+        parts.append(f"{count(left)} {'other' if left == 1 else 'others'}, listed below")
+    return ", or ".join(parts)
+
+
+def _alternatives(members: Sequence[Member]) -> Iterator[tuple[str, int]]:
+    """Yield the alternatives that a class offers, each with the number of its members."""
+    done: set[str] = set()
+    for member in members:
+        if member.kind in done:
+            continue
+        same = [one for one in members if one.kind and one.kind == member.kind]
+        if len(same) > 1:
+            done.add(member.kind)
+            parts = ", ".join(f"implausibly {one.part}" if one.implausible else one.part for one in same)
+            yield f"{member.kind} ({parts})", len(same)
+        else:
+            yield f"implausibly, {member.words}" if member.implausible else member.words, 1

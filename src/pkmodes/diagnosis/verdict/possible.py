@@ -1,0 +1,82 @@
+"""Which members a class keeps, and whether the value of each is one that such a part can have.
+
+A value is *impossible* if it lies beyond the plausible range in which limits are sought, which three standard
+deviations of a candidate's prior end too (`search.ranges`): such a member leaves the class.  It is *implausible* if
+it is outside of what such a part usually has (`Parameter.usual`): such a member stays, and is marked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from pkmodes.base.numbers import plain
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.problem import Parameter
+from pkmodes.diagnosis.verdict.members import Member
+
+#: What a value may exceed its range by: the last digits of a fit.
+ROUNDING = 1e-6
+
+
+def member(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Member:
+    """Return the last cause of a fit as the member of a class.
+
+    Parameters
+    ----------
+    plausible : mapping of int to float
+        Largest plausible deviations from the declared values, by parameter.
+    """
+    cause = fit.causes[-1]
+    why = impossible(fitter, fit, plausible) or _unusual(fitter, fit)
+    return Member(cause.name, cause.sentence, cause.kind, cause.part, why)
+
+
+def impossible(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> str:
+    """Return what a value of the last cause of a fit would have to be, if it is beyond its range; else empty."""
+    for i in fitter.indices(fit.causes[-1]):
+        p, size = fitter.parameters[i], plausible.get(i, np.inf)
+        if abs(float(fit.values[i]) - p.value) > (1.0 + ROUNDING) * size:
+            return f"at most {_with_unit(plain(size, 3), p)} from {_with_unit(plain(p.value, 3), p)} is plausible"
+    return ""
+
+
+def _unusual(fitter: Fitter, fit: Fit) -> str:
+    """Return what is expected of a value of the last cause of a fit, if it is not one that such a part has."""
+    for i in fitter.indices(fit.causes[-1]):
+        p = fitter.parameters[i]
+        if p.usual is not None and not p.usual[0] <= fit.values[i] <= p.usual[1]:
+            low, high = (plain(end, 3) for end in p.usual)
+            return f"{low} to {_with_unit(high, p)} is plausible"
+    return ""
+
+
+def _with_unit(text: str, p: Parameter) -> str:
+    return text if p.unit == "1" else f"{text} {p.unit}"
+
+
+def possible(
+    fitter: Fitter, group: Sequence[Fit], plausible: Mapping[int, float]
+) -> tuple[list[Fit], list[str]]:
+    """Return the members of a class whose values are possible, and a sentence for each of the others.
+
+    A class of which nothing would be left stays whole.
+    """
+    why = [impossible(fitter, fit, plausible) for fit in group]
+    if all(why):
+        return list(group), []
+    kept = [fit for fit, text in zip(group, why, strict=True) if not text]
+    left = [
+        f"{_values(fitter, fit)} would explain the measurements as well, but is left out of the class: {text}"
+        for fit, text in zip(group, why, strict=True)
+        if text
+    ]
+    return kept, left
+
+
+def _values(fitter: Fitter, fit: Fit) -> str:
+    """Return the values of the last cause of a fit."""
+    at = [(fitter.parameters[i], float(fit.values[i])) for i in fitter.indices(fit.causes[-1])]
+    return ", ".join(f"{p.name} = {_with_unit(plain(value, 3), p)}" for p, value in at)

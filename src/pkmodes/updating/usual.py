@@ -1,0 +1,71 @@
+"""What a value of a robot can be: how far the declared one may be wrong, by the kind of quantity.
+
+A diagnosis searches for a wrong value between a third and three times the declared one, which is more than a person
+would believe of a length.  A claimed value outside of the range here is marked as implausible; nothing else depends
+on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from pkmodes.diagnosis.problem import Parameter
+from pkmodes.measured.measurements import Measurements
+from pkmodes.robot.layout import GRAVITY, Item
+from pkmodes.updating import frame
+
+#: A wrong length is that of another part, some millimetres away [m], or goes to another point: some per cent of it.
+LENGTH = (0.005, 0.05)
+#: A mass is without its screws and cables, an inertia is that of another rotor, a stiffness is a catalogue's: each
+#: may be wrong by this factor.
+FACTOR = 2.0
+BY_FACTOR = ("mass", "moment of inertia", "specific stiffness", "stiffness", "torsional stiffness")
+#: A machine may stand in any direction; gravity itself varies by less than a per cent on the ground.
+ON_THE_GROUND = 1.01
+#: Standard deviations of the stated errors of the poses by which all of them may be shifted.
+SIGMAS = 3.0
+
+
+def usual(item: Item | None, value: float, unit: str, largest: float) -> tuple[float, float] | None:
+    """Return what a suspected value can be; None where nobody can say.
+
+    Parameters
+    ----------
+    item : Item or None
+        Its key; None for a group of lengths such as ``axis.span``.
+    value : float
+        As declared.
+    largest : float
+        Largest element of the vector that it belongs to.
+    """
+    if item is not None and item.key is GRAVITY:
+        return -ON_THE_GROUND * largest, ON_THE_GROUND * largest
+    if item is not None and item.key.dimension in BY_FACTOR:
+        return value / FACTOR, value * FACTOR
+    if (item is None and unit == "m") or (item is not None and item.key.dimension == "length"):
+        away = max(LENGTH[0], LENGTH[1] * max(abs(value), largest))
+        return value - away, value + away
+    return None
+
+
+def of_frame(parameters: Sequence[Parameter], data: Measurements) -> list[Parameter]:
+    """Return parameters with what a displacement of all poses can be where the file states errors of the poses."""
+    sigma = data.point_sigma.max(axis=0, initial=0.0)
+    stated = dict(zip(data.components, sigma.tolist(), strict=True))
+    linear = [k for k, unit in enumerate(data.component_units) if unit == "m"]
+    arm = float(np.linalg.norm(data.points[:, linear[:2]], axis=1).max(initial=0.0))
+    plane = float(sigma[linear[:2]].max(initial=0.0))
+
+    def known(p: Parameter) -> Parameter:
+        if p.name == frame.YAW:
+            most = SIGMAS * plane / arm if arm > 0.0 else 0.0
+        elif p.name.startswith(frame.OF_MEASUREMENT):
+            most = SIGMAS * stated.get(p.name.rpartition(".")[2], 0.0)
+        else:
+            return p
+        return replace(p, usual=(-most, most)) if most > 0.0 else p
+
+    return [known(p) for p in parameters]
