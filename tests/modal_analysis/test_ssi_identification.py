@@ -200,6 +200,33 @@ def test_a_band_above_nyquist_or_a_short_record_is_refused() -> None:
         identify_responses(1e-3, signals[:500], band=(10.0, 200.0))
 
 
+@pytest.mark.parametrize("bits", [8, 12, 16, None])
+@pytest.mark.parametrize(
+    ("tone", "rate", "channels"), [(48.3, 1000.0, 1), (50.0, 1000.0, 3), (97.3, 640.0, 3)]
+)
+def test_a_rounded_tone_is_a_line_and_no_mode(
+    tone: float, rate: float, channels: int, bits: int | None
+) -> None:
+    """Its rounding repeats with it, and has lines and bands that looked like up to 28 modes of up to 7 % damping."""
+    t = np.arange(int(20.0 * rate)) / rate
+    exact = np.outer(np.sin(2.0 * np.pi * tone * t + 0.3), np.array([1.0, 0.6, -0.3])[:channels])
+    signals = exact if bits is None else 9.81 * np.round(exact * 2 ** (bits - 1)) / 2 ** (bits - 1)
+    estimate, said = identify_responses(1.0 / rate, signals, band=(10.0, 200.0))
+    assert estimate.modes == ()
+    assert f"{tone:g} Hz is a line without bandwidth: a tone, no mode" in said
+    assert "only the rounding of its numbers" in said[-1]
+
+
+def test_a_mode_beside_a_tone_is_found_however_coarse_the_numbers() -> None:
+    """A clean decay in steps of an eighth of its amplitude has rounding besides it, but is more than that."""
+    t = np.arange(20_000) / 1000.0
+    decay = np.exp(-0.01 * 2.0 * np.pi * 80.0 * (t % 4.0)) * np.sin(2.0 * np.pi * 80.0 * (t % 4.0))
+    signals = np.round((decay + np.sin(2.0 * np.pi * 48.3 * t))[:, None] * 8.0) / 8.0
+    estimate, said = identify_responses(1e-3, signals, band=(10.0, 200.0))
+    assert any(mode.frequency == pytest.approx(80.0, abs=0.5) for mode in estimate.modes)
+    assert not any("only the rounding" in one for one in said)
+
+
 def test_memory_and_time_grow_with_the_sensors_and_not_with_their_pairs() -> None:
     """The products of all pairs at all lines took 390 MB here, and 20 GB with 500 sensors."""
     rng = np.random.default_rng(1)

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from pkmodes.identification.asked import NOTHING, Asked
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
+from pkmodes.identification.rounding import tones_alone
 from pkmodes.identification.ssi_bands import parts
 from pkmodes.identification.ssi_joining import beside_all, distinct, rest_of_tone, with_wanted
 from pkmodes.identification.ssi_parts import FIRST, ORDERS, PartMode, Wanted, modes_of_part
@@ -28,6 +29,10 @@ Complex = NDArray[np.complex128]
 #: Factor on standard deviations for what the peaks and the choice of an order leave out: measured on simulated
 #: records of 40 s, where 2 sigma without it cover 90 to 93 %.
 ALLOWANCE = 1.15
+#: What to say of a record of tones alone.
+NOTHING_ELSE = (
+    "besides tones the record holds only the rounding of its numbers, in which no mode can be found"
+)
 #: No standard deviation of the logarithm of a rate above this is told from it.
 MOST_RELATIVE = 3.0
 
@@ -72,11 +77,14 @@ def identify_responses(
     )
     pieces = usable_pieces(t_step, pieces, band)
     found_tones = find_tones(t_step, pieces, band, tones)
-    record = prepared(t_step, without_tones(t_step, pieces, found_tones, band))
+    without = without_tones(t_step, pieces, found_tones, band)
+    alone = tones_alone(t_step, pieces, without, found_tones, band)
+    found_tones = found_tones if alone is None else alone
+    record = prepared(t_step, without)
     found: list[PartMode] = []
-    poles: list[list[Complex]] = [[] for _ in ORDERS]
-    wanted: Wanted = {}
-    for part in parts(*band, 0.5 / t_step, record.seconds):
+    poles: list[list[Complex]] = [[np.zeros(0, complex)] for _ in ORDERS]
+    wanted: Wanted = {} if alone is None else dict.fromkeys(asked.add, NOTHING_ELSE)
+    for part in parts(*band, 0.5 / t_step, record.seconds) if alone is None else ():
         modes_found, more = modes_of_part(record, part, poles, asked)
         found += modes_found
         wanted = more | wanted
@@ -93,7 +101,8 @@ def identify_responses(
     stabilisation = Stabilisation(np.array(ORDERS), tuple(np.concatenate(some) for some in poles))
     lines = tuple(tone.frequency for tone in found_tones if band[0] <= tone.frequency <= band[1])
     estimate = Estimate(modes, stabilisation, *drawn(record, every, band), added, lines)
-    return estimate, _sentences(found_tones, every, record.seconds)
+    said = _sentences(found_tones, every, record.seconds)
+    return estimate, said if alone is None else (*said, NOTHING_ELSE)
 
 
 def _mode(record: PreparedRecord, one: PartMode) -> Mode:

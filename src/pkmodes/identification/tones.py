@@ -51,6 +51,11 @@ def no_bandwidth(frequency: float) -> str:
     return f"{frequency:.4g} Hz is a line without bandwidth: a tone, no mode"
 
 
+def around(band: tuple[float, float]) -> tuple[float, float]:
+    """Return where tones are looked for: the band and a little more [Hz]."""
+    return 0.9 * band[0], 1.05 * band[1]
+
+
 def find_tones(
     t_step: float, pieces: Sequence[Array], band: tuple[float, float], given: Sequence[float] = ()
 ) -> list[Tone]:
@@ -75,7 +80,7 @@ def find_tones(
         Tone(at, f"{at:.4g} Hz is given as a tone or is a multiple of one: no mode")
         for at in _given(f, power, band, given, seconds)
     ]
-    peaks = _peaks(power, *np.searchsorted(f, [0.9 * band[0], 1.05 * band[1]]))
+    peaks = _peaks(power, *np.searchsorted(f, around(band)))
     for k in PASSES * peaks:  # again, as a tone found later may have hidden this one
         if any(abs(f[k] - tone.frequency) * seconds < 4.0 for tone in found):
             continue
