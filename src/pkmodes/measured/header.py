@@ -26,7 +26,8 @@ from pkmodes.robot.units import QuantityError, base_units
 TEXT = ("pose", "mode", "drives")
 #: Prefix of the standard deviations of pose components.
 SPREAD = "sigma_"
-SEPARATORS = {";": "semicolons", "\t": "tabs", "|": "bars"}
+#: Separates the columns of tables that are no CSV.
+BAR = "|"
 EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"'}
 #: Units of a shape component of unknown kind: a displacement or a rotation.
 MOTIONS = ("m", "rad")
@@ -102,13 +103,12 @@ def read_header(
     known += [f"{SET}{name}" for name in settings]
     help_text = f"start with a header such as {','.join(required)}"
     text = ",".join(cells)
-    separator = max(SEPARATORS, key=text.count)
-    if separator in text and (
-        len(cells) == 1 or {part.strip() for part in text.split(separator)} >= {"pose"}
-    ):
-        name = SEPARATORS[separator]
-        remedy = f"the file uses {name}: replace them by commas, and decimal commas by points; {help_text}"
-        _refuse(f"expected columns separated by commas, found {shown(text)}", where, remedy)
+    if BAR in text and (len(cells) == 1 or {part.strip() for part in text.split(BAR)} >= {"pose"}):
+        what = f"expected columns separated by commas, semicolons or tabs, found {shown(text)}"
+        remedy = (
+            f"the file uses bars: replace them, by semicolons if numbers have decimal commas; {help_text}"
+        )
+        _refuse(what, where, remedy)
     parts = [_parted(cell, known) for cell in cells]
     names = [name for name, _ in parts]
     if not set(names) & set(required):
