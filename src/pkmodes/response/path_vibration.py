@@ -153,7 +153,9 @@ class _Vibration:
             Of the command.
         """
         n = 2 * self.modes
-        begin, end = (self._passed(0.5 * duration, of) for of in (self._of[:-1], self._of[1:]))
+        # Each sample ends one interval and begins the next: together, what is the same is computed once.
+        of = np.concatenate([self._of[:-1], self._of[1:]])
+        begin, end = np.split(self._passed(np.tile(0.5 * duration, 2), of), 2)
         across = np.zeros((len(begin), n, n))
         across[:, : self.modes, : self.modes] = self._positions
         across[:, self.modes :, self.modes :] = self._momenta
