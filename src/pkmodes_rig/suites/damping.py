@@ -23,7 +23,7 @@ from pkmodes_rig.suites.running import JOBS, processes, publish
 from pkmodes_rig.suites.tables import confusion, grouped, in_words, listed
 
 #: Seeds used during development, in whole or in part.
-SEEN = "1 to 9 and 20261219"
+SEEN = "1 to 9, 20261126, 20261128 and 20261219"
 #: Requirements: smallest fraction of the outcomes that should be so, by group.
 LEAST = {
     "nothing missing": (("adequate",), 0.95),
@@ -83,11 +83,13 @@ def page(outcomes: Sequence[Outcome], seed: int, every: int, seconds: float, job
         "the ratios, or nothing (they scatter by 15 %); in every second case they scatter by another 10 % that",
         "nobody states. The losses damp the modes that they reach by 0.4 to 3 % in the median; no case is left out",
         "because its losses are hard to tell. Every fourth specimen also carries a payload that is not in the file.",
+        "*Scatter by mode*: the ratio of each mode is larger or smaller at all poses, by 20 to 40 %, and no error is",
+        "stated, as laboratories measure it. These cases are diagnosed with and without the damping.",
         "",
         "*Named*: every class that is claimed contains what dissipates, and nothing is left out. *Partly*: something",
         "is left out. *Wrong*: a class without anything that dissipates is claimed, among others or alone.",
         "*Adequate*: the damping is that of the file, or, where the file declares none, one ratio for all modes,",
-        "within a scatter of 25 % beyond the stated errors, as that of repeated tests.",
+        "within a scatter by a factor of 1.5 beyond the stated errors, as that of repeated tests.",
         "*Abstained*: everything else. Where belts or reducers are the only springs, their losses are exactly one",
         "ratio for all modes, so that *adequate* is no mistake there, but names nothing either.",
         "",
