@@ -136,7 +136,7 @@ def reasons_of(robot: Used) -> dict[str, str]:
         return known
     return {
         **known,
-        USABLE: f"the pose is beyond the usable limits: {in_words(robot.mechanism, robot.usable)}",
+        USABLE: f"the pose is left out, beyond the usable limits: {in_words(robot.mechanism, robot.usable)}",
     }
 
 
