@@ -173,7 +173,7 @@ def test_the_stability_says_what_was_changed(undecided: Element) -> None:
     assert rows == [
         ["\u03c3 halved", "unexplained", "payload", "usual where the stated sigma is right"],
         ["\u03c3 doubled", "adequate", "\u2013", "errors twice as large would explain the residual"],
-        ["priors twice as wide", "effect found", "belt_mass + payload", "\u2013"],
+        ["priors twice as wide", "effect_found", "belt_mass + payload", "\u2013"],
     ]
 
 

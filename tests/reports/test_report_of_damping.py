@@ -52,7 +52,7 @@ def test_the_section_says_what_the_result_says(damped: tuple[Diagnosis, dict[str
     result, content, page = damped
     assert f"The verdict is that of frequencies and shapes; {result.damping.reason}." in page.text
     text = page.by_id("damping").text
-    assert "Verdict on the damping: effect found." in text
+    assert "Verdict on the damping: effect_found." in text
     assert result.damping.reason[1:] in text
     assert f"{result.damping.fitted} fitted ratios" in text
     assert result.damping.fitted == sum(row["damping_used"] for row in content["rows"])

@@ -38,7 +38,7 @@ def damping(result: Diagnosis, setting: Setting) -> list[Block]:
         return []
     blocks: list[Block] = [
         Paragraph(
-            f"Verdict on the damping: {found.verdict.replace('_', ' ')}. "
+            f"Verdict on the damping: {found.verdict}. "
             f"{prose(f'{found.reason[:1].upper()}{found.reason[1:]}.')}"
         ),
         *explanations.causes(found, setting, TOP),
@@ -76,7 +76,7 @@ def _stability(found: Damping) -> list[Block]:
     """Return what the verdict on the damping becomes with other errors or priors, where it changes."""
     own = {name for effect in found.effects for name in effect.members}
     parts = [
-        f"{CHANGES.get(s.change, s.change)}: {' '.join([s.verdict.replace('_', ' '), *s.effects])}"
+        f"{CHANGES.get(s.change, s.change)}: {' '.join([s.verdict, *s.effects])}"
         for s in found.stability
         if s.verdict != found.verdict or not set(s.effects) <= own
     ]

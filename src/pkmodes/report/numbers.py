@@ -152,7 +152,7 @@ def stability(result: Diagnosis) -> list[Block]:
     rows = [
         [
             Cell(CHANGES.get(s.change, s.change)),
-            Cell(s.verdict.replace("_", " ")),
+            Cell(s.verdict),
             Cell(" + ".join(named(name, sentences) for name in s.effects) or NOTHING),
             Cell(SAME if same(result, s) else meaning(result, s) or NOTHING),
         ]
