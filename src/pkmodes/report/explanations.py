@@ -42,7 +42,7 @@ def causes(result: Diagnosis, setting: Setting) -> list[Block]:
             names = ", ".join(map(clean, effect.members))
             entries.append(("Names" if several else "Name", [Cell(names)]))
         entries.append(("p-value", [p_value(effect.p_value, pointer("effects", i, "p_value"))]))
-        blocks += [Facts(entries), *_relative(effect, i, setting), _members(effect, i, setting, sentences)]
+        blocks += [Facts(entries), *_relative(effect, i, setting), _members(result, i, setting, sentences)]
         if several:
             blocks.append(
                 Paragraph(
@@ -58,31 +58,43 @@ def causes(result: Diagnosis, setting: Setting) -> list[Block]:
     return blocks
 
 
-def _members(effect: Finding, i: int, setting: Setting, sentences: Mapping[str, str]) -> Table:
-    """Return the values of the cause, and of each other member of its class if it were the cause."""
+def _members(result: Diagnosis, i: int, setting: Setting, sentences: Mapping[str, str]) -> Table:
+    """Return the values of the cause, and of each other member of its class if it were the cause.
+
+    The standard deviation of a single cause is the one that may be relied on, beside that of the fit.
+    """
+    effect = result.effects[i]
+    alone = len(effect.members) == 1
     rows = []
     for member in effect.members:
         why = effect.member(member).implausible
         for value in effect.alternatives[member]:
             at = ("effects", i, "alternatives", member, key(value))
+            fit, saved = pointer(*at, "sigma"), pointer("effects", i, "parameters", key(value), "saved_sigma")
+            sigma = result.believed(value).sigma if alone else value.sigma
             rows.append(
                 [
                     Cell.named(clean(sentences.get(member, "")), clean(member)),
                     Cell.named(setting.words(value.name), clean(value.name)),
-                    uncertain(value.value, value.sigma, pointer(*at, "value"), pointer(*at, "sigma")),
+                    uncertain(value.value, sigma, pointer(*at, "value"), saved if alone else fit),
+                    *((figures(value.sigma, 2, fit),) if alone else ()),
                     Cell(unit(value.unit)),
                     Cell(prose(f"no: {why}") if why else "yes"),
                 ]
             )
-    columns = [Column("cause", False), Column("parameter", False), Column("value")]
+    columns = [Column("cause", False), Column("parameter", False)]
+    columns += (
+        [Column("value"), Column("\u03c3 of the fit")] if alone else [Column("value, \u03c3 of the fit")]
+    )
     columns += [Column("unit", False), Column("plausible", False)]
-    if len(effect.members) == 1:  # the cause stands above
+    if alone:  # the cause stands above
         rows, columns = [row[1:] for row in rows], columns[1:]
-    if all(effect.plausible.values()) and len(effect.members) == 1:
+    if alone and all(effect.plausible.values()):
         rows, columns = [row[:-1] for row in rows], columns[:-1]
     caption = (
-        f"Size of the cause{', with that mean' if effect.relative() else ''}."
-        if len(effect.members) == 1
+        f"Size of the cause{', with that mean' if effect.relative() else ''}; its standard deviation includes what "
+        "a candidate that these data do not show could have done to it."
+        if alone
         else "The class: each member as if it were the cause."
     )
     return table(caption, columns, rows)
@@ -248,14 +260,14 @@ def _standing(result: Diagnosis, name: str) -> str:
 
 
 def _undetectable(result: Diagnosis) -> list[Block]:
-    """Return what these data would not show, not even of a size that moves a frequency by a tenth."""
+    """Return what these data neither show nor bound."""
     if not result.undetectable:
         return []
     sentences = {one.name: one.sentence for one in result.candidates}
     return [
         Paragraph(
-            "Not detectable with these data, even if they moved a measured frequency by 10 % or had their largest "
-            "plausible size. That they were not found says nothing about them:"
+            "Not detectable with these data: nothing bounds them within their plausible range, and no explanation "
+            "contains them. That they were not found says nothing about them:"
         ),
         Listing([named(name, sentences) for name in result.undetectable]),
     ]

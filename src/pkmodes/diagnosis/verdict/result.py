@@ -42,6 +42,10 @@ class Value:
     unit: str
 
 
+#: A saved standard deviation that is larger than that of the fit by this factor is explained.
+NOTICEABLE = 1.05
+
+
 @dataclass(frozen=True)
 class Corrected(Value):
     """A parameter that the last stage of the model changed.
@@ -73,6 +77,11 @@ class Corrected(Value):
         if self.prior_sigma is None:
             return sigma
         return max(self.sigma, min(sigma, math.hypot(self.prior_sigma, self.value - self.declared)))
+
+    @property
+    def widened(self) -> bool:
+        """Whether the saved standard deviation is noticeably larger than that of the fit."""
+        return self.saved_sigma > NOTICEABLE * self.sigma
 
 
 @dataclass(frozen=True)
@@ -185,7 +194,7 @@ class Examined:
         Smallest change of each parameter that these data would probably show, with its standard deviation, beside
         what is claimed; none if it would not be plausible.
     detectable : bool
-        Whether these data show it, or would show a plausible change that moves a frequency by a tenth.
+        Whether these data show it or bound it.
     sentence : str
         Physical meaning.
     """
@@ -261,6 +270,8 @@ class Diagnosis:
         Partners, differences and MAC of all measured modes, for figures; not part of the JSON.
     damping : Damping or None
         What the damping says, where it was measured and diagnosed; in the JSON, its ratios are among the rows.
+    headline : str
+        What of the refitted values a headline says beside the verdict; empty for nothing.
     """
 
     verdict: Word
@@ -284,16 +295,17 @@ class Diagnosis:
     limits: Mapping[str, Limit] = field(default_factory=dict)
     stages: Stages | None = field(default=None, compare=False, repr=False)
     damping: Damping | None = None
+    headline: str = ""
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]
         for effect in self.effects:
             p = p_in_words(effect.p_value)
             if len(effect.members) == 1:
-                lines.append(f"cause: {effect.name} ({p}): {_values(effect, effect.name)}")
+                lines.append(f"cause: {effect.name} ({p}): {_values(effect, effect.name, self)}")
                 continue
             lines.append(f"cause: one of these, which these data cannot tell apart ({p})")
-            lines += [f"  {name}: {_values(effect, name)}" for name in effect.members]
+            lines += [f"  {name}: {_values(effect, name, self)}" for name in effect.members]
         lines += [f"remains: {' or '.join(group)}" for group in self.survivors]
         for stage, error in (("before", self.before), ("refit", self.refit), ("after", self.after)):
             if error is not None:
@@ -303,6 +315,27 @@ class Diagnosis:
                 lines.append(f"{stage:6} {rms}{apart}chi2 per degree of freedom {error.chi2_per_dof:.3g}")
         lines += [f"note: {text}" for text in self.notes]
         return "\n".join(lines)
+
+    def saved(self, value: Value) -> Corrected | None:
+        """Return a value of a cause as the corrected robot file has it; None for another member of a class."""
+        return next(
+            (one for one in self.corrected if (one.name, one.value) == (value.name, value.value)), None
+        )
+
+    def believed(self, value: Value) -> Value:
+        """Return a value with the standard deviation that may be relied on: the saved one, where there is one."""
+        saved = self.saved(value)
+        return value if saved is None else replace(value, sigma=saved.saved_sigma)
+
+    def why_larger(self, value: Value) -> str:
+        """Return why the standard deviation of a value is larger than that of the fit; empty if it is not."""
+        saved = self.saved(value)
+        if saved is None or saved.unseen is None or not saved.widened:
+            return ""
+        fit = rounded(value.value, value.sigma).columns[1]
+        return (
+            f"+- {fit} by the fit alone; the rest is what an unseen {saved.unseen.candidate} could have done"
+        )
 
     @property
     def settled(self) -> bool:
@@ -360,13 +393,12 @@ def key(v: Value) -> str:
     return v.name.split(".")[-1] if v.name.startswith("effects.") else v.name
 
 
-def _values(effect: Finding, member: str) -> str:
+def _values(effect: Finding, member: str, result: Diagnosis) -> str:
     """Return the values of a cause, or of another member of its class, and whether they are implausible."""
     relative = effect.relative(member)
-    values = [
-        f"{v.name} = {rounded(v.value, v.sigma)} {v.unit}".removesuffix(" 1")
-        for v in relative or effect.alternatives.get(member, ())
-    ]
+    fitted = relative or effect.alternatives.get(member, ())
+    shown = [result.believed(v) for v in fitted] if len(effect.members) == 1 and not relative else fitted
+    values = [f"{v.name} = {rounded(v.value, v.sigma)} {v.unit}".removesuffix(" 1") for v in shown]
     also, why = " relative to their mean" if relative else "", effect.member(member).implausible
     return ", ".join(values) + also + (f" (implausible: {why})" if why else "")
 
