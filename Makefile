@@ -41,7 +41,7 @@ demo: $(VENV)/.demo  ## the whole loop, from the robot file and signals to corre
 	@echo "  build/mode.gif              its second mode, as in the README"
 
 test: $(VENV)/.dev  ## all tests, including the slow ones
-	$(BIN)/python -m pytest -n auto --dist worksteal --durations=15
+	$(BIN)/python -m pytest -n auto --dist loadfile --no-loadscope-reorder --processor-time build/processor_time.tsv
 
 lint: $(VENV)/.dev
 	$(BIN)/python -m ruff format --check .
@@ -69,6 +69,7 @@ docs: $(VENV)/.docs  ## the documentation as a site, in build/site
 
 benchmark: $(VENV)/.benchmark  ## tables of docs/compiled.md, docs/maps.md and docs/identification-compared.md, and other times
 	$(BIN)/python benchmarks/backends.py
+	$(BIN)/python benchmarks/one_core.py --keep
 	$(BIN)/python benchmarks/evaluation.py
 	$(BIN)/python benchmarks/many_rows.py
 	$(BIN)/python benchmarks/large_models.py

@@ -1,5 +1,8 @@
 """Every way on one core, in one process: what `backends.py` runs first.  It writes JSON to the file it is given.
 
+    python benchmarks/one_core.py [--keep]
+
+Without a file it prints what calls take as ratios (`ratios.py`), and with ``--keep`` adds them to docs/compiled.md.
 `backends.py` has limited the process to one core and one thread before NumPy and the others are loaded.
 """
 
@@ -14,8 +17,10 @@ from pathlib import Path
 
 import numpy as np
 
+import backends
 import operations
 import ours
+import ratios
 from machine import Peak, parts
 from peers import BLOCK, Array, MissingError, Way, ways
 from pkmodes.base.errors import PkmodesError
@@ -28,6 +33,8 @@ SAME = 1e-8
 #: Poses in a call from which a call may take no longer than this [s].
 SIZES = [1, 3, 10, 30, 100, 300, 1000, 3000, *(int(m * 10**k) for k in (4, 5, 6) for m in (1, 3)), 10**7]
 PATIENCE, PATIENCE_OURS = 0.7, 8.0
+#: Option of the process that measures the ratios.
+RATIOS = "--ratios"
 
 
 def main(target: Path, quick: bool) -> None:
@@ -192,8 +199,24 @@ def costs(run: Callable[[int], None], most: int, patience: float) -> Iterator[tu
         yield size, 1e6 * each
 
 
+def print_ratios(arguments: list[str]) -> None:
+    found = ratios.times(3 if "--quick" in arguments else ratios.REPETITIONS)
+    print("\n".join(ratios.lines(found)))
+    if "--keep" in arguments:
+        ratios.keep(found, ratios.ROOT / "docs" / "compiled.md")
+
+
 if __name__ == "__main__":
+    options = sys.argv[1:]
+    files = [Path(one) for one in options if not one.startswith("--")]
     try:
-        main(Path(sys.argv[1]), "--quick" in sys.argv)
+        if RATIOS in options:
+            print_ratios(options)
+        elif files:
+            main(files[0], "--quick" in options)
+        else:  # in a process with one core and one thread
+            print(
+                backends.child("one_core.py", [RATIOS, *options], backends.ONE_THREAD, backends.alone), end=""
+            )
     except PkmodesError as error:
         sys.exit(f"error: {error}")

@@ -1,5 +1,7 @@
 """What all tests share: threads, the back ends, one browser for a worker, and what is computed once for all workers.
 
+What one process of a run has derived, of the tests or started by them, the others find in a folder of the run.
+
 Tests marked `compiler` need a C compiler; where there is none they are skipped.  `.ci/run` requires one.
 """
 
@@ -13,8 +15,12 @@ os.environ |= dict.fromkeys(
     ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"), "1"
 )
 
+# SymPy remembers more of what it has computed than it would by itself: emission takes a sixth less.
+os.environ["SYMPY_CACHE_SIZE"] = "50000"
+
 import importlib
 import math
+import tempfile
 from collections.abc import Iterator
 
 import hypothesis
@@ -23,11 +29,19 @@ import threadpoolctl
 
 from helpers.generated.emission import Emission
 from helpers.pages.browser import close_browsers
+from helpers.pages.without_drawing import without_drawing
 from helpers.runs.shared import Shared
 from pkmodes.compiled import build
 from pkmodes.solve.backends import VARIABLE
+from pkmodes_derive import kept
 
 pytest_plugins = ["helpers.runs.processor_time"]
+
+# Made before workers start, which inherit the variable; a folder that a developer names outlives the run.
+_derived = None
+if kept.VARIABLE not in os.environ:
+    _derived = tempfile.TemporaryDirectory(prefix="pkmodes-derived-")
+    os.environ[kept.VARIABLE] = _derived.name
 
 # A plugin may have loaded NumPy before.
 threadpoolctl.threadpool_limits(1)
@@ -39,6 +53,11 @@ hypothesis.settings.register_profile(
     suppress_health_check=[hypothesis.HealthCheck.function_scoped_fixture, hypothesis.HealthCheck.too_slow],
 )
 hypothesis.settings.load_profile("pkmodes")
+
+
+def pytest_unconfigure() -> None:
+    if _derived is not None:
+        _derived.cleanup()
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -72,6 +91,13 @@ def shared(tmp_path_factory: pytest.TempPathFactory) -> Shared:
 def emission(shared: Shared) -> Emission:
     """The parametric models and the pages of the derivation: emitted once."""
     return Emission(shared)
+
+
+@pytest.fixture
+def no_drawing() -> Iterator[None]:
+    """Pages are made without their figures."""
+    with without_drawing():
+        yield
 
 
 @pytest.fixture(scope="session", autouse=True)

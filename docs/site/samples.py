@@ -5,10 +5,10 @@ Where there is no site, as on GitHub, the commands stand as code.
 
 from __future__ import annotations
 
-import os
+import contextlib
+import io
 import shlex
-import subprocess
-import sys
+from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from shutil import copy2
 from tempfile import TemporaryDirectory
@@ -17,6 +17,8 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
+
+from pkmodes.cli import run
 
 ROOT = Path(__file__).parents[2]
 #: Folder of the site for what the commands write; pages with samples are beside it.
@@ -45,6 +47,8 @@ class Sample(SphinxDirective):
 def make(app: Sphinx, failed: Exception | None) -> None:
     """Run the commands of all samples, each after the other in one folder, and copy what they wrote.
 
+    They run in this process, which has loaded pkmodes anyway.
+
     Raises
     ------
     ExtensionError
@@ -58,8 +62,6 @@ def make(app: Sphinx, failed: Exception | None) -> None:
         for name, commands in about.get("samples", {}).items()
     }
     target = Path(app.outdir) / FOLDER
-    paths = [str(ROOT / part) for part in ("src", "generated", "derive")]
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(paths), "OMP_NUM_THREADS": "1"}
     with TemporaryDirectory() as place:
         for part in LINKED:
             (Path(place) / part).symlink_to(ROOT / part)
@@ -68,16 +70,11 @@ def make(app: Sphinx, failed: Exception | None) -> None:
                 words = shlex.split(command, comments=True)
                 if words[0] != "pkmodes":
                     raise ExtensionError(f"sample {name}: expected a command of pkmodes, found {words[0]}")
-                run = subprocess.run(
-                    [sys.executable, "-m", *words],
-                    cwd=place,
-                    env=environment,
-                    capture_output=True,
-                    text=True,
-                    check=False,
-                )
-                if run.returncode != 0:
-                    raise ExtensionError(f"sample {name}: {command} failed: {run.stderr}")
+                said = io.StringIO()
+                with contextlib.chdir(place), redirect_stdout(said), redirect_stderr(said):
+                    code = run(words[1:])
+                if code != 0:
+                    raise ExtensionError(f"sample {name}: {command} failed: {said.getvalue()}")
             if not (Path(place) / name).is_file():
                 raise ExtensionError(f"sample {name}: its commands did not write it")
             (target / name).parent.mkdir(parents=True, exist_ok=True)

@@ -10,35 +10,27 @@ import os
 import signal
 import sys
 
-INTERRUPTED = 130
+from pkmodes.base.interrupts import INTERRUPTED, is_ours, leave
 
 
 def main() -> None:
     """Run the command line and exit; a user's mistake is one line on stderr, never a traceback."""
-    ours = (
-        signal.getsignal(signal.SIGINT) is signal.default_int_handler
-    )  # a shell's background job ignores it
+    ours = is_ours()
     if ours:
-        signal.signal(signal.SIGINT, _leave)
+        signal.signal(signal.SIGINT, leave)
     from pkmodes.cli import run
+    from pkmodes.cli.libraries import quiet_libraries
 
     if ours:
         signal.signal(signal.SIGINT, signal.default_int_handler)
+    quiet_libraries()
     code = run()
     if ours:  # the work is done: only the interpreter's shutdown remains
-        signal.signal(signal.SIGINT, _leave)
+        signal.signal(signal.SIGINT, leave)
     if code == INTERRUPTED:
         # If the interrupt came while a library was compiling code, Python would end with the signal instead.
         os._exit(code)
     sys.exit(code)
-
-
-def _leave(*_: object) -> None:
-    try:
-        newline = b"\n" if os.isatty(2) else b""  # after the terminal's ^C
-        os.write(2, newline + b"error: interrupted (pkmodes); run it again\n")
-    finally:
-        os._exit(INTERRUPTED)
 
 
 if __name__ == "__main__":

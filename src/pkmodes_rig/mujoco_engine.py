@@ -57,6 +57,9 @@ class Engine:
         self.parameters = parameters
         self.x = carriage_positions(parameters, p)
         xml = _description(parameters, np.asarray(p, dtype=float), self.x, axial_inertia, rod_radius)
+        #: Computed once for each position.
+        self._motions: np.ndarray | None = None
+        self._inertia: np.ndarray | None = None
         self.model = mujoco.MjModel.from_xml_string(xml)
         self.data = mujoco.MjData(self.model)
         self._carriages = [self._dof(f"carriage_{j}") for j in AXES]
@@ -65,6 +68,9 @@ class Engine:
         self._platform = [self._dof(f"platform_{i}") for i in "xyz"]
         self._rods = [self._id(mujoco.mjtObj.mjOBJ_BODY, f"rod_{j}") for j in AXES]
         self._coordinates = self._carriages + self._pulleys
+        self._places = np.array([self.model.jnt_qposadr[self.model.dof_jntid[i]] for i in self._coordinates])
+        # The engine expresses the velocity of a ball joint in the frame of the rod, whose z axis is along the rod.
+        self._spins_and_coordinates = np.eye(self.model.nv)[[i + 2 for i in self._balls] + self._coordinates]
         for j in AXES:
             # The engine takes the second anchor of a pin from the assembled pose, whatever that pose is.  Set it
             # to the true rod length, so that closing the loop is left to the engine.
@@ -79,6 +85,7 @@ class Engine:
     def move(self, q: np.ndarray) -> None:
         """Displace carriages and pulleys to `q`, at rest, and close the loops by Newton's method."""
         residual = np.inf
+        self._motions = self._inertia = None
         for _ in range(20):
             self.data.qvel[:] = 0
             mujoco.mj_fwdPosition(self.model, self.data)
@@ -110,7 +117,9 @@ class Engine:
 
     def motions(self) -> np.ndarray:
         """Return the joint velocities that the constraints allow, per spin of each rod, then per q_dot."""
-        return np.linalg.inv(self._square())[:, -12:]
+        if self._motions is None:
+            self._motions = np.linalg.inv(self._square())[:, -12:]
+        return self._motions
 
     def allowed(self) -> np.ndarray:
         """Return the joint velocities per q_dot: the null space of the constraints, without spin of the rods."""
@@ -130,10 +139,11 @@ class Engine:
 
     def inertia(self) -> np.ndarray:
         """Return the inertia matrix of all joints with the loops open."""
-        columns = np.zeros((self.model.nv, self.model.nv))
-        for column, unit in zip(columns, np.eye(self.model.nv), strict=True):
-            mujoco.mj_mulM(self.model, self.data, column, unit)  # mj_fullM changed its arguments in 4.0
-        return columns
+        if self._inertia is None:
+            self._inertia = np.zeros((self.model.nv, self.model.nv))
+            for column, unit in zip(self._inertia, np.eye(self.model.nv), strict=True):
+                mujoco.mj_mulM(self.model, self.data, column, unit)  # mj_fullM changed its arguments in 4.0
+        return self._inertia
 
     def mass_matrix(self) -> np.ndarray:
         """Return the mass matrix in the nine coordinates."""
@@ -251,14 +261,12 @@ class Engine:
         return acceleration[3:]
 
     def _displacements(self) -> np.ndarray:
-        return self.data.qpos[[self.model.jnt_qposadr[self.model.dof_jntid[i]] for i in self._coordinates]]
+        return self.data.qpos[self._places]
 
     def _square(self) -> np.ndarray:
         """Return the rows that determine a motion: the engine's constraints, spin of the rods, the coordinates."""
         constraints = np.reshape(self.data.efc_J, (self.data.nefc, self.model.nv))
-        rows = np.eye(self.model.nv)
-        # The engine expresses the velocity of a ball joint in the frame of the rod, whose z axis is along the rod.
-        return np.vstack([constraints, rows[[i + 2 for i in self._balls]], rows[self._coordinates]])
+        return np.vstack([constraints, self._spins_and_coordinates])
 
     def _id(self, kind: mujoco.mjtObj, name: str) -> int:
         return int(mujoco.mj_name2id(self.model, kind, name))

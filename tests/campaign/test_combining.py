@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from types import SimpleNamespace
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 
 from pkmodes.campaign.averaging import Mean, averaged, mean_shape
 from pkmodes.campaign.found import Found, mac
-from pkmodes.campaign.grouping import grouped
+from pkmodes.campaign.grouping import _apart, grouped
 from pkmodes.campaign.joining import joined
 from pkmodes.campaign.motion import motion
 from pkmodes.campaign.revisits import revisited
@@ -38,6 +39,57 @@ def test_shapes_tell_modes_that_cross_apart() -> None:
     )
     found = sorted(tuple(mode.frequency for _, mode in sorted(group.items())) for group in groups)
     assert found == [(50.0, 50.3), (50.2, 50.1)]
+
+
+def by_definition(files: list[list[Found]]) -> list[list[tuple[int, Found]]]:
+    """Merge the nearest pair of all groups until none is near: the definition, cubic in the number of modes."""
+    groups = [{i: mode} for i, modes in enumerate(files) for mode in modes]
+    groups.sort(key=lambda group: min((mode.frequency, i) for i, mode in group.items()))
+    while True:
+        pairs = [
+            (float(np.mean([_apart(a, b) for a in groups[i].values() for b in groups[k].values()])), i, k)
+            for k in range(len(groups))
+            for i in range(k)
+            if not groups[i].keys() & groups[k].keys()
+        ]
+        least, i, k = min(pairs, default=(2.0, 0, 0))
+        if least > 1.0:
+            break
+        groups[i] |= groups.pop(k)
+    groups.sort(key=lambda group: float(np.mean([mode.frequency for mode in group.values()])))
+    return [sorted(group.items(), key=lambda one: one[0]) for group in groups]
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_groups_are_those_of_the_definition(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    f, shapes = 50.0 * np.exp(np.sort(rng.uniform(0.0, 0.08, 10))), rng.normal(size=(10, 3))
+    files = [
+        [
+            Found(
+                f[k] * np.exp(rng.normal(0.0, 4e-3)),
+                shape=dict(zip("abc", (shapes[k] + rng.normal(0.0, 0.2, 3)).astype(complex), strict=True)),
+                resolution=float(rng.choice([0.0, 1.0])),
+            )
+            for k in range(10)
+            if rng.uniform() < 0.85
+        ]
+        for _ in range(4)
+    ]
+    found = [sorted(group.items(), key=lambda one: one[0]) for group in grouped(files)]
+    assert found == by_definition(files)
+
+
+def test_thousands_of_modes_are_grouped_and_averaged_in_seconds() -> None:
+    rng = np.random.default_rng(1)
+    f, shapes = np.sort(rng.uniform(10.0, 400.0, 2000)), rng.normal(size=(2000, 3)).astype(complex)
+    modes = [
+        Found(value, shape=dict(zip("abc", of, strict=True))) for value, of in zip(f, shapes, strict=True)
+    ]
+    start = time.process_time()
+    assert len(averaged(grouped([modes]))) == 2000
+    assert len(grouped([modes, [Found(mode.frequency, shape=mode.shape) for mode in modes[::4]]])) == 2000
+    assert time.process_time() - start < 5.0
 
 
 def test_setups_are_weighted_by_their_variances_and_their_spread_counts_where_it_is_larger() -> None:

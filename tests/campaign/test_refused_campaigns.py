@@ -43,6 +43,12 @@ SENSOR = '[[sensor]]\nname = "a"\nchannel = "p_x"\nunit = "m/s^2"\n'
         (HEAD + RECORD.replace(', z = "-245 mm"', ""), "expected x, y, z, found no z (c.toml: record.1.at)"),
         (HEAD + RECORD.replace("z =", "w ="), 'unknown component "w" (c.toml: record.1.at)'),
         (HEAD + RECORD.replace("-245 mm", "-2 m"), "(c.toml: record.1.at)"),
+        (
+            HEAD + RECORD.replace('"P1"', '"P\\u001b[2J1"'),
+            r'expected a label, found "P\x1b[2J1" (c.toml: record.1.pose)',
+        ),
+        (HEAD + RECORD.replace('"P1"', '"P\\n1"'), r'found "P\n1" (c.toml: record.1.pose)'),
+        (HEAD + RECORD + RECORD.replace('"P1"', '" P1 "'), 'the label "P1" is that of record 1, too'),
         (HEAD + RECORD + RECORD, 'the label "P1" is that of record 1, too (c.toml: record.2.pose)'),
         (HEAD + RECORD.replace('["p1.csv"]', "[]"), "expected files, found none (c.toml: record.1.files)"),
         (
@@ -132,6 +138,7 @@ def test_the_place_of_a_mistake_is_named(
         ),
         ("frequency\n50\n", 'columns = { frequency = "f0", damping = "f0" }\n', "name the same column"),
         ("frequency\n5\n", "", "expected modes, found none in any record"),
+        ("frequency\n" + "50\n" * 201, "", "expected modes, found 201 within 1 % from 50 Hz (p1.csv)"),
         (
             "frequency\n50\n",
             '[[edit]]\npose = "P1"\nstrike = ["60 Hz"]\n',

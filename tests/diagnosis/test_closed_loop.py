@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import csv
 import importlib.util
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+import pkmodes
 from helpers.diagnoses import closed_loop_example
 from pkmodes import read_robot, updating
-from pkmodes.diagnosis import diagnose
+from pkmodes.diagnosis import Measurements, diagnose
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.robot.robot import Robot
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 ROBOT, MEASURED = (EXAMPLES / "closed_loop" / name for name in ("robot.toml", "measured.csv"))
@@ -53,8 +57,36 @@ def test_the_loop_closes(tmp_path: Path) -> None:
 
     corrected = tmp_path / "corrected.toml"
     updating.save_robot(robot, found, corrected)
-    again = updating.diagnose(read_robot(corrected), data)
+    saved = read_robot(corrected)
+    (table,) = saved.covariance
+    assert list(table.paths) == [value.name for value in found.corrected]
+    for value in found.corrected:
+        assert saved.quantities[value.name].sigma == pytest.approx(value.saved_sigma, rel=1e-2)
+    assert 0.5 < squared_part(saved, found, data) < len(table.paths)
+    alone = replace(saved, covariance=())
+    assert squared_part(alone, found, data) > 100.0
+
+    again = updating.diagnose(saved, data)
     assert again.verdict == "adequate", again.reason
+    twice = tmp_path / "twice.toml"
+    updating.save_robot(saved, again, twice)
+    (after,) = read_robot(twice).covariance
+    assert set(after.paths) == set(table.paths)
+    assert 0.25 < squared_part(read_robot(twice), again, data) < len(table.paths)
+
+
+def squared_part(robot: Robot, found: Diagnosis, data: Measurements) -> float:
+    """Return the sum over the fitted rows of the squared sigmas of prediction, relative to those of measurement.
+
+    With the covariance of a least-squares fit it is the trace of its projection onto these data: at most the number
+    of fitted values, whatever the model is, and less as far as shapes and priors determine them.
+    """
+    fitted = [i for i, row in enumerate(found.rows) if not (row.held_out or row.outlier)]
+    sigmas = pkmodes.Model(robot).frequency_sigmas(data.points)
+    rigid = sigmas.shape[1] - np.isfinite(sigmas[0]).sum()
+    modes = found.stages.after if found.stages.after is not None else found.stages.refit
+    own = sigmas[data.pose[fitted], rigid + modes.mode[fitted] - 1]
+    return float(np.sum((own / data.sigma[fitted]) ** 2))
 
 
 def test_a_lumped_structure_uses_the_same_engine() -> None:

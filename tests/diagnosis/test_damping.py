@@ -56,8 +56,9 @@ def diagnosed(data: Measurements, **options: list[str]) -> Diagnosis:
 )
 def test_what_dissipates_is_named_with_its_size(loss: str, size: float, name: str) -> None:
     found = diagnosed(measured({loss: size}))
-    assert found.verdict == "effect_found", found.reason
-    (cause,) = found.effects
+    assert (found.verdict, found.effects) == ("adequate", ())
+    assert found.damping.verdict == "effect_found", found.damping.reason
+    (cause,) = found.damping.effects
     assert cause.name == name
     (value,) = cause.parameters
     assert abs(value.value - size) < 3.0 * value.sigma
@@ -65,13 +66,13 @@ def test_what_dissipates_is_named_with_its_size(loss: str, size: float, name: st
 
 def test_losses_of_all_springs_are_one_class_with_a_common_ratio() -> None:
     """With free motors belts are the only springs: a loss factor eta is a ratio of eta / 2 of every mode."""
-    (cause,) = diagnosed(measured({"springs": 0.03})).effects
+    (cause,) = diagnosed(measured({"springs": 0.03})).damping.effects
     assert cause.members == ("belt_loss", "parameter:damping.ratio")
     assert cause.alternatives["parameter:damping.ratio"][0].value == pytest.approx(0.015, rel=0.05)
 
 
 def test_coulomb_friction_ends_in_abstention() -> None:
-    found = diagnosed(measured({}, coulomb=5.0))
+    found = diagnosed(measured({}, coulomb=5.0)).damping
     assert found.verdict == "unexplained"
     assert not found.effects
     assert "the damping" in found.reason
@@ -83,8 +84,9 @@ def test_without_damping_the_result_is_that_of_the_frequencies() -> None:
         data.pose.tolist(), data.frequency, data.sigma, points=[POINTS[k] for k in data.pose]
     )
     first, both = diagnosed(without), diagnosed(data)
-    assert first.verdict == "adequate"
-    assert first.damping is None
+    assert first.verdict == both.verdict == "adequate"
+    assert first.damping.verdict == "not_measured"
+    assert both.damping.verdict == "effect_found"
     assert (first.before, first.refit) == (both.before, both.refit)
 
 
@@ -92,7 +94,7 @@ def test_the_corrected_robot_is_adequate(tmp_path: Path) -> None:
     robot, data = read_robot(ROBOT), measured({"rails": 50.0})
     updating.save_robot(robot, updating.diagnose(robot, data), tmp_path / "corrected.toml")
     again = updating.diagnose(read_robot(tmp_path / "corrected.toml"), data)
-    assert again.verdict == "adequate", again.reason
+    assert (again.verdict, again.damping.verdict) == ("adequate", "adequate"), again.damping.reason
 
 
 def test_a_loss_without_measured_damping_is_refused() -> None:

@@ -13,13 +13,14 @@ from scipy import stats
 from helpers.diagnoses.verdict_examples import VERDICTS
 from helpers.pages.page_reading import read
 from helpers.pages.report_examples import diagnosed
+from helpers.pages.without_drawing import without_drawing
 from helpers.robots.small_structures import log_linear, logs_measured
 from pkmodes import read_robot, updating
 from pkmodes.diagnosis import Candidate, Diagnosis, Parameter
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.search.score import Score, Scores
 from pkmodes.diagnosis.verdict.detectable import examined
-from pkmodes.diagnosis.verdict.result import Examined
+from pkmodes.diagnosis.verdict.findings import Examined
 from pkmodes.report import report
 
 ROOT = Path(__file__).parents[2]
@@ -41,7 +42,8 @@ def voron() -> Diagnosis:
 @pytest.fixture(scope="module", params=VERDICTS)
 def made(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[Diagnosis, str]:
     result, robot, data = diagnosed(request.param, tmp_path_factory.mktemp("made"))
-    return result, report(result, robot=robot, data=data)
+    with without_drawing():
+        return result, report(result, robot=robot, data=data)
 
 
 def by_name(result: Diagnosis) -> Mapping[str, Examined]:

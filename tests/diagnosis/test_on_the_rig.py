@@ -12,7 +12,8 @@ from dataclasses import replace
 import pytest
 
 from pkmodes import updating
-from pkmodes.diagnosis.verdict.result import Diagnosis, Finding
+from pkmodes.diagnosis.verdict.findings import Finding
+from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig.laboratory import Laboratory
 from pkmodes_rig.measurements import Identified
 from pkmodes_rig.robots import read

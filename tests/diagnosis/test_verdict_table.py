@@ -24,9 +24,7 @@ DIAGNOSE = [
     "diagnose",
     *(str(ROOT / "examples/closed_loop" / name) for name in ("robot.toml", "measured.csv")),
 ]
-HEARSAY = Verdict(
-    "hearsay", "Someone said so", True, "open", "None is proposed: ask the others.", settled=False
-)
+HEARSAY = Verdict("hearsay", "Someone said so", True, "open", "ask the others", settled=False)
 
 
 @pytest.fixture
@@ -56,6 +54,7 @@ def schema() -> dict[str, Any]:
     return json.loads((ROOT / "docs/schemas/diagnose.schema.json").read_text(encoding="utf-8"))
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_a_made_up_verdict_reaches_exit_code_terminal_json_and_page(
     hearsay: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

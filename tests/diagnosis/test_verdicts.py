@@ -188,7 +188,8 @@ def test_a_load_is_proposed_where_it_separates_far_better(loaded: float, by: dic
     content = found.as_json()["next_measurement"]
     assert isinstance(content, dict)
     assert content.get("set", {}) == by
-    assert list(content) == ["pose", "separates", "sigmas", *(["set"] if by else [])]
+    assert list(content) == ["pose", "separates", "sigmas", "drives", *(["set"] if by else [])]
+    assert content["drives"] is None
 
 
 def test_causes_that_differ_by_less_than_the_data_show_are_one_class() -> None:

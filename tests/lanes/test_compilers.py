@@ -25,6 +25,20 @@ def test_a_compiler_that_fails_is_named(fresh: Path, monkeypatch: pytest.MonkeyP
     assert not libraries(fresh)
 
 
+def test_a_compiler_that_builds_nothing_is_named(
+    fresh: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """As with ``CC=/bin/true``."""
+    idle = tmp_path / "idle"
+    idle.write_text("#!/bin/sh\nexit 0\n")
+    idle.chmod(0o755)
+    monkeypatch.setenv("CC", str(idle))
+    assert frequencies().backend == "numpy"
+    with pytest.raises(PkmodesError, match=r"cannot be built: .*idle reports success, but has built nothing"):
+        frequencies("compiled")
+    assert not libraries(fresh)
+
+
 @pytest.mark.parametrize("options", ["-O1", "-g  -DNOTHING='a b'"])
 def test_the_compiler_may_have_options(fresh: Path, monkeypatch: pytest.MonkeyPatch, options: str) -> None:
     found = build.compiler()

@@ -106,6 +106,7 @@ def test_the_figures_have_them_in_any_order_of_the_axis() -> None:
             assert ends.max() == pytest.approx(high.max())
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_the_report_says_what_the_band_is() -> None:
     model = pkmodes.load(PRINTER)
     text = map_report(model, model.map([[0.1, 0.1], [0.2, 0.1]]))

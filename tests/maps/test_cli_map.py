@@ -113,17 +113,26 @@ def test_every_changeable_path_can_be_swept() -> None:
             assert parse_settings((f"{path}=1:2:3",), units, "--set")[path].tolist() == [1.0, 1.5, 2.0]
 
 
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
 def test_a_file_of_measurements_is_a_list_of_poses(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], separator: str
 ) -> None:
-    poses = tmp_path / "poses.csv"
-    poses.write_text(
-        "# taken in May\npose,y,x [mm],z,frequency\nA,0,600,-0.245,55\nA,0,600,-0.245,60\nB,0.05,500,-0.245,50\n"
-    )
+    poses, decimal = tmp_path / "poses.csv", "." if separator == "," else ","
+    text = "pose|y|x [mm]|z|frequency\nA|0|600|-0,245|55\nA|0|600|-0,245|60\nB|0,05|500|-0,245|50\n||||\n"
+    written = text.replace(",", decimal).replace("|", separator)
+    poses.write_text(f"# taken in May\n{written}", encoding="utf-8")
     found = json.loads(printed(capsys, ROBOT, "--poses", str(poses), "--json", "-"))
     assert found["poses"] == found["valid"] == 2
     assert found["ranges"] == {"pose": ["A", "B"]}
     assert {row["minimum_at"]["x"] for row in found["modes"]} <= {0.5, 0.6}
+    poses.write_text(written.replace("B", "B\x1b[2J"), encoding="utf-8")
+    assert run(["map", ROBOT, "--poses", str(poses)]) == 2
+    where = rf'expected a label, found "B\x1b[2J" ({poses}: line 4, column pose)'
+    assert capsys.readouterr().err.startswith(f"error: {where}; write a name in printable characters")
+    poses.write_text(written.replace(f"0{decimal}05", "5%"), encoding="utf-8")
+    assert run(["map", ROBOT, "--poses", str(poses)]) == 2
+    where = f'expected a finite number, found "5%" ({poses}: line 4, column y)'
+    assert capsys.readouterr().err.startswith(f"error: {where}; write a plain number with a decimal point")
 
 
 def test_samples(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

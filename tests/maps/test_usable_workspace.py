@@ -18,6 +18,7 @@ from pkmodes.figures.quantities import volume_of
 from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.workspace import reachable
 from pkmodes.plots.plane import Plane
+from pkmodes.robot.usable import Radius, SingularAngle
 from pkmodes.solve.usable import usable_box
 from pkmodes.solve.workspace import box_of
 from pkmodes.updating.candidates import suspects
@@ -26,7 +27,7 @@ from pkmodes.view import poses_around, typical_pose
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 DELTA, CLAVEL, PRINTER = "linear-delta-2022", "clavel-delta", "corexy-printer"
-Limits = Mapping[str, tuple[float, float]]
+Limits = Mapping[str, tuple]
 
 
 @cache
@@ -208,3 +209,82 @@ def test_no_measurement_is_proposed_where_nothing_can_be_reached() -> None:
 def test_without_limits_proposals_are_as_ever() -> None:
     points = np.array([[0.6, 0.0, -0.245], [0.5, 0.05, -0.28]])
     np.testing.assert_array_equal(proposed(DELTA, {}, points), proposed(DELTA, {"z": (-9.0, 9.0)}, points))
+
+
+ROUND: Limits = {"radius": Radius(0.1, (0.6, 0.0)), "z": (-0.28, -0.2)}
+
+
+def sines(points: np.ndarray) -> np.ndarray:
+    """Sines of the angles of the published robot's rods to their singular directions.
+
+    The closure |p + c - e|^2 = l^2 on a rail along x: the component of the rod along it, over its length.
+    """
+    robot = plain(DELTA).robot
+    n, c, o = (np.asarray(getattr(robot.parameters, name)) for name in ("direction", "joint", "origin"))
+    r = points[:, None] + c - o
+    across = r - np.einsum("nji,ji->nj", r, n)[..., None] * n
+    length = np.asarray(robot.parameters.link_length)
+    return np.sqrt(1.0 - (across**2).sum(axis=-1) / length**2)
+
+
+def test_a_map_without_a_grid_stays_inside_a_radius_and_an_angle() -> None:
+    angle = np.radians(30.0)
+    dataset = used(DELTA, {**ROUND, "singular_angle": SingularAngle(angle)}).map()
+    points = np.stack(np.meshgrid(dataset.z, dataset.y, dataset.x, indexing="ij")[::-1], axis=-1)
+    there = np.hypot(points[..., 0] - 0.6, points[..., 1]) <= 0.1
+    with np.errstate(invalid="ignore"):
+        there &= (sines(points.reshape(-1, 3)) >= np.sin(angle)).all(axis=1).reshape(there.shape)
+    valid = dataset.valid.values
+    np.testing.assert_array_equal(valid, there)
+    assert 0.1 < valid.mean() < 0.8
+    assert set(dataset.reason.values[~valid]) == {"usable"}
+    assert (
+        "at most 0.1 m from x = 0.6 m, y = 0 m, every rod at least 30 deg" in dataset.reason.attrs["usable"]
+    )
+    assert np.isnan(dataset.frequency.values[~valid]).all()
+    wished = used(DELTA, ROUND).map({"x": [0.4, 0.8], "y": 0.0, "z": -0.245})
+    assert wished.valid.all()
+
+
+def test_every_grid_and_page_that_nobody_asked_for_stays_inside_a_radius() -> None:
+    model = used(DELTA, ROUND)
+    low, high = usable_box(model)
+    np.testing.assert_allclose(low, [0.5, -0.1, -0.28], atol=0.005)
+    np.testing.assert_allclose(high, [0.7, 0.1, -0.2], atol=0.005)
+    plane = working_plane(model)
+    drawn = model.map(plane)
+    x, y = np.meshgrid(drawn.x, drawn.y)
+    assert (np.hypot(x - 0.6, y)[drawn.valid.values.squeeze()] <= 0.1).all()
+    assert drawn.valid.any()
+    volume = volume_of(model, Plane.of(drawn, ["x", "y", "z"]))
+    assert volume is not None
+    assert (volume.heights.min(), volume.heights.max()) == (-0.28, -0.2)
+    page = poses_around(model, typical_pose(model))
+    assert (np.hypot(page.poses[:, 0] - 0.6, page.poses[:, 1]) <= 0.1).all()
+
+
+def test_an_angle_that_no_reachable_pose_has_is_refused_in_words() -> None:
+    with pytest.raises(PoseError, match="every rod at least 89 deg from its singular direction"):
+        usable_box(used(DELTA, {"singular_angle": SingularAngle(np.radians(89.0))}))
+
+
+@pytest.mark.parametrize("stated", [None, 25.0])
+def test_no_measurement_is_proposed_with_a_rod_near_its_singular_direction(stated: float | None) -> None:
+    """At y = 0.27 m the second rod of the published robot is nearly perpendicular to its rail."""
+    limits = {} if stated is None else {"singular_angle": SingularAngle(np.radians(stated))}
+    measured = np.array([[0.6, 0.0, -0.245], [0.6, 0.12, -0.3]])
+    structure = RobotStructure(
+        used(DELTA, limits).robot, measured, *suspects(plain(DELTA).robot, ("payload",))
+    )
+    points = structure.elsewhere(80)[0]
+    assert len(points) > 20
+    least = np.degrees(np.arcsin(sines(points))).min()
+    expected = stated or 10.0
+    assert expected <= least < expected + 5.0
+    assert f"every rod at least {expected:g} deg from its singular direction" in structure.surroundings
+
+
+def test_measurements_are_proposed_within_a_radius() -> None:
+    points = proposed(DELTA, ROUND, np.array([[0.6, 0.0, -0.245], [0.5, 0.05, -0.28]]))
+    assert len(points) > 20
+    assert (np.hypot(points[:, 0] - 0.6, points[:, 1]) <= 0.1).all()

@@ -126,3 +126,38 @@ def test_the_first_of_several_mistakes_is_told_before_poses_are_checked(tmp_path
             PkmodesError, match="expected a robot" if wrong[0] is PUBLISHED else "expected meas"
         ):
             updating.compare(*wrong)
+
+
+@pytest.mark.parametrize(
+    ("columns", "robot", "first", "whose"),
+    [
+        ("shape:x_1,shape:theta_1_1", "clavel-delta", "shape:x_1", "linear_delta"),
+        ("shape:theta_1,shape:phi_1", "linear-delta-2022", "shape:theta_1", "rotary_delta"),
+    ],
+)
+def test_the_columns_of_another_mechanism_are_told_as_such(
+    tmp_path: Path, columns: str, robot: str, first: str, whose: str
+) -> None:
+    path = tmp_path / "modes.csv"
+    path.write_text(f"pose,x,y,z,frequency,sigma,{columns}\nP1,0.6,0,-0.245,50,0.1,1,2\n")
+    machine = pkmodes.read_robot(PUBLISHED.parent / f"{robot}.toml")
+    for asked in (
+        lambda: updating.read(path, robot=machine),
+        lambda: updating.compare(machine, updating.read(path)),
+    ):
+        with pytest.raises(MeasurementError) as error:
+            asked()
+        said = f'"{first}" is a column of another machine: the columns of the file are those of {whose} ('
+        assert said in str(error.value)
+        assert "give the robot file of that machine" in error.value.remedy
+        assert "did you mean" not in str(error.value)
+
+
+def test_a_wrong_name_among_those_of_another_mechanism_is_still_a_wrong_name(tmp_path: Path) -> None:
+    path = tmp_path / "modes.csv"
+    path.write_text("pose,x,y,z,frequency,sigma,shape:x1,shape:phi_1\nP1,0.6,0,-0.245,50,0.1,1,2\n")
+    machine = pkmodes.read_robot(PUBLISHED)
+    with pytest.raises(
+        MeasurementError, match=r'"shape:x1" is not a coordinate .* did you mean "shape:x_1"\?'
+    ):
+        updating.read(path, robot=machine)

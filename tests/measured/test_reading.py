@@ -40,6 +40,39 @@ def test_every_column_is_read(tmp_path: Path) -> None:
     np.testing.assert_array_equal(found.shapes, [[0.5, np.nan], [np.nan, -1.0], [np.nan, np.nan]])
 
 
+#: What a German spreadsheet program makes of a file: quoted comments, separators at the ends of lines.
+SPREADSHEET = """\ufeff"# band: 10,5 Hz; 400 Hz"||||||
+pose|x [mm]|y [mm]|z|frequency|sigma|mode|shape:x_1|shape:p_z
+||||||
+A|600|0|-0,245|55,5|5,0e-2||1,037|
+"B, corner"|500,5|100|-,3|60|0,5|first||-1
+"""
+
+
+@pytest.mark.parametrize("separator", [";", "\t"])
+@pytest.mark.parametrize("decimal", [",", "."])
+def test_semicolons_and_tabs_separate_and_decimals_may_have_commas(
+    tmp_path: Path, separator: str, decimal: str
+) -> None:
+    comment, _, rows = SPREADSHEET.replace("|", separator).partition("\n")
+    text = f"{comment}\n{rows if decimal == ',' else rows.replace(',', '.')}"
+    found = read(tmp_path, text)
+    assert found.labels == ("A", "B, corner" if decimal == "," else "B. corner")
+    assert found.points.tolist() == [[0.6, 0.0, -0.245], [0.5005, 0.1, -0.3]]
+    assert found.frequency.tolist() == [55.5, 60.0]
+    assert found.sigma.tolist() == [0.05, 0.5]
+    assert found.mode == ("", "first")
+    assert found.lines.tolist() == [4, 5]
+    assert found.band == (10.5, 400.0)
+    np.testing.assert_array_equal(found.shapes, [[1.037, np.nan], [np.nan, -1.0]])
+
+
+def test_a_header_has_one_separator_whatever_else_is_in_it(tmp_path: Path) -> None:
+    aligned = read(tmp_path, f"{HEADER}\n{ROW}\n".replace(",", ",\t"))
+    assert aligned.points.tolist() == [[0.6, 0.0, -0.245]]
+    assert read(tmp_path, f'"{HEADER.replace(",", "#,#")}"\n{ROW}\n'.replace("#", '"')).labels == ("A",)
+
+
 def test_optional_columns_may_be_absent_and_columns_are_in_any_order(tmp_path: Path) -> None:
     found = read(tmp_path, "sigma,frequency,z,y,x,pose\n0.05,55.5,-0.245,0,0.6,A\n")
     plain = read(tmp_path, f"{HEADER}\n{ROW}\n")

@@ -25,15 +25,21 @@ from pkmodes.measured.reading import read_measurements
         (f"{HEADER},shape:theta_11", "line 1, column 7)", "is not a coordinate", 'mean "shape:theta_1_1"?'),
         (f"{HEADER},sigma", "line 1, column 7)", "is repeated, first as column 6", "remove one"),
         (f"{HEADER},", "line 1, column 7)", "name of a column, found nothing", "remove it"),
-        (HEADER.replace(",", ";"), "line 1)", "separated by commas", HEADER),
-        (HEADER.replace(",", "\t"), "line 1)", "separated by commas", HEADER),
-        (HEADER.replace(",", "\t"), "line 1)", "separated by commas", "the file uses tabs: replace them"),
+        (
+            HEADER.replace(",", ";"),
+            "line 2, column x)",
+            "expected 6 cells",
+            "by semicolons, as in the header",
+        ),
+        (HEADER.replace(",", "\t"), "line 2, column x)", "expected 6 cells", "by tabs, as in the header"),
+        (HEADER.replace(",", "|"), "line 1)", "separated by commas, semicolons or tabs", "uses bars"),
         (
             f'{HEADER.replace(",", ";")};"shape:x_1, left"',
-            "line 1)",
-            "separated by",
-            "the file uses semicolons",
+            "line 1, column 7)",
+            "is not a coordinate",
+            "shape:x_1",
         ),
+        (f'{HEADER.replace(",", ";")};"mode', "line 1)", "not valid CSV", "put a semicolon right after it"),
         ("sep=,", "line 1)", 'found "sep=,", a line for spreadsheet programs', "remove this line"),
         (f"sep=;\n{HEADER}", "line 1)", 'found "sep=;", a line for spreadsheet programs', "remove this line"),
         (f"{HEADER},temperature", "line 1, column 7)", "unknown column", "remove it or correct the name"),
@@ -160,7 +166,43 @@ def test_a_file_that_may_not_be_read_is_told_as_such(tmp_path: Path, monkeypatch
 def test_rows_of_commas_alone_are_blank_and_decimal_commas_are_named(tmp_path: Path) -> None:
     assert read(tmp_path, f"{HEADER}\n,,,,,\n{ROW}\n, ,,,,\n").lines.tolist() == [3]
     line = refusal(tmp_path, f"{HEADER}\nA,0,6,0,-0,245,55,5,0,05\n")
-    assert "if numbers have decimal commas, write points" in line
+    assert "if numbers have decimal commas, write points, or separate the cells by semicolons" in line
+
+
+@pytest.mark.parametrize("separator", [";", "\t"])
+@pytest.mark.parametrize(
+    ("cells", "place", "expected", "remedy"),
+    [
+        (
+            "A 0,6 0 -0,245 55.5.5 0,05",
+            "column frequency)",
+            'found "55.5.5"',
+            "in Hz, with a decimal point or comma",
+        ),
+        (
+            "A 0,6 0 -0,245 1.234,5 0,05",
+            "column frequency)",
+            'found "1.234,5"',
+            "with a decimal point or comma",
+        ),
+        (
+            "A 0,6 0 -0,245 55,5 -0,05",
+            "column sigma)",
+            "standard deviation above 0 Hz, found -0.05",
+            "write the standard",
+        ),
+        ("A 0,6 0 -0,245 55,5", "column sigma)", "expected 6 cells, found 5", "keep their "),
+        ("A 0,6 0 -0,245 55,5 0,05 1", "column 7)", "expected 6 cells, found 7", "remove the extra cells"),
+    ],
+)
+def test_a_bad_cell_between_semicolons_or_tabs_is_named(
+    tmp_path: Path, separator: str, cells: str, place: str, expected: str, remedy: str
+) -> None:
+    header = HEADER.replace(",", separator)
+    line = refusal(tmp_path, f"{header}\n{cells.replace(' ', separator)}\n")
+    assert f"line 2, {place}" in line
+    assert expected in line
+    assert remedy in line
 
 
 @settings(max_examples=100)

@@ -5,11 +5,13 @@ Thresholds are those of the issue, chosen before looking; seeds from 9100 on wer
 
 from __future__ import annotations
 
+import tracemalloc
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
 import pytest
+from scipy.signal import lfilter
 
 from pkmodes.base.errors import MeasurementError
 from pkmodes.identification.estimates import turned_real
@@ -196,3 +198,22 @@ def test_a_band_above_nyquist_or_a_short_record_is_refused() -> None:
         identify_responses(1e-3, signals, band=(10.0, 600.0))
     with pytest.raises(MeasurementError, match="eight periods"):
         identify_responses(1e-3, signals[:500], band=(10.0, 200.0))
+
+
+def test_memory_and_time_grow_with_the_sensors_and_not_with_their_pairs() -> None:
+    """The products of all pairs at all lines took 390 MB here, and 20 GB with 500 sensors."""
+    rng = np.random.default_rng(1)
+    pole, rate, shape = (-0.02 + 1j) * 2 * np.pi * 20.0, 100.0, rng.normal(size=120)
+    z = np.exp(pole / rate)
+    decay = lfilter([1.0], [1.0, -2.0 * z.real, abs(z) ** 2], rng.normal(size=4000))
+    signals = np.outer(decay, shape) + 0.1 * rng.normal(size=(4000, 120))
+    tracemalloc.start()
+    estimate, _ = identify_responses(1.0 / rate, signals, band=(10.0, 40.0))
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 10 * signals.nbytes + 30_000_000
+    (mode,) = estimate.modes
+    assert mode.frequency == pytest.approx(20.0, rel=3.0 * mode.sigma_frequency / 20.0)
+    assert abs(np.vdot(mode.shape, shape)) ** 2 / np.vdot(mode.shape, mode.shape).real == pytest.approx(
+        float(shape @ shape), rel=1e-4
+    )

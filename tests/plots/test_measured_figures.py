@@ -12,7 +12,7 @@ from matplotlib.colors import to_hex, to_rgba
 
 from helpers.pages.report_examples import made_up
 from pkmodes.diagnosis.match.predicted import Predicted
-from pkmodes.diagnosis.verdict.result import Corrected, Examined
+from pkmodes.diagnosis.verdict.findings import Corrected, Examined
 from pkmodes.plots import differences, scores, spectrum
 from pkmodes.plots.evidence import Evidence, Stage
 from pkmodes.plots.mac_matrices import mac_matrices

@@ -85,6 +85,7 @@ def test_every_page_of_a_robot_has_what_its_file_says(command: str, tmp_path: Pa
     assert target.read_bytes() == first
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_a_page_on_two_robots_has_what_both_files_say(tmp_path: Path) -> None:
     text = (ROOT / "robots" / "corexy-printer.toml").read_text("utf-8") + TABLE
     (tmp_path / "first.toml").write_text(text, encoding="utf-8")
@@ -94,6 +95,7 @@ def test_a_page_on_two_robots_has_what_both_files_say(tmp_path: Path) -> None:
     assert head(target) == [HEAD[0], HEAD[2]]
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_without_the_table_there_is_no_head(tmp_path: Path) -> None:
     target = tmp_path / "page.html"
     robot = robot_with(tmp_path, "")
@@ -101,6 +103,7 @@ def test_without_the_table_there_is_no_head(tmp_path: Path) -> None:
     assert head(target) == []
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_what_the_campaign_says_prevails_over_the_robot(tmp_path: Path) -> None:
     folder = tmp_path / "campaign"
     shutil.copytree(CAMPAIGN, folder)
@@ -114,6 +117,7 @@ def test_what_the_campaign_says_prevails_over_the_robot(tmp_path: Path) -> None:
     assert head(target) == [HEAD[0], ("Machine", "Cell 4"), HEAD[1], ("Operator", "C. Diaz")]
 
 
+@pytest.mark.usefixtures("no_drawing")
 @pytest.mark.parametrize("given", HOSTILE[:-1])
 def test_hostile_text_is_shown_as_text(given: str, tmp_path: Path) -> None:
     if "\x00" in given:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 from pathlib import Path
 
@@ -104,6 +105,15 @@ def test_the_head_says_what_was_found_and_edited(page: Path) -> None:
     assert f"Struck out by the campaign: P1 ({struck:.4g} Hz)." in summary
     assert f"Added by the campaign: P1 ({added['frequency']:.4g} Hz)." in summary
     assert "the scatter of repeats is unknown: P2, P3" in summary
+
+
+def test_the_headline_counts_what_the_notes_list(page: Path) -> None:
+    """Every mode or pose that a note lists is one point, of however few sentences."""
+    summary = read(page.read_text(encoding="utf-8")).by_id("summary")
+    notes = [item.text for item in summary.all("li")]
+    listed = [len(re.findall(r"\bP\d\b", note)) for note in notes]
+    assert any(count > 1 for count in listed)
+    assert f", {sum(listed)} points to check" in summary.text
 
 
 def test_each_kind_of_record_has_its_figures(page: Path) -> None:

@@ -198,6 +198,7 @@ def drawn(monkeypatch: pytest.MonkeyPatch) -> list[Grid]:
     return planes
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_a_sweep_is_drawn_in_the_plane_that_was_swept(drawn: list[Grid]) -> None:
     model = pkmodes.load(ROBOT)
     plane = {"x": np.linspace(0.4, 0.8, 9), "y": np.linspace(-0.1, 0.1, 7), "z": -0.2}
@@ -216,6 +217,7 @@ def test_a_sweep_is_drawn_in_the_plane_that_was_swept(drawn: list[Grid]) -> None
     assert drawn[0].axes["z"] == [-0.2]
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_a_volume_that_was_swept_is_drawn_in_a_plane_of_its_own(drawn: list[Grid]) -> None:
     model = pkmodes.load(ROBOT)
     axes = {"x": np.linspace(0.4, 0.8, 5), "y": np.linspace(-0.1, 0.1, 4), "z": np.linspace(-0.3, -0.2, 3)}
@@ -228,6 +230,7 @@ def test_a_volume_that_was_swept_is_drawn_in_a_plane_of_its_own(drawn: list[Grid
     assert len(section.all("figure")) == 2
 
 
+@pytest.mark.usefixtures("no_drawing")
 @pytest.mark.parametrize("x", [0.6, np.linspace(0.5, 0.7, 3)])
 def test_a_sweep_without_a_plane_says_so(drawn: list[Grid], x: object) -> None:
     model = pkmodes.load(ROBOT)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,13 +14,21 @@ import pytest
 
 from helpers.pages.page_reading import Element, read
 from helpers.pages.report_examples import diagnosed, made_up
+from helpers.pages.without_drawing import without_drawing
 from pkmodes import Model, read_robot, updating
-from pkmodes.diagnosis.verdict.result import Examined, NextMeasurement, Stability
+from pkmodes.diagnosis.verdict.findings import Examined, Stability
+from pkmodes.diagnosis.verdict.proposal import NextMeasurement
 from pkmodes.report import report
 from pkmodes.report.model_view import view_of_result
 
 ROOT = Path(__file__).parents[2]
 LOOP = [ROOT / "examples" / "closed_loop" / name for name in ("robot.toml", "measured.csv")]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _no_drawing() -> Iterator[None]:
+    with without_drawing():
+        yield
 
 
 @pytest.fixture(scope="module")

@@ -251,6 +251,7 @@ def applied(text: str, difference: list[str]) -> str:
     return "\n".join(after) + ("\n" if ended else "")
 
 
+@pytest.mark.usefixtures("no_drawing")
 @pytest.mark.parametrize("end", ["", "\n", "\n\n", '\n# no end of line: \u00e4 "<b>"\tx'])
 def test_the_correction_is_the_file_that_is_saved(
     found: tuple[Diagnosis, Robot, Measurements], tmp_path: Path, end: str
@@ -275,6 +276,7 @@ def test_nothing_is_corrected_where_nothing_was_found(made: Made) -> None:
         assert f"No correction: the verdict is {verdict}." in section.text
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_a_comparison_shows_the_numbers_of_its_json(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

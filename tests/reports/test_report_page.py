@@ -24,6 +24,7 @@ def test_its_code_runs(monkeypatch: pytest.MonkeyPatch) -> None:
     assert names["html"].startswith("<!DOCTYPE html>")
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_its_commands_are_those_of_the_command_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (block,) = re.findall(r"```sh\n(pkmodes compare.*?)```", PAGE, re.S)
     first, second = block.strip().splitlines()
@@ -35,6 +36,7 @@ def test_its_commands_are_those_of_the_command_line(tmp_path: Path, monkeypatch:
     assert second.split()[2:-1] == arguments[1:-1]
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_it_lists_the_sections() -> None:
     result, data = made_up(4, 3)
     titles = [title.text for title in read(report(result, data=data)).all("h2")][1:]

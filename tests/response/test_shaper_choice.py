@@ -14,9 +14,11 @@ from scipy.optimize import differential_evolution
 
 import pkmodes
 from pkmodes.base.errors import PkmodesError
-from pkmodes.shaping import residual, shaper
-from pkmodes.shaping.choice import choose
+from pkmodes.shaping import KINDS, residual, shaper
+from pkmodes.shaping.choice import choose, lines_of
 from pkmodes.shaping.fixed import best_fixed
+from pkmodes.shaping.remarks import remarks
+from pkmodes.shaping.residual_vibration import residual_of_even
 from pkmodes.shaping.ringing import Ringing, ringing
 
 ROOT = Path(__file__).parents[2]
@@ -155,11 +157,89 @@ def test_a_shaper_for_every_pose_cancels_its_modes() -> None:
     assert found.delays.shape == (len(points), 8)
     left = residual(found, modes.frequencies[:, :3], modes.damping_ratios[:, :3])
     assert left.max() < 1e-12
-    one = model.shaper("2hump_ei", points[0])
+    one = model.shaper("2hump_ei", points[0])  # for a move, whose shapers must not jump
     w = np.linalg.norm(modes.vibration_amplitudes[0, :3], axis=-1) ** 2
     mean = float((w * modes.frequencies[0, :3]).sum() / w.sum())
     np.testing.assert_allclose(one.delays, shaper("2hump_ei", mean, 0.01).delays, rtol=1e-12)
     assert model.shaper("zv*zv", points.reshape(2, -1, 3)).delays.shape == (2, len(points) // 2, 4)
+
+
+@pytest.mark.parametrize("kind", ["zv", "mzv", "3hump_ei"])
+def test_a_shaper_of_one_mode_has_the_frequency_that_leaves_least_at_each_pose(kind: str) -> None:
+    """Against a thousand frequencies, by the definition of what is left."""
+    model, points = delta(), box(3)
+    points = points[model.check(points).valid][::9]
+    found = model.shaper(kind, points, continuous=False)
+    modes = model.modes(points, drives="held")
+    f, zeta = modes.frequencies[:, :3], modes.damping_ratios[:, :3]
+    weights = np.linalg.norm(modes.vibration_amplitudes[:, :3], axis=-1)
+
+    def left(one: Any) -> np.ndarray:
+        return np.asarray(np.linalg.norm(weights * residual(one, f, zeta), axis=1))
+
+    tried = np.geomspace(f.min() / 1.5, f.max() * 1.5, 1000)
+    inside = (tried >= f.min(axis=1)[:, None] / 1.5) & (tried <= f.max(axis=1)[:, None] * 1.5)
+    every = np.array([left(shaper(kind, each, 0.01)) for each in tried]).T
+    least = np.where(inside, every, np.inf).min(axis=1)
+    assert (left(found) <= least * (1.0 + 1e-6) + 1e-6 * weights.max()).all()
+
+
+@pytest.mark.parametrize("robot", ["linear-delta-2022-identified", "clavel-delta"])
+def test_following_the_pose_never_loses(robot: str) -> None:
+    """Of no kind, at no pose: the fixed shaper is among those compared."""
+    model = pkmodes.load(ROOT / f"robots/{robot}.toml").with_values(
+        {"effects.belt_loss.loss_factor": 0.04} if robot.startswith("linear") else {"damping.ratio": 0.02}
+    )
+    points = box(4) if robot.startswith("linear") else 0.2 * box(4) + [0.0, 0.0, -0.75]
+    choice = model.shapers(points, [*KINDS, "zv*zv", "ei*zv", "zv*zv*zv"])
+    count = len(choice.candidates) // 2
+    for fixed, following in zip(choice.candidates[:count], choice.candidates[count:], strict=True):
+        assert (fixed.kind, fixed.follows_pose, following.follows_pose) == (following.kind, False, True)
+        assert (following.left_at <= fixed.left_at * (1.0 + 1e-9)).all(), fixed.kind
+        assert following.left.worst <= fixed.left.worst * (1.0 + 1e-9)
+        assert following.left.rms < fixed.left.rms
+
+
+def test_evenly_spaced_impulses_leave_what_any_impulses_leave() -> None:
+    rng = np.random.default_rng(8)
+    f, zeta = rng.uniform(10.0, 60.0, (20, 3)), rng.uniform(0.0, 0.2, (20, 3))
+    for kind in KINDS:
+        one = shaper(kind, rng.uniform(15.0, 50.0, 20), rng.uniform(0.0, 0.1, 20))
+        found = residual_of_even(one.amplitudes[:, None], one.delays[:, 1, None], f, zeta)
+        np.testing.assert_allclose(found, residual(one, f, zeta), rtol=0, atol=1e-12)
+
+
+def test_what_a_chosen_firmware_lacks_is_not_recommended() -> None:
+    """The rule is that of the page, among what the firmware has; so are the notes on what others have instead."""
+    model, points = (
+        pkmodes.load(ROOT / "robots/corexy-printer.toml"),
+        [[0.05, 0.05], [0.15, 0.15], [0.25, 0.2]],
+    )
+    kinds = ["zv", "ei", "2hump_ei", "3hump_ei", "zvdd", "zv*zv"]
+    free = model.shapers(points, kinds, left=0.06)
+    assert free.candidates[free.recommended].kind == "zv*zv"
+    fixed = [one for one in free.candidates if not one.follows_pose]
+    for name in ("klipper", "marlin", "reprapfirmware"):
+        has = [one for one in fixed if lines_of(one)[name] is not None]
+        shortest = min((one for one in has if one.left.worst <= 0.06), key=lambda one: one.duration)
+        chosen = model.shapers(points, kinds, left=0.06, firmware=name)
+        best = chosen.candidates[chosen.recommended]
+        assert best.kind == shortest.kind
+        assert lines_of(best)[name] is not None
+    (note,) = [note for note in remarks(free) if note.startswith("no zv*zv in ")]
+    worst = next(one for one in fixed if one.kind == "2hump_ei").left.worst
+    assert note == (
+        "no zv*zv in Klipper and Marlin; of those compared that it has, 2hump_ei is the shortest that leaves at most "
+        f"6 %: {100 * worst:.2g} % at the worst pose (--shapers 2hump_ei prints its lines)"
+    )
+    least = min((one for one in fixed if lines_of(one)["klipper"]), key=lambda one: one.left.worst)
+    strict = model.shapers(points, kinds, left=0.001, firmware="klipper")
+    assert strict.candidates[strict.recommended].kind == least.kind
+    assert any(note.startswith("no fixed shaper of Klipper leaves at most 0.1 %") for note in strict.notes)
+    with pytest.raises(PkmodesError, match="Marlin has none of the shapers compared: zv"):
+        model.shapers(points, ["zv*zv"], firmware="marlin")
+    with pytest.raises(PkmodesError, match='expected klipper, marlin or reprapfirmware, found "clipper"'):
+        model.shapers(points, ["zv"], firmware="clipper")
 
 
 @pytest.mark.parametrize(

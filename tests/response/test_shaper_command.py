@@ -178,7 +178,7 @@ def test_firmware_without_the_recommended_shaper_is_told_which_it_has(
     assert found["shapers"][found["recommended"]]["kind"] == "zv*zv"
     assert found["firmware"]["klipper"] is found["firmware"]["marlin"] is None
     worst = found["shapers"][0]["left"]["worst"]
-    said = f"no zv*zv in Klipper and Marlin; of those compared, ei leaves least there: {100 * worst:.2g} % at the"
+    said = f"no zv*zv in Klipper and Marlin; of those compared that it has, ei leaves least: {100 * worst:.2g} % at"
     assert [note for note in found["notes"] if said in note]
 
 

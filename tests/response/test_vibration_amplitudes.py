@@ -13,6 +13,7 @@ from scipy.linalg import eigh
 import pkmodes
 from helpers.robots.one_of_each import FILES, POSES, ROBOTS, model_of
 from pkmodes.cli import run
+from pkmodes.mechanism.generated import Generated
 from pkmodes.system.strain_free import strain_free_motions
 
 #: Effects that change modes, those with springs to ground apart.
@@ -51,6 +52,18 @@ def rigid_motion(model: pkmodes.Model, p: np.ndarray) -> np.ndarray:
         for i in range(2):
             motion[names.index(f"theta_{i + 1}")] = -q.belt_path_direction[i] / q.pulley_radius[i]
     return motion
+
+
+@pytest.mark.parametrize("mechanism", FILES)
+def test_the_motion_without_strain_has_the_same_digits_from_either_model(
+    mechanism: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The elastic Hessian of the model without effects is a shorter way to K, which not every mechanism has."""
+    model = model_of(mechanism, GROUNDED)
+    points = POSES[mechanism] + 1e-3 * np.random.default_rng(5).normal(size=(50, len(POSES[mechanism])))
+    motions = strain_free_motions(model.dynamics.system, points)
+    monkeypatch.setattr(Generated, "has", lambda self, *names: False)
+    np.testing.assert_array_equal(strain_free_motions(model.dynamics.system, points), motions)
 
 
 @pytest.mark.parametrize("effects", EFFECTS)

@@ -13,6 +13,7 @@ from pkmodes_rig.suites.campaign_machines import CampaignCase
 
 CASE = CampaignCase(1, 0, 60, "published", "impact", True, "payload", False)
 DISSIPATING = Losses(0.004, {"x_1": 2.0}, factor=0.01)
+LOSSES = {"belt_loss", "reducer_loss", "rail_friction", "drive_friction", "parameter:damping.ratio"}
 RUBBING = Losses(0.004, {"x_1": 2.0}, {"x_1": 0.1}, 0.01)
 
 
@@ -31,13 +32,11 @@ RUBBING = Losses(0.004, {"x_1": 2.0}, {"x_1": 0.1}, 0.01)
         ([], DISSIPATING, "abstained"),
     ],
 )
-def test_claims(
-    monkeypatch: pytest.MonkeyPatch, classes: list[tuple[str, ...]], losses: Losses, state: str
-) -> None:
-    def replaced(given: Any, **changes: Any) -> Any:
-        return SimpleNamespace(**{**vars(given), **changes})
-
-    monkeypatch.setattr(campaign_cases, "replace", replaced)
-    effects = tuple(SimpleNamespace(members=members) for members in classes)
-    diagnosis: Any = SimpleNamespace(verdict="effect_found" if classes else "unexplained", effects=effects)
+def test_claims(classes: list[tuple[str, ...]], losses: Losses, state: str) -> None:
+    found = [SimpleNamespace(members=members) for members in classes]
+    of_losses = [one for one in found if set(one.members) <= LOSSES]
+    effects = tuple(one for one in found if one not in of_losses)
+    verdict = "effect_found" if effects else "adequate" if of_losses else "unexplained"
+    damping = SimpleNamespace(effects=tuple(of_losses))
+    diagnosis: Any = SimpleNamespace(verdict=verdict, effects=effects, damping=damping)
     assert campaign_cases._state(CASE, losses, diagnosis) == state

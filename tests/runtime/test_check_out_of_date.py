@@ -12,7 +12,7 @@ import pytest
 from helpers.generated.generated_model import MODULE, edit
 from helpers.robots.robot_text import published
 from pkmodes.cli import run
-from pkmodes_derive.emit import manifest
+from pkmodes_derive import sources
 
 
 def check(folder: Path, capsys: pytest.CaptureFixture[str]) -> tuple[int, str]:
@@ -104,8 +104,8 @@ def test_another_sympy_version_is_found(copy: Path, capsys: pytest.CaptureFixtur
 def test_a_changed_derivation_or_template_is_found(
     copy: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, source: str
 ) -> None:
-    digests = {**manifest.source_digests(), source: "0" * 64}
-    monkeypatch.setattr(manifest, "source_digests", lambda: digests)
+    digests = {**sources.source_digests(), source: "0" * 64}
+    monkeypatch.setattr(sources, "source_digests", lambda: digests)
     code, out = check(copy, capsys)
     assert code == 1
     assert f"changed: {source} is modified" in out

@@ -180,6 +180,22 @@ def test_an_unknown_verdict_is_refused_before_anything_is_computed(
     assert captured.err.count("\n") == 1
 
 
+@pytest.mark.parametrize("columns", ["0", "1", "7", "-5", "abc", "", "00", "99999999999"])
+def test_any_width_of_the_terminal_prints_everything(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], columns: str
+) -> None:
+    monkeypatch.setenv("COLUMNS", columns)
+    assert run(["modes", str(PUBLISHED), "--pose", "0.6,0,-0.245"]) == 0
+    out = capsys.readouterr().out
+    monkeypatch.delenv("COLUMNS")
+    assert run(["modes", str(PUBLISHED), "--pose", "0.6,0,-0.245"]) == 0
+    plain = capsys.readouterr().out
+    assert "55.559" in plain
+    assert set(plain.split()) <= set(out.split())
+    if columns in ("0", "00"):  # not known, as where nobody says it
+        assert out == plain
+
+
 def test_a_file_name_that_is_not_utf_8_is_no_traceback(tmp_path: Path) -> None:
     folder = tmp_path / os.fsdecode(b"caf\xe9")
     try:

@@ -84,8 +84,11 @@ def test_every_promised_key_is_there_with_its_type(verdict: Verdict) -> None:
             assert number(error["chi2_per_dof"])
     assert names(found["held_out_poses"])
     assert names(found["undetectable"])
-    proposed = found["next_measurement"]
+    proposed, reason = found["next_measurement"], found["next_measurement_reason"]
+    assert (proposed is None) == isinstance(reason, str)
+    assert reason != ""
     if proposed is not None:
+        assert proposed["drives"] in ("free", "held")
         assert len(proposed["pose"]) == 3
         assert all(map(number, proposed["pose"]))
         assert names(proposed["separates"])
@@ -133,6 +136,7 @@ def few() -> str:
     return csv_of(bare(rows_of(measured())[:2]))
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_where_no_robot_can_be_saved_all_else_is_written(tmp_path: Path) -> None:
     """The input is good: exit code 1 says that what was asked for is not there."""
     inputs = files(tmp_path, modes=few())
@@ -148,6 +152,7 @@ def test_where_no_robot_can_be_saved_all_else_is_written(tmp_path: Path) -> None
     assert not saved.exists()
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_a_report_that_cannot_be_written_does_not_hide_that_no_robot_is_saved(tmp_path: Path) -> None:
     inputs = files(tmp_path, modes=few())
     page, saved = unwritable(tmp_path, "page.html"), tmp_path / "saved.toml"

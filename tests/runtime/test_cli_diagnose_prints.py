@@ -118,6 +118,7 @@ def test_the_table_of_two_causes_and_of_causes_that_look_alike(tmp_path: Path) -
         assert re.search(rf"^    {name}\.compliance = \(\S+ \+- \S+\)e-\d+ \S+$", out[start:], re.M)
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_belts_are_printed_relative_to_their_mean_where_their_common_stiffness_is_uncertain(
     tmp_path: Path,
 ) -> None:

@@ -80,6 +80,56 @@ def test_an_interrupt_while_a_library_is_loaded(tmp_path: Path, how: list[str], 
     expect_one_line(start(tmp_path, how, MODES, INTERRUPT_AT=module))
 
 
+@pytest.mark.parametrize("script", [False, True], ids=["-m", "script"])
+@pytest.mark.parametrize("module", ["lazy_loader", "pkmodes.base.version", "pkmodes.__main__"])
+def test_an_interrupt_while_the_package_itself_is_loaded(tmp_path: Path, script: bool, module: str) -> None:
+    """As early as anything of pkmodes runs; before that, only Python does."""
+    (tmp_path / "pkmodes").write_text(STARTS[1][1], encoding="utf-8")
+    how = [str(tmp_path / "pkmodes")] if script else STARTS[0]
+    expect_one_line(start(tmp_path, how, MODES, INTERRUPT_AT=module))
+
+
+#: Warns as libraries do, while a command runs.
+WARNING = """
+import sys
+
+class Finder:
+    def find_spec(self, name, path=None, target=None):
+        if name == "pint":
+            import logging, warnings
+            warnings.warn("invalid value encountered in divide", RuntimeWarning)
+            warnings.warn("this font has no such glyph", UserWarning)
+            logging.getLogger("matplotlib.font_manager").warning("building the font cache")
+
+sys.meta_path.insert(0, Finder())
+"""
+
+
+def test_warnings_of_libraries_are_not_shown_unless_asked_for(tmp_path: Path) -> None:
+    (tmp_path / "sitecustomize.py").write_text(WARNING, encoding="utf-8")
+    paths = [tmp_path, *(ROOT / part for part in ("src", "generated", "derive"))]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(map(str, paths))}
+    environment.pop("PYTHONWARNINGS", None)
+    for options, said in (([], False), (["-W", "default"], True)):
+        done = subprocess.run(
+            [sys.executable, *options, "-m", "pkmodes", *MODES],
+            env=environment,
+            capture_output=True,
+            check=True,
+        )
+        assert (b"invalid value" in done.stderr) == said
+        assert (b"font cache" in done.stderr) == said
+        assert bool(done.stderr) == said
+
+
+def test_a_program_that_imports_the_package_keeps_its_interrupts() -> None:
+    code = "import signal, pkmodes; print(signal.getsignal(signal.SIGINT) is signal.default_int_handler)"
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT / "src"
+    )
+    assert done.stdout == "True\n"
+
+
 @pytest.mark.parametrize("module", ["scipy", "jinja2", "sympy", "sympy.core", "pkmodes_derive.mechanisms"])
 def test_an_interrupt_while_the_generator_is_loaded(tmp_path: Path, module: str) -> None:
     expect_one_line(start(tmp_path, STARTS[0], CHECK, INTERRUPT_AT=module))

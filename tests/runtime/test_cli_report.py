@@ -40,7 +40,7 @@ def nothing_computed(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(updating, name, lambda *_, **__: pytest.fail("computed"))
 
 
-@pytest.mark.usefixtures("diagnosed")
+@pytest.mark.usefixtures("diagnosed", "no_drawing")
 def test_all_files_are_written_and_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     targets = {name: tmp_path / name for name in ("result.json", "saved.toml", "report.html")}
     options = ["--json", "--save-robot", "--report"]
@@ -54,7 +54,7 @@ def test_all_files_are_written_and_named(tmp_path: Path, capsys: pytest.CaptureF
     assert sorted(tmp_path.iterdir()) == sorted(targets.values())
 
 
-@pytest.mark.usefixtures("diagnosed")
+@pytest.mark.usefixtures("diagnosed", "no_drawing")
 def test_json_on_standard_output_is_nothing_else(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     target = tmp_path / "report.html"
     assert run([*DIAGNOSE, "--json", "-", "--report", str(target)]) == 0
@@ -74,7 +74,7 @@ def test_an_older_report_is_replaced_and_the_same_result_gives_the_same_bytes(tm
     assert target.read_bytes() == first
 
 
-@pytest.mark.usefixtures("diagnosed")
+@pytest.mark.usefixtures("diagnosed", "no_drawing")
 def test_a_report_that_cannot_be_written_does_not_take_the_rest_along(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -12,7 +12,7 @@ from helpers.pages.report_examples import made_up
 from helpers.robots.corrected_files import correct, with_joints
 from helpers.robots.robot_text import PUBLISHED, edited, published
 from pkmodes.base.errors import OutputError, PkmodesError, RobotFileError
-from pkmodes.diagnosis.verdict.result import Corrected
+from pkmodes.diagnosis.verdict.findings import Corrected
 from pkmodes.robot.saving import Correction, corrected_text, save_corrected
 from pkmodes.updating.corrected_robot import corrected_robot, corrections
 

@@ -8,7 +8,7 @@ import pytest
 
 from helpers.pages.report_examples import made_up
 from pkmodes.cli.stability_text import stability_sentence
-from pkmodes.diagnosis.verdict.result import Stability
+from pkmodes.diagnosis.verdict.findings import Stability
 
 CHANGES = ("sigma x 0.5", "sigma x 2", "priors x 2")
 SAME = ("effect_found", "payload")

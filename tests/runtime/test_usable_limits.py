@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import pickle
 from pathlib import Path
 
@@ -14,11 +15,13 @@ from helpers.robots.corrected_files import changed_lines, correct
 from helpers.robots.robot_text import published
 from pkmodes.base.errors import PkmodesError, RobotFileError
 from pkmodes.codegen.generation import specification
+from pkmodes.robot.differences import differences
 from pkmodes.robot.paths import paths
 from pkmodes.robot.reading import read_robot, robot_from_document
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.saving import Correction
 from pkmodes.robot.text import text_of
+from pkmodes.robot.usable import Radius, in_words, limits_of
 from pkmodes.updating.load_cases import settable
 
 ROBOTS = Path(__file__).parents[2] / "robots"
@@ -41,7 +44,14 @@ def test_limits_are_in_si_units_and_in_the_order_of_the_pose(tmp_path: Path) -> 
 @pytest.mark.parametrize(
     ("table", "place", "parts"),
     [
-        ("w = [0, 1]", "usable.w", ['expected a component of the pose, found "w"', "known: x, y, z"]),
+        (
+            "w = [0, 1]",
+            "usable.w",
+            [
+                'expected a component of the pose, radius or singular_angle, found "w"',
+                "known: x, y, z, radius, singular_angle",
+            ],
+        ),
         ("Z = [0, 1]", "usable.Z", ['did you mean "z"?']),
         ('z = ["1 kg", 2]', "usable.z.min", ['expected a length such as "400 mm", found "1 kg"']),
         ('z = [0, "2"]', "usable.z.max", ['found "2", which has no unit']),
@@ -56,6 +66,28 @@ def test_limits_are_in_si_units_and_in_the_order_of_the_pose(tmp_path: Path) -> 
             'z = [{ value = 0, sigma = "1 mm" }, 1]',
             "usable.z.min",
             ["found a table: a limit has no standard deviation"],
+        ),
+        ("radius = 0", "usable.radius", ["expected a length greater than 0 m, found 0"]),
+        ('radius = "12 deg"', "usable.radius", ['expected a length such as "400 mm", found "12 deg"']),
+        ("radius = [0, 1]", "usable.radius", ["found a list"]),
+        (
+            'radius = { about = ["0 mm", "0 mm"] }',
+            "usable.radius",
+            ['found "about" (', 'write radius = "120 mm"'],
+        ),
+        (
+            'radius = { value = 0.1, sigma = "1 mm" }',
+            "usable.radius",
+            ['found "value", "sigma": a limit has no standard deviation'],
+        ),
+        ("radius = { value = 0.1, about = [0] }", "usable.radius.about", ["found a list of 1"]),
+        ('radius = { value = 0.1, about = [0, "1 s"] }', "usable.radius.about.y", ['found "1 s"']),
+        ("singular_angle = 0", "usable.singular_angle", ["expected an angle greater than 0 rad, found 0"]),
+        ("singular_angle = 15", "usable.singular_angle", ["below 90 deg, found 15, which is 859.4 deg"]),
+        (
+            'singular_angle = { value = "15 deg", sigma = "1 deg" }',
+            "usable.singular_angle",
+            ["found a table: a limit has no standard deviation", 'write singular_angle = "15 deg"'],
         ),
         ('"z\\u001b[2J" = [0, 1]', 'usable."z\\x1b[2J"', ["expected a component of the pose"]),
     ],
@@ -75,8 +107,64 @@ def test_all_problems_are_told_together_and_the_table_must_be_one(tmp_path: Path
     assert len(error.value.lines) == 3
     with pytest.raises(RobotFileError, match=r"expected a table, found a list \(.*: usable\); write z = "):
         read(tmp_path, "\n[[usable]]\nz = [0, 1]\n")
-    with pytest.raises(RobotFileError, match=r"known: x, y$"):
+    with pytest.raises(RobotFileError, match=r"known: x, y, radius$"):
         read(tmp_path, "\n[usable]\nz = [0, 1]\n", "corexy-printer")
+
+
+ROUND = '\n[usable]\nradius = "120 mm"\nsingular_angle = "15 deg"\n'
+ASIDE = '\n[usable]\nradius = { value = "120 mm", about = ["600 mm", 0] }\nx = [0, 1]\n'
+
+
+def test_a_radius_and_an_angle_are_read_in_si_units_and_told_in_words(tmp_path: Path) -> None:
+    robot = read(tmp_path, ROUND)
+    assert list(robot.usable) == ["radius", "singular_angle"]
+    assert robot.usable["radius"] == Radius(0.12, (0.0, 0.0))
+    assert robot.usable["singular_angle"] == pytest.approx((math.radians(15.0),), rel=1e-15)
+    assert in_words(robot.mechanism, robot.usable) == (
+        "at most 0.12 m from x = 0 m, y = 0 m, every rod at least 15 deg from its singular direction"
+    )
+    aside = read(tmp_path, ASIDE)
+    assert aside.usable == {"x": (0.0, 1.0), "radius": Radius(0.12, (0.6, 0.0))}
+    low, high = limits_of(aside.mechanism, aside.usable)
+    assert (low.tolist(), high.tolist()) == ([0.48, -0.12, -math.inf], [0.72, 0.12, math.inf])
+    assert read(tmp_path, '\n[usable]\nradius = "9 cm"\n', "corexy-printer").usable == {
+        "radius": Radius(0.09, (0.0, 0.0))
+    }
+
+
+def test_a_mechanism_without_rods_has_no_singular_angle(tmp_path: Path) -> None:
+    with pytest.raises(RobotFileError) as error:
+        read(tmp_path, '\n[usable]\nsingular_angle = "15 deg"\n', "corexy-printer")
+    (line,) = error.value.lines
+    assert "corexy has no singular angle: it has no rods" in line
+    assert line.endswith("leave singular_angle out")
+
+
+@pytest.mark.parametrize("table", [ROUND, ASIDE])
+def test_every_form_stays_with_the_robot(tmp_path: Path, table: str) -> None:
+    robot = read(tmp_path, table)
+    assert pickle.loads(pickle.dumps(robot)) == robot
+    heavier = robot.with_values({"platform.mass": "2 kg"})
+    other = tmp_path / "other.toml"
+    for one in (heavier, robot):
+        other.write_text(text_of(one), encoding="utf-8")
+        assert read_robot(other) == one
+        assert read_robot(other).usable == robot.usable
+    assert correct(tmp_path, published() + table, platform__mass=Correction(1.4, 0.01, "new")).endswith(table)
+
+
+def test_two_robots_differ_in_every_form(tmp_path: Path) -> None:
+    plain, robot = read(tmp_path, ""), read(tmp_path, ROUND)
+    values = {one.path: (one.unit, one.first, one.second) for one in differences(plain, robot).values}
+    fifteen = pytest.approx(math.radians(15.0), rel=1e-15)
+    assert values == {
+        "usable.radius": ("m", None, 0.12),
+        "usable.singular_angle": ("rad", None, fifteen),
+    }
+    aside = {one.path: (one.first, one.second) for one in differences(robot, read(tmp_path, ASIDE)).values}
+    assert aside["usable.radius.about.x"] == (None, 0.6)
+    assert "usable.radius" not in aside
+    assert aside["usable.singular_angle"] == (fifteen, None)
 
 
 def test_limits_belong_to_the_robot_and_stay_with_it(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tracemalloc
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 from scipy.io import savemat
 
 from pkmodes.base.errors import MeasurementError
+from pkmodes.signals import matlab
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Kind, SignalFile
 from pkmodes.signals.reading import read_signals
@@ -158,6 +160,59 @@ def test_a_vector_that_is_shorter_than_its_dimensions_is_refused(tmp_path: Path)
     path.write_bytes(whole[:-8])
     with pytest.raises(MeasurementError, match="bytes of an element"):
         read_signals(path)
+
+
+@pytest.fixture
+def of_zeros(tmp_path: Path) -> Path:
+    """A small file with a vector of 32 MB."""
+    path = tmp_path / "zeros.mat"
+    savemat(path, {"time": TIME, "acc_1": TIME, "other": np.zeros(4_000_000)}, do_compression=True)
+    assert path.stat().st_size < 100_000
+    return path
+
+
+def peak_of(path: Path, *sensors: str) -> tuple[SignalFile | str, int]:
+    """Return what is read, or why not, and the bytes that this takes at most."""
+    tracemalloc.start()
+    try:
+        return read_signals(path, Asked(sensors=frozenset(sensors))), tracemalloc.get_traced_memory()[1]
+    except MeasurementError as error:
+        return str(error), tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+
+
+def test_what_no_sensor_names_is_not_unpacked(of_zeros: Path) -> None:
+    found, peak = peak_of(of_zeros, "acc_1")
+    assert not isinstance(found, str), found
+    assert [one.response for one in found.functions] == ["acc_1"]
+    assert peak < 2_000_000
+
+
+def test_more_values_than_fit_into_memory_are_refused_before_they_are_unpacked(
+    of_zeros: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(matlab, "MOST_VALUES", 4_000_000)
+    said, peak = peak_of(of_zeros, "acc_1", "other")
+    assert "they have 4,000,006 values, more than 4,000,000" in str(said)
+    assert peak < 2_000_000
+    monkeypatch.undo()
+    said, peak = peak_of(of_zeros, "other")
+    assert "expected 3 values, one for each time or frequency, found 4000000" in str(said)
+    assert 32_000_000 < peak < 80_000_000
+
+
+@pytest.mark.parametrize("name", ["large.mat", "large.csv"])
+def test_a_file_with_gigabytes_of_nothing_is_refused_at_its_beginning(tmp_path: Path, name: str) -> None:
+    path = tmp_path / name
+    savemat(path, {"time": TIME}, appendmat=False)
+    header = path.read_bytes()[:128]
+    with path.open("wb") as file:
+        file.write(header if name == "large.mat" else b"")
+        file.truncate(3_000_000_000 if name == "large.mat" else 900_000_000)  # takes no room on the disk
+    said, peak = peak_of(path, "acc_1")
+    assert "found an element of type 0" in str(said) or "found binary data" in str(said)
+    assert peak < 2_000_000
 
 
 def test_what_a_file_has_instead_is_named(tmp_path: Path) -> None:

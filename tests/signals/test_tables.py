@@ -99,6 +99,32 @@ def test_spectra_of_klipper(path: Path) -> None:
     assert (one.kind, one.response, one.abscissa.tolist()) == (Kind.SPECTRUM, "acc_1", [10.0, 20.0])
 
 
+@pytest.mark.parametrize(
+    ("values", "line", "found", "remedy"),
+    [
+        ("98.5 0.9 90", 3, "98.5", "divide it by 100 if it is in per cent"),
+        ("0.5 90 100.00", 4, "90", "divide it by 100 if it is in per cent"),
+        ("0.5 1.001 0.9", 4, "1.001", "export the coherence again"),
+        ("0.5 0.9 -0.01", 5, "-0.01", "export the coherence again"),
+        ("0.5 0.9 4000", 5, "4000", "export the coherence again"),
+    ],
+)
+def test_a_coherence_outside_0_to_1_is_refused(
+    path: Path, values: str, line: int, found: str, remedy: str
+) -> None:
+    rows = "".join(f"{k + 1},1,2,{value}\n" for k, value in enumerate(values.split()))
+    with pytest.raises(MeasurementError) as error:
+        read(path, f"# lab\nfrequency,re:a/h,im:a/h,coh:a/h\n{rows}")
+    assert error.value.what == f"expected a coherence from 0 to 1, found {found}"
+    assert error.value.where == f"{path}: line {line}, column coh:a/h"
+    assert error.value.remedy == remedy
+
+
+def test_a_coherence_that_is_rounded_is_read(path: Path) -> None:
+    functions = read(path, "frequency,re:a,im:a,coh:a\n1,1,2,1.0000001\n2,1,2,-1e-7\n").functions
+    assert functions[1].kind is Kind.COHERENCE
+
+
 def test_frequency_responses_and_coherences(path: Path) -> None:
     text = "frequency,re:a/h1 [m/s^2/N],im:a/h1,coh:a/h1,re:12:+X,im:12:+X,coh:12:+X,x\n"
     text += "1,1,2,0.5,3,4,1,0\n2,5,6,1,7,8,1,0\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import struct
 from pathlib import Path
 
@@ -142,6 +143,36 @@ def test_only_wanted_sensors_and_forces_are_kept(path: Path) -> None:
         ("1:+Z", True, "N"),
         ("12:+Y", False, "m/s^2"),
     ]
+
+
+@pytest.mark.parametrize(
+    ("start", "step", "what"),
+    [
+        (3e7, 1e-9, "found 30000000 after 30000000"),
+        (-1e20, 1.0, "found -1e+20 after -1e+20"),
+        (1e308, 1e308, "inf"),
+    ],
+)
+def test_an_even_abscissa_that_does_not_ascend_is_refused(
+    path: Path, start: float, step: float, what: str
+) -> None:
+    path.write_bytes(dataset58(NUMBERS, start=start, step=step))
+    with pytest.raises(MeasurementError, match=re.escape(what)) as error:
+        read_signals(path)
+    assert error.value.where.startswith(f"{path}: dataset 1")
+
+
+@pytest.mark.parametrize("binary", [False, True])
+def test_a_coherence_in_per_cent_is_refused(path: Path, binary: bool) -> None:
+    lines = {"abscissa": (18, "Hz"), "step": 2.0, "function": 6, "reference": (3, 1)}
+    numbers = [99.0, 0.5, 25.0, 100.0]
+    written = dataset58b(packed(numbers, "f"), **lines) if binary else dataset58(numbers, **lines)
+    path.write_bytes(dataset58([1.0, 0.5, 0.25, 1.0], **lines) + written)
+    with pytest.raises(MeasurementError) as error:
+        read_signals(path)
+    assert error.value.what == "expected a coherence from 0 to 1, found 99 as value 1"
+    assert error.value.where.startswith(f"{path}: dataset 2")
+    assert error.value.remedy == "divide it by 100 if it is in per cent"
 
 
 def test_spectra_and_coherences(path: Path) -> None:

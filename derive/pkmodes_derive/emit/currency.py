@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from pkmodes_derive import sources
 from pkmodes_derive.emit import manifest
 from pkmodes_derive.emit.provenance import is_generated
 
@@ -159,7 +160,7 @@ def _outputs(
             findings.append(Finding("missing", name, f"{name} is missing"))
         elif content != text and content.replace("\r\n", "\n") == text:
             findings.append(Finding("edited", name, f"{name} has different line endings than generated"))
-        elif name in digests and digests[name] != manifest.digest(content):
+        elif name in digests and digests[name] != sources.digest(content):
             findings.append(Finding("edited", name, f"{name} was edited by hand", _diff(name, content, text)))
         elif content != text:
             message = f"{name} differs from the current derivation"

@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from pkmodes_derive.machine import Machine
 from pkmodes_derive.tables import unit_of
-from pkmodes_description import Description
 
 #: Hexadecimal digits of a digest; 64 bits tell the models of a machine apart.
 DIGITS = 16
@@ -77,20 +77,20 @@ def digest(source: str) -> str:
     return hashlib.sha256(code.encode("utf-8")).hexdigest()[:DIGITS]
 
 
-def limits(description: Description, fields: Mapping[str, Any]) -> tuple[Limit, ...]:
+def limits(machine: Machine, fields: Mapping[str, Any]) -> tuple[Limit, ...]:
     """Return the limits of a robot: the pairs of its file, if a condition on the pose refers to limits.
 
     Parameters
     ----------
-    description : Description
-        Of its mechanism.
+    machine : Machine
+        That its mechanism declares.
     fields : mapping of str to nested lists
         Its parameters in SI units.
     """
-    if not any(margin.code == "limits" for margin in description.margins):
+    if not any(margin.code == "limits" for margin in machine.margins):
         return ()
     declared = []
-    for table in description.tables:
+    for table in machine.tables.described():
         for key in (key for key in table.keys if key.kind == "pair"):
             for place, first in _places(table.name, table.count):
                 values: Any = fields[key.field]

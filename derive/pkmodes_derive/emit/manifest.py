@@ -6,44 +6,18 @@ the operation counts and, for a robot, the values of its file.
 
 from __future__ import annotations
 
-import hashlib
 import json
 from collections.abc import Mapping
-from importlib.resources import files
-from importlib.resources.abc import Traversable
 
 import sympy
 
 import pkmodes_derive
-import pkmodes_description
+from pkmodes_derive import sources
 from pkmodes_derive.emit.program import Program
 from pkmodes_derive.emit.specification import Specification
 
 FILE_NAME = "manifest.json"
 FORMAT = 1
-
-
-def digest(text: str) -> str:
-    """Return the SHA-256 of a text in UTF-8."""
-    return hashlib.sha256(text.encode("utf-8")).hexdigest()
-
-
-def source_digests() -> dict[str, str]:
-    """Return the digests of every source and template of the derivation and the description by relative path."""
-    digests: dict[str, str] = {}
-
-    def walk(folder: Traversable, prefix: str) -> None:
-        for entry in sorted(folder.iterdir(), key=lambda item: item.name):
-            path = f"{prefix}{entry.name}"
-            if entry.is_dir() and entry.name != "__pycache__":
-                walk(entry, f"{path}/")
-            elif entry.name.endswith((".py", ".j2", ".c")):
-                # Newlines may differ between checkouts of the same sources.
-                digests[path] = digest(entry.read_text(encoding="utf-8").replace("\r\n", "\n"))
-
-    walk(files(pkmodes_derive), "")
-    walk(files(pkmodes_description), "pkmodes_description/")
-    return digests
 
 
 def text(
@@ -68,8 +42,8 @@ def text(
         "product": product,
         "mechanism": mechanism,
         "generator": {"pkmodes_derive": pkmodes_derive.__version__, "sympy": sympy.__version__},
-        "sources": source_digests(),
-        "outputs": {name: digest(outputs[name]) for name in outputs},
+        "sources": sources.source_digests(),
+        "outputs": {name: sources.digest(outputs[name]) for name in outputs},
         "operations": {
             name: {"written_out": p.operations_written_out, "emitted": p.operations}
             for name, p in programs.items()
@@ -77,7 +51,7 @@ def text(
     }
     if definition is not None:
         content["definition"] = definition[0]
-        content["sources"] = {**source_digests(), f"{mechanism}.py": digest(definition[1])}
+        content["sources"] = {**sources.source_digests(), f"{mechanism}.py": sources.digest(definition[1])}
     if specification is not None:
         content["robot"] = {
             "file": specification.robot_file,

@@ -6,7 +6,7 @@ function of the derivation, the templates and the specification.  Writing and co
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import sympy
@@ -20,7 +20,8 @@ from pkmodes_derive.emit.program import Program, arrange
 from pkmodes_derive.emit.provenance import ANY_ROBOT, Provenance, pasteable
 from pkmodes_derive.emit.registry import BACKENDS
 from pkmodes_derive.emit.specification import Specification
-from pkmodes_derive.functions import Model
+from pkmodes_derive.functions import Function, Model
+from pkmodes_derive.kept import digest_of, keeps, kept
 from pkmodes_derive.specialise import specialise
 from pkmodes_description import FILE_NAME as DESCRIPTION
 from pkmodes_description import encode
@@ -38,6 +39,11 @@ def parametric(mechanism: str, definition: str = "") -> dict[str, str]:
     definition : str
         Path of the file of a user-defined mechanism, relative to the product.
     """
+    of = mechanism, definition, mechanisms.source(mechanism)
+    return kept("parametric", of, lambda: _parametric(mechanism, definition))
+
+
+def _parametric(mechanism: str, definition: str) -> dict[str, str]:
     model, extended = mechanisms.base(mechanism), mechanisms.extended(mechanism)
     own = mechanisms.source(mechanism)
     command = f"pkmodes generate --mechanism {pasteable(definition)} {ANY_ROBOT} --out .."
@@ -115,6 +121,11 @@ def _zeros(specification: Specification) -> frozenset[tuple[str, int]]:
 
 def specialised(specification: Specification) -> dict[str, str]:
     """Build the model of one robot, constants folded: texts by file name."""
+    of = specification, mechanisms.source(specification.mechanism)
+    return kept("specialised", of, lambda: _specialised(specification))
+
+
+def _specialised(specification: Specification) -> dict[str, str]:
     model = of_robot(specification)
     values = {
         symbol.name: value
@@ -124,7 +135,6 @@ def specialised(specification: Specification) -> dict[str, str]:
     name, given = specification.identifier, specification.definition
     option = f"--mechanism {pasteable(given)} " if given else ""
     own = mechanisms.source(specification.mechanism)
-    described = mechanisms.description(specification.mechanism)
     provenance = Provenance(
         name=name,
         module=name,
@@ -137,7 +147,7 @@ def specialised(specification: Specification) -> dict[str, str]:
         identity=Identity(
             literal(specification.name, name),
             pkmodes_derive.__version__,
-            limits=limits(described, specification.fields),
+            limits=limits(mechanisms.machine(specification.mechanism), specification.fields),
         ),
     )
     if specification.effects:
@@ -170,7 +180,7 @@ def written(*models: tuple[Model, Provenance]) -> tuple[dict[str, str], dict[str
     texts: dict[str, str] = {}
     programs: dict[str, Program] = {}
     for model, provenance in models:
-        of_model = {function.name: arrange(function) for function in model.functions}
+        of_model = arranged(model.functions)
         by_backend: dict[str, Mapping[str, str]] = {}
         # First the language whose source identifies the model, because the others state its digest.
         for backend in sorted(BACKENDS, key=lambda backend: not backend.source):
@@ -181,6 +191,15 @@ def written(*models: tuple[Model, Provenance]) -> tuple[dict[str, str], dict[str
             texts |= by_backend[backend.name]
         programs |= of_model
     return texts, programs
+
+
+def arranged(functions: Sequence[Function]) -> dict[str, Program]:
+    """Return the program of each function by name."""
+
+    def arrange_all() -> dict[str, Program]:
+        return {function.name: arrange(function) for function in functions}
+
+    return kept("programs", digest_of(functions), arrange_all) if keeps() else arrange_all()
 
 
 def _constants(model: Model, specification: Specification) -> tuple[str, ...]:

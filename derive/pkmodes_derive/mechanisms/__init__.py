@@ -6,12 +6,13 @@ paper: tables, coordinates, closures, bodies, transmissions, and conditions on a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from functools import cache
+from functools import _lru_cache_wrapper, cache, wraps
 from importlib import import_module
 from pkgutil import iter_modules
 from types import ModuleType
+from typing import TypeVar
 
 from pkmodes_derive import definition
 from pkmodes_derive.assembly import models
@@ -23,8 +24,11 @@ from pkmodes_derive.effect import Effect
 from pkmodes_derive.effect_application import apply_effects
 from pkmodes_derive.effects import catalogue
 from pkmodes_derive.functions import HeldMotors, Model
+from pkmodes_derive.kept import kept
 from pkmodes_derive.machine import Machine
 from pkmodes_description import Description, Drawing
+
+T = TypeVar("T")
 
 #: User-defined mechanisms by name: text and module of the definition.
 _added: dict[str, tuple[str, ModuleType]] = {}
@@ -101,7 +105,19 @@ def effects(name: str) -> tuple[Effect, ...]:
     return tuple(effect for effect in catalogue() if effect.parts(bare))
 
 
-@cache
+def _once(derive: Callable[..., T]) -> _lru_cache_wrapper[T]:
+    """Derive once per process, and keep the result where a folder is named for it."""
+
+    @cache
+    @wraps(derive)
+    def found(name: str, *choice: object) -> T:
+        of = name, source(name), [sorted(c) if isinstance(c, frozenset) else c for c in choice]
+        return kept(derive.__name__, of, lambda: derive(name, *choice))
+
+    return found
+
+
+@_once
 def base(name: str) -> Model:
     """Return the model of a mechanism without effects, derived once per process."""
     if name not in _added:
@@ -115,7 +131,7 @@ def base(name: str) -> Model:
     return model
 
 
-@cache
+@_once
 def extended(name: str) -> Model:
     """Return the model of a mechanism with every effect that applies, derived once per process."""
     declared = machine(name, effects(name))
@@ -127,7 +143,7 @@ def extended(name: str) -> Model:
     return model
 
 
-@cache
+@_once
 def drawing(name: str) -> tuple[Model, Drawing]:
     """Return the model of a mechanism's drawing, with every effect, and its description; derived once per process."""
     declared = machine(name, effects(name))
@@ -135,7 +151,7 @@ def drawing(name: str) -> tuple[Model, Drawing]:
         return model_and_drawing(declared)
 
 
-@cache
+@_once
 def single(name: str, chosen: tuple[str, ...], zeros: frozenset[tuple[str, int]]) -> Model:
     """Return the model of a mechanism with some effects, by name, for one robot; derived once per process.
 
@@ -144,7 +160,7 @@ def single(name: str, chosen: tuple[str, ...], zeros: frozenset[tuple[str, int]]
     return models.single(machine(name, _some(name, chosen)), zeros)
 
 
-@cache
+@_once
 def held(name: str, chosen: tuple[str, ...], zeros: frozenset[tuple[str, int]]) -> HeldMotors:
     """Return a robot with some effects whose motors are held, for one robot; derived once per process."""
     declared = machine(name, _some(name, chosen))

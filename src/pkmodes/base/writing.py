@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import errno
 import os
+import secrets
+import shutil
 import tempfile
 from collections.abc import Mapping
 from contextlib import suppress
@@ -19,8 +21,10 @@ FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 def write_files(folder: Path, texts: Mapping[str, str | bytes], *, follow: bool = False) -> list[Path]:
     """Write texts, or other contents, into a folder, all or none; existing files of those names are replaced.
 
-    Every text is written to a temporary file next to its target and then moved.  Replaced files are kept until all
-    texts are in place.  If anything fails, they are restored and the folders created for the texts are removed.
+    Every text is written to a temporary file next to its target, which then replaces it in one step: at any moment
+    a reader, or whoever comes after a kill, finds the old file or the new one, whole.  Where there are several, the
+    old ones are kept under other names until all texts are in place.  If anything fails, they are restored and the
+    folders created for the texts are removed.
 
     Parameters
     ----------
@@ -33,7 +37,7 @@ def write_files(folder: Path, texts: Mapping[str, str | bytes], *, follow: bool 
         If the folder or a file cannot be written, or a link leads out of the folder.
     """
     staged: list[tuple[Path, Path]] = []
-    moved: list[tuple[Path | None, Path]] = []
+    kept: dict[Path, Path] = {}
     writing = folder
     made = [place for place in (folder, *folder.parents) if not place.exists()]
     try:
@@ -45,27 +49,23 @@ def write_files(folder: Path, texts: Mapping[str, str | bytes], *, follow: bool 
                 what = f"{name} is a symbolic link that leads out of the folder"
                 raise OutputError(what, str(folder), "remove the link, or choose another folder")
             staged.append((_stage(target, text), target))
+        if len(staged) > 1:  # a single one is in place, or it is not
+            for temporary, target in staged:
+                kept[temporary] = _beside(target)
+                _keep(target, kept[temporary])
         for temporary, target in staged:
-            backup = _set_aside(target)
-            moved.append((backup, target))
             temporary.replace(target)
     except BaseException as error:
-        for backup, target in reversed(moved):
-            if backup is None:
-                target.unlink(missing_ok=True)
-            else:
-                backup.replace(target)
-        for temporary, _ in staged:
-            temporary.unlink(missing_ok=True)
+        for temporary, target in reversed(staged):
+            _undo(temporary, target, kept.get(temporary))
         for place in made:
             with suppress(OSError):  # it was never created, or is already in use
                 place.rmdir()
         if not isinstance(error, OSError):
             raise
         raise refusal(error, writing) from None
-    for backup, _ in moved:
-        if backup is not None:
-            backup.unlink(missing_ok=True)
+    for backup in kept.values():
+        backup.unlink(missing_ok=True)
     return [folder / name for name in texts]
 
 
@@ -108,7 +108,7 @@ def _real(path: Path) -> Path:
 
 
 def _stage(target: Path, text: str | bytes) -> Path:
-    handle, name = tempfile.mkstemp(prefix=f".{target.name[:100]}.", dir=target.parent)
+    handle, name = tempfile.mkstemp(prefix=_prefix(target), dir=target.parent)
     temporary = Path(name)
     try:
         with os.fdopen(handle, "wb") as file:
@@ -120,18 +120,36 @@ def _stage(target: Path, text: str | bytes) -> Path:
     return temporary
 
 
-def _set_aside(target: Path) -> Path | None:
-    """Move an existing file out of the way and return its new path; None if there is no file."""
+def _keep(target: Path, backup: Path) -> None:
+    """Give an existing file a second name; a copy where the file system, or the owner of the file, forbids that."""
     if not target.exists():
-        return None
-    handle, name = tempfile.mkstemp(prefix=f".{target.name[:100]}.", dir=target.parent)
-    os.close(handle)
+        return
     try:
-        target.replace(name)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
-    return Path(name)
+        backup.hardlink_to(target)
+    except OSError:
+        shutil.copy2(target, backup)
+
+
+def _undo(temporary: Path, target: Path, backup: Path | None) -> None:
+    """Restore one of several targets, if its text had replaced it; a single one that is in place stays."""
+    if temporary.exists():
+        temporary.unlink()
+    elif backup is not None and backup.exists():
+        backup.replace(target)
+    elif backup is not None:  # there was no file
+        target.unlink(missing_ok=True)
+    if backup is not None:
+        backup.unlink(missing_ok=True)
+
+
+def _beside(target: Path) -> Path:
+    """Return a name next to a file that nothing else has."""
+    return target.with_name(_prefix(target) + secrets.token_hex(8))
+
+
+def _prefix(target: Path) -> str:
+    """Return how names next to a file begin: short, because a file system limits the bytes of a name."""
+    return f".{target.name[:40]}."
 
 
 def _mode(target: Path) -> int:

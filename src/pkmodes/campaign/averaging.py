@@ -185,8 +185,10 @@ def mean_shape(shapes: Sequence[Mapping[str, complex]]) -> tuple[dict[str, compl
     for _ in range(20):
         scaled = np.array([row * _scale(row, mean) for row in table])
         count = np.isfinite(scaled).sum(axis=0)
-        mean = np.where(count > 0, np.nansum(scaled, axis=0) / np.maximum(count, 1), np.nan)
+        before, mean = mean, np.where(count > 0, np.nansum(scaled, axis=0) / np.maximum(count, 1), np.nan)
         mean = mean / mean[np.nanargmax(np.abs(mean))]
+        if np.array_equal(mean, before, equal_nan=True):  # at once for a single shape
+            break
     known = np.isfinite(mean)
     shape = {name: complex(mean[i]) for i, name in enumerate(names) if known[i]}
     return shape, (scaled - mean)[:, known]

@@ -13,6 +13,7 @@ from pkmodes.campaign.description import CampaignTable, EditTable, RecordTable, 
 from pkmodes.campaign.quantities import band_of, frequency, quantity, share, uncertain
 from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, sensors_of, unsigned
 from pkmodes.identification.asked import Asked
+from pkmodes.measured.rules import PRINTABLE, is_label
 from pkmodes.model.loading import load
 from pkmodes.model.model import Model
 from pkmodes.robot.report_fields import read_report
@@ -234,6 +235,8 @@ def _record(
         raise MeasurementError(what, f"{where}.files", "a repeat is another measurement: give each file once")
     if not given.pose.strip():
         raise MeasurementError("expected a label, found none", f"{where}.pose", 'for example: pose = "P1"')
+    if not is_label(given.pose):
+        raise MeasurementError(f"expected a label, found {shown(given.pose)}", f"{where}.pose", PRINTABLE)
     if given.pose.lstrip().startswith("#"):
         what = f"expected a label that does not begin with #, found {shown(given.pose)}"
         raise MeasurementError(what, f"{where}.pose", "its rows would be comments of the measurement file")
@@ -244,7 +247,7 @@ def _record(
     point, spread = _point(given, model, where)
     return Record(
         number=number,
-        pose=given.pose,
+        pose=given.pose.strip(),  # as the measurement file is read
         point=point,
         point_sigma=spread,
         settings=_settings(given, model, where),
@@ -325,11 +328,11 @@ def _check_labels(records: tuple[Record, ...], source: str) -> None:
 
 def _edit(given: EditTable, records: tuple[Record, ...], where: str) -> Edit:
     labels = [record.pose for record in records]
-    if given.pose not in labels:
+    if given.pose.strip() not in labels:
         what = f"no record has the label {shown(given.pose)}"
         raise MeasurementError(what, f"{where}.pose", nearest(given.pose, labels))
     return Edit(
-        given.pose,
+        given.pose.strip(),
         tuple(frequency(text, f"{where}.strike") for text in given.strike),
         tuple(frequency(text, f"{where}.add") for text in given.add),
     )

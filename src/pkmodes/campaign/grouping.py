@@ -7,7 +7,7 @@ distance of their members counts (average linkage), so that a chain of neighbour
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import combinations
+from heapq import heapify, heappop, heappush
 
 import numpy as np
 
@@ -18,6 +18,8 @@ from pkmodes.campaign.found import Found, mac
 APART = 0.01
 #: MAC of two shapes of one mode at least.
 ALIKE = 0.5
+#: Factor on widths, so that rounding excludes nothing.
+ROUNDED = 1.0 + 1e-9
 
 
 def grouped(files: Sequence[Sequence[Found]]) -> list[dict[int, Found]]:
@@ -34,23 +36,53 @@ def grouped(files: Sequence[Sequence[Found]]) -> list[dict[int, Found]]:
             groups += _merged(near)
             near = []
         near.append({i: mode})
-    groups += _merged(near)
+    groups += _merged(near) if near else []
     return sorted(groups, key=lambda group: float(np.mean([mode.frequency for mode in group.values()])))
 
 
-def _merged(groups: list[dict[int, Found]]) -> list[dict[int, Found]]:
-    """Merge groups of modes in the order of their distance."""
-    while len(groups) > 1:
-        pairs = [
-            (_distance(one, other), i, k)
-            for (i, one), (k, other) in combinations(enumerate(groups), 2)
-            if not one.keys() & other.keys()
-        ]
-        least, i, k = min(pairs, default=(2.0, 0, 0))
+def _merged(modes: list[dict[int, Found]]) -> list[dict[int, Found]]:
+    """Merge groups, of one mode each and in the order of their frequencies, in the order of their distance.
+
+    Groups can only be alike where members are: after a merge, those beside either part are looked at again.
+    """
+    groups = dict(enumerate(modes))
+    beside = _neighbours(modes)
+    waiting = [
+        (_distance(groups[i], groups[k]), i, k, 1, 1) for i, others in beside.items() for k in others if i < k
+    ]
+    heapify(waiting)
+    while waiting:
+        least, i, k, *sizes = heappop(waiting)
         if least > 1.0:
             break
-        groups[i] = {**groups[i], **groups.pop(k)}
-    return groups
+        if i not in groups or k not in groups or sizes != [len(groups[i]), len(groups[k])]:
+            continue  # one of them has merged since
+        groups[i] |= groups.pop(k)
+        for other in beside.pop(k):
+            beside[other].discard(k)
+            if other != i:
+                beside[other].add(i)
+                beside[i].add(other)
+        for other in beside[i]:
+            first, second = min(i, other), max(i, other)
+            one, another = groups[first], groups[second]
+            if not one.keys() & another.keys():
+                heappush(waiting, (_distance(one, another), first, second, len(one), len(another)))
+    return list(groups.values())
+
+
+def _neighbours(modes: Sequence[dict[int, Found]]) -> dict[int, set[int]]:
+    """Return which modes of other files may be the same as each one, by their frequencies."""
+    (files, found) = zip(*((i, mode) for group in modes for i, mode in group.items()), strict=True)
+    logs = np.log([mode.frequency for mode in found])
+    ends = np.searchsorted(logs, logs + ROUNDED * max(map(_width, found)), side="right").tolist()
+    beside: dict[int, set[int]] = {i: set() for i in range(len(modes))}
+    for i, end in enumerate(ends):
+        for k in range(i + 1, end):
+            if files[i] != files[k]:
+                beside[i].add(k)
+                beside[k].add(i)
+    return beside
 
 
 def _distance(one: dict[int, Found], other: dict[int, Found]) -> float:

@@ -14,7 +14,7 @@ import numpy as np
 
 from pkmodes.base.errors import MeasurementError, nearest, shown
 from pkmodes.campaign.found import Found, check_shape
-from pkmodes.measured.cells import cells_of, number_in
+from pkmodes.measured.cells import Notation
 from pkmodes.measured.csv_format import read_text
 from pkmodes.measured.csv_rows import read_lines
 from pkmodes.measured.header import IN_BRACKETS, frequency_factor
@@ -23,7 +23,6 @@ from pkmodes.robot.units import QuantityError, base_units
 
 #: Columns of numbers, with the kind of their units.
 NUMBERS = {"frequency": "Hz", "sigma": "Hz", "damping": "1", "sigma_damping": "1", "sigma_shape": "1"}
-SEPARATORS = (";", "\t", ",")
 PER_CENT = Decimal("0.01")
 
 
@@ -48,17 +47,16 @@ def read_mode_table(
     """
     source = str(path)
     text = read_text(path, source, "the modes", "give a table of modes")
-    records = read_lines(text, source).records
+    records, notation = read_lines(text, source)[:2]
     if len(records) < 2:
         _refuse("expected a header and rows, found none", source, "start with the names of the columns")
     (number, header), rows = records[0], records[1:]
-    separator = max(SEPARATORS, key=header.count)
-    names = _cells(header, separator, f"{source}: line {number}")
+    names = notation.cells(header, f"{source}: line {number}")
     places = _places(names, columns, channels, f"{source}: line {number}")
     found, labels = [], set()
     for line, record in rows:
         where = f"{source}: line {line}"
-        cells = _cells(record, separator, where)
+        cells = notation.cells(record, where)
         if len(cells) != len(names):
             _refuse(
                 f"expected {len(names)} cells, found {len(cells)}",
@@ -70,15 +68,11 @@ def read_mode_table(
             labels.add(label)
             if label != pose:
                 continue
-        found.append(_mode(cells, places, names, separator != ",", where))
+        found.append(_mode(cells, places, names, notation, where))
     if not found:
         what = f"expected rows of the pose {shown(pose)}, found {', '.join(sorted(labels)) or 'none'}"
         _refuse(what, source, "correct the label of the record, or leave the column out")
     return found
-
-
-def _cells(line: str, separator: str, where: str) -> list[str]:
-    return cells_of(line, where) if separator == "," else [cell.strip(' "') for cell in line.split(separator)]
 
 
 def _places(
@@ -140,16 +134,15 @@ def _mode(
     cells: list[str],
     places: Mapping[str, tuple[int, Decimal | None]],
     names: list[str],
-    decimal_comma: bool,
+    notation: Notation,
     where: str,
 ) -> Found:
     values: dict[str, float] = {}
     shape: dict[str, complex] = {}
     for name, (i, factor) in places.items():
-        cell = cells[i].replace(",", ".") if decimal_comma else cells[i]
-        if name == "pose" or not cell:
+        if name == "pose" or not cells[i]:
             continue
-        value = number_in(cell, factor)
+        value = notation.number(cells[i], factor)
         if value is None:
             remedy = "write a plain number, or leave the cell blank"
             _refuse(

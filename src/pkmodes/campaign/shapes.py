@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -29,11 +29,31 @@ def by_channel(shape: Mapping[str, complex], places: Mapping[str, Place]) -> dic
         What the sensors determine; other channels are left out.
     """
     used = [name for name in shape if places[name].weights]
-    channels = list(dict.fromkeys(channel for name in used for channel in places[name].weights))
-    if not used:
-        return {}
-    A = np.array([[places[name].weights.get(channel, 0.0) for channel in channels] for name in used])
-    values = np.array([shape[name] for name in used])
+    order = dict.fromkeys(channel for name in used for channel in places[name].weights)
+    found: dict[str, complex] = {}
+    for names in _together(used, places):
+        found |= _solved(names, shape, places)
+    return {channel: found[channel] for channel in order if channel in found}
+
+
+def _together(used: Sequence[str], places: Mapping[str, Place]) -> list[list[str]]:
+    """Return the sensors in groups that have no channel in common: hundreds of them are mostly alone."""
+    group_of: dict[str, list[str]] = {}
+    for name in used:
+        groups = {id(group_of[c]): group_of[c] for c in places[name].weights if c in group_of}
+        merged = [*(one for group in groups.values() for one in group), name]
+        for channel in {c for one in merged for c in places[one].weights}:
+            group_of[channel] = merged
+    return list({id(group): group for group in group_of.values()}.values())
+
+
+def _solved(
+    names: Sequence[str], shape: Mapping[str, complex], places: Mapping[str, Place]
+) -> dict[str, complex]:
+    """Return the channels that some sensors determine."""
+    channels = list(dict.fromkeys(channel for name in names for channel in places[name].weights))
+    A = np.array([[places[name].weights.get(channel, 0.0) for channel in channels] for name in names])
+    values = np.array([shape[name] for name in names])
     U, s, Vh = np.linalg.svd(A)
     rank = int((s > HIDDEN * s[0]).sum())
     hidden = np.abs(Vh[rank:]).max(axis=0, initial=0.0) > HIDDEN

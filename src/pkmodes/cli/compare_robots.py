@@ -52,7 +52,7 @@ class ValueDocument(Document):
 
 
 class ChoiceDocument(Document):
-    """A choice, such as a direction, that the two robots declare differently."""
+    """A choice, such as a direction, or the correlations, that the two robots declare differently."""
 
     path: Annotated[str, Meta(description="Its dotted path.")]
     first: Annotated[str, Meta(description="As the first robot has it.")]
@@ -153,14 +153,19 @@ def compare_robots(
 
 
 def _points(first: Model, second: Model, places: Places | None) -> np.ndarray:
+    from pkmodes.maps.poses import Grid
     from pkmodes.maps.workspace import reachable_by
+    from pkmodes.solve.usable import within
 
     if places is None:
         places = reachable_by([first.kinematics, second.kinematics], POSES)
     count = math.prod(places.shape)
     if count > MOST:
         raise PkmodesError(f"expected at most {MOST:,} poses, found {count:,}", "poses", "give fewer")
-    return np.asarray(places.points(np.arange(count)))
+    points = np.asarray(places.points(np.arange(count)))
+    if isinstance(places, Grid) and places.used:
+        points = points[within(first.kinematics)(points) | within(second.kinematics)(points)]
+    return points
 
 
 def _plane(places: Places | None) -> Grid | None:

@@ -163,6 +163,7 @@ def _damping(terminal: Terminal, rows: Sequence[ComparedRow], rigid: int) -> Non
     some = [row for row in rows if row.damping is not None]
     if not some:
         return
+    remarked = any(row.no_evidence for row in some)
     cells = [
         [
             str(row.line),
@@ -171,12 +172,14 @@ def _damping(terminal: Terminal, rows: Sequence[ComparedRow], rigid: int) -> Non
                 "" if ratio is None else f"{100.0 * ratio:.3g}"
                 for ratio in (row.damping, row.sigma_damping, row.predicted_damping)
             ),
+            *([f"another shape (MAC {row.mac:.2f})" if row.no_evidence else ""] if remarked else []),
         ]
         for row in some
     ]
     terminal.line()
     terminal.line("damping ratios:")
-    terminal.table(["line", "mode", "measured [%]", "sigma", "model [%]"], cells)
+    titles = ["line", "mode", "measured [%]", "sigma", "model [%]", *(["remark"] if remarked else [])]
+    terminal.table(titles, cells, left=("remark",) if remarked else ())
 
 
 def _settings(terminal: Terminal, robot: Robot, rows: Sequence[ComparedRow], most: int) -> None:

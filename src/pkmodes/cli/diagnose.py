@@ -97,6 +97,9 @@ def diagnose(
     The verdict is adequate, effect_found, ambiguous, unexplained or insufficient_data, with a reason.  The exit code
     is 0 for any verdict except those in --fail-on, which give 1; so does --save-robot where the verdict leaves
     nothing to save.  It is 2 for bad input.
+
+    All of these are about frequencies and shapes.  Measured damping has a verdict of its own beside them; losses that
+    it shows are saved, too.
     """
     check_order(robot, modes, "pkmodes diagnose")
     save_target = Target("--save-robot", save_to, "the corrected robot")
@@ -179,7 +182,7 @@ def _chosen(result: Diagnosis) -> list[str]:
     return [
         f"it has {effect.name}; the data cannot tell it from {' or '.join(effect.members[1:])}: "
         f"to save that instead, add --candidates {effect.members[1]}"
-        for effect in result.effects
+        for effect in result.every_cause
         if len(effect.members) > 1
     ]
 

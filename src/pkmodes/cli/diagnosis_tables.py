@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from statistics import median
 
 from pkmodes.base.drives import HELD, motors
 from pkmodes.base.numbers import p_in_words, plain, rounded
@@ -10,7 +11,17 @@ from pkmodes.base.ordering import sorted_labels
 from pkmodes.cli.stability_text import stability_sentence
 from pkmodes.cli.terminal import Terminal
 from pkmodes.diagnosis.verdict import naming
-from pkmodes.diagnosis.verdict.result import NOTICEABLE, Diagnosis, Finding, Value
+from pkmodes.diagnosis.verdict.findings import (
+    NOTICEABLE,
+    Corrected,
+    Finding,
+    Refitted,
+    Value,
+    believed,
+    saved_as,
+    why_larger,
+)
+from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.mechanism.poses import placed
 from pkmodes.mechanism.registry import Mechanism
@@ -28,27 +39,33 @@ def show(robot: Robot, result: Diagnosis) -> None:
     terminal = Terminal()
     terminal.heading(f"{robot.name}: {result.verdict}")
     terminal.line(result.reason, "  ")
-    for effect in result.effects:
-        terminal.line()
-        if len(effect.members) > 1:
-            _class(terminal, effect, result)
-            continue
-        sentence = f": {effect.sentence}" if effect.sentence else ""
-        terminal.line(f"cause: {effect.name} ({p_in_words(effect.p_value)}){sentence}")
-        _values(terminal, effect, result)
+    _causes(terminal, result.effects, result.corrected)
     for group in result.survivors:
         terminal.line(f"remains: {' or '.join(group)}", "  ")
     terminal.line()
     _errors(terminal, result)
     _damping(terminal, result)
     _counts(terminal, robot, result)
-    if result.refitted:
+    of_losses = {value.name for value in result.damping.refitted}  # the damping says more of them
+    if refitted := [value for value in result.refitted if value.name not in of_losses]:
         terminal.line()
-        _refitted(terminal, result)
+        _refitted(terminal, refitted)
     _remarks(terminal, robot, result)
 
 
-def _class(terminal: Terminal, effect: Finding, result: Diagnosis) -> None:
+def _causes(terminal: Terminal, effects: Sequence[Finding], corrected: Sequence[Corrected]) -> None:
+    """Print causes with their values and classes."""
+    for effect in effects:
+        terminal.line()
+        if len(effect.members) > 1:
+            _class(terminal, effect, corrected)
+            continue
+        sentence = f": {effect.sentence}" if effect.sentence else ""
+        terminal.line(f"cause: {effect.name} ({p_in_words(effect.p_value)}){sentence}")
+        _values(terminal, effect, corrected)
+
+
+def _class(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) -> None:
     """Print a class: what its members have in common, and each with its value and whether that is implausible."""
     what = f"one of {naming.count(len(effect.members))} ({p_in_words(effect.p_value)})"
     terminal.line(f"cause: {what}: {naming.of_class(effect)}")
@@ -59,7 +76,9 @@ def _class(terminal: Terminal, effect: Finding, result: Diagnosis) -> None:
         values = ", ".join(f"{_short(v)} = {_with_sigma(v)}" for v in relative or effect.alternatives[member])
         mean, also = " relative to their mean" if relative else "", f" (implausible: {why})" if why else ""
         terminal.line(f"{values}{mean}{also}", "    " if place else "  ")
-    saved = [one for value in effect.parameters if (one := result.saved(value)) is not None and one.widened]
+    saved = [
+        one for value in effect.parameters if (one := saved_as(value, corrected)) is not None and one.widened
+    ]
     larger = [
         f"{_short(one)} is saved with +- {plain(one.saved_sigma, 2)}, for what an unseen {one.unseen.candidate} "
         "could have done"
@@ -69,7 +88,7 @@ def _class(terminal: Terminal, effect: Finding, result: Diagnosis) -> None:
     terminal.line("; ".join(["+- by the fit alone", *larger]), "  ")
 
 
-def _values(terminal: Terminal, effect: Finding, result: Diagnosis) -> None:
+def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) -> None:
     """Print the values of a cause: relative to their mean, where the mean is far less certain.
 
     The standard deviation is the one that may be relied on, with that of the fit below it.
@@ -78,14 +97,14 @@ def _values(terminal: Terminal, effect: Finding, result: Diagnosis) -> None:
     if relative:
         terminal.line("relative to their mean:", "  ")
     for value in relative or effect.parameters:
-        shown, why = (value, "") if relative else (result.believed(value), result.why_larger(value))
+        shown, why = (value, "") if relative else (believed(value, corrected), why_larger(value, corrected))
         terminal.line(f"{_short(value)} = {_with_sigma(shown)}", "    " if relative else "  ")
         if why:
             terminal.line(why, "    ")
     if why := effect.member(effect.name).implausible:
         terminal.line(f"implausible: {why}", "  ")
     if relative:
-        each = ", ".join(_with_sigma(result.believed(value)) for value in effect.parameters)
+        each = ", ".join(_with_sigma(believed(value, corrected)) for value in effect.parameters)
         terminal.line("with their mean, which is less certain:", "  ")
         terminal.line(each, "    ")
 
@@ -119,17 +138,42 @@ def _percent(relative: float | None) -> str:
 
 
 def _damping(terminal: Terminal, result: Diagnosis) -> None:
-    """Print how far the damping ratios of the model are from the measured ones."""
+    """Print what the damping says, which changes nothing above."""
     found = result.damping
-    if found is None or not found.fitted:
+    if not found.measured:
         return
+    terminal.line()
+    terminal.line(f"damping: {found.verdict}")
+    terminal.line(found.reason, "  ")
+    _causes(terminal, found.effects, found.corrected)
+    for group in found.survivors:
+        terminal.line(f"remains: {' or '.join(group)}", "  ")
+    if found.fitted:
+        _ratios(terminal, result)
+    if found.refitted:
+        terminal.line()
+        _refitted(terminal, found.refitted)
+    for note in found.notes:
+        terminal.line()
+        terminal.line(f"note on the damping: {note}")
+
+
+def _ratios(terminal: Terminal, result: Diagnosis) -> None:
+    """Print how far the damping ratios of the model are from the measured ones, and with which errors."""
+    found = result.damping
     factors = {"as declared": found.before, "as diagnosed": found.after, "held out": found.held_out}
     parts = [f"{factor:.3g} {name}" for name, factor in factors.items() if factor is not None]
     if found.before is None:
         parts.insert(0, "nothing dissipates as declared")
+    errors = [
+        row.sigma_damping_used / row.damping
+        for row in result.rows
+        if row.damping_used and row.damping and row.sigma_damping_used is not None
+    ]
     count = f"{found.fitted} ratio{'' if found.fitted == 1 else 's'} fitted"
+    each = f" with a sigma of {100.0 * median(errors):.0f} % (median)" if errors else ""
     terminal.line()
-    terminal.line(f"damping, {count}; rms factor between model and measurement: {', '.join(parts)}")
+    terminal.line(f"{count}{each}; rms factor between model and measurement: {', '.join(parts)}")
 
 
 def _counts(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
@@ -156,8 +200,8 @@ def _poses(labels: Sequence[str]) -> str:
     return f"pose{'' if len(labels) == 1 else 's'} {', '.join(labels[:MOST_LISTED])}{more}"
 
 
-def _refitted(terminal: Terminal, result: Diagnosis) -> None:
-    widened = any(value.saved_sigma > NOTICEABLE * value.sigma for value in result.refitted)
+def _refitted(terminal: Terminal, values: Sequence[Refitted]) -> None:
+    widened = any(value.saved_sigma > NOTICEABLE * value.sigma for value in values)
     rows = [
         (
             value.name.removeprefix("effects."),
@@ -166,7 +210,7 @@ def _refitted(terminal: Terminal, result: Diagnosis) -> None:
             *((rounded(value.after, value.sigma).columns[1],) if widened else ()),
             "" if value.unit == "1" else value.unit,
         )
-        for value in result.refitted
+        for value in values
     ]
     fit = ("+- of fit",) if widened else ()
     terminal.table(("uncertain value", "before", "after", *fit, "unit"), rows, ("uncertain value", "unit"))
@@ -186,13 +230,16 @@ def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
         remarks.append(f"not detectable with these data: {', '.join(result.undetectable)}")
     if limits := largest_limits(result):
         remarks.append(f"not excluded at 95 %: {', '.join(limits)}; all limits: --json or --report")
-    if result.next_measurement is not None:
-        place = placed(robot.mechanism, result.next_measurement.pose, ".4f")
-        a, b = result.next_measurement.separates
-        sigmas = result.next_measurement.sigmas
-        load = setting(robot.mechanism, result.next_measurement.load)
+    if (proposed := result.next_measurement) is not None:
+        place = placed(robot.mechanism, proposed.pose, ".4f")
+        load = setting(robot.mechanism, proposed.load)
         place += f" with {load}" if load else ""
-        remarks.append(f"measure next at {place}: {a} and {b} differ there by {sigmas:.0f} sigma")
+        place += f", {motors([proposed.drives])}" if proposed.drives else ""
+        differ = f"{' and '.join(proposed.separates)} differ there by {proposed.sigmas:.0f} sigma"
+        caveat = f"; {proposed.caveat}" if proposed.caveat else ""
+        remarks.append(f"measure next at {place}: {differ}{caveat}")
+    elif result.next_measurement_reason:
+        remarks.append(f"no next measurement is proposed: {result.next_measurement_reason}")
     remarks += [f"note: {text}" for text in result.notes]
     remarks += [text] if (text := stability_sentence(result)) else []
     for remark in remarks:

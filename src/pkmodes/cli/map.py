@@ -104,7 +104,8 @@ class MapDocument(Document):
     metavar="N",
     type=click.IntRange(1),
     default=None,
-    help="Evaluate N robots whose values with a standard deviation are drawn from normal distributions.",
+    help="Evaluate N robots whose values with a standard deviation are drawn from normal distributions, with the "
+    "correlations of the robot file.",
 )
 @click.option(
     "--seed", metavar="N", type=click.IntRange(0), default=0, show_default=True, help="Of the draws."

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pkmodes.cli.terminal import Terminal
 from pkmodes.cli.wide_tables import split
 from pkmodes.mechanism.poses import placed
-from pkmodes.sensitivity.changes import SIGMA, changes_at
+from pkmodes.sensitivity.changes import CORRELATED, SIGMA, changes_at
 from pkmodes.sensitivity.relative import alike_around, scalable
 from pkmodes.sensitivity.spread import stated_sigmas
 
@@ -150,6 +150,8 @@ def _sigmas(terminal: Terminal, model: Model, modes: Modes, numbers: Sequence[st
     if found.together is not None:
         rows.append(["all together", "", "", *map(_hertz, found.together)])
     _table(terminal, ["mode", "sigma", "unit", *numbers], rows, 3)
+    if model.robot.covariance:
+        terminal.line(f"all together: {CORRELATED}")
 
 
 def _table(terminal: Terminal, titles: Sequence[str], rows: Rows, fixed: int) -> None:

@@ -42,6 +42,7 @@ OPTIONS = {
     "left": "--left",
     "length": "--length",
     "tick": "--tick",
+    "firmware": "--firmware",
     "grid": "--grid",
     "poses": "--grid",
 }
@@ -154,6 +155,12 @@ class ShaperDocument(Document):
     show_default=True,
     help="Time between two commands of the controller; shapers shorter than two are left out.",
 )
+@click.option(
+    "--firmware",
+    metavar="NAME",
+    default=None,
+    help="klipper, marlin or reprapfirmware: recommend only a shaper that it has.",
+)
 @mechanism_option
 @report_option
 @json_option
@@ -166,6 +173,7 @@ def shaper(
     left: float,
     length: float | None,
     tick: float,
+    firmware: str | None,
     report_to: Path | None,
     json_file: str | None,
 ) -> None:
@@ -179,7 +187,9 @@ def shaper(
     with named_as_options({**OPTIONS, **({"poses": "--poses"} if poses else {})}):
         points = _points(model, grid, poses)
         names = None if kinds is None else comma_list(kinds, "--shapers", "--shapers zv,mzv,zv*zv")
-        choice = model.shapers(points, names, modes=modes, left=left, length=length, tick=tick)
+        choice = model.shapers(
+            points, names, modes=modes, left=left, length=length, tick=tick, firmware=firmware
+        )
     document = _document(model, choice)
     report = report_file(report_to, lambda: _page(model, choice, document.as_json(), sources))
     deliver(json_file, document.as_json(), lambda: _print(model, choice, document), report)
@@ -188,6 +198,7 @@ def shaper(
 def _points(model: Model, grid: str | None, poses: Path | None) -> NDArray[np.float64]:
     """Return the poses, by default those of the workspace that can be evaluated."""
     from pkmodes.maps.workspace import reachable
+    from pkmodes.solve.usable import within
 
     places = places_given(model, grid, poses)
     count = 0 if places is None else math.prod(places.shape)
@@ -200,11 +211,12 @@ def _points(model: Model, grid: str | None, poses: Path | None) -> NDArray[np.fl
         return np.asarray(places.points(np.arange(int(np.prod(places.shape)))))
     whole = reachable(model.kinematics)
     points = whole.points(np.arange(int(np.prod(whole.shape))))
-    return np.asarray(points[model.check(points).valid])
+    return np.asarray(points[model.check(points).valid & within(model.kinematics)(points)])
 
 
 def _document(model: Model, choice: Choice) -> ShaperDocument:
-    from pkmodes.shaping.firmware import firmware, remarks
+    from pkmodes.shaping.choice import lines_of
+    from pkmodes.shaping.remarks import remarks
 
     best = choice.candidates[choice.recommended]
     unshaped = choice.unshaped
@@ -216,7 +228,7 @@ def _document(model: Model, choice: Choice) -> ShaperDocument:
         unshaped=UnshapedDocument(unshaped.rms, unshaped.worst, unshaped.pose.tolist()),
         shapers=[_candidate(one) for one in choice.candidates],
         recommended=choice.recommended,
-        firmware=firmware(best.kind, best.frequencies, best.damping_ratio, best.shaper),
+        firmware=lines_of(best),
         notes=[*choice.notes, *remarks(choice)],
     )
 

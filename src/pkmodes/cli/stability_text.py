@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pkmodes.diagnosis.verdict.result import Diagnosis, Stability
+from pkmodes.diagnosis.verdict.findings import Stability
+from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, meaning, stable
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
 

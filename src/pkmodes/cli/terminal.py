@@ -12,6 +12,8 @@ from pkmodes.base.errors import printable
 
 #: Sentences are never wrapped to lines shorter than this.
 NARROWEST = 40
+#: Characters in a line where nobody says how many there are.
+UNKNOWN = 80
 
 
 class Terminal:
@@ -22,8 +24,9 @@ class Terminal:
     """
 
     def __init__(self) -> None:
-        self._console = Console(highlight=False, markup=False, emoji=False)
-        self._width = max(self._console.width, NARROWEST)
+        # COLUMNS=0 says that the width is not known; on a console of that width Rich prints nothing at all.
+        self._width = max(Console().width or UNKNOWN, NARROWEST)
+        self._console = Console(highlight=False, markup=False, emoji=False, width=self._width)
 
     @property
     def width(self) -> int:

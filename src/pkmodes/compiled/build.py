@@ -187,6 +187,8 @@ def _run(command: Sequence[str], folder: Path) -> None:
         )
     except (OSError, subprocess.TimeoutExpired) as error:
         raise BuildError(f"{command[0]} cannot be run: {error}") from None
+    if not run.returncode and not (folder / command[command.index("-o") + 1]).is_file():
+        raise BuildError(f"{command[0]} reports success, but has built nothing")
     if run.returncode:
         said = next((line for line in run.stderr.splitlines() if "error" in line), run.stderr.strip()[:300])
         raise BuildError(f"{command[0]} failed: {said}")

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from pkmodes.compiled.lanes import Along, Lanes, Terms
 from pkmodes.compiled.loader import Library, Request
+from pkmodes.compiled.room import Room
 
 Array = NDArray[np.float64]
 #: Poses that a thread takes at a time, a multiple of those in a block.
@@ -116,6 +117,10 @@ class Evaluator:
             for other in others:
                 other.result()
         return codes
+
+    def room(self, size: int, tails: Mapping[str, tuple[int, ...]]) -> Room:
+        """Return room for one pose of some components and some fields of one robot: see `Room`."""
+        return Room(self._library, self._request, size, tails)
 
     def along(self, points: Array, eigenvalues: Array, shapes: Array, terms: Terms) -> Along | None:
         """Evaluate the derivatives along paths that the derivatives of given modes need.

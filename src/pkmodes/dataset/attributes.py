@@ -12,10 +12,10 @@ from pkmodes.base.extras import require
 from pkmodes.base.version import VERSION
 from pkmodes.dataset.fields import COORDINATE, DIRECTION, DRIVE, MODE
 from pkmodes.dataset.variables import EVENTS, FIRST
-from pkmodes.mechanism.poses import reasons
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.text import text_of
+from pkmodes.robot.usable import reasons_of
 
 CONVENTIONS = "CF-1.11"
 
@@ -36,7 +36,7 @@ def imported() -> Any:
 def meanings_of(robot: Robot, name: str) -> dict[str, Any]:
     """Return further attributes of a variable: what its codes mean."""
     if name == "reason":
-        return dict(reasons(robot.mechanism))
+        return reasons_of(robot)
     if name == "tracking":
         masks = np.array(list(EVENTS.values()), dtype=np.int8)
         return {"flag_masks": masks, "flag_meanings": " ".join(EVENTS)}

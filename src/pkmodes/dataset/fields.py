@@ -69,6 +69,11 @@ class Field:
         Whether its numbers may be null in JSON.
     same_as : str
         Another field whose values it has, for mechanisms whose independent coordinates have its name.
+    otherwise : float
+        Its value where the robot does not dissipate, or the motors are free, if `only` says that it is for the other
+        case; NaN for rigid modes.
+    on_demand : bool
+        Whether results evaluate it only when it is read, unless it was asked for by name.
     """
 
     name: str
@@ -88,6 +93,8 @@ class Field:
     signed: bool = False
     same_as: str = ""
     nullable: bool = False
+    otherwise: float = np.nan
+    on_demand: bool = False
 
     def is_of(self, mechanism: Mechanism) -> bool:
         """Return whether results of a mechanism have it."""
@@ -110,10 +117,6 @@ def _itself(values: Array) -> Array:
 def _damping_ratios(
     eigenvalues: Array, shapes: Array, dissipation: Any, points: Array, rigid_modes: int
 ) -> Array:
-    if not dissipation:
-        ratios = np.zeros(eigenvalues.shape)
-        ratios[:, :rigid_modes] = np.nan
-        return ratios
     viscous, loss = dissipation.matrices(points)
     return damping_ratios(eigenvalues, shapes, viscous, loss, dissipation.ratio, rigid_modes)
 
@@ -125,10 +128,8 @@ def _vibration_amplitudes(
     mass_matrix: Array,
     points: Array,
     rigid_modes: int,
-    strain_free_motions: Callable[[Array], Array] | None,
+    strain_free_motions: Callable[[Array], Array],
 ) -> Array:
-    if strain_free_motions is None:
-        return np.full(platform_shapes.shape, np.nan)
     momenta = mass_matrix @ strain_free_motions(points)
     amplitudes = amplitudes_of_steps(eigenvalues, shapes, platform_shapes, momenta)
     amplitudes[:, :rigid_modes] = np.nan
@@ -186,6 +187,8 @@ FIELDS: dict[str, Field] = {
             text="damping ratio",
             comment="as for light damping",
             only=DISSIPATION,
+            otherwise=0.0,
+            on_demand=True,
         ),
         Field(
             name="shapes",
@@ -236,6 +239,7 @@ FIELDS: dict[str, Field] = {
             comment="norm over all directions, for a step along each; where frequencies are equal, it depends on the "
             "shapes chosen for them",
             only=HELD,
+            on_demand=True,
         ),
         Field(
             name="in_plane",
@@ -284,6 +288,7 @@ FIELDS: dict[str, Field] = {
             of=_itself,
             key="mass_matrix",
             key_text="n by n, SI units.",
+            on_demand=True,
         ),
         Field(
             name="stiffness_matrix",
@@ -292,6 +297,7 @@ FIELDS: dict[str, Field] = {
             of=_itself,
             key="stiffness_matrix",
             key_text="n by n, SI units.",
+            on_demand=True,
         ),
         Field(
             name="static_torque",

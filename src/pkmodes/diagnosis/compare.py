@@ -9,6 +9,7 @@ import numpy as np
 from scipy import stats
 
 from pkmodes.diagnosis.arguments import checked
+from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.problem import Structure
@@ -51,6 +52,11 @@ class ComparedRow(MeasuredMode):
     damping: float | None = None
     sigma_damping: float | None = None
     predicted_damping: float | None = None
+
+    @property
+    def no_evidence(self) -> bool:
+        """Whether its damping says nothing about its partner, whose shape is another one."""
+        return self.damping is not None and self.mac is not None and self.mac < Criteria.strange_mac
 
 
 @dataclass(frozen=True)

@@ -163,8 +163,8 @@ class Criteria:
     near: float = 60.0
     #: Standard deviations by which two explanations must differ at a pose for it to be worth measuring.
     worth_measuring: float = 2.0
-    #: A load is proposed if it separates them by this many times as much as any pose without one: it is more work,
-    #: and its mass and position have errors too.
+    #: A load, or motors that do something else than they mostly did, are proposed if they separate them by this many
+    #: times as much as any pose without: they are more work, and a load has errors of its mass and position.
     worth_loading: float = 1.5
 
     # Damping ---------------------------------------------------------------------------------------------------
@@ -180,8 +180,9 @@ class Criteria:
     damping_least: float = 0.01
     #: Ratios whose median is above this are no light damping, and more likely per cent.
     damping_most: float = 0.3
-    #: Ratios that scatter about one value by no more than this beyond their stated errors, as those of repeated tests
-    #: often do, contradict no model that declares no damping.
+    #: Ratios that scatter about those of the model by no more than this beyond their stated errors, as those of
+    #: repeated tests often do, contradict it no more than a common ratio that differs so much from the declared one;
+    #: about any one value, if the model declares no damping.
     damping_scatter: float = 0.25
     #: A claim needs data that reject laws outside the candidates: ratios that differ from mode to mode by a factor of
     #: two (the standard deviation of their logarithm); no larger part of them may look like a candidate, or a pair.

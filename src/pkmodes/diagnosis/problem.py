@@ -43,6 +43,9 @@ class Parameter:
     usual : tuple of two floats, optional
         Range of the values that such a part can have.  A claimed value outside is marked as implausible; no fit and
         no verdict depends on it.
+    correlated : tuple of tuple of str and float
+        Names of other uncertain parameters with the correlation of both priors; each lists the other.  Of logarithms
+        where a prior is log-normal.
     """
 
     name: str
@@ -53,6 +56,7 @@ class Parameter:
     upper: float = np.inf
     log: bool = False
     usual: tuple[float, float] | None = None
+    correlated: tuple[tuple[str, float], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -256,8 +260,21 @@ class Loadable(Protocol):
 
 
 @runtime_checkable
+class Surrounded(Protocol):
+    """A structure that could be measured elsewhere under conditions of its own."""
+
+    @property
+    def surroundings(self) -> str:
+        """What `Structure.elsewhere` offers, as a plural noun in a sentence."""
+
+
+@runtime_checkable
 class Driven(Protocol):
     """A structure with motors, which turn freely or are held in each setup."""
+
+    @property
+    def drives(self) -> str:
+        """What the motors do in most of the setups: "free" or "held"."""
 
     def with_other_drives(self, setups: Sequence[int]) -> Structure:
         """Return the structure with the motors free instead of held, or held instead of free, in some setups."""

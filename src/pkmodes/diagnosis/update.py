@@ -20,6 +20,7 @@ from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.solver import correlation
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Candidate, Structure, reached_bounds
 from pkmodes.diagnosis.verdict import whole_data
@@ -144,8 +145,6 @@ def update(
     declared, after = setups.stage(fitter.declared), setups.stage(fit.values)
     squares, degrees = store.frequency_misfit(fit)
     updated = tuple(_updated(fitter, fit, i) for i in chosen)
-    covariance = fit.covariance_of(chosen)
-    size = np.sqrt(np.diagonal(covariance))
     mistakes = (other_unit(fitter) or seemingly_wrong_drives(fitter), other_wiring(fitter, fit))
     remarks = [text for text in mistakes if text]
     remarks += whole_data.remarks(setups, fit)
@@ -157,7 +156,7 @@ def update(
         remarks.append("the residual still exceeds the stated errors: something else is missing")
     return Update(
         parameters=updated,
-        correlation=covariance / np.outer(size, size),
+        correlation=correlation(fit.covariance_of(chosen)),
         before=setups.declared_error(declared, nothing),
         after=setups.error(after, squares, degrees, nothing),
         p_value=store.p_value(fit),
@@ -224,6 +223,6 @@ def _updated(fitter: Fitter, fit: Fit, i: int) -> Updated:
         prior_sigma=prior,
         sigma=min(sigma, prior),
         resolution=max(1.0 - (sigma / prior) ** 2, 0.0),
-        moved=float(fitter.priors.residual(fit.values)[row]),
+        moved=float(fitter.priors.away(fit.values)[row]),
         at_bound=bool(reached_bounds(p, fit.values[i], prior)),
     )

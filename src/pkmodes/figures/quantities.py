@@ -94,7 +94,7 @@ def volume_of(model: Model, plane: Plane) -> Volume | None:
     if plane.normal is None:
         return None
     usable = within(model.kinematics)
-    limited = bool(usable(points_of(model, plane)).all())
+    limited = bool(usable(points_of(model, plane)[plane.dataset["valid"].values]).all())
     low, high = usable_box(model.kinematics) if limited else box_of(model.kinematics)
     names = [component.name for component in model.mechanism.pose]
     counts = {plane.normal: HEIGHTS, plane.along: FINE, plane.across: FINE}

@@ -63,4 +63,4 @@ def working_plane(model: Model) -> Grid:
     step = (np.prod(list(size.values())) / POSES) ** (1 / len(size))
     # An odd number of values: one of them lies on the centre line.
     axes = {name: np.linspace(*ends[name], 2 * round(size[name] / step / 2) + 1) for name in others}
-    return Grid({name: axes.get(name, np.array([best])) for name in names})
+    return Grid({name: axes.get(name, np.array([best])) for name in names}, volume.used)

@@ -128,6 +128,18 @@ def lines(pieces: Sequence[Array], t_step: float, longest: int = 0) -> list[Line
     return found
 
 
+def powers(padded: Sequence[Lines], part: Part) -> Complex:
+    """Return the correlations (S, S) of a part of the band at the lag 0, between all responses.
+
+    Products of all pairs of responses at each line would not fit into memory with hundreds of sensors.
+    """
+    weighted = (
+        (one.values * (part.window(one.frequencies) * one.step)[:, None]).T @ one.values.conj()
+        for one in (piece.within(part) for piece in padded)
+    )
+    return np.asarray(sum(weighted))
+
+
 def correlations(padded: Sequence[Lines], part: Part, references: Array, lags: NDArray[np.int64]) -> Complex:
     """Return correlations (K, S, r) of a part of the band at lags in samples of its analytic signal.
 

@@ -14,7 +14,7 @@ from pkmodes.identification.clusters import Candidate, candidates
 from pkmodes.identification.lscf import OrderPoles
 from pkmodes.identification.ssi import Order, order, subspace
 from pkmodes.identification.ssi_added import added, orders_with
-from pkmodes.identification.ssi_bands import Part, correlations
+from pkmodes.identification.ssi_bands import Part, correlations, powers
 from pkmodes.identification.ssi_records import PreparedRecord
 from pkmodes.identification.ssi_selection import Refined, refined, start
 
@@ -52,9 +52,7 @@ def modes_of_part(
     asked: Asked = NOTHING,
 ) -> tuple[list[PartMode], Wanted]:
     """Return the modes of a part of the band, and those asked for in it; add its poles to those of each order."""
-    S = len(record.scales)
-    everything = np.eye(S)
-    power = correlations(record.padded, part, everything, np.zeros(1, np.int64))[0]
+    power = powers(record.padded, part)
     levels = np.sqrt(np.maximum(np.diag(power).real, 1e-300))
     _, directions = np.linalg.eigh((power / np.outer(levels, levels)).real)
     references = directions[:, ::-1][:, :REFERENCES] / levels[:, None]

@@ -138,7 +138,7 @@ def has_stiff_joint(eigenvalues: Array, first: int, rigid: int) -> NDArray[np.bo
 
     Parameters
     ----------
-    eigenvalues : ndarray, shape (N, m)
+    eigenvalues : ndarray, shape (N, m) or (m,)
         Ascending, accurate to rounding of the largest or better.
     first : int
         Index of the first released joint.
@@ -147,13 +147,14 @@ def has_stiff_joint(eigenvalues: Array, first: int, rigid: int) -> NDArray[np.bo
 
     Returns
     -------
-    ndarray of bool, shape (N,)
+    ndarray of bool, shape (N,) or ()
     """
     if eigenvalues.shape[-1] <= first:
-        return np.zeros(len(eigenvalues), dtype=bool)
-    largest = eigenvalues[:, -1]
-    stiff: NDArray[np.bool_] = (largest > GRADED * np.abs(eigenvalues[:, rigid])) & (
-        largest > STIFFER * np.abs(eigenvalues[:, first - 1])
+        return np.zeros(eigenvalues.shape[:-1], dtype=bool)
+    of_mode = eigenvalues.T  # numbers where there is no batch
+    largest = of_mode[-1]
+    stiff: NDArray[np.bool_] = (largest > GRADED * abs(of_mode[rigid])) & (
+        largest > STIFFER * abs(of_mode[first - 1])
     )
     return stiff
 
@@ -163,19 +164,19 @@ def held_softly(eigenvalues: Array, motions: int) -> NDArray[np.bool_]:
 
     Parameters
     ----------
-    eigenvalues : ndarray, shape (N, m)
+    eigenvalues : ndarray, shape (N, m) or (m,)
         Ascending, accurate to rounding of the largest or better.
     motions : int
         Number of motions that nothing else holds; 0 for a system that is not held.
 
     Returns
     -------
-    ndarray of bool, shape (N,)
+    ndarray of bool, shape (N,) or ()
     """
     if not motions:
-        return np.zeros(len(eigenvalues), dtype=bool)
+        return np.zeros(eigenvalues.shape[:-1], dtype=bool)
     size = np.abs(eigenvalues)
-    softly: NDArray[np.bool_] = size[:, :motions].min(axis=-1) < HELD * size[:, -1]
+    softly: NDArray[np.bool_] = size[..., :motions].min(axis=-1) < HELD * size[..., -1]
     return softly
 
 

@@ -29,7 +29,9 @@ def strain_free(stiffness: Array, prescribed: Sequence[int], values: Array) -> A
     ndarray, shape (N, n, j)
     """
     given = np.asarray(prescribed)
-    others = np.setdiff1d(np.arange(stiffness.shape[-1]), given)
+    follows = np.ones(stiffness.shape[-1], dtype=bool)
+    follows[given] = False
+    others = np.flatnonzero(follows)
     motions = np.zeros((*stiffness.shape[:-1], values.shape[-1]))
     motions[:, given] = values
     forces = stiffness[:, others[:, None], given] @ values

@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 from pkmodes.dataset.attributes import attributes_of, imported, labels_of, meanings_of
 from pkmodes.dataset.fields import INDEPENDENT, of_maps
 from pkmodes.dataset.variables import LIST, variables
+from pkmodes.maps.evaluating import codes
 from pkmodes.maps.fields import fields_of
 from pkmodes.maps.layout import Layout
 from pkmodes.maps.poses import Grid, Places
 from pkmodes.maps.tracking import Tracked
 from pkmodes.maps.variants import SAMPLE, Variants
-from pkmodes.mechanism.poses import codes_of
 from pkmodes.robot.corrections import changeable
 from pkmodes.robot.robot import Robot
 from pkmodes.system.evaluation import evaluation
@@ -60,7 +60,7 @@ def dataset_of(
     # Shapes may have been needed for tracking only.
     kept = {field.variable for field in of_maps(layout.conditions)}
     shown = [name for name in arrays if name in kept or name == "code"]
-    fields = fields_of({name: arrays[name] for name in shown}, shape, np.array(codes_of(mechanism)), tracked)
+    fields = fields_of({name: arrays[name] for name in shown}, shape, np.array(codes(mechanism)), tracked)
     if len(shown) < len(arrays):
         columns = [layout.coordinates.index(name) for name in coordinates]
         for field in of_maps(layout.conditions):

@@ -15,8 +15,10 @@ from numpy.typing import NDArray
 from pkmodes.base.errors import PkmodesError
 from pkmodes.dataset.fields import COORDINATE, INDEPENDENT, MODE, Field, missing, of_maps
 from pkmodes.maps.layout import Layout, tails
+from pkmodes.mechanism.poses import codes_of
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.robot import Robot
+from pkmodes.robot.usable import USABLE, inside
 from pkmodes.solve.dynamics import Dynamics
 
 Array = NDArray[Any]
@@ -36,6 +38,8 @@ class Task:
         As for `pkmodes.Model`.
     normal : str or None
         Direction perpendicular to the plane of the grid.
+    used : bool
+        Whether poses beyond the usable limits of a robot are left out.
     """
 
     pieces: tuple[tuple[Robot, Array], ...]
@@ -43,6 +47,7 @@ class Task:
     max_condition: float
     normal: str | None
     layout: Layout
+    used: bool = False
 
 
 @cache
@@ -58,7 +63,7 @@ def evaluate(task: Task) -> dict[str, Array]:
     Returns
     -------
     dict of str to ndarray, shape (rows, ...)
-        As in `tails`; ``code`` indexes `pkmodes.mechanism.poses.codes_of`.
+        As in `tails`; ``code`` indexes `codes`.
 
     Raises
     ------
@@ -89,13 +94,23 @@ def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
         drives=layout.drives,
         given={"normal": task.normal},
     )
-    arrays = {"code": checked.codes}
+    arrays = {"code": checked.codes.copy()}
     sizes = tails(robot, layout)
     for field in fields:
         shape, dtype = sizes[field.variable]
         array = arrays[field.variable] = np.full((len(points), *shape), missing(dtype), dtype)
         _place(field, values[field.name], array, model, layout, checked.valid)
+    if task.used:
+        beyond = checked.valid & ~inside(robot, points)
+        for array in arrays.values():
+            array[beyond] = missing(array.dtype.str)
+        arrays["code"][beyond] = codes(robot.mechanism).index(USABLE)
     return arrays
+
+
+def codes(mechanism: Mechanism) -> tuple[str, ...]:
+    """Return the reasons that the codes of a map index: those of poses, and that a pose is not usable."""
+    return (*codes_of(mechanism), USABLE)
 
 
 def _place(

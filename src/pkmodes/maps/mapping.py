@@ -28,6 +28,7 @@ from pkmodes.maps.tracking import Tracked, track
 from pkmodes.maps.variants import SAMPLE, Variants, variants_of
 from pkmodes.maps.workspace import bounds_of, reachable
 from pkmodes.robot.text import text_of
+from pkmodes.robot.usable import USABLE
 from pkmodes.solve.backends import checked_threads, chosen
 from pkmodes.solve.kinematics import Kinematics
 from pkmodes.system.evaluation import evaluation
@@ -78,7 +79,13 @@ class Plan:
             first, last = max(rows.start - robot * size, 0), min(rows.stop - robot * size, size)
             pieces.append((self.variants.robots[robot], self.places.points(np.arange(first, last))))
         mechanism = self.model.mechanism
-        return Task(tuple(pieces), code_of(mechanism), self.model.max_condition, self.normal, self.layout)
+        given = code_of(mechanism), self.model.max_condition, self.normal, self.layout
+        return Task(tuple(pieces), *given, used=self.used)
+
+    @property
+    def used(self) -> bool:
+        """Whether poses beyond the usable limits of a robot are left out."""
+        return isinstance(self.places, Grid) and self.places.used
 
     @property
     def normal(self) -> str | None:
@@ -104,6 +111,7 @@ class Plan:
             "back end": self.layout.backend,
             "drives": self.layout.drives,
             "rows of a task": ROWS,
+            **({"used": True} if self.used else {}),
         }
 
 
@@ -201,6 +209,7 @@ def _refuse_outside(plan: Plan) -> NoReturn:
     model, size = Kinematics(plan.variants.robots[0], plan.model.max_condition), plan.poses
     some = plan.places.points(np.unique(np.linspace(0, size - 1, min(size, 1000)).astype(int)))
     sentence = str(model.check(some).sentences[0]).partition(";")[0] if len(some) else ""
+    sentence = sentence or model.reasons[USABLE]  # it can be reached
     of = " by any of its robots" if len(plan.variants.robots) > 1 else ""
     what = f"none of the {plan.rows:,} poses of the map can be evaluated{of}; the first: {sentence}"
     if isinstance(plan.places, Grid):

@@ -10,10 +10,11 @@ import numpy as np
 
 from pkmodes.base.errors import MeasurementError, shown
 from pkmodes.maps.poses import Poses
-from pkmodes.measured.cells import cells_of, number_in
+from pkmodes.measured.cells import Notation
 from pkmodes.measured.csv_format import read_text
 from pkmodes.measured.csv_rows import read_lines
 from pkmodes.measured.header import column_of
+from pkmodes.measured.rules import PRINTABLE
 from pkmodes.mechanism.registry import Mechanism
 
 LABEL = "pose"
@@ -25,7 +26,7 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
     Parameters
     ----------
     path : path-like
-        CSV with the components of the pose as columns, in SI units or with a unit in the header (``x [mm]``), and
+        Table with the components of the pose as columns, in SI units or with a unit in the header (``x [mm]``), and
         optionally their labels in a column ``pose``.  Other columns are ignored, load cases included, and so are
         repeated rows: a file of measurements is also a list of poses.
 
@@ -45,10 +46,11 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
     lines = read_lines(read_text(Path(path), source, "the poses", "give a CSV file of poses"), source)
     if not lines.records:
         raise MeasurementError("expected a header and rows, found none", source, remedy)
-    (number, header), records = lines.records[0], lines.records[1:]
+    (number, header), records, notation = lines.records[0], lines.records[1:], lines.notation
     where = f"{source}: line {number}"
     columns = [
-        column_of(cell, f"{where}, column {i + 1}", units) for i, cell in enumerate(cells_of(header, where))
+        column_of(cell, f"{where}, column {i + 1}", units)
+        for i, cell in enumerate(notation.cells(header, where))
     ]
     places = {}
     for name in units:
@@ -62,17 +64,20 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
     table: dict[tuple[str, ...], tuple[float, ...]] = {}
     at_label: dict[str, tuple[float, ...]] = {}
     for number, line in records:
-        cells = cells_of(line, f"{source}: line {number}")
+        cells = notation.cells(line, f"{source}: line {number}")
         if len(cells) != len(columns):
             what = f"expected {len(columns)} cells, found {len(cells)}"
             raise MeasurementError(
                 what, f"{source}: line {number}", "give each row as many cells as the header"
             )
         point = tuple(
-            _value(cells[i], columns[i][1], f"{source}: line {number}, column {name}")
+            _value(cells[i], columns[i][1], notation, f"{source}: line {number}, column {name}")
             for name, i in places.items()
         )
         label = cells[names.index(LABEL)] if labelled else ""
+        if not label.isprintable():
+            where = f"{source}: line {number}, column {LABEL}"
+            raise MeasurementError(f"expected a label, found {shown(label)}", where, PRINTABLE)
         table[(label, *map(repr, point))] = point
         if labelled and at_label.setdefault(label, point) != point:
             what = f"the label {shown(label)} has two positions"
@@ -83,9 +88,9 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
     return Poses(np.array(list(table.values())), tuple(units), labels)
 
 
-def _value(cell: str, factor: Decimal | None, where: str) -> float:
-    value = number_in(cell, factor)
+def _value(cell: str, factor: Decimal | None, notation: Notation, where: str) -> float:
+    value = notation.number(cell, factor)
     if value is None:
         what = f"expected a finite number, found {shown(cell) if cell else 'nothing'}"
-        raise MeasurementError(what, where, "write a plain number with a decimal point")
+        raise MeasurementError(what, where, f"write a plain number with {notation.decimal}")
     return value

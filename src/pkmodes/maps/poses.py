@@ -28,9 +28,12 @@ class Grid:
     ----------
     axes : mapping of str to ndarray
         Values of each component of the pose in the mechanism's order, ascending [SI].
+    used : bool
+        Whether poses beyond the usable limits of a robot are left out, as in a grid that nobody asked for.
     """
 
     axes: Mapping[str, Array]
+    used: bool = False
 
     @property
     def dims(self) -> tuple[str, ...]:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from pkmodes.base.arguments import NATURAL_NUMBER, POSITIVE_INTEGER, Constraint, check_argument
 from pkmodes.base.errors import PkmodesError
 from pkmodes.maps.poses import ascending
+from pkmodes.robot.covariance import covariance_of, root_of, uncertain
 from pkmodes.robot.layout import lent
 from pkmodes.robot.parameter_groups import elements_of, groups_by_path
 from pkmodes.robot.robot import Robot
@@ -63,7 +64,8 @@ def variants_of(robot: Robot, sweep: Mapping[str, Any] | None, samples: int | No
     sweep : mapping of str to array_like, optional
         Values of parameters in SI units, by path; every combination is evaluated.
     samples : int, optional
-        Robots whose values with a standard deviation are drawn from normal distributions, except swept values.
+        Robots whose values with a standard deviation are drawn from a normal distribution with their correlations,
+        except swept values, which say nothing of the others.
     seed : int
         Of the generator.
 
@@ -106,15 +108,16 @@ def _drawn(
     check_argument(samples, POSITIVE_INTEGER, "samples", "for example: 200")
     check_argument(seed, NATURAL_NUMBER, "seed", "for example: 0")
     known = taken(robot, swept)
-    spread = {path: q for path, q in robot.quantities.items() if q.sigma and path not in known}
+    spread = [path for path in uncertain(robot) if path not in known]
     if not spread:
         what = "no value of the robot has a standard deviation from which it could be drawn"
         remedy = 'declare some, such as mass = { value = "1.5 kg", sigma = "1 %" }'
         raise PkmodesError(what, f"{robot.source}: samples", remedy)
-    rng = np.random.default_rng(seed)
+    rng, root = np.random.default_rng(seed), root_of(covariance_of(robot, spread))
+    centre = {path: robot.quantities[path].value for path in spread}
     draws: dict[str, list[float]] = {path: [] for path in spread}
     for _ in range(int(samples)):
-        for path, value in _one(robot, spread, rng).items():
+        for path, value in _one(robot, centre, root, rng).items():
             draws[path].append(value)
     return {path: np.array(values) for path, values in draws.items()}, int(samples)
 
@@ -137,9 +140,12 @@ def taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
     return paths
 
 
-def _one(robot: Robot, spread: Mapping[str, Any], rng: np.random.Generator) -> dict[str, float]:
+def _one(
+    robot: Robot, spread: Mapping[str, float], root: Array, rng: np.random.Generator
+) -> dict[str, float]:
     for _ in range(DRAWS):
-        values = {path: float(rng.normal(q.value, q.sigma)) for path, q in spread.items()}
+        away = root @ rng.standard_normal(root.shape[1])
+        values = dict(zip(spread, (np.array(list(spread.values())) + away).tolist(), strict=True))
         try:
             robot.with_values(values)
         except PkmodesError as error:

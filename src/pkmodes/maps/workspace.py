@@ -12,7 +12,7 @@ from pkmodes.base.errors import PoseError
 from pkmodes.base.progress import say
 from pkmodes.maps.poses import Grid
 from pkmodes.mechanism.poses import LARGE
-from pkmodes.robot.usable import limits_of
+from pkmodes.robot.usable import is_box, limits_of
 from pkmodes.solve.usable import usable_box
 from pkmodes.solve.workspace import workspace_in_words
 
@@ -71,7 +71,7 @@ def reachable_by(models: Sequence[Kinematics], poses: int = POSES) -> Grid:
         else:
             values = np.round(np.arange(first, last + 1) * step, 12) + 0.0
             axes[name] = np.clip(values, limits[0][i], limits[1][i])
-    return Grid(axes)
+    return Grid(axes, used=not all(is_box(model.robot.usable) for model in models))
 
 
 def bounds_of(model: Kinematics, tried: Array, in_millimetres: str) -> str:

@@ -1,4 +1,7 @@
-"""The cells of a line of CSV, and the numbers in them."""
+"""The cells of a line of a table, and the numbers in them.
+
+Commas, semicolons or tabs separate the cells.  Numbers may have decimal commas where commas do not separate.
+"""
 
 from __future__ import annotations
 
@@ -6,31 +9,63 @@ import csv
 import math
 import re
 from decimal import Decimal
+from typing import NamedTuple
 
 from pkmodes.base.errors import MeasurementError
 
+#: What separates cells, in words.  Of those that a header has equally often it is the first one: tabs also align.
+SEPARATORS = {";": "semicolons", ",": "commas", "\t": "tabs"}
+QUOTED = re.compile(r'"[^"]*"')
 # Stricter than float(): no "nan", no "1_000", no digits of other scripts.
 NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 
 
-def cells_of(line: str, where: str) -> list[str]:
-    """Split one line into cells; cells that span lines are not supported, since they are usually unclosed quotes.
+def separator_of(header: str) -> str:
+    """Return what separates the cells of a header, outside of quotes; a comma if there is a single one."""
+    text = QUOTED.sub("", header)
+    most = max(SEPARATORS, key=text.count)
+    return most if most in text else ","
 
-    Raises
-    ------
-    MeasurementError
-        If it is not CSV.
+
+class Notation(NamedTuple):
+    """How a table is written.
+
+    Attributes
+    ----------
+    separator : str
+        Of the cells.
     """
-    try:
-        (cells,) = csv.reader([line], strict=True, skipinitialspace=True)
-    except csv.Error as error:
-        remedy = "close every quote on its line, and put a comma right after it"
-        raise MeasurementError(f"not valid CSV: {error}", where, remedy) from None
-    return [cell.strip() for cell in cells]
+
+    separator: str = ","
+
+    @property
+    def decimal(self) -> str:
+        """What numbers may be written with, for messages."""
+        return "a decimal point" if self.separator == "," else "a decimal point or comma"
+
+    def cells(self, line: str, where: str) -> list[str]:
+        """Split one line into cells; none spans lines, since that is usually an unclosed quote.
+
+        Raises
+        ------
+        MeasurementError
+            If it is not CSV.
+        """
+        try:
+            (cells,) = csv.reader([line], strict=True, skipinitialspace=True, delimiter=self.separator)
+        except csv.Error as error:
+            after = SEPARATORS[self.separator].removesuffix("s")
+            remedy = f"close every quote on its line, and put a {after} right after it"
+            raise MeasurementError(f"not valid CSV: {error}", where, remedy) from None
+        return [cell.strip() for cell in cells]
+
+    def number(self, cell: str, factor: Decimal | None) -> float | None:
+        """Return the number in a cell in SI units, None if the cell is not a number."""
+        return number_in(cell if self.separator == "," else cell.replace(",", "."), factor)
 
 
 def number_in(text: str, factor: Decimal | None) -> float | None:
-    """Return the number in a cell in SI units, None if the cell is not a number."""
+    """Return the number that a text is, with a decimal point, in SI units; None if it is not a number."""
     value = float(text) if NUMBER.fullmatch(text) else math.nan
     if factor is not None and value and math.isfinite(value):
         value = float(Decimal(text) * factor)  # in decimal, so that 35 mm is the double nearest to 0.035

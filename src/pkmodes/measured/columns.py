@@ -97,6 +97,13 @@ class Columns:
     set_values: Array = field(default_factory=lambda: np.empty((0, 0)))
 
     @property
+    def conditions(self) -> Integers:
+        """Index of what was done at each pose, (P,): equal where drives and set values are."""
+        done = list(zip(self.drives, map(tuple, self.set_values.tolist()), strict=True))
+        seen: dict[str, int] = {}  # a blank setting, NaN, equals nothing, but its text does
+        return np.array([seen.setdefault(repr(one), len(seen)) for one in done], dtype=int)
+
+    @property
     def frequency(self) -> Array:
         """Natural frequency of each row [Hz], (R,)."""
         return self.numbers["frequency"]

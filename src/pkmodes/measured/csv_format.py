@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import NoReturn
 
 from pkmodes.base.errors import MeasurementError
-from pkmodes.measured.cells import cells_of
+from pkmodes.measured.cells import separator_of
 from pkmodes.measured.csv_rows import read_lines, read_table
 from pkmodes.measured.formats import Format, Machine
 from pkmodes.measured.header import components_of, read_header
@@ -27,9 +27,10 @@ def read(path: str | PathLike[str], machine: Machine) -> Measurements:
         raise MeasurementError("expected a header and rows, found none", source, remedy)
     number, line = lines.records[0]
     where = f"{source}: line {number}"
-    cells = cells_of(line, where)
+    cells = lines.notation.cells(line, where)
     components = components_of(cells, machine.components, machine.channels)
-    columns = read_header(cells, where, machine.channels, machine.positions, components, machine.settings)
+    given = machine.channels, machine.positions, components, machine.settings, machine.others
+    columns = read_header(cells, where, *given)
     return read_table(columns, lines, source, components, machine.drives)
 
 
@@ -37,7 +38,7 @@ def begins_with_a_header(head: bytes) -> bool:
     """Return whether the first line that is no comment names the column of the poses."""
     lines = (line.strip() for line in head.decode("utf-8-sig", "replace").splitlines())
     header = next((line for line in lines if line and not line.startswith("#")), "")
-    return "pose" in [cell.strip(' "') for cell in header.split(",")]
+    return "pose" in [cell.strip(' "') for cell in header.split(separator_of(header))]
 
 
 CSV = Format("CSV", (".csv",), begins_with_a_header, read)

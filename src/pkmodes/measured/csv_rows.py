@@ -12,7 +12,7 @@ import numpy as np
 
 from pkmodes.base.drives import DRIVES, FREE
 from pkmodes.base.errors import MeasurementError, shown
-from pkmodes.measured.cells import cells_of, number_in
+from pkmodes.measured.cells import SEPARATORS, Notation, separator_of
 from pkmodes.measured.header import SPREAD, TEXT, Column
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.quantities import required_columns, row_numbers
@@ -29,12 +29,15 @@ from pkmodes.measured.statements import STATEMENT, STATEMENTS
 
 #: A line that tells spreadsheet programs the separator of the cells.
 SEPARATOR = re.compile(r"\"?sep\s*=\s*(.)\"?[,;\t]*", re.IGNORECASE)
+#: A comment with a comma in it, as spreadsheet programs write it.
+QUOTED_COMMENT = re.compile(r"\"(#[^\"]*)\"[,;\t ]*")
 
 
 class Lines(NamedTuple):
-    """Lines of cells with their line numbers, and what comments say of all of them, if they do."""
+    """Lines of cells with their line numbers, how they are written, and what comments say of all of them."""
 
     records: list[tuple[int, str]]
+    notation: Notation
     band: tuple[float, float] | None
     drives: str | None
 
@@ -50,27 +53,28 @@ def read_lines(text: str, source: str) -> Lines:
     records: list[tuple[int, str]] = []
     stated: dict[str, tuple[Any, int]] = {}
     for number, line in enumerate(io.StringIO(text, newline=None), start=1):
-        line, where = line.strip(), f"{source}: line {number}"
-        if (match := STATEMENT.fullmatch(line.rstrip(",; \t"))) is not None:
+        line, where = line.strip(" \n"), f"{source}: line {number}"  # a tab may end an empty cell
+        comment = QUOTED_COMMENT.fullmatch(line)
+        text = line.strip() if comment is None else comment[1]
+        if (match := STATEMENT.fullmatch(text.rstrip(",; \t"))) is not None:
             name = match[1].lower()
             read, help_text = STATEMENTS[name]
             if match[2] != ":":
                 raise MeasurementError(
-                    f'expected a colon after "{name}", found {shown(line)}', where, help_text
+                    f'expected a colon after "{name}", found {shown(text)}', where, help_text
                 )
             value = read(match[3], where)
             before, place = stated.setdefault(name, (value, number))
             if value != before:
                 what = f"this {name} differs from that in line {place}"
                 raise MeasurementError(what, where, "remove one of them")
-        elif not records and SEPARATOR.fullmatch(line) is not None:
-            what = f"expected the names of the columns, found {shown(line)}, a line for spreadsheet programs"
+        elif not records and SEPARATOR.fullmatch(text) is not None:
+            what = f"expected the names of the columns, found {shown(text)}, a line for spreadsheet programs"
             raise MeasurementError(what, where, "remove this line")
-        elif line.strip(", \t") and not line.startswith(
-            "#"
-        ):  # spreadsheet programs fill blank lines with commas
+        elif text.strip(",; \t") and not text.startswith("#"):  # spreadsheet programs fill blank lines
             records.append((number, line))
-    return Lines(records, *(stated.get(name, (None, 0))[0] for name in STATEMENTS))
+    notation = Notation(separator_of(records[0][1])) if records else Notation()
+    return Lines(records, notation, *(stated.get(name, (None, 0))[0] for name in STATEMENTS))
 
 
 def read_table(
@@ -96,7 +100,7 @@ def read_table(
     MeasurementError
         With the first problem.
     """
-    records = lines.records[1:]
+    records, notation = lines.records[1:], lines.notation
     if drives is not None and lines.drives not in (None, drives):
         what = f"the file states that the motors were {lines.drives}, not {drives}"
         raise MeasurementError(what, source, "leave drives out, or correct the file")
@@ -111,14 +115,22 @@ def read_table(
     numbers: dict[str, list[float]] = {column.name: [] for column in columns if column.name not in TEXT}
     problems: list[Problem] = []
     for row, (number, line) in enumerate(records):
-        cells = cells_of(line, f"{source}: line {number}")
+        cells = notation.cells(line, f"{source}: line {number}")
         if len(cells) != len(columns):
             short = len(cells) < len(columns)
             place = columns[len(cells)].text if short else str(len(columns) + 1)
             what = f"expected {len(columns)} cells, found {len(cells)}"
-            remedy = "leave the cells of optional columns blank, but keep their commas"
+            separators = SEPARATORS[notation.separator]
+            remedy = f"leave the cells of optional columns blank, but keep their {separators}"
+            if len(cells) == 1:
+                remedy = f"separate the cells by {separators}, as in the header"
             if not short:
-                remedy = "remove the extra cells; if numbers have decimal commas, write points"
+                remedy = "remove the extra cells"
+            if not short and notation.separator == ",":
+                remedy = (
+                    "if numbers have decimal commas, write points, or separate the cells by semicolons; else "
+                )
+                remedy += "remove the extra cells"
             problems.append(Problem(row, place, what, remedy))
             continue
         for column, cell in zip(columns, cells, strict=True):
@@ -132,12 +144,12 @@ def read_table(
                 texts[column.name].append(cell)
             elif not cell and column.name not in filled:
                 numbers[column.name].append(blank.get(column.name, math.nan))
-            elif (value := number_in(cell, column.factor)) is not None:
+            elif (value := notation.number(cell, column.factor)) is not None:
                 numbers[column.name].append(value)
             else:
                 what = f"expected a finite number, found {shown(cell) if cell else 'nothing'}"
                 unit = column.unit or column.si
-                remedy = f"write a plain number{f' in {unit}' if unit else ''}, with a decimal point"
+                remedy = f"write a plain number{f' in {unit}' if unit else ''}, with {notation.decimal}"
                 problems.append(Problem(row, column.text, what, remedy))
     refuse(problems, source, numbers_of_lines)
     units = {column.name: column.unit for column in columns}
@@ -145,18 +157,18 @@ def read_table(
         motors: str | list[str] = texts["drives"] or said or FREE
         return _measurements(texts, numbers, lines, source, units["frequency"], components, motors)
     except BrokenRuleError as error:
-        what = message(error.problem, lambda quoted: _as_written(quoted, columns, records))
+        what = message(error.problem, lambda quoted: _as_written(quoted, columns, lines))
         raise MeasurementError(what, error.where, error.remedy) from None
 
 
-def _as_written(quoted: Quoted, columns: Sequence[Column], records: Sequence[tuple[int, str]]) -> str:
+def _as_written(quoted: Quoted, columns: Sequence[Column], lines: Lines) -> str:
     """Format a number as in its cell, with the header's unit; also in SI units if that is another unit."""
     number = format(quoted.value, quoted.digits)
     place = [column.name for column in columns].index(quoted.column)
     column = columns[place]
     if column.factor is None:
         return number
-    cell = cells_of(records[quoted.row][1], "")[place]
+    cell = lines.notation.cells(lines.records[1 + quoted.row][1], "")[place]
     if column.si == column.unit:
         return f"{cell} {column.unit}"
     return f"{cell} {column.unit} ({f'{number} {column.si}'.strip()})"

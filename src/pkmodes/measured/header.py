@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from decimal import Decimal
 from typing import NamedTuple, NoReturn
 
@@ -32,6 +32,9 @@ EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"'}
 MOTIONS = ("m", "rad")
 #: Radians per cycle, to convert an angular frequency to a frequency.
 CYCLE = Decimal("6.28318530717958647692528676656")
+
+#: What to do about measurements of another machine.
+OTHER_MACHINE = "give the robot file of that machine, or measurements of this one"
 
 IN_BRACKETS = re.compile(r"(.*?)\s*\[([^\[\]]*)\]")
 
@@ -64,6 +67,7 @@ def read_header(
     positions: bool,
     components: Mapping[str, str],
     settings: Mapping[str, str],
+    others: Callable[[], Mapping[str, Collection[str]]],
 ) -> list[Column]:
     """Read the columns of a header; each must be known and occur only once.
 
@@ -79,6 +83,8 @@ def read_header(
         Names and SI units of the pose components.
     settings : mapping of str to str
         Paths that a column ``set:<path>`` may name, with their SI units.
+    others : callable
+        Returns the columns of other machines, by what such a machine is called.
 
     Raises
     ------
@@ -111,6 +117,9 @@ def read_header(
     for i, (cell, (name, unit)) in enumerate(zip(cells, parts, strict=True)):
         place = f"{where}, column {i + 1}"
         if name not in known:
+            unknown = [one for one in names if one not in known]
+            if whose := owners(unknown, others()):
+                _refuse(f"{shown(name)} is a column of another machine: {whose}", place, OTHER_MACHINE)
             _refuse_unknown(name, place, known)
         if name in names[:i]:
             what = f"the column {shown(name)} is repeated, first as column {names.index(name) + 1}"
@@ -189,6 +198,14 @@ def _parted(cell: str, known: Sequence[str]) -> tuple[str, str | None]:
 
 def _refuse(what: str, where: str, remedy: str) -> NoReturn:
     raise MeasurementError(what, where, remedy)
+
+
+def owners(names: Sequence[str], others: Mapping[str, Collection[str]]) -> str:
+    """Return, as a clause, whose columns the unknown ones of a file are; empty if no other machine has all."""
+    having = [machine for machine, columns in others.items() if set(names) <= set(columns)]
+    *some, last = having or [""]
+    machines = f"{', '.join(some)} or {last}" if some else last
+    return f"the columns of the file are those of {machines}" if last else ""
 
 
 def _refuse_unknown(name: str, place: str, known: Sequence[str]) -> NoReturn:

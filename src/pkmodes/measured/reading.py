@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from types import MappingProxyType
@@ -40,14 +40,16 @@ def read_measurements(
     components: Sequence[Mapping[str, str]] = (POSITION,),
     settings: Mapping[str, str] = MappingProxyType({}),
     drives: str | None = None,
+    others: Callable[[], Mapping[str, Collection[str]]] = dict,
 ) -> Measurements:
     """Read modal measurements of a machine whose setups are poses.
 
     Parameters
     ----------
     path : path-like
-        A CSV file in UTF-8 with one row for each identified mode: the columns ``pose``, one for each component of a
-        pose, ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``,
+        A table in UTF-8, separated by commas, semicolons or tabs, with decimal commas where commas do not separate.
+        It has one row for each identified mode: the columns ``pose``, one for each component of a pose,
+        ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``,
         ``mode``, ``drives``, ``shape:<coordinate>``, ``sigma_shape`` and ``set:<path>``.  A column name may carry a
         unit, ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` gives the band in which modes were
         identified, and ``# drives: held`` says what the motors did in all rows; other lines that begin with ``#`` are
@@ -63,6 +65,9 @@ def read_measurements(
         Paths that a column ``set:<path>`` may name, with their SI units.
     drives : {"free", "held"}, optional
         What the motors did, if the file does not say it; otherwise free.
+    others : callable, optional
+        Returns the columns of other machines, by what such a machine is called: an error says whose columns a file
+        has.
 
     Returns
     -------
@@ -74,7 +79,7 @@ def read_measurements(
     MeasurementError
         If the file cannot be read or is invalid, with line, column, what was expected and what was found.
     """
-    return format_of(path).read(path, Machine(channels, positions, components, settings, drives))
+    return format_of(path).read(path, Machine(channels, positions, components, settings, drives, others))
 
 
 def read_modes(path: str | PathLike[str], channels: Collection[str] | Mapping[str, str]) -> Measurements:
@@ -83,7 +88,8 @@ def read_modes(path: str | PathLike[str], channels: Collection[str] | Mapping[st
     Parameters
     ----------
     path : path-like
-        A CSV file in UTF-8 with one row for each identified mode: the columns ``pose`` (the label of a setup),
+        A table in UTF-8, separated by commas, semicolons or tabs, with decimal commas where commas do not separate.
+        It has one row for each identified mode: the columns ``pose`` (the label of a setup),
         ``frequency``, ``sigma`` [Hz], and where known ``damping``, ``sigma_damping``, ``mode``,
         ``shape:<channel>`` and ``sigma_shape``.  A column name may carry a unit, ``frequency [rad/s]``.  A comment
         line ``# band: 10 Hz, 400 Hz`` gives the band in which modes were identified.

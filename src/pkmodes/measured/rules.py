@@ -25,6 +25,8 @@ from pkmodes.robot.units import LARGEST, SMALLEST
 SHAPE = "shape:"
 #: Prefix of the columns that hold values of settings.
 SET = "set:"
+#: What to do about a label that is none.
+PRINTABLE = "write a name in printable characters"
 
 
 class Quoted(NamedTuple):
@@ -154,14 +156,17 @@ def _broken(
         yield Problem(row, column, what, allowed.remedy)
 
 
+def is_label(text: str) -> bool:
+    """Return whether a text can be the label of a pose."""
+    return bool(text.strip()) and text.isprintable()
+
+
 def text_problems(given: Columns, first: Integers) -> Iterator[Problem]:
     """Yield labels and mode numbers that are not printable, labels that are repeated, and unknown `drives`."""
     seen: set[str] = set()
     for i, label in zip(first.tolist(), given.labels, strict=True):
-        if not label.strip() or not label.isprintable():
-            yield Problem(
-                i, "pose", f"expected a label, found {shown(label)}", "write a name in printable characters"
-            )
+        if not is_label(label):
+            yield Problem(i, "pose", f"expected a label, found {shown(label)}", PRINTABLE)
         if label in seen:
             yield Problem(
                 i, "pose", f"two poses have the label {shown(label)}", "give each pose a unique label"

@@ -21,7 +21,7 @@ DRIVES_HELP = 'write "# drives: free" or "# drives: held", or start the comment 
 
 
 def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, float]:
-    """Read a band such as ``10 Hz, 400 Hz``; numbers without a unit are in Hz.
+    """Read a band such as ``10 Hz, 400 Hz`` or ``10,5 Hz; 400 Hz``; numbers without a unit are in Hz.
 
     Parameters
     ----------
@@ -39,8 +39,11 @@ def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, f
         If the text is not two frequencies above 0, the lower one first.
     """
     limits: list[float] = []
-    parts = text.split(",")
+    separator = ";" if ";" in text else ","
+    parts = text.split(separator)
     for part in parts if len(parts) == 2 else ():
+        if separator == ";":
+            part = part.replace(",", ".")
         number, *unit = part.split(maxsplit=1) or [""]
         glued = NUMBER.match(number)  # also "10Hz"
         if glued is not None and glued.end() < len(number):

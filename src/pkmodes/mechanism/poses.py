@@ -6,9 +6,8 @@ compares them with their bounds and formats the messages.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from typing import Any, Literal
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -50,8 +49,7 @@ def codes_of(mechanism: Mechanism) -> tuple[str, ...]:
     return ("", FINITE[0], *(margin.code for margin in mechanism.margins))
 
 
-@dataclass(frozen=True)
-class CheckedPoses:
+class CheckedPoses(NamedTuple):
     """Validated poses.
 
     Attributes
@@ -64,12 +62,15 @@ class CheckedPoses:
         Leading axes of the poses as the caller gave them.
     known : tuple of str
         The reasons that the codes index.
+    left : ndarray of int, optional
+        Which poses NumPy evaluated because the solver could not.
     """
 
     points: NDArray[np.float64]
     codes: NDArray[np.int8]
     batch: tuple[int, ...]
     known: tuple[str, ...]
+    left: NDArray[np.intp] | None = None
 
     @property
     def valid(self) -> NDArray[np.bool_]:
@@ -160,7 +161,7 @@ def given_poses(poses: ArrayLike, mechanism: Mechanism, on_error: OnError) -> tu
             "on_error",
             "choose one of the two",
         )
-    return as_points(poses, "poses", len(mechanism.pose), f"give {_in_words(mechanism)}")
+    return as_points(poses, "poses", len(mechanism.pose), lambda: f"give {_in_words(mechanism)}")
 
 
 def refuse(points: Array, codes: NDArray[np.int8], mechanism: Mechanism, parameters: Any) -> None:
@@ -207,30 +208,30 @@ def largest_condition(given: float) -> float:
 
 
 def as_points(
-    given: ArrayLike, name: str, size: int, remedy: str
+    given: ArrayLike, name: str, size: int, remedy: Callable[[], str]
 ) -> tuple[NDArray[np.float64], tuple[int, ...]]:
     """Check an array of tuples of numbers; return it as (N, size), and its leading axes.
 
     Raises
     ------
     PoseError
-        If it is not a non-empty array of real numbers of shape (size,) or (..., size); `name` and `remedy` go into
+        If it is not a non-empty array of real numbers of shape (size,) or (..., size); `name` and `remedy()` go into
         the message.
     """
     try:
-        if np.ma.is_masked(given):
+        if type(given) is not np.ndarray and np.ma.is_masked(given):
             raise TypeError("masked values")
         array = np.asarray(given)
         if array.dtype.kind not in "iuf":
             raise TypeError(f"values of type {array.dtype}")
         array = array.astype(float)
     except Exception as error:  # conversion of an arbitrary object may raise anything
-        raise PoseError(f"expected an array of numbers, found {error}", name, remedy) from None
+        raise PoseError(f"expected an array of numbers, found {error}", name, remedy()) from None
     if array.ndim == 0 or array.shape[-1] != size:
         what = f"expected {name} of shape ({size},) or (N, {size}), found {array.shape}"
-        raise PoseError(what, name, remedy)
+        raise PoseError(what, name, remedy())
     if array.size == 0:
-        raise PoseError(f"expected at least one pose, found an array of shape {array.shape}", name, remedy)
+        raise PoseError(f"expected at least one pose, found an array of shape {array.shape}", name, remedy())
     return array.reshape(-1, size), array.shape[:-1]
 
 

@@ -204,7 +204,8 @@ class Model(Responses):
     ) -> NDArray[np.float64]:
         """Compute the standard deviations of the frequencies from those that the robot file states.
 
-        The law of propagation of uncertainty for independent values, with exact derivatives: good to first order.
+        The law of propagation of uncertainty with exact derivatives, good to first order.  Values are independent
+        unless a ``[[covariance]]`` of the robot file correlates them.
 
         Parameters
         ----------

@@ -232,7 +232,9 @@ class Responses:
 
         return compliance(self.dynamics, poses, on_error)
 
-    def shaper(self, kind: str, poses: ArrayLike, *, modes: int | None = None) -> Shaper:
+    def shaper(
+        self, kind: str, poses: ArrayLike, *, modes: int | None = None, continuous: bool = True
+    ) -> Shaper:
         """Design shapers for the modes of held motors at poses (docs/shapers.md).
 
         Parameters
@@ -242,8 +244,11 @@ class Responses:
         poses : array_like, shape (d,) or (..., d)
             In SI units.
         modes : int, optional
-            For a single kind: how many of the lowest modes count.  It is for their mean frequency, weighted by the
-            squared ``vibration_amplitudes``; by default three.
+            For a single kind: how many of the lowest modes count; by default three.
+        continuous : bool
+            For a single kind: the mean frequency of these modes, weighted by the squared ``vibration_amplitudes``,
+            which has no jump along a path, as a move needs; or, if False, the frequency that leaves least at each
+            pose, as in the comparison of `shapers`.
 
         Returns
         -------
@@ -264,7 +269,7 @@ class Responses:
         """
         from pkmodes.shaping.at_poses import shaper_at
 
-        return shaper_at(self.dynamics, kind, poses, modes)
+        return shaper_at(self.dynamics, kind, poses, modes, continuous)
 
     def shapers(
         self,
@@ -275,6 +280,7 @@ class Responses:
         left: float = 0.1,
         length: float | None = None,
         tick: float = 1e-3,
+        firmware: str | None = None,
     ) -> Choice:
         """Compare shapers over poses: the best fixed one of each kind, and those that follow the pose.
 
@@ -293,24 +299,27 @@ class Responses:
             Longest duration of a shaper [s].
         tick : float
             Time between two commands of the controller [s]; shapers shorter than two ticks are left out.
+        firmware : {"klipper", "marlin", "reprapfirmware"}, optional
+            Recommend only a shaper that it has.
 
         Returns
         -------
         Choice
             ``candidates``, and ``recommended``: the index of the shortest fixed shaper that is good enough, else of
-            the one that leaves least at its worst pose.
+            the one that leaves least at its worst pose.  At no pose those that follow it leave more than fixed ones.
 
         Raises
         ------
         PkmodesError
-            If an argument is invalid, or no fixed shaper is long or short enough.
+            If an argument is invalid, no fixed shaper is long or short enough, or the firmware has none of them.
         PoseError
             If no pose can be evaluated.
         """
         from pkmodes.shaping.choice import choose
         from pkmodes.shaping.ringing import ringing
 
-        return choose(ringing(self.dynamics, poses, modes), kinds, left=left, length=length, tick=tick)
+        at = ringing(self.dynamics, poses, modes)
+        return choose(at, kinds, left=left, length=length, tick=tick, firmware=firmware)
 
     def simulate(
         self, time: ArrayLike, poses: ArrayLike, *, shaper: Shaper | None = None, damping: float | None = None

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis
+from pkmodes.diagnosis.verdict.findings import Corrected
+from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.plots import marks
 from pkmodes.plots.labels import short
 from pkmodes.plots.style import BLUE, GREEN, GREY, PAPER, figure, styled

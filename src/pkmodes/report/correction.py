@@ -29,7 +29,8 @@ def correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
     lines = difference(source.read_bytes().decode("utf-8"), after, source.name)
     if not lines:
         return [Paragraph("The robot file needs no correction.")]
-    several = [effect for effect in result.effects if len(effect.members) > 1]
+    losses = "the losses that the damping shows, " if result.damping.effects else ""
+    several = [effect for effect in result.every_cause if len(effect.members) > 1]
     chosen = "".join(
         f" It has {clean(effect.name)}; the data cannot tell it from {' or '.join(map(clean, effect.members[1:]))}."
         for effect in several
@@ -37,7 +38,7 @@ def correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
     return [
         Paragraph(
             "What the corrected robot file has instead of the given one, as written by --save-robot: the cause where "
-            "one was found, and the refitted values with their new standard deviations. "
+            f"one was found, {losses}and the refitted values with their new standard deviations. "
             f"Comments and order are kept.{chosen}"
         ),
         Difference("Difference of the robot file", lines),

@@ -1,41 +1,94 @@
-"""Measured damping beside that of the model, before and after the diagnosis."""
+"""What the damping says beside the verdict, and measured damping beside that of the model."""
 
 from __future__ import annotations
 
-from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.diagnosis.verdict.findings import Examined
+from pkmodes.diagnosis.verdict.result import Damping, Diagnosis, key
 from pkmodes.diagnosis.verdict.rows import Row
-from pkmodes.report.blocks import Block, Cell, Column, Paragraph
-from pkmodes.report.formatting import clean, hertz, plural, pointer, prose, three_digits, uncertain
+from pkmodes.report import explanations
+from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Table
+from pkmodes.report.formatting import (
+    NOTHING,
+    clean,
+    figures,
+    hertz,
+    plural,
+    pointer,
+    prose,
+    three_digits,
+    uncertain,
+    unit,
+)
+from pkmodes.report.numbers import CHANGES
+from pkmodes.report.setting import Setting
 from pkmodes.report.tables import table
 
+#: Key of the damping in the JSON.
+TOP = "damping"
 #: Most rows on the page.
 MOST = 300
 #: Columns of the ratios of the model: key in the JSON and title.
 RATIOS = {"damping_before": "as declared [%]", "damping_after": "as diagnosed [%]"}
 
 
-def damping(result: Diagnosis) -> list[Block]:
-    """Return what the damping says, and the ratios of all modes; nothing where damping was not diagnosed."""
+def damping(result: Diagnosis, setting: Setting) -> list[Block]:
+    """Return what the damping says, and the ratios of all modes; nothing where damping was not measured."""
     found = result.damping
-    if found is None:
+    if not found.measured:
         return []
-    text = f"{found.sentence[:1].upper()}{found.sentence[1:]}."
-    blocks: list[Block] = [Paragraph(prose(text)), *_factors(result)]
+    blocks: list[Block] = [
+        Paragraph(
+            f"Verdict on the damping: {found.verdict.replace('_', ' ')}. "
+            f"{prose(f'{found.reason[:1].upper()}{found.reason[1:]}.')}"
+        ),
+        *explanations.causes(found, setting, TOP),
+        *_refitted(found, setting),
+        *_stability(found),
+        *_factors(found),
+        *(
+            [Listing([prose(f"{note[:1].upper()}{note[1:]}.") for note in found.notes])]
+            if found.notes
+            else []
+        ),
+    ]
     rows = [(i, row) for i, row in enumerate(result.rows) if row.damping is not None]
-    note = ""
-    if len(rows) > MOST:
-        note = f"The table has the first {MOST} of {len(rows)} ratios. All are in the output of --json, under rows."
-    columns = [Column("pose", False), Column("line"), Column("f [Hz]"), Column("measured [%]")]
-    columns += [*(Column(title) for title in RATIOS.values()), Column("remark", False)]
-    caption = "Damping ratios: measured, and those of the model, whose frequencies are the final ones."
-    blocks.append(table(caption, columns, [_row(i, row) for i, row in rows[:MOST]], note=note))
+    if rows:
+        blocks.append(_ratios(rows))
+    if found.candidates:
+        blocks.append(_candidates(found))
     return blocks
 
 
-def _factors(result: Diagnosis) -> list[Block]:
+def _refitted(found: Damping, setting: Setting) -> list[Block]:
+    """Return the uncertain losses, fitted within their priors."""
+    entries = []
+    for value in found.refitted:
+        at = pointer(TOP, "refitted", value.name)
+        after = uncertain(value.after, value.sigma, at + pointer("after"), at + pointer("sigma"))
+        before = figures(value.before, 6, at + pointer("before"))
+        entries.append(
+            (setting.words(value.name), [after, Cell(unit(value.unit)), Cell("declared as"), before])
+        )
+    return [Paragraph("Uncertain losses, refitted within their priors:"), Facts(entries)] if entries else []
+
+
+def _stability(found: Damping) -> list[Block]:
+    """Return what the verdict on the damping becomes with other errors or priors, where it changes."""
+    own = {name for effect in found.effects for name in effect.members}
+    parts = [
+        f"{CHANGES.get(s.change, s.change)}: {' '.join([s.verdict.replace('_', ' '), *s.effects])}"
+        for s in found.stability
+        if s.verdict != found.verdict or not set(s.effects) <= own
+    ]
+    if not found.stability:
+        return []
+    if not parts:
+        return [Paragraph("That is the same with \u03c3 halved or doubled, and with priors twice as wide.")]
+    return [Paragraph(f"It changes with {'; '.join(map(clean, parts))}.")]
+
+
+def _factors(found: Damping) -> list[Block]:
     """Return how far the model is from the measured ratios."""
-    found = result.damping
-    assert found is not None
     factors = {
         "as declared": found.before,
         "as diagnosed": found.after,
@@ -48,18 +101,70 @@ def _factors(result: Diagnosis) -> list[Block]:
     return [Paragraph(f"Root mean square factor between model and measurement, {count}: {', '.join(parts)}.")]
 
 
+def _ratios(rows: list[tuple[int, Row]]) -> Table:
+    """Return every measured ratio beside those of the model."""
+    note = ""
+    if len(rows) > MOST:
+        note = f"The table has the first {MOST} of {len(rows)} ratios. All are in the output of --json, under rows."
+    columns = [Column("pose", False), Column("line"), Column("f [Hz]"), Column("measured [%]")]
+    columns += [Column("stated \u03c3 [%]"), *(Column(title) for title in RATIOS.values())]
+    columns.append(Column("remark", False))
+    caption = (
+        "Damping ratios: measured, and those of the model, whose frequencies are the final ones. The \u03c3 of a "
+        "measured ratio is the one with which it was compared: the stated one, with the 10 % by which tests of one "
+        "machine differ at least, what the shape of its mode leaves open, and a scatter that the verdict allows for."
+    )
+    return table(caption, columns, [_row(i, row) for i, row in rows[:MOST]], note=note)
+
+
 def _row(i: int, row: Row) -> list[Cell]:
-    measured = three_digits(row.damping, pointer("rows", i, "damping"), scale=100.0)
-    if row.damping is not None and row.sigma_damping is not None:
-        places = [pointer("rows", i, key) for key in ("damping", "sigma_damping")]
-        measured = uncertain(row.damping, row.sigma_damping, *places, scale=100.0)
-    ratios = [three_digits(getattr(row, key), pointer("rows", i, key), scale=100.0) for key in RATIOS]
-    remark = "" if row.damping_used else "held out" if row.held_out else "not used"
+    at = pointer("rows", i)
+    measured = three_digits(row.damping, at + pointer("damping"), scale=100.0)
+    if row.damping is not None and row.sigma_damping_used is not None:
+        places = at + pointer("damping"), at + pointer("sigma_damping_used")
+        measured = uncertain(row.damping, row.sigma_damping_used, *places, scale=100.0)
+    stated = three_digits(row.sigma_damping, at + pointer("sigma_damping"), scale=100.0)
+    ratios = [three_digits(getattr(row, key), at + pointer(key), scale=100.0) for key in RATIOS]
     return [
         Cell(clean(row.pose)),
-        Cell(str(row.line), row.line, pointer("rows", i, "line")),
-        hertz(row.measured, pointer("rows", i, "frequency_hz")),
+        Cell(str(row.line), row.line, at + pointer("line")),
+        hertz(row.measured, at + pointer("frequency_hz")),
         measured,
+        stated,
         *ratios,
-        Cell(remark),
+        Cell(row.damping_remark or ""),
+    ]
+
+
+def _candidates(found: Damping) -> Table:
+    """Return the losses that were tested, and how large each may still be.
+
+    There is no p-value: that of a loss alone is another than that of a loss found beside others.
+    """
+    rows = [_candidate(found, k, one) for k, one in enumerate(found.candidates)]
+    columns = [Column("loss", False), Column("standing", False), Column("visible from")]
+    columns += [Column("limit (95\u00a0%)"), Column("unit", False), Column("detectable", False)]
+    caption = (
+        "Losses. Visible from: the smallest change that these ratios would probably show (5 \u03c3). Limit: how far "
+        f"the value may still be from the declared one at 95 %; {NOTHING} where nothing bounds it."
+    )
+    return table(caption, columns, rows)
+
+
+def _candidate(found: Damping, k: int, one: Examined) -> list[Cell]:
+    name, limit = next(
+        ((name, limit) for name, limit in found.limits.items() if limit.candidate == one.name), ("", None)
+    )
+    visible = next(iter(one.visible_from), None)
+    at = pointer(TOP, "candidates", k, "visible_from", key(visible), "value") if visible else ""
+    size = None if limit is None else limit.value
+    place = pointer(TOP, "limits", name, *(() if size is None else ("value",))) if limit else ""
+    symbol = visible.unit if visible else limit.unit if limit else "1"
+    return [
+        Cell.named(clean(one.sentence), clean(one.name)),
+        Cell(explanations.standing(found, one.name)),
+        figures(visible.value if visible and one.detectable else None, 2, at if one.detectable else ""),
+        figures(size, 2, place) if limit else Cell(""),
+        Cell(unit(symbol)),
+        Cell("yes" if one.detectable else "no"),
     ]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from pkmodes.diagnosis.verdict import naming
-from pkmodes.diagnosis.verdict.result import Diagnosis, Finding, key
+from pkmodes.diagnosis.verdict.findings import Finding, believed, why_larger
+from pkmodes.diagnosis.verdict.result import Diagnosis, key
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report import explanations, figures, numbers
@@ -34,7 +35,7 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
         Section("modes", "Measurement and model", figures.mode_figures(evidence)),
         *([Section("poses", "Differences against the pose", where)] if where else []),
         Section("shapes", "Mode shapes", figures.shape_figures(evidence)),
-        *([Section("damping", "Damping", ratios)] if (ratios := damping(result)) else []),
+        *([Section("damping", "Damping", ratios)] if (ratios := damping(result, setting)) else []),
         Section("candidates", "Candidates", explanations.candidates(result)),
         Section("values", "Values before and after", numbers.values(result, setting)),
         *([Section("stability", "Stability", trials)] if (trials := numbers.stability(result)) else []),
@@ -57,7 +58,7 @@ def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary
         headline=_headline(result),
         reason=prose(_sentence(result.reason) + _larger(result)),
         tone=VERDICTS[result.verdict].colour,
-        notes=[prose(_sentence(note)) for note in result.notes],
+        notes=[prose(_sentence(note)) for note in (*result.notes, *_of_damping(result))],
         facts=facts,
         head=setting.head,
     )
@@ -70,8 +71,14 @@ def _larger(result: Diagnosis) -> str:
         for effect in result.effects
         if len(effect.members) == 1 and not effect.relative()
         for value in effect.parameters
-        if (why := result.why_larger(value))
+        if (why := why_larger(value, result.corrected))
     )
+
+
+def _of_damping(result: Diagnosis) -> list[str]:
+    """Return what the damping says, which changes neither the verdict nor the headline."""
+    found = result.damping
+    return [f"the verdict is that of frequencies and shapes; {found.reason}"] if found.measured else []
 
 
 def _headline(result: Diagnosis) -> str:
@@ -122,7 +129,7 @@ def _sizes(result: Diagnosis, i: int, setting: Setting) -> list[tuple[str, Cell]
     for value in relative or effect.parameters:
         own = ("effects", i, "relative" if relative else "parameters", key(value))
         sigma = pointer(*own, "sigma" if relative else "saved_sigma")
-        cell = uncertain(value.value, result.believed(value).sigma, pointer(*own, "value"), sigma)
+        cell = uncertain(value.value, believed(value, result.corrected).sigma, pointer(*own, "value"), sigma)
         name = clean(key(value))
         title = f"{name} relative to the mean" if relative else setting.words(value.name) or name
         facts.append((f"{title} [{unit(value.unit)}]" if unit(value.unit) else title, cell))

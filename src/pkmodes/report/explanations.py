@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from pkmodes.diagnosis.verdict import naming
-from pkmodes.diagnosis.verdict.result import Diagnosis, Examined, Finding, Value, key
+from pkmodes.diagnosis.verdict.findings import Corrected, Examined, Finding, Value, believed
+from pkmodes.diagnosis.verdict.result import Damping, Diagnosis, key
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Table
 from pkmodes.report.formatting import (
@@ -28,8 +29,14 @@ from pkmodes.report.tables import table
 MOST = 200
 
 
-def causes(result: Diagnosis, setting: Setting) -> list[Block]:
-    """Return the causes found with their classes, or the explanations that remain."""
+def causes(result: Diagnosis | Damping, setting: Setting, *top: str) -> list[Block]:
+    """Return the causes found with their classes, or the explanations that remain.
+
+    Parameters
+    ----------
+    *top : str
+        Keys that lead to the result in the JSON: none, or that of the damping.
+    """
     sentences = {one.name: one.sentence for one in result.candidates}
     blocks: list[Block] = []
     for i, effect in enumerate(result.effects):
@@ -41,8 +48,10 @@ def causes(result: Diagnosis, setting: Setting) -> list[Block]:
         if effect.sentence or several:
             names = ", ".join(map(clean, effect.members))
             entries.append(("Names" if several else "Name", [Cell(names)]))
-        entries.append(("p-value", [p_value(effect.p_value, pointer("effects", i, "p_value"))]))
-        blocks += [Facts(entries), *_relative(effect, i, setting), _members(result, i, setting, sentences)]
+        at = pointer(*top, "effects", i)
+        entries.append(("p-value", [p_value(effect.p_value, at + pointer("p_value"))]))
+        blocks += [Facts(entries), *_relative(effect, at, setting)]
+        blocks.append(_members(effect, result.corrected, at, setting, sentences))
         if several:
             blocks.append(
                 Paragraph(
@@ -58,25 +67,30 @@ def causes(result: Diagnosis, setting: Setting) -> list[Block]:
     return blocks
 
 
-def _members(result: Diagnosis, i: int, setting: Setting, sentences: Mapping[str, str]) -> Table:
+def _members(
+    effect: Finding,
+    corrected: Sequence[Corrected],
+    place: str,
+    setting: Setting,
+    sentences: Mapping[str, str],
+) -> Table:
     """Return the values of the cause, and of each other member of its class if it were the cause.
 
     The standard deviation of a single cause is the one that may be relied on, beside that of the fit.
     """
-    effect = result.effects[i]
     alone = len(effect.members) == 1
     rows = []
     for member in effect.members:
         why = effect.member(member).implausible
         for value in effect.alternatives[member]:
-            at = ("effects", i, "alternatives", member, key(value))
-            fit, saved = pointer(*at, "sigma"), pointer("effects", i, "parameters", key(value), "saved_sigma")
-            sigma = result.believed(value).sigma if alone else value.sigma
+            at = place + pointer("alternatives", member, key(value))
+            fit, saved = at + pointer("sigma"), place + pointer("parameters", key(value), "saved_sigma")
+            sigma = believed(value, corrected).sigma if alone else value.sigma
             rows.append(
                 [
                     Cell.named(clean(sentences.get(member, "")), clean(member)),
                     Cell.named(setting.words(value.name), clean(value.name)),
-                    uncertain(value.value, sigma, pointer(*at, "value"), saved if alone else fit),
+                    uncertain(value.value, sigma, at + pointer("value"), saved if alone else fit),
                     *((figures(value.sigma, 2, fit),) if alone else ()),
                     Cell(unit(value.unit)),
                     Cell(prose(f"no: {why}") if why else "yes"),
@@ -100,15 +114,15 @@ def _members(result: Diagnosis, i: int, setting: Setting, sentences: Mapping[str
     return table(caption, columns, rows)
 
 
-def _relative(effect: Finding, i: int, setting: Setting) -> list[Block]:
+def _relative(effect: Finding, place: str, setting: Setting) -> list[Block]:
     """Return the values relative to their mean, where the mean is far less certain."""
     rows = []
     for value in effect.relative():
-        at = ("effects", i, "relative", key(value))
+        at = place + pointer("relative", key(value))
         rows.append(
             [
                 Cell.named(setting.words(value.name), clean(value.name)),
-                uncertain(value.value, value.sigma, pointer(*at, "value"), pointer(*at, "sigma")),
+                uncertain(value.value, value.sigma, at + pointer("value"), at + pointer("sigma")),
                 Cell(unit(value.unit)),
             ]
         )
@@ -169,7 +183,7 @@ def _table(result: Diagnosis) -> Table:
             rows.append(
                 [
                     Cell.named(clean(one.sentence), clean(_identifier(one.name, name, len(sizes)))),
-                    Cell(_standing(result, one.name)),
+                    Cell(standing(result, one.name)),
                     p_value(one.p_value, pointer(*at, "p_value")),
                     _visible(seen, pointer(*at, "visible_from")),
                     _limit(result, name),
@@ -247,7 +261,7 @@ def _unit(result: Diagnosis, value: Value | None, name: str) -> str:
     return "" if limit is None or limit.value is None else unit(limit.unit)
 
 
-def _standing(result: Diagnosis, name: str) -> str:
+def standing(result: Diagnosis | Damping, name: str) -> str:
     """Return what became of a candidate."""
     for effect in result.effects:
         if name in effect.members:

@@ -65,7 +65,11 @@ def identification_report(
 def _summary(found: Identification, campaign: Campaign, content: Mapping[str, Any]) -> Summary:
     modes = [mode for result in found.records for mode in result.modes]
     count, poses = plural(len(modes), "mode"), plural(len(found.records), "pose")
-    notes = [clean(note, SENTENCE) for note in (*_attention(found), *found.messages)]
+    attention = _attention(found)
+    said = [f"{what} {_places(places)}." for what, places in attention]
+    notes = [clean(note, SENTENCE) for note in (*said, *found.messages)]
+    # A sentence that lists several modes or poses is as many points.
+    points = sum(len(places) for _, places in attention) + len(found.messages)
     relative = np.array([mode.sigma / mode.frequency for mode in modes])
     damped = np.array([mode.sigma_damping / mode.damping for mode in modes if mode.damping > 0.0])
     damped = damped[np.isfinite(damped)]
@@ -83,13 +87,13 @@ def _summary(found: Identification, campaign: Campaign, content: Mapping[str, An
         middle = float(np.median(damped))
         facts.append(("median \u03c3 of a damping ratio, of its value", Cell(_per_cent(middle), middle)))
     subject = "Structure" if campaign.model is None else campaign.model.robot.name
-    said = sum(len(result.messages) for result in found.records)
+    messages = sum(len(result.messages) for result in found.records)
     return Summary(
         subject=clean(subject),
         kind="Identification",
         verdict="",
-        headline=f"{count} at {poses}" + (f", {plural(len(notes), 'point')} to check" if notes else ""),
-        reason=_reason(found, modes, said),
+        headline=f"{count} at {poses}" + (f", {plural(points, 'point')} to check" if points else ""),
+        reason=_reason(found, modes, messages),
         tone="open" if notes else "good",
         notes=notes,
         facts=facts,
@@ -121,39 +125,43 @@ def _reason(found: Identification, modes: Sequence[IdentifiedMode], said: int) -
     )
 
 
-def _attention(found: Identification) -> list[str]:
-    """Return what a reader should look at, in sentences."""
-    said = []
-    left = [(result.record.pose, one) for result in found.records for one in result.left_out]
-    if left:
-        said.append(f"{plural(len(left), 'faulty file')} left out: {_places([pose for pose, _ in left])}.")
-    none = [result.record.pose for result in found.records if not result.modes]
-    if none:
-        said.append(f"No mode was found at {_places(none)}.")
-    added = _modes_with(found, lambda mode, _: mode.edited is not None)
-    struck = [f"{one.record.pose} ({f:.4g} Hz)" for one in found.records for f in one.struck]
-    said += [f"Added by the campaign: {_places(added)}."] if added else []
-    said += [f"Struck out by the campaign: {_places(struck)}."] if struck else []
-    complex_ = _modes_with(found, lambda mode, _: mode.complexity < COMPLEX)
-    if complex_:
-        said.append(f"Complex shapes (modal phase collinearity below {COMPLEX:g}): {_places(complex_)}.")
-    some = _modes_with(found, lambda mode, result: mode.files < _files(result))
-    if some:
-        said.append(f"Found in some of the files only: {_places(some)}.")
-    vague = _modes_with(found, lambda mode, _: mode.sigma_damping > UNCERTAIN * mode.damping)
-    if vague:
-        said.append(f"Damping known to no better than {100.0 * UNCERTAIN:g} %: {_places(vague)}.")
-    alike = [pair for result in found.records for pair in _alike(result)]
-    if alike:
-        said.append(f"Modes that the sensors hardly tell apart (MAC above {ALIKE:g}): {_places(alike)}.")
-    single = [
-        result.record.pose
-        for result in found.records
-        if result.repeats and all(len(one.files) == 1 for one in result.repeats)
+def _attention(found: Identification) -> list[tuple[str, list[str]]]:
+    """Return what a reader should look at: the beginning of each sentence, and the modes or poses that it lists."""
+    left = [result.record.pose for result in found.records for _ in result.left_out]
+    said = [
+        (f"{plural(len(left), 'faulty file')} left out:", left),
+        ("No mode was found at", [result.record.pose for result in found.records if not result.modes]),
+        ("Added by the campaign:", _modes_with(found, lambda mode, _: mode.edited is not None)),
+        (
+            "Struck out by the campaign:",
+            [f"{one.record.pose} ({f:.4g} Hz)" for one in found.records for f in one.struck],
+        ),
+        (
+            f"Complex shapes (modal phase collinearity below {COMPLEX:g}):",
+            _modes_with(found, lambda mode, _: mode.complexity < COMPLEX),
+        ),
+        (
+            "Found in some of the files only:",
+            _modes_with(found, lambda mode, result: mode.files < _files(result)),
+        ),
+        (
+            f"Damping known to no better than {100.0 * UNCERTAIN:g} %:",
+            _modes_with(found, lambda mode, _: mode.sigma_damping > UNCERTAIN * mode.damping),
+        ),
+        (
+            f"Modes that the sensors hardly tell apart (MAC above {ALIKE:g}):",
+            [pair for result in found.records for pair in _alike(result)],
+        ),
+        (
+            "A single file, so that the scatter of repeats is unknown:",
+            [
+                result.record.pose
+                for result in found.records
+                if result.repeats and all(len(one.files) == 1 for one in result.repeats)
+            ],
+        ),
     ]
-    if single:
-        said.append(f"A single file, so that the scatter of repeats is unknown: {_places(single)}.")
-    return said
+    return [(what, places) for what, places in said if places]
 
 
 def _modes_with(found: Identification, wanted: Any) -> list[str]:

@@ -15,6 +15,7 @@ from pkmodes.plots.plane import Plane, where
 from pkmodes.plots.style import styled
 from pkmodes.report.blocks import Paragraph, Picture
 from pkmodes.report.formatting import clean, unit
+from pkmodes.robot.usable import USABLE
 
 if TYPE_CHECKING:
     import xarray
@@ -54,7 +55,7 @@ def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str, s
     listed = "pose" in dataset["frequency"].dims
     varied = bool(swept_paths(dataset))
     if len(several) == 2 and not listed:
-        places = _thinned({name: dataset[name].values for name in names})
+        places = _thinned({name: dataset[name].values for name in names}, dataset)
         return places, "the plane of the map", OF_MAP
     if len(several) > 2 and not listed:
         normal = model.mechanism.directions[2]
@@ -63,7 +64,7 @@ def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str, s
         if found is None or not values[0] <= found.axes[normal][0] <= values[-1]:
             at = _best(dataset, normal)
             axes = {name: np.array([at]) if name == normal else dataset[name].values for name in names}
-            return _thinned(axes), f"the plane of the map {CHOSEN}", OF_MAP
+            return _thinned(axes, dataset), f"the plane of the map {CHOSEN}", OF_MAP
         return found, f"the plane {CHOSEN} of the workspace", WORKING
     if not listed and (varied or not several):
         what = f"along {clean(several[0])}" if several else "at one pose"
@@ -75,8 +76,9 @@ def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str, s
     return working_plane(model), f"the plane {CHOSEN} of the workspace", WORKING
 
 
-def _thinned(axes: dict[str, np.ndarray]) -> Grid:
-    return Grid({name: values[:: -(-len(values) // FINEST)] for name, values in axes.items()})
+def _thinned(axes: dict[str, np.ndarray], dataset: xarray.Dataset) -> Grid:
+    used = bool((dataset["reason"] == USABLE).any())
+    return Grid({name: values[:: -(-len(values) // FINEST)] for name, values in axes.items()}, used)
 
 
 def _best(dataset: xarray.Dataset, normal: str) -> float:

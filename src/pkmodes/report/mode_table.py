@@ -108,6 +108,8 @@ def _remark(row: Row | ComparedRow, evidence: Evidence, i: int) -> str:
     words = []
     if isinstance(row, Row):
         words += ["held out"] * row.held_out + ["set aside"] * row.outlier
+    elif row.no_evidence:
+        words.append("damping of another shape")
     if evidence.stages and not evidence.last.paired[i]:
         words.append("unmatched")
     return ", ".join(words)

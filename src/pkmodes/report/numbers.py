@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from pkmodes.base.ordering import sorted_labels
-from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis, key
+from pkmodes.diagnosis.verdict.findings import Corrected
+from pkmodes.diagnosis.verdict.result import Diagnosis, key
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, meaning, same
-from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Paragraph, Picture, Table
 from pkmodes.report.formatting import (
@@ -78,9 +78,11 @@ def percent(relative: float | None, at: str = "", strong: bool = False) -> Cell:
 
 def values(result: Diagnosis, setting: Setting) -> list[Block]:
     """Return the fitted values, with what was declared about them."""
-    if not result.corrected:
+    of_losses = {value.name for value in result.damping.refitted}  # the damping says more of them
+    corrected = [value for value in result.corrected if value.name not in of_losses]
+    if not corrected:
         return [Paragraph("No value was uncertain, and none was fitted.")]
-    rows = [_value(result, value, setting) for value in result.corrected]
+    rows = [_value(result, value, setting) for value in corrected]
     columns = [Column("value", False), Column("role", False), Column("before")]
     columns += [
         Column("after"),
@@ -95,9 +97,9 @@ def values(result: Diagnosis, setting: Setting) -> list[Block]:
         "of the fit alone."
     )
     blocks: list[Block] = [table(caption, columns, rows)]
-    figure = scores.pulls(result.corrected, setting.words)
+    figure = scores.pulls(corrected, setting.words)
     if figure is not None:
-        count = plural(sum(v.prior_sigma is not None for v in result.corrected), "value")
+        count = plural(sum(v.prior_sigma is not None for v in corrected), "value")
         blocks.append(
             Picture.of(
                 figure,
@@ -167,7 +169,7 @@ def next_measurement(result: Diagnosis, setting: Setting) -> list[Block]:
     """Return where two remaining explanations differ most; nothing if nothing is left to separate."""
     proposed = result.next_measurement
     if proposed is None:
-        return [Paragraph(VERDICTS[result.verdict].nothing_next)]
+        return [Paragraph(f"None is proposed: {clean(result.next_measurement_reason)}.")]
     at = "next_measurement"
     entries: list[tuple[str, list[Cell]]] = [
         (f"{name} [{unit(symbol)}]" if unit(symbol) else name, [number(value, ".4f", pointer(at, "pose", k))])
@@ -175,10 +177,17 @@ def next_measurement(result: Diagnosis, setting: Setting) -> list[Block]:
             zip(setting.components(len(proposed.pose)), proposed.pose, strict=True)
         )
     ]
+    if proposed.drives:
+        entries.append(("motors", [Cell(proposed.drives)]))
     if proposed.load:
         entries.append(("set", [Cell(setting.load(proposed.load))]))
     one, other = map(clean, proposed.separates)
     entries.append(("separates", [Cell(f"{one} and {other}")]))
     sigmas = number(proposed.sigmas, ".0f", pointer(at, "sigmas"))
     entries.append(("by", [sigmas, Cell("standard deviations")]))
-    return [Paragraph("Measure next here, where two remaining explanations differ most:"), Facts(entries)]
+    caveat = [Paragraph(f"{proposed.caveat}.")] if proposed.caveat else []
+    return [
+        Paragraph("Measure next here, where two remaining explanations differ most:"),
+        Facts(entries),
+        *caveat,
+    ]

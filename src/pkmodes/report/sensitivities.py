@@ -22,7 +22,7 @@ from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.robot.report_fields import head_of
 from pkmodes.robot.words import in_words
-from pkmodes.sensitivity.changes import PERCENT, SIGMA, Changes, changes_at
+from pkmodes.sensitivity.changes import CORRELATED, PERCENT, SIGMA, Changes, changes_at
 from pkmodes.sensitivity.spread import stated_sigmas
 
 if TYPE_CHECKING:
@@ -188,9 +188,14 @@ def _per_sigma(model: Model, changes: Changes | None, content: dict[str, Any]) -
         ]
     )
     caption = "Hz for one standard deviation more of a value, and the standard deviation of each frequency."
+    together = (
+        CORRELATED
+        if model.robot.covariance
+        else "the root of the sum of squares, for values that err independently"
+    )
     note = (
-        "All together: the root of the sum of squares, for values that err independently. Exact to first order: good "
-        "where the standard deviations are small against the values."
+        f"All together: {together}. Exact to first order: good where the standard deviations are small against the "
+        "values."
     )
     titles = [Column("value", False), Column("\u03c3", False)]
     return [*_pictures(changes), *_tables(caption, titles, rows, len(changes.frequencies), note)]

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
-from hashlib import sha256
 from pathlib import Path
 
 from pkmodes.base.errors import PkmodesError
@@ -50,11 +50,12 @@ class Source:
             If it cannot be read.
         """
         try:
-            content = path.read_bytes()
+            with path.open("rb") as file:  # in blocks: signals may be gigabytes
+                digest = hashlib.file_digest(file, "sha256").hexdigest()
         except OSError as error:
             what = f"cannot read the {role}: {(error.strerror or str(error)).lower()}"
             raise PkmodesError(what, str(path), "check the place") from None
-        return cls(role, path.name, sha256(content).hexdigest())
+        return cls(role, path.name, digest)
 
 
 def known_sources(roles: Sequence[tuple[str, str]]) -> tuple[Source, ...]:

@@ -10,9 +10,10 @@ import numpy as np
 
 from pkmodes.mechanism import registry
 from pkmodes.mechanism.described import DAMPING_RATIO, Mechanism
+from pkmodes.robot.covariance import Covariance
 from pkmodes.robot.layout import OF_QUANTITIES, Item, items
 from pkmodes.robot.units import Quantity
-from pkmodes.robot.usable import Limits
+from pkmodes.robot.usable import Bound
 
 #: The named tuple of the generated model; each mechanism has its own.
 Parameters = Any
@@ -43,10 +44,13 @@ class Declaration:
     constants : mapping of str to float
         Effect parameters that come from other tables of the file and are never fitted (the frame mass), whether or
         not the effect is declared.
-    usable : mapping of str to tuple of float
-        Where the machine is used: lower and upper limit of components of the pose in SI units.
+    usable : mapping of str to Limits, Radius or SingularAngle
+        Where the machine is used: lower and upper limit of components of the pose, ``radius`` and
+        ``singular_angle``, in SI units.
     report : mapping of str to str
         What the head of reports says of the machine, by key of the table ``[report]``.
+    covariance : tuple of Covariance
+        Values whose errors belong together; all others are independent.
     """
 
     name: str
@@ -56,8 +60,9 @@ class Declaration:
     quantities: Mapping[str, Quantity] = field(repr=False)
     effects: Mapping[str, float] = field(default_factory=dict)
     constants: Mapping[str, float] = field(default_factory=dict)
-    usable: Mapping[str, Limits] = field(default_factory=dict)
+    usable: Mapping[str, Bound] = field(default_factory=dict)
     report: Mapping[str, str] = field(default_factory=dict)
+    covariance: tuple[Covariance, ...] = ()
 
     def __eq__(self, other: object) -> bool:
         return self._content == other._content if isinstance(other, Declaration) else NotImplemented
@@ -86,6 +91,7 @@ class Declaration:
             self.mechanism_name,
             tuple((array.shape, *array.ravel().tolist()) for array in arrays),
             *(frozenset(mapping.items()) for mapping in mappings),
+            self.covariance,
         )
 
     @property

@@ -1,15 +1,16 @@
-"""What two robot files of one mechanism declare differently: values with their standard deviations, and effects."""
+"""What two robot files of one mechanism declare differently: values with their uncertainties, and effects."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from pkmodes.base.errors import PkmodesError
+from pkmodes.robot.covariance import COVARIANCE
 from pkmodes.robot.declaration import Declaration
 from pkmodes.robot.layout import by_path, takers
 from pkmodes.robot.units import Quantity
-from pkmodes.robot.usable import ENDS, USABLE
+from pkmodes.robot.usable import numbers_of
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,7 @@ class ValueDifference:
 
 @dataclass(frozen=True)
 class ChoiceDifference:
-    """A choice, such as the direction of an axis, that two robots declare differently."""
+    """A choice, such as the direction of an axis, that two robots declare differently, or their correlations."""
 
     path: str
     first: str
@@ -109,7 +110,7 @@ def differences(first: Declaration, second: Declaration) -> Differences:
     ours, theirs = _effects(first), _effects(second)
     return Differences(
         tuple(one for one in some if (one.first, one.first_sigma) != (one.second, one.second_sigma)),
-        tuple(_choices(first, second)),
+        (*_choices(first, second), *_correlations(first, second)),
         tuple(name for name in theirs if name not in ours),
         tuple(name for name in ours if name not in theirs),
         len(some),
@@ -144,12 +145,49 @@ def _quantity(path: str, robot: Declaration) -> Quantity | None:
 
 
 def _usable(first: Declaration, second: Declaration) -> Iterator[ValueDifference]:
-    units = {component.name: component.unit for component in first.mechanism.pose}
-    for name in units:
-        limits = [robot.usable.get(name, (None, None)) for robot in (first, second)]
-        for end, ours, theirs in zip(ENDS, *limits, strict=True):
-            if ours is not None or theirs is not None:
-                yield ValueDifference(f"{USABLE}.{name}.{end}", units[name], ours, theirs, None, None)
+    ours, theirs = (numbers_of(robot.mechanism, robot.usable) for robot in (first, second))
+    for path in dict.fromkeys([*ours, *theirs]):
+        unit = (ours.get(path) or theirs[path])[1]
+        mine, other = (of[path][0] if path in of else None for of in (ours, theirs))
+        yield ValueDifference(path, unit, mine, other, None, None)
+
+
+def _correlations(first: Declaration, second: Declaration) -> Iterator[ChoiceDifference]:
+    """Yield one entry if the errors of values belong together in different ways."""
+    ours, theirs = (_pairs(robot) for robot in (first, second))
+    before, after = _between(ours), _between(theirs)
+    if ours != theirs:
+        far = max(abs(ours.get(pair, 0.0) - theirs.get(pair, 0.0)) for pair in ours.keys() | theirs.keys())
+        apart = f", which differ from those by up to {far:.2g}" if ours and theirs else ""
+        yield ChoiceDifference(COVARIANCE, before, after + apart)
+    elif ours and _stated(first) != _stated(second):
+        yield ChoiceDifference(COVARIANCE, before, f"{after}, the same with other standard deviations")
+
+
+def _pairs(robot: Declaration) -> dict[frozenset[str], float]:
+    """Return the correlation of each pair of values that are correlated."""
+    return {
+        frozenset((table.paths[i], table.paths[k])): rate
+        for table in robot.covariance
+        for i, row in enumerate(table.correlation)
+        for k, rate in enumerate(row[:i])
+        if rate
+    }
+
+
+def _stated(robot: Declaration) -> dict[str, float]:
+    """Return the standard deviations that tables state beside those of the values."""
+    return {
+        path: sigma
+        for table in robot.covariance
+        for path, sigma in zip(table.paths, table.sigmas or (), strict=False)
+    }
+
+
+def _between(pairs: Mapping[frozenset[str], float]) -> str:
+    """Return a table of correlations in words."""
+    count = len({path for pair in pairs for path in pair})
+    return f"correlations of {count} values" if count else "no correlations"
 
 
 def _effects(robot: Declaration) -> list[str]:

@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from pkmodes.mechanism.described import Mechanism
+from pkmodes.robot.covariance import COVARIANCE, Covariance
 from pkmodes.robot.layout import EFFECTS, items, lent
 from pkmodes.robot.report_fields import REPORT
 from pkmodes.robot.tables import FORMAT
-from pkmodes.robot.usable import USABLE, Limits
+from pkmodes.robot.usable import USABLE, Bound, raw_of
 
 
 def document_of(
     mechanism: Mechanism,
     name: str,
     values: Mapping[str, Any],
-    usable: Mapping[str, Limits] | None = None,
+    usable: Mapping[str, Bound] | None = None,
     report: Mapping[str, str] | None = None,
+    covariance: Sequence[Covariance] = (),
 ) -> dict[str, Any]:
     """Return the document of a robot file with only these values.
 
@@ -27,10 +29,12 @@ def document_of(
         The robot's name.
     values : mapping of str to value
         By path, as a file could contain them; a vector by all of its elements.
-    usable : mapping of str to tuple of float, optional
-        Limits of components of the pose.
+    usable : mapping of str to Limits, Radius or SingularAngle, optional
+        Where the machine is used.
     report : mapping of str to str, optional
         Fields of the head of reports.
+    covariance : sequence of Covariance, optional
+        Values whose errors belong together.
 
     Raises
     ------
@@ -52,9 +56,11 @@ def document_of(
         if path.startswith(f"{EFFECTS}.") and lent(mechanism).get(path) not in values:
             _put(document, tuple(path.split(".")), raw)
     if usable:
-        document[USABLE] = {name: list(ends) for name, ends in usable.items()}
+        document[USABLE] = {name: raw_of(bound) for name, bound in usable.items()}
     if report:
         document[REPORT] = dict(report)
+    if covariance:
+        document[COVARIANCE] = [table.raw() for table in covariance]
     return document
 
 

@@ -93,11 +93,36 @@ class TomlText:
         else:
             self._add_table(parent, str(path[-1]), str(key), raw)
 
-    def append_table(self, name: str, values: dict[str, str], comment: str) -> None:
-        """Add a table at the end of the text, after a blank line and a comment."""
-        lines = ["", *([f"# {_one_line(comment)}"] if comment else []), f"[{name}]"]
+    def append_table(
+        self, name: str, values: dict[str, str], comment: str, *, repeated: bool = False
+    ) -> None:
+        """Add a table, or an entry of a repeated one, at the end of the text, after a blank line and a comment."""
+        head = f"[[{name}]]" if repeated else f"[{name}]"
+        lines = ["", *([f"# {_one_line(comment)}"] if comment else []), head]
         lines += [f"{key} = {raw}" for key, raw in values.items()]
         self._appended += "\n".join(lines) + "\n"
+
+    def rewrite(self, keys: Keys, values: dict[str, str]) -> None:
+        """Give a table other values, keeping its comments; keys that are not among them go."""
+        table = self.find(keys)
+        for key in [key for key in table if key not in values]:
+            table.remove(key)
+        for key, raw in values.items():
+            if key in table:
+                table[key] = tomlkit.value(raw)
+            else:
+                self._add_key(table, key, raw)
+
+    def remove_entry(self, name: str, index: int) -> None:
+        """Remove an entry of a repeated table, but not the first; comments after it stay."""
+        entries = self.find((name,))
+        if isinstance(entries, AoT):
+            body, before = entries[index].value.body, entries[index - 1].value.body
+            kept: list[Any] = []
+            while body and isinstance(body[-1][1], Whitespace | Comment):
+                kept.insert(0, body.pop())
+            before.extend(kept)
+        del entries[index]
 
     def comment(self, keys: Keys, text: str) -> None:
         """Add a comment at the end of a value's line, after any existing comment.

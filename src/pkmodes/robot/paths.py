@@ -66,10 +66,10 @@ def resolve(robot: Robot, path: str) -> ParameterPath:
     return resolve_all(robot, [path])[0]
 
 
-def resolve_all(robot: Robot, wanted: Iterable[str]) -> list[ParameterPath]:
-    """Resolve several paths, as `resolve` does."""
+def resolve_all(robot: Robot, wanted: Iterable[str | ParameterPath]) -> list[ParameterPath]:
+    """Resolve several paths, as `resolve` does; those that are resolved already stay as they are."""
     known = _known(robot)
-    return [_resolved(robot, path, known) for path in wanted]
+    return [path if isinstance(path, ParameterPath) else _resolved(robot, path, known) for path in wanted]
 
 
 def _resolved(robot: Robot, path: str, known: Mapping[str, Moves]) -> ParameterPath:

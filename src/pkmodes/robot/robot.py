@@ -14,7 +14,7 @@ class Robot(Declaration):
 
     Two robots are equal if their declarations are equal; the location of their files is ignored.  The attributes are
     those of `pkmodes.robot.declaration.Declaration`: ``name``, ``mechanism_name``, ``source``, ``parameters``,
-    ``quantities``, ``effects``, ``constants``, ``usable``, ``report``, and the derived
+    ``quantities``, ``effects``, ``constants``, ``usable``, ``report``, ``covariance``, and the derived
     ``mechanism`` and ``declared``.
     """
 
@@ -34,7 +34,8 @@ class Robot(Declaration):
         -------
         Robot
             Validated like a file.  A changed value keeps its absolute standard deviation unless a table gives
-            another; ``{"sigma": ...}`` changes only the standard deviation, and a sigma of None removes it.
+            another; ``{"sigma": ...}`` changes only the standard deviation, and a sigma of None removes it.  It
+            keeps its correlations with others as long as it has a standard deviation.
 
         Raises
         ------

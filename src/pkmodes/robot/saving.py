@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
+
+import numpy as np
 
 from pkmodes.base.errors import RobotFileError, shown
 from pkmodes.base.writing import write_file
 from pkmodes.mechanism.described import Mechanism
-from pkmodes.robot.corrections import Correction, Edit, changeable, edits_of, refuse
+from pkmodes.robot.corrections import DIGITS, Correction, Edit, changeable, edits_of, refuse
+from pkmodes.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA, Covariance, joined, uncertain
 from pkmodes.robot.editing import Keys, TomlText
 from pkmodes.robot.layout import EFFECTS, by_path, lent
 from pkmodes.robot.notation import Notation
@@ -18,12 +21,17 @@ from pkmodes.robot.robot import Robot
 from pkmodes.robot.units import Quantity
 
 CLOSE, CLOSE_SIGMA = 1e-9, 1e-2  # tolerances for the digits written; standard deviations have three
+#: Digits of standard deviations in a table of correlations: small sums of large parts of a variance depend on them.
+SIGMA_DIGITS = 8
+CORRELATED = "how the errors of the fitted values belong together: frequencies and samples have these"
 BY_HAND = "change the robot file by hand"
 
 __all__ = ["Correction", "corrected_text", "save_corrected"]
 
 
-def save_corrected(source: Path, target: Path, changes: Mapping[str, Correction]) -> None:
+def save_corrected(
+    source: Path, target: Path, changes: Mapping[str, Correction], covariance: Covariance | None = None
+) -> None:
     """Write the corrected robot into another file, completely or not at all.
 
     Parameters
@@ -33,6 +41,7 @@ def save_corrected(source: Path, target: Path, changes: Mapping[str, Correction]
     target : Path
         Output file; an existing file is replaced, but never the robot file itself.
     changes : mapping of str to Correction
+    covariance : Covariance, optional
         As for `corrected_text`.
 
     Raises
@@ -49,10 +58,12 @@ def save_corrected(source: Path, target: Path, changes: Mapping[str, Correction]
         refuse("expected a file in an existing folder", shown(str(target)), remedy)
     if source.exists() and target.exists() and source.samefile(target):
         refuse("the corrected robot would replace its own input", str(target), "choose another file")
-    write_file(target, corrected_text(source, changes))
+    write_file(target, corrected_text(source, changes, covariance))
 
 
-def corrected_text(source: Path, changes: Mapping[str, Correction]) -> str:
+def corrected_text(
+    source: Path, changes: Mapping[str, Correction], covariance: Covariance | None = None
+) -> str:
     """Return the text of a robot file with some values changed.
 
     Parameters
@@ -63,6 +74,9 @@ def corrected_text(source: Path, changes: Mapping[str, Correction]) -> str:
         By path: a declared value (``platform.mass``, ``axis.1.origin.x``); an override for one axis
         (``axis.1.belt.width``); ``frame.mass``; an effect parameter (``effects.payload.mass``); or a group such as
         ``axis.span``: its value is that of the first element, and its change applies to all.
+    covariance : Covariance, optional
+        How the errors of changed values belong together.  Tables of the file that correlate any of these become one,
+        in the place of the first: these values, and the others as they were.
 
     Returns
     -------
@@ -99,9 +113,42 @@ def corrected_text(source: Path, changes: Mapping[str, Correction]) -> str:
         }
         notes = dict.fromkeys(edit.note for edit in group.values() if edit.note)
         document.append_table(table, values, "; ".join(notes))
+    tables = robot.covariance if covariance is None else _correlate(document, robot, covariance, edits)
     text = document.text
-    _check(text, robot, edits)
+    _check(text, robot, edits, tables)
     return text
+
+
+def _correlate(
+    document: TomlText, robot: Robot, new: Covariance, edits: Mapping[str, Edit]
+) -> tuple[Covariance, ...]:
+    """Write a table of correlations, and return all tables of the text."""
+    tables = list(robot.covariance)
+    touched = [i for i, table in enumerate(tables) if set(table.paths) & set(new.paths)]
+    others = [left for i in touched if (left := tables[i].without(new.paths)).paths]
+    own = {**uncertain(robot), **{path: edit.sigma for path, edit in edits.items() if edit.sigma}}
+    merged = joined([new, *others], own)
+    values = {
+        PATHS: _listed(f'"{path}"' for path in merged.paths),
+        **({} if merged.sigmas is None else {SIGMA: _listed(f"{s:.{SIGMA_DIGITS}g}" for s in merged.sigmas)}),
+        CORRELATION: _listed(
+            (f"[{', '.join(f'{one:.{DIGITS}g}' for one in row)}]" for row in merged.correlation), apart=True
+        ),
+    }
+    if not touched:
+        document.append_table(COVARIANCE, values, CORRELATED, repeated=True)
+        return (*tables, merged)
+    for i in reversed(touched[1:]):
+        document.remove_entry(COVARIANCE, i)
+        del tables[i]
+    document.rewrite((COVARIANCE, touched[0]), values)
+    tables[touched[0]] = merged
+    return tuple(tables)
+
+
+def _listed(texts: Iterable[str], *, apart: bool = False) -> str:
+    """Return a list as TOML, on one line, or with a line for each element."""
+    return "[\n" + "".join(f"    {text},\n" for text in texts) + "]" if apart else f"[{', '.join(texts)}]"
 
 
 def _keys(mechanism: Mechanism, path: str) -> Keys:
@@ -151,7 +198,7 @@ def _new_value(document: TomlText, mechanism: Mechanism, path: str, unit: str, e
     return notation.quantity(edit.value, edit.sigma, edit.digits)
 
 
-def _check(text: str, robot: Robot, edits: Mapping[str, Edit]) -> None:
+def _check(text: str, robot: Robot, edits: Mapping[str, Edit], tables: Sequence[Covariance]) -> None:
     """Read the text back and check that changed values are as intended and all others as before."""
     try:
         after = robot_from_document(tomllib.loads(text.removeprefix("\ufeff")), robot.source)
@@ -181,6 +228,20 @@ def _check(text: str, robot: Robot, edits: Mapping[str, Edit]) -> None:
         if not same or not _close(sigma, sigmas.get(path), CLOSE_SIGMA):
             what = f"the corrected value does not read back: expected {wanted} with sigma {sigmas.get(path)}, found "
             refuse(f"{what}{value} with {sigma}", f"{robot.source}: {path}", BY_HAND)
+
+    if not _alike(after.covariance, tables):
+        what = "the correlations do not read back"
+        refuse(what, f"{robot.source}: {COVARIANCE}", BY_HAND)
+
+
+def _alike(found: Sequence[Covariance], wanted: Sequence[Covariance]) -> bool:
+    """Return whether tables are the same, to the digits written."""
+    return [table.paths for table in found] == [table.paths for table in wanted] and all(
+        np.allclose(one.correlation, other.correlation, rtol=0.0, atol=CLOSE)
+        and (one.sigmas is None) == (other.sigmas is None)
+        and np.allclose(one.sigmas or (), other.sigmas or (), rtol=10.0 ** (1 - SIGMA_DIGITS), atol=0.0)
+        for one, other in zip(found, wanted, strict=True)
+    )
 
 
 def _close(value: object, wanted: object, tolerance: float) -> bool:

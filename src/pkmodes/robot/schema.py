@@ -112,7 +112,7 @@ def quantity(
     if bound is not None:
         what = f"expected {article(dimension)} {bound}{_unit(dimension)}, found {shown(raw)}"
         raise RefusedError(what, "check the sign and the number")
-    sigma = None if sigma_raw is None else _sigma(sigma_raw, value, dimension)
+    sigma = None if sigma_raw is None else standard_deviation(sigma_raw, value, dimension)
     return Quantity(value, DIMENSIONS[dimension][0], sigma)
 
 
@@ -162,7 +162,7 @@ def _number(raw: Any, dimension: str) -> float:
     return value
 
 
-def _sigma(raw: Any, value: float, dimension: str) -> float:
+def standard_deviation(raw: Any, value: float, dimension: str) -> float:
     """Read one standard deviation, absolute or relative to the value."""
     remedy = 'write an absolute standard deviation with its unit, or a relative one such as "2 %"'
     if isinstance(raw, str) and raw.strip().endswith("%"):

@@ -9,11 +9,12 @@ from pkmodes.base.errors import PkmodesError, RobotFileError, nearest, shown
 from pkmodes.mechanism import registry
 from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot import schema
+from pkmodes.robot.covariance import COVARIANCE
 from pkmodes.robot.effects import read_effects
 from pkmodes.robot.layout import EFFECTS, GRAVITY, by_path, lent
 from pkmodes.robot.report_fields import REPORT, read_report
 from pkmodes.robot.units import DIMENSIONS, Quantity
-from pkmodes.robot.usable import USABLE, Limits, read_usable
+from pkmodes.robot.usable import USABLE, Bound, read_usable
 from pkmodes_description import Key, Table
 
 FORMAT_HELP = "see docs/robot-file.md for the format"
@@ -43,10 +44,12 @@ class Tables:
         By path, as given in the tables: without merging and without defaults.
     effects : mapping of str to Quantity
         Parameters of the effects in the file, by path.
-    usable : mapping of str to tuple of float
+    usable : mapping of str to Limits, Radius or SingularAngle
         Limits of components of the pose, where the file gives any.
     report : mapping of str to str
         Fields of the head of reports.
+    covariance : object
+        The tables of correlations as they were given: they need all values.
 
     Raises
     ------
@@ -74,13 +77,14 @@ class Tables:
                 self._missing(table.name)
         self.effects = self._effects(document.get(EFFECTS, {}))
         tables = [table.name for table in mechanism.tables]
-        self.usable: dict[str, Limits] = {}
+        self.usable: dict[str, Bound] = {}
         if USABLE not in tables:  # a mechanism of a user may have a table of that name
             self.usable = read_usable(mechanism, document.get(USABLE, {}), self.problem)
         self.report: dict[str, str] = {}
         if REPORT not in tables:
             self.report = read_report(document.get(REPORT, {}), self.problem)
-        self._unknown(document, "", [*HEAD, *tables, EFFECTS, USABLE, REPORT])
+        self.covariance: Any = [] if COVARIANCE in tables else document.get(COVARIANCE, [])
+        self._unknown(document, "", [*HEAD, *tables, EFFECTS, USABLE, REPORT, COVARIANCE])
 
     def raise_problems(self) -> None:
         """Raise an error with all problems, if there are any."""

@@ -27,6 +27,7 @@ def text_of(robot: Robot) -> str:
             return path.read_text(encoding="utf-8-sig")
     except (PkmodesError, OSError, ValueError):  # the file changed since
         pass
-    return tomlkit.dumps(
-        document_of(robot.mechanism, robot.name, raw_values(robot), robot.usable, robot.report)
+    document = document_of(
+        robot.mechanism, robot.name, raw_values(robot), robot.usable, robot.report, robot.covariance
     )
+    return tomlkit.dumps(document)

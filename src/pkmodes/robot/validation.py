@@ -14,6 +14,7 @@ import numpy as np
 
 from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot import schema
+from pkmodes.robot.covariance import read_covariance
 from pkmodes.robot.declaration import Declaration, Parameters
 from pkmodes.robot.layout import EFFECTS, items, lent, takers
 from pkmodes.robot.tables import FORMAT_HELP, Tables, default_of
@@ -47,17 +48,21 @@ def declaration(document: Mapping[str, Any], source: str) -> Declaration:
         _check(requirement, getattr(mechanism.model, requirement.function)(parameters), numbers, tables)
     _check_effects(mechanism, tables)
     tables.raise_problems()
+    quantities = {**_quantities(mechanism, tables.values), **tables.effects}
+    covariance = read_covariance(tables.covariance, mechanism, quantities, tables.problem)
+    tables.raise_problems()
     constants = {path: tables.effects.get(path) or numbers[own] for path, own in lent(mechanism).items()}
     return Declaration(
         name=tables.name,
         mechanism_name=mechanism.name,
         source=source,
         parameters=parameters,
-        quantities={**_quantities(mechanism, tables.values), **tables.effects},
+        quantities=quantities,
         effects=_by_effect(tables.effects),
         constants=_by_effect(constants),
         usable=tables.usable,
         report=tables.report,
+        covariance=covariance,
     )
 
 

@@ -5,7 +5,8 @@ This way one set of rules applies, and values that a file could not have are rej
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ import numpy as np
 from pkmodes.base.errors import PkmodesError, nearest, shown
 from pkmodes.robot import schema
 from pkmodes.robot.corrections import changeable
+from pkmodes.robot.covariance import Covariance, with_sigmas
 from pkmodes.robot.declaration import Declaration
 from pkmodes.robot.documents import document_of
 from pkmodes.robot.layout import by_path, lent, takers
@@ -35,18 +37,34 @@ def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
     source = robot.source.removesuffix(OTHER_VALUES) + OTHER_VALUES
     changes = _changes(robot, values, source)
     declared = raw_values(robot)
-    if _read(robot, declared, source) != robot:
+    if _read(robot, declared, source, robot.covariance) != robot:
         raise PkmodesError(
             "the robot's parameters differ from those that it declares",
             robot.source,
             "start from a robot that was read from a file",
         )
-    return _read(robot, {**declared, **changes}, source)
+    changed = _read(robot, {**declared, **changes}, source)
+    return replace(changed, covariance=_covariance(robot, changed))
 
 
-def _read(robot: Declaration, values: Mapping[str, Any], source: str) -> Declaration:
+def _read(
+    robot: Declaration, values: Mapping[str, Any], source: str, covariance: Sequence[Covariance] = ()
+) -> Declaration:
     """Return the declaration of a file with only these values."""
-    return declaration(document_of(robot.mechanism, robot.name, values, robot.usable, robot.report), source)
+    document = document_of(robot.mechanism, robot.name, values, robot.usable, robot.report, covariance)
+    return declaration(document, source)
+
+
+def _covariance(robot: Declaration, changed: Declaration) -> tuple[Covariance, ...]:
+    """Return the correlations of a robot with other values: a value without a standard deviation has none."""
+    sigmas = {path: quantity.sigma for path, quantity in changed.quantities.items()}
+    given = {
+        path: sigmas.get(path)
+        for table in robot.covariance
+        for path in table.paths
+        if sigmas.get(path) != robot.quantities[path].sigma
+    }
+    return with_sigmas(robot.covariance, given)
 
 
 def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict[str, Any]:

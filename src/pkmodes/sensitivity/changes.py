@@ -20,6 +20,10 @@ from pkmodes.solve.dynamics import Dynamics
 Array = NDArray[np.float64]
 #: By how much each quantity changes: one per cent of its value, or the standard deviation that the robot file states.
 PERCENT, SIGMA = "percent", "sigma"
+#: What the standard deviation from all quantities is where the robot file has tables of correlations.
+CORRELATED = (
+    "with the [[covariance]] of the robot file, so that it may be less than what one value does alone"
+)
 #: Changes below this fraction of a frequency are rounding.
 ROUNDING = 1e-11
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from pkmodes.compiled.lanes import UNSOLVED, Terms
 from pkmodes.linalg.eigen import magnitude
-from pkmodes.mechanism.poses import CHUNK
+from pkmodes.mechanism.poses import CHUNK, codes_of
 from pkmodes.sensitivity.modes import ROUNDING, separate
 from pkmodes.sensitivity.terms import RATES
 from pkmodes.solve.at_poses import RobotAtPoses
@@ -27,7 +27,6 @@ def rates_job(
     terms: Terms,
     close: float,
     asked: Sequence[str],
-    threads: int,
     by_numpy: Callable[[Array], Mapping[str, Array]],
 ) -> Job:
     """Return the job that evaluates derivatives of eigenvalues and frequencies.
@@ -51,7 +50,7 @@ def rates_job(
     """
     modes = number_of_modes(system)
 
-    def compute(points: Array, rows: Mapping[str, Array]) -> Codes:
+    def compute(points: Array, rows: Mapping[str, Array], threads: int) -> Codes:
         at = RobotAtPoses(system, points, source, {})
         if not rows:
             return solver.compute(at, rows, threads)
@@ -67,6 +66,7 @@ def rates_job(
     tail = (len(terms.first) - 1, modes)
     return Job(
         tails=dict.fromkeys(asked, (tail, "f8")),
+        known=codes_of(system.mechanism),
         compute=compute,
         by_numpy=by_numpy,
         checks_poses=True,

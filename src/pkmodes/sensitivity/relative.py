@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.mechanism.regular import extent
 from pkmodes.robot.layout import effect_parameters, items
 from pkmodes.robot.parameter_groups import groups_by_path, value_of
+from pkmodes.robot.paths import ParameterPath
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.alike import Alike, alike
 from pkmodes.sensitivity.sensitivities import ResolvedPaths, sensitivities
@@ -49,7 +52,9 @@ def _scales(value: float) -> bool:
     return value != 0.0 and bool(np.isfinite(value))
 
 
-def rates_of(dynamics: Dynamics, poses: ArrayLike, paths: list[str], drives: str, on_error: str) -> Array:
+def rates_of(
+    dynamics: Dynamics, poses: ArrayLike, paths: Sequence[str | ParameterPath], drives: str, on_error: str
+) -> Array:
     """Return the derivatives of all frequencies, (..., T, m) [Hz per unit]: see `pkmodes.Model.sensitivities`."""
     found = sensitivities(
         ResolvedPaths(dynamics.robot, tuple(paths), drives),

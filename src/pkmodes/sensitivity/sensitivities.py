@@ -105,8 +105,8 @@ class ResolvedPaths:
 
     Parameters
     ----------
-    parameters : sequence of str, optional
-        Paths; by default all that can vary.
+    parameters : sequence of str or ParameterPath, optional
+        Paths, perhaps resolved; by default all that can vary.
     drives : {"free", "held"}
         What the motors do.
 
@@ -121,7 +121,9 @@ class ResolvedPaths:
         If a path is unknown or cannot vary.
     """
 
-    def __init__(self, robot: Robot, parameters: Sequence[str] | None, drives: str = FREE) -> None:
+    def __init__(
+        self, robot: Robot, parameters: Sequence[str | ParameterPath] | None, drives: str = FREE
+    ) -> None:
         self.robot, self.paths, self.drives = robot, _chosen(robot, parameters), drives
         self.system = solved_system(evaluation(robot), drives)
 
@@ -169,10 +171,9 @@ def sensitivities(
             resolved.terms,
             limit,
             asked,
-            threads,
             lambda p: _in_parts(lambda part: _at(resolved, part, limit, asked, solver), p),
         )
-        checked, arrays = run(job, robot, max_condition, poses, on_error, out)
+        checked, arrays = run(job, robot, max_condition, poses, on_error, out, threads)
     else:
         points = poses_by_name(poses, robot.mechanism)
         checked = check_poses(points, robot.mechanism, robot.parameters, on_error, max_condition)
@@ -199,7 +200,7 @@ def _in_parts(at: Callable[[Array], Mapping[str, Array]], p: Array) -> dict[str,
     return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
 
-def _chosen(robot: Robot, parameters: Sequence[str] | None) -> list[ParameterPath]:
+def _chosen(robot: Robot, parameters: Sequence[str | ParameterPath] | None) -> list[ParameterPath]:
     if parameters is None:
         mechanism = robot.mechanism
         # A zero vector has no direction along which its radius could change; it was not requested by name.

@@ -1,10 +1,12 @@
 r"""Standard deviations of frequencies from those of the declared values.
 
-The law of propagation of uncertainty, with exact derivatives g and independent values:
+The law of propagation of uncertainty, with exact derivatives g and the covariance of the values:
 
-.. math:: \sigma_f^2 = g^T \Sigma \, g = \sum_i (\partial f / \partial p_i)^2 \sigma_i^2
+.. math:: \sigma_f^2 = g^T C \, g
 
-It is exact to first order: good where the standard deviations are small against the values.
+Values are independent unless a table ``[[covariance]]`` of the robot file correlates them
+(`pkmodes.robot.covariance`).  It is exact to first order: good where the standard deviations are small against the
+values.
 
 References
 ----------
@@ -13,16 +15,20 @@ JCGM 100:2008, Evaluation of measurement data: Guide to the expression of uncert
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.errors import PkmodesError
-from pkmodes.robot.paths import paths
+from pkmodes.robot.covariance import covariance_of, root_of, uncertain
+from pkmodes.robot.layout import Slot, lent
+from pkmodes.robot.paths import ParameterPath, paths
 from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.matrices import locked_joints
 from pkmodes.sensitivity.modes import groups
 from pkmodes.sensitivity.relative import CLOSE, rates_of
+from pkmodes.sensitivity.sensitivities import ResolvedPaths
 from pkmodes.solve.dynamics import Dynamics
 
 Array = NDArray[np.float64]
@@ -30,8 +36,9 @@ Array = NDArray[np.float64]
 
 def stated_sigmas(robot: Robot) -> dict[str, float]:
     """Return the standard deviations of a robot file by path [SI], of those values that can change a frequency."""
-    known = set(paths(robot))  # damping ratios and loss factors change none
-    return {path: q.sigma for path, q in robot.quantities.items() if q.sigma and path in known}
+    stated = uncertain(robot)
+    known = set(paths(robot)) if stated else set()  # damping ratios and loss factors change none
+    return {path: sigma for path, sigma in stated.items() if path in known}
 
 
 def spread_of(
@@ -50,13 +57,40 @@ def spread_of(
     known : collection of str
         Paths of values that are known exactly all the same, such as those that a sweep sets.
     """
-    sigmas = {path: sigma for path, sigma in stated_sigmas(dynamics.robot).items() if path not in known}
-    if not sigmas:
+    owners = {own for path, own in lent(dynamics.robot.mechanism).items() if path in known}
+    names = [path for path in stated_sigmas(dynamics.robot) if path not in known and path not in owners]
+    if not names:
         return None
-    rates = rates_of(dynamics, poses, list(sigmas), drives, on_error)
-    spread = np.asarray(np.linalg.norm(rates * np.array(list(sigmas.values()))[:, None], axis=-2))
+    moves, root = _independent(dynamics, names, drives)
+    rates = rates_of(dynamics, poses, moves, drives, on_error)
+    spread = np.asarray(np.linalg.norm(np.swapaxes(root, -1, -2) @ rates, axis=-2))
     frequencies = dynamics.frequencies(poses, "nan", drives=drives)
     return _shared(spread, frequencies)
+
+
+def _independent(
+    dynamics: Dynamics, names: list[str], drives: str
+) -> tuple[Sequence[str | ParameterPath], Array]:
+    """Return lines in the space of the values along which these err, and a root of the covariance along them.
+
+    Correlated values err along lines of their own, one for each column of a root L of their covariance C = L L^T, by
+    independent numbers of variance 1: so a group of repeated modes splits as with independent values.
+    """
+    robot = dynamics.robot
+    root = root_of(covariance_of(robot, names))
+    if not robot.covariance:
+        return names, root
+    resolved = ResolvedPaths(robot, names, drives)
+    if locked_joints(resolved.extended, resolved.paths):
+        return names, root  # derivatives of a group know no line that releases a locked joint and does more
+    lines: list[ParameterPath] = []
+    for column in root.T:
+        weights: dict[Slot, float] = {}
+        for move, size in zip(resolved.paths, column.tolist(), strict=True):
+            for slot, weight in move.weights.items() if size else ():
+                weights[slot] = weights.get(slot, 0.0) + size * weight
+        lines.append(ParameterPath("", 0.0, "1", weights))
+    return lines, np.eye(len(lines))
 
 
 def needed_spread_of(dynamics: Dynamics, poses: ArrayLike, drives: str, on_error: str) -> Array:
@@ -73,7 +107,8 @@ def _shared(spread: Array, frequencies: Array) -> Array:
     """Give repeated modes one standard deviation: the root mean square over their group.
 
     A group changes as the eigenvalues of sum_i dp_i A_i.  Their mean square is trace(A^2) over the size of the group,
-    of which the expected value is the sum of sigma_i^2 trace(A_i^2); that of one branch alone has no such law.
+    of which the expected value is the sum of sigma_i^2 trace(A_i^2) for independent p_i; that of one branch alone has
+    no such law.
     """
     flat, f = spread.reshape(-1, spread.shape[-1]), frequencies.reshape(-1, frequencies.shape[-1])
     eigenvalues = np.nan_to_num(f) * np.abs(np.nan_to_num(f))

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.arguments import Constraint, check_argument, is_number
+from pkmodes.base.arguments import Constraint, check_argument, is_number, one_of
 from pkmodes.base.errors import PkmodesError
 from pkmodes.base.progress import say
-from pkmodes.shaping.at_poses import own_shapers
+from pkmodes.shaping.at_poses import following
+from pkmodes.shaping.firmware import NAMES
+from pkmodes.shaping.firmware import firmware as lines
 from pkmodes.shaping.fixed import best_fixed
 from pkmodes.shaping.kinds import KINDS, PRODUCT, factors, plain
 from pkmodes.shaping.residual_vibration import residual
@@ -105,6 +106,8 @@ class Choice:
         Share of the vibration at the worst pose that is good enough.
     length : float or None
         Longest duration allowed [s].
+    firmware : str or None
+        That has the recommended one; None for any.
     """
 
     ringing: Ringing
@@ -114,6 +117,7 @@ class Choice:
     notes: tuple[str, ...]
     left: float = LEFT
     length: float | None = None
+    firmware: str | None = None
 
 
 def default_kinds(modes: int) -> tuple[str, ...]:
@@ -128,12 +132,15 @@ def choose(
     left: float = LEFT,
     length: float | None = None,
     tick: float = TICK,
+    firmware: str | None = None,
 ) -> Choice:
     """Compare shapers: see `pkmodes.Model.shapers`."""
     check_argument(left, SHARE, "left", "for example: 0.1")
     check_argument(tick, TIME, "tick", "for example: 0.001")
     if length is not None:
         check_argument(length, TIME, "length", "for example: 0.05")
+    if firmware is not None:
+        check_argument(firmware, one_of(NAMES), "firmware", "for example: klipper")
     if isinstance(kinds, str):
         kinds = (kinds,)
     names = (
@@ -147,24 +154,27 @@ def choose(
         raise PkmodesError(
             "expected at least one kind of shaper, found none", "kinds", f"known: {', '.join(KINDS)}"
         )
-    both = []
-    for number, (design, name) in enumerate(product((_fixed, _following), names), start=1):
-        say(f"shaper {number} of {2 * len(names)}: {name}")
-        both.append(design(name, at))
+    both: list[Candidate] = []
+    for number, name in enumerate((*names, *names)):
+        say(f"shaper {number + 1} of {2 * len(names)}: {name}")
+        both.append(
+            _fixed(name, at)
+            if number < len(names)
+            else _following(both[number - len(names)].shaper, name, at)
+        )
     short = [one for one in both if np.min(one.shaper.durations) < TICKS * tick]
     candidates = tuple(one for one in both if all(one is not each for each in short))
     if not any(not one.follows_pose for one in candidates):
         longest = max(one.duration for one in both)
         what = f"the shapers last {1e3 * longest:.3g} ms at most, less than two ticks of {1e3 * tick:.3g} ms"
         raise PkmodesError(what, "tick", "shorten the tick, or choose a longer kind")
-    recommended, notes = _recommended(candidates, left, length)
+    recommended, notes = _recommended(candidates, left, length, firmware)
     if short:
         kept = {one.kind for one in candidates}
         listed = dict.fromkeys(f"{one.kind}{_variant(one) if one.kind in kept else ''}" for one in short)
         notes.append(f"{', '.join(listed)}: left out, shorter than two ticks of {1e3 * tick:.3g} ms")
-    return Choice(
-        at, _amplitude(at, at.unshaped), candidates, recommended, (*_about(at), *notes), left, length
-    )
+    unshaped = _amplitude(at, at.unshaped)
+    return Choice(at, unshaped, candidates, recommended, (*_about(at), *notes), left, length, firmware)
 
 
 def _per_cent(share: float) -> str:
@@ -191,23 +201,66 @@ def _about(at: Ringing) -> list[str]:
     return notes
 
 
-def _recommended(
-    candidates: tuple[Candidate, ...], left: float, length: float | None
-) -> tuple[int, list[str]]:
-    """Return the index of the shortest fixed shaper that is good enough, or else of the best one."""
-    fixed = [i for i, one in enumerate(candidates) if not one.follows_pose]
-    allowed = [i for i in fixed if length is None or candidates[i].duration <= length]
-    notes: list[str] = []
-    if not allowed:
-        what = f"no fixed shaper lasts at most {1e3 * (length or 0.0):.4g} ms"
-        shortest = min(candidates[i].duration for i in fixed)
-        raise PkmodesError(what, "length", f"the shortest one lasts {1e3 * shortest:.4g} ms")
+def lines_of(one: Candidate) -> dict[str, str | None]:
+    """Return the lines of a fixed shaper by firmware; None where it has no such shaper."""
+    return lines(one.kind, one.frequencies, one.damping_ratio, one.shaper)
+
+
+def recommended_of(
+    candidates: Sequence[Candidate], left: float, length: float | None, firmware: str | None
+) -> tuple[int | None, bool]:
+    """Return the index of the shortest fixed shaper that is good enough, or else of the best one.
+
+    Parameters
+    ----------
+    left : float
+        Share at the worst pose that is good enough.
+    length : float or None
+        Longest duration allowed [s].
+    firmware : str or None
+        That has it; None for any.
+
+    Returns
+    -------
+    index : int or None
+        None if none lasts at most `length`, or the firmware has none.
+    good : bool
+        Whether it is good enough.
+    """
+    allowed = [
+        i
+        for i, one in enumerate(candidates)
+        if not one.follows_pose
+        and (length is None or one.duration <= length)
+        and (firmware is None or lines_of(one)[firmware] is not None)
+    ]
     good = [i for i in allowed if candidates[i].left.worst <= left]
     if good:
-        return min(good, key=lambda i: candidates[i].duration), notes
-    best = min(allowed, key=lambda i: candidates[i].left.worst)
+        return min(good, key=lambda i: candidates[i].duration), True
+    return min(allowed, key=lambda i: candidates[i].left.worst, default=None), False
+
+
+def _recommended(
+    candidates: tuple[Candidate, ...], left: float, length: float | None, firmware: str | None
+) -> tuple[int, list[str]]:
+    """Return the index of the recommended shaper, and what is to be said of it."""
+    best, good = recommended_of(candidates, left, length, firmware)
+    notes: list[str] = []
+    if best is None:
+        fixed = [one for one in candidates if not one.follows_pose]
+        has = [one for one in fixed if firmware is None or lines_of(one)[firmware] is not None]
+        if not has:
+            what = f"{NAMES[firmware or '']} has none of the shapers compared: {', '.join(one.kind for one in fixed)}"
+            raise PkmodesError(what, "firmware", "compare others, such as zv, mzv and ei")
+        of = "" if firmware is None else f" that {NAMES[firmware]} has"
+        what = f"no fixed shaper{of} lasts at most {1e3 * (length or 0.0):.4g} ms"
+        shortest = min(one.duration for one in has)
+        raise PkmodesError(what, "length", f"the shortest one lasts {1e3 * shortest:.4g} ms")
+    if good:
+        return best, notes
+    of = "" if firmware is None else f" of {NAMES[firmware]}"
     notes.append(
-        f"no fixed shaper leaves at most {100 * left:.3g} % at the worst pose; the best one is recommended"
+        f"no fixed shaper{of} leaves at most {100 * left:.3g} % at the worst pose; the best one is recommended"
     )
     following = [one for one in candidates if one.follows_pose and (length is None or one.duration <= length)]
     if following:
@@ -228,8 +281,8 @@ def _fixed(kind: str, at: Ringing) -> Candidate:
     return _candidate(kind, False, frequencies, at.mean_ratio, one, at)
 
 
-def _following(kind: str, at: Ringing) -> Candidate:
-    return _candidate(kind, True, (), np.nan, own_shapers(kind, at), at)
+def _following(fixed: Shaper, kind: str, at: Ringing) -> Candidate:
+    return _candidate(kind, True, (), np.nan, following(kind, at, fixed), at)
 
 
 def _candidate(

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from pkmodes.shaping.choice import Candidate, Choice
 from pkmodes.shaping.shapers import Shaper
 from pkmodes_description.shapers import TOLERANCE
 
@@ -49,39 +48,6 @@ def firmware(kind: str, frequencies: tuple[float, ...], zeta: float, shaper: Sha
         "marlin": _marlin(kind, f, zeta),
         "reprapfirmware": _reprapfirmware(kind, f, zeta, shaper),
     }
-
-
-def remarks(choice: Choice) -> list[str]:
-    """Return sentences on firmware that lacks the recommended shaper, or makes another one of its lines."""
-    best = choice.candidates[choice.recommended]
-    notes = _substitutes(choice, best)
-    if best.kind in TOLERANT and DAMPED < best.damping_ratio <= KLIPPER[best.kind]:
-        notes.append(
-            f"with a damping ratio of {best.damping_ratio:.2g} Klipper makes slightly other impulses of {best.kind}, "
-            "by formulas of its own: it leaves somewhat more than is said here"
-        )
-    if best.kind in MARLIN and best.damping_ratio < LEAST:
-        notes.append(
-            f"Marlin takes damping ratios from {LEAST:g} on: its line has that instead of the model's"
-        )
-    return notes
-
-
-def _substitutes(choice: Choice, best: Candidate) -> list[str]:
-    """Name the best shaper of those that a firmware has, where it lacks the recommended one."""
-    fixed = sorted((one for one in choice.candidates if not one.follows_pose), key=lambda one: one.left.worst)
-    lacking: dict[str, list[str]] = {}
-    for name in (name for name, line in _lines(best).items() if line is None):
-        one = next((one for one in fixed if _lines(one)[name]), None)
-        if one is not None:
-            worst = f"{100 * one.left.worst:.2g} % at the worst pose"
-            instead = f"of those compared, {one.kind} leaves least there: {worst}"
-            lacking.setdefault(f"{instead} (--shapers {one.kind} prints its lines)", []).append(NAMES[name])
-    return [f"no {best.kind} in {' and '.join(names)}; {instead}" for instead, names in lacking.items()]
-
-
-def _lines(one: Candidate) -> dict[str, str | None]:
-    return firmware(one.kind, one.frequencies, one.damping_ratio, one.shaper)
 
 
 def _klipper(kind: str, f: float, zeta: float) -> str:

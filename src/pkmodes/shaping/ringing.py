@@ -136,6 +136,6 @@ def _count(dynamics: Dynamics, modes: int | None) -> int:
 
 
 def _spread(dynamics: Dynamics, points: Array, f: Array) -> Array | None:
-    """Return the relative standard deviations of frequencies: declared values err independently, and little."""
+    """Return the relative standard deviations of frequencies: declared values err little."""
     sigmas = spread_of(dynamics, points, HELD)
     return None if sigmas is None else np.nan_to_num(sigmas[:, : f.shape[1]]) / f

@@ -12,6 +12,11 @@ from pkmodes.signals.functions import Array
 
 #: A frequency response needs two lines to have a spacing, a signal two samples to have a rate.
 FEWEST = 2
+#: How far a coherence may lie outside 0 to 1: what sums over a thousand averages in single precision, or four
+#: decimals, leave of rounding.  More is another quantity, or another unit.
+ROUNDING = 1e-4
+#: Largest values, at least and at most, of a coherence in per cent: one up to 2 % would be no measurement.
+PER_CENT = (2.0, 100.0 * (1.0 + ROUNDING))
 
 
 def check_finite(values: NDArray[Any], where: str, before: int = 0) -> None:
@@ -51,3 +56,33 @@ def check_abscissa(abscissa: Array, where: str) -> None:
         what = f"expected ascending times or frequencies, found {after:.10g} after {before:.10g}"
         remedy = "sort the points, and give each time or frequency once, with enough digits"
         raise MeasurementError(what, f"{where}, point {late[0] + 2}", remedy)
+
+
+def outside_coherence(values: NDArray[Any]) -> tuple[int, str, str] | None:
+    """Return the index of the first coherence that is none, what is wrong with it and what to do; None if all are.
+
+    Parameters
+    ----------
+    values : ndarray, shape (n,)
+        Finite.
+    """
+    bad = np.flatnonzero((values < -ROUNDING) | (values > 1.0 + ROUNDING))
+    if not bad.size:
+        return None
+    per_cent = values.min() >= 0.0 and PER_CENT[0] < values.max() <= PER_CENT[1]
+    remedy = "divide it by 100 if it is in per cent" if per_cent else "export the coherence again"
+    return int(bad[0]), f"expected a coherence from 0 to 1, found {values[bad[0]]:.10g}", remedy
+
+
+def check_coherence(values: NDArray[Any], where: str) -> None:
+    """Refuse a coherence outside 0 to 1.
+
+    Raises
+    ------
+    MeasurementError
+        With the number of the first wrong value.
+    """
+    found = outside_coherence(values)
+    if found is not None:
+        index, what, remedy = found
+        raise MeasurementError(f"{what} as value {index + 1}", where, remedy)

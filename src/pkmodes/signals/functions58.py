@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from pkmodes.base.errors import MeasurementError
-from pkmodes.signals.checks import FEWEST
+from pkmodes.signals.checks import FEWEST, check_abscissa, check_coherence
 from pkmodes.signals.dataset58 import Points, Stored
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Array, Complex, Function, Kind, StoredFunction
@@ -36,15 +36,24 @@ class Abscissas:
     known: dict[tuple[float, float, int], Array] = field(default_factory=dict)
 
     def of(self, points: Points, factor: float) -> Array:
-        """Return the abscissa of a dataset, times a factor."""
+        """Return the abscissa of a dataset, times a factor.
+
+        Raises
+        ------
+        MeasurementError
+            If an even one does not ascend, since its start is too large for its step.
+        """
         if points.abscissa is not None:
             return points.abscissa * factor
         header = points.header
         key = (header.start * factor, header.step * factor, header.count)
         if key not in self.known:
             even = np.arange(header.count, dtype=np.float64)
-            even *= key[1]  # in place: a long record fills much of the memory
-            even += key[0]
+            with np.errstate(over="ignore"):
+                even *= key[1]  # in place: a long record fills much of the memory
+                even += key[0]
+            check_abscissa(even[:2], points.where)  # the ends are the farthest from 0, where rounding is
+            check_abscissa(even[-2:], points.where)
             even.flags.writeable = False
             self.known[key] = even
         return self.known[key]
@@ -138,6 +147,9 @@ def _check(points: Points, kind: Kind) -> None:
     if header.count < FEWEST:
         what = f"expected at least {FEWEST} points, found {header.count}"
         raise MeasurementError(what, points.where, "export the whole measurement")
+    if kind is Kind.COHERENCE:
+        values = points.values.read("y") if isinstance(points.values, Stored) else points.values
+        check_coherence(converted(values, kind), points.where)
 
 
 def _reference(header: Header, kind: Kind) -> str:

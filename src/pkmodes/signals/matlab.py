@@ -5,9 +5,11 @@ A complex vector with ``frequency`` is a frequency response, ``NAME`` or ``NAME_
 
 from __future__ import annotations
 
+from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import partial
 from os import fspath
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO, TypeVar
 
 import numpy as np
 
@@ -17,9 +19,14 @@ from pkmodes.signals.formats import Asked, SignalFormat
 from pkmodes.signals.functions import Array, Complex, Function, Kind, SignalFile
 from pkmodes.signals.matlab_arrays import Variable, variables
 
+T = TypeVar("T")
 TIME, FREQUENCY, FORCE = "time", "frequency", "force"
 REFERENCE = "__"
 HDF5 = b"\x89HDF\r\n\x1a\n"
+#: Values that are read of a file, in all: together with what they are unpacked from they take 2 GB of memory.
+MOST_VALUES = 100_000_000
+#: Classes of variables of version 4 that are no arrays of numbers, in words.
+TEXTS = {"char": "text", "sparse": "a sparse matrix"}
 REMEDY = "save time or frequency and one vector for each sensor, with save -v7"
 
 
@@ -37,44 +44,60 @@ def read(path: Path, asked: Asked) -> SignalFile:
     if HDF5 in head or head.startswith(b"MATLAB 7.3"):
         what = "expected a MATLAB file of version 7 or older, found version 7.3"
         raise MeasurementError(what, source, "save it again in MATLAB with save -v7")
+    with path.open("rb") as file:
+        return _content(_variables(file, path, head, source), source, asked)
+
+
+def _content(found: Sequence[Variable], source: str, asked: Asked) -> SignalFile:
+    """Return the functions that the variables are; only the values of those asked for are read."""
     skipped: dict[str, str] = {}
-    vectors: dict[str, Array | Complex] = {}
-    for name, what, values in _variables(path, head, source):
+    vectors: dict[str, Variable] = {}
+    for one in found:
+        name = one.name
         if name in vectors:
             raise MeasurementError("expected each name once, found it again", f"{source}: {name}", REMEDY)
-        if values is not None and values.size >= FEWEST:
-            vectors[name] = values
+        if one.size is not None and one.size >= FEWEST:
+            vectors[name] = one
         elif asked.sensors is not None and name in asked.sensors:
-            message = f"expected a vector of numbers, found {what}"
+            message = f"expected a vector of numbers, found {one.what}"
             raise MeasurementError(message, f"{source}: {name}", "save one vector for each sensor")
         else:
-            skipped[name] = what
-    kind, abscissa = _abscissa(vectors, skipped, source, asked)
-    functions = []
-    for name, vector in vectors.items():
+            skipped[name] = one.what
+    named = _abscissa_name(vectors, skipped, source, asked)
+    kind = Kind.TIME if named in ("", TIME) else Kind.FRF
+    wanted: dict[str, tuple[str, str]] = {}
+    for name in vectors:
         if name in (TIME, FREQUENCY) or (name == FORCE and kind is not Kind.TIME):
             continue
         response, _, reference = name.partition(REFERENCE) if kind is not Kind.TIME else (name, "", "")
-        if not (asked.wants(response, name) or (name == FORCE and kind is Kind.TIME)):
-            continue
-        functions.append(_function(name, response, reference, vector, abscissa, kind, source))
+        if asked.wants(response, name) or (name == FORCE and kind is Kind.TIME):
+            wanted[name] = response, reference
+    read = [vectors[name] for name in (named, *wanted) if name]
+    _check_size(read, source)
+    values = {one.name: _loaded(one.load, source) for one in read}
+    abscissa = _abscissa(named, values, wanted, vectors, source, asked)
+    functions = tuple(
+        _function(name, response, reference, values.pop(name), abscissa, kind, source)
+        for name, (response, reference) in wanted.items()
+    )
     messages = [
         f"{source}: {name}: skipped: {what} is not a vector of numbers" for name, what in skipped.items()
     ]
-    return SignalFile(source, tuple(functions), (), tuple(messages))
+    return SignalFile(source, functions, (), tuple(messages))
 
 
-def _variables(path: Path, head: bytes, source: str) -> list[Variable]:
-    """Return all variables of a file."""
+def _check_size(read: Sequence[Variable], source: str) -> None:
+    """Refuse vectors that would not fit into memory, before they are unpacked."""
+    values = sum(one.size or 0 for one in read)
+    if values > MOST_VALUES:
+        what = f"cannot read the vectors: they have {values:,} values, more than {MOST_VALUES:,}"
+        raise MeasurementError(what, source, "split the record, or give a binary universal file")
+
+
+def _loaded(load: Callable[[], T], source: str) -> T:
+    """Return what is read, and say of any failure that the file cannot be."""
     try:
-        if b"\0" in head[:4]:  # version 4 has no text at its beginning
-            from scipy.io import loadmat
-
-            content = loadmat(path, appendmat=False)
-            return [
-                _of_version_4(name, value) for name, value in content.items() if not name.startswith("__")
-            ]
-        return list(variables(path.read_bytes()))
+        return load()
     except OSError as error:
         if error.errno is not None:
             raise
@@ -85,40 +108,68 @@ def _variables(path: Path, head: bytes, source: str) -> list[Variable]:
     raise MeasurementError(what, source, f"the file is damaged or no MATLAB file: {REMEDY}") from None
 
 
-def _of_version_4(name: str, value: Any) -> Variable:
-    """Return a variable of a file of version 4, which has matrices only."""
-    numeric = isinstance(value, np.ndarray) and value.dtype.kind in "biufc"
-    what = f"an array of {' x '.join(map(str, np.shape(value)))} values" if numeric else "text"
-    if not numeric or value.ndim != 2 or min(value.shape) != 1:
-        return Variable(name, what, None)
-    if value.dtype.kind == "c":
-        return Variable(name, what, value.ravel().astype(np.complex128))
-    return Variable(name, what, value.ravel().astype(np.float64))
+def _variables(file: BinaryIO, path: Path, head: bytes, source: str) -> list[Variable]:
+    """Return all variables of a file; their values are read later."""
+    if b"\0" in head[:4]:  # version 4 has no text at its beginning
+        return _loaded(lambda: _of_version_4(path), source)
+    return _loaded(lambda: list(variables(file, path.stat().st_size)), source)
 
 
-def _abscissa(
-    vectors: dict[str, Array | Complex], skipped: dict[str, str], source: str, asked: Asked
-) -> tuple[Kind, Array]:
-    """Return whether the file is of time signals or functions of frequency, and their abscissa."""
+def _of_version_4(path: Path) -> list[Variable]:
+    """Return the variables of a file of version 4, which has matrices only."""
+    from scipy.io import loadmat, whosmat
+
+    def values(name: str) -> Array | Complex:
+        vector: Any = loadmat(path, appendmat=False, variable_names=[name])[name].ravel()
+        if vector.dtype.kind == "c":
+            return np.asarray(vector, np.complex128)
+        return np.asarray(vector, np.float64)
+
+    found = []
+    for name, shape, of in whosmat(path, appendmat=False):
+        numeric = of not in TEXTS
+        what = f"an array of {' x '.join(map(str, shape))} values" if numeric else TEXTS[of]
+        size = max(shape) if numeric and len(shape) == 2 and min(shape) == 1 else None
+        found.append(Variable(name, what, size, partial(values, name)))
+    return found
+
+
+def _abscissa_name(
+    vectors: Mapping[str, Variable], skipped: Mapping[str, str], source: str, asked: Asked
+) -> str:
+    """Return the name of the vector of times or frequencies; "" where a rate stands in for it."""
     named = [name for name in (TIME, FREQUENCY) if name in vectors]
     if len(named) == 2:
         raise MeasurementError(
             "expected a vector time or frequency, found both", source, "leave one of them out"
         )
+    if not named and (asked.rate is None or not vectors):
+        found = [*vectors, *(f"{name} ({what})" for name, what in skipped.items())]
+        what = f"expected a vector time or frequency, found {', '.join(found) or 'no variables'}"
+        remedy = f"{REMEDY}; or give the rate in the record"
+        raise MeasurementError(what, source, remedy)
+    return named[0] if named else ""
+
+
+def _abscissa(
+    named: str,
+    values: Mapping[str, Array | Complex],
+    wanted: Collection[str],
+    vectors: Mapping[str, Variable],
+    source: str,
+    asked: Asked,
+) -> Array:
+    """Return the times or frequencies."""
     if not named:
-        if asked.rate is None or not vectors:
-            found = [*vectors, *(f"{name} ({what})" for name, what in skipped.items())]
-            what = f"expected a vector time or frequency, found {', '.join(found) or 'no variables'}"
-            remedy = f"{REMEDY}; or give the rate in the record"
-            raise MeasurementError(what, source, remedy)
-        wanted = [vector for name, vector in vectors.items() if asked.wants(name)] or list(vectors.values())
-        return Kind.TIME, np.arange(wanted[0].size) / asked.rate
-    abscissa = vectors[named[0]]
-    where = f"{source}: {named[0]}"
+        assert asked.rate is not None
+        first = next(iter([*wanted, *vectors]))
+        return np.arange(vectors[first].size or 0) / asked.rate
+    abscissa = values[named]
+    where = f"{source}: {named}"
     if np.iscomplexobj(abscissa):
         raise MeasurementError("expected real numbers, found complex ones", where, REMEDY)
     check_abscissa(np.real(abscissa), where)
-    return Kind.TIME if named[0] == TIME else Kind.FRF, np.real(abscissa)
+    return np.real(abscissa)
 
 
 def _function(

@@ -3,14 +3,18 @@
 An element has a tag with its type and size.  A variable is an element with parts: flags, dimensions, name, values,
 and imaginary values if it is complex; it may be compressed as a whole ("MAT-File Format", The MathWorks).  SciPy's
 reader cannot be used for files that may be damaged: with wrong sizes it reads memory that is not the file's.
+
+Of each variable only the first parts are read, or unpacked, until its values are asked for: a few compressed bytes
+may be gigabytes.
 """
 
 from __future__ import annotations
 
 import struct
 import zlib
-from collections.abc import Iterator
-from typing import NamedTuple
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import BinaryIO, NamedTuple
 
 import numpy as np
 
@@ -23,8 +27,10 @@ TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 9: "f8",
 NUMERIC = range(6, 16)
 CLASSES = {1: "a cell array", 2: "a struct", 3: "an object", 4: "text", 5: "a sparse matrix"}
 COMPLEX = 0x0800
-#: Sizes above this are not those of a vector that was measured.
-LARGEST = 2_000_000_000
+#: Bytes of a tag, and at most of the flags, dimensions and name of a variable.
+TAG, HEAD = 8, 1 << 16
+#: Compressed bytes that are unpacked at once.
+BLOCK = 1 << 20
 
 
 class DamagedError(ValueError):
@@ -32,11 +38,22 @@ class DamagedError(ValueError):
 
 
 class Variable(NamedTuple):
-    """A variable: its name, what it is, and its values if it is a vector of numbers."""
+    """A variable.
+
+    Attributes
+    ----------
+    what : str
+        What it is, for messages.
+    size : int or None
+        Number of its values if it is a vector of numbers.
+    load : callable
+        Returns the values of a vector while the file is open.  Raises `DamagedError`.
+    """
 
     name: str
     what: str
-    values: Array | Complex | None
+    size: int | None
+    load: Callable[[], Array | Complex]
 
 
 class _Element(NamedTuple):
@@ -44,37 +61,60 @@ class _Element(NamedTuple):
     data: memoryview
 
 
-def variables(content: bytes) -> Iterator[Variable]:
+class _Place(NamedTuple):
+    """Where the data of an element are in the file."""
+
+    offset: int
+    size: int
+
+
+def variables(file: BinaryIO, length: int) -> Iterator[Variable]:
     """Yield the variables of a MATLAB file.
 
     Parameters
     ----------
-    content : bytes
-        The whole file.
+    file : binary file
+        Open for reading.
+    length : int
+        Of the file [bytes].
 
     Raises
     ------
     DamagedError
         If its structure is not that of such a file.
     """
-    mark = content[HEADER - 2 : HEADER]
+    file.seek(0)
+    mark = file.read(HEADER)[HEADER - 2 :]
     if mark not in (b"IM", b"MI"):
         raise DamagedError("expected the header of a MATLAB file")
     order = "<" if mark == b"IM" else ">"
-    for element in _elements(memoryview(content)[HEADER:], order):
-        found = element
-        if element.type == COMPRESSED:
-            (found,) = _only(_unpacked(element.data), order)
-        if found.type != MATRIX:
-            raise DamagedError(f"expected a variable, found an element of type {found.type}")
-        variable = _variable(found.data, order)
+    at = HEADER
+    while at < length:
+        kind, size, start = _tag(_bytes(file, at, min(TAG, length - at)), order, 0)
+        start += at
+        if start + size > length:
+            raise DamagedError(f"expected {size} bytes of an element, found {length - start}")
+        place = _Place(start, size)
+        if kind == COMPRESSED:
+            head = _unpacked(file, place, HEAD + TAG)
+            kind, whole, inner = _tag(memoryview(head), order, 0)
+            data = partial(_whole, file, place, inner + whole, inner)
+            head, size = head[inner : inner + whole], whole
+            at = start + place.size  # without padding
+        else:
+            head = bytearray(_bytes(file, start, min(size, HEAD)))
+            data = partial(_bytes, file, start, size)
+            at = start + (4 if start == at + 4 else -(-size // 8) * 8)
+        if kind != MATRIX:
+            raise DamagedError(f"expected a variable, found an element of type {kind}")
+        variable = _variable(head, size, order, data)
         if variable.name:  # what MATLAB stores for itself has none
             yield variable
 
 
-def _variable(data: memoryview, order: str) -> Variable:
-    """Return a variable from its parts."""
-    parts = _elements(data, order)
+def _variable(head: bytearray, size: int, order: str, data: Callable[[], memoryview]) -> Variable:
+    """Return a variable from the beginning of its parts, which have `size` bytes in all."""
+    parts = _elements(memoryview(head), order)
     try:
         flags, dimensions, name = (next(parts) for _ in range(3))
     except StopIteration:
@@ -86,55 +126,102 @@ def _variable(data: memoryview, order: str) -> Variable:
     text = bytes(name.data).decode("utf-8", "replace")
     kind = bits & 0xFF
     if kind not in NUMERIC:
-        return Variable(text, CLASSES.get(kind, "another kind of variable"), None)
+        what = CLASSES.get(kind, "another kind of variable")
+        return Variable(text, what, None, partial(_none, text))
     what = f"an array of {' x '.join(map(str, sizes))} values"
-    count = int(np.prod(sizes, dtype=np.float64)) if np.all(sizes >= 0) else LARGEST
-    values = [_numbers(part, order, count, text) for part in parts]
-    if len(values) != (2 if bits & COMPLEX else 1):
+    count = float(np.prod(sizes, dtype=np.float64)) if np.all(sizes >= 0) else np.inf
+    if not count <= size <= 16.0 * count + len(head):  # a byte for each number at least, two of eight at most
         raise DamagedError(f"expected the values of {text}")
     if sizes.size != 2 or sizes.min() != 1:
-        return Variable(text, what, None)
-    return Variable(text, what, values[0] + 1j * values[1] if bits & COMPLEX else values[0])
+        return Variable(text, what, None, partial(_none, text))
+    return Variable(
+        text, what, int(count), partial(_values, data, order, int(count), bool(bits & COMPLEX), text)
+    )
+
+
+def _values(
+    data: Callable[[], memoryview], order: str, count: int, is_complex: bool, name: str
+) -> Array | Complex:
+    """Return the values of a vector."""
+    parts = list(_elements(data(), order))[3:]
+    if len(parts) != (2 if is_complex else 1):
+        raise DamagedError(f"expected the values of {name}")
+    if not is_complex:
+        return _numbers(parts[0], order, count, name)
+    values = np.empty(count, np.complex128)
+    values.real, values.imag = (_numbers(part, order, count, name) for part in parts)
+    return values
+
+
+def _none(name: str) -> Array:
+    raise DamagedError(f"{name} is no vector of numbers")
 
 
 def _numbers(part: _Element, order: str, count: int, name: str) -> Array:
     kind = TYPES.get(part.type)
     if kind is None or len(part.data) != count * int(kind[1]):
         raise DamagedError(f"expected {count} values of {name}")
-    return np.frombuffer(part.data, f"{order}{kind}").astype(np.float64)
+    return np.asarray(np.frombuffer(part.data, f"{order}{kind}"), np.float64)
+
+
+def _tag(data: memoryview, order: str, at: int) -> tuple[int, int, int]:
+    """Return the type of an element, the size of its data and where these begin."""
+    if at + TAG > len(data):
+        raise DamagedError("expected an element, found the end of the file")
+    kind, size = struct.unpack(f"{order}II", data[at : at + TAG])
+    if not kind >> 16:
+        return kind, size, at + TAG
+    # a small element: its type and size in four bytes, its data in the next four
+    if kind >> 16 > 4:
+        raise DamagedError(f"expected at most 4 bytes of a small element, found {kind >> 16}")
+    return kind & 0xFFFF, kind >> 16, at + 4
 
 
 def _elements(data: memoryview, order: str) -> Iterator[_Element]:
     """Yield the elements that fill some data."""
     at = 0
     while at < len(data):
-        if at + 8 > len(data):
-            raise DamagedError("expected an element, found the end of the file")
-        kind, size = struct.unpack(f"{order}II", data[at : at + 8])
-        start = at + 8
-        if kind >> 16:  # a small element: its type and size in four bytes, its data in the next four
-            kind, size, start = kind & 0xFFFF, kind >> 16, at + 4
-            if size > 4:
-                raise DamagedError(f"expected at most 4 bytes of a small element, found {size}")
+        kind, size, start = _tag(data, order, at)
         if start + size > len(data):
             raise DamagedError(f"expected {size} bytes of an element, found {len(data) - start}")
         yield _Element(kind, data[start : start + size])
-        at = start + size if kind == COMPRESSED else start + (4 if start == at + 4 else -(-size // 8) * 8)
+        at = start + (4 if start == at + 4 else -(-size // 8) * 8)
 
 
-def _only(data: bytes, order: str) -> list[_Element]:
-    found = list(_elements(memoryview(data), order))
-    if len(found) != 1:
-        raise DamagedError(f"expected one variable in a compressed element, found {len(found)}")
-    return found
+def _bytes(file: BinaryIO, offset: int, size: int) -> memoryview:
+    file.seek(offset)
+    found = file.read(size)
+    if len(found) < size:
+        raise DamagedError(f"expected {size} bytes, found {len(found)}")
+    return memoryview(found)
 
 
-def _unpacked(data: memoryview) -> bytes:
-    unpacking = zlib.decompressobj()
+def _whole(file: BinaryIO, place: _Place, size: int, start: int) -> memoryview:
+    """Return the data of the only element, of `size` bytes with its tag, in a compressed one."""
+    padded = start + -(-(size - start) // 8) * 8  # which not every program writes
+    content = _unpacked(file, place, padded + 1, end=True)
+    if not size <= len(content) <= padded:
+        raise DamagedError(f"expected one variable of {size} bytes in a compressed element")
+    return memoryview(content)[start:size]
+
+
+def _unpacked(file: BinaryIO, place: _Place, most: int, *, end: bool = False) -> bytearray:
+    """Return the first bytes of a compressed element, at most so many; perhaps to its end."""
+    unpacking, content = zlib.decompressobj(), bytearray()
+    left, packed = place.size, b""
+    file.seek(place.offset)
     try:
-        content = unpacking.decompress(data, LARGEST)
+        while len(content) < most and not unpacking.eof:
+            if not packed:
+                packed = file.read(min(left, BLOCK))
+                left -= len(packed)
+            more = unpacking.decompress(packed, most - len(content))
+            if not packed and not more:
+                break
+            content += more
+            packed = unpacking.unconsumed_tail
     except zlib.error as error:
         raise DamagedError(f"cannot unpack a compressed variable: {error}") from None
-    if not unpacking.eof:
+    if end and not unpacking.eof and len(content) < most:
         raise DamagedError("expected the end of a compressed variable")
     return content

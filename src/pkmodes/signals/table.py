@@ -10,15 +10,17 @@ from pathlib import Path
 import numpy as np
 
 from pkmodes.base.errors import MeasurementError, shown
-from pkmodes.signals.checks import FEWEST
+from pkmodes.signals.checks import FEWEST, outside_coherence
 from pkmodes.signals.formats import Asked, SignalFormat
 from pkmodes.signals.functions import Array, Complex, Function, Kind, SignalFile
 from pkmodes.signals.table_columns import Column, Layout, layout_of
-from pkmodes.signals.table_text import TableText, split_table
+from pkmodes.signals.table_text import TableText, check_text, split_table
 from pkmodes.signals.units import hertz_in, quotient, seconds_in, unit_text
 
 #: Larger tables would not fit into memory as text and as numbers.
 LARGEST_FILE = 1_000_000_000
+#: Bytes from which binary data are told from text.
+HEAD = 4096
 LOSS = re.compile(r"\b(?:drop|overflow|over-?run|overrange|lost|loss|miss(?:ed|ing)|gap|clip)", re.IGNORECASE)
 NONE_LOST = re.compile(r"\b(?:no|none|without|never)\b", re.IGNORECASE)
 NUMBERS = re.compile(r"\d+(?:\.\d+)?")
@@ -37,7 +39,10 @@ def read(path: Path, asked: Asked) -> SignalFile:
     if path.stat().st_size > LARGEST_FILE:
         remedy = "give a binary universal file, or split the table"
         raise MeasurementError("cannot read the table: it is larger than 1 GB", source, remedy)
-    text = split_table(path.read_bytes(), source)
+    with path.open("rb") as file:
+        check_text(file.read(HEAD), source)  # before gigabytes of something else are read
+        file.seek(0)
+        text = split_table(file.read(), source)
     layout = layout_of(text.names, f"{source}: line {text.header_line}", asked)
     wanted = [place for column in layout.columns for place in column.places]
     read_places = ([] if layout.abscissa is None else [layout.abscissa]) + wanted
@@ -46,6 +51,9 @@ def read(path: Path, asked: Asked) -> SignalFile:
     numbers = dict(zip(read_places, text.columns(read_places), strict=True))
     rows = numbers[read_places[0]].size
     abscissa = _abscissa(layout, numbers, rows, text, asked)
+    for column in layout.columns:
+        if column.kind is Kind.COHERENCE:
+            _check_coherence(column, numbers, text)
     stated = _units(text.comments)
     functions = tuple(_function(column, numbers, abscissa, stated) for column in layout.columns)
     return SignalFile(source, functions, (), tuple(f"{source}: {one}" for one in _losses(text.comments)))
@@ -77,6 +85,16 @@ def _abscissa(layout: Layout, numbers: dict[int, Array], rows: int, text: TableT
         where = f"{text.source}: line {text.line_of(row)}, column {name}"
         raise MeasurementError(what, where, "sort the rows, and give each value once, with enough digits")
     return abscissa
+
+
+def _check_coherence(column: Column, numbers: dict[int, Array], text: TableText) -> None:
+    """Refuse a coherence outside 0 to 1, with its line."""
+    (place,) = column.places
+    found = outside_coherence(numbers[place])
+    if found is not None:
+        row, what, remedy = found
+        where = f"{text.source}: line {text.line_of(row)}, column {text.names[place]}"
+        raise MeasurementError(what, where, remedy)
 
 
 def _function(column: Column, numbers: dict[int, Array], abscissa: Array, stated: dict[str, str]) -> Function:

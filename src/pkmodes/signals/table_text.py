@@ -1,7 +1,6 @@
 """The text of a table: its header, its comments, and its columns of numbers.
 
-Tabs, semicolons or commas separate the cells: the first of these that the header has.  Numbers have decimal commas
-only where commas do not separate.
+What separates the cells, and where numbers may have decimal commas, is as in every table (`pkmodes.measured.cells`).
 """
 
 from __future__ import annotations
@@ -14,12 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from pkmodes.base.errors import MeasurementError, shown
-from pkmodes.measured.cells import NUMBER
+from pkmodes.measured.cells import NUMBER, separator_of
 from pkmodes.measured.csv_format import WORKBOOKS
 from pkmodes.signals.functions import Array
 from pkmodes.signals.scanning import text_of
 
-SEPARATORS = ("\t", ";", ",")
 REMEDY = "start with a row of names: time and the sensors, or frequency with re: and im: columns, or psd_x"
 #: Lines at the end in which spreadsheet programs leave nothing but separators.
 EMPTY_END = re.compile(rb"(?:\n[ \t,;\r]*)+\Z")
@@ -129,6 +127,21 @@ class TableText:
         return MeasurementError("expected rows of numbers", self.source, REMEDY)
 
 
+def check_text(content: bytes, source: str) -> None:
+    """Refuse what is no text.
+
+    Raises
+    ------
+    MeasurementError
+    """
+    if content.startswith(WORKBOOKS):
+        remedy = "open it in a spreadsheet program and save it as CSV UTF-8"
+        raise MeasurementError("expected a table in text, found an Excel workbook", source, remedy)
+    if b"\0" in content:
+        remedy = "save a table as CSV UTF-8"
+        raise MeasurementError("expected a table in text, found binary data", source, remedy)
+
+
 def split_table(content: bytes, source: str) -> TableText:
     """Find the header of a table: the first line that is no comment, or a comment right above the numbers.
 
@@ -137,12 +150,7 @@ def split_table(content: bytes, source: str) -> TableText:
     MeasurementError
         If the content is not text, or has no header.
     """
-    if content.startswith(WORKBOOKS):
-        remedy = "open it in a spreadsheet program and save it as CSV UTF-8"
-        raise MeasurementError("expected a table in text, found an Excel workbook", source, remedy)
-    if b"\0" in content:
-        remedy = "save a table as CSV UTF-8"
-        raise MeasurementError("expected a table in text, found binary data", source, remedy)
+    check_text(content, source)
     content = content.removeprefix(b"\xef\xbb\xbf")
     if b"\n" not in content:
         content = content.replace(b"\r", b"\n")
@@ -167,7 +175,7 @@ def split_table(content: bytes, source: str) -> TableText:
         names_line, header = _header_among(comments, line, source, number)
         comments = [one for one in comments if one[0] != names_line]
         first, body = number, content[start:]
-    separator = _separator(header)
+    separator = separator_of(header)
     names = tuple(cell.strip().strip('"').strip() for cell in header.split(separator))
     texts = [text for _, text in comments]
     if b"#" in body:
@@ -179,18 +187,14 @@ def _header_among(comments: Sequence[tuple[int, str]], row: str, source: str, nu
     """Return the last comment that has as many cells as the first row, without its ``#``."""
     for line, text in reversed(comments):
         names = text.lstrip("# \t")
-        separator = _separator(names)
+        separator = separator_of(names)
         if not text.startswith("##") and len(names.split(separator)) == len(row.split(separator)):
             return line, names
     what = f"expected the names of the columns, found {shown(row)}"
     raise MeasurementError(what, f"{source}: line {number}", REMEDY)
 
 
-def _separator(header: str) -> str:
-    return next((one for one in SEPARATORS if one in header), ",")
-
-
 def _is_numbers(line: str) -> bool:
     """Return whether a line begins with a number."""
-    cells = line.split(_separator(line))
+    cells = line.split(separator_of(line))
     return NUMBER.fullmatch(cells[0].strip().strip('"').replace(",", ".")) is not None

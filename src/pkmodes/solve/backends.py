@@ -76,7 +76,9 @@ def all_cores() -> int:
         return os.cpu_count() or 1
 
 
-def solver_of(system: Evaluation, largest_condition: float, backend: str) -> Solver:
+def solver_of(
+    system: Evaluation, largest_condition: float, backend: str, free: Solver | None = None
+) -> Solver:
     """Return the solver of a robot.
 
     Parameters
@@ -85,6 +87,8 @@ def solver_of(system: Evaluation, largest_condition: float, backend: str) -> Sol
         Poses with a larger condition number are singular.
     backend : str
         From `chosen`; with "auto", the first of `PREFERRED` that can be used.
+    free : Solver, optional
+        For held motors: see `pkmodes.solve.held_solver.HeldSolver`.
 
     Raises
     ------
@@ -92,7 +96,7 @@ def solver_of(system: Evaluation, largest_condition: float, backend: str) -> Sol
         If it cannot be used here.
     """
     if isinstance(system, MotorsHeld):
-        return HeldSolver(_solver_of(system, largest_condition, backend), system)
+        return HeldSolver(_solver_of(system, largest_condition, backend), system, free)
     return _solver_of(system, largest_condition, backend)
 
 

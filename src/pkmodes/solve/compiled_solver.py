@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import TYPE_CHECKING, ClassVar, Self
 
 import numpy as np
@@ -12,11 +12,12 @@ from pkmodes.compiled.lanes import FIELDS, UNSOLVED, Along, Terms
 from pkmodes.linalg.eigen import has_stiff_joint, held_softly
 from pkmodes.mechanism.poses import CHUNK
 from pkmodes.solve.at_poses import RobotAtPoses
-from pkmodes.solve.solver import EIGENVALUES, Codes, Solver, UnavailableError
+from pkmodes.solve.solver import EIGENVALUES, Alone, Codes, Solver, UnavailableError
 from pkmodes.system.evaluation import Evaluation
 
 if TYPE_CHECKING:
     from pkmodes.compiled.evaluator import Evaluator
+    from pkmodes.compiled.room import Room
 
 Array = NDArray[np.float64]
 #: Very soft and very stiff released joints cost digits: NumPy solves where the lowest eigenvalue of vibration is
@@ -73,11 +74,27 @@ class CompiledSolver(Solver):
 
     def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
         """Fill arrays."""
-        shown = EIGENVALUES if self._released or self._system.held_motions else "frequencies"
-        if not {shown, EIGENVALUES} & set(arrays) and not self._of_modes.isdisjoint(arrays):
-            # They show what the kernel cannot resolve.
+        shown = self._shown_by(arrays)
+        if shown is not None and shown not in arrays:
             arrays = {**arrays, shown: np.empty((len(at.points), self.evaluator.modes))}
         return self._marked(self.evaluator.run(at.points, arrays, threads), arrays)
+
+    def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone:
+        """Return what fills arrays at a single pose."""
+        shown = self._shown_by(tails)
+        also = {} if shown is None else {shown: (self.evaluator.modes,)}
+        return _OnePose(self, len(self._system.mechanism.pose), tails, {**tails, **also})
+
+    def _shown_by(self, names: Collection[str]) -> str | None:
+        """Return the field that shows what the kernel cannot resolve, where some fields are evaluated.
+
+        None if none of them needs the eigenproblem.
+        """
+        if self._of_modes.isdisjoint(names):
+            return None
+        if EIGENVALUES in names or self._released or self._system.held_motions:
+            return EIGENVALUES
+        return "frequencies"
 
     def rates(self, at: RobotAtPoses, arrays: Mapping[str, Array], terms: Terms, threads: int = 1) -> Codes:
         """Fill arrays, also with derivatives."""
@@ -89,25 +106,75 @@ class CompiledSolver(Solver):
 
     def _marked(self, codes: Codes, arrays: Mapping[str, Array]) -> Codes:
         """Mark the poses at which the kernel cannot resolve a vibration."""
-        if not self._of_modes.isdisjoint(arrays):
+        shown = self._shown_by(arrays)
+        if shown is not None:
             for start in range(0, len(codes), CHUNK):
                 part = slice(start, start + CHUNK)
-                unresolved = self._unresolved({name: array[part] for name, array in arrays.items()})
+                unresolved = self.unresolved(shown, arrays[shown][part])
                 if unresolved.any():
                     codes[part][(codes[part] == 0) & unresolved] = UNSOLVED
         return codes
 
-    def _unresolved(self, arrays: Mapping[str, Array]) -> NDArray[np.bool_]:
-        """Return where joints are too soft or too stiff, springs to ground too soft, or magnitudes too different."""
+    def unresolved(self, shown: str, values: Array) -> NDArray[np.bool_]:
+        """Return where joints are too soft or too stiff, springs to ground too soft, or magnitudes too different.
+
+        Parameters
+        ----------
+        shown : {"eigenvalues", "frequencies"}
+        values : ndarray, shape (N, m) or (m,)
+            Of this field.
+
+        Returns
+        -------
+        ndarray of bool, shape (N,) or ()
+        """
         system = self._system
         first, rigid = system.first, system.rigid_modes
-        if EIGENVALUES not in arrays:
-            frequencies = arrays["frequencies"]
-            return np.asarray(np.abs(frequencies[:, rigid]) < APART**0.5 * np.abs(frequencies[:, first - 1]))
-        eigenvalues = arrays[EIGENVALUES]
-        last = np.abs(eigenvalues[:, first - 1])
-        unresolved = np.abs(eigenvalues[:, rigid]) < (SOFT if self._released else APART) * last
-        unresolved |= held_softly(eigenvalues, system.held_motions)
+        of_mode = values.T  # numbers where there is no batch
+        last = abs(of_mode[first - 1])
+        if shown != EIGENVALUES:
+            return np.asarray(abs(of_mode[rigid]) < APART**0.5 * last)
+        unresolved = abs(of_mode[rigid]) < (SOFT if self._released else APART) * last
+        if system.held_motions:
+            unresolved = unresolved | held_softly(values, system.held_motions)
         if self._released:
-            unresolved |= has_stiff_joint(eigenvalues, first, rigid) | (eigenvalues[:, -1] > STIFF * last)
+            unresolved = unresolved | has_stiff_joint(values, first, rigid) | (of_mode[-1] > STIFF * last)
         return np.asarray(unresolved)
+
+
+class _OnePose:
+    """Fills arrays at a single pose, each thread in a room of its own.
+
+    Parameters
+    ----------
+    size : int
+        Components of a pose.
+    wanted : iterable of str
+        The fields to return.
+    tails : mapping of str to tuple of int
+        Shapes at one pose of the fields to evaluate.
+    """
+
+    def __init__(
+        self,
+        solver: CompiledSolver,
+        size: int,
+        wanted: Iterable[str],
+        tails: Mapping[str, tuple[int, ...]],
+    ) -> None:
+        self._solver, self._size, self._wanted, self._tails = solver, size, tuple(wanted), dict(tails)
+        self._shown = solver._shown_by(tails)
+        self._rooms: list[Room] = []  # those that no thread is using
+
+    def __call__(self, point: Array) -> dict[str, Array] | None:
+        try:
+            room = self._rooms.pop()
+        except IndexError:
+            room = self._solver.evaluator.room(self._size, self._tails)
+        found = None
+        if room.run(point) == 0 and not (
+            self._shown and self._solver.unresolved(self._shown, room.arrays[self._shown][0])
+        ):
+            found = {name: room.arrays[name].copy() for name in self._wanted}
+        self._rooms.append(room)
+        return found

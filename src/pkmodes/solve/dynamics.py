@@ -15,15 +15,16 @@ from pkmodes.base.drives import FREE, checked_drives
 from pkmodes.dataset.fields import FIELDS
 from pkmodes.mechanism.poses import CheckedPoses, OnError
 from pkmodes.robot.robot import Robot
-from pkmodes.solve import batch
 from pkmodes.solve.backends import AUTO, checked_threads, chosen, solver_of
+from pkmodes.solve.batch import run
 from pkmodes.solve.field_arrays import Fields, Out, chosen_fields
 from pkmodes.solve.kinematics import Kinematics
 from pkmodes.solve.mode_fields import ModeFields
+from pkmodes.solve.plans import Later, Plan
 from pkmodes.solve.results import Modes, Statics
 from pkmodes.solve.solver import Solver
 from pkmodes.system.dissipation import Dissipation
-from pkmodes.system.evaluation import Evaluation, evaluation, matrices
+from pkmodes.system.evaluation import Evaluation, ExtendedSystem, evaluation, matrices
 from pkmodes.system.motors import solved_system
 
 Array = NDArray[np.float64]
@@ -54,7 +55,8 @@ class Dynamics:
         self.coordinates = self.system.coordinates
         self._solvers: dict[tuple[str, str], Solver] = {}
         self._solved: dict[str, Evaluation] = {FREE: self.system}
-        self._plans: dict[tuple[object, ...], ModeFields] = {}
+        self._fields_of: dict[tuple[object, ...], ModeFields] = {}
+        self._plans: dict[tuple[object, ...], Plan] = {}
 
     @classmethod
     def of(cls, robot: Robot, max_condition: float) -> Dynamics:
@@ -115,26 +117,28 @@ class Dynamics:
         >>> modes.reason
         array(['', 'limits'], dtype='<U9')
         """
-        asked = chosen_fields(fields, out, Modes.fields_of(self.robot.mechanism))
-        # Two names of the same values share one array unless the caller passes a second one.
-        shared = [name for name in asked if FIELDS[name].same_as in asked and name not in (out or ())]
+        asked = None
+        if fields is not None or out is not None:
+            asked = chosen_fields(fields, out, Modes.fields_of(self.robot.mechanism))
         number = checked_threads(threads)
-        computed = [name for name in asked if name not in shared] if shared else asked
-        checked, arrays = self.fields_at(
-            poses, on_error, computed, backend, drives=drives, out=out, threads=number
-        )
-        for name in shared:
-            arrays[name] = arrays[FIELDS[name].same_as]
+        plan = self._plan(asked, out, backend, drives)
+        checked, arrays = self._run(plan.fields, poses, on_error, out, number)
+        for name, same in plan.shared.items():
+            arrays[name] = arrays[same]
+        later = None
+        if plan.later:
+            later = Later(plan.later, self.robot, self.kinematics.max_condition, checked, number)
         return Modes(
             codes=checked.codes.reshape(checked.batch),
             known=checked.known,
             arrays=arrays,
             poses=checked.points.reshape((*checked.batch, -1)),
             coordinates=self.coordinates,
-            rigid_modes=self.solved(drives).rigid_modes,
+            rigid_modes=plan.rigid_modes,
             robot=self.robot,
-            backend=self.solver(backend, drives).name,
+            backend=plan.backend,
             drives=drives,
+            _later=later,
         )
 
     def frequencies(
@@ -170,16 +174,13 @@ class Dynamics:
             In Hz: sqrt(abs(lambda)) / (2 pi) with the sign of lambda, the rigid-body modes first.
         """
         given = None if out is None else {"frequencies": out}
-        modes = self.modes(
-            poses,
-            on_error,
-            fields=("frequencies",),
-            drives=drives,
-            out=given,
-            backend=backend,
-            threads=threads,
-        )
-        return modes.frequencies
+        asked: tuple[str, ...] = ("frequencies",)
+        if given:
+            asked = chosen_fields(asked, given, Modes.fields_of(self.robot.mechanism))
+        number = checked_threads(threads)
+        plan = self._plan(asked, given, backend, drives)
+        _, arrays = self._run(plan.fields, poses, on_error, given, number)
+        return arrays["frequencies"]
 
     def fields_at(
         self,
@@ -213,21 +214,71 @@ class Dynamics:
         dict of str to ndarray
             By field, with the leading axes of the poses.
         """
-        solver = self.solver(backend, drives)
+        fields = self._fields(names, self.solver(backend, drives), drives, given)
+        return self._run(fields, poses, on_error, out, threads)
+
+    def _run(
+        self, fields: ModeFields, poses: ArrayLike, on_error: OnError, out: Out, threads: int
+    ) -> tuple[CheckedPoses, dict[str, Array]]:
+        """Evaluate fields at poses."""
+        return run(fields.job, self.robot, self.kinematics.max_condition, poses, on_error, out, threads)
+
+    def _fields(
+        self, names: Sequence[str], solver: Solver, drives: str, given: Mapping[str, Any] | None = None
+    ) -> ModeFields:
+        """Return how a solver evaluates fields; kept unless something is given."""
         key = (solver, *names)
-        fields = None if given else self._plans.get(key)
+        fields = None if given else self._fields_of.get(key)
         if fields is None:
             known = {"dissipation": self.dissipation, **(given or {})}
             fields = ModeFields(solver, self.system, self.solved(drives), self.robot.source, names, known)
             if not given:
-                self._plans[key] = fields
-        return batch.run(fields.job(threads), self.robot, self.kinematics.max_condition, poses, on_error, out)
+                self._fields_of[key] = fields
+        return fields
+
+    def _plan(self, asked: tuple[str, ...] | None, out: Out, backend: str, drives: str) -> Plan:
+        """Return what a call does; kept, so that a call of a pose takes microseconds.
+
+        Parameters
+        ----------
+        asked : tuple of str, optional
+            Fields, in their order; None for all, of which some are evaluated when they are read.
+        """
+        apart = tuple(name for name in asked or () if out and name in out and FIELDS[name].same_as)
+        key = asked, apart, chosen(backend), drives, len(FIELDS)
+        try:
+            return self._plans[key]
+        except (KeyError, TypeError):  # a new one, or drives that are no word
+            solver = self.solver(backend, drives)
+        names = Modes.fields_of(self.robot.mechanism) if asked is None else asked
+        # Two names of the same values share one array unless the caller passes a second one.
+        shared = {
+            name: FIELDS[name].same_as
+            for name in names
+            if FIELDS[name].same_as in names and name not in apart
+        }
+        later = [
+            name for name in names if asked is None and FIELDS[name].on_demand and name not in solver.at_hand
+        ]
+        at_once = [name for name in names if name not in shared and name not in later]
+        plan = self._plans[key] = Plan(
+            fields=self._fields(at_once, solver, drives),
+            shared=shared,
+            later={name: self._fields([name], solver, drives) for name in later},
+            rigid_modes=self.solved(drives).rigid_modes,
+            backend=solver.name,
+        )
+        return plan
 
     def solver(self, backend: str, drives: str = FREE) -> Solver:
         """Return the solver that a back end has for the robot."""
         key = chosen(backend), checked_drives(drives)
         if key not in self._solvers:
-            self._solvers[key] = solver_of(self.solved(drives), self.kinematics.max_condition, key[0])
+            # Without effects, a library has the digits of NumPy in M and K; with them it rounds K in another order.
+            same = drives != FREE and not isinstance(self.system, ExtendedSystem)
+            free = self.solver(key[0], FREE) if same else None
+            solver = solver_of(self.solved(drives), self.kinematics.max_condition, key[0], free)
+            self._solvers[key] = solver
         return self._solvers[key]
 
     def solved(self, drives: str) -> Evaluation:

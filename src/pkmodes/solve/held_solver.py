@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.solve.at_poses import RobotAtPoses
-from pkmodes.solve.solver import SHAPES, Codes, Solver
+from pkmodes.solve.solver import SHAPES, Alone, Codes, Solver
 from pkmodes.system.evaluation import Evaluation
 from pkmodes.system.motors import MotorsHeld
 
@@ -24,14 +24,17 @@ class HeldSolver(Solver):
     ----------
     solver : Solver
         Of `system`.
+    free : Solver, optional
+        Of the robot with free motors, for the fields in its coordinates, if its digits are those of NumPy.
     """
 
     together = False
 
-    def __init__(self, solver: Solver, system: MotorsHeld) -> None:
-        self._inner, self._system = solver, system
+    def __init__(self, solver: Solver, system: MotorsHeld, free: Solver | None = None) -> None:
+        self._inner, self._system, self._free = solver, system, free
         self.name = solver.name  # type: ignore[misc]
-        self.fields = solver.fields - IN_ALL  # type: ignore[misc]
+        self._of_free = frozenset[str]() if free is None else IN_ALL & free.fields
+        self.fields = (solver.fields - IN_ALL) | self._of_free  # type: ignore[misc]
         self.checks_poses = solver.checks_poses  # type: ignore[misc]
 
     @property
@@ -45,12 +48,37 @@ class HeldSolver(Solver):
         raise NotImplementedError
 
     def compute(self, at: RobotAtPoses, arrays: Mapping[str, NDArray[np.float64]], threads: int = 1) -> Codes:
-        """Fill arrays; the poses of `at` count, and not its system."""
+        """Fill arrays; `at` is the robot with free motors."""
         held = RobotAtPoses(self._system, at.points, at.source, {})
-        own = dict(arrays)
+        own = {name: array for name, array in arrays.items() if name not in self._of_free}
         if SHAPES in arrays:
             own[SHAPES] = np.empty((*arrays[SHAPES].shape[:-1], len(self._system.coordinates)))
+        if self._free is not None and len(own) < len(arrays):
+            codes = self._free.compute(
+                at, {name: arrays[name] for name in arrays if name not in own}, threads
+            )
+            if not own:
+                return codes
         codes = self._inner.compute(held, own, threads)
         if SHAPES in arrays:
             arrays[SHAPES][...] = self._system.part_with_free_motors(own[SHAPES])
         return codes
+
+    def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone | None:
+        """Return what fills arrays at a single pose, if the inner solver has such a thing."""
+        if not self._of_free.isdisjoint(tails):
+            return None
+        if SHAPES not in tails:
+            return self._inner.alone(tails)
+        own = {**tails, SHAPES: (*tails[SHAPES][:-1], len(self._system.coordinates))}
+        inner, system = self._inner.alone(own), self._system
+        if inner is None:
+            return None
+
+        def of_held(point: NDArray[np.float64]) -> dict[str, NDArray[np.float64]] | None:
+            found = inner(point)
+            if found is not None:
+                found[SHAPES] = system.part_with_free_motors(found[SHAPES])
+            return found
+
+        return of_held

@@ -24,9 +24,9 @@ from pkmodes.mechanism.poses import (
     as_points,
     check_poses,
     largest_condition,
-    reasons,
 )
 from pkmodes.robot.robot import Robot
+from pkmodes.robot.usable import reasons_of
 from pkmodes.solve.field_arrays import FieldArrays
 from pkmodes.solve.results import PoseCheck
 
@@ -67,7 +67,7 @@ class Kinematics:
     @property
     def reasons(self) -> dict[str, str]:
         """Codes that ``reason`` may have for a pose that cannot be evaluated, with their meanings."""
-        return reasons(self.mechanism)
+        return reasons_of(self.robot)
 
     def check(self, poses: ArrayLike) -> PoseCheck:
         """Check which poses can be evaluated, and why the others cannot.
@@ -184,7 +184,7 @@ class Kinematics:
         size, names = len(self.mechanism.independent), ", ".join(self.mechanism.independent)
         units = {q.name: q.unit for q in self.mechanism.coordinates}
         given = by_name(positions, {name: units[name] for name in self.mechanism.independent}, what)
-        q, batch = as_points(given, what, size, f"give {names} in SI units")
+        q, batch = as_points(given, what, size, lambda: f"give {names} in SI units")
         with np.errstate(all="ignore"):
             p: Array = function(q, assembly)
         bad = ~np.isfinite(p).all(axis=-1)

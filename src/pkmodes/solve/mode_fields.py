@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from functools import partial
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.dataset.fields import FIELDS, missing, sizes_of, tail
-from pkmodes.mechanism.poses import CHUNK
+from pkmodes.base.drives import HELD
+from pkmodes.dataset.fields import DISSIPATION, FIELDS, MODE, missing, sizes_of
+from pkmodes.dataset.fields import tail as tail_of
+from pkmodes.mechanism.poses import CHUNK, CheckedPoses, codes_of
+from pkmodes.robot.robot import Robot
 from pkmodes.solve.at_poses import RobotAtPoses
 from pkmodes.solve.backends import solver_of
-from pkmodes.solve.batch import Job, Rows
+from pkmodes.solve.batch import Job, Rows, run
 from pkmodes.solve.numpy_solver import NumpySolver
 from pkmodes.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
 from pkmodes.system.evaluation import Evaluation, may_be_refused, number_of_modes
@@ -26,7 +29,9 @@ PART = 4800
 
 
 class ModeFields:
-    """How a solver and NumPy evaluate some fields of a robot.
+    """How a solver and NumPy evaluate some fields of a robot: worked out once, for any number of calls.
+
+    A field that tells nothing of the robot, such as damping where nothing dissipates, is not computed but filled.
 
     Parameters
     ----------
@@ -38,6 +43,11 @@ class ModeFields:
         Of `pkmodes.dataset.fields.FIELDS`.
     given : mapping of str to object
         Quantities that fields need and a robot does not have, such as the normal of a plane.
+
+    Attributes
+    ----------
+    job : Job
+        Evaluates the fields.
     """
 
     def __init__(
@@ -52,25 +62,59 @@ class ModeFields:
         self._solver, self._system, self._solved = solver, system, solved
         self._source, self._given = source, {**_given_by_motors(system, solved), **given}
         self._names = tuple(names)
-        self._derived = [name for name in self._names if name not in solver.fields]
+        self._filled = [name for name in self._names if not self._tells(name)]
+        self._computed = computed = [name for name in self._names if name not in self._filled]
+        self._derived = [name for name in computed if name not in solver.fields]
         self._needed = _needed(self._derived, solver.fields) - {*self._names}
+        if _of_modes(self._filled) and not _of_modes(computed):
+            self._needed |= {EIGENVALUES}  # they say whether the robot is refused
         modes = number_of_modes(solved)
         sizes = sizes_of(system.mechanism, modes, len(system.coordinates))
         fields = {name: FIELDS[name] for name in (*self._names, *self._needed) if name in FIELDS}
-        self._tails = {name: (tail(field, sizes), field.dtype) for name, field in fields.items()}
+        self._tails = {name: (tail_of(field, sizes), field.dtype) for name, field in fields.items()}
         self._tails[EIGENVALUES] = (modes,), "f8"
-        of_modes = _needed(self._names, frozenset({EIGENVALUES, SHAPES}))
-        self._refusable = bool(of_modes) and may_be_refused(solved)
-
-    def job(self, threads: int) -> Job:
-        """Return the job that evaluates the fields."""
-        return Job(
+        alone = None
+        if computed and not (self._filled or self._derived):
+            alone = solver.alone({name: self._tails[name][0] for name in computed})
+        self.job = Job(
             tails={name: self._tails[name] for name in self._names},
-            compute=lambda points, rows: self.compute(points, rows, threads),
+            known=codes_of(system.mechanism),
+            compute=self.compute,
             by_numpy=self.by_numpy,
-            checks_poses=self._solver.checks_poses,
-            refusable=self._refusable,
+            checks_poses=solver.checks_poses,
+            refusable=_of_modes(self._names) and may_be_refused(solved),
+            alone=alone,
         )
+
+    def _tells(self, name: str) -> bool:
+        """Return whether a field tells anything of this robot."""
+        field = FIELDS.get(name)
+        if field is None:
+            return True
+        if field.only == DISSIPATION:
+            return bool(self._given["dissipation"])
+        return field.only != HELD or isinstance(self._solved, MotorsHeld)
+
+    def tail(self, name: str) -> tuple[int, ...]:
+        """Return the shape of a field at one pose."""
+        return self._tails[name][0]
+
+    def again(
+        self, robot: Robot, max_condition: float, checked: CheckedPoses, threads: int
+    ) -> dict[str, NDArray[Any]]:
+        """Evaluate the fields, (N, *tail), at poses where others were: see `pkmodes.solve.batch.run`."""
+        if not self._computed:
+            rows: dict[str, NDArray[Any]] = {
+                name: _empty(len(checked.points), *self._tails[name]) for name in self._filled
+            }
+            for name, array in rows.items():
+                self._fill(name, array, checked.codes)
+            return rows
+        _, rows = run(self.job, robot, max_condition, checked.points, "nan", None, threads)
+        if checked.left is not None and len(checked.left):
+            for name, array in self.by_numpy(checked.points[checked.left]).items():
+                rows[name][checked.left] = array
+        return rows
 
     def compute(self, points: Array, rows: Rows, threads: int) -> Codes:
         """Fill the fields at poses, all or none of them, and return the codes."""
@@ -86,13 +130,16 @@ class ModeFields:
 
     def by_numpy(self, points: Array) -> Rows:
         """Return the fields at poses, solved by NumPy."""
-        numpy = self
-        if self._solver.name != NumpySolver.name:
-            solver = solver_of(self._solved, np.inf, NumpySolver.name)
-            numpy = ModeFields(solver, self._system, self._solved, self._source, self._names, self._given)
         rows = {name: _empty(len(points), *self._tails[name]) for name in self._names}
-        numpy.compute(points, rows, 1)
+        self._by_numpy.compute(points, rows, 1)
         return rows
+
+    @cached_property
+    def _by_numpy(self) -> ModeFields:
+        if self._solver.name == NumpySolver.name:
+            return self
+        solver = solver_of(self._solved, np.inf, NumpySolver.name)
+        return ModeFields(solver, self._system, self._solved, self._source, self._names, self._given)
 
     def _part(self, points: Array, rows: Rows, threads: int) -> Codes:
         at = RobotAtPoses(self._system, points, self._source, self._given)
@@ -106,7 +153,18 @@ class ModeFields:
             codes = np.zeros(len(points), dtype=np.int8)
         if rows and self._derived:
             self._derive(at, filled, rows, codes)
+        if rows:
+            for name in self._filled:
+                self._fill(name, rows[name], codes)
         return codes
+
+    def _fill(self, name: str, array: Array, codes: Codes) -> None:
+        """Fill a field that tells nothing of the robot; NaN where there is none."""
+        array[...] = FIELDS[name].otherwise
+        if FIELDS[name].dims[:1] == (MODE,):
+            array[:, : self._solved.rigid_modes] = np.nan
+        if codes.any():
+            array[codes != 0] = np.nan
 
     def _derive(self, at: RobotAtPoses, filled: Rows, rows: Rows, codes: Codes) -> None:
         """Fill the fields that follow from those of the solver; NaN where there are none."""
@@ -145,6 +203,11 @@ def _given_by_motors(system: Evaluation, solved: Evaluation) -> dict[str, Any]:
 
 def _empty(count: int, shape: tuple[int, ...], dtype: str) -> Array:
     return np.empty((count, *shape), dtype)
+
+
+def _of_modes(names: Iterable[str]) -> bool:
+    """Return whether any of some fields follows from modes."""
+    return bool(_needed(names, frozenset({EIGENVALUES, SHAPES})))
 
 
 def _needed(names: Iterable[str], fields: frozenset[str]) -> frozenset[str]:

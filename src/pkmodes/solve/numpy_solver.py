@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Self
+from typing import ClassVar, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +24,7 @@ class NumpySolver(Solver):
     """Solves the eigenproblem with NumPy, and refuses unphysical systems."""
 
     name = "numpy"
+    at_hand: ClassVar[frozenset[str]] = frozenset({"mass_matrix", "stiffness_matrix"})
 
     @classmethod
     def init(cls, system: Evaluation, largest_condition: float) -> Self:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import InitVar, dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,8 @@ from pkmodes.robot.robot import Robot
 if TYPE_CHECKING:
     from pandas import DataFrame
     from xarray import Dataset
+
+    from pkmodes.solve.plans import Later
 
 Array = NDArray[np.float64]
 
@@ -57,22 +59,47 @@ class AtPoses:
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ChosenFields(AtPoses):
-    """Results with optional fields; reading a field that was not requested raises `NotComputedError`."""
+    """Results with optional fields; reading a field that was not requested raises `NotComputedError`.
+
+    Fields may be evaluated when they are read first.
+    """
 
     FIELDS: ClassVar[tuple[str, ...]] = ()
     METHOD: ClassVar[str] = ""
 
     arrays: InitVar[Mapping[str, NDArray[Any]]]
+    _later: InitVar[Later | None] = field(default=None, kw_only=True)
 
-    def __post_init__(self, arrays: Mapping[str, NDArray[Any]]) -> None:
+    def __post_init__(self, arrays: Mapping[str, NDArray[Any]], _later: Later | None) -> None:
         self.__dict__.update(arrays)
+        if _later is not None:
+            self.__dict__["_later"] = _later
+
+    def __getstate__(self) -> dict[str, Any]:
+        for name in self._requested():  # a copy stands alone
+            getattr(self, name)
+        return {name: value for name, value in self.__dict__.items() if name != "_later"}
+
+    def _requested(self) -> list[str]:
+        """Return the fields that were requested, whether they have been evaluated or not."""
+        later = self.__dict__.get("_later", ())
+        return [name for name in self.FIELDS if name in self.__dict__ or name in later]
+
+    def _shape(self, name: str) -> tuple[int, ...]:
+        """Return the shape of a field that was requested."""
+        array = self.__dict__.get(name)
+        shape: tuple[int, ...] = self.__dict__["_later"].shape(name) if array is None else array.shape
+        return shape
 
     if not TYPE_CHECKING:
 
-        def __getattr__(self, name: str) -> NoReturn:
+        def __getattr__(self, name: str) -> NDArray[Any]:
+            later = self.__dict__.get("_later")
+            if later is not None and name in later:
+                return self.__dict__.setdefault(name, later(name))  # of two threads, both get the same array
             if name not in self.FIELDS:
                 raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
-            there = [known for known in self.FIELDS if known in self.__dict__]
+            there = self._requested()
             wanted = ", ".join(f'"{known}"' for known in self.FIELDS if known in (*there, name))
             raise NotComputedError(
                 f"the field {name} was not requested",
@@ -81,7 +108,7 @@ class ChosenFields(AtPoses):
             )
 
     def __repr__(self) -> str:
-        shapes = ", ".join(f"{k} {self.__dict__[k].shape}" for k in self.FIELDS if k in self.__dict__)
+        shapes = ", ".join(f"{name} {self._shape(name)}" for name in self._requested())
         return f"{type(self).__name__}({np.count_nonzero(self.valid)} of {self.valid.size} valid; {shapes})"
 
 
@@ -99,7 +126,8 @@ class Modes(ChosenFields):
     The leading axes are those of the poses: none for a single pose of shape (d,), (N,) for poses of shape
     (N, d).  n is the number of coordinates; the number of modes m is n minus the number of coordinates without
     inertia and, where the motors are held, of motors.  Modes are sorted by eigenvalue, the rigid-body modes
-    first.  Entries of poses that could not be evaluated are NaN.
+    first.  Entries of poses that could not be evaluated are NaN.  Fields that few need are evaluated when they are
+    read, unless they were requested by name.
 
     Attributes
     ----------
@@ -185,14 +213,15 @@ class Modes(ChosenFields):
 
     def _repr_html_(self) -> str | None:
         """Return a table for notebooks, None where no frequencies were requested."""
-        if "frequencies" not in self.__dict__:
+        requested = self._requested()
+        if "frequencies" not in requested:
             return None
         from pkmodes.solve.results_html import table_of_modes
 
         mechanism, columns = self.robot.mechanism, []
-        for name in self.FIELDS:
+        for name in requested:
             entry = FIELDS[name]
-            if entry.symbol and name in self.__dict__:
+            if entry.symbol:
                 values = getattr(self, name)
                 vibrations = values.reshape(-1, values.shape[-1])[:, self.rigid_modes :]
                 columns.append((entry.symbol, entry.units_of(mechanism), vibrations))
@@ -220,7 +249,7 @@ class Modes(ChosenFields):
         """
         from pkmodes.dataset.modes import dataset_of_modes
 
-        names = ("valid", "reason", *(name for name in self.FIELDS if name in vars(self)))
+        names = ("valid", "reason", *(name for name in self._requested() if FIELDS[name].variable))
         arrays = {name: getattr(self, name) for name in names}
         return dataset_of_modes(
             self.robot, self.rigid_modes, self.coordinates, self.poses, arrays, self.drives

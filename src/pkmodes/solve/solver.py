@@ -6,7 +6,7 @@ A further back end is a subclass of `Solver` and a line in `pkmodes.solve.backen
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import ClassVar, Self
 
 import numpy as np
@@ -19,7 +19,8 @@ from pkmodes.system.evaluation import Evaluation
 
 Array = NDArray[np.float64]
 Codes = NDArray[np.int8]
-__all__ = ["EIGENVALUES", "SHAPES", "UNSOLVED", "Codes", "Solver", "UnavailableError"]
+Alone = Callable[[Array], dict[str, Array] | None]
+__all__ = ["EIGENVALUES", "SHAPES", "UNSOLVED", "Alone", "Codes", "Solver", "UnavailableError"]
 EIGENVALUES, SHAPES = "eigenvalues", "shapes"
 
 
@@ -36,6 +37,8 @@ class Solver(ABC):
         That a user gives.
     fields : frozenset of str
         The quantities that `compute` fills, at least ``eigenvalues`` and ``shapes``; other fields follow from them.
+    at_hand : frozenset of str
+        Fields that cost no more than a copy where `compute` has solved for modes.
     checks_poses : bool
         Whether `compute` checks the poses itself.  If not, it is given poses that can be evaluated, a few thousand
         at a time.
@@ -47,6 +50,7 @@ class Solver(ABC):
 
     name: ClassVar[str]
     fields: ClassVar[frozenset[str]] = frozenset({EIGENVALUES, SHAPES})
+    at_hand: ClassVar[frozenset[str]] = frozenset()
     checks_poses: ClassVar[bool] = False
     differentiates: ClassVar[bool] = False
     together: ClassVar[bool] = False
@@ -92,6 +96,22 @@ class Solver(ABC):
             0 where the arrays are filled, `UNSOLVED` where NumPy has to do it; from a back end that checks poses,
             also indices into `pkmodes.mechanism.poses.codes_of`, where it fills NaN.
         """
+
+    def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone | None:
+        """Return what fills arrays at a single pose with less overhead than `compute`, if there is such a thing.
+
+        Parameters
+        ----------
+        tails : mapping of str to tuple of int
+            Shapes at one pose of fields of `fields`.
+
+        Returns
+        -------
+        callable or None
+            From a pose, (1, d), new arrays, (1, *tail), by field, to the last digit those of `compute`; None where
+            `compute` has to evaluate the pose, because its code is not 0.  Several threads may call it.
+        """
+        return None
 
     def rates(self, at: RobotAtPoses, arrays: Mapping[str, Array], terms: Terms, threads: int = 1) -> Codes:
         """Fill arrays as `compute` does, also with derivatives along paths, by the names of `Evaluator.run`."""

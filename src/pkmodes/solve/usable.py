@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import PoseError
-from pkmodes.robot.usable import USABLE, limits_of
+from pkmodes.robot.usable import USABLE, in_words, inside, limits_of
 from pkmodes.solve.kinematics import Kinematics
 from pkmodes.solve.workspace import (
     BEYOND,
@@ -18,7 +18,6 @@ from pkmodes.solve.workspace import (
     box_of,
     drawn_and_reached,
     hanging,
-    in_words,
     on_branch,
     some,
     workspace_in_words,
@@ -52,11 +51,11 @@ def usable_box(model: Kinematics, pose: Array | None = None) -> tuple[Array, Arr
         return box_of(model, pose)
     first = hanging(model, usable_poses(model))[0] if pose is None else pose
     low, high = _clipped(model, *box_of(model, first))
-    inside, rng = on_branch(model, first), np.random.default_rng(SEED)
+    of_branch, rng = used(model, first), np.random.default_rng(SEED)
     found, count = [first[None]], 1
     for _ in range(ROUNDS):
         drawn = rng.uniform(low, high, (DRAWS, len(low)))
-        found.append(drawn[inside(drawn)])
+        found.append(drawn[of_branch(drawn)])
         count += len(found[-1])
         if count >= ENOUGH:
             break
@@ -83,25 +82,26 @@ def usable_poses(model: Kinematics) -> Array:
     low, high = _clipped(model, ends[0] - room, ends[1] + room)
     for _ in range(ROUNDS if (low <= high).all() else 0):
         drawn = rng.uniform(low, high, (DRAWS, len(low)))
-        if (valid := model.check(drawn).valid).any():
-            return drawn[valid]
-    what = f"no pose within the usable limits can be reached: {in_words(model, model.robot.usable)}"
+        drawn = drawn[model.check(drawn).valid]
+        if (good := usable(drawn)).any():
+            return drawn[good]
+    limits = in_words(model.mechanism, model.robot.usable)
+    what = f"no pose within the usable limits can be reached: {limits}"
     remedy = f"check the limits: the workspace lies within {workspace_in_words(model)}"
     raise PoseError(what, f"{model.robot.source}: {USABLE}", remedy)
 
 
 def within(model: Kinematics) -> Inside:
     """Return the test whether poses, (N, d), are within the usable limits of the robot."""
-    low, high = limits_of(model.mechanism, model.robot.usable)
-    return lambda points: np.asarray(((points >= low) & (points <= high)).all(axis=-1))
+    return lambda points: inside(model.robot, np.asarray(points, dtype=float))
 
 
 def used(model: Kinematics, pose: Array) -> Inside:
     """Return the test of `on_branch`, also within the usable limits unless the pose itself is beyond them."""
-    inside, usable = on_branch(model, pose), within(model)
+    reached, usable = on_branch(model, pose), within(model)
     if not model.robot.usable or not usable(pose[None])[0]:
-        return inside
-    return lambda points: inside(points) & usable(points)
+        return reached
+    return lambda points: reached(points) & usable(points)
 
 
 def _clipped(model: Kinematics, low: Array, high: Array) -> tuple[Array, Array]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from pkmodes.base.errors import PoseError
 from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.regular import drawn_poses
+from pkmodes.robot.usable import Limits, in_words
 from pkmodes.solve.kinematics import Kinematics
 
 Array = NDArray[np.float64]
@@ -85,21 +86,12 @@ def hanging(model: Kinematics, poses: Array) -> Array:
     return chosen
 
 
-def in_words(model: Kinematics, ends: Mapping[str, Sequence[float]]) -> str:
-    """Return ranges of components of the pose as text."""
-    return ", ".join(
-        f"{component.name} from {ends[component.name][0]:.4g} to {ends[component.name][1]:.4g} {component.unit}"
-        for component in model.mechanism.pose
-        if component.name in ends
-    )
-
-
 def workspace_in_words(model: Kinematics) -> str:
     """Return where the reachable workspace is."""
     low, high = box_of(model)
     names = [component.name for component in model.mechanism.pose]
-    ends = zip(low.tolist(), high.tolist(), strict=True)
-    return in_words(model, dict(zip(names, ends, strict=True)))
+    ends = map(Limits, low.tolist(), high.tolist())
+    return in_words(model.mechanism, dict(zip(names, ends, strict=True)))
 
 
 def drawn_and_reached(model: Kinematics, rng: np.random.Generator) -> Array:

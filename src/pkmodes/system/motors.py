@@ -86,9 +86,14 @@ class MotorsHeld(ExtendedSystem):
         listed = self.basis[self._listed]
         return listed[:, self.free], listed[:, self.rotors]
 
+    @cached_property
+    def _remaining_in_all(self) -> Array:
+        """Those that remain, (r, n): each row is one of them in all coordinates with free motors."""
+        return self.basis[np.ix_(self._listed, self.free)].T
+
     def part_with_free_motors(self, vectors: Array) -> Array:
         """Return vectors in the coordinates that remain, (..., r), in those with free motors, (..., n)."""
-        return np.asarray(vectors @ self.basis[np.ix_(self._listed, self.free)].T)
+        return np.asarray(vectors @ self._remaining_in_all)
 
 
 class _Remaining(NamedTuple):

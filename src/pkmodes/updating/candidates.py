@@ -17,6 +17,7 @@ import numpy as np
 
 from pkmodes.base.errors import PkmodesError, nearest, shown
 from pkmodes.diagnosis.problem import Candidate, Parameter
+from pkmodes.robot.covariance import correlations_of
 from pkmodes.robot.layout import GRAVITY, Item, by_path, lent, takers
 from pkmodes.robot.parameter_groups import groups_by_path, items_of, weights_of
 from pkmodes.robot.paths import ParameterPath, paths, resolve
@@ -79,7 +80,8 @@ def suspects(
     ]
     candidates += _unlike(robot, candidates, joints)
     suspected = {name for candidate in candidates if candidate in frames for name in candidate.parameters}
-    parameters = [_parameter(robot, move) for move in moves]
+    rates = correlations_of(robot)
+    parameters = [_parameter(robot, move, rates.get(move.path, ())) for move in moves]
     parameters += [parameter for parameter in of_frame if parameter.name in suspected]
     return parameters, with_kinds(candidates), {move.path: move for move in moves}
 
@@ -292,7 +294,7 @@ def _unlike(
     return general
 
 
-def _parameter(robot: Robot, move: ParameterPath) -> Parameter:
+def _parameter(robot: Robot, move: ParameterPath, correlated: tuple[tuple[str, float], ...]) -> Parameter:
     quantity = robot.quantities.get(move.path)
     sigma = quantity.sigma if quantity is not None and quantity.sigma else None
     item = by_path(robot.mechanism).get(move.path)
@@ -312,7 +314,7 @@ def _parameter(robot: Robot, move: ParameterPath) -> Parameter:
     believed = None
     if sigma is None and not move.path.startswith(EFFECTS):
         believed = usual(item, move.value, move.unit, 0.0 if item is None else _largest(robot, item))
-    return Parameter(move.path, move.value, unit, sigma, lower, upper, usual=believed)
+    return Parameter(move.path, move.value, unit, sigma, lower, upper, usual=believed, correlated=correlated)
 
 
 def _farthest(robot: Robot, item: Item) -> float:

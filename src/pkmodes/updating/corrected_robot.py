@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from pathlib import Path
 
 from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.diagnosis.verdict.result import Corrected, Diagnosis
+from pkmodes.diagnosis.verdict.findings import Corrected
+from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.mechanism.described import DAMPING_RATIO
 from pkmodes.model.model import Model
+from pkmodes.robot.covariance import Covariance
+from pkmodes.robot.parameter_groups import groups_by_path
 from pkmodes.robot.paths import resolve
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.saving import Correction, corrected_text, save_corrected
@@ -19,12 +23,13 @@ from pkmodes.updating.measured_robot import robot_of
 def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
     """Return the changes of the robot file after a diagnosis: refitted values, causes, and their uncertainty.
 
-    The standard deviations include what candidates that the data do not show could have done to the values.
+    The standard deviations include what candidates that the data do not show could have done to the values.  Losses
+    that the damping shows are among the changes; they change no other value.
     """
     explained = {value.name for value in widened(diagnosis)}
-    causes = {v.name for finding in diagnosis.effects for v in finding.parameters}
+    causes = {v.name for finding in diagnosis.every_cause for v in finding.parameters}
     changes = {}
-    for value in diagnosis.corrected:
+    for value in (*diagnosis.corrected, *diagnosis.damping.corrected):
         if value.name.startswith(frame.OF_MEASUREMENT):
             continue  # it concerns the measurements, not the robot
         note = "found by pkmodes diagnose" if value.name in causes else "refitted by pkmodes diagnose"
@@ -39,6 +44,37 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
             note = f"was {before:.6g}{unit}: {note}"
         changes[value.name] = Correction(value.value, value.saved_sigma, note)
     return changes
+
+
+def covariance(robot: Robot, diagnosis: Diagnosis) -> Covariance | None:
+    """Return how the errors of the changed values of the robot file belong together; None where none has a sigma.
+
+    The standard deviations are those of the fit.  What an unseen candidate could have done to a value, which is in
+    its own standard deviation, these data show in no frequency: the candidate and the value make up for each other.
+    A group such as ``axis.span`` has no standard deviation in a file, so it is left out.
+    """
+    groups = groups_by_path(robot.mechanism)
+    losses = {value.name for value in diagnosis.damping.corrected}
+    some = [
+        (value, fit, place)
+        for fit in (diagnosis, diagnosis.damping)
+        for place, value in enumerate(fit.corrected)
+        if not value.name.startswith(frame.OF_MEASUREMENT)
+        and value.name not in groups
+        and 0.0 < value.sigma < math.inf
+        and (fit is diagnosis.damping or value.name not in losses)
+    ]
+    if not some:
+        return None
+    return Covariance(
+        tuple(value.name for value, _, _ in some),
+        tuple(
+            # Frequencies say nothing of losses, and ratios nothing else: the errors of the two fits are independent.
+            tuple(fit.correlation[i][k] if fit is other else 0.0 for _, other, k in some)
+            for _, fit, i in some
+        ),
+        tuple(value.sigma for value, _, _ in some),
+    )
 
 
 def widened(diagnosis: Diagnosis) -> list[Corrected]:
@@ -71,7 +107,7 @@ def corrected_robot(robot: Robot | Model, diagnosis: Diagnosis) -> str:
         If there is nothing to correct, or the robot was not read from a file.
     """
     robot = _correctable(robot, diagnosis, "corrected_robot")
-    return corrected_text(Path(robot.source), corrections(robot, diagnosis))
+    return corrected_text(Path(robot.source), corrections(robot, diagnosis), covariance(robot, diagnosis))
 
 
 def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> None:
@@ -92,7 +128,8 @@ def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> No
         If there is nothing to correct, or the file cannot be written.
     """
     robot = _correctable(robot, found, str(target))
-    save_corrected(Path(robot.source), Path(target), corrections(robot, found))
+    changes = corrections(robot, found)
+    save_corrected(Path(robot.source), Path(target), changes, covariance(robot, found))
 
 
 def _correctable(given: Robot | Model, diagnosis: Diagnosis, where: str) -> Robot:

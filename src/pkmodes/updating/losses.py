@@ -17,6 +17,7 @@ from pkmodes.base.errors import PkmodesError
 from pkmodes.diagnosis.problem import Loss, Parameter
 from pkmodes.linalg.damping import damping_ratios
 from pkmodes.mechanism.described import DAMPING_RATIO
+from pkmodes.robot.covariance import correlations_of
 from pkmodes.robot.layout import EFFECTS
 from pkmodes.robot.robot import Robot
 from pkmodes.system.dissipation import Dissipation
@@ -71,7 +72,15 @@ def _ratio(robot: Robot, names: set[str] | None) -> Loss:
     wanted = names is None or bool({RATIO, "parameters"} & names) or (quantity is None and "effects" in names)
     declared = quantity is not None
     return Loss(
-        Parameter(DAMPING_RATIO, robot.damping_ratio, "1", sigma or None, 0.0, 1.0),
+        Parameter(
+            DAMPING_RATIO,
+            robot.damping_ratio,
+            "1",
+            sigma or None,
+            0.0,
+            1.0,
+            correlated=correlations_of(robot).get(DAMPING_RATIO, ()),
+        ),
         RATIO if wanted and sigma is None else "",
         f"the declared value of {DAMPING_RATIO} is wrong"
         if declared
@@ -84,7 +93,7 @@ def _ratio(robot: Robot, names: set[str] | None) -> Loss:
 
 def _effects(robot: Robot, names: set[str] | None) -> list[Loss]:
     """Return the dissipating effects of the catalogue."""
-    losses = []
+    losses, rates = [], correlations_of(robot)
     for effect in robot.mechanism.effects.values():
         if not effect.dissipates:
             continue
@@ -104,6 +113,7 @@ def _effects(robot: Robot, names: set[str] | None) -> list[Loss]:
                     sigma or None,
                     0.0,
                     most,
+                    correlated=rates.get(path, ()),
                 ),
                 effect.name if wanted and sigma is None else "",
                 effect.sentence,

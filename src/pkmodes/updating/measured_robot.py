@@ -11,8 +11,10 @@ import numpy as np
 from pkmodes.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.diagnosis.arguments import check_measurements
 from pkmodes.diagnosis.problem import Loss
-from pkmodes.measured.header import in_words
+from pkmodes.measured.header import OTHER_MACHINE, SPREAD, in_words, owners
 from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.rules import SHAPE
+from pkmodes.mechanism.registry import Mechanism, mechanism, names
 from pkmodes.model.model import Model
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.candidates import suspects
@@ -60,6 +62,10 @@ class MeasuredRobot:
         known = channels(robot.mechanism)
         for name in data.channels:
             if name not in known:
+                unknown = [f"{SHAPE}{one}" for one in data.channels if one not in known]
+                if whose := owners(unknown, columns_of_others(robot.mechanism)):
+                    what = f"{shown(f'{SHAPE}{name}')} is a column of another machine: {whose}"
+                    raise MeasurementError(what, data.source, OTHER_MACHINE)
                 what = f"{shown(name)} is not a coordinate of {robot.source}"
                 raise MeasurementError(what, data.source, nearest(name, known))
         loads = load_cases(robot, data)
@@ -95,6 +101,20 @@ class MeasuredRobot:
                     what, "candidates", "leave it out, or add a column damping to the measurements"
                 )
         return ()
+
+
+def columns_of_others(own: Mechanism) -> dict[str, frozenset[str]]:
+    """Return the shape and pose columns that measurements of each other known mechanism may have, by its name."""
+    others = [mechanism(name) for name in names() if name != own.name]
+    return {
+        one.name: frozenset(
+            [
+                *(f"{SHAPE}{channel}" for channel in channels(one)),
+                *(f"{prefix}{component.name}" for component in one.pose for prefix in ("", SPREAD)),
+            ]
+        )
+        for one in others
+    }
 
 
 def robot_of(given: Robot | Model) -> Robot:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from os import PathLike
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from pkmodes.mechanism.registry import Mechanism, mechanism, names
 from pkmodes.model.model import Model
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.load_cases import settable
-from pkmodes.updating.measured_robot import robot_of
+from pkmodes.updating.measured_robot import columns_of_others, robot_of
 from pkmodes.updating.robot_structure import channels
 
 
@@ -59,6 +60,7 @@ def read(
         components=[_components(one) for one in mechanisms],
         settings={name: unit for one in mechanisms for name, unit in settable(one, of).items()},
         drives=None if drives is None else checked_drives(drives),
+        others=dict if of is None else partial(columns_of_others, of.mechanism),
     )
     if band is None:
         return data

@@ -13,9 +13,10 @@ from pkmodes.diagnosis.problem import Batch, Candidate, Loss, Parameter, Predict
 from pkmodes.mechanism.poses import MAX_CONDITION, check_poses
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.mechanism.regular import declared
+from pkmodes.mechanism.rods import rods_of, singular_angles
 from pkmodes.robot.paths import ParameterPath, moved
 from pkmodes.robot.robot import Robot
-from pkmodes.robot.usable import limits_of
+from pkmodes.robot.usable import SingularAngle, inside, limits_of, not_singular
 from pkmodes.sensitivity.matrices import POSE, locked_joints
 from pkmodes.system.evaluation import ExtendedSystem
 from pkmodes.updating import frame
@@ -30,6 +31,8 @@ Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 #: Number of poses drawn around the measured ones for the next measurement, and their seed.
 DRAWS, SEED = 400, 7
+#: Least angle of a rod to its singular direction there [rad].
+LEAST_ANGLE = float(np.radians(10.0))
 #: Kinds of keys of the robot file that define a location or orientation, whatever their dimension.
 WHERE = ("direction", "choice", "signs", "pair")
 
@@ -127,7 +130,7 @@ class RobotStructure:
 
     @property
     def drives(self) -> str:
-        """What the motors do at most of the poses."""
+        """What the motors do, at most of the poses."""
         return self._loads.usual_drives
 
     def with_other_drives(self, setups: Sequence[int]) -> RobotStructure:
@@ -220,10 +223,26 @@ class RobotStructure:
             rates[np.ix_(self._loads.of == c, np.arange(count), np.array(known, dtype=bool))] = np.nan
         return rates
 
+    @property
+    def surroundings(self) -> str:
+        """What `elsewhere` offers, in words."""
+        limits = ["are within [usable]"] if self.robot.usable else []
+        limits += [f"have {not_singular(self._least_angle)}"] if rods_of(self._mechanism) else []
+        return "reachable poses around the measured ones" + (
+            f" that {' and '.join(limits)}" if limits else ""
+        )
+
+    @property
+    def _least_angle(self) -> float:
+        """Least angle of a rod to its singular direction at a proposed pose [rad]."""
+        stated = [bound.value for bound in self.robot.usable.values() if isinstance(bound, SingularAngle)]
+        return max([LEAST_ANGLE, *stated])
+
     def elsewhere(self, count: int) -> tuple[Array, RobotStructure]:
         """Return reachable poses in and around the measured ones, and the robot there, as declared.
 
-        They are within the usable limits of the robot; near a limit, if all measured poses are beyond it.  The motors
+        They are within the usable limits of the robot; near a limit, if all measured poses are beyond it.  No rod is
+        near its singular direction, where frequencies depend strongly on how exactly a pose is reached.  The motors
         do what they mostly did.
         """
         rng = np.random.default_rng(SEED)
@@ -235,7 +254,9 @@ class RobotStructure:
         high = np.where(high == least, np.minimum(high + margin, most), high)
         drawn = rng.uniform(low, high, (DRAWS, len(low)))
         check = check_poses(drawn, self._mechanism, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
-        drawn = drawn[check.valid][:count]
+        drawn = drawn[check.valid]
+        angles = singular_angles(self._mechanism, self.robot.parameters, drawn)
+        drawn = drawn[inside(self.robot, drawn) & (angles >= self._least_angle).all(axis=-1)][:count]
         return drawn, self.at(drawn, LoadCases.none(self.robot, len(drawn), self.drives))
 
     def _moved_by(self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]) -> list[Moves]:

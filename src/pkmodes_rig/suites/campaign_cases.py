@@ -8,7 +8,7 @@ import tempfile
 import time
 import warnings
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +21,6 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.writing import as_csv
-from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes_rig.signals.campaigns import CAMPAIGN, make
@@ -122,18 +121,13 @@ def _state(case: CampaignCase, losses: Losses, diagnosis: Diagnosis) -> str:
     A claim of losses is wrong if the machine has none of a class.  Where a machine has Coulomb friction, viscous
     friction at its joints is wrong too: the catalogue lacks what is there.
     """
-    kind = mechanism(robot_of(case.robot).mechanism_name)
-    dissipating = {*kind.effects} - {*kind.conservative_effects} | {RATIO}
-    claims = [set(f.members) for f in diagnosis.effects if set(f.members) <= dissipating]
-    others = [f for f in diagnosis.effects if not set(f.members) <= dissipating]
-    verdict = "adequate" if claims and not others else diagnosis.verdict
+    claims = [set(f.members) for f in diagnosis.damping.effects]
     true = {RATIO} if losses.ratio else set()
     true |= {"belt_loss", "reducer_loss"} if losses.factor else set()
     true |= {"rail_friction"} if losses.viscous and not losses.coulomb else set()
     if any(not claim & true for claim in claims):
         return "wrong"
-    of_cause = replace(diagnosis, effects=type(diagnosis.effects)(others), verdict=verdict)
-    return judged(case.names, of_cause, same=MACHINES[case.robot].same)
+    return judged(case.names, diagnosis, same=MACHINES[case.robot].same)
 
 
 def _rewritten(text: str, change: Callable[[int, dict[str, str]], dict[str, str] | None]) -> str:

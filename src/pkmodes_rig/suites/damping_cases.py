@@ -8,14 +8,15 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from pkmodes import updating
 from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.diagnosis.verdict.rows import Row
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE
 from pkmodes.measured.measurements import Measurements
-from pkmodes.mechanism.registry import mechanism
 from pkmodes.robot.robot import Robot
 from pkmodes.updating.losses import RATIO
 from pkmodes_rig import Identified, TrueModes, drawn_values, drives_of, identified
@@ -32,6 +33,9 @@ STATED = (0.05, 0.1, 0.2, None)
 BLANK, HIDDEN = 0.15, 0.1
 #: What any test resolves.
 RESOLVED = 1e-4
+#: Range of the scatter of the ratios of a machine from mode to mode, the same at all poses: the standard deviation of
+#: their logarithm.
+BY_MODE = 0.2, 0.4
 #: Modes that a loss damps by less than this part of the largest ratio do not count in the median, and no ratio is
 #: larger than this.
 NOTHING, LARGEST = 1e-6, 0.15
@@ -45,6 +49,8 @@ AMPLITUDES = ("hammer", "equal displacement", "equal velocity", "drawn")
 HAMMER = np.array([0.48, 0.6, 0.64])
 #: Payload of every fourth specimen, which the frequencies have to show [kg].
 PAYLOADS = {"published": 0.3, "tower": 0.08, "asymmetric": 0.25, "rotary_delta": 0.1, "corexy": 0.06}
+#: What the damping adds to a row.
+OF_DAMPING = [name for name in Row.__dataclass_fields__ if "damping" in name]
 #: Cases of each kind on each machine.
 EACH = 6
 
@@ -63,12 +69,15 @@ class Kind:
         Whether the file declares a damping ratio, which is there in addition.
     amplitudes : str
         Of `AMPLITUDES`, for Coulomb friction.
+    scattered : bool
+        Whether the ratios of the modes scatter by `BY_MODE`, and no error is stated.
     """
 
     losses: Mapping[str, float] = field(default_factory=dict)
     names: tuple[str, ...] = ()
     declared: bool = False
     amplitudes: str = ""
+    scattered: bool = False
 
 
 KINDS = {
@@ -88,6 +97,8 @@ KINDS = {
     "one rail": Kind({"one_rail": 1.0}),
     "proportional to mass": Kind({"mass": 1.0}),
     "each mode its own": Kind({"own": 1.0}),
+    "nothing missing, scatter by mode": Kind(declared=True, scattered=True),
+    "common ratio, not declared, scatter by mode": Kind({"ratio": 1.0}, ("ratio",), scattered=True),
 }
 
 
@@ -121,6 +132,9 @@ class Outcome:
     seconds : float
     reason : str
         What is said of the damping, or the traceback of a failure.
+    unchanged : bool or None
+        Whether all that is said of frequencies and shapes is the same without the damping; None where that was not
+        tried.
     """
 
     case: Case
@@ -132,6 +146,7 @@ class Outcome:
     ratios: int = 0
     seconds: float = 0.0
     reason: str = ""
+    unchanged: bool | None = None
 
     @property
     def what(self) -> Kind:
@@ -162,11 +177,25 @@ def run(case: Case) -> Outcome:
     points = MACHINES[case.machine].points[:POSES]
     modes = specimen.modes(points)
     true, truth = _true_ratios(case, what, specimen, declared, points, modes, rng)
-    data = _measured(case, points, modes, true, rng)
+    data = _measured(
+        case, points, modes, true, rng, None if what.scattered else STATED[case.number % len(STATED)]
+    )
     robot = declared.with_values({"damping.ratio": DECLARED}) if what.declared else declared
     start = time.perf_counter()
     found = updating.diagnose(robot, data)
-    return _judged(case, what, truth, found, time.perf_counter() - start)
+    outcome = _judged(case, what, truth, found, time.perf_counter() - start)
+    if not what.scattered:
+        return outcome
+    blank = np.full(len(data.damping), np.nan)
+    numbers = {**data.numbers, "damping": blank, "damping_sigma": blank}
+    without = updating.diagnose(robot, replace(data, numbers=numbers))
+    return replace(outcome, unchanged=_of_frequencies(found) == _of_frequencies(without))
+
+
+def _of_frequencies(found: Diagnosis) -> dict[str, object]:
+    """Return all that is said of frequencies and shapes."""
+    rows = [{**vars(row), **dict.fromkeys(OF_DAMPING)} for row in found.rows]
+    return {**found.as_json(), "damping": None, "rows": rows}
 
 
 def _true_ratios(
@@ -206,6 +235,9 @@ def _true_ratios(
     if what.amplitudes:
         drawn = np.exp(rng.normal(0.0, 0.7, max(len(m.frequencies) for m in modes)))
         add([coulomb_ratios(name, m, 1.0, _amplitudes(what.amplitudes, m, drawn)) for m in modes], 1.0)
+    if what.scattered:
+        levels = np.exp(rng.uniform(*BY_MODE) * rng.standard_normal(max(len(m.frequencies) for m in modes)))
+        return [one * levels[: len(one)] for one in total], {}  # no loss has that size
     return total, sizes
 
 
@@ -229,13 +261,13 @@ def _measured(
     modes: Sequence[TrueModes],
     true: Sequence[np.ndarray],
     rng: np.random.Generator,
+    stated: float | None,
 ) -> Measurements:
     """Return what the experimenter measures."""
     kind = MACHINES[case.machine]
     rows: list[Identified] = identified(
         modes, rng=rng, sigma=SIGMA, modes=MODES, missing=0.1, sensors=(), base_rigid=kind.rigid
     )
-    stated = STATED[case.number % len(STATED)]
     scatter = np.hypot(BLANK if stated is None else stated, HIDDEN if case.number % 2 else 0.0)
     ratios = np.array([true[row.pose][row.mode] for row in rows]) * np.exp(
         rng.normal(0.0, scatter, len(rows))
@@ -257,27 +289,21 @@ def _measured(
 
 def _judged(case: Case, what: Kind, truth: Mapping[str, float], found: Diagnosis, seconds: float) -> Outcome:
     """Judge what was said of the damping; causes of the frequencies are judged by the other suites."""
-    catalogue = mechanism(robot_of(case.machine).mechanism_name).effects
     springs = "reducer_loss" if case.machine == "rotary_delta" else "belt_loss"
     names = {loss: NAMES.get(loss, springs) for loss in what.names}
-    claimed = [
-        effect
-        for effect in found.effects
-        if effect.name == RATIO or (effect.name in catalogue and catalogue[effect.name].dissipates)
-    ]
+    claimed = found.damping.effects
     classes = tuple(effect.members for effect in claimed)
-    of_damping = "not diagnosed" if found.damping is None else found.damping.verdict
     right = [any(name in members for name in names.values()) for members in classes]
     named = [any(name in members for members in classes) for name in names.values()]
     if classes and not all(right):
         state = "wrong"
     elif classes:
         state = "named" if all(named) else "partly"
-    elif of_damping == "adequate" or any("every measured mode agrees" in note for note in found.notes):
+    elif found.damping.verdict == ADEQUATE.word:
         state = "adequate"
     else:
         state = "abstained"
-        classes = found.survivors
+        classes = found.damping.survivors
     away = tuple(
         abs(value.value - truth[loss]) / value.sigma
         for loss, name in names.items()
@@ -285,5 +311,5 @@ def _judged(case: Case, what: Kind, truth: Mapping[str, float], found: Diagnosis
         for value in effect.alternatives.get(name, ())
         if loss in truth
     )
-    ratios, reason = (0, "") if found.damping is None else (found.damping.fitted, found.damping.sentence)
-    return Outcome(case, state, found.verdict, of_damping, classes, away, ratios, seconds, reason)
+    of = found.damping
+    return Outcome(case, state, found.verdict, of.verdict, classes, away, of.fitted, seconds, of.reason)

@@ -58,6 +58,7 @@ def made(
     machine: str = "published",
     sigma: np.ndarray | None = None,
     stated: bool = True,
+    shapes: Mapping[str, np.ndarray] | None = None,
     **settings: np.ndarray,
 ) -> Measurements:
     """Return measurements of rows, which may lack damping; `settings` by path with underscores for dots."""
@@ -71,6 +72,7 @@ def made(
         points=MACHINES[machine].points[pose],
         damping=damping,
         damping_sigma=sigma,
+        shapes=shapes,
         drives=["held" if held else "free" for held in rows["held"]],
         components=dict.fromkeys(MACHINES[machine].components, "m"),
         settings={path.replace("__", "."): value for path, value in settings.items()} or None,

@@ -11,7 +11,8 @@ from helpers.diagnoses.verdict_examples import given, judged
 from pkmodes import read_robot, updating
 from pkmodes.diagnosis import Diagnosis, Measurements
 from pkmodes.diagnosis.match.predicted import Predicted
-from pkmodes.diagnosis.verdict.result import Corrected, Examined, Finding, Stability, Stages, Value
+from pkmodes.diagnosis.verdict.findings import Corrected, Examined, Finding, Stability, Value
+from pkmodes.diagnosis.verdict.result import Stages
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.robot.robot import Robot
 

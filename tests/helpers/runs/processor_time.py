@@ -2,16 +2,26 @@
 
 Wall time of a test says little where workers share cores.  ``--processor-time FILE`` writes, for every test, the
 processor time of its set-up, call and tear-down, of the processes that it started and waited for, too.
+
+Workers take whole files, the longest first, so that what a file sets up is set up once and all workers end together:
+tests/processor_time.tsv has the seconds of each file, and ``python tests/helpers/runs/processor_time.py FILE``
+writes it anew from a table of all tests.
 """
 
 from __future__ import annotations
 
+import csv
+import math
 import os
+import sys
 from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+
+#: Seconds of each file, the longest first.
+FILES = Path(__file__).parents[2] / "processor_time.tsv"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -77,3 +87,25 @@ def pytest_configure(config: pytest.Config) -> None:
     file = config.getoption("--processor-time")
     if file and not hasattr(config, "workerinput"):
         config.pluginmanager.register(Table(file))
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """The longest file first; a new one before all others, because nothing is known of it."""
+    with FILES.open(encoding="utf-8", newline="") as file:
+        seconds = {row["file"]: float(row["seconds"]) for row in csv.DictReader(file, delimiter="\t")}
+    items.sort(key=lambda item: -seconds.get(item.nodeid.split("::")[0], math.inf))
+
+
+def by_file(table: Path) -> str:
+    """Return the seconds of every file from a table of all tests."""
+    seconds: defaultdict[str, float] = defaultdict(float)
+    with table.open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file, delimiter="\t", quoting=csv.QUOTE_NONE):
+            seconds[row["test"].split("::")[0]] += float(row["total"])
+    rows = sorted(seconds.items(), key=lambda row: (-row[1], row[0]))
+    return "seconds\tfile\n" + "".join(f"{total:.0f}\t{name}\n" for name, total in rows)
+
+
+if __name__ == "__main__":
+    FILES.write_text(by_file(Path(sys.argv[1])), encoding="utf-8")

@@ -7,24 +7,33 @@ damping is not diagnosed.
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
 
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.damping import words
-from pkmodes.diagnosis.damping.combined import with_outcome, without_outcome
-from pkmodes.diagnosis.damping.fit import LossFitter
-from pkmodes.diagnosis.damping.judgement import DampingJudgement, judge_damping, names_of
+from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
+from pkmodes.diagnosis.damping.judgement import DampingJudgement, judge_damping, names_of, too_few
+from pkmodes.diagnosis.damping.outcome import undiagnosed, with_outcome
 from pkmodes.diagnosis.damping.rows import damping_rows, usable
 from pkmodes.diagnosis.damping.stage import Stage
 from pkmodes.diagnosis.problem import Array, Damped, Parameter, Structure
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
+from pkmodes.diagnosis.verdict.verdicts import (
+    ADEQUATE,
+    AMBIGUOUS,
+    EFFECT_FOUND,
+    INSUFFICIENT_DATA,
+    UNEXPLAINED,
+)
 from pkmodes.measured.measurements import Measurements
 
 #: Factors of the errors and of the priors, as for the frequencies.
 CHANGES = {"sigma x 0.5": (0.5, 1.0), "sigma x 2": (2.0, 1.0), "priors x 2": (1.0, 2.0)}
+#: Verdicts without an explanation, which a scatter may give.
+OPEN = UNEXPLAINED, INSUFFICIENT_DATA
 #: Logarithm within which a common factor is a hundred.
 HUNDRED, CLOSE = float(np.log(100.0)), 0.7
 
@@ -32,38 +41,45 @@ HUNDRED, CLOSE = float(np.log(100.0)), 0.7
 def with_damping(
     structure: Structure, data: Measurements, result: Diagnosis, criteria: Criteria | None
 ) -> Diagnosis:
-    """Return a diagnosis of frequencies and shapes with what the damping adds to it."""
+    """Return a diagnosis of frequencies and shapes with what the damping says, beside its verdict."""
     c = criteria or Criteria()
-    if not isinstance(structure, Damped) or not structure.losses or np.isnan(data.damping).all():
+    if np.isnan(data.damping).all():
         return result
+    if not isinstance(structure, Damped) or not structure.losses:
+        return replace(result, damping=undiagnosed((), words.NO_LOSSES))
     if not result.settled or result.stages is None:
-        return without_outcome(result, structure.losses)
+        return replace(result, damping=undiagnosed(structure.losses, words.UNSETTLED))
     predicted = result.stages.after or result.stages.refit
     assert predicted is not None
     every = damping_rows(structure, data, predicted.mode, _states(structure, result), c)
+    strange = predicted.mac[every.index] < c.strange_mac  # not where no shape was measured: NaN
     held = np.array([row.held_out for row in result.rows])[every.index]
     aside = np.array([row.outlier for row in result.rows])[every.index]
-    good = usable(every)
+    known = usable(every)
+    good = known & ~strange
     rows = every.some(good & ~held & ~aside)
     fitter = LossFitter(rows, tuple(structure.losses), c)
     notes = []
-    if not good.all():
-        notes.append(words.unresolved(data.lines[every.index[~good]].tolist()))
+    if not known.all():
+        notes.append(words.unresolved(data.lines[every.index[~known]].tolist()))
+    if strange.any():
+        notes.append(words.other_shape(data.lines[every.index[strange]].tolist(), c.strange_mac))
     median = float(np.median(rows.ratio[rows.above])) if rows.above.any() else 0.0
     if median > c.damping_most:
-        mistake = words.per_cent(median)
-        return without_outcome(result, structure.losses, (mistake, *notes))
-    judged = judge_damping(fitter)
-    trials = {
-        change: judge_damping(fitter.with_errors(errors).with_priors(priors), roughly=True)
-        for change, (errors, priors) in CHANGES.items()
-    }
-    judged, note = _of_undeclared(fitter, _stable(fitter, judged, trials))
+        return replace(result, damping=undiagnosed(structure.losses, words.per_cent(median), notes))
+    judged = _of_repeated_tests(fitter, judge_damping(fitter))
+    trials = {}
+    for change, (errors, priors) in CHANGES.items():
+        other = fitter.with_errors(errors).with_priors(priors)
+        trials[change] = _of_repeated_tests(other, judge_damping(other, roughly=True))
+    judged = _stable(fitter, judged, trials)
     if judged.final.outlier is not None:
         i = int(rows.index[judged.final.outlier])
         notes.append(words.set_aside(int(data.lines[i]), data.labels[data.pose[i]], float(data.damping[i])))
-    notes += [text for text in (note, _hundred(fitter, judged)) if text]
-    return with_outcome(result, data, Stage(fitter, every, held & good, judged, trials, tuple(notes)))
+    notes += [text] if (text := _hundred(fitter, judged)) else []
+    return with_outcome(
+        result, data, Stage(fitter, every, held & good, strange, judged, trials, tuple(notes))
+    )
 
 
 def _states(structure: Structure, result: Diagnosis) -> list[Array]:
@@ -103,30 +119,55 @@ def _stable(
     return judged
 
 
-def _of_undeclared(fitter: LossFitter, judged: DampingJudgement) -> tuple[DampingJudgement, str]:
-    """Return the judgement of a model that declares no loss at all, and a note.
+def _of_repeated_tests(fitter: LossFitter, judged: DampingJudgement) -> DampingJudgement:
+    """Return that nothing is missing where the ratios agree with the model as those of repeated tests do.
 
-    Such a model says nothing about damping.  A ratio common to all modes, or ratios that scatter like those of
-    repeated tests, contradict nothing and name no joint.
+    Tests of one machine find ratios that scatter by more than each states, mode by mode.  A model that declares no
+    loss says nothing about damping, so that a ratio common to all modes contradicts nothing either, and names no
+    joint.  Nor does one that differs from the declared ratio by no more than repeated tests do.
     """
-    if any(loss.declared for loss in fitter.losses):
-        return judged, ""
+    if too_few(fitter):
+        return judged
+    enough = replace(judged, verdict=ADEQUATE, final=judged.base, places=(), rivals=(), p_values=())
     common = next((j for j, loss in enumerate(fitter.losses) if not loss.effect), None)
-    silent = replace(judged, verdict=INSUFFICIENT_DATA, final=judged.base, places=(), p_values=())
-    if judged.verdict is EFFECT_FOUND and not any(fitter.losses[j].claimable for j in judged.final.causes):
-        (cause,) = judged.final.causes
-        return silent, words.common_ratio(*words.ratio_of(judged.final, cause))
-    if judged.verdict is UNEXPLAINED and common is not None:
-        fit = fitter.fit((common,))
-        if fit.p_value > fitter.criteria.gate:  # it is not among the chosen candidates
-            return silent, words.common_ratio(*words.ratio_of(fit, common))
-        above = fitter.rows.above
-        left = (fitter.measured - fitter.logarithms(fit.values))[above]
-        variance = float(np.mean(left**2) - np.mean(fitter.rows.stated[above] ** 2))
-        scatter = max(variance, 0.0) ** 0.5
-        if scatter <= fitter.criteria.damping_scatter:
-            return silent, words.scattered(float(fit.values[common]), float(np.exp(scatter)))
-    return judged, ""
+    if any(loss.declared for loss in fitter.losses):
+        if judged.verdict is EFFECT_FOUND and (fit := _only_common(judged, common)) is not None:
+            ratio, declared = words.ratio_of(fit, fit.causes[0]), float(fitter.declared[fit.causes[0]])
+            if not declared or abs(math.log(ratio[0] / declared)) > fitter.criteria.damping_scatter:
+                return judged
+            return replace(
+                enough, why=words.nearly_declared(*ratio, declared), scatter=_scatter(fitter, judged.base)
+            )
+        scatter = _scatter(fitter, judged.base)
+        if judged.verdict not in OPEN or scatter > fitter.criteria.damping_scatter:
+            return judged
+        return replace(enough, why=words.scattered(None, scatter), scatter=scatter)
+    if common is None or (judged.verdict is EFFECT_FOUND and judged.final.causes != (common,)):
+        return judged
+    fit = fitter.fit((common,))  # also where it is not among the chosen candidates
+    value, scatter = words.ratio_of(fit, common), _scatter(fitter, fit)
+    if judged.verdict is EFFECT_FOUND:
+        return judged if fitter.losses[common].claimable else replace(enough, why=words.common_ratio(*value))
+    if judged.verdict in OPEN and fit.p_value > fitter.criteria.gate:
+        return replace(enough, why=words.common_ratio(*value))
+    if judged.verdict in OPEN and scatter <= fitter.criteria.damping_scatter:
+        return replace(enough, why=words.scattered(value[0], scatter), scatter=scatter)
+    return judged
+
+
+def _only_common(judged: DampingJudgement, common: int | None) -> LossFit | None:
+    """Return the fit of the common ratio alone, if it is in the class of the only cause."""
+    if len(judged.places) != 1 or common is None:
+        return None
+    return next((fit for fit in judged.places[0] if fit.causes == (common,)), None)
+
+
+def _scatter(fitter: LossFitter, fit: LossFit) -> float:
+    """Return how far ratios are from a fit beyond their stated errors: the standard deviation of the logarithm."""
+    above = fitter.rows.above
+    left = (fitter.measured - fitter.logarithms(fit.values))[above]
+    beyond = float(np.mean(left**2)) - float(np.mean(fitter.rows.stated[above] ** 2))
+    return math.sqrt(max(beyond, 0.0))
 
 
 def _hundred(fitter: LossFitter, judged: DampingJudgement) -> str:

@@ -18,6 +18,7 @@ from scipy.optimize import least_squares
 
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.damping.rows import DampingRows
+from pkmodes.diagnosis.fit.priors import whitening
 from pkmodes.diagnosis.fit.solver import inverse_of_square
 from pkmodes.diagnosis.problem import Array, Loss
 
@@ -203,7 +204,9 @@ class LossFitter:
         used = np.where(np.arange(len(self.rows.ratio)) == outlier, 0.0, 1.0)
         with_prior = [j for j in nuisances if j not in fixed]
         width = np.array([self.widened * (self.losses[j].parameter.sigma or np.inf) for j in with_prior])
-        centre = self.declared[with_prior]
+        white, centre = np.diag(1.0 / width), self.declared[with_prior]
+        if (mixed := whitening([self.losses[j].parameter for j in with_prior])) is not None:
+            white = mixed / width
 
         def at(x: Array) -> Array:
             full = values.copy()
@@ -212,7 +215,7 @@ class LossFitter:
 
         def residual(x: Array) -> Array:
             full = at(x)
-            return np.concatenate([used * self.whitened(full), (full[with_prior] - centre) / width])
+            return np.concatenate([used * self.whitened(full), white @ (full[with_prior] - centre)])
 
         def rates(x: Array) -> Array:
             return by_value(at(x)) * np.exp(x)
@@ -220,7 +223,7 @@ class LossFitter:
         def by_value(full: Array) -> Array:
             prior = np.zeros((len(with_prior), len(free)))
             for k, j in enumerate(with_prior):
-                prior[k, free.index(j)] = 1.0 / width[k]
+                prior[:, free.index(j)] = white[:, k]
             return np.vstack([(used * self.slopes(full))[:, None] * self.rows.rates[:, list(free)], prior])
 
         best, x = residual(np.zeros(0)) if not free else None, np.zeros(0)

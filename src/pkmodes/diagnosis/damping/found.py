@@ -8,8 +8,8 @@ from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
 from pkmodes.diagnosis.damping.judgement import DampingJudgement, names_of, p_of_loss
 from pkmodes.diagnosis.damping.limits import examined, limit_of
 from pkmodes.diagnosis.damping.stage import Stage
+from pkmodes.diagnosis.verdict.findings import Examined, Finding, Value
 from pkmodes.diagnosis.verdict.limits import name_of
-from pkmodes.diagnosis.verdict.result import Examined, Finding, Value
 from pkmodes.diagnosis.verdict.unseen import Limit
 from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA
 

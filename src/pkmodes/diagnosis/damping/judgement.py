@@ -48,7 +48,11 @@ class DampingJudgement:
     p_values : tuple of float
         One for each cause.
     why : str
-        Why nothing is claimed; empty for a claim and where nothing is missing.
+        Why nothing is claimed; empty for a claim.  Where nothing is missing, what the ratios agree with, if that is
+        not the declared damping within the errors.
+    scatter : float
+        How far the ratios scatter about the model beyond their stated errors, where the verdict allows for that: the
+        standard deviation of their logarithm.
     """
 
     verdict: Verdict
@@ -58,6 +62,7 @@ class DampingJudgement:
     rivals: tuple[LossFit, ...] = ()
     p_values: tuple[float, ...] = ()
     why: str = ""
+    scatter: float = 0.0
 
 
 def judge_damping(fitter: LossFitter, *, roughly: bool = False) -> DampingJudgement:
@@ -70,7 +75,7 @@ def judge_damping(fitter: LossFitter, *, roughly: bool = False) -> DampingJudgem
     """
     c, base = fitter.criteria, fitter.fit()
     count = int(fitter.rows.above.sum())
-    if count < len(fitter.nuisances) + 1 + c.redundancy:
+    if too_few(fitter):
         what = "1 resolved damping ratio is" if count == 1 else f"{count} resolved damping ratios are"
         return DampingJudgement(INSUFFICIENT_DATA, base, base, why=f"{what} too few")
     singles = [fitter.fit((j,)) for j in fitter.candidates]
@@ -84,6 +89,11 @@ def judge_damping(fitter: LossFitter, *, roughly: bool = False) -> DampingJudgem
         if passing:
             return _claimed(fitter, base, fits, min(passing, key=lambda fit: fit.criterion), roughly)
     return DampingJudgement(UNEXPLAINED, base, base, why=nearest(fitter))
+
+
+def too_few(fitter: LossFitter) -> bool:
+    """Return whether the resolved ratios are too few for the uncertain losses, a cause, and a test of it."""
+    return int(fitter.rows.above.sum()) < len(fitter.nuisances) + 1 + fitter.criteria.redundancy
 
 
 def _claimed(

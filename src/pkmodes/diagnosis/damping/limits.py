@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 
 from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
 from pkmodes.diagnosis.search.limits import ONE_SIDED
-from pkmodes.diagnosis.verdict.result import Examined, Value
+from pkmodes.diagnosis.verdict.findings import Examined, Value
 from pkmodes.diagnosis.verdict.unseen import Limit
 
 #: Steps of a factor of two in which the end of a profile is bracketed.

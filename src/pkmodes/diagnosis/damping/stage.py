@@ -25,7 +25,9 @@ class Stage:
     every : DampingRows
         All rows with a damping ratio and a partner.
     held : ndarray of bool
-        Which of these are held out, and resolved.
+        Which of these are held out, and say something.
+    strange : ndarray of bool
+        Which of these have another shape than the modes with which they are paired.
     judged : DampingJudgement
     trials : mapping of str to DampingJudgement
         By change of the errors or priors.
@@ -35,6 +37,7 @@ class Stage:
     fitter: LossFitter
     every: DampingRows
     held: NDArray[np.bool_]
+    strange: NDArray[np.bool_]
     judged: DampingJudgement
     trials: dict[str, DampingJudgement]
     notes: tuple[str, ...]
@@ -55,3 +58,17 @@ class Stage:
         """Ratios of the model for all rows, with the losses as declared and as diagnosed."""
         fitter, rates = self.fitter, self.every.rates
         return fitter.predicted(fitter.declared, rates), fitter.predicted(self.final.values, rates)
+
+    @property
+    def sigma_used(self) -> Array:
+        """Standard deviations of all measured ratios with which these are compared with the model, (rows,).
+
+        Each has the stated error, the floor, what the shape of its mode leaves open, and a scatter that the verdict
+        allows for.  An error of the logarithm is a part of the measured ratio; of a ratio that is not above 0, the
+        others are parts of that of the model.
+        """
+        every = self.every
+        other = np.hypot(every.other, self.judged.scatter)
+        of_model = np.where(every.above, every.ratio, self.predicted[1])
+        with np.errstate(invalid="ignore"):  # a ratio of 0 without a standard deviation has no logarithm
+            return np.asarray(np.hypot(every.stated * every.ratio, other * of_model))

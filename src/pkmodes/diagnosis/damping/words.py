@@ -10,21 +10,28 @@ from pkmodes.base.numbers import p_in_words, rounded
 from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
 from pkmodes.diagnosis.damping.judgement import DampingJudgement, names_of
 from pkmodes.diagnosis.problem import Array
-from pkmodes.diagnosis.verdict.result import Finding
+from pkmodes.diagnosis.verdict.findings import Finding
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA
 
 #: Most lines that a note lists.
 LISTED = 8
+#: Why measured damping is not diagnosed.
+NO_LOSSES = "the damping is not diagnosed: no loss is among the candidates"
+UNSETTLED = (
+    "the damping is not diagnosed: without an explanation of the frequencies, its modes may be the wrong ones"
+)
 
 
 def sentence(fitter: LossFitter, judged: DampingJudgement, findings: Sequence[Finding]) -> str:
-    """Return what a judgement says, as a clause about the damping."""
+    """Return what a judgement says, as a clause about the damping.
+
+    That of a cause has no p-value: the cause has its own, and another one beside it would only contradict it.
+    """
     if judged.verdict is ADEQUATE:
-        return f"the damping is that of the model ({p_in_words(judged.base.p_value)})"
+        return judged.why or f"the damping is that of the model ({p_in_words(judged.base.p_value)})"
     if judged.verdict is EFFECT_FOUND:
-        causes = " and ".join(_cause(finding) for finding in findings)
-        p = p_in_words(judged.base.p_value)
-        return f"the damping is not that of the declared model ({p}); explanation: {causes}"
+        causes = " and ".join(_cause(fitter, finding) for finding in findings)
+        return f"the damping is not that of the declared model; explanation: {causes}"
     if judged.verdict is AMBIGUOUS:
         remaining = "; ".join(names_of(fitter, fit) for fit in judged.rivals)
         return f"of the damping, {len(judged.rivals)} different explanations remain: {remaining}"
@@ -33,13 +40,14 @@ def sentence(fitter: LossFitter, judged: DampingJudgement, findings: Sequence[Fi
     return f"the damping is not that of the model: {judged.why}"
 
 
-def _cause(finding: Finding) -> str:
-    also = f", or {' or '.join(finding.members[1:])}" if len(finding.members) > 1 else ""
-    return f"{finding.sentence} ({finding.name}{also})"
+def _cause(fitter: LossFitter, finding: Finding) -> str:
+    """Return a cause in words: every member of its class."""
+    means = {loss.candidate: loss.sentence for loss in fitter.losses if loss.candidate}
+    return " or ".join(f"{means[member]} ({member})" for member in finding.members)
 
 
 def common_ratio(ratio: float, sigma: float) -> str:
-    """Return the note if one ratio explains the damping of a model that declares none."""
+    """Return what is said if one ratio explains the damping of a model that declares none."""
     percent = f"{rounded(100.0 * ratio, 100.0 * sigma)} %"
     return (
         f"the file declares no damping; every measured mode agrees with a damping ratio of {percent}, which names no "
@@ -47,16 +55,41 @@ def common_ratio(ratio: float, sigma: float) -> str:
     )
 
 
-def scattered(ratio: float, factor: float) -> str:
-    """Return the note if damping scatters about one value like that of repeated tests, and no loss explains it."""
+def scattered(ratio: float | None, scatter: float) -> str:
+    """Return what is said if damping scatters like that of repeated tests, and no loss explains it.
+
+    Parameters
+    ----------
+    ratio : float or None
+        The value about which it scatters; None if this is the damping that the file declares.
+    scatter : float
+        Beyond the stated errors: the standard deviation of the logarithm.
+    """
+    by = f"by a factor of {np.exp(scatter):.2g} beyond their stated errors"
+    if ratio is None:
+        return f"the measured ratios scatter about those of the model {by}, as repeated tests do, and name no joint"
     return (
-        f"the file declares no damping; the measured ratios scatter about {100.0 * ratio:.2g} % by a factor of "
-        f"{factor:.2g}, which names no joint"
+        f"the file declares no damping; the measured ratios scatter about {100.0 * ratio:.2g} % {by}, as repeated "
+        "tests do, and name no joint"
     )
 
 
+def nearly_declared(ratio: float, sigma: float, declared: float) -> str:
+    """Return what is said if another ratio of all modes than the declared one fits, as near as repeated tests are."""
+    percent = f"{rounded(100.0 * ratio, 100.0 * sigma)} %"
+    return (
+        f"the measured ratios are those of a damping ratio of {percent} instead of the "
+        f"declared {100.0 * declared:.3g} %, by which repeated tests may differ"
+    )
+
+
+def not_predicted(factor: float) -> str:
+    """Return the note if the losses do not predict the damping of the held-out poses."""
+    return f"the damping of the held-out poses is not predicted: a factor of {factor:.2g} in the mean"
+
+
 def per_cent(ratio: float) -> str:
-    """Return the note if damping ratios seem to be in per cent."""
+    """Return what is said if damping ratios seem to be in per cent."""
     return (
         f"the damping ratios, {ratio:.2g} in the median, are not those of a lightly damped machine, and not "
         "diagnosed: if they are in per cent, write the column as damping [%]"
@@ -71,12 +104,20 @@ def factor_hundred(*, above: bool) -> str:
 
 def unresolved(lines: Sequence[int]) -> str:
     """Return the note on rows whose damping says nothing about the losses."""
-    listed = ", ".join(map(str, lines[:LISTED])) + (", ..." if len(lines) > LISTED else "")
-    one = len(lines) == 1
     return (
-        f"the damping of line{'' if one else 's'} {listed} takes no part: it is 0 without a standard deviation, or "
-        "the measurements set what dissipates there"
+        f"{_of_lines(lines)} takes no part: it is 0 without a standard deviation, or the measurements set what "
+        "dissipates there"
     )
+
+
+def other_shape(lines: Sequence[int], least: float) -> str:
+    """Return the note on rows whose shapes are not those of the modes with which they are paired."""
+    return f"{_of_lines(lines)} takes no part: the shape measured there is not that of its mode (MAC below {least:g})"
+
+
+def _of_lines(lines: Sequence[int]) -> str:
+    listed = ", ".join(map(str, lines[:LISTED])) + (", ..." if len(lines) > LISTED else "")
+    return f"the damping of line{'' if len(lines) == 1 else 's'} {listed}"
 
 
 def set_aside(line: int, label: str, ratio: float) -> str:

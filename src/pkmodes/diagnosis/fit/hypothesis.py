@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from pkmodes.diagnosis.fit.solver import inverse_of_square
+from pkmodes.diagnosis.fit.solver import correlation, inverse_of_square
 from pkmodes.diagnosis.match.pairing import Pairing
 from pkmodes.diagnosis.problem import Array, Candidate, Prediction
 
@@ -103,6 +103,11 @@ class Fit:
     def covariance(self) -> Array:
         """Covariance of the fitted parameters, (k, k)."""
         return inverse_of_square(self.jacobian)
+
+    @property
+    def correlation(self) -> Array:
+        """Correlation of the fitted parameters, (k, k)."""
+        return correlation(self.covariance)
 
     def covariance_of(self, index: Sequence[int]) -> Array:
         """Return the covariance of some of the fitted parameters."""

@@ -1,4 +1,10 @@
-"""Priors as additional data: always for nuisances, for parameters of candidates if the candidate is assumed."""
+r"""Priors as additional data: always for nuisances, for parameters of candidates if the candidate is assumed.
+
+Correlated priors are whitened: with their distances d in standard deviations and the correlation R, the data are
+:math:`R^{-1/2} d`, whose sum of squares is :math:`d^T R^{-1} d`.  R may be singular, as for values that are exactly
+proportional.  Its eigenvalues count as `LEAST` at least: a combination of values without any uncertainty has one of a
+ten-thousandth of a standard deviation of its values, which holds it and leaves the least squares well conditioned.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +15,9 @@ from numpy.typing import NDArray
 
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter
+
+#: Least eigenvalue of a correlation, and rounding of what was given.
+LEAST, ROUNDING = 1e-8, 1e-6
 
 
 class Priors:
@@ -25,12 +34,14 @@ class Priors:
         Indices of the parameters with a prior.
     sigma : ndarray, shape (P,)
         Their standard deviations, of the logarithms if they are log-normal.
+    whitening : ndarray, shape (P, P), or None
+        The symmetric inverse root of their correlation; None if all are independent.
 
     Raises
     ------
     PkmodesError
-        If a prior is not positive, a candidate does not have one for each parameter, two candidates contradict each
-        other, or a log-normal parameter is not positive.
+        If correlations are not symmetric or not possible, a prior is not positive, a candidate does not have one for
+        each parameter, two candidates contradict each other, or a log-normal parameter is not positive.
     """
 
     def __init__(
@@ -62,9 +73,15 @@ class Priors:
         for i in self.index[self._log & (self._declared <= 0.0)]:
             what = f"expected a positive value for a log-normal prior, found {parameters[i].value:g}"
             raise PkmodesError(what, f"parameter {shown(parameters[i].name)}", "leave out log=True")
+        self.whitening = whitening([parameters[i] for i in self.index])
 
     def residual(self, values: Array) -> Array:
-        """Return the distances from the declared values in standard deviations, (P,)."""
+        """Return the whitened distances from the declared values, (P,): independent, of variance 1."""
+        away = self.away(values)
+        return away if self.whitening is None else np.asarray(self.whitening @ away)
+
+    def away(self, values: Array) -> Array:
+        """Return the distance of each value from its declared one in its own standard deviation, (P,)."""
         at = values[self.index]
         with np.errstate(divide="ignore", invalid="ignore"):
             away = np.where(
@@ -79,7 +96,7 @@ class Priors:
         for column, i in enumerate(free):
             if (row := self.of(i)) is not None:
                 derivatives[row, column] = width[row] ** -1
-        return derivatives
+        return derivatives if self.whitening is None else np.asarray(self.whitening @ derivatives)
 
     def width(self, values: Array) -> Array:
         """Return the standard deviations in the units of the parameters, (P,)."""
@@ -88,3 +105,37 @@ class Priors:
     def of(self, i: int) -> int | None:
         """Return the index of a parameter among those with a prior; None if it has none."""
         return self._row.get(i)
+
+
+def whitening(parameters: Sequence[Parameter]) -> Array | None:
+    """Return the symmetric inverse root of the correlation of priors, (P, P); None if they are independent.
+
+    Parameters
+    ----------
+    parameters : sequence of Parameter
+        Correlations with others than these do not count.
+
+    Raises
+    ------
+    PkmodesError
+        If the correlations are not symmetric, or no values can be correlated like this.
+    """
+    place = {p.name: i for i, p in enumerate(parameters)}
+    found = np.eye(len(parameters))
+    for i, p in enumerate(parameters):
+        for name, rate in p.correlated:
+            if (k := place.get(name)) is not None and k != i:
+                found[i, k] = rate
+    apart = found != np.eye(len(found))
+    some = np.flatnonzero(apart.any(axis=1) | apart.any(axis=0))
+    if not len(some):
+        return None
+    part = found[np.ix_(some, some)]
+    values, vectors = np.linalg.eigh(0.5 * (part + part.T))
+    if not np.allclose(part, part.T, rtol=0.0, atol=ROUNDING) or values[0] < -ROUNDING:
+        names = ", ".join(parameters[i].name for i in some.tolist())
+        what = "expected a symmetric, positive semidefinite matrix of correlations, found another one"
+        raise PkmodesError(what, f"parameters {names}", "give each correlation with both of its parameters")
+    white = np.eye(len(parameters))
+    white[np.ix_(some, some)] = (vectors / np.sqrt(np.maximum(values, LEAST))) @ vectors.T
+    return white

@@ -80,6 +80,14 @@ def bounded_least_squares(
     return at(solution.x), bool(solution.status > 0)
 
 
+def correlation(covariance: Array) -> Array:
+    """Return the correlation matrix of a covariance, 1 on its diagonal."""
+    size = np.sqrt(np.diagonal(covariance))
+    scaled = covariance / np.outer(size, size)
+    np.fill_diagonal(scaled, 1.0)
+    return np.asarray(scaled)
+
+
 def inverse_of_square(jacobian: Array) -> Array:
     """Return the inverse of J^T J with scaled columns; undetermined parameters get a very large variance."""
     if not jacobian.shape[1]:

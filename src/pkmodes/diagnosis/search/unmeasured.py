@@ -69,12 +69,19 @@ def p_unmeasured(fitter: Fitter, declared: Fit, fit: Fit) -> float:
     return p if len(fitter.pairer.columns) else float(np.sqrt(p))
 
 
-def never_measured(fitter: Fitter, fit: Fit) -> list[tuple[float, float, int]]:
+class NeverMeasured(NamedTuple):
+    """A mode that was never measured: lowest and highest frequency [Hz], number of setups, and the drives there."""
+
+    low: float
+    high: float
+    setups: int
+    drives: str
+
+
+def never_measured(fitter: Fitter, fit: Fit) -> list[NeverMeasured]:
     """Return the modes that should have been measured at half of the setups or more, but never were.
 
-    Returns
-    -------
-    list of (lowest frequency, highest frequency, number of setups) [Hz]
+    Modes with free motors are others than those with held ones, whatever their number.
     """
     margin, logs = fitter.criteria.margin, fit.prediction.log_frequencies
     visible, ranges = _visible(fitter, fit), []
@@ -88,9 +95,14 @@ def never_measured(fitter: Fitter, fit: Fit) -> list[tuple[float, float, int]]:
     else:
         low[:], high[:] = np.log(fitter.data.band)
     inside = (logs > low[:, None] + margin) & (logs < high[:, None] - margin) & visible
-    for k in range(fit.prediction.rigid, logs.shape[1]):
-        count = int(inside[:, k].sum())
-        if count >= max(2, len(logs) / 2) and not measured[:, k].any():
-            frequencies = np.exp(logs[inside[:, k], k])
-            ranges.append((float(frequencies.min()), float(frequencies.max()), count))
+    for drives in dict.fromkeys(fitter.data.drives):
+        alike = np.array(fitter.data.drives) == drives
+        for k in range(fit.prediction.rigid, logs.shape[1]):
+            there = inside[:, k] & alike
+            count = int(there.sum())
+            if count >= max(2, alike.sum() / 2) and not measured[alike, k].any():
+                frequencies = np.exp(logs[there, k])
+                ranges.append(
+                    NeverMeasured(float(frequencies.min()), float(frequencies.max()), count, drives)
+                )
     return ranges

@@ -15,20 +15,13 @@ from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import caveats, held_out, limits, misfit
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.detectable import examined
+from pkmodes.diagnosis.verdict.findings import Corrected, Finding, Refitted, Stability, Value
 from pkmodes.diagnosis.verdict.judgement import Judgement
 from pkmodes.diagnosis.verdict.limits import Limits
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.possible import member
-from pkmodes.diagnosis.verdict.result import (
-    Corrected,
-    Diagnosis,
-    Finding,
-    Refitted,
-    Stability,
-    Stages,
-    Value,
-)
+from pkmodes.diagnosis.verdict.result import Diagnosis, Stages
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, Verdict
 
 
@@ -60,7 +53,9 @@ class DiagnosisBuilder:
         remaining = remains(judged) if verdict is AMBIGUOUS else []
         contested = [named[0] for named in remaining] if len(remaining) != 1 else remaining[0]
         if verdict is EFFECT_FOUND:
-            contested = [(_name(fit), fit) for fit in grouped[0][0]]
+            # The class of the first cause that the data cannot tell from others.
+            own = [groups[0] for groups in grouped]
+            contested = [(_name(fit), fit) for fit in next((fits for fits in own if len(fits) > 1), own[0])]
         # Beside a claimed cause, the other members of its class are not detectable; they are listed with it.
         claimed = {name for finding in findings for name in finding.members}
         unclaimed = [candidate for candidate in search.candidates if candidate.name not in claimed]
@@ -105,6 +100,7 @@ class DiagnosisBuilder:
             diagnosis.after,
             self.fitter.criteria.worse,
         )
+        proposed, not_separated = next_measurement(self.fitter, contested)
         reason, headline = self._with_caveats(search.store, judged, diagnosis)
         return replace(
             diagnosis,
@@ -112,7 +108,8 @@ class DiagnosisBuilder:
             headline=headline,
             effects=findings,
             survivors=tuple(tuple(name for name, _ in named) for named in remaining),
-            next_measurement=next_measurement(self.fitter, contested),
+            next_measurement=proposed,
+            not_separated=not_separated,
             candidates=tested,
             notes=(*diagnosis.notes, *judged.left_out, *contradictions),
         )
@@ -189,6 +186,7 @@ class DiagnosisBuilder:
             rows=setups.rows(declared, refit, after, outlying),
             scatter=0.0 if last is None else last.scatter,
             corrected=() if last is None else self.corrected(last, bounded),
+            correlation=() if last is None else tuple(map(tuple, last.correlation.tolist())),
             notes=(*remarks, *(() if last is None else notes(store, last, verdict.settled))),
             stability=stability,
             shape_scatter=None if last is None else store.shape_scatter(last),

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pkmodes.base.numbers import plain
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.search.limits import ONE_SIDED
-from pkmodes.diagnosis.verdict.result import Corrected
+from pkmodes.diagnosis.verdict.findings import Corrected
 
 #: Standard deviations from the declared value, or by the fit alone, from which on a refitted value is conspicuous.
 FAR = Criteria.far

@@ -24,7 +24,7 @@ from scipy import stats
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.search.score import Score, Scores, one_sided
-from pkmodes.diagnosis.verdict.result import Examined, Value
+from pkmodes.diagnosis.verdict.findings import Examined, Value
 
 
 def examined(

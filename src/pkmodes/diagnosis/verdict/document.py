@@ -6,9 +6,9 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from pkmodes.base.documents import Document, Number, Probability, Settings, Size
+from pkmodes.base.documents import Count, Document, Number, Probability, Settings, Size
 from pkmodes.base.drives import Drives
-from pkmodes.diagnosis.verdict.verdicts import Word
+from pkmodes.diagnosis.verdict.verdicts import DampingWord, Word
 
 
 class SizeDocument(Document):
@@ -135,6 +135,16 @@ class NextMeasurementDocument(Document, omit_defaults=True):
     pose: Annotated[list[float], Meta(description="Platform centre [m].")]
     separates: Annotated[list[str], Meta(description="The two explanations.", min_length=2, max_length=2)]
     sigmas: Annotated[float, Meta(description="By how many standard deviations they differ there.")]
+    drives: Annotated[
+        Drives | None, Meta(description="What the motors are to do; null for a structure without motors.")
+    ]
+    hidden_by: Annotated[
+        str,
+        Meta(
+            description="The uncertain value that could make up most of that difference within its standard "
+            "deviation, so that several such poses, or a more exact value, are needed; present only where one could."
+        ),
+    ] = ""
     load: Annotated[
         dict[str, float],
         Meta(
@@ -215,7 +225,7 @@ class RowDocument(PlaceDocument, omit_defaults=True):
     damping: Annotated[
         float | None,
         Meta(
-            description="Measured damping ratio; present only where damping was diagnosed, like the next four."
+            description="Measured damping ratio; present only where damping was diagnosed, like the next five."
         ),
     ] = None
     sigma_damping: Annotated[float | None, Meta(description="Its standard deviation.")] = None
@@ -228,9 +238,84 @@ class RowDocument(PlaceDocument, omit_defaults=True):
     damping_used: Annotated[
         bool | None,
         Meta(
-            description="Whether the ratio took part in the fit: not held out, not too uncertain, not set aside."
+            description="Whether the ratio took part in the fit: not held out, of a shape like that of its mode, "
+            "not set aside."
         ),
     ] = None
+    sigma_damping_used: Annotated[
+        float | None,
+        Meta(
+            description="Standard deviation of the ratio with which it is compared: with the errors that no file "
+            "states."
+        ),
+    ] = None
+    damping_remark: Annotated[
+        str | None, Meta(description="Why the ratio took no part; present only where it did not.")
+    ] = None
+
+
+class FactorsDocument(Document):
+    """Root mean square factors between measured damping ratios and those of the model."""
+
+    before: Annotated[
+        float | None,
+        Meta(
+            description="Over the fitted ratios, with the losses as declared; null where there are none, or nothing "
+            "dissipates."
+        ),
+    ]
+    after: Annotated[float | None, Meta(description="Over the fitted ratios, with the losses as diagnosed.")]
+    held_out: Annotated[
+        float | None, Meta(description="Over the held-out ratios, with the losses as diagnosed.")
+    ]
+
+
+class DampingDocument(Document):
+    """What the damping ratios say of losses, beside the verdict on frequencies and shapes."""
+
+    verdict: Annotated[
+        DampingWord,
+        Meta(
+            description="The verdict on the damping, with the same meaning of words; not_measured without damping."
+        ),
+    ]
+    reason: Annotated[str, Meta(description="One sentence for a person.")]
+    effects: Annotated[
+        list[CauseDocument], Meta(description="The losses found; empty unless this verdict is effect_found.")
+    ]
+    survivors: Annotated[
+        list[Annotated[list[str], Meta(min_length=1)]],
+        Meta(description="Classes of losses that remain; empty unless this verdict is ambiguous."),
+    ]
+    limits: Annotated[
+        dict[str, SizeDocument | None],
+        Meta(
+            description="How far each loss that is not claimed may still be from its declared value, at 95 %; null "
+            "where nothing bounds it."
+        ),
+    ]
+    refitted: Annotated[
+        dict[str, RefittedDocument],
+        Meta(description="The uncertain losses, by path, each fitted within its prior."),
+    ]
+    undetectable: Annotated[list[str], Meta(description="Losses that are not detectable with these data.")]
+    candidates: Annotated[list[CandidateDocument], Meta(description="Result for each loss.")]
+    notes: Annotated[
+        list[str], Meta(description="Remarks about the damping that a person should read; may be empty.")
+    ]
+    stability: Annotated[
+        list[StabilityDocument],
+        Meta(description="Results for the damping with other errors and priors."),
+    ]
+    fitted: Annotated[Count, Meta(description="Number of ratios that took part.")]
+    scatter: Annotated[
+        Size,
+        Meta(
+            description="Scatter of the ratios about the model beyond their stated errors that the verdict allows "
+            "for: the standard deviation of their logarithm, 0 where none is needed."
+        ),
+    ]
+    factor: FactorsDocument
 
 
 class DiagnoseDocument(Document):
@@ -271,9 +356,11 @@ class DiagnoseDocument(Document):
     next_measurement: Annotated[
         NextMeasurementDocument | None,
         Meta(
-            description="The pose that best separates the remaining explanations; null when nothing is left to "
-            "separate."
+            description="The pose that best separates the remaining explanations; null where none is proposed."
         ),
+    ]
+    next_measurement_reason: Annotated[
+        str | None, Meta(description="Why no next measurement is proposed; null where one is.")
     ]
     candidates: Annotated[list[CandidateDocument], Meta(description="Result for each candidate.")]
     outliers: Annotated[list[PlaceDocument], Meta(description="Rows that were set aside.")]
@@ -296,6 +383,7 @@ class DiagnoseDocument(Document):
         Meta(description="Remarks about the data and the result that a person should read; may be empty."),
     ]
     stability: Annotated[list[StabilityDocument], Meta(description="Results with other errors and priors.")]
+    damping: DampingDocument
     rows: Annotated[
         list[RowDocument], Meta(description="One for each measured mode, in the order of the file.")
     ]

@@ -31,7 +31,7 @@ def p_declared(store: FitStore, fit: Fit) -> float:
 def far_away(store: FitStore, fit: Fit, among: Sequence[int]) -> tuple[str, float]:
     """Return which of some parameters is farthest from its declared value, and how far in sigma of its prior."""
     fitter = store.fitter
-    away = np.abs(fitter.priors.residual(fit.values))
+    away = np.abs(fitter.priors.away(fit.values))
     distances = [
         (fitter.parameters[i].name, float(away[row]))
         for i in among

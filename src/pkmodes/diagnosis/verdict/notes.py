@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from scipy import stats
 
+from pkmodes.base.drives import motors
 from pkmodes.base.numbers import plain
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
@@ -79,7 +80,7 @@ def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
 
 
 def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
-    away = fitter.priors.residual(fit.values)
+    away = fitter.priors.away(fit.values)
     for i, far in zip(fitter.priors.index, away, strict=True):
         p = fitter.parameters[i]
         free = i in fit.free
@@ -124,9 +125,11 @@ def drift(fitter: Fitter, fit: Fit) -> str:
 
 
 def _unmeasured(fitter: Fitter, fit: Fit) -> Iterator[str]:
-    for low, high, setups in never_measured(fitter, fit):
+    mixed = len(set(fitter.data.drives)) > 1
+    for low, high, setups, drives in never_measured(fitter, fit):
         where = f"{low:.4g} Hz" if np.isclose(low, high, rtol=1e-3) else f"{low:.4g} to {high:.4g} Hz"
-        yield f"a mode at {where} was expected at {setups} poses but never measured"
+        at = f"{setups} poses" + (f" with {motors([drives])}" if mixed else "")
+        yield f"a mode at {where} was expected at {at} but never measured"
 
 
 def _poses(labels: tuple[str, ...]) -> str:

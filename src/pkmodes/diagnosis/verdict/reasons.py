@@ -13,8 +13,8 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.gate import Gate
+from pkmodes.diagnosis.verdict.findings import Finding
 from pkmodes.diagnosis.verdict.naming import explained
-from pkmodes.diagnosis.verdict.result import Finding
 
 
 def noise(fit: Fit, lines: NDArray[np.int_]) -> str:

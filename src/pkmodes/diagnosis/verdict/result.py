@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from pkmodes.base.documents import Document
 from pkmodes.base.numbers import p_in_words, rounded
-from pkmodes.diagnosis.damping.outcome import Damping
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.document import (
     CandidateDocument,
     CauseDocument,
+    DampingDocument,
     DiagnoseDocument,
     ErrorDocument,
+    FactorsDocument,
     FoundDocument,
     NextMeasurementDocument,
     PlaceDocument,
@@ -25,63 +25,19 @@ from pkmodes.diagnosis.verdict.document import (
     StagesDocument,
     ValueDocument,
 )
-from pkmodes.diagnosis.verdict.members import Member
-from pkmodes.diagnosis.verdict.relative import relative_to_mean
+from pkmodes.diagnosis.verdict.findings import (
+    Corrected,
+    Examined,
+    Finding,
+    Refitted,
+    Stability,
+    Value,
+    believed,
+)
+from pkmodes.diagnosis.verdict.proposal import NextMeasurement
 from pkmodes.diagnosis.verdict.rows import Error, Row
-from pkmodes.diagnosis.verdict.unseen import Limit, Unseen
-from pkmodes.diagnosis.verdict.verdicts import VERDICTS, Word
-
-
-@dataclass(frozen=True)
-class Value:
-    """A fitted parameter."""
-
-    name: str
-    value: float
-    sigma: float
-    unit: str
-
-
-#: A saved standard deviation that is larger than that of the fit by this factor is explained.
-NOTICEABLE = 1.05
-
-
-@dataclass(frozen=True)
-class Corrected(Value):
-    """A parameter that the last stage of the model changed.
-
-    Attributes
-    ----------
-    prior_sigma : float or None
-        Standard deviation of its declared value; None if it has none.
-    at_bound : bool
-        Whether the value is at a physical bound other than the declared value.
-    unseen : Unseen or None
-        What a candidate that these data do not show could have done to the value; None where none could.
-    """
-
-    declared: float
-    prior_sigma: float | None
-    at_bound: bool
-    unseen: Unseen | None = None
-
-    @property
-    def saved_sigma(self) -> float:
-        """Standard deviation including what an unseen candidate could have done.
-
-        What was declared still holds: it is at most the root mean square distance from the value under its prior.
-        """
-        if self.unseen is None:
-            return self.sigma
-        sigma = math.hypot(self.sigma, self.unseen.sigma)
-        if self.prior_sigma is None:
-            return sigma
-        return max(self.sigma, min(sigma, math.hypot(self.prior_sigma, self.value - self.declared)))
-
-    @property
-    def widened(self) -> bool:
-        """Whether the saved standard deviation is noticeably larger than that of the fit."""
-        return self.saved_sigma > NOTICEABLE * self.sigma
+from pkmodes.diagnosis.verdict.unseen import Limit
+from pkmodes.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, DampingWord, Word
 
 
 @dataclass(frozen=True)
@@ -100,142 +56,70 @@ class Stages:
 
 
 @dataclass(frozen=True)
-class Refitted:
-    """A nuisance parameter before and after the fit, with its standard deviation after, fitted and as saved."""
-
-    name: str
-    before: float
-    after: float
-    sigma: float
-    saved_sigma: float
-    unit: str
-
-
-@dataclass(frozen=True)
-class Finding:
-    """One cause that was found.
+class Damping:
+    """What the damping says of losses, beside the verdict on frequencies and shapes.
 
     Attributes
     ----------
-    name : str
-        Best candidate of its class.
-    members : tuple of str
-        The class: all candidates that these data cannot tell apart from it, and itself.
-    alternatives : dict
-        For each member, its parameters if it were the cause.
-    p_value : float
-        p-value of the improvement, corrected for the number of candidates.
-    sentence : str
-        Physical meaning.
-    covariances : mapping of str to tuple of tuple of float
-        For each member, the covariance of its parameters, in their order.
-    about : mapping of str to Member
-        How its members are named, and whether their values are plausible.
+    verdict : str
+        ``not_measured`` without damping.
+    reason : str
+        One sentence.
+    effects : tuple of Finding
+        The losses found.
+    survivors, limits, refitted, undetectable, candidates, notes, stability, corrected, correlation
+        As for a diagnosis, of losses and ratios.
+    fitted : int
+        Number of ratios that took part.
+    scatter : float
+        How far they scatter about the model beyond their stated errors, where the verdict allows for that: the
+        standard deviation of their logarithm.
+    before, after, held_out : float or None
+        Root mean square factor between measured ratios and those of the model, over the fitted rows as declared and
+        as diagnosed, and over the held-out ones as diagnosed; None where there are none, or nothing dissipates.
     """
 
-    name: str
-    members: tuple[str, ...]
-    parameters: tuple[Value, ...]
-    alternatives: dict[str, tuple[Value, ...]]
-    p_value: float
-    sentence: str
-    covariances: Mapping[str, tuple[tuple[float, ...], ...]] = field(default_factory=dict)
-    about: Mapping[str, Member] = field(default_factory=dict)
-
-    def member(self, name: str) -> Member:
-        """Return how a member of the class is named, and whether its value is plausible."""
-        return self.about.get(name, Member(name, self.sentence if name == self.name else ""))
+    verdict: DampingWord = NOT_MEASURED
+    reason: str = "no damping was measured"
+    effects: tuple[Finding, ...] = ()
+    survivors: tuple[tuple[str, ...], ...] = ()
+    limits: Mapping[str, Limit] = field(default_factory=dict)
+    refitted: tuple[Refitted, ...] = ()
+    undetectable: tuple[str, ...] = ()
+    candidates: tuple[Examined, ...] = ()
+    notes: tuple[str, ...] = ()
+    stability: tuple[Stability, ...] = ()
+    fitted: int = 0
+    scatter: float = 0.0
+    before: float | None = None
+    after: float | None = None
+    held_out: float | None = None
+    corrected: tuple[Corrected, ...] = ()
+    correlation: tuple[tuple[float, ...], ...] = field(default=(), repr=False)
 
     @property
-    def plausible(self) -> dict[str, bool]:
-        """Whether the value of each member is one that such a part can have."""
-        return {name: not self.member(name).implausible for name in self.members}
+    def measured(self) -> bool:
+        """Whether damping was measured."""
+        return self.verdict != NOT_MEASURED
 
-    @property
-    def covariance(self) -> tuple[tuple[float, ...], ...]:
-        """Covariance of the parameters, in their order."""
-        return self.covariances.get(self.name, ())
-
-    def relative(self, member: str = "") -> tuple[Value, ...]:
-        """Return the parameters relative to their mean, where the data determine these far better than each.
-
-        Parameters
-        ----------
-        member : str
-            Of the class; by default the cause itself.
-
-        Returns
-        -------
-        tuple of Value
-            Their mean is 0; empty where the parameters themselves say as much.
-        """
-        name = member or self.name
-        values = self.alternatives.get(name, ())
-        if len({value.unit for value in values}) != 1:
-            return ()
-        found = relative_to_mean([value.value for value in values], self.covariances.get(name, ()))
-        if found is None:
-            return ()
-        return tuple(
-            replace(value, value=float(d), sigma=float(sigma))
-            for value, d, sigma in zip(values, *found, strict=True)
+    def document(self) -> DampingDocument:
+        """Return it in the form described in docs/json.md."""
+        return DampingDocument.of(
+            self,
+            effects=[_cause(cause, self.corrected) for cause in self.effects],
+            limits=_limits(self.limits),
+            refitted={value.name: RefittedDocument.of(value) for value in self.refitted},
+            candidates=_candidates(self.candidates),
+            stability=list(map(StabilityDocument.of, self.stability)),
+            factor=FactorsDocument.of(self),
         )
-
-
-@dataclass(frozen=True)
-class Examined:
-    """The test of one candidate.
-
-    Attributes
-    ----------
-    p_value : float
-        p-value of its score at the refit of the nuisances, for this candidate alone: of its best plausible change.
-    visible_from : tuple of Value
-        Smallest change of each parameter that these data would probably show, with its standard deviation, beside
-        what is claimed; none if it would not be plausible.
-    detectable : bool
-        Whether these data show it or bound it.
-    sentence : str
-        Physical meaning.
-    """
-
-    name: str
-    p_value: float
-    visible_from: tuple[Value, ...]
-    detectable: bool
-    sentence: str = ""
-
-
-@dataclass(frozen=True)
-class NextMeasurement:
-    """The pose at which two explanations differ most, and the values to set there, by name."""
-
-    pose: tuple[float, ...]
-    separates: tuple[str, str]
-    sigmas: float
-    load: Mapping[str, float] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class Stability:
-    """The verdict with other errors or priors than stated.
-
-    Attributes
-    ----------
-    change : str
-        ``"sigma x 0.5"``, ``"sigma x 2"`` or ``"priors x 2"``.
-    effects : tuple of str
-        Names of the causes that are best with this change.
-    """
-
-    change: str
-    verdict: Word
-    effects: tuple[str, ...]
 
 
 @dataclass(frozen=True)
 class Diagnosis:
     """The result of a diagnosis.
+
+    All of it is about frequencies and shapes, except `damping`.
 
     Attributes
     ----------
@@ -252,12 +136,16 @@ class Diagnosis:
         are too few data.  after is None unless a cause was found.
     held_out_poses, undetectable : tuple of str
     next_measurement : NextMeasurement or None
+    not_separated : str
+        Why none is proposed although explanations are left; empty where one is, or none are.
     candidates : tuple of Examined
     rows : tuple of Row
     scatter : float
         Relative error that the modes of a pose share; 0 if the data show none.
     corrected : tuple of Corrected
         Values of all parameters that the last stage changed, with their standard deviations.
+    correlation : tuple of tuple of float
+        Correlation of these values in the fit, in their order.
     notes : tuple of str
         Notes on the data and the fit.
     stability : tuple of Stability
@@ -268,8 +156,8 @@ class Diagnosis:
         path of a declared value.
     stages : Stages or None
         Partners, differences and MAC of all measured modes, for figures; not part of the JSON.
-    damping : Damping or None
-        What the damping says, where it was measured and diagnosed; in the JSON, its ratios are among the rows.
+    damping : Damping
+        What the damping says; its ratios are among the rows.
     headline : str
         What of the refitted values a headline says beside the verdict; empty for nothing.
     """
@@ -294,7 +182,9 @@ class Diagnosis:
     shape_scatter: float | None = None
     limits: Mapping[str, Limit] = field(default_factory=dict)
     stages: Stages | None = field(default=None, compare=False, repr=False)
-    damping: Damping | None = None
+    damping: Damping = field(default_factory=Damping)
+    correlation: tuple[tuple[float, ...], ...] = field(default=(), repr=False)
+    not_separated: str = ""
     headline: str = ""
 
     def __str__(self) -> str:
@@ -314,33 +204,27 @@ class Diagnosis:
                 apart = "" if held is None else f"held out {100 * held:.3f} %, "
                 lines.append(f"{stage:6} {rms}{apart}chi2 per degree of freedom {error.chi2_per_dof:.3g}")
         lines += [f"note: {text}" for text in self.notes]
+        if self.damping.measured:
+            lines.append(f"damping: {self.damping.verdict}: {self.damping.reason}")
+            lines += [f"note on the damping: {text}" for text in self.damping.notes]
         return "\n".join(lines)
-
-    def saved(self, value: Value) -> Corrected | None:
-        """Return a value of a cause as the corrected robot file has it; None for another member of a class."""
-        return next(
-            (one for one in self.corrected if (one.name, one.value) == (value.name, value.value)), None
-        )
-
-    def believed(self, value: Value) -> Value:
-        """Return a value with the standard deviation that may be relied on: the saved one, where there is one."""
-        saved = self.saved(value)
-        return value if saved is None else replace(value, sigma=saved.saved_sigma)
-
-    def why_larger(self, value: Value) -> str:
-        """Return why the standard deviation of a value is larger than that of the fit; empty if it is not."""
-        saved = self.saved(value)
-        if saved is None or saved.unseen is None or not saved.widened:
-            return ""
-        fit = rounded(value.value, value.sigma).columns[1]
-        return (
-            f"+- {fit} by the fit alone; the rest is what an unseen {saved.unseen.candidate} could have done"
-        )
 
     @property
     def settled(self) -> bool:
         """Whether the last model leaves only noise, so that its values correct the robot file."""
         return VERDICTS[self.verdict].settled
+
+    @property
+    def every_cause(self) -> tuple[Finding, ...]:
+        """The causes that a corrected robot has: those of frequencies and shapes, and the losses found."""
+        return self.effects + self.damping.effects
+
+    @property
+    def next_measurement_reason(self) -> str:
+        """Why no next measurement is proposed; empty where one is."""
+        if self.next_measurement is not None:
+            return ""
+        return self.not_separated or VERDICTS[self.verdict].nothing_next
 
     @property
     def outliers(self) -> tuple[Row, ...]:
@@ -372,17 +256,13 @@ class Diagnosis:
                 self, before=_error(self.before), refit=_error(self.refit), after=_error(self.after)
             ),
             next_measurement=self.next_measurement and NextMeasurementDocument.of(self.next_measurement),
-            candidates=[
-                CandidateDocument.of(one, visible_from=_by_key(SizeDocument, one.visible_from))
-                for one in self.candidates
-            ],
+            next_measurement_reason=self.next_measurement_reason or None,
+            candidates=_candidates(self.candidates),
             outliers=list(map(PlaceDocument.of, self.outliers)),
             unpaired=list(map(PlaceDocument.of, self.unpaired)),
             stability=list(map(StabilityDocument.of, self.stability)),
-            limits={
-                name: None if limit.value is None else SizeDocument.of(limit)
-                for name, limit in self.limits.items()
-            },
+            limits=_limits(self.limits),
+            damping=self.damping.document(),
             rows=list(map(RowDocument.of, self.rows)),
         )
         return document.as_json()
@@ -397,7 +277,11 @@ def _values(effect: Finding, member: str, result: Diagnosis) -> str:
     """Return the values of a cause, or of another member of its class, and whether they are implausible."""
     relative = effect.relative(member)
     fitted = relative or effect.alternatives.get(member, ())
-    shown = [result.believed(v) for v in fitted] if len(effect.members) == 1 and not relative else fitted
+    shown = (
+        [believed(v, result.corrected) for v in fitted]
+        if len(effect.members) == 1 and not relative
+        else fitted
+    )
     values = [f"{v.name} = {rounded(v.value, v.sigma)} {v.unit}".removesuffix(" 1") for v in shown]
     also, why = " relative to their mean" if relative else "", effect.member(member).implausible
     return ", ".join(values) + also + (f" (implausible: {why})" if why else "")
@@ -417,6 +301,16 @@ def _cause(cause: Finding, corrected: tuple[Corrected, ...]) -> CauseDocument:
         relative=_by_key(ValueDocument, cause.relative()),
         alternatives=alternatives,
     )
+
+
+def _candidates(examined: tuple[Examined, ...]) -> list[CandidateDocument]:
+    return [
+        CandidateDocument.of(one, visible_from=_by_key(SizeDocument, one.visible_from)) for one in examined
+    ]
+
+
+def _limits(limits: Mapping[str, Limit]) -> dict[str, SizeDocument | None]:
+    return {name: None if limit.value is None else SizeDocument.of(limit) for name, limit in limits.items()}
 
 
 def _by_key(kind: type[Document], values: tuple[Value, ...]) -> dict[str, Document]:

@@ -65,7 +65,11 @@ class Row(MeasuredMode):
     damping_before, damping_after : float or None
         Ratio of its partner, at the final values of the frequencies: with the losses as declared, and as diagnosed.
     damping_used : bool or None
-        Whether the ratio took part in the fit: not held out, significantly above 0, and not set aside.
+        Whether the ratio took part in the fit: not held out, of a shape like that of its partner, and not set aside.
+    sigma_damping_used : float or None
+        Standard deviation of the ratio with which it is compared: with the errors that no file states.
+    damping_remark : str or None
+        Why the ratio took no part; None if it did.
     """
 
     before: float | None
@@ -80,6 +84,8 @@ class Row(MeasuredMode):
     damping_before: float | None = None
     damping_after: float | None = None
     damping_used: bool | None = None
+    sigma_damping_used: float | None = None
+    damping_remark: str | None = None
 
 
 def drives_of(structure: Structure, data: Measurements, row: int) -> str | None:

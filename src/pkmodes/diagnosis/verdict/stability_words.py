@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from pkmodes.diagnosis.verdict.result import Diagnosis, Stability
+from pkmodes.diagnosis.verdict.findings import Stability
+from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.verdicts import (
     ADEQUATE,
     AMBIGUOUS,

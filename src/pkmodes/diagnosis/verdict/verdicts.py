@@ -24,7 +24,7 @@ class Verdict:
     colour : str
         Colour of the heading.
     nothing_next : str
-        Why no next measurement is proposed, where none is.
+        Why no next measurement is proposed where there are no two explanations between which one could decide.
     settled : bool
         Whether the residual of the last model is noise: its values are reported, and correct the robot file.
     """
@@ -33,32 +33,42 @@ class Verdict:
     sentence: str
     fails: bool
     colour: Colour
-    nothing_next: str = "None is proposed: no explanations are left to separate."
+    nothing_next: str
     settled: bool = False
 
 
-ADEQUATE = Verdict("adequate", "The model is adequate", False, "good", settled=True)
-EFFECT_FOUND = Verdict("effect_found", "Cause{s} {causes}", True, "found", settled=True)
-AMBIGUOUS = Verdict(
-    "ambiguous",
-    "Several explanations remain",
+ADEQUATE = Verdict(
+    "adequate",
+    "The model is adequate",
+    False,
+    "good",
+    "the residual is noise, so there are no explanations of it to separate",
+    settled=True,
+)
+EFFECT_FOUND = Verdict(
+    "effect_found",
+    "Cause{s} {causes}",
     True,
-    "open",
-    "None is proposed: no pose nearby separates the remaining explanations.",
+    "found",
+    "these data tell what is claimed from every other candidate",
+    settled=True,
+)
+AMBIGUOUS = Verdict(
+    "ambiguous", "Several explanations remain", True, "open", "no two of the explanations can be compared"
 )
 UNEXPLAINED = Verdict(
     "unexplained",
     "The residual is not explained",
     True,
     "bad",
-    "None is proposed: no explanation is left to be tested.",
+    "no explanations are left between which a measurement could decide",
 )
 INSUFFICIENT_DATA = Verdict(
     "insufficient_data",
     "Too few data to decide",
     True,
     "plain",
-    "None is proposed: measure more modes, at more poses.",
+    "the data are too few to compare explanations: measure more modes, at more poses",
 )
 
 #: All verdicts by their words, in the order of messages and of the schema.
@@ -66,8 +76,13 @@ VERDICTS = {
     verdict.word: verdict for verdict in (ADEQUATE, EFFECT_FOUND, AMBIGUOUS, UNEXPLAINED, INSUFFICIENT_DATA)
 }
 
+#: What stands for a verdict on the damping where none was measured.
+NOT_MEASURED = "not_measured"
+
 if TYPE_CHECKING:
     Word = str
+    DampingWord = str
 else:
-    #: Type of a verdict in a result: the enumeration of the JSON schema.
+    #: Types of a verdict in a result, and of that on the damping: the enumerations of the JSON schema.
     Word = Literal[tuple(VERDICTS)]
+    DampingWord = Literal[(*VERDICTS, NOT_MEASURED)]

@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
-from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.verdict.all_setups import AllSetups, Stage
 from pkmodes.diagnosis.verdict.mistakes import all_alike
 from pkmodes.measured.measurements import Measurements
@@ -51,17 +49,17 @@ def copied(data: Measurements) -> list[tuple[int, int]]:
 
 
 def _same_place(stage: Stage, clearly: tuple[float, float]) -> Iterator[str]:
-    """Yield a sentence for each pair of poses at the same position whose common modes mostly differ clearly."""
+    """Yield a sentence for each pair of poses, measured alike at one position, whose common modes mostly differ."""
     data = stage.data
     if not data.points.any():  # setups without positions
         return
     order = np.argsort(data.points[:, 0], kind="stable")
     along = data.points[order, 0]
     ends = np.searchsorted(along, along + NEAR, side="right")
+    conditions = data.conditions  # held motors and another load change the frequencies
     for place, (i, end) in enumerate(zip(order, ends, strict=True)):
         rest = order[place + 1 : end]
-        # Another load changes the frequencies.
-        rest = rest[_same_load(data.set_values[rest], data.set_values[i])]
+        rest = rest[conditions[rest] == conditions[i]]
         apart = np.linalg.norm(data.points[rest] - data.points[i], axis=1)
         for k in rest[apart <= NEAR]:
             one, other = sorted((int(i), int(k)))
@@ -71,12 +69,6 @@ def _same_place(stage: Stage, clearly: tuple[float, float]) -> Iterator[str]:
                     f"poses {data.labels[one]} and {data.labels[other]} are at the same position, but their "
                     f"frequencies differ by up to {100 * most:.2g} %: is one of them somewhere else?"
                 )
-
-
-def _same_load(values: Array, others: Array) -> NDArray[np.bool_]:
-    """Return whether all set values are the same; NaN is the declared value."""
-    same: NDArray[np.bool_] = ((values == others) | (np.isnan(values) & np.isnan(others))).all(axis=-1)
-    return same
 
 
 def _difference(stage: Stage, clearly: tuple[float, float], one: int, other: int) -> float:

@@ -1,0 +1,209 @@
+"""The parts of a result of a diagnosis: fitted values, causes, tests of candidates, and changes of the errors."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from pkmodes.base.numbers import rounded
+from pkmodes.diagnosis.verdict.members import Member
+from pkmodes.diagnosis.verdict.relative import relative_to_mean
+from pkmodes.diagnosis.verdict.unseen import Unseen
+from pkmodes.diagnosis.verdict.verdicts import Word
+
+
+@dataclass(frozen=True)
+class Value:
+    """A fitted parameter."""
+
+    name: str
+    value: float
+    sigma: float
+    unit: str
+
+
+#: A saved standard deviation that is larger than that of the fit by this factor is explained.
+NOTICEABLE = 1.05
+
+
+@dataclass(frozen=True)
+class Corrected(Value):
+    """A parameter that the last stage of the model changed.
+
+    Attributes
+    ----------
+    prior_sigma : float or None
+        Standard deviation of its declared value; None if it has none.
+    at_bound : bool
+        Whether the value is at a physical bound other than the declared value.
+    unseen : Unseen or None
+        What a candidate that these data do not show could have done to the value; None where none could.
+    """
+
+    declared: float
+    prior_sigma: float | None
+    at_bound: bool
+    unseen: Unseen | None = None
+
+    @property
+    def saved_sigma(self) -> float:
+        """Standard deviation including what an unseen candidate could have done.
+
+        What was declared still holds: it is at most the root mean square distance from the value under its prior.
+        """
+        if self.unseen is None:
+            return self.sigma
+        sigma = math.hypot(self.sigma, self.unseen.sigma)
+        if self.prior_sigma is None:
+            return sigma
+        return max(self.sigma, min(sigma, math.hypot(self.prior_sigma, self.value - self.declared)))
+
+    @property
+    def widened(self) -> bool:
+        """Whether the saved standard deviation is noticeably larger than that of the fit."""
+        return self.saved_sigma > NOTICEABLE * self.sigma
+
+
+def saved_as(value: Value, corrected: Sequence[Corrected]) -> Corrected | None:
+    """Return a value of a cause as the corrected robot file has it; None for another member of a class."""
+    return next((one for one in corrected if (one.name, one.value) == (value.name, value.value)), None)
+
+
+def believed(value: Value, corrected: Sequence[Corrected]) -> Value:
+    """Return a value with the standard deviation that may be relied on: the saved one, where there is one."""
+    saved = saved_as(value, corrected)
+    return value if saved is None else replace(value, sigma=saved.saved_sigma)
+
+
+def why_larger(value: Value, corrected: Sequence[Corrected]) -> str:
+    """Return why the standard deviation of a value is larger than that of the fit; empty if it is not."""
+    saved = saved_as(value, corrected)
+    if saved is None or saved.unseen is None or not saved.widened:
+        return ""
+    fit = rounded(value.value, value.sigma).columns[1]
+    return f"+- {fit} by the fit alone; the rest is what an unseen {saved.unseen.candidate} could have done"
+
+
+@dataclass(frozen=True)
+class Refitted:
+    """A nuisance parameter before and after the fit, with its standard deviation after, fitted and as saved."""
+
+    name: str
+    before: float
+    after: float
+    sigma: float
+    saved_sigma: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One cause that was found.
+
+    Attributes
+    ----------
+    name : str
+        Best candidate of its class.
+    members : tuple of str
+        The class: all candidates that these data cannot tell apart from it, and itself.
+    alternatives : dict
+        For each member, its parameters if it were the cause.
+    p_value : float
+        p-value of the improvement, corrected for the number of candidates.
+    sentence : str
+        Physical meaning.
+    covariances : mapping of str to tuple of tuple of float
+        For each member, the covariance of its parameters, in their order.
+    about : mapping of str to Member
+        How its members are named, and whether their values are plausible.
+    """
+
+    name: str
+    members: tuple[str, ...]
+    parameters: tuple[Value, ...]
+    alternatives: dict[str, tuple[Value, ...]]
+    p_value: float
+    sentence: str
+    covariances: Mapping[str, tuple[tuple[float, ...], ...]] = field(default_factory=dict)
+    about: Mapping[str, Member] = field(default_factory=dict)
+
+    def member(self, name: str) -> Member:
+        """Return how a member of the class is named, and whether its value is plausible."""
+        return self.about.get(name, Member(name, self.sentence if name == self.name else ""))
+
+    @property
+    def plausible(self) -> dict[str, bool]:
+        """Whether the value of each member is one that such a part can have."""
+        return {name: not self.member(name).implausible for name in self.members}
+
+    @property
+    def covariance(self) -> tuple[tuple[float, ...], ...]:
+        """Covariance of the parameters, in their order."""
+        return self.covariances.get(self.name, ())
+
+    def relative(self, member: str = "") -> tuple[Value, ...]:
+        """Return the parameters relative to their mean, where the data determine these far better than each.
+
+        Parameters
+        ----------
+        member : str
+            Of the class; by default the cause itself.
+
+        Returns
+        -------
+        tuple of Value
+            Their mean is 0; empty where the parameters themselves say as much.
+        """
+        name = member or self.name
+        values = self.alternatives.get(name, ())
+        if len({value.unit for value in values}) != 1:
+            return ()
+        found = relative_to_mean([value.value for value in values], self.covariances.get(name, ()))
+        if found is None:
+            return ()
+        return tuple(
+            replace(value, value=float(d), sigma=float(sigma))
+            for value, d, sigma in zip(values, *found, strict=True)
+        )
+
+
+@dataclass(frozen=True)
+class Examined:
+    """The test of one candidate.
+
+    Attributes
+    ----------
+    p_value : float
+        p-value of its score at the refit of the nuisances, for this candidate alone: of its best plausible change.
+    visible_from : tuple of Value
+        Smallest change of each parameter that these data would probably show, with its standard deviation, beside
+        what is claimed; none if it would not be plausible.
+    detectable : bool
+        Whether these data show it or bound it.
+    sentence : str
+        Physical meaning.
+    """
+
+    name: str
+    p_value: float
+    visible_from: tuple[Value, ...]
+    detectable: bool
+    sentence: str = ""
+
+
+@dataclass(frozen=True)
+class Stability:
+    """The verdict with other errors or priors than stated.
+
+    Attributes
+    ----------
+    change : str
+        ``"sigma x 0.5"``, ``"sigma x 2"`` or ``"priors x 2"``.
+    effects : tuple of str
+        Names of the causes that are best with this change.
+    """
+
+    change: str
+    verdict: Word
+    effects: tuple[str, ...]

@@ -1,0 +1,37 @@
+"""What firmware makes of a recommended shaper, and which it has instead of one that it lacks."""
+
+from __future__ import annotations
+
+from pkmodes.shaping.choice import Candidate, Choice, lines_of, recommended_of
+from pkmodes.shaping.firmware import DAMPED, KLIPPER, LEAST, MARLIN, NAMES, TOLERANT
+
+
+def remarks(choice: Choice) -> list[str]:
+    """Return sentences on firmware that lacks the recommended shaper, or makes another one of its lines."""
+    best = choice.candidates[choice.recommended]
+    notes = _substitutes(choice, best)
+    if best.kind in TOLERANT and DAMPED < best.damping_ratio <= KLIPPER[best.kind]:
+        notes.append(
+            f"with a damping ratio of {best.damping_ratio:.2g} Klipper makes slightly other impulses of {best.kind}, "
+            "by formulas of its own: it leaves somewhat more than is said here"
+        )
+    if best.kind in MARLIN and best.damping_ratio < LEAST:
+        notes.append(
+            f"Marlin takes damping ratios from {LEAST:g} on: its line has that instead of the model's"
+        )
+    return notes
+
+
+def _substitutes(choice: Choice, best: Candidate) -> list[str]:
+    """Name what would be recommended of the shapers that a firmware has, where it lacks the recommended one."""
+    lacking: dict[str, list[str]] = {}
+    for name in (name for name, line in lines_of(best).items() if line is None):
+        index, good = recommended_of(choice.candidates, choice.left, choice.length, name)
+        if index is not None:
+            one = choice.candidates[index]
+            worst = f"{100 * one.left.worst:.2g} % at the worst pose"
+            limit = f"{100 * choice.left:.3g} %"
+            which = f"is the shortest that leaves at most {limit}" if good else "leaves least"
+            instead = f"of those compared that it has, {one.kind} {which}: {worst}"
+            lacking.setdefault(f"{instead} (--shapers {one.kind} prints its lines)", []).append(NAMES[name])
+    return [f"no {best.kind} in {' and '.join(names)}; {instead}" for instead, names in lacking.items()]

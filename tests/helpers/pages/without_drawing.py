@@ -1,0 +1,23 @@
+"""Pages without their figures, for tests of what else is on them: drawing takes most of the time of a page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from html import escape
+
+import pytest
+
+
+@contextmanager
+def without_drawing() -> Iterator[None]:
+    """Let figures on pages have their names and descriptions only; captions, numbers and all else are as always."""
+
+    def named(figure: object, title: str, description: str, **_: object) -> str:
+        inside = f"<title>{escape(title)}</title><desc>{escape(description)}</desc>"
+        return f'<svg viewBox="0 0 2 1">{inside}</svg>'
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("pkmodes.report.blocks.inline", named)
+        patch.setattr("pkmodes.report.blocks.inline_narrow", lambda *_: "")
+        yield
