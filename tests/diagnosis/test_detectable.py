@@ -50,7 +50,17 @@ def by_name(result: Diagnosis) -> Mapping[str, Examined]:
     return {one.name: one for one in result.candidates}
 
 
+def expect_no_contradiction(result: Diagnosis) -> None:
+    """What is called not detectable has no limit, and is part of no explanation that some text names."""
+    limited = {limit.candidate for limit in result.limits.values() if limit.value is not None}
+    assert not limited & set(result.undetectable)
+    assert not {name for entry in result.stability for name in entry.effects} & set(result.undetectable)
+    for one in result.candidates:
+        assert one.detectable or not one.visible_from, one.name
+
+
 def expect_one_value(result: Diagnosis) -> None:
+    expect_no_contradiction(result)
     shown = {name for effect in result.effects for name in effect.members}
     shown |= {name for group in result.survivors for each in group for name in each.split(" + ")}
     tested = by_name(result)
@@ -63,6 +73,9 @@ def expect_one_value(result: Diagnosis) -> None:
 def test_every_verdict_calls_the_same_candidates_detectable(made: tuple[Diagnosis, str]) -> None:
     result, html = made
     expect_one_value(result)
+    assert {limit.candidate for limit in result.limits.values() if limit.value is None} >= set(
+        result.undetectable
+    )
     content: Any = result.as_json()
     assert {one["name"]: one["detectable"] for one in content["candidates"]} == {
         name: one.detectable for name, one in by_name(result).items()
@@ -120,21 +133,26 @@ def one_examined(
     most: float,
     *,
     z: float = Z,
-    largest: float = 1e-3,
     shown: bool = False,
     lower: float = -np.inf,
-    bound: bool = True,
+    limited: bool = True,
 ) -> Examined:
     """One candidate of unit standard deviation, plausible up to some size."""
     candidate = Candidate("a", ("a",))
     model = log_linear(np.random.default_rng(1), 4, 3, [Parameter("a", 0.0, lower=lower)], [candidate])
     fitter = Fitter(model, logs_measured(model.base, 0.002))
     p = float(stats.norm.sf(z) if np.isfinite(lower) else stats.chi2.sf(z**2, 1))
-    one = Score(candidate, p, z**2, np.array([z]), np.ones(1), np.array([largest]), visible=True)
+    one = Score(candidate, p, z**2, np.array([z]), np.ones(1), np.array([1e-3]), visible=True)
     scores = Scores((one,), ())
-    unbounded = set() if bound else {"a"}
+    known = {True: {"a"}, False: set[str]()}
     (found,) = examined(
-        fitter, scores, scores, {0: most}, shown={"a"} if shown else set(), unbounded=unbounded
+        fitter,
+        scores,
+        scores,
+        {0: most},
+        shown=known[shown],
+        limited=known[limited],
+        unbounded=known[not limited],
     )
     return found
 
@@ -149,27 +167,28 @@ def test_the_score_is_that_of_the_best_plausible_change() -> None:
 
 
 @pytest.mark.parametrize(
-    ("most", "z", "largest", "detectable", "visible"),
+    ("most", "z", "limited", "detectable", "visible"),
     [
-        (100.0, 0.1, 1e-3, True, True),  # a change of half a per cent would be seen
-        (100.0, 0.1, 0.03, False, True),  # only one of 15 % would
-        (100.0, 8.0, 0.03, True, True),  # and is
-        (4.0, 0.1, 1e-3, False, False),  # only one that is not plausible would
-        (0.5, 8.0, 1e-3, False, False),  # and what is seen is not plausible
+        (100.0, 0.1, True, True, True),  # it is not seen, and bounded
+        (100.0, 8.0, True, True, True),  # it is seen
+        (4.0, 0.1, True, True, False),  # bounded, but five standard deviations would not be plausible
+        (4.0, 0.1, False, False, False),  # nothing is known of it
+        (100.0, 8.0, False, True, False),  # it is seen, however large it is
+        (0.5, 8.0, False, False, False),  # what is seen is not plausible
     ],
 )
 def test_only_a_plausible_change_counts(
-    most: float, z: float, largest: float, detectable: bool, visible: bool
+    most: float, z: float, limited: bool, detectable: bool, visible: bool
 ) -> None:
-    found = one_examined(most, z=z, largest=largest)
+    found = one_examined(most, z=z, limited=limited)
     assert (found.detectable, bool(found.visible_from)) == (detectable, visible)
 
 
 def test_a_member_of_a_claimed_class_is_detectable_but_visible_from_no_implausible_size() -> None:
-    found = one_examined(4.0, z=0.1, shown=True)
+    found = one_examined(4.0, z=0.1, shown=True, limited=False)
     assert (found.detectable, found.visible_from) == (True, ())
 
 
 def test_a_candidate_that_the_data_do_not_bound_is_visible_from_no_size() -> None:
-    found = one_examined(100.0, z=0.1, bound=False)
+    found = one_examined(100.0, z=0.1, limited=False)
     assert (found.detectable, found.visible_from) == (False, ())

@@ -92,7 +92,7 @@ def test_a_fitted_value_stands_below_what_it_is(page: Element) -> None:
         "role": "cause",
         "before": "0",
         "after": "0.300 \u00b1 0.010",
-        "\u03c3 saved": "0.01",
+        "\u03c3 of the fit": "0.01",
         "unit": "kg",
         "prior \u03c3": "0.2",
         "moved [prior\u00a0\u03c3]": "+1.5",

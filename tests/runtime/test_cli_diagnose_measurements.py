@@ -60,7 +60,7 @@ def test_few_data_of_several_kinds(tmp_path: Path) -> None:
         assert found["held_out_poses"] == []
         if expected == "insufficient_data":
             assert "platform.mass" in found["reason"]
-            assert found["undetectable"] == ["payload"]
+            assert (found["undetectable"] == ["payload"]) == (found["limits"]["payload.mass"] is None)
 
 
 def test_modes_that_the_model_lacks_are_not_noise(tmp_path: Path) -> None:

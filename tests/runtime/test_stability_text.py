@@ -47,7 +47,7 @@ def said(verdict: str, *entries: tuple[str, str]) -> str:
         (
             "effect_found",
             (NOTHING, ENOUGH, SAME),
-            "stable: the same cause with priors twice as wide; nothing explains the residual with sigma halved "
+            "stability: the same cause with priors twice as wide; nothing explains the residual with sigma halved "
             "(usual where the stated sigma is right); no cause is needed with sigma doubled (errors twice as large "
             "would explain the residual)",
         ),
@@ -76,8 +76,8 @@ def said(verdict: str, *entries: tuple[str, str]) -> str:
         (
             "unexplained",
             (NOTHING, ENOUGH, ENOUGH),
-            "stable: unexplained with sigma halved; adequate with sigma doubled (errors twice as large would explain "
-            "the residual); adequate with priors twice as wide (the uncertain values would then make up for "
+            "stability: unexplained with sigma halved; adequate with sigma doubled (errors twice as large would "
+            "explain the residual); adequate with priors twice as wide (the uncertain values would then make up for "
             "the residual)",
         ),
         (
@@ -86,6 +86,13 @@ def said(verdict: str, *entries: tuple[str, str]) -> str:
             "stability: unexplained with sigma halved and priors twice as wide; the best explanation, which is not "
             "claimed, is payload and belt_mass, but not alone, with sigma doubled (errors twice as large would "
             "explain what it leaves)",
+        ),
+        # The claim rests on the priors.
+        (
+            "effect_found",
+            (SAME, SAME, ENOUGH),
+            "stability: the same cause with sigma halved and sigma doubled; no cause is needed with priors twice as "
+            "wide (the uncertain values would then make up for the residual)",
         ),
         ("insufficient_data", (("insufficient_data", ""),) * 3, ""),
         ("effect_found", (), ""),

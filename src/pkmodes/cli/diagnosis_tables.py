@@ -11,7 +11,16 @@ from pkmodes.base.ordering import sorted_labels
 from pkmodes.cli.stability_text import stability_sentence
 from pkmodes.cli.terminal import Terminal
 from pkmodes.diagnosis.verdict import naming
-from pkmodes.diagnosis.verdict.findings import Finding, Refitted, Value
+from pkmodes.diagnosis.verdict.findings import (
+    NOTICEABLE,
+    Corrected,
+    Finding,
+    Refitted,
+    Value,
+    believed,
+    saved_as,
+    why_larger,
+)
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.mechanism.poses import placed
@@ -31,7 +40,7 @@ def show(robot: Robot, result: Diagnosis) -> None:
     terminal = Terminal()
     terminal.heading(f"{robot.name}: {result.verdict}")
     terminal.line(result.reason, "  ")
-    _causes(terminal, result.effects)
+    _causes(terminal, result.effects, result.corrected)
     for group in result.survivors:
         terminal.line(f"remains: {' or '.join(group)}", "  ")
     terminal.line()
@@ -45,19 +54,19 @@ def show(robot: Robot, result: Diagnosis) -> None:
     _remarks(terminal, robot, result)
 
 
-def _causes(terminal: Terminal, effects: Sequence[Finding]) -> None:
+def _causes(terminal: Terminal, effects: Sequence[Finding], corrected: Sequence[Corrected]) -> None:
     """Print causes with their values and classes."""
     for effect in effects:
         terminal.line()
         if len(effect.members) > 1:
-            _class(terminal, effect)
+            _class(terminal, effect, corrected)
             continue
         sentence = f": {effect.sentence}" if effect.sentence else ""
         terminal.line(f"cause: {effect.name} ({p_in_words(effect.p_value)}){sentence}")
-        _values(terminal, effect)
+        _values(terminal, effect, corrected)
 
 
-def _class(terminal: Terminal, effect: Finding) -> None:
+def _class(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) -> None:
     """Print a class: what its members have in common, and each with its value and whether that is implausible."""
     what = f"one of {naming.count(len(effect.members))} ({p_in_words(effect.p_value)})"
     terminal.line(f"cause: {what}: {naming.of_class(effect)}")
@@ -66,23 +75,37 @@ def _class(terminal: Terminal, effect: Finding) -> None:
             terminal.line("these data cannot distinguish it from", "  ")
         relative, why = effect.relative(member), effect.member(member).implausible
         values = ", ".join(f"{_short(v)} = {_with_sigma(v)}" for v in relative or effect.alternatives[member])
-        also = f" (implausible: {why})" if why else ""
-        terminal.line(
-            f"{values}{' relative to their mean' if relative else ''}{also}", "    " if place else "  "
-        )
+        mean, also = " relative to their mean" if relative else "", f" (implausible: {why})" if why else ""
+        terminal.line(f"{values}{mean}{also}", "    " if place else "  ")
+    saved = [
+        one for value in effect.parameters if (one := saved_as(value, corrected)) is not None and one.widened
+    ]
+    larger = [
+        f"{_short(one)} is saved with +- {plain(one.saved_sigma, 2)}, for what an unseen {one.unseen.candidate} "
+        "could have done"
+        for one in saved
+        if one.unseen is not None
+    ]
+    terminal.line("; ".join(["+- by the fit alone", *larger]), "  ")
 
 
-def _values(terminal: Terminal, effect: Finding) -> None:
-    """Print the values of a cause: relative to their mean, where the mean is far less certain."""
+def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) -> None:
+    """Print the values of a cause: relative to their mean, where the mean is far less certain.
+
+    The standard deviation is the one that may be relied on, with that of the fit below it.
+    """
     relative = effect.relative()
     if relative:
         terminal.line("relative to their mean:", "  ")
     for value in relative or effect.parameters:
-        terminal.line(f"{_short(value)} = {_with_sigma(value)}", "    " if relative else "  ")
+        shown, why = (value, "") if relative else (believed(value, corrected), why_larger(value, corrected))
+        terminal.line(f"{_short(value)} = {_with_sigma(shown)}", "    " if relative else "  ")
+        if why:
+            terminal.line(why, "    ")
     if why := effect.member(effect.name).implausible:
         terminal.line(f"implausible: {why}", "  ")
     if relative:
-        each = ", ".join(map(_with_sigma, effect.parameters))
+        each = ", ".join(_with_sigma(believed(value, corrected)) for value in effect.parameters)
         terminal.line("with their mean, which is less certain:", "  ")
         terminal.line(each, "    ")
 
@@ -123,7 +146,7 @@ def _damping(terminal: Terminal, result: Diagnosis) -> None:
     terminal.line()
     terminal.line(f"damping: {found.verdict}")
     terminal.line(found.reason, "  ")
-    _causes(terminal, found.effects)
+    _causes(terminal, found.effects, found.corrected)
     for group in found.survivors:
         terminal.line(f"remains: {' or '.join(group)}", "  ")
     if found.fitted:
@@ -179,16 +202,21 @@ def _poses(labels: Sequence[str]) -> str:
 
 
 def _refitted(terminal: Terminal, values: Sequence[Refitted]) -> None:
+    widened = any(value.saved_sigma > NOTICEABLE * value.sigma for value in values)
     rows = [
         (
             value.name.removeprefix("effects."),
             plain(value.before),
-            str(rounded(value.after, value.sigma)),
+            str(rounded(value.after, value.saved_sigma)),
+            *((rounded(value.after, value.sigma).columns[1],) if widened else ()),
             "" if value.unit == "1" else value.unit,
         )
         for value in values
     ]
-    terminal.table(("uncertain value", "before", "after", "unit"), rows, ("uncertain value", "unit"))
+    fit = ("+- of fit",) if widened else ()
+    terminal.table(("uncertain value", "before", "after", *fit, "unit"), rows, ("uncertain value", "unit"))
+    if widened:
+        terminal.line("after: with what candidates that these data do not show could have done to the values")
 
 
 def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from pkmodes.diagnosis.verdict.findings import Stability
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, meaning
+from pkmodes.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, meaning, stable
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
 
 #: The changes as people say them.
@@ -20,7 +20,7 @@ def stability_sentence(result: Diagnosis) -> str:
     Returns
     -------
     str
-        It begins with "stable" if no change finds another cause.
+        It begins with "stable" where `stability_words.stable` allows it.
     """
     if not result.stability or result.verdict == INSUFFICIENT_DATA.word:
         return ""
@@ -29,11 +29,10 @@ def stability_sentence(result: Diagnosis) -> str:
     for entry in result.stability:
         found = _outcome(result, entry, claimed), meaning(result, entry)
         outcomes.setdefault(found, []).append(entry.change)
-    moved = any(not set(entry.effects) <= claimed for entry in result.stability)
     same = _same(result)
     order = sorted(outcomes, key=lambda found: found[0] != same)  # what stays comes first
     parts = [_part(*found, outcomes[found], len(outcomes) == 1) for found in order]
-    return f"{'stability' if moved else 'stable'}: {'; '.join(parts)}"
+    return f"{'stable' if stable(result) else 'stability'}: {'; '.join(parts)}"
 
 
 def _outcome(result: Diagnosis, entry: Stability, claimed: set[str]) -> str:

@@ -156,8 +156,6 @@ class Criteria:
     alone: float = 0.7
     #: A change of this many standard deviations is probably detected, even among many candidates.
     seen: float = 5.0
-    #: A cause is not detectable if even a change of some frequency by this fraction would not be detected.
-    noticeable: float = 0.1
 
     #: Number of explanations refitted with other errors and priors, and their largest difference from the best one:
     #: explanations farther away do not become the best.

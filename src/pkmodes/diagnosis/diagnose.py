@@ -242,12 +242,13 @@ def _insufficient(builder: DiagnosisBuilder) -> Diagnosis:
         hints,
         contradicts,
     )
-    names = tuple(candidate.name for candidate in candidates)
     drives = seemingly_wrong_drives(fitter)
     about = (*((drives,) if drives else ()), *(() if fit is None else remarks(builder.setups, fit)))
     if fit is None:
         bounded = limits.unknown(store, candidates)
     else:
         bounded = limits.beside(store, [fit], candidates, noise=not contradicts)
+    known = {*bounded.limited, *hints}
+    unseen = tuple(candidate.name for candidate in candidates if candidate.name not in known)
     same = unchanged(INSUFFICIENT_DATA)
-    return builder.without_search(INSUFFICIENT_DATA, reason, store, fit, names, about, same, bounded)
+    return builder.without_search(INSUFFICIENT_DATA, reason, store, fit, unseen, about, same, bounded)

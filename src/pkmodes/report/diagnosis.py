@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from pkmodes.diagnosis.verdict import naming
-from pkmodes.diagnosis.verdict.findings import Finding
+from pkmodes.diagnosis.verdict.findings import Finding, believed, why_larger
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
-from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, VERDICTS
+from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report import explanations, figures, numbers
 from pkmodes.report.blocks import Cell, Section, Summary
@@ -56,7 +56,7 @@ def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary
         kind="Diagnosis",
         verdict=result.verdict,
         headline=_headline(result),
-        reason=prose(_sentence(result.reason) + _refitted(result)),
+        reason=prose(_sentence(result.reason) + _larger(result)),
         tone=VERDICTS[result.verdict].colour,
         notes=[prose(_sentence(note)) for note in (*result.notes, *_of_damping(result))],
         facts=facts,
@@ -64,11 +64,15 @@ def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary
     )
 
 
-def _refitted(result: Diagnosis) -> str:
-    """Return that an adequate model is one whose uncertain values were refitted, if it has any."""
-    if result.verdict != ADEQUATE.word or not any(value.prior_sigma for value in result.corrected):
-        return ""
-    return " Its uncertain values were refitted within their standard deviations."
+def _larger(result: Diagnosis) -> str:
+    """Return why the standard deviations of the causes are larger than those of the fit."""
+    return "".join(
+        f" {key(value)}: {why}."
+        for effect in result.effects
+        if len(effect.members) == 1 and not effect.relative()
+        for value in effect.parameters
+        if (why := why_larger(value, result.corrected))
+    )
 
 
 def _of_damping(result: Diagnosis) -> list[str]:
@@ -79,7 +83,10 @@ def _of_damping(result: Diagnosis) -> list[str]:
 
 def _headline(result: Diagnosis) -> str:
     causes = clean(naming.found(result.effects, naming.LONGEST), SENTENCE) if result.effects else ""
-    return VERDICTS[result.verdict].sentence.format(causes=causes, s="s" if len(result.effects) > 1 else "")
+    verdict = VERDICTS[result.verdict].sentence.format(
+        causes=causes, s="s" if len(result.effects) > 1 else ""
+    )
+    return f"{verdict}; {clean(result.headline, SENTENCE)}" if result.headline else verdict
 
 
 def _sentence(text: str) -> str:
@@ -91,7 +98,7 @@ def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
     """Return the sizes of the causes, and the errors of the first and the last stage."""
     facts: list[tuple[str, Cell]] = []
     for i, effect in enumerate(result.effects):
-        sizes = _class_sizes(effect, i, setting) if len(effect.members) > 1 else _sizes(effect, i, setting)
+        sizes = _class_sizes(effect, i, setting) if len(effect.members) > 1 else _sizes(result, i, setting)
         facts += sizes[: MOST - len(facts)]
     last = "after" if result.after is not None else "refit"
     stages = {"before": (result.before, "as declared")}
@@ -115,12 +122,14 @@ def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
     return facts
 
 
-def _sizes(effect: Finding, i: int, setting: Setting) -> list[tuple[str, Cell]]:
-    """Return the values of a cause."""
+def _sizes(result: Diagnosis, i: int, setting: Setting) -> list[tuple[str, Cell]]:
+    """Return the values of a cause, with the standard deviations that may be relied on."""
+    effect = result.effects[i]
     facts, relative = [], effect.relative()
     for value in relative or effect.parameters:
         own = ("effects", i, "relative" if relative else "parameters", key(value))
-        cell = uncertain(value.value, value.sigma, pointer(*own, "value"), pointer(*own, "sigma"))
+        sigma = pointer(*own, "sigma" if relative else "saved_sigma")
+        cell = uncertain(value.value, believed(value, result.corrected).sigma, pointer(*own, "value"), sigma)
         name = clean(key(value))
         title = f"{name} relative to the mean" if relative else setting.words(value.name) or name
         facts.append((f"{title} [{unit(value.unit)}]" if unit(value.unit) else title, cell))

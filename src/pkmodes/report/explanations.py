@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from pkmodes.diagnosis.verdict import naming
-from pkmodes.diagnosis.verdict.findings import Examined, Finding, Value
+from pkmodes.diagnosis.verdict.findings import Corrected, Examined, Finding, Value, believed
 from pkmodes.diagnosis.verdict.result import Damping, Diagnosis, key
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Table
@@ -50,7 +50,8 @@ def causes(result: Diagnosis | Damping, setting: Setting, *top: str) -> list[Blo
             entries.append(("Names" if several else "Name", [Cell(names)]))
         at = pointer(*top, "effects", i)
         entries.append(("p-value", [p_value(effect.p_value, at + pointer("p_value"))]))
-        blocks += [Facts(entries), *_relative(effect, at, setting), _members(effect, at, setting, sentences)]
+        blocks += [Facts(entries), *_relative(effect, at, setting)]
+        blocks.append(_members(effect, result.corrected, at, setting, sentences))
         if several:
             blocks.append(
                 Paragraph(
@@ -66,31 +67,48 @@ def causes(result: Diagnosis | Damping, setting: Setting, *top: str) -> list[Blo
     return blocks
 
 
-def _members(effect: Finding, place: str, setting: Setting, sentences: Mapping[str, str]) -> Table:
-    """Return the values of the cause, and of each other member of its class if it were the cause."""
+def _members(
+    effect: Finding,
+    corrected: Sequence[Corrected],
+    place: str,
+    setting: Setting,
+    sentences: Mapping[str, str],
+) -> Table:
+    """Return the values of the cause, and of each other member of its class if it were the cause.
+
+    The standard deviation of a single cause is the one that may be relied on, beside that of the fit.
+    """
+    alone = len(effect.members) == 1
     rows = []
     for member in effect.members:
         why = effect.member(member).implausible
         for value in effect.alternatives[member]:
             at = place + pointer("alternatives", member, key(value))
+            fit, saved = at + pointer("sigma"), place + pointer("parameters", key(value), "saved_sigma")
+            sigma = believed(value, corrected).sigma if alone else value.sigma
             rows.append(
                 [
                     Cell.named(clean(sentences.get(member, "")), clean(member)),
                     Cell.named(setting.words(value.name), clean(value.name)),
-                    uncertain(value.value, value.sigma, at + pointer("value"), at + pointer("sigma")),
+                    uncertain(value.value, sigma, at + pointer("value"), saved if alone else fit),
+                    *((figures(value.sigma, 2, fit),) if alone else ()),
                     Cell(unit(value.unit)),
                     Cell(prose(f"no: {why}") if why else "yes"),
                 ]
             )
-    columns = [Column("cause", False), Column("parameter", False), Column("value")]
+    columns = [Column("cause", False), Column("parameter", False)]
+    columns += (
+        [Column("value"), Column("\u03c3 of the fit")] if alone else [Column("value, \u03c3 of the fit")]
+    )
     columns += [Column("unit", False), Column("plausible", False)]
-    if len(effect.members) == 1:  # the cause stands above
+    if alone:  # the cause stands above
         rows, columns = [row[1:] for row in rows], columns[1:]
-    if all(effect.plausible.values()) and len(effect.members) == 1:
+    if alone and all(effect.plausible.values()):
         rows, columns = [row[:-1] for row in rows], columns[:-1]
     caption = (
-        f"Size of the cause{', with that mean' if effect.relative() else ''}."
-        if len(effect.members) == 1
+        f"Size of the cause{', with that mean' if effect.relative() else ''}; its standard deviation includes what "
+        "a candidate that these data do not show could have done to it."
+        if alone
         else "The class: each member as if it were the cause."
     )
     return table(caption, columns, rows)
@@ -256,14 +274,14 @@ def standing(result: Diagnosis | Damping, name: str) -> str:
 
 
 def _undetectable(result: Diagnosis) -> list[Block]:
-    """Return what these data would not show, not even of a size that moves a frequency by a tenth."""
+    """Return what these data neither show nor bound."""
     if not result.undetectable:
         return []
     sentences = {one.name: one.sentence for one in result.candidates}
     return [
         Paragraph(
-            "Not detectable with these data, even if they moved a measured frequency by 10 % or had their largest "
-            "plausible size. That they were not found says nothing about them:"
+            "Not detectable with these data: nothing bounds them within their plausible range, and no explanation "
+            "contains them. That they were not found says nothing about them:"
         ),
         Listing([named(name, sentences) for name in result.undetectable]),
     ]

@@ -86,14 +86,15 @@ def values(result: Diagnosis, setting: Setting) -> list[Block]:
     columns = [Column("value", False), Column("role", False), Column("before")]
     columns += [
         Column("after"),
-        Column("\u03c3 saved"),
+        Column("\u03c3 of the fit"),
         Column("unit", False),
         Column("prior \u03c3"),
         Column("moved [prior\u00a0\u03c3]"),
     ]
     caption = (
-        "Fitted values: as declared, and after the fit with their standard deviations. \u03c3 saved, in the "
-        "corrected robot file, includes what a candidate that these data do not show could have done to the value."
+        "Fitted values: as declared, and after the fit with the standard deviations of the corrected robot file, "
+        "which include what a candidate that these data do not show could have done to the value; beside them those "
+        "of the fit alone."
     )
     blocks: list[Block] = [table(caption, columns, rows)]
     figure = scores.pulls(corrected, setting.words)
@@ -131,8 +132,8 @@ def _value(result: Diagnosis, value: Corrected, setting: Setting) -> list[Cell]:
         Cell.named(setting.words(value.name), clean(value.name)),
         Cell(f"{role}, at a bound" if value.at_bound else role),
         figures(value.declared, 6, before),
-        uncertain(value.value, value.sigma, after, sigma),
-        figures(value.saved_sigma, 2, saved),
+        uncertain(value.value, value.saved_sigma, after, saved),
+        figures(value.sigma, 2, sigma),
         Cell(unit(value.unit)),
         figures(prior, 2),
         number((value.value - value.declared) / prior if prior else None, "+.1f"),

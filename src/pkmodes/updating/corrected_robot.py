@@ -19,9 +19,6 @@ from pkmodes.robot.saving import Correction, corrected_text, save_corrected
 from pkmodes.updating import frame
 from pkmodes.updating.measured_robot import robot_of
 
-#: A saved standard deviation that is larger than that of the fit by this factor is explained in the file.
-NOTICEABLE = 1.05
-
 
 def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
     """Return the changes of the robot file after a diagnosis: refitted values, causes, and their uncertainty.
@@ -88,7 +85,7 @@ def widened(diagnosis: Diagnosis) -> list[Corrected]:
     return [
         value
         for value in diagnosis.corrected
-        if value.saved_sigma > NOTICEABLE * value.sigma and not value.name.startswith(frame.OF_MEASUREMENT)
+        if value.widened and not value.name.startswith(frame.OF_MEASUREMENT)
     ]
 
 

@@ -86,12 +86,11 @@ def examined(
     c, one = fitter.criteria, fitter.losses[loss]
     sigma = _sigma(fitter, final, loss)
     size = c.seen * sigma
-    seen = shown or p_value <= c.surely
+    seen = shown or bounded or p_value <= c.surely
     if not (bounded or shown) or not np.isfinite(size) or size > one.parameter.upper:
         return Examined(one.candidate, p_value, (), seen, one.sentence)
     visible = Value(one.parameter.name, float(size), float(sigma), one.parameter.unit)
-    largest = float(size * fitter.rows.rates[:, loss].max())
-    return Examined(one.candidate, p_value, (visible,), seen or largest < 1.0, one.sentence)
+    return Examined(one.candidate, p_value, (visible,), seen, one.sentence)
 
 
 def _sigma(fitter: LossFitter, fit: LossFit, loss: int) -> float:

@@ -12,7 +12,7 @@ from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import reached_bounds
 from pkmodes.diagnosis.search.ranges import plausible_sizes
 from pkmodes.diagnosis.search.search import Outcome, Search
-from pkmodes.diagnosis.verdict import held_out, limits
+from pkmodes.diagnosis.verdict import caveats, held_out, limits, misfit
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.detectable import examined
 from pkmodes.diagnosis.verdict.findings import Corrected, Finding, Refitted, Stability, Value
@@ -66,7 +66,7 @@ class DiagnosisBuilder:
             bounded = limits.beside(search.store, open_fits, unclaimed, noise=False)
         last = judged.last.scores if verdict.settled else outcome.first.scores
         shown = claimed | {cause.name for named in remaining for _, fit in named for cause in fit.causes}
-        shown |= set(pointed)
+        shown |= {*pointed, *(name for entry in stability for name in entry.effects)}
         apart = [candidate for candidate in search.candidates if candidate.name not in bounded.candidates]
         tested = examined(
             self.fitter,
@@ -74,7 +74,8 @@ class DiagnosisBuilder:
             last,
             {**plausible_sizes(self.fitter, outcome.nuisances, apart), **bounded.plausible},
             shown=shown,
-            unbounded=bounded.unbounded - shown if verdict.settled else (),
+            limited=bounded.limited,
+            unbounded=bounded.unbounded - shown,
         )
         undetectable = tuple(one.name for one in tested if not one.detectable)
         diagnosis = self.without_search(
@@ -100,8 +101,11 @@ class DiagnosisBuilder:
             self.fitter.criteria.worse,
         )
         proposed, not_separated = next_measurement(self.fitter, contested)
+        reason, headline = self._with_caveats(search.store, judged, diagnosis)
         return replace(
             diagnosis,
+            reason=reason,
+            headline=headline,
             effects=findings,
             survivors=tuple(tuple(name for name, _ in named) for named in remaining),
             next_measurement=proposed,
@@ -109,6 +113,24 @@ class DiagnosisBuilder:
             candidates=tested,
             notes=(*diagnosis.notes, *judged.left_out, *contradictions),
         )
+
+    def _with_caveats(self, store: FitStore, judged: Judgement, diagnosis: Diagnosis) -> tuple[str, str]:
+        """Return the reason with what belongs beside a settled verdict, and what of this is in the headline."""
+        if not judged.verdict.settled:
+            return diagnosis.reason, ""
+        values = [value for value in diagnosis.corrected if value.prior_sigma is not None]
+        if judged.verdict is not ADEQUATE:
+            headline = caveats.conspicuous(values, needed=False)
+            return "; ".join(part for part in (diagnosis.reason, headline) if part), headline
+        needed = misfit.p_declared(store, judged.final) <= judged.last.level
+        headline = caveats.conspicuous(values, needed=needed)
+        limited = any(limit.value is not None for limit in diagnosis.limits.values())
+        parts = (
+            f"{diagnosis.reason}: {caveats.refitted(values)}" if needed else diagnosis.reason,
+            headline if not needed else "",
+            caveats.unseen(diagnosis.undetectable, limited),
+        )
+        return "; ".join(part for part in parts if part), headline
 
     def without_search(
         self,

@@ -45,7 +45,7 @@ def reason_of(builder: DiagnosisBuilder, search: Search, outcome: Outcome, judge
     if judged.doubt:
         return Reason.naming(judged.doubt, judged.final.causes)
     if judged.verdict is ADEQUATE:
-        return Reason(reasons.adequate(outcome.last, noise))
+        return Reason(reasons.adequate(outcome.last, noise, misfit.p_declared(search.store, judged.final)))
     if judged.verdict is EFFECT_FOUND:
         return Reason(reasons.effect_found(builder.findings(judged), outcome.first, noise))
     if judged.verdict is AMBIGUOUS:

@@ -5,8 +5,9 @@ A candidate is *detectable* if one of these holds:
 * it is claimed, in the class of a claim, or remains as an explanation, or the reason of the verdict says that the
   data point to it;
 * the residual of the refitted model shows it: its score is significant;
-* the data would show it: the smallest change of it that they would probably show, beside what is claimed, is
-  plausible and moves no measured frequency by more than a tenth, and they bound it.
+* the data bound it: one of its parameters has a limit (`limits`), so that its absence beyond that is known.
+
+So what is called not detectable never has a limit, and is never part of an explanation.
 
 Only plausible changes count, those in the range in which limits are sought (`search.ranges`); the score too is that
 of the best change within it.  A candidate nearly parallel to an uncertain value, such as gravity, would otherwise
@@ -33,6 +34,7 @@ def examined(
     plausible: Mapping[int, float],
     *,
     shown: Collection[str],
+    limited: Collection[str],
     unbounded: Collection[str],
 ) -> tuple[Examined, ...]:
     """Return the test of each candidate, its smallest visible change, and whether it is detectable.
@@ -44,9 +46,9 @@ def examined(
     plausible : mapping of int to float
         Largest plausible deviation of each parameter.
     shown : collection of str
-        Candidates that are claimed, in the class of a claim, remain, or are named by the reason.
-    unbounded : collection of str
-        Candidates that the data do not bound.
+        Candidates that are claimed, in the class of a claim, remain, or are named by the reason or the stability.
+    limited, unbounded : collection of str
+        Candidates of which the data bound some parameter, and of which they do not bound every one.
     """
     c, beside = fitter.criteria, {one.candidate.name: one for one in last.each}
     found = []
@@ -57,14 +59,13 @@ def examined(
         p_value = p_of_plausible(fitter, tested, most)
         sizes = c.seen * one.sigma
         visible = one.visible and name not in unbounded and bool((np.isfinite(sizes) & (sizes <= most)).all())
-        small = visible and bool((sizes * one.largest <= c.noticeable).all())
         parameters = [fitter.parameters[i] for i in index] if visible else []
         values = tuple(
             Value(p.name, float(size), float(size / c.seen), p.unit)
             for p, size in zip(parameters, sizes, strict=bool(parameters))
         )
-        seen = name in shown or p_value <= c.surely
-        found.append(Examined(name, p_value, values, seen or small, tested.candidate.sentence))
+        detectable = name in shown or name in limited or p_value <= c.surely
+        found.append(Examined(name, p_value, values, detectable, tested.candidate.sentence))
     return tuple(found)
 
 

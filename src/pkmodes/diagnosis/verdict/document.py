@@ -167,8 +167,8 @@ class CandidateDocument(Document):
     detectable: Annotated[
         bool,
         Meta(
-            description="Whether these data show it, or would show a plausible change that moves a frequency by a "
-            "tenth."
+            description="Whether these data show it or bound it: it is part of an explanation, its score is "
+            "significant, or one of its parameters has a limit."
         ),
     ]
     visible_from: Annotated[
@@ -339,7 +339,11 @@ class DiagnoseDocument(Document):
         list[str], Meta(description="Labels of the poses that took no part in any choice or fit.")
     ]
     undetectable: Annotated[
-        list[str], Meta(description="Candidates that are not detectable with these data.")
+        list[str],
+        Meta(
+            description="Candidates that are not detectable with these data: none of them has a limit or is part of "
+            "an explanation."
+        ),
     ]
     limits: Annotated[
         dict[str, SizeDocument | None],

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from pkmodes.base.numbers import rounded
 from pkmodes.diagnosis.verdict.members import Member
 from pkmodes.diagnosis.verdict.relative import relative_to_mean
 from pkmodes.diagnosis.verdict.unseen import Unseen
@@ -20,6 +21,10 @@ class Value:
     value: float
     sigma: float
     unit: str
+
+
+#: A saved standard deviation that is larger than that of the fit by this factor is explained.
+NOTICEABLE = 1.05
 
 
 @dataclass(frozen=True)
@@ -53,6 +58,31 @@ class Corrected(Value):
         if self.prior_sigma is None:
             return sigma
         return max(self.sigma, min(sigma, math.hypot(self.prior_sigma, self.value - self.declared)))
+
+    @property
+    def widened(self) -> bool:
+        """Whether the saved standard deviation is noticeably larger than that of the fit."""
+        return self.saved_sigma > NOTICEABLE * self.sigma
+
+
+def saved_as(value: Value, corrected: Sequence[Corrected]) -> Corrected | None:
+    """Return a value of a cause as the corrected robot file has it; None for another member of a class."""
+    return next((one for one in corrected if (one.name, one.value) == (value.name, value.value)), None)
+
+
+def believed(value: Value, corrected: Sequence[Corrected]) -> Value:
+    """Return a value with the standard deviation that may be relied on: the saved one, where there is one."""
+    saved = saved_as(value, corrected)
+    return value if saved is None else replace(value, sigma=saved.saved_sigma)
+
+
+def why_larger(value: Value, corrected: Sequence[Corrected]) -> str:
+    """Return why the standard deviation of a value is larger than that of the fit; empty if it is not."""
+    saved = saved_as(value, corrected)
+    if saved is None or saved.unseen is None or not saved.widened:
+        return ""
+    fit = rounded(value.value, value.sigma).columns[1]
+    return f"+- {fit} by the fit alone; the rest is what an unseen {saved.unseen.candidate} could have done"
 
 
 @dataclass(frozen=True)
@@ -150,7 +180,7 @@ class Examined:
         Smallest change of each parameter that these data would probably show, with its standard deviation, beside
         what is claimed; none if it would not be plausible.
     detectable : bool
-        Whether these data show it, or would show a plausible change that moves a frequency by a tenth.
+        Whether these data show it or bound it.
     sentence : str
         Physical meaning.
     """

@@ -52,6 +52,11 @@ class Limits:
     candidates: frozenset[str]
     unbounded: frozenset[str]
 
+    @property
+    def limited(self) -> frozenset[str]:
+        """Names of the candidates of which some parameter has a limit."""
+        return frozenset(limit.candidate for limit in self.of.values() if limit.value is not None)
+
 
 def unknown(store: FitStore, candidates: Iterable[Candidate]) -> Limits:
     """Return the limits where the data say nothing, because of an obvious mistake in them."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from scipy import stats
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.misfit import Misfit
@@ -17,6 +18,14 @@ def of_frequencies(store: FitStore, fit: Fit) -> Misfit:
     rows = fitter.frequency_rows
     count = len(fitter.log) - len(fit.hypothesis.excluded) - int(fit.hypothesis.scatter)
     return Misfit(float(fit.white[rows] @ fit.white[rows]), count - float(fit.leverage[rows].sum()))
+
+
+def p_declared(store: FitStore, fit: Fit) -> float:
+    """Return the p-value of the frequencies of the model as declared, over the rows that a fit used."""
+    fitter = store.fitter
+    used = fitter.used(fit.hypothesis)
+    *_, chi2 = fitter.unfitted(fitter.declared, used)
+    return float(stats.chi2.sf(chi2, max(int(used.sum()), 1)))
 
 
 def far_away(store: FitStore, fit: Fit, among: Sequence[int]) -> tuple[str, float]:

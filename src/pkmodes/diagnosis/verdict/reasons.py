@@ -29,13 +29,20 @@ def noise(fit: Fit, lines: NDArray[np.int_]) -> str:
     return " and ".join(parts)
 
 
-def adequate(gate: Gate, setting_aside: str) -> str:
-    """Return the reason if nothing is missing."""
+def adequate(gate: Gate, setting_aside: str, declared: float) -> str:
+    """Return the reason if nothing is missing.
+
+    Parameters
+    ----------
+    declared : float
+        p-value of the residual of the model as declared, before any refit.
+    """
     aside = f", with {setting_aside}" if setting_aside else ""
-    return (
-        f"the residual of the declared model is noise ({p_in_words(gate.p_value)}, "
-        f"and {p_text(gate.p_candidates)} for the best candidate){aside}"
-    )
+    p = f"({p_in_words(gate.p_value)}, and {p_text(gate.p_candidates)} for the best candidate)"
+    if declared > gate.level:
+        return f"the residual of the declared model is noise {p}{aside}"
+    refit = "the residual is noise once the uncertain values are refitted"
+    return f"{refit} {p}, not as declared ({p_in_words(declared)}){aside}"
 
 
 def effect_found(findings: Sequence[Finding], gate: Gate, setting_aside: str) -> str:

@@ -25,7 +25,15 @@ from pkmodes.diagnosis.verdict.document import (
     StagesDocument,
     ValueDocument,
 )
-from pkmodes.diagnosis.verdict.findings import Corrected, Examined, Finding, Refitted, Stability, Value
+from pkmodes.diagnosis.verdict.findings import (
+    Corrected,
+    Examined,
+    Finding,
+    Refitted,
+    Stability,
+    Value,
+    believed,
+)
 from pkmodes.diagnosis.verdict.proposal import NextMeasurement
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.diagnosis.verdict.unseen import Limit
@@ -150,6 +158,8 @@ class Diagnosis:
         Partners, differences and MAC of all measured modes, for figures; not part of the JSON.
     damping : Damping
         What the damping says; its ratios are among the rows.
+    headline : str
+        What of the refitted values a headline says beside the verdict; empty for nothing.
     """
 
     verdict: Word
@@ -175,16 +185,17 @@ class Diagnosis:
     damping: Damping = field(default_factory=Damping)
     correlation: tuple[tuple[float, ...], ...] = field(default=(), repr=False)
     not_separated: str = ""
+    headline: str = ""
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]
         for effect in self.effects:
             p = p_in_words(effect.p_value)
             if len(effect.members) == 1:
-                lines.append(f"cause: {effect.name} ({p}): {_values(effect, effect.name)}")
+                lines.append(f"cause: {effect.name} ({p}): {_values(effect, effect.name, self)}")
                 continue
             lines.append(f"cause: one of these, which these data cannot tell apart ({p})")
-            lines += [f"  {name}: {_values(effect, name)}" for name in effect.members]
+            lines += [f"  {name}: {_values(effect, name, self)}" for name in effect.members]
         lines += [f"remains: {' or '.join(group)}" for group in self.survivors]
         for stage, error in (("before", self.before), ("refit", self.refit), ("after", self.after)):
             if error is not None:
@@ -262,13 +273,16 @@ def key(v: Value) -> str:
     return v.name.split(".")[-1] if v.name.startswith("effects.") else v.name
 
 
-def _values(effect: Finding, member: str) -> str:
+def _values(effect: Finding, member: str, result: Diagnosis) -> str:
     """Return the values of a cause, or of another member of its class, and whether they are implausible."""
     relative = effect.relative(member)
-    values = [
-        f"{v.name} = {rounded(v.value, v.sigma)} {v.unit}".removesuffix(" 1")
-        for v in relative or effect.alternatives.get(member, ())
-    ]
+    fitted = relative or effect.alternatives.get(member, ())
+    shown = (
+        [believed(v, result.corrected) for v in fitted]
+        if len(effect.members) == 1 and not relative
+        else fitted
+    )
+    values = [f"{v.name} = {rounded(v.value, v.sigma)} {v.unit}".removesuffix(" 1") for v in shown]
     also, why = " relative to their mean" if relative else "", effect.member(member).implausible
     return ", ".join(values) + also + (f" (implausible: {why})" if why else "")
 

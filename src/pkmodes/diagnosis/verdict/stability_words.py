@@ -32,6 +32,17 @@ UNDECIDED = {
 }
 
 
+#: Changes of the verdict that the errors themselves explain: smaller ones make noise a residual, larger ones make a
+#: residual noise.
+EXPECTED = {(HALVED, UNEXPLAINED.word), (DOUBLED, ADEQUATE.word)}
+
+
+def stable(result: Diagnosis) -> bool:
+    """Return whether a verdict may be called stable: at most one change gives another, which the errors explain."""
+    others = [entry for entry in result.stability if not same(result, entry)]
+    return len(others) <= 1 and all((entry.change, entry.verdict) in EXPECTED for entry in others)
+
+
 def same(result: Diagnosis, entry: Stability) -> bool:
     """Return whether a change leaves the verdict and its causes as they are."""
     claimed = {member for effect in result.effects for member in effect.members}

@@ -1,0 +1,117 @@
+"""What stands beside a verdict: what was refitted and by how much, what the data cannot see, which sigma counts."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from helpers.pages.page_reading import read
+from helpers.pages.report_examples import made_up
+from helpers.robots.small_structures import LogLinear, logs_measured
+from pkmodes.diagnosis import Candidate, Diagnosis, Parameter, diagnose
+from pkmodes.diagnosis.verdict import caveats
+from pkmodes.diagnosis.verdict.findings import Corrected, believed, why_larger
+from pkmodes.diagnosis.verdict.unseen import Unseen
+from pkmodes.report import report
+
+SIGMA = 0.002
+
+
+def refitted(
+    value: float, sigma: float = 0.1, prior: float | None = 1.0, unseen: float | None = None
+) -> Corrected:
+    """A value declared as 10 that was refitted."""
+    other = None if unseen is None else Unseen(unseen, "clamps")
+    return Corrected("effects.servo.stiffness", value, sigma, "N*m/rad", 10.0, prior, False, other)
+
+
+def test_what_was_refitted_is_said_with_its_size_in_standard_deviations_of_the_prior() -> None:
+    assert caveats.refitted([refitted(12.0)]) == "servo.stiffness from 10 to 12 N*m/rad (+2.0 sigma)"
+    small = replace(refitted(9.8), name="mass", unit="1")
+    assert caveats.refitted([small]) == "mass from 10 to 9.8 (-0.2 sigma)"
+    assert caveats.refitted([small, refitted(12.0)]) == caveats.refitted([refitted(12.0)])
+    assert caveats.refitted([refitted(12.0, prior=None)]) == ""
+
+
+@pytest.mark.parametrize(
+    ("value", "headline"),
+    [
+        (refitted(12.0), ""),
+        (refitted(13.2), "servo.stiffness is 3.2 sigma from its declared value"),
+        # An unseen candidate moves it by 1.645 of its standard deviations at its limit.
+        (
+            refitted(11.6, unseen=1.0),
+            "servo.stiffness was refitted from 10 to 11.6 N*m/rad, which an unseen clamps could have done",
+        ),
+        (refitted(11.7, unseen=1.0), ""),
+        (refitted(10.2, unseen=1.0), ""),  # within what the fit leaves open
+    ],
+)
+def test_a_conspicuous_refit_is_in_the_headline(value: Corrected, headline: str) -> None:
+    assert caveats.conspicuous([value], needed=True) == headline
+    alone = headline if "sigma from" in headline else ""
+    assert caveats.conspicuous([value], needed=False) == alone
+
+
+def test_an_adequate_model_is_followed_by_what_it_cannot_see() -> None:
+    assert caveats.unseen(["a", "b"], limited=False) == "it cannot see a, b"
+    assert caveats.unseen([*"abcdef"], limited=True) == (
+        "it cannot see a, b, c, d and 2 more, nor what is below its limit"
+    )
+    assert caveats.unseen([], limited=True) == "it cannot see what is below its limit"
+    assert caveats.unseen([], limited=False) == ""
+
+
+def measured(n: float) -> Diagnosis:
+    """The diagnosis of a structure whose uncertain value is n sigma from the declared one."""
+    rng = np.random.default_rng(7)
+    base = np.log(10.0) + 0.35 * np.tile(np.arange(4.0), (6, 1))
+    along, other = rng.standard_normal((2, 6, 4))
+    parameters = [Parameter("n", 0.0, sigma=1.0), Parameter("a", 0.0), Parameter("nothing", 0.0)]
+    candidates = [Candidate(name, (name,)) for name in ("a", "nothing")]
+    G = 0.02 * np.stack([along, other, 0.0 * other], axis=-1)
+    errors = SIGMA * rng.standard_normal(base.shape)
+    return diagnose(
+        LogLinear(base, G, parameters, candidates),
+        logs_measured(base + 0.02 * n * along + errors, SIGMA),
+        holdout=(),
+    )
+
+
+def test_the_residual_of_the_declared_model_is_noise_only_where_it_is() -> None:
+    right, refit = measured(0.0), measured(2.0)
+    assert right.verdict == refit.verdict == "adequate"
+    assert right.reason.startswith("the residual of the declared model is noise (p = ")
+    assert right.headline == refit.headline == ""
+    assert refit.before is not None
+    assert refit.before.chi2_per_dof > 10.0
+    assert refit.reason.startswith("the residual is noise once the uncertain values are refitted (p = ")
+    assert ", not as declared (p < 1e-6): n from 0 to 2" in refit.reason
+    assert " (+2.0 sigma); it cannot see nothing, nor what is below its limit" in refit.reason
+
+
+def test_a_value_three_sigma_from_its_declaration_is_in_reason_and_headline() -> None:
+    found = measured(3.4)
+    assert found.verdict == "adequate"
+    assert found.headline == "n is 3.4 sigma from its declared value"
+    assert "(+3.4 sigma)" in found.reason
+
+
+def test_the_sigma_that_may_be_relied_on_comes_first_and_the_reason_why_with_it() -> None:
+    """0.01 by the fit and 0.04 by an unseen candidate: 0.041 together."""
+    result, data = made_up(6, 3)
+    payload = Corrected("effects.payload.mass", 0.3, 0.01, "kg", 0.0, None, False, Unseen(0.04, "belt_mass"))
+    found = replace(result, corrected=(payload,))
+    (value,) = found.effects[0].parameters
+    assert believed(value, found.corrected).sigma == pytest.approx(np.hypot(0.01, 0.04))
+    why = "+- 0.010 by the fit alone; the rest is what an unseen belt_mass could have done"
+    assert why_larger(value, found.corrected) == why
+    assert "payload.mass = 0.300 +- 0.041 kg" in str(found)
+    summary = read(report(found, data=data)).by_id("summary").text
+    assert "0.300 \u00b1 0.041" in summary
+    assert why in summary
+    assert why_larger(value, result.corrected) == ""
+    assert "0.300 +- 0.010 kg" in str(result)
+    assert found.as_json()["effects"][0]["parameters"]["mass"]["sigma"] == 0.01  # type: ignore[index]
