@@ -17,7 +17,7 @@ from pkmodes import updating
 from pkmodes.base.documents import schema_of
 from pkmodes.cli import cli, run
 from pkmodes.diagnosis.verdict import document, verdicts
-from pkmodes.diagnosis.verdict.verdicts import VERDICTS, Colour, Verdict, Word
+from pkmodes.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, Colour, Verdict, Word
 
 ROOT = Path(__file__).parents[2]
 DIAGNOSE = [
@@ -80,8 +80,8 @@ def test_the_command_line_knows_a_made_up_verdict(hearsay: str, capsys: pytest.C
 
 def test_the_schema_allows_the_verdicts_of_the_table() -> None:
     allowed = list(enumerations(schema()))
-    assert len(allowed) == 2, "the verdict, and those of the stability"
-    assert allowed == [sorted(VERDICTS)] * 2
+    assert allowed[:2] == [sorted(VERDICTS)] * 2, "the verdict, and those of the stability"
+    assert allowed[2:] == [sorted([*VERDICTS, NOT_MEASURED])], "the verdict on the damping"
     assert get_args(Word) == tuple(VERDICTS)
     content = made_up(2, 2)[0].as_json()
     jsonschema.Draft202012Validator(schema()).validate(content)
@@ -95,8 +95,10 @@ def test_a_made_up_entry_reaches_the_schema(monkeypatch: pytest.MonkeyPatch) -> 
     table: dict[str, Any] = {"__name__": verdicts.__name__}
     exec(source.replace("\nif TYPE_CHECKING:", f"\n{entry}if TYPE_CHECKING:"), table)
     monkeypatch.setattr(document, "Word", table["Word"])
+    monkeypatch.setattr(document, "DampingWord", table["DampingWord"])
     described = schema_of(document.DiagnoseDocument, "pkmodes diagnose --json")
-    assert list(enumerations(described)) == [sorted([*VERDICTS, HEARSAY.word])] * 2
+    words = [*VERDICTS, HEARSAY.word]
+    assert list(enumerations(described)) == [sorted(words), sorted(words), sorted([*words, NOT_MEASURED])]
     content = made_up(2, 2)[0].as_json() | {"verdict": HEARSAY.word}
     jsonschema.Draft202012Validator(described).validate(content)
 

@@ -92,7 +92,7 @@ def test_every_number_is_that_of_the_json(made: Made) -> None:
     unused = {k for k in numbers if k.endswith("_hz") and k.rsplit("/", 1)[1] not in shown_hz}
     parameters = {k for k in numbers if "/parameters/" in k}  # repeated in the alternatives, also shown
     covariances = {k for k in numbers if "/covariance/" in k}  # shown as standard deviations
-    assert numbers - unused - set(found) <= parameters | covariances | {"/pose_scatter"}
+    assert numbers - unused - set(found) <= parameters | covariances | {"/pose_scatter", "/damping/scatter"}
 
 
 def test_the_verdict_comes_first(made: Made) -> None:
@@ -119,7 +119,10 @@ def test_advice_fits_the_verdict(made: Made) -> None:
     assert ("usual where the stated sigma is right" in made.page.all("main")[0].text) == (
         halved == {"unexplained"} and verdict != "unexplained"
     )
-    assert ("left to separate" in made.page.by_id("next").text) == (verdict in ("adequate", "effect_found"))
+    advice, why = made.page.by_id("next").text, made.content["next_measurement_reason"]
+    assert ("None is proposed" in advice) == (made.content["next_measurement"] is None) == (why is not None)
+    assert why is None or why in advice
+    assert ("no explanations of it to separate" in advice) == (verdict == "adequate")
 
 
 def test_only_what_can_be_detected_has_a_smallest_visible_size(made: Made) -> None:

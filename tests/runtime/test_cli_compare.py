@@ -204,7 +204,7 @@ def test_modes_that_were_rigid_have_no_partner_until_something_ties_the_platform
     tied = PUBLISHED.read_text(encoding="utf-8") + '\n[effects.servo_stiffness]\nstiffness = "300 N*m/rad"\n'
     answer = call(write(tmp_path, tied, "tied.toml"), modes, "--all")
     assert [cells[-7] for cells in answer.table] == 3 * list("123456789")
-    assert "27 measured modes at 3 poses, motors free" in answer.out
+    assert "27 measured modes at 3 poses, motors on their servo stiffness" in answer.out
 
 
 def test_nothing_that_has_a_partner_is_no_perfect_model(tmp_path: Path) -> None:

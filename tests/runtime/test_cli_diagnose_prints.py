@@ -175,7 +175,7 @@ def test_every_terminal_gets_whole_numbers(tmp_path: Path, environment: dict[str
     if "FORCE_COLOR" not in environment:  # which would show the progress too
         assert without_progress(found.stderr.decode()) == ""
     assert "\u2026" not in out
-    assert re.search(r"motor\.inertia +1\.7e-5 +\(1\.\d+ \+- 0\.0\d+\)e-5 +kg\*m\^2", out)
+    assert re.search(r"motor\.inertia +1\.7e-5 +\(1\.\d+ \+- 0\.\d+\)e-5 +0\.0\d+e-5 +kg\*m\^2", out)
     label = "Gr\\xf6\\xdfe" if "PYTHONIOENCODING" in environment else "Größe"
     assert f"18 measured modes fitted, motors free (held out: {label})" in " ".join(out.split())
     if "COLUMNS" in environment:

@@ -57,7 +57,7 @@ def check_definition(folder: Path, reference: str, name: str) -> tuple[list[Any]
         given = read_definition(folder / reference, name)
     except PkmodesError:
         return [], [f"whether the definition {shown(reference)} has changed: it cannot be read"]
-    digests = derivation("emit.manifest")
+    digests = derivation("sources")
     recorded = derivation("emit.currency").read_manifest(folder)["sources"]
     if recorded.get(f"{name}.py") == digests.digest(given.text):
         return [], []

@@ -106,12 +106,13 @@ def _best(
     """Return the pose that separates an explanation most from the first one; None if none can be evaluated."""
     modes = int(np.median(np.bincount(fitter.data.pose)))
     noise = float(np.median(fitter.sigma))
-    first, *others = (_lowest(way.structure.predict(fit.values, ()), fit, modes) for _, fit in contested)
+    first, *others = (_lowest(way, way.structure.predict(fit.values, ()), fit, modes) for _, fit in contested)
     best: NextMeasurement | None = None
     for (name, _), prediction in zip(contested[1:], others, strict=True):
-        apart = (prediction - first) / noise
+        both = min(first.shape[1], prediction.shape[1])
+        apart = (prediction[:, :both] - first[:, :both]) / noise
         away = np.sqrt(np.sum(apart**2, axis=1))
-        if not np.isfinite(away).any():
+        if not both or not np.isfinite(away).any():
             continue
         k = int(np.nanargmax(away))
         if best is None or away[k] > best.sigmas:
@@ -138,7 +139,7 @@ def _hiding(fitter: Fitter, fit: Fit, way: _Way, pose: int, apart: Array) -> str
         Its name; empty if the difference is worth measuring beside all that is uncertain.
     """
     prediction = way.structure.predict(fit.values, fit.free)
-    rates = _lowest_of(prediction.log_rates, prediction, fit, len(apart))[pose]
+    rates = _lowest_of(prediction.log_rates, way, prediction, fit, len(apart))[pose]
     rates = rates / float(np.median(fitter.sigma))
 
     def left(covariance: Array) -> float:
@@ -179,14 +180,17 @@ def _names(fit: Fit) -> set[str]:
     return {name for cause in fit.causes for name in cause.parameters}
 
 
-def _lowest(prediction: Prediction, fit: Fit, modes: int) -> Array:
-    """Return the log frequencies of the lowest measurable modes."""
-    return _lowest_of(prediction.log_frequencies, prediction, fit, modes)
+def _lowest(way: _Way, prediction: Prediction, fit: Fit, modes: int) -> Array:
+    """Return the log frequencies of the lowest measurable modes; a formerly rigid mode counts if it is paired."""
+    return _lowest_of(prediction.log_frequencies, way, prediction, fit, modes)
 
 
-def _lowest_of(values: Array, prediction: Prediction, fit: Fit, modes: int) -> Array:
-    """Return values, (S, m, ...), at the lowest measurable modes; a formerly rigid mode counts if it is paired."""
-    rigid = fit.prediction.rigid
+def _lowest_of(values: Array, way: _Way, prediction: Prediction, fit: Fit, modes: int) -> Array:
+    """Return values, (S, m, ...), at the lowest measurable modes; a formerly rigid mode counts if it is paired.
+
+    With other motors, modes that were not measured say nothing about which are measurable.
+    """
     paired = fit.pairing.partner[fit.pairing.partner >= 0]
-    first = (int(paired.min()) if len(paired) else rigid) - rigid + prediction.rigid
+    above = int(paired.min()) - fit.prediction.rigid if len(paired) else 0
+    first = max(prediction.rigid + (min(above, 0) if way.unlike else above), 0)
     return values[:, first : first + modes]
