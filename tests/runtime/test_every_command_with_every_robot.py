@@ -20,6 +20,7 @@ from pkmodes.figures import files
 from pkmodes.report import blocks
 from pkmodes.report import map as report_of_maps
 from pkmodes.robot.saving import Correction, corrected_text
+from pkmodes.view import poses as viewed
 
 ROOT = Path(__file__).parents[2]
 ROBOTS = sorted([*ROOT.glob("robots/*.toml"), *ROOT.glob("examples/*/robot.toml")])
@@ -36,7 +37,11 @@ FIELDS = {"customer": "Example Works", "machine": "cell 7", "serial": "00123", "
 
 @pytest.fixture(autouse=True)
 def _drawn_only(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Figures are drawn but not laid out, which takes nine tenths of the time; those of a map are `figures`."""
+    """Figures are drawn but not laid out, which takes nine tenths of the time; those of a map are `figures`.
+
+    The viewer has few poses: with every effect NumPy solves each.
+    """
+    monkeypatch.setattr(viewed, "LEVELS", dict.fromkeys((2, 3), 2))
     monkeypatch.setattr(blocks, "inline", lambda *_, **__: SVG)
     monkeypatch.setattr(blocks, "inline_narrow", lambda *_, **__: "")
     monkeypatch.setattr(files, "rendered", lambda *_, **__: b"drawn")
