@@ -132,7 +132,12 @@ def _correlate(
         PATHS: _listed(f'"{path}"' for path in merged.paths),
         **({} if merged.sigmas is None else {SIGMA: _listed(f"{s:.{SIGMA_DIGITS}g}" for s in merged.sigmas)}),
         CORRELATION: _listed(
-            (f"[{', '.join(f'{one:.{DIGITS}g}' for one in row)}]" for row in merged.correlation), apart=True
+            # Rounded, what is 0 but for the rounding of a fit is written as 0.
+            (
+                f"[{', '.join(f'{round(one, DIGITS) + 0.0:.{DIGITS}g}' for one in row)}]"
+                for row in merged.correlation
+            ),
+            apart=True,
         ),
     }
     if not touched:
