@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from pkmodes.base.drives import FREE, motors
+from pkmodes.mechanism.described import Mechanism
 from pkmodes.robot.declaration import Declaration
 
-#: The effect by which position loops or stepper motors hold the motors like springs; no motor is free with it.
-SERVO = "servo_stiffness"
+#: What the unit of a torsional stiffness ends with.
+PER_ANGLE = "/rad"
 
 
 def motors_in_words(robot: Declaration, drives: str | Iterable[str | None]) -> str:
@@ -21,8 +22,20 @@ def motors_in_words(robot: Declaration, drives: str | Iterable[str | None]) -> s
         loop; they turn against it.
     """
     words = motors([drives] if isinstance(drives, str) else drives)
-    stiff = any(value and path.partition(".")[0] == SERVO for path, value in robot.effects.items())
-    return words.replace(FREE, "on their servo stiffness") if stiff else words
+    active = {path.partition(".")[0] for path, value in robot.effects.items() if value}
+    for name in _holding(robot.mechanism):
+        if name in active:
+            return words.replace(FREE, f"on their {name.replace('_', ' ')}")
+    return words
+
+
+def _holding(mechanism: Mechanism) -> list[str]:
+    """Return the effects that hold the motors like springs: torsional ones to ground."""
+    return [
+        name
+        for name, effect in mechanism.effects.items()
+        if effect.grounds and all(parameter.unit.endswith(PER_ANGLE) for parameter in effect.parameters)
+    ]
 
 
 def motors_of_both(first: Declaration, second: Declaration, drives: str) -> str:

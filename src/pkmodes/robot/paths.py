@@ -78,7 +78,11 @@ def _resolved(robot: Robot, path: str, known: Mapping[str, Moves]) -> ParameterP
         raise PkmodesError(f"expected a parameter path, found {shown(path)}", "parameters", "give strings")
     if path not in known and path in changeable(robot):
         what = f"no frequency and no mode shape depends on {path}"
-        raise PkmodesError(what, robot.source, "choose a quantity that changes masses or stiffnesses")
+        own = [
+            one for one in known if one.endswith(f".{path}")
+        ]  # of every axis, in place of the shared value
+        remedy = nearest(path, own, "choose a quantity that changes masses or stiffnesses")
+        raise PkmodesError(what, robot.source, remedy)
     if path not in known:
         remedy = nearest(path, known, "see docs/sensitivities.md for the paths")
         raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
