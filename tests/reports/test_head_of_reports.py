@@ -62,7 +62,7 @@ def pages(robot: Path, folder: Path) -> dict[str, Sequence[str]]:
             "--report",
         ],
         "map": ["map", str(corexy), "--grid", few[1], "--out", str(folder / "map.nc"), "--report"],
-        "shaper": ["shaper", str(corexy), "--report"],
+        "shaper": ["shaper", str(corexy), "--grid", few[1], "--report"],
         "sensitivities": ["sensitivities", str(corexy), "--pose", "0.1,0.15", "--report"],
         "response": [
             *("response", str(corexy), "--pose", "0.1,0.15", "--inputs", "force_x", "--outputs", "p_x"),
