@@ -42,13 +42,13 @@ DAMPING = {
 
 
 def equations_of(model: pkmodes.Model, pose: Sequence[float], drives: str) -> EquationsOfMotion:
-    mechanism, dynamics = model.mechanism, model.dynamics
+    mechanism = model.mechanism
     drive = "motor_" if drives == "held" else "torque_"
     inputs = inputs_of(
-        dynamics, [f"{drive}{mechanism.drives[0].name}", f"force_{mechanism.directions[0]}"], drives
+        model, [f"{drive}{mechanism.drives[0].name}", f"force_{mechanism.directions[0]}"], drives
     )
-    outputs = outputs_of(dynamics, [*(f"p_{name}" for name in mechanism.directions), model.coordinates[0]])
-    at = LinearisedRobot(dynamics, np.array([pose]), drives, "auto")
+    outputs = outputs_of(model, [*(f"p_{name}" for name in mechanism.directions), model.coordinates[0]])
+    at = LinearisedRobot(model, np.array([pose]), drives, "auto")
     motors = prescribed(inputs, len(mechanism.drives))
     return equations(at, 0, input_vectors(at, inputs)[0], motors, output_vectors(at, outputs)[0])
 

@@ -120,7 +120,7 @@ def in_whole_blocks(count: int) -> int:
 def machine(poses: Array, folder: Path, repetitions: int, missing: list[str]) -> dict[str, object]:
     """Measure the peak of the core and the parts of the evaluator; count operations."""
     model = published()
-    n, evaluator = len(model.coordinates), model.dynamics.solver("compiled").evaluator
+    n, evaluator = len(model.coordinates), model.solver("compiled").evaluator
     width = evaluator._library.width
     some, same = poses, np.repeat(poses[:1], len(poses), axis=0)
     frequencies, joints = np.zeros((len(some), n)), np.zeros((len(some), 3))

@@ -14,6 +14,7 @@ import pytest
 from numpydoc.validate import validate
 
 import pkmodes
+from pkmodes.api import APPLICATIONS
 
 ROOT = Path(__file__).parents[1]
 #: The public names of each module that has a page.
@@ -30,7 +31,9 @@ MODULES = {
     "pkmodes.mechanism": ("add_folder", "mechanism", "names"),  # the rest is for the runtime
 }
 #: Methods of public classes that these inherit.
-INHERITED = {"pkmodes.model.responses": ("Responses",)}
+INHERITED = {"pkmodes.model.model": ("Model",)}
+#: Functions of applications that are methods of `pkmodes.Model`.
+ATTACHED = {module: (name,) for module, name in (place.split(":") for place in APPLICATIONS.values())}
 #: Format, summaries, parameters, results and exceptions.  An extended summary, an example and See Also are not asked
 #: of every name.
 CHECKS = re.compile(r"GL0[35-9]|GL10|SS0[1-6]|PR0[1-9]|PR10|RT0[1-5]|YD01")
@@ -54,7 +57,7 @@ def named_in(modules: Mapping[str, tuple[str, ...]]) -> Iterator[tuple[str, obje
 
 def documented() -> Iterator[str]:
     """Yield functions, classes, and the public methods that these define, by the module that defines them."""
-    for _, thing in (*public(), *named_in(INHERITED)):
+    for _, thing in (*public(), *named_in(INHERITED), *named_in(ATTACHED)):
         name = f"{thing.__module__}.{thing.__qualname__}"
         yield name
         for attribute, value in vars(thing).items() if inspect.isclass(thing) else ():
@@ -76,7 +79,9 @@ def test_a_docstring_is_complete(name: str) -> None:
 
 def test_the_examples_print_what_they_say(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
-    modules = {inspect.getmodule(thing) for _, thing in public()} | {inspect.getmodule(pkmodes.Model.check)}
+    modules = {inspect.getmodule(thing) for _, thing in (*public(), *named_in(ATTACHED))} | {
+        inspect.getmodule(pkmodes.Model.check)
+    }
     found = [doctest.testmod(module) for module in modules]
     assert sum(one.attempted for one in found) >= 14
     assert not sum(one.failed for one in found)

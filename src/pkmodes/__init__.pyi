@@ -1,8 +1,7 @@
 from . import diagnosis as diagnosis
 from . import updating as updating
+from .api import Model, load, read_robot
 from .base.errors import NotComputedError, PkmodesError, PoseError, RobotFileError
-from .model.loading import load, read_robot
-from .model.model import Model
 from .robot.robot import Robot
 from .robot.units import Quantity
 from .solve.results import Modes, PoseCheck, Statics

@@ -144,9 +144,7 @@ def test_what_dissipates_is_that_of_the_extended_model(
     shapes = modes.shapes
     if hasattr(module, "condensation"):
         shapes = shapes[:, [model.coordinates.index(q) for q in module.COORDINATES]]
-    expected = [
-        shapes_by(modes.shapes, matrix[0]) for matrix in model.dynamics.dissipation.matrices(np.array([pose]))
-    ]
+    expected = [shapes_by(modes.shapes, matrix[0]) for matrix in model.dissipation.matrices(np.array([pose]))]
     for found, exact in zip((viscous, loss), expected, strict=True):
         assert np.abs(found).max() > 0.0
         np.testing.assert_allclose(shapes_by(shapes, found), exact, rtol=0, atol=1e-10 * np.abs(exact).max())

@@ -20,7 +20,7 @@ from helpers.robots.one_of_each import FILES, POSES, model_of
 
 def matrices(model: pkmodes.Model, p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """C_v and K'' at one pose."""
-    viscous, loss = model.dynamics.dissipation.matrices(np.atleast_2d(p))
+    viscous, loss = model.dissipation.matrices(np.atleast_2d(p))
     return viscous[0], loss[0]
 
 
@@ -51,13 +51,13 @@ def test_both_matrices_are_those_of_the_definition(mechanism: str, case: str) ->
 def test_a_batch_of_poses_has_the_matrices_of_each(mechanism: str) -> None:
     model, p = model_of(mechanism, EFFECTS["everything"], LOSSES, FRICTION), POSES[mechanism]
     poses = np.stack([p, p + 0.01, p - 0.02])
-    viscous, loss = model.dynamics.dissipation.matrices(poses)
+    viscous, loss = model.dissipation.matrices(poses)
     n = len(model.coordinates)
     assert viscous.shape == loss.shape == (3, n, n)
     for i, at in enumerate(poses):
         np.testing.assert_allclose(loss[i], loss_by_hand(model, at), rtol=1e-12, atol=1e-7)
         np.testing.assert_allclose(viscous[i], friction_by_hand(model), rtol=1e-14)
-    again = model.dynamics.dissipation.matrices(poses)
+    again = model.dissipation.matrices(poses)
     np.testing.assert_array_equal(again, (viscous, loss))
 
 

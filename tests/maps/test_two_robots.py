@@ -51,7 +51,7 @@ def test_belts_stiffer_by_21_per_cent_raise_every_frequency_by_10(poses: np.ndar
         {"belt.specific_stiffness": 1.21 * light.robot.quantities["belt.specific_stiffness"].value}
     )
     for drives in ("free", "held"):
-        changes = compare_frequencies(light.dynamics, stiff.dynamics, poses, drives)
+        changes = compare_frequencies(light, stiff, poses, drives)
         valid = light.check(poses).valid
         assert 0 < valid.sum() < len(poses)
         assert changes.counts == {
@@ -70,7 +70,7 @@ def test_belts_stiffer_by_21_per_cent_raise_every_frequency_by_10(poses: np.ndar
 def test_modes_keep_the_partner_of_most_similar_shape(model: pkmodes.Model, poses: np.ndarray) -> None:
     """Against all permutations, with the MAC written out from mass matrix and shapes."""
     other = model.with_values({"platform.mass": 0.6, "axis.2.belt.width": 0.005})
-    changes = compare_frequencies(model.dynamics, other.dynamics, poses)
+    changes = compare_frequencies(model, other, poses)
     exchanged = 0
     for i in np.flatnonzero(model.check(poses).valid):
         M = model.matrices(poses[i])[0]
@@ -88,10 +88,10 @@ def test_modes_keep_the_partner_of_most_similar_shape(model: pkmodes.Model, pose
 def test_modes_that_an_effect_adds_have_no_partner(model: pkmodes.Model, poses: np.ndarray) -> None:
     """Position loops turn the three rigid modes into vibrations below the six others."""
     tied = model.with_values({"effects.servo_stiffness.stiffness": 1.0})
-    changes = compare_frequencies(model.dynamics, tied.dynamics, poses)
+    changes = compare_frequencies(model, tied, poses)
     assert (changes.modes, changes.second_modes) == (6, 9)
     assert [mode.partner for mode in mode_changes(changes)] == [4, 5, 6, 7, 8, 9]
-    back = mode_changes(compare_frequencies(tied.dynamics, model.dynamics, poses))
+    back = mode_changes(compare_frequencies(tied, model, poses))
     assert [mode.partner for mode in back] == [None, None, None, 1, 2, 3, 4, 5, 6]
     assert back[0].poses == 0
     assert back[0].median is back[0].exchanged is back[0].mac is None
@@ -99,18 +99,18 @@ def test_modes_that_an_effect_adds_have_no_partner(model: pkmodes.Model, poses: 
 
 def test_poses_that_only_one_of_them_reaches_are_counted(tmp_path: Path, model: pkmodes.Model) -> None:
     shorter = read(tmp_path, published().replace('"1.2 m"', '"1 m"'))
-    grid = reachable_by([model.kinematics, shorter.kinematics], 2_000)
+    grid = reachable_by([model, shorter], 2_000)
     points = grid.points(np.arange(np.prod(grid.shape)))
-    changes = compare_frequencies(model.dynamics, shorter.dynamics, points)
+    changes = compare_frequencies(model, shorter, points)
     first, second = model.check(points).valid, shorter.check(points).valid
     assert changes.counts["both"] == (first & second).sum() > 100
     assert changes.counts["first_only"] == (first & ~second).sum() > 100
     assert np.isnan(changes.relative[~(first & second)]).all()
     assert np.isfinite(changes.relative[first & second]).all()
-    alone = reachable(model.kinematics, 2_000)
+    alone = reachable(model, 2_000)
     assert all(grid.axes[name][0] <= alone.axes[name][0] + 0.05 for name in "xyz")
     with pytest.raises(PoseError, match="both robots can reach"):
-        compare_frequencies(model.dynamics, shorter.dynamics, np.array([[9.0, 9.0, 9.0]]))
+        compare_frequencies(model, shorter, np.array([[9.0, 9.0, 9.0]]))
 
 
 def test_values_effects_and_choices_that_differ_are_named(tmp_path: Path, model: pkmodes.Model) -> None:
@@ -150,7 +150,7 @@ def test_robots_of_different_mechanisms_are_refused(model: pkmodes.Model) -> Non
     printer = pkmodes.load(ROBOTS / "corexy-printer.toml")
     for call in (
         lambda: differences(model.robot, printer.robot),
-        lambda: compare_frequencies(model.dynamics, printer.dynamics, np.zeros((1, 3))),
+        lambda: compare_frequencies(model, printer, np.zeros((1, 3))),
     ):
         with pytest.raises(PkmodesError, match="one mechanism, found linear_delta and corexy"):
             call()

@@ -84,6 +84,6 @@ def test_modes_whose_ratio_is_not_that_of_their_pole_are_named() -> None:
         damped = model.with_values({"effects.rail_friction.viscous": 2 * ratio * mass * omega[0]})
         ratios = damped.modes(p, drives="held").damping_ratios
         assert ratios == pytest.approx([ratio, ratio], rel=1e-9)
-        notes = notes_on_damping(LinearisedRobot(damped.dynamics, np.array([p]), "held", "auto"), ratios)
+        notes = notes_on_damping(LinearisedRobot(damped, np.array([p]), "held", "auto"), ratios)
         assert [note.split(":")[0] for note in notes] == (["mode 1", "mode 2"] if ratio > 1.0 else [])
         assert all("1.5" in note and "that of the pole is 1:" in note for note in notes)

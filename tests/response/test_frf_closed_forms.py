@@ -100,7 +100,7 @@ def test_at_rest_held_motors_give_the_static_solution(mechanism: str) -> None:
     _, K = model.matrices(p)
     inputs, outputs, B, U, L = ports(model, "held", p)
     T, S = followers(model, "held")
-    for robot, loss in ((model, model.dynamics.dissipation.matrices(p[None])[1][0]), (plain, 0.0 * K)):
+    for robot, loss in ((model, model.dissipation.matrices(p[None])[1][0]), (plain, 0.0 * K)):
         whole = K + 1j * loss
         y = np.linalg.solve(T.T @ whole @ T, T.T @ (B - whole @ S @ U))
         expected = L @ (T @ y + S @ U)

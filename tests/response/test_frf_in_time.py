@@ -24,7 +24,7 @@ def test_a_sine_in_time_has_the_amplitude_and_the_phase_of_the_response(mechanis
     drives = "held" if driven != "torque" else "free"
     model, p = model_of(mechanism, {**friction, **servo}, ratio=0.08), POSES[mechanism]
     M, K = model.matrices(p)
-    C, none = (matrix[0] for matrix in model.dynamics.dissipation.matrices(p[None]))
+    C, none = (matrix[0] for matrix in model.dissipation.matrices(p[None]))
     assert not none.any()
     T, S = followers(model, drives)
     modes = model.modes(p, drives=drives)

@@ -91,7 +91,7 @@ def test_a_vibration_keeps_its_action_where_the_pose_changes_slowly() -> None:
 
 def held_matrices(model: pkmodes.Model, pose: np.ndarray) -> tuple[np.ndarray, ...]:
     """M, K, the motion of the held coordinates, and the platform per coordinate, written out for a linear delta."""
-    M, K = model.dynamics.matrices(pose)
+    M, K = model.matrices(pose)
     names, q = list(model.coordinates), model.robot.parameters
     driven = [names.index(f"theta_{j + 1}_{1 if q.drive[j][0] else 2}") for j in range(3)]
     kept = [i for i in range(9) if i not in driven]

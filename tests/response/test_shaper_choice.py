@@ -44,7 +44,7 @@ def made_up(f: list[list[float]], weights: list[list[float]], zeta: float = 0.0,
 
 def test_modes_are_weighted_by_what_a_step_in_every_direction_moves() -> None:
     model, points = delta(), box()
-    at = ringing(model.dynamics, points)
+    at = ringing(model, points)
     modes = model.modes(points, "nan", drives="held")
     good = modes.valid
     assert at.left_out == np.count_nonzero(~good)
@@ -127,7 +127,7 @@ def test_uncertain_frequencies_leave_what_a_random_sample_leaves() -> None:
 def test_the_spread_of_frequencies_is_that_of_sampled_robots() -> None:
     model = pkmodes.load(ROOT / "robots/clavel-delta.toml")
     pose = np.array([[0.0, 0.1, -0.45]])
-    at = ringing(model.dynamics, pose)
+    at = ringing(model, pose)
     assert at.spread is not None
     sampled = model.map(pose, samples=400, seed=2, drives="held")["frequency"].values[..., :3].reshape(400, 3)
     # Of 400 samples, a standard deviation has an error of 3.5 %.

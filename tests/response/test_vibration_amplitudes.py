@@ -61,9 +61,9 @@ def test_the_motion_without_strain_has_the_same_digits_from_either_model(
     """The elastic Hessian of the model without effects is a shorter way to K, which not every mechanism has."""
     model = model_of(mechanism, GROUNDED)
     points = POSES[mechanism] + 1e-3 * np.random.default_rng(5).normal(size=(50, len(POSES[mechanism])))
-    motions = strain_free_motions(model.dynamics.system, points)
+    motions = strain_free_motions(model.system, points)
     monkeypatch.setattr(Generated, "has", lambda self, *names: False)
-    np.testing.assert_array_equal(strain_free_motions(model.dynamics.system, points), motions)
+    np.testing.assert_array_equal(strain_free_motions(model.system, points), motions)
 
 
 @pytest.mark.parametrize("effects", EFFECTS)
@@ -72,7 +72,7 @@ def test_the_motion_without_strain_is_that_of_the_inverse_kinematics(mechanism: 
     p = POSES[mechanism]
     for more in ({}, GROUNDED):
         model = model_of(mechanism, EFFECTS[effects] | more)
-        (found,) = strain_free_motions(model.dynamics.system, p[None])
+        (found,) = strain_free_motions(model.system, p[None])
         wanted = rigid_motion(model, p)
         np.testing.assert_allclose(found, wanted, rtol=1e-7, atol=1e-8 * np.abs(wanted).max())
     weightless = model_of(mechanism, EFFECTS[effects]).with_values({"gravity": [0.0, 0.0, 0.0]})
@@ -116,7 +116,7 @@ def test_the_platform_rings_so_after_its_motors_follow_a_step(mechanism: str, ef
         if f"psi_{j}" in names:
             T[rotor, names.index(f"psi_{j}")] = -1.0
     T = np.delete(T, rotors, axis=1)
-    platform = model.dynamics.system.platform_motion(p[None])[0]
+    platform = model.system.platform_motion(p[None])[0]
     mass, stiffness = T.T @ M @ T, T.T @ K @ T
     heavy = np.diag(mass) > 0.0
     assert heavy.sum() == len(modes.frequencies)

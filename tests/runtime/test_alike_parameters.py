@@ -62,7 +62,7 @@ def test_what_has_no_influence_is_like_no_other() -> None:
 def test_of_the_robots_only_products_are_one_also_at_a_pose_of_symmetry(robot: str, drives: str) -> None:
     model = pkmodes.load(f"robots/{robot}.toml")
     paths = scalable(model.robot)
-    found = alike_around(model.dynamics, POSES[robot], paths, drives)
+    found = alike_around(model, POSES[robot], paths, drives)
     assert [one.name(paths) for one in found if len(one.members) > 1] == TOGETHER[robot]
     # Of each pair, only the product enters: half of the one and twice the other change nothing.
     one, other = TOGETHER[robot][0].split(", ")
@@ -83,4 +83,4 @@ def test_axes_of_a_symmetric_robot_are_different_parameters() -> None:
     paths = ["axis.2.link.mass", "axis.3.link.mass"]
     values = model.sensitivities([0.6, 0.0, -0.245], paths).frequencies[:, 3:]
     np.testing.assert_allclose(values[0], values[1], rtol=1e-9)
-    assert len(alike_around(model.dynamics, [0.6, 0.0, -0.245], paths, "free")) == 2
+    assert len(alike_around(model, [0.6, 0.0, -0.245], paths, "free")) == 2

@@ -162,7 +162,7 @@ def test_matrices_that_the_solver_has_are_not_evaluated_again(
     model: pkmodes.Model, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     evaluated: list[str] = []
-    system = type(model.dynamics.system)
+    system = type(model.system)
     honest = system.all_coordinates
     monkeypatch.setattr(system, "all_coordinates", counting(evaluated, "M and K", honest))
     modes = model.modes(POSES, backend="numpy")
@@ -176,11 +176,11 @@ def test_a_second_call_works_out_nothing(
 ) -> None:
     made: list[str] = []
     monkeypatch.setattr(ModeFields, "__init__", counting(made, "fields", ModeFields.__init__))
-    monkeypatch.setattr("pkmodes.solve.dynamics.Plan", counting(made, "plan", Plan))
+    monkeypatch.setattr("pkmodes.model.model.Plan", counting(made, "plan", Plan))
     monkeypatch.setattr(Evaluator, "room", counting(made, "room", Evaluator.room))
     honest = backends.solver_of
-    for module in ("dynamics", "mode_fields"):
-        monkeypatch.setattr(f"pkmodes.solve.{module}.solver_of", counting(made, "solver", honest))
+    for module in ("model.model", "solve.mode_fields"):
+        monkeypatch.setattr(f"pkmodes.{module}.solver_of", counting(made, "solver", honest))
 
     def every_call() -> None:
         for poses in (POSES[0], POSES):
@@ -195,11 +195,11 @@ def test_a_second_call_works_out_nothing(
 
     every_call()
     assert made.count("solver") <= 2
-    kept = len(model.dynamics._plans), len(model.dynamics._fields_of)
+    kept = len(model._plans), len(model._fields_of)
     made.clear()
     every_call()
     assert not made
-    assert (len(model.dynamics._plans), len(model.dynamics._fields_of)) == kept
+    assert (len(model._plans), len(model._fields_of)) == kept
 
 
 def test_models_do_not_share_plans(model: pkmodes.Model) -> None:

@@ -14,8 +14,8 @@ from pkmodes.campaign.quantities import band_of, frequency, quantity, share, unc
 from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, sensors_of, unsigned
 from pkmodes.identification.asked import Asked
 from pkmodes.measured.rules import PRINTABLE, is_label
-from pkmodes.model.loading import load
 from pkmodes.model.model import Model
+from pkmodes.robot.reading import read_robot
 from pkmodes.robot.report_fields import read_report
 from pkmodes.updating.load_cases import settable
 from pkmodes.updating.robot_structure import channels
@@ -160,7 +160,7 @@ def campaign_of(table: CampaignTable, source: str) -> Campaign:
         raise MeasurementError(
             what, source, 'write robot = "robot.toml", or channels = ["floor_1"] for a structure'
         )
-    model = None if table.robot is None else load(folder / table.robot)
+    model = None if table.robot is None else Model(read_robot(folder / table.robot))
     _check_channels(table.channels or [], source)
     known = dict.fromkeys(table.channels or (), "") if model is None else channels(model.mechanism)
     directions = () if model is None else model.mechanism.directions
@@ -290,7 +290,7 @@ def _point(given: RecordTable, model: Model | None, where: str) -> tuple[dict[st
     both = {name: uncertain(given.at[name], unit, f"{where}.at.{name}") for name, unit in units.items()}
     point = {name: value for name, (value, _) in both.items()}
     try:
-        model.kinematics.checked(list(point.values()), "raise")
+        model.checked(list(point.values()), "raise")
     except PkmodesError as error:
         raise MeasurementError(error.what, f"{where}.at", error.remedy) from None
     return point, {name: sigma for name, (_, sigma) in both.items()}

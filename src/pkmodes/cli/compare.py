@@ -24,7 +24,7 @@ from pkmodes.cli.options import (
 from pkmodes.cli.poses import grid_option, poses_option
 from pkmodes.cli.reporting import page_of, report_file, sources_of
 from pkmodes.cli.targets import check_targets, report_target
-from pkmodes.model.loading import read_robot
+from pkmodes.robot.reading import read_robot
 
 
 class RowDocument(Document, omit_defaults=True):

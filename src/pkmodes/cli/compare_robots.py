@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, cast
 import numpy as np
 from msgspec import Meta
 
+from pkmodes.api import load
 from pkmodes.base.documents import Count, Document, Number, Probability
 from pkmodes.base.drives import FREE, Drives
 from pkmodes.base.errors import PkmodesError
@@ -19,7 +20,6 @@ from pkmodes.cli.options import named_as_options
 from pkmodes.cli.poses import places_given
 from pkmodes.cli.printing import signed
 from pkmodes.cli.reporting import report_file, sources_of
-from pkmodes.model.loading import load
 from pkmodes.robot.motors import motors_of_both
 
 if TYPE_CHECKING:
@@ -132,9 +132,7 @@ def compare_robots(
     found = differences(first.robot, second.robot)
     places = places_given(first, grid, poses)
     with named_as_options({"poses": "--poses" if poses else "--grid", "grid": "--grid"}):
-        changes = compare_frequencies(
-            first.dynamics, second.dynamics, _points(first, second, places), drives or FREE
-        )
+        changes = compare_frequencies(first, second, _points(first, second, places), drives or FREE)
     modes = mode_changes(changes)
     document = RobotsDocument(
         first=first.robot.name,
@@ -166,13 +164,13 @@ def _points(first: Model, second: Model, places: Places | None) -> np.ndarray:
     from pkmodes.solve.usable import within
 
     if places is None:
-        places = reachable_by([first.kinematics, second.kinematics], POSES)
+        places = reachable_by([first, second], POSES)
     count = math.prod(places.shape)
     if count > MOST:
         raise PkmodesError(f"expected at most {MOST:,} poses, found {count:,}", "poses", "give fewer")
     points = np.asarray(places.points(np.arange(count)))
     if isinstance(places, Grid) and places.used:
-        points = points[within(first.kinematics)(points) | within(second.kinematics)(points)]
+        points = points[within(first)(points) | within(second)(points)]
     return points
 
 

@@ -30,7 +30,7 @@ from pkmodes.cli.progress import on_terminal
 from pkmodes.cli.reporting import page_of, report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.cli.verdicts import failing
-from pkmodes.model.loading import read_robot
+from pkmodes.robot.reading import read_robot
 
 if TYPE_CHECKING:
     from pkmodes.diagnosis import Diagnosis

@@ -8,6 +8,7 @@ from typing import Annotated
 import click
 from msgspec import Meta
 
+from pkmodes.api import load
 from pkmodes.base.documents import Document
 from pkmodes.base.errors import OutputError, shown
 from pkmodes.base.places import resolved
@@ -16,7 +17,6 @@ from pkmodes.cli.options import drives_option, json_option, mechanism_option, na
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.cli.terminal import Terminal
-from pkmodes.model.loading import load
 
 
 class FiguresDocument(Document):

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import click
 from msgspec import Meta
 
+from pkmodes.api import load
 from pkmodes.base.documents import Document
 from pkmodes.base.drives import Drives
 from pkmodes.base.progress import say
@@ -20,7 +21,6 @@ from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.progress import duration
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
-from pkmodes.model.loading import load
 from pkmodes.robot.corrections import changeable
 
 if TYPE_CHECKING:

@@ -12,6 +12,7 @@ import numpy as np
 from msgspec import UNSET, Meta, UnsetType
 from numpy.typing import NDArray
 
+from pkmodes.api import load
 from pkmodes.base.documents import Count, Document
 from pkmodes.base.drives import DRIVES, HELD
 from pkmodes.cli.delivery import deliver
@@ -21,7 +22,6 @@ from pkmodes.cli.targets import check_targets
 from pkmodes.dataset.fields import FIELDS, INDEPENDENT, Field, of_modes
 from pkmodes.linalg.damping import poles
 from pkmodes.mechanism.poses import placed
-from pkmodes.model.loading import load
 from pkmodes.model.model import Model
 from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.poles import notes_on_damping
@@ -126,7 +126,7 @@ def modes(robot: Path, pose: str, drives: str, json_file: str | None) -> None:
 def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
     """Return the result of one pose with the documented JSON keys."""
     # Both poles and notes need it.
-    linearised = LinearisedRobot(model.dynamics, result.poses[None], result.drives, AUTO)
+    linearised = LinearisedRobot(model, result.poses[None], result.drives, AUTO)
     fields = [FIELDS[name] for name in Modes.fields_of(model.mechanism) if FIELDS[name].key]
     values = {field.key: _in_json(field, result, model) for field in fields}
     return {
@@ -165,7 +165,7 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
     numbers = [str(i + 1 - rigid) if i >= rigid else "rigid" for i in range(len(result.frequencies))]
     largest = float(np.abs(result.frequencies).max(initial=0.0))
     rows = [["f [Hz]", *(_fixed(f, ZERO_FREQUENCY * largest) for f in result.frequencies)]]
-    sigmas = spread_of(model.dynamics, result.poses, result.drives)
+    sigmas = spread_of(model, result.poses, result.drives)
     if sigmas is not None:
         rows.append(["+- [Hz]", *map(_sigma, sigmas)])
     if model.robot.dissipates:

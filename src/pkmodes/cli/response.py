@@ -11,6 +11,7 @@ import numpy as np
 from msgspec import Meta
 from numpy.typing import NDArray
 
+from pkmodes.api import load
 from pkmodes.base.documents import Document
 from pkmodes.base.drives import Drives
 from pkmodes.base.errors import PkmodesError, shown
@@ -28,7 +29,6 @@ from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.mechanism.poses import placed
-from pkmodes.model.loading import load
 from pkmodes.response.channels import without_response
 from pkmodes.response.ports import QUANTITIES
 from pkmodes.robot.motors import motors_in_words

@@ -11,6 +11,7 @@ import numpy as np
 from msgspec import Meta
 from numpy.typing import NDArray
 
+from pkmodes.api import load
 from pkmodes.base.documents import Count, Document, Matrix
 from pkmodes.base.drives import Drives
 from pkmodes.base.progress import say
@@ -19,7 +20,6 @@ from pkmodes.cli.options import comma_list, drives_option, json_option, mechanis
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import check_targets, report_target
-from pkmodes.model.loading import load
 from pkmodes.sensitivity.relative import relative_of
 
 if TYPE_CHECKING:

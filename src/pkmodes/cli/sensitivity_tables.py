@@ -126,7 +126,7 @@ def _joined(model: Model, modes: Modes, lines: Sequence[_Line]) -> list[_Line]:
         return []
     paths = [line.path for line in lines]
     joined = []
-    for one in alike_around(model.dynamics, modes.poses, paths, modes.drives):
+    for one in alike_around(model, modes.poses, paths, modes.drives):
         first = lines[one.members[0]]
         joined.append(_Line(one.name(paths), "1", first.value, first.rates, first.relative))
     return sorted(joined, key=lambda line: -line.weight)
@@ -137,7 +137,7 @@ def _sigmas(terminal: Terminal, model: Model, modes: Modes, numbers: Sequence[st
     sigmas = stated_sigmas(model.robot)
     if not sigmas:
         return
-    found = changes_at(model.dynamics, modes.poses, modes.drives, SIGMA)
+    found = changes_at(model, modes.poses, modes.drives, SIGMA)
     terminal.line()
     terminal.line("Hz for one standard deviation of the value:")
     rows = []

@@ -10,6 +10,7 @@ import click
 import numpy as np
 from msgspec import Meta
 
+from pkmodes.api import load
 from pkmodes.base.documents import Count, Document, Size
 from pkmodes.base.drives import Drives
 from pkmodes.base.errors import PkmodesError
@@ -25,7 +26,6 @@ from pkmodes.cli.options import (
 from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import check_targets, report_target
-from pkmodes.model.loading import load
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -209,9 +209,9 @@ def _points(model: Model, grid: str | None, poses: Path | None) -> NDArray[np.fl
         )
     if places is not None:
         return np.asarray(places.points(np.arange(int(np.prod(places.shape)))))
-    whole = reachable(model.kinematics)
+    whole = reachable(model)
     points = whole.points(np.arange(int(np.prod(whole.shape))))
-    return np.asarray(points[model.check(points).valid & within(model.kinematics)(points)])
+    return np.asarray(points[model.check(points).valid & within(model)(points)])
 
 
 def _document(model: Model, choice: Choice) -> ShaperDocument:

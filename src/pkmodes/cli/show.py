@@ -8,6 +8,7 @@ from typing import Annotated
 import click
 from msgspec import Meta
 
+from pkmodes.api import load
 from pkmodes.base.documents import Document
 from pkmodes.base.errors import PkmodesError
 from pkmodes.base.progress import say
@@ -18,7 +19,6 @@ from pkmodes.cli.poses import check_metres, parse_pose
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import Target, check_targets
 from pkmodes.cli.varying import OPTION, parse_vary, vary_option
-from pkmodes.model.loading import load
 
 
 class ShowDocument(Document):

@@ -28,6 +28,7 @@ from pkmodes.figures.quantities import (
 )
 from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps import left_out
+from pkmodes.maps.mapping import map_of
 from pkmodes.maps.poses import places_of
 from pkmodes.plots import influence, maps
 from pkmodes.plots.dominant import dominant
@@ -226,7 +227,7 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
         dict(zip(places.dims, places.shape, strict=True)), components, "grid"
     )  # before it is evaluated
     say("computing the modes in the plane")
-    plane = Plane.of(model.map(places, shapes=True, drives=drives), components)
+    plane = Plane.of(map_of(model, places, shapes=True, drives=drives), components)
     robot = RobotPlane(model, plane, drives)
     about = f"{visible(model.robot.name, LONGEST)}, {motors_in_words(model.robot, drives)}, {where(plane)}"
     for number, kind in enumerate(PICTURES, start=1):

@@ -13,6 +13,7 @@ from pkmodes.plots.plane import Plane
 from pkmodes.plots.workspace import Volume
 from pkmodes.sensitivity.alike import alike
 from pkmodes.sensitivity.relative import scalable
+from pkmodes.sensitivity.sensitivities import sensitivities_at
 from pkmodes.sensitivity.spread import spread_of
 from pkmodes.solve.usable import usable_box, within
 from pkmodes.solve.workspace import box_of
@@ -42,11 +43,11 @@ def relative_sensitivities(model: Model, plane: Plane, drives: str) -> tuple[lis
     paths = scalable(model.robot)
     few = coarser(plane)
     points = points_of(model, few)
-    sensitivities = model.sensitivities(points, paths, fields=["frequencies"], on_error="nan", drives=drives)
+    found = sensitivities_at(model, points, paths, fields=["frequencies"], on_error="nan", drives=drives)
     modes = plane.dataset.sizes["mode"]
-    rates = sensitivities.frequencies[..., -modes:]
+    rates = found.frequencies[..., -modes:]
     frequency = few.dataset["frequency"].values
-    relative = rates * sensitivities.values[:, None] / frequency[..., None, :]
+    relative = rates * found.values[:, None] / frequency[..., None, :]
     together = alike(relative)
     return [one.name(paths) for one in together], relative[..., [one.members[0] for one in together], :]
 
@@ -61,7 +62,7 @@ def median_spread(model: Model, plane: Plane, drives: str) -> Array | None:
     """
     few = coarser(plane)
     poses = points_of(model, few)[few.dataset["valid"].values]
-    spread = spread_of(model.dynamics, poses, drives, "nan")
+    spread = spread_of(model, poses, drives, "nan")
     if spread is None:
         return None
     middle: Array = np.nanmedian(spread[:, -plane.dataset.sizes["mode"] :], axis=0)
@@ -93,9 +94,9 @@ def volume_of(model: Model, plane: Plane) -> Volume | None:
     """
     if plane.normal is None:
         return None
-    usable = within(model.kinematics)
+    usable = within(model)
     limited = bool(usable(points_of(model, plane)[plane.dataset["valid"].values]).all())
-    low, high = usable_box(model.kinematics) if limited else box_of(model.kinematics)
+    low, high = usable_box(model) if limited else box_of(model)
     names = [component.name for component in model.mechanism.pose]
     counts = {plane.normal: HEIGHTS, plane.along: FINE, plane.across: FINE}
     axes = {}

@@ -54,7 +54,7 @@ def tornado_picture(model: Model, pose: ArrayLike, *, by: str = PERCENT, drives:
     """
     require("tornado charts", "plot", "matplotlib")
     point = model.modes(pose, fields=["frequencies"], drives=checked_drives(drives)).poses
-    changes = changes_at(model.dynamics, point, drives, by)
+    changes = changes_at(model, point, drives, by)
     at, doing = placed(model.mechanism, point, "g"), motors_in_words(model.robot, drives)
     text = f"{describe(changes)} {model.robot.name} at {at}, {doing}."
     with styled():

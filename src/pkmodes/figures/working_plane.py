@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pkmodes.base.errors import PkmodesError
+from pkmodes.maps.mapping import map_of
 from pkmodes.maps.poses import Grid
 from pkmodes.maps.workspace import reachable
 
@@ -42,10 +43,10 @@ def working_plane(model: Model) -> Grid:
     """
     names = [component.name for component in model.mechanism.pose]
     if len(names) <= 2:
-        return reachable(model.kinematics, POSES)
-    volume = reachable(model.kinematics, VOLUME)
+        return reachable(model, POSES)
+    volume = reachable(model, VOLUME)
     normal = model.mechanism.directions[2]
-    coarse = model.map(volume)
+    coarse = map_of(model, volume)
     others = [name for name in names if name != normal]
     area = coarse["valid"].sum(others)
     mean = coarse["condition"].mean(others).where(area >= WIDE * area.max())

@@ -17,9 +17,9 @@ from pkmodes.dataset.fields import COORDINATE, INDEPENDENT, MODE, Field, missing
 from pkmodes.maps.layout import Layout, tails
 from pkmodes.mechanism.poses import codes_of
 from pkmodes.mechanism.registry import Mechanism
+from pkmodes.model.model import Model
 from pkmodes.robot.robot import Robot
 from pkmodes.robot.usable import USABLE, inside
-from pkmodes.solve.dynamics import Dynamics
 
 Array = NDArray[Any]
 
@@ -83,7 +83,7 @@ def evaluate(task: Task) -> dict[str, Array]:
 
 
 def _piece(robot: Robot, points: Array, task: Task) -> dict[str, Array]:
-    layout, model = task.layout, Dynamics.of(robot, task.max_condition)
+    layout, model = task.layout, Model(robot, task.max_condition)
     fields = of_maps(layout.conditions)
     # One thread: tasks run side by side.
     checked, values = model.fields_at(
@@ -114,7 +114,7 @@ def codes(mechanism: Mechanism) -> tuple[str, ...]:
 
 
 def _place(
-    field: Field, values: Array, array: Array, model: Dynamics, layout: Layout, valid: NDArray[np.bool_]
+    field: Field, values: Array, array: Array, model: Model, layout: Layout, valid: NDArray[np.bool_]
 ) -> None:
     """Place the values of a robot in an array with the modes and coordinates of all robots."""
     if field.dims[:1] == (MODE,):

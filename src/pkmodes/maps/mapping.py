@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.drives import checked_drives
+from pkmodes.base.drives import FREE, checked_drives
 from pkmodes.base.errors import PkmodesError
 from pkmodes.base.version import VERSION
 from pkmodes.dataset.attributes import imported
@@ -27,10 +27,10 @@ from pkmodes.maps.storage import SUFFIX, InMemory, OnDisk, Tails
 from pkmodes.maps.tracking import Tracked, track
 from pkmodes.maps.variants import SAMPLE, Variants, variants_of
 from pkmodes.maps.workspace import bounds_of, reachable
+from pkmodes.model.model import Model
 from pkmodes.robot.text import text_of
 from pkmodes.robot.usable import USABLE
-from pkmodes.solve.backends import checked_threads, chosen
-from pkmodes.solve.kinematics import Kinematics
+from pkmodes.solve.backends import AUTO, checked_threads, chosen
 from pkmodes.system.evaluation import evaluation
 from pkmodes.system.motors import solved_system
 
@@ -48,7 +48,7 @@ Progress = Callable[[int, int], None]
 class Plan:
     """What a map computes."""
 
-    model: Kinematics
+    model: Model
     places: Places
     variants: Variants
     layout: Layout
@@ -116,23 +116,80 @@ class Plan:
 
 
 def map_of(
-    model: Kinematics,
-    grid: Any,
+    model: Model,
+    grid: Any = None,
     *,
-    sweep: Mapping[str, Any] | None,
-    samples: int | None,
-    seed: int,
-    shapes: bool,
-    tracked: bool,
-    out: str | PathLike[str] | None,
-    overwrite: bool,
-    scheduler: str | None,
-    threads: int | None,
-    backend: str,
-    drives: str,
-    progress: Progress | None,
+    sweep: Mapping[str, Any] | None = None,
+    samples: int | None = None,
+    seed: int = 0,
+    shapes: bool = False,
+    tracked: bool = False,
+    out: str | PathLike[str] | None = None,
+    overwrite: bool = False,
+    scheduler: str | None = None,
+    threads: int | None = None,
+    backend: str = AUTO,
+    drives: str = FREE,
+    progress: Progress | None = None,
 ) -> xarray.Dataset:
-    """Compute a map; see `pkmodes.Model.map`."""
+    """Compute the modes over the workspace, and over ranges of parameters.
+
+    Parameters
+    ----------
+    model : Model
+        The evaluator of the robot.
+    grid : mapping of str to array_like, or array_like of shape (N, d), optional
+        Ascending values, or one number, for each component of the pose, in SI units; or poses one after the
+        other.  By default a grid over the reachable workspace, within the usable limits of the robot.
+    sweep : mapping of str to array_like, optional
+        Values of parameters in SI units, by path; all combinations are evaluated.
+    samples : int, optional
+        Number of robots whose values with a standard deviation are drawn from normal distributions.
+    seed : int
+        Of the draws.
+    shapes : bool
+        Whether to keep mode shapes.
+    tracked : bool
+        Whether to number modes by their shapes instead of by rank, from the middle of the map outwards.
+    out : path-like, optional
+        File to write: ``.nc`` (NetCDF-4), ``.zarr``, or a table in ``.csv`` or ``.parquet``.  The map is computed
+        in a folder next to it, ``<out>.partial``: after an interruption the same call continues there.
+    overwrite : bool
+        Whether an existing file may be replaced.
+    scheduler : str, optional
+        Address of a Dask scheduler whose workers evaluate the map.
+    threads : int, optional
+        Without a scheduler, by default one per core.
+    backend : {"auto", "numpy", "compiled"}
+        As for `modes`.
+    drives : {"free", "held"}
+        As for `modes`.
+    progress : callable, optional
+        Called with the number of poses done and their total.
+
+    Returns
+    -------
+    xarray.Dataset
+        Described in docs/maps.md.  Where `out` is NetCDF or Zarr, its values are read from the file when they are
+        needed.
+
+    Raises
+    ------
+    PkmodesError
+        If an argument is invalid, no pose can be evaluated, or the workers of a scheduler cannot finish.
+    OutputError
+        If the file exists or cannot be written, or an interrupted map there is another one or damaged.
+    MissingExtraError
+        If the libraries of the extra ``map`` are not installed.
+
+    Examples
+    --------
+    >>> import numpy as np, pkmodes
+    >>> model = pkmodes.load("robots/linear-delta-2022.toml")
+    >>> dataset = model.map({"x": np.linspace(0.3, 0.8, 6), "y": 0.0, "z": -0.245})
+    >>> dataset.frequency.sel(mode=1).squeeze().round(2).values
+    array([46.34, 49.55, 54.23, 55.56, 50.33, 46.8 ])
+    """
     imported()
     file = None if out is None else MapFile.checked(out, overwrite)
     thread_count = checked_threads(threads)
@@ -206,7 +263,7 @@ def _fill(
 
 def _refuse_outside(plan: Plan) -> NoReturn:
     """Refuse a map without a single pose that can be evaluated."""
-    model, size = Kinematics(plan.variants.robots[0], plan.model.max_condition), plan.poses
+    model, size = Model(plan.variants.robots[0], plan.model.max_condition), plan.poses
     some = plan.places.points(np.unique(np.linspace(0, size - 1, min(size, 1000)).astype(int)))
     sentence = str(model.check(some).sentences[0]).partition(";")[0] if len(some) else ""
     sentence = sentence or model.reasons[USABLE]  # it can be reached

@@ -14,8 +14,8 @@ from pkmodes.base.drives import FREE
 from pkmodes.base.errors import PoseError
 from pkmodes.base.progress import say
 from pkmodes.linalg.mac import mass_weighted_mac
+from pkmodes.model.model import Model
 from pkmodes.robot.differences import check_one_mechanism
-from pkmodes.solve.dynamics import Dynamics
 
 Array = NDArray[np.float64]
 #: Poses evaluated together.
@@ -141,9 +141,7 @@ def exchanging(modes: Sequence[ModeChange]) -> str:
     )
 
 
-def compare_frequencies(
-    first: Dynamics, second: Dynamics, poses: Array, drives: str = FREE
-) -> FrequencyChanges:
+def compare_frequencies(first: Model, second: Model, poses: Array, drives: str = FREE) -> FrequencyChanges:
     """Evaluate two robots at the same poses and pair their modes at each of them.
 
     The pairs are those with the largest sum of MAC, so a mode keeps its partner where frequencies cross or veer.
@@ -202,7 +200,7 @@ def _mode_change(changes: FrequencyChanges, mode: int) -> ModeChange:
     )
 
 
-def _at(first: Dynamics, second: Dynamics, poses: Array, drives: str) -> tuple[NDArray[Any], ...]:
+def _at(first: Model, second: Model, poses: Array, drives: str) -> tuple[NDArray[Any], ...]:
     """Return the arrays of `FrequencyChanges` at some poses, but for the last."""
     fields = ("frequencies", "shapes")
     ours, theirs = (one.modes(poses, "nan", fields=fields, drives=drives) for one in (first, second))

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.maps.variants import SAMPLE, taken
+from pkmodes.model.model import Model
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.spread import spread_of, stated_sigmas
-from pkmodes.solve.dynamics import Dynamics
 
 if TYPE_CHECKING:
     import xarray
@@ -58,12 +58,12 @@ def spread_along(robot: Robot, dataset: xarray.Dataset, dim: str, max_condition:
             for i in range(len(frequencies))
         ]
         found = [
-            spread_of(Dynamics.of(one, max_condition), point, drives, "nan", known)
+            spread_of(Model(one, max_condition), point, drives, "nan", known)
             for one, point in zip(robots, points, strict=True)
         ]
     else:
         one = robot.with_values({name: float(v[0]) for name, v in swept.items()}) if swept else robot
-        found = [spread_of(Dynamics.of(one, max_condition), points, drives, "nan", known)]
+        found = [spread_of(Model(one, max_condition), points, drives, "nan", known)]
     if any(each is None for each in found):
         return None
     spread = np.vstack([each for each in found if each is not None])[:, -frequencies.shape[1] :]

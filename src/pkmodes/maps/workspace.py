@@ -17,14 +17,14 @@ from pkmodes.solve.usable import usable_box
 from pkmodes.solve.workspace import workspace_in_words
 
 if TYPE_CHECKING:
-    from pkmodes.solve.kinematics import Kinematics
+    from pkmodes.model.model import Model
 
 Array = NDArray[np.float64]
 #: Poses of the grid, about, and along one component at most, about.
 POSES, LONGEST = 50_000, 1_000
 
 
-def reachable(model: Kinematics, poses: int = POSES) -> Grid:
+def reachable(model: Model, poses: int = POSES) -> Grid:
     """Return a grid over the workspace of a robot, within its usable limits.
 
     Parameters
@@ -47,7 +47,7 @@ def reachable(model: Kinematics, poses: int = POSES) -> Grid:
     return reachable_by([model], poses)
 
 
-def reachable_by(models: Sequence[Kinematics], poses: int = POSES) -> Grid:
+def reachable_by(models: Sequence[Model], poses: int = POSES) -> Grid:
     """Return a grid over the workspaces of several robots of one mechanism together: see `reachable`."""
     say("looking for the workspace")
     boxes = [usable_box(model) for model in models]
@@ -74,7 +74,7 @@ def reachable_by(models: Sequence[Kinematics], poses: int = POSES) -> Grid:
     return Grid(axes, used=not all(is_box(model.robot.usable) for model in models))
 
 
-def bounds_of(model: Kinematics, tried: Array, in_millimetres: str) -> str:
+def bounds_of(model: Model, tried: Array, in_millimetres: str) -> str:
     """Return the remedy for poses that cannot be reached: where the workspace is.
 
     Parameters

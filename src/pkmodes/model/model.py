@@ -1,56 +1,49 @@
-"""The evaluator of one robot: poses in, modes, matrices, statics, derivatives and maps out."""
+"""The evaluator of one robot: poses in, modes, frequencies, matrices, statics and kinematics out.
+
+Poses are checked, a solver evaluates them, and the results get the caller's axes.  There is no physics here; the way
+of a pose through the files of `pkmodes.core` is in its README.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import wraps
-from os import PathLike
-from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeVar
+from functools import cached_property
+from typing import Any, Self
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.drives import FREE, checked_drives
-from pkmodes.mechanism.poses import MAX_CONDITION, OnError
-from pkmodes.model.responses import Responses
+from pkmodes.base.errors import PkmodesError, PoseError, shown
+from pkmodes.dataset.fields import FIELDS, condition_number
+from pkmodes.measured.pose_table import by_name, poses_by_name
+from pkmodes.mechanism.generated import Generated
+from pkmodes.mechanism.poses import (
+    CHUNK,
+    MAX_CONDITION,
+    CheckedPoses,
+    OnError,
+    as_points,
+    check_poses,
+    largest_condition,
+)
 from pkmodes.robot.robot import Robot
-from pkmodes.solve.backends import AUTO, checked_threads
-from pkmodes.solve.dynamics import Dynamics
-from pkmodes.solve.field_arrays import Fields, Out
-from pkmodes.solve.kinematics import Kinematics
+from pkmodes.robot.usable import reasons_of
+from pkmodes.solve.backends import AUTO, checked_threads, chosen, solver_of
+from pkmodes.solve.batch import run
+from pkmodes.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
+from pkmodes.solve.mode_fields import ModeFields
+from pkmodes.solve.plans import Later, Plan
+from pkmodes.solve.results import Modes, PoseCheck, Statics
+from pkmodes.solve.solver import Solver
+from pkmodes.system.dissipation import Dissipation
+from pkmodes.system.evaluation import Evaluation, ExtendedSystem, evaluation, matrices
+from pkmodes.system.motors import solved_system
 
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-    from xarray import Dataset
-
-    from pkmodes.sensitivity.sensitivities import ResolvedPaths, Sensitivities
-
-
-P = ParamSpec("P")
-R = TypeVar("R")
+Array = NDArray[np.float64]
 
 
-def _of_kinematics(method: Callable[Concatenate[Kinematics, P], R]) -> Callable[Concatenate[Model, P], R]:
-    """Make a method of the model from one of its kinematics."""
-
-    @wraps(method)
-    def of_model(self: Model, /, *args: P.args, **kwargs: P.kwargs) -> R:
-        return method(self.kinematics, *args, **kwargs)
-
-    return of_model
-
-
-def _of_dynamics(method: Callable[Concatenate[Dynamics, P], R]) -> Callable[Concatenate[Model, P], R]:
-    """Make a method of the model from one of its dynamics."""
-
-    @wraps(method)
-    def of_model(self: Model, /, *args: P.args, **kwargs: P.kwargs) -> R:
-        return method(self.dynamics, *args, **kwargs)
-
-    return of_model
-
-
-class Model(Responses):
+class Model:
     """Evaluator of one robot.
 
     Every method takes one pose of shape (d,) or an array of shape (..., d), in SI units and with the mechanism's
@@ -71,27 +64,22 @@ class Model(Responses):
     robot : Robot
     mechanism : Mechanism
         Description of the mechanism: pose components, coordinates, drives.
-    coordinates : tuple of str
-        Names of the generalised coordinates (docs/model.md).
+    max_condition : float
     """
 
-    check = _of_kinematics(Kinematics.check)
-    platform_jacobian = _of_kinematics(Kinematics.platform_jacobian)
-    condition = _of_kinematics(Kinematics.condition)
-    inverse_kinematics = _of_kinematics(Kinematics.inverse_kinematics)
-    direct_kinematics = _of_kinematics(Kinematics.direct_kinematics)
-    assembly = _of_kinematics(Kinematics.assembly)
-    modes = _of_dynamics(Dynamics.modes)
-    frequencies = _of_dynamics(Dynamics.frequencies)
-    matrices = _of_dynamics(Dynamics.matrices)
-    statics = _of_dynamics(Dynamics.statics)
-
     def __init__(self, robot: Robot, max_condition: float = MAX_CONDITION) -> None:
-        self.kinematics = Kinematics(robot, max_condition)
-        self.dynamics = Dynamics(self.kinematics)
+        if not isinstance(robot, Robot):
+            raise PkmodesError(f"expected a Robot, found {shown(robot)}", "Model", "use pkmodes.load(path)")
+        self.max_condition = largest_condition(max_condition)
         self.robot, self.mechanism = robot, robot.mechanism
-        self.coordinates = self.dynamics.coordinates
-        self._resolved_paths: tuple[tuple[tuple[str, ...] | None, str], ResolvedPaths] | None = None
+        # Effects do not change the kinematics: the generated base model serves every robot.
+        self._generated = Generated(self.mechanism.model, robot.parameters)
+        self._solvers: dict[tuple[str, str], Solver] = {}
+        self._solved: dict[str, Evaluation] = {}
+        self._fields_of: dict[tuple[object, ...], ModeFields] = {}
+        self._plans: dict[tuple[object, ...], Plan] = {}
+        #: What an application keeps from call to call, by a key of its own.
+        self.kept: dict[object, Any] = {}
 
     def __repr__(self) -> str:
         return f"Model({self.robot.name!r}, {self.robot.mechanism_name}, {len(self.coordinates)} coordinates)"
@@ -100,22 +88,7 @@ class Model(Responses):
         # The evaluation may hold modules, which cannot be pickled; it is rebuilt from the robot.
         return type(self), (self.robot, self.max_condition)
 
-    @property
-    def max_condition(self) -> float:
-        """The largest condition number of a pose that is not singular."""
-        return self.kinematics.max_condition
-
-    @property
-    def reasons(self) -> dict[str, str]:
-        """Codes that ``reason`` may have for a pose that cannot be evaluated, with their meanings."""
-        return self.kinematics.reasons
-
-    @property
-    def has_assemblies(self) -> bool:
-        """Whether the mechanism has several assembly branches: see `assembly`."""
-        return self.kinematics.has_assemblies
-
-    def with_values(self, values: Mapping[str, Any]) -> Model:
+    def with_values(self, values: Mapping[str, Any]) -> Self:
         """Return the evaluator of the robot with other values.
 
         Parameters
@@ -133,79 +106,355 @@ class Model(Responses):
         PkmodesError
             As for `pkmodes.Robot.with_values`.
         """
-        return Model(self.robot.with_values(values), self.max_condition)
+        return type(self)(self.robot.with_values(values), self.max_condition)
 
-    def sensitivities(
+    @cached_property
+    def system(self) -> Evaluation:
+        """M, K and statics of the robot, motors free."""
+        return evaluation(self.robot)
+
+    @cached_property
+    def dissipation(self) -> Dissipation:
+        """What damps the robot."""
+        return Dissipation(self.robot, self.system)
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of the generalised coordinates (docs/model.md)."""
+        return self.system.coordinates
+
+    def modes(
         self,
         poses: ArrayLike,
-        parameters: Sequence[str] | None = None,
-        *,
-        close: float = 1e-6,
         on_error: OnError = "raise",
+        *,
         fields: Fields = None,
         drives: str = FREE,
         out: Out = None,
         backend: str = AUTO,
         threads: int | None = None,
-    ) -> Sensitivities:
-        """Compute exact derivatives of matrices and modes with respect to parameters, at fixed platform poses.
+    ) -> Modes:
+        """Compute natural frequencies, mode shapes and matrices.
 
         Parameters
         ----------
         poses : array_like, shape (d,) or (..., d)
             In SI units.
-        parameters : sequence of str, optional
-            Parameter paths (docs/sensitivities.md); by default all quantities of the robot and all effect parameters.
-        close : float
-            Modes whose eigenvalues differ by less than this fraction form one group.
         on_error : {"raise", "nan"}
-            As for `modes`.
+            With "nan", a pose that cannot be evaluated gives NaN, ``valid`` False, and a ``reason``.
         fields : sequence of str, optional
-            Which of ``Sensitivities.FIELDS`` to compute and keep; by default all, or the fields in `out`.
-            ``"frequencies"`` and ``"eigenvalues"`` alone take a hundredth of the time or, without the compiled
-            library, a sixth.
+            Which of ``Modes.FIELDS`` to compute and keep, such as ``("frequencies", "platform_shapes")``; by default
+            all, or the fields in `out`.  The values of a field do not depend on the other fields requested.
         drives : {"free", "held"}
-            As for `modes`.
+            What the motors do: they turn freely, or position loops far stiffer than the machine hold them
+            (docs/model.md).
         out : mapping of str to ndarray, optional
-            As for `modes`.
+            Arrays to fill in place, by field, with the shapes given in `Modes`; they become the fields.
         backend : {"auto", "numpy", "compiled"}
-            As for `modes`: what solves the eigenproblem and evaluates these two fields.  With the same back end,
-            repeated modes have the same basis.
+            What evaluates the modes: by default the compiled library if there is one, unless the environment variable
+            ``PKMODES_BACKEND`` says otherwise.  ``Modes.backend`` tells which one ran.
         threads : int, optional
-            As for `modes`.
+            Threads of the compiled library, by default one per core; the results do not depend on it.
 
         Returns
         -------
-        Sensitivities
+        Modes
             With the leading axes of the poses.
 
         Raises
         ------
         PkmodesError
-            If a path is unknown (the message suggests the nearest), or a field or an array in `out` is invalid as
-            in `modes`.
-        """
-        from pkmodes.sensitivity.sensitivities import sensitivities
+            If a field is unknown, or an array in `out` has the wrong shape or type or is read-only. Also if
+            `backend` is "compiled" and there is no compiled library, or `drives` is neither word.
 
-        return sensitivities(
-            self._resolved(parameters, checked_drives(drives)),
-            poses,
-            on_error,
-            self.max_condition,
-            close,
-            fields,
-            out,
-            self.dynamics.solver(backend, drives),
-            checked_threads(threads),
+        Examples
+        --------
+        >>> import pkmodes
+        >>> model = pkmodes.load("robots/linear-delta-2022.toml")
+        >>> modes = model.modes([[0.6, 0.0, -0.245], [0.1, 0.0, -0.245]], "nan", fields=["frequencies"])
+        >>> modes.frequencies[:, 3].round(3)
+        array([55.559,    nan])
+        >>> modes.reason
+        array(['', 'limits'], dtype='<U9')
+        """
+        asked = None
+        if fields is not None or out is not None:
+            asked = chosen_fields(fields, out, Modes.fields_of(self.robot.mechanism))
+        number = checked_threads(threads)
+        plan = self._plan(asked, out, backend, drives)
+        checked, arrays = self._run(plan.fields, poses, on_error, out, number)
+        for name, same in plan.shared.items():
+            arrays[name] = arrays[same]
+        later = None
+        if plan.later:
+            later = Later(plan.later, self.robot, self.max_condition, checked, number)
+        return Modes(
+            codes=checked.codes.reshape(checked.batch),
+            known=checked.known,
+            arrays=arrays,
+            poses=checked.points.reshape((*checked.batch, -1)),
+            coordinates=self.coordinates,
+            rigid_modes=plan.rigid_modes,
+            robot=self.robot,
+            backend=plan.backend,
+            drives=drives,
+            _later=later,
         )
 
-    def frequency_sigmas(
-        self, poses: ArrayLike, on_error: OnError = "raise", *, drives: str = FREE
-    ) -> NDArray[np.float64]:
-        """Compute the standard deviations of the frequencies from those that the robot file states.
+    def frequencies(
+        self,
+        poses: ArrayLike,
+        on_error: OnError = "raise",
+        *,
+        drives: str = FREE,
+        out: Array | None = None,
+        backend: str = AUTO,
+        threads: int | None = None,
+    ) -> Array:
+        """Compute only the natural frequencies; they equal those of `modes` to the last digit.
 
-        The law of propagation of uncertainty with exact derivatives, good to first order.  Values are independent
-        unless a ``[[covariance]]`` of the robot file correlates them.
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            As for `modes`; `check` says why a pose gives NaN.
+        drives : {"free", "held"}
+            As for `modes`.
+        out : ndarray of float, shape (..., m), optional
+            Filled in place and returned.
+        backend : {"auto", "numpy", "compiled"}
+            As for `modes`.
+        threads : int, optional
+            As for `modes`.
+
+        Returns
+        -------
+        ndarray, shape (..., m)
+            In Hz: sqrt(abs(lambda)) / (2 pi) with the sign of lambda, the rigid-body modes first.
+        """
+        given = None if out is None else {"frequencies": out}
+        asked: tuple[str, ...] = ("frequencies",)
+        if given:
+            asked = chosen_fields(asked, given, Modes.fields_of(self.robot.mechanism))
+        number = checked_threads(threads)
+        plan = self._plan(asked, given, backend, drives)
+        _, arrays = self._run(plan.fields, poses, on_error, given, number)
+        return arrays["frequencies"]
+
+    def matrices(self, poses: ArrayLike, on_error: OnError = "raise") -> tuple[Array, Array]:
+        """Compute the mass and stiffness matrices (equations 33 and 48).
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN.
+
+        Returns
+        -------
+        M : ndarray, shape (..., n, n)
+            In SI units, in the order of `coordinates`; NaN where a pose could not be evaluated.
+        K : ndarray, shape (..., n, n)
+            Likewise.
+        """
+        checked = self.checked(poses, on_error)
+        M, K = self.evaluated(lambda p: matrices(self.system, p), checked)
+        return M, K
+
+    def statics(self, poses: ArrayLike, on_error: OnError = "raise") -> Statics:
+        """Compute the torques and rotations that hold the pose (equation 44).
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN.
+
+        Returns
+        -------
+        Statics
+            With the leading axes of the poses.
+        """
+        checked = self.checked(poses, on_error)
+        torques, rotations = self.evaluated(self.system.statics, checked)
+        return Statics(checked.codes.reshape(checked.batch), checked.known, torques, rotations)
+
+    @property
+    def reasons(self) -> dict[str, str]:
+        """Codes that ``reason`` may have for a pose that cannot be evaluated, with their meanings."""
+        return reasons_of(self.robot)
+
+    def check(self, poses: ArrayLike) -> PoseCheck:
+        """Check which poses can be evaluated, and why the others cannot.
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+
+        Returns
+        -------
+        PoseCheck
+            ``valid``, ``reason`` and ``sentences``, with the leading axes of the poses.
+
+        Examples
+        --------
+        >>> import pkmodes
+        >>> model = pkmodes.load("robots/linear-delta-2022.toml")
+        >>> check = model.check([0.6, 0.0, -0.5])
+        >>> print(check.reason, "-", check.sentences)
+        reachable - the pose is out of reach: link 2 is 0.1385 m too short; choose a pose closer to the rails
+        """
+        checked = self.checked(poses, "nan")
+        return PoseCheck(
+            codes=checked.codes.reshape(checked.batch),
+            known=checked.known,
+            poses=checked.points.reshape((*checked.batch, -1)),
+            robot=self.robot,
+        )
+
+    def platform_jacobian(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
+        """Compute the platform Jacobian D_p = dp/dq (equation 15).
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN.
+
+        Returns
+        -------
+        ndarray, shape (..., d, k)
+            One row per pose component, one column per independent coordinate.
+        """
+        (D_p,) = self._at(poses, on_error, "platform_jacobian")
+        return D_p
+
+    def condition(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
+        """Compute the condition number of the platform Jacobian D_p: its largest singular value over its smallest.
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN.
+
+        Returns
+        -------
+        ndarray, shape (...)
+            At least 1; 1 where the platform moves equally far in every direction.
+        """
+        function = self._generated.platform_jacobian
+        (condition,) = self.evaluated(lambda p: condition_number(function(p)), self.checked(poses, on_error))
+        return condition
+
+    def inverse_kinematics(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
+        """Compute the independent coordinates on the branch given in the robot file (equations 1 to 3).
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN.
+
+        Returns
+        -------
+        ndarray, shape (..., k)
+            In SI units, in the order of ``mechanism.independent``.
+        """
+        (q,) = self._at(poses, on_error, "inverse_kinematics")
+        return q
+
+    def direct_kinematics(self, positions: ArrayLike, assembly: int) -> Array:
+        """Compute the pose from the independent coordinates.
+
+        Parameters
+        ----------
+        positions : array_like, shape (k,) or (..., k)
+            In the order of ``mechanism.independent``, in SI units.
+        assembly : {1, -1}
+            Assembly branch, see `assembly`.
+
+        Returns
+        -------
+        ndarray, shape (d,) or (..., d)
+            Poses; limits are not checked.
+
+        Raises
+        ------
+        PoseError
+            If the links do not meet.
+        PkmodesError
+            If the mechanism has no closed-form direct kinematics.
+        """
+        function = self._function("direct_kinematics")
+        if not (isinstance(assembly, int | float | np.integer) and assembly in (1, -1)):
+            raise PoseError(
+                f"expected assembly 1 or -1, found {shown(assembly)}", "assembly", "choose a branch"
+            )
+        what = self.mechanism.independent_are
+        size, names = len(self.mechanism.independent), ", ".join(self.mechanism.independent)
+        units = {q.name: q.unit for q in self.mechanism.coordinates}
+        given = by_name(positions, {name: units[name] for name in self.mechanism.independent}, what)
+        q, batch = as_points(given, what, size, lambda: f"give {names} in SI units")
+        with np.errstate(all="ignore"):
+            p: Array = function(q, assembly)
+        bad = ~np.isfinite(p).all(axis=-1)
+        if bad.any():
+            index = int(np.argmax(bad))
+            raise PoseError("the links do not meet", f"{what} {index}", f"choose {what} that assemble", index)
+        return p.reshape((*batch, -1))
+
+    @property
+    def has_assemblies(self) -> bool:
+        """Whether the mechanism has several assembly branches: see `assembly`."""
+        return self._generated.has("direct_kinematics")
+
+    def assembly(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
+        """Compute the assembly branch of each pose: the sign of det D_l (equation 15).
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN.
+
+        Returns
+        -------
+        ndarray, shape (...)
+            1 or -1.
+
+        Raises
+        ------
+        PkmodesError
+            If the mechanism has only one assembly branch.
+        """
+        self._function("direct_kinematics")
+        determinant, _ = self._at(poses, on_error, "jacobian_condition")
+        return np.sign(determinant)
+
+    # What the methods and the applications share.
+
+    def fields_at(
+        self,
+        poses: ArrayLike,
+        on_error: OnError,
+        names: Sequence[str],
+        backend: str,
+        *,
+        drives: str = FREE,
+        out: Out = None,
+        threads: int = 1,
+        given: Mapping[str, Any] | None = None,
+    ) -> tuple[CheckedPoses, dict[str, Array]]:
+        """Evaluate fields of `pkmodes.dataset.fields.FIELDS`.
 
         Parameters
         ----------
@@ -213,135 +462,158 @@ class Model(Responses):
             In SI units.
         on_error : {"raise", "nan"}
             As for `modes`.
-        drives : {"free", "held"}
-            As for `modes`.
-
-        Returns
-        -------
-        ndarray, shape (..., m)
-            In Hz, in the order of `frequencies`; NaN where a frequency is 0 to rounding.  Each of several repeated
-            modes has the root mean square over their group.
-
-        Raises
-        ------
-        PkmodesError
-            If the robot file states no standard deviation of a value that changes a frequency.
-
-        Examples
-        --------
-        >>> import pkmodes
-        >>> model = pkmodes.load("robots/linear-delta-2022.toml")
-        >>> model = model.with_values({"belt.width": {"value": "15 mm", "sigma": "2 %"}})
-        >>> model.frequency_sigmas([0.6, 0.0, -0.245])[3:].round(2)
-        array([0.56, 0.6 , 0.62, 1.31, 1.34, 1.34])
-        """
-        from pkmodes.sensitivity.spread import needed_spread_of
-
-        return needed_spread_of(self.dynamics, poses, checked_drives(drives), on_error)
-
-    def map(
-        self,
-        grid: Any = None,
-        *,
-        sweep: Mapping[str, Any] | None = None,
-        samples: int | None = None,
-        seed: int = 0,
-        shapes: bool = False,
-        tracked: bool = False,
-        out: str | PathLike[str] | None = None,
-        overwrite: bool = False,
-        scheduler: str | None = None,
-        threads: int | None = None,
-        backend: str = AUTO,
-        drives: str = FREE,
-        progress: Callable[[int, int], None] | None = None,
-    ) -> Dataset:
-        """Compute the modes over the workspace, and over ranges of parameters.
-
-        Parameters
-        ----------
-        grid : mapping of str to array_like, or array_like of shape (N, d), optional
-            Ascending values, or one number, for each component of the pose, in SI units; or poses one after the
-            other.  By default a grid over the reachable workspace, within the usable limits of the robot.
-        sweep : mapping of str to array_like, optional
-            Values of parameters in SI units, by path; all combinations are evaluated.
-        samples : int, optional
-            Number of robots whose values with a standard deviation are drawn from normal distributions.
-        seed : int
-            Of the draws.
-        shapes : bool
-            Whether to keep mode shapes.
-        tracked : bool
-            Whether to number modes by their shapes instead of by rank, from the middle of the map outwards.
-        out : path-like, optional
-            File to write: ``.nc`` (NetCDF-4), ``.zarr``, or a table in ``.csv`` or ``.parquet``.  The map is computed
-            in a folder next to it, ``<out>.partial``: after an interruption the same call continues there.
-        overwrite : bool
-            Whether an existing file may be replaced.
-        scheduler : str, optional
-            Address of a Dask scheduler whose workers evaluate the map.
-        threads : int, optional
-            Without a scheduler, by default one per core.
+        names : sequence of str
+            Of the fields.
         backend : {"auto", "numpy", "compiled"}
             As for `modes`.
         drives : {"free", "held"}
             As for `modes`.
-        progress : callable, optional
-            Called with the number of poses done and their total.
+        out : mapping of str to ndarray, optional
+            As for `modes`.
+        threads : int
+            Of the compiled library.
+        given : mapping of str to object, optional
+            Quantities that fields need and a robot does not have.
 
         Returns
         -------
-        xarray.Dataset
-            Described in docs/maps.md.  Where `out` is NetCDF or Zarr, its values are read from the file when they are
-            needed.
-
-        Raises
-        ------
-        PkmodesError
-            If an argument is invalid, no pose can be evaluated, or the workers of a scheduler cannot finish.
-        OutputError
-            If the file exists or cannot be written, or an interrupted map there is another one or damaged.
-        MissingExtraError
-            If the libraries of the extra ``map`` are not installed.
-
-        Examples
-        --------
-        >>> import numpy as np, pkmodes
-        >>> model = pkmodes.load("robots/linear-delta-2022.toml")
-        >>> dataset = model.map({"x": np.linspace(0.3, 0.8, 6), "y": 0.0, "z": -0.245})
-        >>> dataset.frequency.sel(mode=1).squeeze().round(2).values
-        array([46.34, 49.55, 54.23, 55.56, 50.33, 46.8 ])
+        CheckedPoses
+            With the code of each pose.
+        dict of str to ndarray
+            By field, with the leading axes of the poses.
         """
-        from pkmodes.maps.mapping import map_of
+        fields = self._fields(names, self.solver(backend, drives), drives, given)
+        return self._run(fields, poses, on_error, out, threads)
 
-        return map_of(
-            self.kinematics,
-            grid,
-            sweep=sweep,
-            samples=samples,
-            seed=seed,
-            shapes=shapes,
-            tracked=tracked,
-            out=out,
-            overwrite=overwrite,
-            scheduler=scheduler,
-            threads=threads,
-            backend=backend,
-            drives=drives,
-            progress=progress,
+    def _run(
+        self, fields: ModeFields, poses: ArrayLike, on_error: OnError, out: Out, threads: int
+    ) -> tuple[CheckedPoses, dict[str, Array]]:
+        """Evaluate fields at poses."""
+        return run(fields.job, self.robot, self.max_condition, poses, on_error, out, threads)
+
+    def _fields(
+        self, names: Sequence[str], solver: Solver, drives: str, given: Mapping[str, Any] | None = None
+    ) -> ModeFields:
+        """Return how a solver evaluates fields; kept unless something is given."""
+        key = (solver, *names)
+        fields = None if given else self._fields_of.get(key)
+        if fields is None:
+            known = {"dissipation": self.dissipation, **(given or {})}
+            fields = ModeFields(solver, self.system, self.solved(drives), self.robot.source, names, known)
+            if not given:
+                self._fields_of[key] = fields
+        return fields
+
+    def _plan(self, asked: tuple[str, ...] | None, out: Out, backend: str, drives: str) -> Plan:
+        """Return what a call does; kept, so that a call of a pose takes microseconds.
+
+        Parameters
+        ----------
+        asked : tuple of str, optional
+            Fields, in their order; None for all, of which some are evaluated when they are read.
+        """
+        apart = tuple(name for name in asked or () if out and name in out and FIELDS[name].same_as)
+        key = asked, apart, chosen(backend), drives, len(FIELDS)
+        try:
+            return self._plans[key]
+        except (KeyError, TypeError):  # a new one, or drives that are no word
+            solver = self.solver(backend, drives)
+        names = Modes.fields_of(self.robot.mechanism) if asked is None else asked
+        # Two names of the same values share one array unless the caller passes a second one.
+        shared = {
+            name: FIELDS[name].same_as
+            for name in names
+            if FIELDS[name].same_as in names and name not in apart
+        }
+        later = [
+            name for name in names if asked is None and FIELDS[name].on_demand and name not in solver.at_hand
+        ]
+        at_once = [name for name in names if name not in shared and name not in later]
+        plan = self._plans[key] = Plan(
+            fields=self._fields(at_once, solver, drives),
+            shared=shared,
+            later={name: self._fields([name], solver, drives) for name in later},
+            rigid_modes=self.solved(drives).rigid_modes,
+            backend=solver.name,
         )
+        return plan
 
-    def _resolved(self, parameters: Sequence[str] | None, drives: str) -> ResolvedPaths:
-        """Resolve parameter paths; those of the last call are kept."""
-        from pkmodes.sensitivity.sensitivities import ResolvedPaths
+    def solver(self, backend: str, drives: str = FREE) -> Solver:
+        """Return the solver that a back end has for the robot.
 
-        if parameters is None:
-            names: tuple[str, ...] | None = None
-        elif isinstance(parameters, list | tuple) and all(isinstance(path, str) for path in parameters):
-            names = tuple(parameters)
-        else:  # anything else is converted or refused
-            return ResolvedPaths(self.robot, parameters, drives)
-        key, last = (names, drives), self._resolved_paths
-        if last is None or last[0] != key:
-            last = self._resolved_paths = key, ResolvedPaths(self.robot, parameters, drives)
-        return last[1]
+        Parameters
+        ----------
+        backend, drives : str
+            As for `modes`.
+
+        Returns
+        -------
+        Solver
+            Kept from call to call.
+        """
+        key = chosen(backend), checked_drives(drives)
+        if key not in self._solvers:
+            # Without effects, a library has the digits of NumPy in M and K; with them it rounds K in another order.
+            same = drives != FREE and not isinstance(self.system, ExtendedSystem)
+            free = self.solver(key[0], FREE) if same else None
+            solver = solver_of(self.solved(drives), self.max_condition, key[0], free)
+            self._solvers[key] = solver
+        return self._solvers[key]
+
+    def solved(self, drives: str) -> Evaluation:
+        """Return the system that is solved for the robot.
+
+        Parameters
+        ----------
+        drives : {"free", "held"}
+            As for `modes`.
+
+        Returns
+        -------
+        Evaluation
+            ``system``, or the one in which the motors do not move.
+        """
+        if drives not in self._solved:
+            self._solved[drives] = solved_system(self.system, drives)
+        return self._solved[drives]
+
+    def checked(self, poses: ArrayLike, on_error: OnError) -> CheckedPoses:
+        """Check poses, and refuse those that cannot be evaluated with ``on_error="raise"``.
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", the codes say which poses cannot be evaluated.
+
+        Returns
+        -------
+        CheckedPoses
+            The poses one after the other, with the code of each.
+        """
+        points = poses_by_name(poses, self.mechanism)
+        return check_poses(points, self.mechanism, self.robot.parameters, on_error, self.max_condition)
+
+    def _function(self, name: str) -> Callable[..., Any]:
+        """Return a function of the base model that not every mechanism has."""
+        if not self._generated.has(name):
+            what = (
+                f"the mechanism {self.mechanism.name} has no {name.replace('_', ' ')} with assembly branches"
+            )
+            raise PkmodesError(what, self.robot.source, "start from poses: Model.inverse_kinematics")
+        return getattr(self._generated, name)  # type: ignore[no-any-return]
+
+    def _at(self, poses: ArrayLike, on_error: OnError, name: str) -> tuple[Array, ...]:
+        """Evaluate a function of the base model and return its results with the poses' leading axes."""
+        return self.evaluated(getattr(self._generated, name), self.checked(poses, on_error))
+
+    @staticmethod
+    def evaluated(function: Callable[[Array], Any], checked: CheckedPoses) -> tuple[Array, ...]:
+        """Evaluate a function at the valid poses, chunk by chunk; results have the leading axes of all poses."""
+        fields = FieldArrays(checked.batch, blank=bool(checked.codes.any()))
+        for where, p in checked.parts(CHUNK):
+            values = function(p)
+            columns = values if isinstance(values, tuple) else (values,)
+            fields.put(where, {str(i): column for i, column in enumerate(columns)})
+        return tuple(fields.finish().values())

@@ -213,7 +213,7 @@ def _modes(model: Model, response: FrequencyResponse) -> Block:
     """Return the vibration modes at the pose: frequency, damping, and the direction of the platform."""
     pose = response.poses[response.one(())]
     modes = model.modes(pose, drives=response.drives)
-    sigmas, rigid = spread_of(model.dynamics, pose, response.drives), modes.rigid_modes
+    sigmas, rigid = spread_of(model, pose, response.drives), modes.rigid_modes
     columns = [Column("mode"), Column("f [Hz]"), Column("damping [%]")]
     columns += [Column(f"p_{name}") for name in model.mechanism.directions]
     rows = []

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from pkmodes.base.version import VERSION
 from pkmodes.figures.quantities import points_of
 from pkmodes.figures.working_plane import working_plane
+from pkmodes.maps.mapping import map_of
 from pkmodes.maps.poses import Grid
 from pkmodes.maps.robots_compared import NOTHING, ModeChange, compare_frequencies, headline
 from pkmodes.plots.changes import relative_changes, scale_of
@@ -181,11 +182,9 @@ def _pictures(first: Model, second: Model, drives: str, places: Grid | None) -> 
     if len(components) < 2:
         return
     chosen = working_plane(first) if places is None else places
-    plane = Plane.of(first.map(chosen, drives=drives), components)
+    plane = Plane.of(map_of(first, chosen, drives=drives), components)
     points = points_of(first, plane)
-    changes = compare_frequencies(
-        first.dynamics, second.dynamics, points.reshape(-1, points.shape[-1]), drives
-    )
+    changes = compare_frequencies(first, second, points.reshape(-1, points.shape[-1]), drives)
     relative = changes.relative.reshape(*points.shape[:-1], -1)
     name, plane_in_words = clean(first.robot.name), where(plane)
     of = "the plane of the grid" if places is not None else f"the working plane of {name}"

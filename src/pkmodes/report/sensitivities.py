@@ -62,8 +62,8 @@ def sensitivities_report(
     need_report()
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     pose, drives = content["pose"], content["drives"]
-    percent = changes_at(model.dynamics, pose, drives, PERCENT)
-    sigma = changes_at(model.dynamics, pose, drives, SIGMA) if stated_sigmas(model.robot) else None
+    percent = changes_at(model, pose, drives, PERCENT)
+    sigma = changes_at(model, pose, drives, SIGMA) if stated_sigmas(model.robot) else None
     sections = [
         Section("percent", "One per cent of each quantity", _per_cent(model, percent, content)),
         Section("sigma", "Standard deviations of the robot file", _per_sigma(model, sigma, content)),

@@ -14,9 +14,9 @@ from pkmodes.base.arguments import check_argument, one_of
 from pkmodes.base.drives import checked_drives
 from pkmodes.base.errors import PkmodesError
 from pkmodes.mechanism.poses import CheckedPoses
+from pkmodes.model.model import Model
 from pkmodes.response.ports import QUANTITIES, Output, Port, inputs_of, outputs_of, units_of
 from pkmodes.robot.robot import Robot
-from pkmodes.solve.dynamics import Dynamics
 from pkmodes.solve.results import AtPoses
 
 Index = tuple[int, ...] | int
@@ -98,7 +98,7 @@ class Channels(AtPoses):
 class Asked:
     """What is asked of a robot: a quantity of some outputs per some inputs."""
 
-    dynamics: Dynamics
+    model: Model
     inputs: tuple[Port, ...]
     outputs: tuple[Port, ...]
     quantity: str
@@ -106,7 +106,7 @@ class Asked:
 
     @classmethod
     def of(
-        cls, dynamics: Dynamics, inputs: Sequence[str], outputs: Sequence[Output], quantity: str, drives: str
+        cls, model: Model, inputs: Sequence[str], outputs: Sequence[Output], quantity: str, drives: str
     ) -> Asked:
         """Return what is asked by name.
 
@@ -117,8 +117,8 @@ class Asked:
         """
         checked_drives(drives)
         check_argument(quantity, one_of(QUANTITIES), "quantity", 'for example: "acceleration"')
-        into, out = inputs_of(dynamics, inputs, drives), outputs_of(dynamics, outputs)
-        return cls(dynamics, into, out, quantity, drives)
+        into, out = inputs_of(model, inputs, drives), outputs_of(model, outputs)
+        return cls(model, into, out, quantity, drives)
 
     def fields(self, checked: CheckedPoses) -> dict[str, Any]:
         """Return the fields of `Channels` at poses."""
@@ -131,5 +131,5 @@ class Asked:
             "units": units_of(self.inputs, self.outputs, self.quantity),
             "quantity": self.quantity,
             "drives": self.drives,
-            "robot": self.dynamics.robot,
+            "robot": self.model.robot,
         }

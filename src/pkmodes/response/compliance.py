@@ -9,25 +9,46 @@ from pkmodes.base.drives import HELD
 from pkmodes.base.errors import PkmodesError
 from pkmodes.linalg import statics
 from pkmodes.mechanism.poses import OnError
-from pkmodes.solve.dynamics import Dynamics
+from pkmodes.model.model import Model
 from pkmodes.system.evaluation import Evaluation, matrices
 from pkmodes.system.motors import MotorsHeld
 
 Array = NDArray[np.float64]
 
 
-def compliance(dynamics: Dynamics, poses: ArrayLike, on_error: OnError = "raise") -> Array:
-    """Compute the compliance of the platform: see `pkmodes.Model.compliance`."""
-    held = dynamics.solved(HELD)
+def compliance(model: Model, poses: ArrayLike, on_error: OnError = "raise") -> Array:
+    """Compute how far the platform gives way to a force while the motors are held (docs/response.md).
+
+    Parameters
+    ----------
+    model : Model
+        The evaluator of the robot.
+    poses : array_like, shape (d,) or (..., d)
+        In SI units.
+    on_error : {"raise", "nan"}
+        As for `modes`.
+
+    Returns
+    -------
+    ndarray, shape (..., d, d)
+        In m/N: displacement (rows) per force (columns), of the whole potential energy, gravity included.
+
+    Examples
+    --------
+    >>> import pkmodes
+    >>> model = pkmodes.load("robots/linear-delta-2022.toml")
+    >>> (1e6 * model.compliance([0.6, 0.0, -0.245])).diagonal().round(2)  # um/N
+    array([2.98, 6.24, 3.51])
+    """
+    held = model.solved(HELD)
     if held.rigid_modes:
         raise PkmodesError(
             f"with motors held the machine still has {held.rigid_modes} rigid modes: a force moves it without end",
-            dynamics.robot.source,
+            model.robot.source,
             "check the drives of the mechanism",
         )
-    kinematics = dynamics.kinematics
-    (found,) = kinematics.evaluated(
-        lambda points: platform_compliance(dynamics.system, held, points), kinematics.checked(poses, on_error)
+    (found,) = model.evaluated(
+        lambda points: platform_compliance(model.system, held, points), model.checked(poses, on_error)
     )
     return np.asarray(found)
 

@@ -15,12 +15,12 @@ from pkmodes.base.arguments import real_numbers
 from pkmodes.base.drives import FREE
 from pkmodes.base.errors import PkmodesError
 from pkmodes.mechanism.poses import OnError
+from pkmodes.model.model import Model
 from pkmodes.response.channels import Asked, Channels
 from pkmodes.response.equations import equations
 from pkmodes.response.linearised import LinearisedRobot, nan_in_both_parts
 from pkmodes.response.ports import QUANTITIES, Output, Port, input_vectors, output_vectors, prescribed
 from pkmodes.solve.backends import AUTO
-from pkmodes.solve.dynamics import Dynamics
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -111,7 +111,7 @@ class FrequencyResponse(Channels):
 
 
 def frequency_response(
-    dynamics: Dynamics,
+    model: Model,
     poses: ArrayLike,
     frequencies: ArrayLike,
     inputs: Sequence[str],
@@ -122,18 +122,60 @@ def frequency_response(
     on_error: OnError = "raise",
     backend: str = AUTO,
 ) -> FrequencyResponse:
-    """Compute frequency responses: see `pkmodes.Model.frf`."""
-    asked = Asked.of(dynamics, inputs, outputs, quantity, drives)
-    given = checked_frequencies(frequencies, dynamics.solved(drives).rigid_modes, drives)
+    """Compute frequency response functions, for exp(+i omega t) (docs/response.md).
+
+    Parameters
+    ----------
+    model : Model
+        The evaluator of the robot.
+    poses : array_like, shape (d,) or (..., d)
+        In SI units.
+    frequencies : array_like, shape (F,)
+        In Hz; 0 only where no rigid mode exists.
+    inputs : sequence of str
+        ``torque_j`` of a free motor [N m], the prescribed angle ``motor_j`` of a held one [rad], and
+        ``force_<component>`` on the platform [N].
+    outputs : sequence of str or mapping
+        ``p_<component>``, ``{"name": [dx, dy, dz]}`` for another direction of the platform, ``motor_j``, and
+        every coordinate of the robot.
+    drives : {"free", "held"}
+        As for `modes`.
+    quantity : {"displacement", "velocity", "acceleration"}
+        Of every output.
+    on_error : {"raise", "nan"}
+        As for `modes`.
+    backend : {"auto", "numpy", "compiled"}
+        As for `modes`: what solves the undamped eigenproblem.
+
+    Returns
+    -------
+    FrequencyResponse
+        ``values`` of shape (..., F, outputs, inputs).
+
+    Raises
+    ------
+    PkmodesError
+        If a port is unknown (the message suggests the nearest) or is not one with these drives, or a frequency is
+        invalid.
+
+    Examples
+    --------
+    >>> import numpy as np, pkmodes
+    >>> model = pkmodes.load("robots/linear-delta-2022.toml").with_values({"damping.ratio": 0.02})
+    >>> found = model.frf([0.6, 0.0, -0.245], np.linspace(10, 60, 501), ["force_x"], ["p_x"], drives="held")
+    >>> float(found.frequencies[abs(found.values[:, 0, 0]).argmax()].round(1))
+    36.2
+    """
+    asked = Asked.of(model, inputs, outputs, quantity, drives)
+    given = checked_frequencies(frequencies, model.solved(drives).rigid_modes, drives)
     omega = 2.0 * np.pi * given
-    kinematics = dynamics.kinematics
-    checked = kinematics.checked(poses, on_error)
+    checked = model.checked(poses, on_error)
 
     def at(points: Array) -> Complex:
-        linearised = LinearisedRobot(dynamics, points, drives, backend)
+        linearised = LinearisedRobot(model, points, drives, backend)
         return responses(linearised, asked.inputs, asked.outputs, omega, quantity)
 
-    (values,) = kinematics.evaluated(at, checked)
+    (values,) = model.evaluated(at, checked)
     return FrequencyResponse(
         **asked.fields(checked),
         values=nan_in_both_parts(np.asarray(values, dtype=complex)),

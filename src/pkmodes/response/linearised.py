@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from pkmodes.linalg.damping import ModalDamping, modal_damping, rates_of_ratio
 from pkmodes.linalg.eigen import generalised_eigh
-from pkmodes.solve.dynamics import Dynamics
+from pkmodes.model.model import Model
 from pkmodes.solve.solutions import solved
 from pkmodes.system.motors import MotorsHeld, motor_motion
 
@@ -56,12 +56,12 @@ class LinearisedRobot:
         Number of rigid modes.
     """
 
-    def __init__(self, dynamics: Dynamics, points: Array, drives: str, backend: str) -> None:
-        self.dynamics, self.points = dynamics, points
-        system = self.system = dynamics.solved(drives)
-        at = solved(dynamics.solver(backend, drives).inner, system, points, dynamics.robot.source)
+    def __init__(self, model: Model, points: Array, drives: str, backend: str) -> None:
+        self.model, self.points = model, points
+        system = self.system = model.solved(drives)
+        at = solved(model.solver(backend, drives).inner, system, points, model.robot.source)
         self.rigid, self.massless = system.rigid_modes, system.massless()
-        n, motors = len(dynamics.system.coordinates), len(dynamics.robot.mechanism.drives)
+        n, motors = len(model.system.coordinates), len(model.robot.mechanism.drives)
         self.kept, self.prescribed = np.eye(n), np.zeros((n, motors))
         if isinstance(system, MotorsHeld):
             self.kept, self.prescribed = system.motions()
@@ -90,7 +90,7 @@ class LinearisedRobot:
     @cached_property
     def dissipation(self) -> tuple[Blocks, Blocks]:
         """C_v and K''."""
-        of, system = self.dynamics.dissipation, self.system
+        of, system = self.model.dissipation, self.system
         if not of.by_effects:
             nothing = Blocks(np.zeros((len(self.points), *2 * self.kept.shape[1:])), self._nothing)
             return nothing, nothing
@@ -115,24 +115,24 @@ class LinearisedRobot:
     @cached_property
     def rates(self) -> Array:
         """Diagonal damping of the modes by the damping ratio [1/s], (N, m)."""
-        return rates_of_ratio(self.eigenvalues, self.dynamics.dissipation.ratio, self.rigid)
+        return rates_of_ratio(self.eigenvalues, self.model.dissipation.ratio, self.rigid)
 
     @cached_property
     def damping(self) -> ModalDamping:
         """Damping in modal coordinates."""
         viscous, loss = self.dissipation
-        ratio = self.dynamics.dissipation.ratio
+        ratio = self.model.dissipation.ratio
         return modal_damping(self.eigenvalues, self.own_shapes, viscous.own, loss.own, ratio, self.rigid)
 
     @cached_property
     def motors(self) -> Array:
         """The angle of each motor per unit of each of the n coordinates, (drives, n)."""
-        return motor_motion(self.dynamics.system)
+        return motor_motion(self.model.system)
 
     @cached_property
     def platform(self) -> Array:
         """Absolute motion of the platform per unit of each of the n coordinates, (N, directions, n)."""
-        return self.dynamics.system.platform_motion(self.points)
+        return self.model.system.platform_motion(self.points)
 
 
 def nan_in_both_parts(values: NDArray[np.complex128]) -> NDArray[np.complex128]:

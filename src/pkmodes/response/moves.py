@@ -12,10 +12,10 @@ from pkmodes.base.drives import HELD
 from pkmodes.base.errors import PkmodesError, PoseError, shown
 from pkmodes.measured.pose_table import poses_by_name
 from pkmodes.mechanism.poses import placed
+from pkmodes.model.model import Model
 from pkmodes.response.path_vibration import deviation_along
 from pkmodes.shaping.arguments import checked_impulses
 from pkmodes.shaping.shapers import Shaper
-from pkmodes.solve.dynamics import Dynamics
 
 Array = NDArray[np.float64]
 #: Longest step between two poses whose matrices are evaluated [m]: errors below 0.1 % of the vibration.
@@ -50,20 +50,67 @@ class Move:
 
 
 def simulate(
-    dynamics: Dynamics, time: ArrayLike, poses: ArrayLike, shaper: Shaper | None, damping: float | None
+    model: Model,
+    time: ArrayLike,
+    poses: ArrayLike,
+    *,
+    shaper: Shaper | None = None,
+    damping: float | None = None,
 ) -> Move:
-    """Integrate a move: see `pkmodes.Model.simulate`."""
+    """Simulate how the platform rings while held motors follow a command (docs/shapers.md).
+
+    Modes, inertia and motion are those of the commanded pose of each moment; vibrations are small, and forces
+    that grow with the square of the speed are left out.
+
+    Parameters
+    ----------
+    model : Model
+        The evaluator of the robot.
+    time : array_like, shape (T,)
+        Ascending [s].  Before the first sample the machine is at rest; between samples the command is a straight
+        line, so sample it as the controller does.
+    poses : array_like, shape (T, d)
+        The command, in SI units.  Components that are no lengths stay constant.
+    shaper : Shaper, optional
+        With which the command is convolved: one, amplitudes and delays (n,), or one for each time, (T, n), which
+        splits what the command moves up to this time: `shaper` designs them for the commanded poses.
+    damping : float, optional
+        Damping ratio of every mode, instead of that of the robot file.
+
+    Returns
+    -------
+    Move
+        ``poses``, which the motors follow: the command after the shaper; and ``deviation``, how far the platform
+        is from them [m], both (T, d).
+
+    Raises
+    ------
+    PkmodesError
+        If the times do not ascend, or shapes do not go together.
+    PoseError
+        If the path leaves the workspace; the message says when and where.
+
+    Examples
+    --------
+    >>> import numpy as np, pkmodes
+    >>> model = pkmodes.load("robots/linear-delta-2022-identified.toml")
+    >>> t = np.arange(0.0, 0.4, 0.001)  # 0.1 m/s within 10 ms, then on
+    >>> x = 0.5 + np.where(t < 0.01, 5.0 * t**2, 0.1 * t - 0.0005)
+    >>> move = model.simulate(t, np.stack([x, 0.0 * x, 0.0 * x - 0.245], axis=-1), damping=0.01)
+    >>> bool(move.largest(after=0.05) > 1e-4)
+    True
+    """
     t = _times(time)
-    command = _command(dynamics, poses, t)
+    command = _command(model, poses, t)
     shaped = command if shaper is None else shaped_command(t, command, shaper)
     fine, path, given = _refined(t, shaped)
-    _check_path(dynamics, fine, path)
+    _check_path(model, fine, path)
     if damping is not None:
-        dynamics = _with_ratio(dynamics, damping)
-    if rigid := dynamics.solved(HELD).rigid_modes:
+        model = _with_ratio(model, damping)
+    if rigid := model.solved(HELD).rigid_modes:
         what = f"with motors held the machine still has {rigid} rigid modes: they would drift away"
-        raise PkmodesError(what, dynamics.robot.source, "check the drives of the mechanism")
-    return Move(t, shaped, deviation_along(dynamics, fine, path)[given])
+        raise PkmodesError(what, model.robot.source, "check the drives of the mechanism")
+    return Move(t, shaped, deviation_along(model, fine, path)[given])
 
 
 def shaped_command(time: Array, command: Array, shaper: Shaper) -> Array:
@@ -126,8 +173,8 @@ def _times(time: ArrayLike) -> Array:
     return t
 
 
-def _command(dynamics: Dynamics, poses: ArrayLike, time: Array) -> Array:
-    mechanism = dynamics.robot.mechanism
+def _command(model: Model, poses: ArrayLike, time: Array) -> Array:
+    mechanism = model.robot.mechanism
     names = [component.name for component in mechanism.pose]
     remedy = f"give {', '.join(names)} at every time"
     p = real_numbers(
@@ -156,7 +203,7 @@ def _refined(time: Array, poses: Array) -> tuple[Array, Array, NDArray[np.intp]]
     return fine, path, given
 
 
-def _check_path(dynamics: Dynamics, time: Array, poses: Array) -> None:
+def _check_path(model: Model, time: Array, poses: Array) -> None:
     """Refuse a path that leaves the workspace.
 
     Raises
@@ -164,20 +211,20 @@ def _check_path(dynamics: Dynamics, time: Array, poses: Array) -> None:
     PoseError
         With the time at which it does, the pose and the reason.
     """
-    codes = dynamics.kinematics.checked(poses, "nan").codes
+    codes = model.checked(poses, "nan").codes
     outside = np.flatnonzero(codes)
     if not len(outside):
         return
     k = int(outside[0])
     try:
-        dynamics.kinematics.checked(poses[k], "raise")
+        model.checked(poses[k], "raise")
     except PoseError as error:
-        at = placed(dynamics.robot.mechanism, poses[k], ".6g")
+        at = placed(model.robot.mechanism, poses[k], ".6g")
         what = f"the path leaves the workspace at {time[k]:.6g} s, {at}: {error.what}"
         raise PoseError(what, "poses", error.remedy) from None
 
 
-def _with_ratio(dynamics: Dynamics, damping: float) -> Dynamics:
+def _with_ratio(model: Model, damping: float) -> Model:
     check_argument(damping, RATIO, "damping", "give the ratio of every mode, such as 0.01")
-    robot = dynamics.robot.with_values({"damping.ratio": float(damping)})
-    return Dynamics.of(robot, dynamics.kinematics.max_condition)
+    robot = model.robot.with_values({"damping.ratio": float(damping)})
+    return Model(robot, model.max_condition)

@@ -25,9 +25,9 @@ from numpy.typing import NDArray
 from scipy.linalg import expm
 
 from pkmodes.base.drives import HELD
+from pkmodes.model.model import Model
 from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.solve.backends import AUTO
-from pkmodes.solve.dynamics import Dynamics
 from pkmodes.system.strain_free import strain_free_motions
 
 Array = NDArray[np.float64]
@@ -40,19 +40,19 @@ FAST, FASTER = 1e3, 1e4
 EQUAL = 1e-9
 
 
-def deviation_along(dynamics: Dynamics, time: Array, poses: Array) -> Array:
+def deviation_along(model: Model, time: Array, poses: Array) -> Array:
     """Return how far the platform is from its commanded pose, at rest at first, (T, d).
 
     Parameters
     ----------
-    dynamics : Dynamics
+    model : Model
         Of a robot without rigid modes while its motors are held.
     time : ndarray, shape (T,)
         Ascending [s].
     poses : ndarray, shape (T, d)
         The command, in the workspace; only its linear components change.
     """
-    mechanism = dynamics.robot.mechanism
+    mechanism = model.robot.mechanism
     linear = [i for i, component in enumerate(mechanism.pose) if component.name in mechanism.directions]
     steps = _evened(np.diff(time))
     still = np.zeros((1, len(linear)))
@@ -61,7 +61,7 @@ def deviation_along(dynamics: Dynamics, time: Array, poses: Array) -> Array:
     deviation, state = np.zeros_like(poses), None
     for start in range(0, len(time), PART):
         first, stop = max(start - 1, 0), min(start + PART, len(time))
-        at = _Vibration(dynamics, poses[first:stop], float(steps.min()))
+        at = _Vibration(model, poses[first:stop], float(steps.min()))
         onward = at.steps(steps[first : stop - 1], velocity[first + 1 : stop])
         kicks = np.einsum("smj,sj->sm", at.kick, jumps[first:stop])
         if state is None:
@@ -108,12 +108,12 @@ class _Vibration:
         Motion of the platform per displacement of the modes.
     """
 
-    def __init__(self, dynamics: Dynamics, poses: Array, step: float) -> None:
+    def __init__(self, model: Model, poses: Array, step: float) -> None:
         points, self._of = _distinct(poses)
-        at = LinearisedRobot(dynamics, points, HELD, AUTO)
+        at = LinearisedRobot(model, points, HELD, AUTO)
         shapes, M, viscous = at.own_shapes, at.matrices[0], at.dissipation[0]
-        names = dynamics.system.coordinates
-        moved = strain_free_motions(dynamics.system, points)
+        names = model.system.coordinates
+        moved = strain_free_motions(model.system, points)
         own, motors = moved[:, [names.index(name) for name in at.system.coordinates]], at.motors @ moved
         self.modes = shapes.shape[1]
         self._drag = -shapes @ (viscous.own @ own + viscous.prescribed @ motors)

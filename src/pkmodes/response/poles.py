@@ -8,30 +8,57 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.base.drives import FREE, checked_drives
 from pkmodes.linalg.damping import poles, ratios_of_poles
 from pkmodes.mechanism.poses import OnError
+from pkmodes.model.model import Model
 from pkmodes.response.linearised import LinearisedRobot, nan_in_both_parts
 from pkmodes.solve.backends import AUTO
-from pkmodes.solve.dynamics import Dynamics
 
 #: A ratio that differs from that of its pole by more than this fraction is named.
 DIFFERENT = 0.1
 
 
 def poles_at(
-    dynamics: Dynamics,
+    model: Model,
     poses: ArrayLike,
     on_error: OnError = "raise",
     *,
     drives: str = FREE,
     backend: str = AUTO,
 ) -> NDArray[np.complex128]:
-    """Compute the poles of a robot: see `pkmodes.Model.poles`."""
+    """Compute the poles of small vibrations, whatever the damping (docs/response.md).
+
+    Parameters
+    ----------
+    model : Model
+        The evaluator of the robot.
+    poses : array_like, shape (d,) or (..., d)
+        In SI units.
+    on_error : {"raise", "nan"}
+        As for `modes`.
+    drives : {"free", "held"}
+        As for `modes`.
+    backend : {"auto", "numpy", "compiled"}
+        As for `modes`: what solves the undamped eigenproblem.
+
+    Returns
+    -------
+    ndarray of complex128, shape (..., 2 m)
+        In 1/s, by ascending magnitude; of a pair, the one with positive imaginary part first.  They are exact for
+        viscous friction and damping ratios; a loss factor is the viscous damping that it is at the frequency of
+        each mode.
+
+    Examples
+    --------
+    >>> import pkmodes
+    >>> model = pkmodes.load("robots/linear-delta-2022.toml").with_values({"damping.ratio": 0.02})
+    >>> model.poles([0.6, 0.0, -0.245], drives="held")[:2].round(2)
+    array([-4.05+202.7j, -4.05-202.7j])
+    """
     checked_drives(drives)
-    kinematics = dynamics.kinematics
 
     def at(points: NDArray[np.float64]) -> NDArray[np.complex128]:
-        return poles(LinearisedRobot(dynamics, points, drives, backend).damping)
+        return poles(LinearisedRobot(model, points, drives, backend).damping)
 
-    (values,) = kinematics.evaluated(at, kinematics.checked(poses, on_error))
+    (values,) = model.evaluated(at, model.checked(poses, on_error))
     return nan_in_both_parts(np.asarray(values, dtype=complex))
 
 

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from pkmodes.base.drives import FREE, HELD
 from pkmodes.base.errors import PkmodesError, nearest, shown
 from pkmodes.mechanism.directions import unit_direction
+from pkmodes.model.model import Model
 from pkmodes.response.linearised import LinearisedRobot
-from pkmodes.solve.dynamics import Dynamics
 
 Array = NDArray[np.float64]
 TORQUE, MOTOR, FORCE, PLATFORM = "torque_", "motor_", "force_", "p_"
@@ -49,7 +49,7 @@ class Port:
     direction: tuple[float, ...] = ()
 
 
-def inputs_of(dynamics: Dynamics, names: Sequence[str], drives: str) -> tuple[Port, ...]:
+def inputs_of(model: Model, names: Sequence[str], drives: str) -> tuple[Port, ...]:
     """Return the inputs by name.
 
     Raises
@@ -57,7 +57,7 @@ def inputs_of(dynamics: Dynamics, names: Sequence[str], drives: str) -> tuple[Po
     PkmodesError
         If a name is unknown or repeated, a torque is given to a held motor, or the angle of a free one is prescribed.
     """
-    mechanism = dynamics.robot.mechanism
+    mechanism = model.robot.mechanism
     known: dict[str, Port] = {}
     for j, drive in enumerate(mechanism.drives):
         known[f"{TORQUE}{drive.name}"] = Port(f"{TORQUE}{drive.name}", "N m", "torque", j)
@@ -79,7 +79,7 @@ def inputs_of(dynamics: Dynamics, names: Sequence[str], drives: str) -> tuple[Po
     return chosen
 
 
-def outputs_of(dynamics: Dynamics, names: Sequence[str | Mapping[str, Any]]) -> tuple[Port, ...]:
+def outputs_of(model: Model, names: Sequence[str | Mapping[str, Any]]) -> tuple[Port, ...]:
     """Return the outputs: by name, or directions at the platform centre as ``{"name": [dx, dy, dz]}``.
 
     Raises
@@ -87,7 +87,7 @@ def outputs_of(dynamics: Dynamics, names: Sequence[str | Mapping[str, Any]]) -> 
     PkmodesError
         If a name is unknown or repeated, or a direction is not one.
     """
-    mechanism, system = dynamics.robot.mechanism, dynamics.system
+    mechanism, system = model.robot.mechanism, model.system
     units = {component.name: component.unit for component in mechanism.pose}
     count = len(mechanism.directions)
     known: dict[str, Port] = {}

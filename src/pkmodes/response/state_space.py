@@ -26,11 +26,11 @@ from scipy.linalg import expm
 from pkmodes.base.drives import FREE
 from pkmodes.base.errors import PkmodesError, shown
 from pkmodes.mechanism.poses import OnError
+from pkmodes.model.model import Model
 from pkmodes.response.channels import Asked, Channels, Index
 from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.ports import QUANTITIES, Output, Port, input_vectors, output_vectors, prescribed
 from pkmodes.solve.backends import AUTO
-from pkmodes.solve.dynamics import Dynamics
 
 if TYPE_CHECKING:
     from scipy.signal import StateSpace as OfScipy
@@ -177,7 +177,7 @@ class StateSpace(Channels):
 
 
 def state_space(
-    dynamics: Dynamics,
+    model: Model,
     poses: ArrayLike,
     inputs: Sequence[str],
     outputs: Sequence[Output],
@@ -189,20 +189,65 @@ def state_space(
     on_error: OnError = "raise",
     backend: str = AUTO,
 ) -> StateSpace:
-    """Build state space models: see `pkmodes.Model.state_space`."""
-    asked = Asked.of(dynamics, inputs, outputs, quantity, drives)
+    """Build state space models in modal coordinates (docs/response.md).
+
+    Parameters
+    ----------
+    model : Model
+        The evaluator of the robot.
+    poses : array_like, shape (d,) or (..., d)
+        In SI units.
+    inputs, outputs : sequence
+        As for `frf`.
+    drives : {"free", "held"}
+        As for `modes`.
+    modes : int, optional
+        Number of modes kept, the lowest, rigid ones included; all by default.
+    residual : bool
+        Whether the static contribution of omitted modes is kept, in D (of displacements only).
+    quantity : {"displacement", "velocity", "acceleration"}
+        Of every output.
+    on_error : {"raise", "nan"}
+        As for `modes`.
+    backend : {"auto", "numpy", "compiled"}
+        As for `modes`: what solves the undamped eigenproblem.
+
+    Returns
+    -------
+    StateSpace
+        ``A``, ``B``, ``C`` and ``D`` with the leading axes of the poses.  The states are the coordinate and the
+        rate of each mode.  Shapes of neighbouring poses may differ in sign and order: interpolate transfer
+        functions, not these matrices.
+
+    Raises
+    ------
+    PkmodesError
+        If a port is unknown or is not one with these drives, the number of modes is not possible, or a velocity
+        or an acceleration would contain a derivative of an input.
+
+    Examples
+    --------
+    >>> import pkmodes
+    >>> model = pkmodes.load("robots/linear-delta-2022.toml").with_values({"damping.ratio": 0.02})
+    >>> system = model.state_space([0.6, 0.0, -0.245], ["motor_1"], ["p_x"], drives="held", modes=3)
+    >>> system.A.shape, system.D.shape
+    ((6, 6), (1, 1))
+    >>> system.discretized(0.001).at().dt
+    0.001
+    """
+    asked = Asked.of(model, inputs, outputs, quantity, drives)
     into, out = asked.inputs, asked.outputs
-    system, kinematics = dynamics.solved(drives), dynamics.kinematics
+    system = model.solved(drives)
     count = int(len(system.coordinates) - system.massless().sum())
     kept = _checked_modes(modes, count, system.rigid_modes)
-    checked = kinematics.checked(poses, on_error)
+    checked = model.checked(poses, on_error)
 
     def at(points: Array) -> tuple[Array, ...]:
-        vibrating = LinearisedRobot(dynamics, points, drives, backend)
+        vibrating = LinearisedRobot(model, points, drives, backend)
         parts = _matrices(vibrating, into, out, kept, residual and quantity == "displacement")
         return _differentiated(parts, QUANTITIES[quantity], into, out, quantity)
 
-    A, B, C, D, frequencies = kinematics.evaluated(at, checked)
+    A, B, C, D, frequencies = model.evaluated(at, checked)
     return StateSpace(
         **asked.fields(checked),
         A=A,

@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.errors import PkmodesError
+from pkmodes.model.model import Model
 from pkmodes.robot.paths import resolve_all
 from pkmodes.sensitivity.relative import alike_around, rates_of, scalable
-from pkmodes.sensitivity.spread import needed_spread_of, stated_sigmas
-from pkmodes.solve.dynamics import Dynamics
+from pkmodes.sensitivity.spread import frequency_sigmas, stated_sigmas
 
 Array = NDArray[np.float64]
 #: By how much each quantity changes: one per cent of its value, or the standard deviation that the robot file states.
@@ -72,7 +72,7 @@ class Changes:
         return order[:most]
 
 
-def changes_at(dynamics: Dynamics, pose: ArrayLike, drives: str, by: str = PERCENT) -> Changes:
+def changes_at(model: Model, pose: ArrayLike, drives: str, by: str = PERCENT) -> Changes:
     """Compute what a change of each quantity does to the frequencies of vibration.
 
     Parameters
@@ -87,23 +87,23 @@ def changes_at(dynamics: Dynamics, pose: ArrayLike, drives: str, by: str = PERCE
     PkmodesError
         If `by` is neither word, or the robot file states no standard deviation.
     """
-    rigid = dynamics.solved(drives).rigid_modes
+    rigid = model.solved(drives).rigid_modes
     if by == PERCENT:
-        every, together = scalable(dynamics.robot), None
-        found = alike_around(dynamics, pose, every, drives)
+        every, together = scalable(model.robot), None
+        found = alike_around(model, pose, every, drives)
         members = tuple(tuple(every[i] for i in one.members) for one in found)
         names = tuple(tuple(one.names(every)) for one in found)
-        values = resolve_all(dynamics.robot, [paths[0] for paths in members])
+        values = resolve_all(model.robot, [paths[0] for paths in members])
         steps = [0.01 * path.value for path in values]
     elif by == SIGMA:
-        together = needed_spread_of(dynamics, pose, drives, "raise")[rigid:]
-        sigmas = stated_sigmas(dynamics.robot)
+        together = frequency_sigmas(model, pose, drives=drives)[rigid:]
+        sigmas = stated_sigmas(model.robot)
         steps = list(sigmas.values())
         names = members = tuple((path,) for path in sigmas)
     else:
         raise PkmodesError(
             f'expected "{PERCENT}" or "{SIGMA}", found {by!r}', "by", f'for example: by="{SIGMA}"'
         )
-    rates = rates_of(dynamics, pose, [paths[0] for paths in members], drives, "raise")[:, rigid:]
-    frequencies = dynamics.frequencies(pose, drives=drives)[rigid:]
+    rates = rates_of(model, pose, [paths[0] for paths in members], drives, "raise")[:, rigid:]
+    frequencies = model.frequencies(pose, drives=drives)[rigid:]
     return Changes(by, members, names, frequencies, rates * np.array(steps)[:, None], together)

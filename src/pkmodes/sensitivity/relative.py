@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.mechanism.regular import extent
+from pkmodes.model.model import Model
 from pkmodes.robot.layout import effect_parameters, items
 from pkmodes.robot.parameter_groups import groups_by_path, value_of, weights_of
 from pkmodes.robot.paths import ParameterPath, paths
@@ -15,7 +16,6 @@ from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.alike import Alike, alike
 from pkmodes.sensitivity.sensitivities import ResolvedPaths, sensitivities
 from pkmodes.solve.backends import AUTO
-from pkmodes.solve.dynamics import Dynamics
 
 Array = NDArray[np.float64]
 #: Poses around a given one at which parameters are compared, and how far they lie from it: a fraction of the robot's
@@ -58,18 +58,18 @@ def _scales(value: float) -> bool:
 
 
 def rates_of(
-    dynamics: Dynamics, poses: ArrayLike, paths: Sequence[str | ParameterPath], drives: str, on_error: str
+    model: Model, poses: ArrayLike, paths: Sequence[str | ParameterPath], drives: str, on_error: str
 ) -> Array:
     """Return the derivatives of all frequencies, (..., T, m) [Hz per unit]: see `pkmodes.Model.sensitivities`."""
     found = sensitivities(
-        ResolvedPaths(dynamics.robot, tuple(paths), drives),
+        ResolvedPaths(model.robot, tuple(paths), drives),
         poses,
         "nan" if on_error == "nan" else "raise",
-        dynamics.kinematics.max_condition,
+        model.max_condition,
         CLOSE,
         ("frequencies",),
         None,
-        dynamics.solver(AUTO, drives),
+        model.solver(AUTO, drives),
         1,
     )
     return found.frequencies
@@ -90,7 +90,7 @@ def relative_of(rates: Array, values: Array, frequencies: Array) -> Array:
     return relative
 
 
-def alike_around(dynamics: Dynamics, pose: ArrayLike, paths: list[str], drives: str) -> list[Alike]:
+def alike_around(model: Model, pose: ArrayLike, paths: list[str], drives: str) -> list[Alike]:
     """Return which quantities act as one, whatever the pose.
 
     Parameters
@@ -105,7 +105,7 @@ def alike_around(dynamics: Dynamics, pose: ArrayLike, paths: list[str], drives: 
     list of Alike
         Of indices into `paths`.
     """
-    robot = dynamics.robot
+    robot = model.robot
     far = np.array(
         [
             FAR * (extent(robot.mechanism, robot.parameters) if component.unit == "m" else 1.0)
@@ -115,9 +115,9 @@ def alike_around(dynamics: Dynamics, pose: ArrayLike, paths: list[str], drives: 
     rng = np.random.default_rng(SEED)
     poses = np.asarray(pose, dtype=float) + far * rng.uniform(-1.0, 1.0, (AROUND, len(far)))
     values = np.array([path.value for path in ResolvedPaths(robot, tuple(paths), drives).paths])
-    rigid = dynamics.solved(drives).rigid_modes
-    frequencies = dynamics.frequencies(poses, "nan", drives=drives)
-    rates = rates_of(dynamics, poses, paths, drives, "nan")
+    rigid = model.solved(drives).rigid_modes
+    frequencies = model.frequencies(poses, "nan", drives=drives)
+    rates = rates_of(model, poses, paths, drives, "nan")
     relative = relative_of(rates, values, frequencies)[..., rigid:]
     relative[:, values == 0.0] = 0.0
     return alike(relative)

@@ -10,18 +10,20 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.drives import FREE
+from pkmodes.base.drives import FREE, checked_drives
 from pkmodes.base.errors import PkmodesError, listed, shown
 from pkmodes.compiled.lanes import Terms
 from pkmodes.linalg.eigen import has_stiff_joint, magnitude
 from pkmodes.measured.pose_table import poses_by_name
 from pkmodes.mechanism.poses import OnError, check_poses
+from pkmodes.model.model import Model
 from pkmodes.robot.layout import effect_parameters
 from pkmodes.robot.paths import ParameterPath, paths, resolve_all
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
 from pkmodes.sensitivity.terms import RATES, terms_of
+from pkmodes.solve.backends import AUTO, checked_threads
 from pkmodes.solve.batch import run
 from pkmodes.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
 from pkmodes.solve.results import ChosenFields
@@ -143,6 +145,86 @@ class ResolvedPaths:
         return terms_of(self.extended, self.paths)
 
 
+def sensitivities_at(
+    model: Model,
+    poses: ArrayLike,
+    parameters: Sequence[str] | None = None,
+    *,
+    close: float = 1e-6,
+    on_error: OnError = "raise",
+    fields: Fields = None,
+    drives: str = FREE,
+    out: Out = None,
+    backend: str = AUTO,
+    threads: int | None = None,
+) -> Sensitivities:
+    """Compute exact derivatives of matrices and modes with respect to parameters, at fixed platform poses.
+
+    Parameters
+    ----------
+    model : Model
+        The evaluator of the robot.
+    poses : array_like, shape (d,) or (..., d)
+        In SI units.
+    parameters : sequence of str, optional
+        Parameter paths (docs/sensitivities.md); by default all quantities of the robot and all effect parameters.
+    close : float
+        Modes whose eigenvalues differ by less than this fraction form one group.
+    on_error : {"raise", "nan"}
+        As for `modes`.
+    fields : sequence of str, optional
+        Which of ``Sensitivities.FIELDS`` to compute and keep; by default all, or the fields in `out`.
+        ``"frequencies"`` and ``"eigenvalues"`` alone take a hundredth of the time or, without the compiled
+        library, a sixth.
+    drives : {"free", "held"}
+        As for `modes`.
+    out : mapping of str to ndarray, optional
+        As for `modes`.
+    backend : {"auto", "numpy", "compiled"}
+        As for `modes`: what solves the eigenproblem and evaluates these two fields.  With the same back end,
+        repeated modes have the same basis.
+    threads : int, optional
+        As for `modes`.
+
+    Returns
+    -------
+    Sensitivities
+        With the leading axes of the poses.
+
+    Raises
+    ------
+    PkmodesError
+        If a path is unknown (the message suggests the nearest), or a field or an array in `out` is invalid as
+        in `modes`.
+    """
+    return sensitivities(
+        _resolved(model, parameters, checked_drives(drives)),
+        poses,
+        on_error,
+        model.max_condition,
+        close,
+        fields,
+        out,
+        model.solver(backend, drives),
+        checked_threads(threads),
+    )
+
+
+def _resolved(model: Model, parameters: Sequence[str] | None, drives: str) -> ResolvedPaths:
+    """Resolve parameter paths; those of the last call are kept with the model."""
+    if parameters is None:
+        names: tuple[str, ...] | None = None
+    elif isinstance(parameters, list | tuple) and all(isinstance(path, str) for path in parameters):
+        names = tuple(parameters)
+    else:  # anything else is converted or refused
+        return ResolvedPaths(model.robot, parameters, drives)
+    key, last = (names, drives), model.kept.get(ResolvedPaths)
+    if last is None or last[0] != key:
+        last = model.kept[ResolvedPaths] = key, ResolvedPaths(model.robot, parameters, drives)
+    resolved: ResolvedPaths = last[1]
+    return resolved
+
+
 def sensitivities(
     resolved: ResolvedPaths,
     poses: ArrayLike,
@@ -154,7 +236,7 @@ def sensitivities(
     solver: Solver,
     threads: int,
 ) -> Sensitivities:
-    """Evaluate the sensitivities of a robot; see `pkmodes.Model.sensitivities`."""
+    """Evaluate the sensitivities to resolved paths."""
     solver = solver.inner
     robot, chosen, system = resolved.robot, resolved.paths, resolved.system
     if not (isinstance(close, int | float | np.integer | np.floating) and 0.0 <= close < 1.0):

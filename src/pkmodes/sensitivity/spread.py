@@ -20,7 +20,10 @@ from collections.abc import Collection, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pkmodes.base.drives import FREE, checked_drives
 from pkmodes.base.errors import PkmodesError
+from pkmodes.mechanism.poses import OnError
+from pkmodes.model.model import Model
 from pkmodes.robot.covariance import covariance_of, root_of, uncertain
 from pkmodes.robot.layout import Slot, lent
 from pkmodes.robot.paths import ParameterPath, paths
@@ -29,7 +32,6 @@ from pkmodes.sensitivity.matrices import locked_joints
 from pkmodes.sensitivity.modes import groups
 from pkmodes.sensitivity.relative import CLOSE, rates_of
 from pkmodes.sensitivity.sensitivities import ResolvedPaths
-from pkmodes.solve.dynamics import Dynamics
 
 Array = NDArray[np.float64]
 
@@ -42,7 +44,7 @@ def stated_sigmas(robot: Robot) -> dict[str, float]:
 
 
 def spread_of(
-    dynamics: Dynamics,
+    model: Model,
     poses: ArrayLike,
     drives: str,
     on_error: str = "raise",
@@ -57,26 +59,24 @@ def spread_of(
     known : collection of str
         Paths of values that are known exactly all the same, such as those that a sweep sets.
     """
-    owners = {own for path, own in lent(dynamics.robot.mechanism).items() if path in known}
-    names = [path for path in stated_sigmas(dynamics.robot) if path not in known and path not in owners]
+    owners = {own for path, own in lent(model.robot.mechanism).items() if path in known}
+    names = [path for path in stated_sigmas(model.robot) if path not in known and path not in owners]
     if not names:
         return None
-    moves, root = _independent(dynamics, names, drives)
-    rates = rates_of(dynamics, poses, moves, drives, on_error)
+    moves, root = _independent(model, names, drives)
+    rates = rates_of(model, poses, moves, drives, on_error)
     spread = np.asarray(np.linalg.norm(np.swapaxes(root, -1, -2) @ rates, axis=-2))
-    frequencies = dynamics.frequencies(poses, "nan", drives=drives)
+    frequencies = model.frequencies(poses, "nan", drives=drives)
     return _shared(spread, frequencies)
 
 
-def _independent(
-    dynamics: Dynamics, names: list[str], drives: str
-) -> tuple[Sequence[str | ParameterPath], Array]:
+def _independent(model: Model, names: list[str], drives: str) -> tuple[Sequence[str | ParameterPath], Array]:
     """Return lines in the space of the values along which these err, and a root of the covariance along them.
 
     Correlated values err along lines of their own, one for each column of a root L of their covariance C = L L^T, by
     independent numbers of variance 1: so a group of repeated modes splits as with independent values.
     """
-    robot = dynamics.robot
+    robot = model.robot
     root = root_of(covariance_of(robot, names))
     if not robot.covariance:
         return names, root
@@ -93,13 +93,49 @@ def _independent(
     return lines, np.eye(len(lines))
 
 
-def needed_spread_of(dynamics: Dynamics, poses: ArrayLike, drives: str, on_error: str) -> Array:
-    """Return the same, or refuse a robot that states no standard deviation."""
-    spread = spread_of(dynamics, poses, drives, on_error)
+def frequency_sigmas(
+    model: Model, poses: ArrayLike, on_error: OnError = "raise", *, drives: str = FREE
+) -> Array:
+    """Compute the standard deviations of the frequencies from those that the robot file states.
+
+    The law of propagation of uncertainty with exact derivatives, good to first order.  Values are independent
+    unless a ``[[covariance]]`` of the robot file correlates them.
+
+    Parameters
+    ----------
+    model : Model
+        The evaluator of the robot.
+    poses : array_like, shape (d,) or (..., d)
+        In SI units.
+    on_error : {"raise", "nan"}
+        As for `modes`.
+    drives : {"free", "held"}
+        As for `modes`.
+
+    Returns
+    -------
+    ndarray, shape (..., m)
+        In Hz, in the order of `frequencies`; NaN where a frequency is 0 to rounding.  Each of several repeated
+        modes has the root mean square over their group.
+
+    Raises
+    ------
+    PkmodesError
+        If the robot file states no standard deviation of a value that changes a frequency.
+
+    Examples
+    --------
+    >>> import pkmodes
+    >>> model = pkmodes.load("robots/linear-delta-2022.toml")
+    >>> model = model.with_values({"belt.width": {"value": "15 mm", "sigma": "2 %"}})
+    >>> model.frequency_sigmas([0.6, 0.0, -0.245])[3:].round(2)
+    array([0.56, 0.6 , 0.62, 1.31, 1.34, 1.34])
+    """
+    spread = spread_of(model, poses, checked_drives(drives), on_error)
     if spread is None:
         what = "no value of the robot that changes a frequency has a standard deviation"
         remedy = 'declare some, such as mass = { value = "1.5 kg", sigma = "1 %" }'
-        raise PkmodesError(what, dynamics.robot.source, remedy)
+        raise PkmodesError(what, model.robot.source, remedy)
     return spread
 
 

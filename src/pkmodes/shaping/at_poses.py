@@ -6,12 +6,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.errors import PkmodesError
+from pkmodes.model.model import Model
 from pkmodes.shaping.fixed import BEYOND, CLOSE
 from pkmodes.shaping.kinds import factors
 from pkmodes.shaping.residual_vibration import residual, residual_of_even
 from pkmodes.shaping.ringing import Ringing, ringing
 from pkmodes.shaping.shapers import Shaper, shaper
-from pkmodes.solve.dynamics import Dynamics
 
 Array = NDArray[np.float64]
 #: Steps of the logarithm of the frequencies that are tried at each pose: zv leaves 3 % of a mode half a step away.
@@ -23,12 +23,45 @@ GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 
 
 def shaper_at(
-    dynamics: Dynamics, kind: str, poses: ArrayLike, modes: int | None, continuous: bool = True
+    model: Model, kind: str, poses: ArrayLike, *, modes: int | None = None, continuous: bool = True
 ) -> Shaper:
-    """Design shapers for poses: see `pkmodes.Model.shaper`."""
+    """Design shapers for the modes of held motors at poses (docs/shapers.md).
+
+    Parameters
+    ----------
+    model : Model
+        The evaluator of the robot.
+    kind : str
+        One of `pkmodes.shaping.KINDS`, or a product such as "zv*zv*zv", factor k of which is for mode k.
+    poses : array_like, shape (d,) or (..., d)
+        In SI units.
+    modes : int, optional
+        For a single kind: how many of the lowest modes count; by default three.
+    continuous : bool
+        For a single kind: the mean frequency of these modes, weighted by the squared ``vibration_amplitudes``,
+        which has no jump along a path, as a move needs; or, if False, the frequency that leaves least at each
+        pose, as in the comparison of `shapers`.
+
+    Returns
+    -------
+    Shaper
+        ``amplitudes`` and ``delays`` with the leading axes of the poses, then the impulses.
+
+    Raises
+    ------
+    PkmodesError
+        If the kind is unknown, or has more factors than the machine has modes; or a mode does not oscillate.
+
+    Examples
+    --------
+    >>> import pkmodes
+    >>> model = pkmodes.load("robots/linear-delta-2022-identified.toml")
+    >>> (1e3 * model.shaper("zv*zv*zv", [0.6, 0.0, -0.244]).durations).round(1)  # ms
+    np.float64(47.8)
+    """
     count = len(factors(kind))
-    checked = dynamics.kinematics.checked(poses, "raise")
-    at = ringing(dynamics, checked.points, count if modes is None and count > 1 else modes)
+    checked = model.checked(poses, "raise")
+    at = ringing(model, checked.points, count if modes is None and count > 1 else modes)
     if at.left_out:
         what = f"at {at.left_out} of the poses a mode does not oscillate"
         raise PkmodesError(what, "poses", "pkmodes modes --drives held shows its frequency and damping ratio")

@@ -6,18 +6,19 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.base.arguments import Constraint, check_argument, is_number, one_of
 from pkmodes.base.errors import PkmodesError
 from pkmodes.base.progress import say
+from pkmodes.model.model import Model
 from pkmodes.shaping.at_poses import following
 from pkmodes.shaping.firmware import NAMES
 from pkmodes.shaping.firmware import firmware as lines
 from pkmodes.shaping.fixed import best_fixed
 from pkmodes.shaping.kinds import KINDS, PRODUCT, factors, plain
 from pkmodes.shaping.residual_vibration import residual
-from pkmodes.shaping.ringing import Ringing
+from pkmodes.shaping.ringing import Ringing, ringing
 from pkmodes.shaping.shapers import Shaper
 
 Array = NDArray[np.float64]
@@ -123,6 +124,56 @@ class Choice:
 def default_kinds(modes: int) -> tuple[str, ...]:
     """Return the kinds that are compared by default: all of one mode, and products of zv for several."""
     return (*KINDS, *(PRODUCT.join(["zv"] * count) for count in range(2, modes + 1)))
+
+
+def shapers_over(
+    model: Model,
+    poses: ArrayLike,
+    kinds: Sequence[str] | None = None,
+    *,
+    modes: int | None = None,
+    left: float = LEFT,
+    length: float | None = None,
+    tick: float = TICK,
+    firmware: str | None = None,
+) -> Choice:
+    """Compare shapers over poses: the best fixed one of each kind, and those that follow the pose.
+
+    Parameters
+    ----------
+    model : Model
+        The evaluator of the robot.
+    poses : array_like, shape (..., d)
+        Such as a grid over the workspace; those that cannot be evaluated, or at which a mode does not oscillate,
+        are left out.
+    kinds : str or sequence of str, optional
+        By default all for one mode, and products of zv up to the number of modes.
+    modes : int, optional
+        The lowest modes that count; by default three.
+    left : float
+        Share of the vibration that a fixed shaper may leave at the worst pose to be good enough.
+    length : float, optional
+        Longest duration of a shaper [s].
+    tick : float
+        Time between two commands of the controller [s]; shapers shorter than two ticks are left out.
+    firmware : {"klipper", "marlin", "reprapfirmware"}, optional
+        Recommend only a shaper that it has.
+
+    Returns
+    -------
+    Choice
+        ``candidates``, and ``recommended``: the index of the shortest fixed shaper that is good enough, else of
+        the one that leaves least at its worst pose.  At no pose those that follow it leave more than fixed ones.
+
+    Raises
+    ------
+    PkmodesError
+        If an argument is invalid, no fixed shaper is long or short enough, or the firmware has none of them.
+    PoseError
+        If no pose can be evaluated.
+    """
+    at = ringing(model, poses, modes)
+    return choose(at, kinds, left=left, length=length, tick=tick, firmware=firmware)
 
 
 def choose(

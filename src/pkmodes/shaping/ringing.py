@@ -12,9 +12,9 @@ from pkmodes.base.arguments import POSITIVE_INTEGER, check_argument
 from pkmodes.base.drives import HELD
 from pkmodes.base.errors import PkmodesError, PoseError
 from pkmodes.base.progress import say
+from pkmodes.model.model import Model
 from pkmodes.sensitivity.spread import spread_of
 from pkmodes.solve.backends import AUTO
-from pkmodes.solve.dynamics import Dynamics
 
 Array = NDArray[np.float64]
 #: Modes that count by default: the lowest ones.
@@ -78,7 +78,7 @@ class Ringing:
         ]
 
 
-def ringing(dynamics: Dynamics, poses: ArrayLike, modes: int | None = None) -> Ringing:
+def ringing(model: Model, poses: ArrayLike, modes: int | None = None) -> Ringing:
     """Evaluate the modes of a machine with held motors.
 
     Parameters
@@ -96,9 +96,9 @@ def ringing(dynamics: Dynamics, poses: ArrayLike, modes: int | None = None) -> R
         If no pose is left.
     """
     say("computing the modes of the held machine")
-    count = _count(dynamics, modes)
+    count = _count(model, modes)
     fields = ("frequencies", "damping_ratios", "vibration_amplitudes")
-    checked, found = dynamics.fields_at(poses, "nan", fields, AUTO, drives=HELD)
+    checked, found = model.fields_at(poses, "nan", fields, AUTO, drives=HELD)
     f, zeta, w = (
         found[name].reshape(len(checked.points), *found[name].shape[len(checked.batch) :])[:, :count]
         for name in fields
@@ -113,18 +113,18 @@ def ringing(dynamics: Dynamics, poses: ArrayLike, modes: int | None = None) -> R
         f[good],
         zeta[good],
         np.linalg.norm(w[good], axis=-1),
-        _spread(dynamics, points, f[good]),
+        _spread(model, points, f[good]),
         int(np.count_nonzero(~good)),
     )
 
 
-def _count(dynamics: Dynamics, modes: int | None) -> int:
-    held = dynamics.solved(HELD)
+def _count(model: Model, modes: int | None) -> int:
+    held = model.solved(HELD)
     if held.rigid_modes:
         what = (
             f"with motors held the machine still has {held.rigid_modes} rigid modes: no shaper cancels these"
         )
-        raise PkmodesError(what, dynamics.robot.source, "check the drives of the mechanism")
+        raise PkmodesError(what, model.robot.source, "check the drives of the mechanism")
     available = len(held.coordinates) - int(np.count_nonzero(held.massless()))
     if modes is None:
         return min(MODES, available)
@@ -135,7 +135,7 @@ def _count(dynamics: Dynamics, modes: int | None) -> int:
     return modes
 
 
-def _spread(dynamics: Dynamics, points: Array, f: Array) -> Array | None:
+def _spread(model: Model, points: Array, f: Array) -> Array | None:
     """Return the relative standard deviations of frequencies: declared values err little."""
-    sigmas = spread_of(dynamics, points, HELD)
+    sigmas = spread_of(model, points, HELD)
     return None if sigmas is None else np.nan_to_num(sigmas[:, : f.shape[1]]) / f

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.base.errors import PoseError
+from pkmodes.model.model import Model
 from pkmodes.robot.usable import USABLE, in_words, inside, limits_of
-from pkmodes.solve.kinematics import Kinematics
 from pkmodes.solve.workspace import (
     BEYOND,
     DRAWS,
@@ -28,7 +28,7 @@ Array = NDArray[np.float64]
 ENOUGH = 5_000
 
 
-def usable_box(model: Kinematics, pose: Array | None = None) -> tuple[Array, Array]:
+def usable_box(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
     """Return the box around the poses where the robot is used: those of `box_of` within its usable limits.
 
     Parameters
@@ -65,7 +65,7 @@ def usable_box(model: Kinematics, pose: Array | None = None) -> tuple[Array, Arr
     return np.where(ends[0] - low > most, ends[0], low), np.where(high - ends[1] > most, ends[1], high)
 
 
-def usable_poses(model: Kinematics) -> Array:
+def usable_poses(model: Model) -> Array:
     """Return some poses, (N, d), of any branch, that can be evaluated and are within the usable limits.
 
     Raises
@@ -91,12 +91,12 @@ def usable_poses(model: Kinematics) -> Array:
     raise PoseError(what, f"{model.robot.source}: {USABLE}", remedy)
 
 
-def within(model: Kinematics) -> Inside:
+def within(model: Model) -> Inside:
     """Return the test whether poses, (N, d), are within the usable limits of the robot."""
     return lambda points: inside(model.robot, np.asarray(points, dtype=float))
 
 
-def used(model: Kinematics, pose: Array) -> Inside:
+def used(model: Model, pose: Array) -> Inside:
     """Return the test of `on_branch`, also within the usable limits unless the pose itself is beyond them."""
     reached, usable = on_branch(model, pose), within(model)
     if not model.robot.usable or not usable(pose[None])[0]:
@@ -104,6 +104,6 @@ def used(model: Kinematics, pose: Array) -> Inside:
     return lambda points: reached(points) & usable(points)
 
 
-def _clipped(model: Kinematics, low: Array, high: Array) -> tuple[Array, Array]:
+def _clipped(model: Model, low: Array, high: Array) -> tuple[Array, Array]:
     limits = limits_of(model.mechanism, model.robot.usable)
     return np.maximum(low, limits[0]), np.minimum(high, limits[1])

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from pkmodes.base.errors import PoseError
 from pkmodes.mechanism.generated import Generated
 from pkmodes.mechanism.regular import drawn_poses
+from pkmodes.model.model import Model
 from pkmodes.robot.usable import Limits, in_words
-from pkmodes.solve.kinematics import Kinematics
 
 Array = NDArray[np.float64]
 Inside = Callable[[Array], NDArray[np.bool_]]
@@ -22,7 +22,7 @@ BEYOND = 0.1
 SEED = 20260105
 
 
-def box_of(model: Kinematics, pose: Array | None = None) -> tuple[Array, Array]:
+def box_of(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
     """Return the box around the poses that can be evaluated, on one assembly branch.
 
     Parameters
@@ -60,7 +60,7 @@ def box_of(model: Kinematics, pose: Array | None = None) -> tuple[Array, Array]:
     return low, high
 
 
-def on_branch(model: Kinematics, pose: Array) -> Inside:
+def on_branch(model: Model, pose: Array) -> Inside:
     """Return the test whether poses, (N, d), can be evaluated and are on the assembly branch of a pose."""
     if not model.has_assemblies:
         return lambda points: model.check(points).valid
@@ -68,7 +68,7 @@ def on_branch(model: Kinematics, pose: Array) -> Inside:
     return lambda points: model.check(points).valid & (model.assembly(points, "nan") == branch)
 
 
-def hanging(model: Kinematics, poses: Array) -> Array:
+def hanging(model: Model, poses: Array) -> Array:
     """Return the poses of the assembly branch that hangs lower: with the lower mean potential of gravity.
 
     Parameters
@@ -86,7 +86,7 @@ def hanging(model: Kinematics, poses: Array) -> Array:
     return chosen
 
 
-def workspace_in_words(model: Kinematics) -> str:
+def workspace_in_words(model: Model) -> str:
     """Return where the reachable workspace is."""
     low, high = box_of(model)
     names = [component.name for component in model.mechanism.pose]
@@ -94,7 +94,7 @@ def workspace_in_words(model: Kinematics) -> str:
     return in_words(model.mechanism, dict(zip(names, ends, strict=True)))
 
 
-def drawn_and_reached(model: Kinematics, rng: np.random.Generator) -> Array:
+def drawn_and_reached(model: Model, rng: np.random.Generator) -> Array:
     """Draw poses, and return those that can be evaluated, (N, d), on any branch."""
     with np.errstate(all="ignore"):
         generated = Generated(model.mechanism.model, model.robot.parameters)
@@ -103,7 +103,7 @@ def drawn_and_reached(model: Kinematics, rng: np.random.Generator) -> Array:
     return drawn[model.check(drawn).valid] if len(drawn) else drawn
 
 
-def some(model: Kinematics, reached: Array) -> Array:
+def some(model: Model, reached: Array) -> Array:
     """Refuse a robot that reaches no pose."""
     if not len(reached):
         what = f"none of {DRAWS:,} poses drawn can be reached"

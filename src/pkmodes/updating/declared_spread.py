@@ -7,9 +7,9 @@ from numpy.typing import NDArray
 
 from pkmodes.measured.measurements import Measurements
 from pkmodes.mechanism.poses import MAX_CONDITION
+from pkmodes.model.model import Model
 from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.spread import spread_of, stated_sigmas
-from pkmodes.solve.dynamics import Dynamics
 from pkmodes.updating.load_cases import load_cases
 
 Array = NDArray[np.float64]
@@ -37,10 +37,10 @@ def declared_spread(robot: Robot, data: Measurements) -> Array | None:
     found: dict[int, Array] = {}
     for c, case in enumerate(loads.cases):
         setups = np.flatnonzero(loads.of == c)
-        dynamics = Dynamics.of(case.robot, MAX_CONDITION)
+        model = Model(case.robot, MAX_CONDITION)
         known = data.load(int(setups[0]))
-        spread = spread_of(dynamics, data.points[setups], case.drives, "nan", known)
-        rigid = dynamics.solved(case.drives).rigid_modes
+        spread = spread_of(model, data.points[setups], case.drives, "nan", known)
+        rigid = model.solved(case.drives).rigid_modes
         for i, setup in enumerate(setups.tolist()):
             found[setup] = np.empty(0) if spread is None else spread[i, rigid:]
     most = max((len(each) for each in found.values()), default=0)

@@ -51,15 +51,15 @@ def typical_pose(model: Model) -> Array:
     seeds = _seeds(model)
     if not len(seeds):
         raise PoseError("found no pose well inside the workspace", model.robot.source, "give one with --pose")
-    lower = hanging(model.kinematics, seeds)
+    lower = hanging(model, seeds)
     heights = Generated(model.mechanism.model, model.robot.parameters).gravity_potential(lower)
     group = lower[heights <= np.median(heights)]
     central: Array = group[np.argmin(np.linalg.norm(group - group.mean(axis=0), axis=-1))]
-    low, high = usable_box(model.kinematics, central)
+    low, high = usable_box(model, central)
     digits = int(np.ceil(-np.log10(0.05 * (high - low).max())))
     for middle in (0.5 * (low + high), central):
         rounded = middle.round(digits) + 0.0
-        if model.check(rounded).valid and within(model.kinematics)(rounded[None])[0]:
+        if model.check(rounded).valid and within(model)(rounded[None])[0]:
             return np.asarray(rounded)
     return central
 
@@ -90,7 +90,7 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
     """
     first = np.asarray(pose, dtype=float)
     scene(model, first, drives=drives)  # its errors are those of this pose
-    inside, (low, high) = used(model.kinematics, first), usable_box(model.kinematics, first)
+    inside, (low, high) = used(model, first), usable_box(model, first)
     count = LEVELS.get(len(first), 3)
     levels = tuple(_levels(*ends, count) for ends in zip(low, high, first, strict=True))
     grid = np.stack(np.meshgrid(*levels, indexing="ij"), axis=-1)
@@ -131,5 +131,5 @@ def _seeds(model: Model) -> Array:
     seeds = regular_poses(Generated(mechanism.model, parameters), mechanism, parameters, SEEDS)
     if not model.robot.usable:
         return seeds
-    seeds = seeds[within(model.kinematics)(seeds)] if len(seeds) else seeds
-    return seeds if len(seeds) else usable_poses(model.kinematics)
+    seeds = seeds[within(model)(seeds)] if len(seeds) else seeds
+    return seeds if len(seeds) else usable_poses(model)

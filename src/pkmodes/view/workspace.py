@@ -61,7 +61,7 @@ def workspace(
     """
     if len(pose) not in CELLS or any(component.unit != "m" for component in model.mechanism.pose):
         return None
-    inside = on_branch(model.kinematics, pose) if inside is None else inside
+    inside = on_branch(model, pose) if inside is None else inside
     room = AROUND * (box[1] - box[0])
     ends = zip(box[0] - room, box[1] + room, strict=True)
     steps = [np.linspace(low, high, CELLS[len(pose)] + 1) for low, high in ends]

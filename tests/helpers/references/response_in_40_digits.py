@@ -22,7 +22,7 @@ class Oracle:
     def __init__(self, model: pkmodes.Model, p: np.ndarray, drives: str) -> None:
         self.model = model
         M, K = model.matrices(p)
-        viscous, loss = (matrix[0] for matrix in model.dynamics.dissipation.matrices(p[None]))
+        viscous, loss = (matrix[0] for matrix in model.dissipation.matrices(p[None]))
         T, S = followers(model, drives)
         self.M, self.K, self.C, self.loss, self.T, self.S = (
             mp.matrix(np.asarray(a).tolist()) for a in (M, K, viscous, loss, T, S)
@@ -66,7 +66,7 @@ def ports(
     """All inputs and outputs by name, with forces, motor angles and outputs as matrices."""
     n, angles = len(model.coordinates), motor_angles(model)
     directions = model.mechanism.directions
-    platform = model.dynamics.system.platform_motion(p[None])[0]
+    platform = model.system.platform_motion(p[None])[0]
     motors = [f"{'torque' if drives == 'free' else 'motor'}_{j}" for j in range(1, len(angles) + 1)]
     inputs = [f"force_{d}" for d in directions] + motors
     oblique = np.arange(1.0, len(directions) + 1)

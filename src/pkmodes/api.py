@@ -1,0 +1,106 @@
+"""`pkmodes.Model`: the core's model, to which the applications are attached as methods.
+
+An application is a function whose first argument is a model of the core.  It is loaded when its method is first used,
+so that who asks for modes does not wait for maps.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from os import PathLike
+from typing import TYPE_CHECKING, Any
+
+from pkmodes.model import model
+from pkmodes.robot.reading import read_robot
+
+if TYPE_CHECKING:
+    from pkmodes.maps.mapping import map_of
+    from pkmodes.response.compliance import compliance
+    from pkmodes.response.frequency_response import frequency_response
+    from pkmodes.response.moves import simulate
+    from pkmodes.response.poles import poles_at
+    from pkmodes.response.state_space import state_space
+    from pkmodes.sensitivity.sensitivities import sensitivities_at
+    from pkmodes.sensitivity.spread import frequency_sigmas
+    from pkmodes.shaping.at_poses import shaper_at
+    from pkmodes.shaping.choice import shapers_over
+
+__all__ = ["Model", "load", "read_robot"]
+
+#: The methods of applications: where each function is.
+APPLICATIONS = {
+    "sensitivities": "pkmodes.sensitivity.sensitivities:sensitivities_at",
+    "frequency_sigmas": "pkmodes.sensitivity.spread:frequency_sigmas",
+    "poles": "pkmodes.response.poles:poles_at",
+    "frf": "pkmodes.response.frequency_response:frequency_response",
+    "state_space": "pkmodes.response.state_space:state_space",
+    "compliance": "pkmodes.response.compliance:compliance",
+    "simulate": "pkmodes.response.moves:simulate",
+    "shaper": "pkmodes.shaping.at_poses:shaper_at",
+    "shapers": "pkmodes.shaping.choice:shapers_over",
+    "map": "pkmodes.maps.mapping:map_of",
+}
+
+
+class Model(model.Model):  # noqa: D101  # that of the core's
+    __doc__ = model.Model.__doc__
+
+    if TYPE_CHECKING:
+        sensitivities = sensitivities_at
+        frequency_sigmas = frequency_sigmas
+        poles = poles_at
+        frf = frequency_response
+        state_space = state_space
+        compliance = compliance
+        simulate = simulate
+        shaper = shaper_at
+        shapers = shapers_over
+        map = map_of
+
+
+class _Attached:
+    """A method that takes the place of this in its class when it is first used."""
+
+    def __init__(self, place: str) -> None:
+        self._place = place
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._owner, self._name = owner, name
+
+    def __get__(self, instance: Any, owner: type) -> Any:
+        module, _, name = self._place.partition(":")
+        function = getattr(import_module(module), name)
+        setattr(self._owner, self._name, function)
+        return function.__get__(instance, owner)
+
+
+for _name, _place in APPLICATIONS.items():
+    setattr(Model, _name, _attached := _Attached(_place))
+    _attached.__set_name__(Model, _name)
+
+
+def load(path: str | PathLike[str]) -> Model:
+    """Read a robot file and return its evaluator.
+
+    Parameters
+    ----------
+    path : path-like
+        A robot file (docs/robot-file.md).
+
+    Returns
+    -------
+    Model
+        The evaluator; ``Model.robot`` has the declared values.
+
+    Raises
+    ------
+    RobotFileError
+        If the file cannot be read or is invalid.
+
+    Examples
+    --------
+    >>> model = load("robots/linear-delta-2022.toml")
+    >>> model.modes([0.6, 0.0, -0.245]).frequencies.round(3)[3:]
+    array([ 55.559,  60.316,  61.545, 130.801, 133.831, 134.257])
+    """
+    return Model(read_robot(path))
