@@ -6,10 +6,10 @@ so that who asks for modes does not wait for maps.
 
 from __future__ import annotations
 
-from importlib import import_module
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from pkmodes.base.attached import Attached
 from pkmodes.model import model
 from pkmodes.robot.reading import read_robot
 
@@ -58,24 +58,8 @@ class Model(model.Model):  # noqa: D101  # that of the core's
         map = map_of
 
 
-class _Attached:
-    """A method that takes the place of this in its class when it is first used."""
-
-    def __init__(self, place: str) -> None:
-        self._place = place
-
-    def __set_name__(self, owner: type, name: str) -> None:
-        self._owner, self._name = owner, name
-
-    def __get__(self, instance: Any, owner: type) -> Any:
-        module, _, name = self._place.partition(":")
-        function = getattr(import_module(module), name)
-        setattr(self._owner, self._name, function)
-        return function.__get__(instance, owner)
-
-
 for _name, _place in APPLICATIONS.items():
-    setattr(Model, _name, _attached := _Attached(_place))
+    setattr(Model, _name, _attached := Attached(_place))
     _attached.__set_name__(Model, _name)
 
 

@@ -2,51 +2,55 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.dataset.attributes import attributes_of, imported, labels_of, meanings_of
-from pkmodes.dataset.fields import INDEPENDENT, MODE, Field, conditions_of, of_maps
+from pkmodes.dataset.fields import FIELDS, INDEPENDENT, MODE, Field, conditions_of, of_maps
+from pkmodes.dataset.table import table_of
 from pkmodes.dataset.variables import dims_of_poses, variables
 from pkmodes.mechanism.registry import Mechanism
-from pkmodes.robot.robot import Robot
+from pkmodes.solve.results import Modes
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
 
 
-def dataset_of_modes(
-    robot: Robot,
-    rigid_modes: int,
-    coordinates: tuple[str, ...],
-    poses: NDArray[np.float64],
-    arrays: Mapping[str, NDArray[Any]],
-    drives: str,
-) -> xarray.Dataset:
-    """Return modes as a dataset: see `pkmodes.Modes.to_dataset`.
+def to_dataset(modes: Modes) -> xarray.Dataset:
+    """Return the vibration modes as a dataset, with the variables and attributes of a map (docs/maps.md).
 
     Parameters
     ----------
-    coordinates : tuple of str
-        Of the shapes.
-    poses : ndarray, shape (..., d)
-    arrays : mapping of str to ndarray
-        ``valid``, ``reason``, and those of ``Modes.FIELDS`` that were requested.
-    drives : str
-        What the motors do.
+    modes : Modes
+        Of a robot at poses.
+
+    Returns
+    -------
+    xarray.Dataset
+        Its leading axes are those of the poses: ``pose``, or ``pose_1``, ``pose_2``, ... for several.  Rigid-body
+        modes are left out, and so are fields that were not requested.
+
+    Raises
+    ------
+    MissingExtraError
+        If the libraries of the extra ``map`` are not installed.
     """
     xr = imported()
+    robot, poses, drives = modes.robot, modes.poses, modes.drives
     mechanism = robot.mechanism
+    names = ("valid", "reason", *(name for name in modes.requested if FIELDS[name].variable))
+    arrays = {name: getattr(modes, name) for name in names}
     normal = mechanism.directions[2] if len(mechanism.directions) > 2 else None
     axes = poses.ndim - 1
     leading = dims_of_poses(axes)
     conditions = conditions_of([robot], "shapes" in arrays, drives)
     fields = [field for field in of_maps(conditions) if field.name in arrays]
     values = {field.name: arrays[field.name] for field in fields}
-    vibrations: Any = (*[slice(None)] * axes, slice(rigid_modes, None))
+    vibrations: Any = (*[slice(None)] * axes, slice(modes.rigid_modes, None))
     for field in fields:
         if field.dims[:1] == (MODE,):
             values[field.name] = arrays[field.name][vibrations]
@@ -56,7 +60,7 @@ def dataset_of_modes(
         if not field.in_modes and known.keys() >= {*field.needs}:
             fields.append(field)
             values[field.name] = field.of(*(known[name] for name in field.needs))
-    shown = coordinates if "shapes" in values else mechanism.independent
+    shown = modes.coordinates if "shapes" in values else mechanism.independent
     named = {name: arrays[name] for name in ("valid", "reason")}
     named |= {field.variable: _along(field, values[field.name], mechanism, shown) for field in fields}
     data = {
@@ -70,9 +74,39 @@ def dataset_of_modes(
     used = {dim for dims, _, _ in data.values() for dim in dims}
     labels = {name: value for name, value in labels_of(mechanism, number, shown).items() if name in used}
     dataset: xarray.Dataset = xr.Dataset(
-        data, {**coords, **labels}, attributes_of(robot, rigid_modes, drives)
+        data, {**coords, **labels}, attributes_of(robot, modes.rigid_modes, drives)
     )
     return dataset
+
+
+def to_table(modes: Modes) -> pandas.DataFrame:
+    """Return the vibration modes as a table, which pandas writes as CSV or Parquet.
+
+    Parameters
+    ----------
+    modes : Modes
+        Of a robot at poses.
+
+    Returns
+    -------
+    pandas.DataFrame
+        One row for each mode at each pose, with the columns of a map in a table (docs/maps.md).
+
+    Raises
+    ------
+    MissingExtraError
+        If the libraries of the extra ``map`` are not installed.
+
+    Examples
+    --------
+    >>> import pkmodes
+    >>> modes = pkmodes.load("robots/linear-delta-2022.toml").modes([0.6, 0.0, -0.245], fields=["frequencies"])
+    >>> modes.to_table()[["mode", "frequency"]].round(3).head(2)
+       mode  frequency
+    0     1     55.559
+    1     2     60.316
+    """
+    return table_of(to_dataset(modes))
 
 
 def _along(field: Field, values: NDArray[Any], mechanism: Mechanism, shown: Sequence[str]) -> NDArray[Any]:

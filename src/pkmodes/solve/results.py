@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.base.attached import Attached
 from pkmodes.base.errors import NotComputedError
-from pkmodes.dataset.fields import FIELDS, of_modes
+from pkmodes.dataset.fields import of_modes
 from pkmodes.mechanism.poses import CHUNK, explained
 from pkmodes.mechanism.registry import Mechanism
 from pkmodes.robot.robot import Robot
@@ -76,12 +77,13 @@ class ChosenFields(AtPoses):
             self.__dict__["_later"] = _later
 
     def __getstate__(self) -> dict[str, Any]:
-        for name in self._requested():  # a copy stands alone
+        for name in self.requested:  # a copy stands alone
             getattr(self, name)
         return {name: value for name, value in self.__dict__.items() if name != "_later"}
 
-    def _requested(self) -> list[str]:
-        """Return the fields that were requested, whether they have been evaluated or not."""
+    @property
+    def requested(self) -> list[str]:
+        """The fields that were requested, whether they have been evaluated or not."""
         later = self.__dict__.get("_later", ())
         return [name for name in self.FIELDS if name in self.__dict__ or name in later]
 
@@ -99,7 +101,7 @@ class ChosenFields(AtPoses):
                 return self.__dict__.setdefault(name, later(name))  # of two threads, both get the same array
             if name not in self.FIELDS:
                 raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
-            there = self._requested()
+            there = self.requested
             wanted = ", ".join(f'"{known}"' for known in self.FIELDS if known in (*there, name))
             raise NotComputedError(
                 f"the field {name} was not requested",
@@ -108,7 +110,7 @@ class ChosenFields(AtPoses):
             )
 
     def __repr__(self) -> str:
-        shapes = ", ".join(f"{name} {self._shape(name)}" for name in self._requested())
+        shapes = ", ".join(f"{name} {self._shape(name)}" for name in self.requested)
         return f"{type(self).__name__}({np.count_nonzero(self.valid)} of {self.valid.size} valid; {shapes})"
 
 
@@ -211,75 +213,18 @@ class Modes(ChosenFields):
         """
         return of_modes(mechanism)
 
-    def _repr_html_(self) -> str | None:
-        """Return a table for notebooks, None where no frequencies were requested."""
-        requested = self._requested()
-        if "frequencies" not in requested:
-            return None
-        from pkmodes.solve.results_html import table_of_modes
+    if TYPE_CHECKING:
 
-        mechanism, columns = self.robot.mechanism, []
-        for name in requested:
-            entry = FIELDS[name]
-            if entry.symbol:
-                values = getattr(self, name)
-                vibrations = values.reshape(-1, values.shape[-1])[:, self.rigid_modes :]
-                columns.append((entry.symbol, entry.units_of(mechanism), vibrations))
-        return table_of_modes(
-            self.robot.name,
-            mechanism.pose,
-            self.poses.reshape(-1, self.poses.shape[-1]),
-            columns,
-            np.atleast_1d(self.reason).ravel(),
-        )
+        def to_dataset(self) -> Dataset:
+            """Return the vibration modes as a dataset: `pkmodes.dataset.modes.to_dataset`."""
 
-    def to_dataset(self) -> Dataset:
-        """Return the vibration modes as a dataset, with the variables and attributes of a map (docs/maps.md).
+        def to_table(self) -> DataFrame:
+            """Return the vibration modes as a table: `pkmodes.dataset.modes.to_table`."""
 
-        Returns
-        -------
-        xarray.Dataset
-            Its leading axes are those of the poses: ``pose``, or ``pose_1``, ``pose_2``, ... for several.  Rigid-body
-            modes are left out, and so are fields that were not requested.
-
-        Raises
-        ------
-        MissingExtraError
-            If the libraries of the extra ``map`` are not installed.
-        """
-        from pkmodes.dataset.modes import dataset_of_modes
-
-        names = ("valid", "reason", *(name for name in self._requested() if FIELDS[name].variable))
-        arrays = {name: getattr(self, name) for name in names}
-        return dataset_of_modes(
-            self.robot, self.rigid_modes, self.coordinates, self.poses, arrays, self.drives
-        )
-
-    def to_table(self) -> DataFrame:
-        """Return the vibration modes as a table, which pandas writes as CSV or Parquet.
-
-        Returns
-        -------
-        pandas.DataFrame
-            One row for each mode at each pose, with the columns of a map in a table (docs/maps.md).
-
-        Raises
-        ------
-        MissingExtraError
-            If the libraries of the extra ``map`` are not installed.
-
-        Examples
-        --------
-        >>> import pkmodes
-        >>> modes = pkmodes.load("robots/linear-delta-2022.toml").modes([0.6, 0.0, -0.245], fields=["frequencies"])
-        >>> modes.to_table()[["mode", "frequency"]].round(3).head(2)
-           mode  frequency
-        0     1     55.559
-        1     2     60.316
-        """
-        from pkmodes.dataset.table import table_of
-
-        return table_of(self.to_dataset())
+    else:
+        to_dataset = Attached("pkmodes.dataset.modes:to_dataset")
+        to_table = Attached("pkmodes.dataset.modes:to_table")
+        _repr_html_ = Attached("pkmodes.dataset.notebook:table_of_modes")
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,40 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from html import escape
 
 import numpy as np
-from numpy.typing import NDArray
 
-from pkmodes_description import Named
+from pkmodes.dataset.fields import FIELDS
+from pkmodes.solve.results import Modes
 
 #: Rows of a table at most.
 ROWS = 20
 
 
-def table_of_modes(
-    name: str,
-    pose: Sequence[Named],
-    poses: NDArray[np.float64],
-    columns: Sequence[tuple[str, str, NDArray[np.float64]]],
-    reasons: NDArray[np.str_],
-) -> str:
+def table_of_modes(modes: Modes) -> str | None:
     """Return the frequencies of vibration at each pose as an HTML table, and how many poses it leaves out.
 
     Parameters
     ----------
-    name : str
-        Of the robot.
-    pose : sequence of Named
-        Components of a pose.
-    poses : ndarray, shape (N, d)
-    columns : sequence of (str, str, ndarray of shape (N, modes))
-        Symbol, unit and values of the frequencies, and of other fields of the modes.
-    reasons : ndarray of str, shape (N,)
-        Why a pose could not be evaluated, empty where it could.
+    modes : Modes
+
+    Returns
+    -------
+    str or None
+        None where no frequencies were requested.
     """
-    heads = [f"{c.name} [{c.unit}]" for c in pose]
+    requested, mechanism = modes.requested, modes.robot.mechanism
+    if "frequencies" not in requested:
+        return None
+    columns = []
+    for entry in (FIELDS[name] for name in requested):
+        if entry.symbol:
+            values = getattr(modes, entry.name)
+            vibrations = values.reshape(-1, values.shape[-1])[:, modes.rigid_modes :]
+            columns.append((entry.symbol, entry.units_of(mechanism), vibrations))
+    poses, reasons = modes.poses.reshape(-1, modes.poses.shape[-1]), np.atleast_1d(modes.reason).ravel()
+    heads = [f"{c.name} [{c.unit}]" for c in mechanism.pose]
     heads += [f"{symbol}{i + 1} [{unit}]" for symbol, unit, part in columns for i in range(part.shape[1])]
     values_of = np.hstack([part for _, _, part in columns])
     rows = []
@@ -46,5 +46,5 @@ def table_of_modes(
     head = "".join(f'<th scope="col">{escape(title)}</th>' for title in heads)
     body = "".join(f"<tr>{row}</tr>" for row in rows)
     more = f"<p>{len(poses) - ROWS:,} more poses</p>" if len(poses) > ROWS else ""
-    caption = f"{escape(name)}: frequencies of vibration"
+    caption = f"{escape(modes.robot.name)}: frequencies of vibration"
     return f"<table><caption>{caption}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>{more}"
