@@ -17,8 +17,8 @@ from pkmodes.campaign.found import Found, check_shape
 from pkmodes.measured.cells import Notation
 from pkmodes.measured.csv_format import read_text
 from pkmodes.measured.csv_rows import read_lines
-from pkmodes.measured.header import IN_BRACKETS, frequency_factor
 from pkmodes.measured.rules import SHAPE
+from pkmodes.robot.columns import IN_BRACKETS, frequency_factor
 from pkmodes.robot.units import QuantityError, base_units
 
 #: Columns of numbers, with the kind of their units.

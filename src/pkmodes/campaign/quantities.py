@@ -5,7 +5,7 @@ from __future__ import annotations
 from pkmodes.base.errors import MeasurementError, shown
 from pkmodes.campaign.description import Uncertain
 from pkmodes.measured.cells import number_in
-from pkmodes.measured.header import frequency_factor
+from pkmodes.robot.columns import frequency_factor
 from pkmodes.robot.units import NUMBER, QuantityError, dimension_of, parse
 
 Given = str | int | float

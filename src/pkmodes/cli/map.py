@@ -21,7 +21,7 @@ from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.progress import duration
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
-from pkmodes.robot.corrections import changeable
+from pkmodes.robot.declaration import changeable
 
 if TYPE_CHECKING:
     from xarray import Dataset

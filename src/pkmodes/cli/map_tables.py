@@ -10,7 +10,7 @@ from pkmodes.cli.terminal import Terminal
 from pkmodes.maps.left_out import sentences
 from pkmodes.maps.summary import SHARES, quantiles_in_words
 from pkmodes.model.model import Model
-from pkmodes.robot.corrections import changeable
+from pkmodes.robot.declaration import changeable
 from pkmodes.robot.motors import motors_in_words
 
 

@@ -45,7 +45,7 @@ def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:
         If a path is unknown or repeated, a range is invalid, or there are too many.
     """
     from pkmodes.maps.ranges import parse_range
-    from pkmodes.robot.corrections import changeable
+    from pkmodes.robot.declaration import changeable
     from pkmodes.view.varying import COUNTS, PARAMETERS
 
     parts = [part.strip() for part in text.split(",")]

@@ -17,7 +17,7 @@ from pkmodes.maps.layout import Layout
 from pkmodes.maps.poses import Grid, Places
 from pkmodes.maps.tracking import Tracked
 from pkmodes.maps.variants import SAMPLE, Variants
-from pkmodes.robot.corrections import changeable
+from pkmodes.robot.declaration import changeable
 from pkmodes.robot.robot import Robot
 from pkmodes.system.evaluation import evaluation
 from pkmodes.system.motors import solved_system

@@ -13,9 +13,9 @@ from pkmodes.maps.poses import Poses
 from pkmodes.measured.cells import Notation
 from pkmodes.measured.csv_format import read_text
 from pkmodes.measured.csv_rows import read_lines
-from pkmodes.measured.header import column_of
 from pkmodes.measured.rules import PRINTABLE
 from pkmodes.mechanism.registry import Mechanism
+from pkmodes.robot.columns import column_of
 
 LABEL = "pose"
 

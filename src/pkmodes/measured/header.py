@@ -20,7 +20,7 @@ from pkmodes.measured.quantities import (
     row_numbers,
 )
 from pkmodes.measured.rules import SET, SHAPE
-from pkmodes.robot.units import QuantityError, base_units
+from pkmodes.robot.columns import factor_of, kind_of_unit, parted
 
 #: Columns of text.
 TEXT = ("pose", "mode", "drives")
@@ -28,16 +28,10 @@ TEXT = ("pose", "mode", "drives")
 SPREAD = "sigma_"
 #: Separates the columns of tables that are no CSV.
 BAR = "|"
-EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"'}
 #: Units of a shape component of unknown kind: a displacement or a rotation.
 MOTIONS = ("m", "rad")
-#: Radians per cycle, to convert an angular frequency to a frequency.
-CYCLE = Decimal("6.28318530717958647692528676656")
-
 #: What to do about measurements of another machine.
 OTHER_MACHINE = "give the robot file of that machine, or measurements of this one"
-
-IN_BRACKETS = re.compile(r"(.*?)\s*\[([^\[\]]*)\]")
 
 
 class Column(NamedTuple):
@@ -57,7 +51,7 @@ def components_of(
     cells: Sequence[str], known: Sequence[Mapping[str, str]], channels: Collection[str]
 ) -> Mapping[str, str]:
     """Choose the pose components of a header from several sets: the largest complete set, else the best match."""
-    names = {_parted(cell, [f"{SHAPE}{name}" for name in channels])[0] for cell in cells}
+    names = {parted(cell, [f"{SHAPE}{name}" for name in channels])[0] for cell in cells}
     return max(known, key=lambda each: (names >= each.keys(), len(names & each.keys())))
 
 
@@ -109,7 +103,7 @@ def read_header(
             f"the file uses bars: replace them, by semicolons if numbers have decimal commas; {help_text}"
         )
         _refuse(what, where, remedy)
-    parts = [_parted(cell, known) for cell in cells]
+    parts = [parted(cell, known) for cell in cells]
     names = [name for name, _ in parts]
     if not set(names) & set(required):
         _refuse(f"expected the names of the columns, found {shown(','.join(cells))}", where, help_text)
@@ -138,29 +132,6 @@ def read_header(
     return columns
 
 
-def column_of(cell: str, where: str, units: Mapping[str, str]) -> tuple[str, Decimal | None]:
-    """Return the name of a column and the factor of its unit to SI, None without a unit; other columns have none.
-
-    Parameters
-    ----------
-    cell : str
-        Of the header.
-    where : str
-        For messages.
-    units : mapping of str to str
-        SI units of the columns that are read.
-
-    Raises
-    ------
-    MeasurementError
-        If the unit is not one of that kind.
-    """
-    name, unit = _parted(cell, list(units))
-    if unit is None or name not in units:
-        return name, None
-    return name, _factor(name, unit, where, (), units)
-
-
 def in_words(names: Collection[str]) -> str:
     """Join names as in a sentence: x, y and z."""
     *others, last = [*names] or [""]
@@ -171,29 +142,6 @@ def _plain(name: str, units: Mapping[str, str]) -> str:
     """Return the unit of a column whose header gives none, for messages; empty for ratios."""
     unit = units.get(name, "SI units")
     return "" if unit == "1" else unit
-
-
-def frequency_factor(unit: str) -> Decimal:
-    """Return the factor that converts a frequency in this unit to Hz.
-
-    Raises
-    ------
-    QuantityError
-        If it is not a unit of frequency.
-    """
-    factor, powers = base_units(unit)
-    if powers == {"second": -1}:
-        return factor
-    if powers == {"radian": 1, "second": -1}:
-        return factor / CYCLE
-    raise QuantityError(f"{shown(unit)} is not a unit of frequency")
-
-
-def _parted(cell: str, known: Sequence[str]) -> tuple[str, str | None]:
-    """Split a cell into name and unit; brackets may also be part of a channel name."""
-    if cell in known or (match := IN_BRACKETS.fullmatch(cell)) is None:
-        return cell, None
-    return match[1], match[2].strip()
 
 
 def _refuse(what: str, where: str, remedy: str) -> NoReturn:
@@ -246,19 +194,8 @@ def _factor(
         allowed = (channels[name.removeprefix(SHAPE)],)
     else:
         allowed = MOTIONS
-    expected = " or ".join(EXAMPLES.get(one, f'"{one}"') for one in allowed)
-    remedy = f"write a unit of that kind, or none for {_plain(name, units) or 'a plain ratio'}"
+    remedy = kind_of_unit(_plain(name, units))
     for quantity in QUANTITIES.values():
         if name == quantity.sigma.column and unit == "%":
             remedy = f"multiply by the {quantity.value.column}, and write the result in its unit"
-    try:
-        if allowed == ("Hz",):
-            return frequency_factor(unit)
-        factor, powers = base_units(unit)
-        for si, same in map(base_units, allowed):
-            if powers == same:
-                return factor / si
-        problem = f"{shown(unit)} is another kind of unit"
-    except QuantityError as error:
-        problem = str(error)
-    raise MeasurementError(f"expected a unit such as {expected} for {name}: {problem}", place, remedy)
+    return factor_of(name, unit, place, allowed, remedy)

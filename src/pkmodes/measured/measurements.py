@@ -28,7 +28,6 @@ from pkmodes.measured.arguments import (
     renamed_columns,
 )
 from pkmodes.measured.columns import POSITION, Array, Columns, Numbers
-from pkmodes.measured.header import frequency_factor
 from pkmodes.measured.quantities import quantity_numbers
 from pkmodes.measured.rules import (
     SET,
@@ -43,6 +42,7 @@ from pkmodes.measured.rules import (
     text_problems,
     value_problems,
 )
+from pkmodes.robot.columns import frequency_factor
 from pkmodes.robot.units import QuantityError
 
 

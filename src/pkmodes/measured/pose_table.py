@@ -53,7 +53,7 @@ def by_name(given: ArrayLike, units: Mapping[str, str], where: str) -> ArrayLike
     named = None if _is_array(given) else _named(given)
     if named is None:
         return given
-    from pkmodes.measured.header import column_of  # not needed for arrays
+    from pkmodes.robot.columns import column_of  # not needed for arrays
 
     names, values = named
     example = f"name them {', '.join(units)}, in any order, or give an array"

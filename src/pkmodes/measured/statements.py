@@ -12,8 +12,8 @@ from typing import Any
 from pkmodes.base.drives import DRIVES
 from pkmodes.base.errors import MeasurementError, shown
 from pkmodes.measured.cells import NUMBER, number_in
-from pkmodes.measured.header import frequency_factor
 from pkmodes.measured.rules import checked_band
+from pkmodes.robot.columns import frequency_factor
 from pkmodes.robot.units import QuantityError
 
 BAND_HELP = 'write "# band: 10 Hz, 400 Hz", or start the comment with another word'

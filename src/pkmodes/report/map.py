@@ -33,7 +33,7 @@ from pkmodes.report.map_planes import declared_values, plane_of, swept_paths, sw
 from pkmodes.report.origin import files_of, view_section
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
-from pkmodes.robot.corrections import changeable
+from pkmodes.robot.declaration import changeable
 from pkmodes.robot.motors import motors_in_words
 from pkmodes.robot.report_fields import head_of
 from pkmodes.robot.units import SHOWN

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from typing import NoReturn
 
 from pkmodes.base.errors import OutputError, PkmodesError, nearest, shown
-from pkmodes.robot.declaration import Declaration
-from pkmodes.robot.layout import effect_parameters, items
+from pkmodes.robot.declaration import Declaration, changeable
 from pkmodes.robot.parameter_groups import elements_of, groups_by_path
 from pkmodes_description import ParameterGroup
 
@@ -78,19 +77,6 @@ def edits_of(changes: Mapping[str, Correction], robot: Declaration) -> dict[str,
 def refuse(what: str, where: str, remedy: str) -> NoReturn:
     """Raise the error of a robot that cannot be saved."""
     raise OutputError(what, where, remedy) from None
-
-
-def changeable(robot: Declaration) -> dict[str, str]:
-    """Return the paths that can be changed or added, with their SI units."""
-    declared = {path: quantity.unit for path, quantity in robot.quantities.items()}
-    others = {
-        number.path: number.unit
-        for item in items(robot.mechanism)
-        if item.shared or item.key.default is not None
-        for number in item.numbers
-    }
-    groups = {group.path: group.unit for group in robot.mechanism.parameter_groups}
-    return {**declared, **others, **effect_parameters(robot.mechanism), **groups}
 
 
 def _check_numbers(path: str, correction: Correction, robot: Declaration) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 from pkmodes.mechanism import registry
 from pkmodes.mechanism.described import DAMPING_RATIO, Mechanism
 from pkmodes.robot.covariance import Covariance
-from pkmodes.robot.layout import OF_QUANTITIES, Item, items
+from pkmodes.robot.layout import OF_QUANTITIES, Item, effect_parameters, items
 from pkmodes.robot.units import Quantity
 from pkmodes.robot.usable import Bound
 
@@ -134,3 +134,16 @@ class Declaration:
         if item.key.kind == "one_of":
             return item.key.choices[int(np.argmax(value))]
         return value.tolist() if item.key.kind == "direction" else [int(sign) for sign in value]
+
+
+def changeable(robot: Declaration) -> dict[str, str]:
+    """Return the paths that can be changed or added, with their SI units."""
+    declared = {path: quantity.unit for path, quantity in robot.quantities.items()}
+    others = {
+        number.path: number.unit
+        for item in items(robot.mechanism)
+        if item.shared or item.key.default is not None
+        for number in item.numbers
+    }
+    groups = {group.path: group.unit for group in robot.mechanism.parameter_groups}
+    return {**declared, **others, **effect_parameters(robot.mechanism), **groups}

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pkmodes.base.errors import PkmodesError, nearest, shown
-from pkmodes.robot.corrections import changeable
+from pkmodes.robot.declaration import changeable
 from pkmodes.robot.layout import EFFECTS, Item, Slot, effect_parameters, items, takers
 from pkmodes.robot.parameter_groups import groups_by_path, items_of, value_of, weights_of
 from pkmodes.robot.robot import Robot

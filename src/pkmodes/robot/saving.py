@@ -11,8 +11,9 @@ import numpy as np
 from pkmodes.base.errors import RobotFileError, shown
 from pkmodes.base.writing import write_file
 from pkmodes.mechanism.described import Mechanism
-from pkmodes.robot.corrections import DIGITS, Correction, Edit, changeable, edits_of, refuse
+from pkmodes.robot.corrections import DIGITS, Correction, Edit, edits_of, refuse
 from pkmodes.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA, Covariance, joined, uncertain
+from pkmodes.robot.declaration import changeable
 from pkmodes.robot.editing import Keys, TomlText
 from pkmodes.robot.layout import EFFECTS, by_path, lent
 from pkmodes.robot.notation import Notation

@@ -13,9 +13,8 @@ import numpy as np
 
 from pkmodes.base.errors import PkmodesError, nearest, shown
 from pkmodes.robot import schema
-from pkmodes.robot.corrections import changeable
 from pkmodes.robot.covariance import Covariance, with_sigmas
-from pkmodes.robot.declaration import Declaration
+from pkmodes.robot.declaration import Declaration, changeable
 from pkmodes.robot.documents import document_of
 from pkmodes.robot.layout import by_path, lent, takers
 from pkmodes.robot.parameter_groups import elements_of, groups_by_path, items_of

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from pkmodes.base.errors import MeasurementError, shown
-from pkmodes.measured.header import IN_BRACKETS
+from pkmodes.robot.columns import IN_BRACKETS
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Kind
 

@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 
-from pkmodes.measured.header import frequency_factor
+from pkmodes.robot.columns import frequency_factor
 from pkmodes.robot.units import QuantityError, base_units
 
 #: Labels of measuring systems that are no unit.

@@ -16,7 +16,7 @@ from pkmodes.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.rules import SET
 from pkmodes.mechanism.registry import Mechanism
-from pkmodes.robot.corrections import changeable
+from pkmodes.robot.declaration import changeable
 from pkmodes.robot.layout import Slot, effect_parameters, items
 from pkmodes.robot.paths import ParameterPath, resolve
 from pkmodes.robot.robot import Robot
