@@ -15,7 +15,7 @@ import numpy as np
 
 import ours
 from peers import MissingError, ways
-from pkmodes.solve.backends import all_cores
+from pkmodes.core.solve.backends import all_cores
 from published import published, valid_poses
 from timing import REPETITIONS, WALL, interleaved
 

@@ -21,7 +21,7 @@ from scipy.signal import lfilter
 import pkmodes
 from pkmodes.campaign.campaign import read_campaign
 from pkmodes.campaign.identify import identify
-from pkmodes.linalg.threads import one_blas_thread
+from pkmodes.support.threads import one_blas_thread
 from timing import seconds
 
 ROBOT = Path(__file__).parents[1] / "robots/linear-delta-2022.toml"

@@ -16,10 +16,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from pkmodes import updating
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.linalg.threads import one_blas_thread
 from pkmodes.measured.measurements import Measurements
-from pkmodes.robot.robot import Robot
+from pkmodes.support.threads import one_blas_thread
 from pkmodes_rig import read
 from pkmodes_rig.suites import mechanism_cases, mechanism_suites
 from pkmodes_rig.suites.cases import measured

@@ -21,7 +21,7 @@ from pathlib import Path
 import numpy as np
 
 from pkmodes.codegen.generation import generate
-from pkmodes.linalg.eigen import generalised_eigh
+from pkmodes.core.linalg.eigen import generalised_eigh
 from pkmodes_generated import linear_delta
 from published import ROBOT, published, valid_poses
 

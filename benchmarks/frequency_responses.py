@@ -14,10 +14,10 @@ from functools import partial
 import numpy as np
 
 import pkmodes
-from pkmodes.linalg.threads import one_blas_thread
 from pkmodes.response.equations import EquationsOfMotion, equations
 from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.ports import input_vectors, inputs_of, output_vectors, outputs_of, prescribed
+from pkmodes.support.threads import one_blas_thread
 from timing import interleaved
 
 FREQUENCIES = np.linspace(0.5, 400.0, 1000)

@@ -25,7 +25,7 @@ from backends_report import paragraph, put, table
 from pkmodes.identification.estimates import Mode, alike
 from pkmodes.identification.frf_identification import identify_frf
 from pkmodes.identification.ssi_identification import identify_responses
-from pkmodes.linalg.threads import one_blas_thread
+from pkmodes.support.threads import one_blas_thread
 from pkmodes_rig.structures import driven, forced
 from timing import seconds
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from peers import MissingError
-from pkmodes.compiled import build
+from pkmodes.core.compiled import build
 from published import published
 
 HERE = Path(__file__).parent

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 import pkmodes
-from pkmodes.solve.backends import all_cores
+from pkmodes.core.solve.backends import all_cores
 from timing import WALL, interleaved
 
 ROBOT = Path(__file__).parents[1] / "robots" / "linear-delta-2022.toml"

@@ -23,7 +23,7 @@ import ours
 import ratios
 from machine import Peak, parts
 from peers import BLOCK, Array, MissingError, Way, ways
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from published import published, rigid_modes, valid_poses
 from timing import REPETITIONS, affordable, interleaved, seconds
 

@@ -14,7 +14,7 @@ from scipy.linalg import hessenberg
 
 from published import published
 
-#: Operations of a rotation without vectors, and of Wilkinson's shift (src/pkmodes/compiled/eigen.h).
+#: Operations of a rotation without vectors, and of Wilkinson's shift (src/pkmodes/core/compiled/eigen.h).
 ROTATION, SHIFT = 19, 9
 
 

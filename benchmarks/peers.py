@@ -19,7 +19,7 @@ import numpy as np
 
 from peer_source import matrices, printed
 from pkmodes.codegen.generation import generate
-from pkmodes.compiled.build import compiler
+from pkmodes.core.compiled.build import compiler
 from published import ROBOT, published
 
 Array = np.ndarray

@@ -31,8 +31,8 @@ from helpers.generated.emission import Emission
 from helpers.pages.browser import close_browsers
 from helpers.pages.without_drawing import without_drawing
 from helpers.runs.shared import Shared
-from pkmodes.compiled import build
-from pkmodes.solve.backends import VARIABLE
+from pkmodes.core.compiled import build
+from pkmodes.core.solve.backends import VARIABLE
 from pkmodes_derive import kept
 
 pytest_plugins = ["helpers.runs.processor_time"]

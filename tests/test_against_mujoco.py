@@ -20,7 +20,7 @@ import pytest
 from scipy.linalg import eigh
 
 import pkmodes_generated.linear_delta as generated
-from pkmodes.robot.reading import read_robot
+from pkmodes.core.robot.reading import read_robot
 from pkmodes_generated.linear_delta import Parameters
 from pkmodes_rig.mujoco_engine import Engine
 

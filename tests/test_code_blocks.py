@@ -23,7 +23,7 @@ from helpers.runs.processes import without_progress
 from pkmodes import updating
 from pkmodes.campaign.campaign import read_campaign
 from pkmodes.cli import run
-from pkmodes.robot.reading import robot_from_document
+from pkmodes.core.robot.reading import robot_from_document
 
 #: Characters with a meaning beside words, quotation marks, comments and lines that go on.
 NEEDS_A_SHELL = re.compile(r"[|&;<>$`*?~!(){}\[\]\\]")

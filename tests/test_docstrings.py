@@ -31,7 +31,7 @@ MODULES = {
     "pkmodes.mechanism": ("add_folder", "mechanism", "names"),  # the rest is for the runtime
 }
 #: Methods of public classes that these inherit.
-INHERITED = {"pkmodes.model.model": ("Model",)}
+INHERITED = {"pkmodes.core.model": ("Model",)}
 #: Functions of applications that are methods of `pkmodes.Model`.
 ATTACHED = {module: (name,) for module, name in (place.split(":") for place in APPLICATIONS.values())}
 #: Format, summaries, parameters, results and exceptions.  An extended summary, an example and See Also are not asked

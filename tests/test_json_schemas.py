@@ -15,9 +15,9 @@ import pytest
 from msgspec import field
 
 from helpers.robots.robot_text import PUBLISHED, edited, published
-from pkmodes.base.documents import Document, schema_of
 from pkmodes.cli import cli, run
 from pkmodes.cli.schemas import schema_files
+from pkmodes.support.documents import Document, schema_of
 from pkmodes_rig.robots import ROBOTS
 
 ROOT = Path(__file__).parents[1]

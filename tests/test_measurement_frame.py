@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pkmodes import updating
-from pkmodes.mechanism.registry import mechanism
+from pkmodes.core.mechanism.registry import mechanism
 from pkmodes.updating import frame
 from pkmodes.updating.candidates import suspects
 from pkmodes.updating.corrected_robot import corrections

@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from pkmodes.mechanism.registry import mechanism
+from pkmodes.core.mechanism.registry import mechanism
 from pkmodes.updating.robot_structure import channels
 from pkmodes_rig.engine import TrueModes, true_modes
 from pkmodes_rig.laboratory import SENSORS, Laboratory, seen

@@ -4,13 +4,13 @@
 an array of poses.  docs/model.md defines the coordinates, signs and frames.
 """
 
-from pkmodes.base.interrupts import watch_the_start
+from pkmodes.core.base.interrupts import watch_the_start
 
 watch_the_start()  # before anything else is loaded
 
 from lazy_loader import attach_stub  # noqa: E402
 
-from pkmodes.base.version import VERSION  # noqa: E402
+from pkmodes.core.base.version import VERSION  # noqa: E402
 
 # A name is loaded when it is first used, from the module that __init__.pyi states: the command line has to start
 # before NumPy is loaded, and modules that compare with measurements need SciPy, which takes even longer.

@@ -1,10 +1,10 @@
 from . import diagnosis as diagnosis
 from . import updating as updating
 from .api import Model, load, read_robot
-from .base.errors import NotComputedError, PkmodesError, PoseError, RobotFileError
-from .robot.robot import Robot
-from .robot.units import Quantity
-from .solve.results import Modes, PoseCheck, Statics
+from .core.base.errors import NotComputedError, PkmodesError, PoseError, RobotFileError
+from .core.robot.robot import Robot
+from .core.robot.units import Quantity
+from .core.solve.results import Modes, PoseCheck, Statics
 
 __version__: str
 __all__ = [

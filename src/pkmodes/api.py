@@ -9,9 +9,9 @@ from __future__ import annotations
 from os import PathLike
 from typing import TYPE_CHECKING
 
-from pkmodes.base.attached import Attached
-from pkmodes.model import model
-from pkmodes.robot.reading import read_robot
+from pkmodes.core import model
+from pkmodes.core.base.attached import Attached
+from pkmodes.core.robot.reading import read_robot
 
 if TYPE_CHECKING:
     from pkmodes.maps.mapping import map_of

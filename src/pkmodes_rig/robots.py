@@ -13,8 +13,8 @@ from pathlib import Path
 
 import numpy as np
 
-from pkmodes.robot.reading import robot_from_document
-from pkmodes.robot.robot import Robot
+from pkmodes.core.robot.reading import robot_from_document
+from pkmodes.core.robot.robot import Robot
 
 PUBLISHED = Path(__file__).resolve().parents[2] / "robots" / "linear-delta-2022.toml"
 

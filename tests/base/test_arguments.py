@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pkmodes.base.arguments import (
+from pkmodes.core.base.arguments import (
     FILE_NAME,
     NATURAL_NUMBER,
     POSITIVE_INTEGER,
@@ -17,7 +17,7 @@ from pkmodes.base.arguments import (
     check_argument,
     one_of,
 )
-from pkmodes.base.errors import OutputError, PkmodesError
+from pkmodes.core.base.errors import OutputError, PkmodesError
 
 SVG_OR_PNG = one_of(["svg", "png"])
 

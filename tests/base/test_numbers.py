@@ -9,8 +9,8 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from pkmodes.base.numbers import hertz, p_in_words, plain, rounded
 from pkmodes.plots.labels import typeset
+from pkmodes.support.numbers import hertz, p_in_words, plain, rounded
 
 #: What a rounded number with its standard deviation looks like.
 FORM = re.compile(r"\((-?\d+(?:\.\d+)?) \+- (\d+(?:\.\d+)?)\)e(-?\d+)|(-?\d+(?:\.\d+)?) \+- (\d+(?:\.\d+)?)")

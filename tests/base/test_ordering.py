@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from pkmodes.base.ordering import in_order, sorted_labels
+from pkmodes.support.ordering import in_order, sorted_labels
 
 
 @pytest.mark.parametrize(

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import read_campaign
 from pkmodes.cli import run
+from pkmodes.core.base.errors import MeasurementError
 
 ROOT = Path(__file__).parents[2]
 ROBOT = ROOT / "robots/linear-delta-2022.toml"

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.dataset.fields import FIELDS
+from pkmodes.core.solve.fields import FIELDS
 from pkmodes.dataset.table import table_of, write_table
 from pkmodes.dataset.variables import EVENTS
 

@@ -17,7 +17,7 @@ from helpers.generated.compiled import build, call
 from helpers.generated.emission import Emission
 from helpers.robots.sample_robots import random_robot
 from pkmodes.codegen.generation import specification
-from pkmodes.robot.robot import Robot
+from pkmodes.core.robot.robot import Robot
 from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import product
 from pkmodes_derive.functions import Function

@@ -11,7 +11,7 @@ import pytest
 
 from helpers.generated.compiled import COMPILER
 from helpers.generated.generated_robots import Robot
-from pkmodes.mechanism.poses import MAX_CONDITION
+from pkmodes.core.mechanism.poses import MAX_CONDITION
 
 pytestmark = pytest.mark.compiler
 

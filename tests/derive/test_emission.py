@@ -15,7 +15,7 @@ import pytest
 
 from helpers.generated.emission import Emission
 from pkmodes.codegen.generation import specification
-from pkmodes.robot.reading import read_robot
+from pkmodes.core.robot.reading import read_robot
 from pkmodes_derive import kept, mechanisms
 from pkmodes_derive.emit import layout, product
 from pkmodes_derive.emit.program import arrange
@@ -29,7 +29,7 @@ DIGEST = """
 import hashlib, json, sys
 from pathlib import Path
 from pkmodes.codegen.generation import specification
-from pkmodes.robot.reading import read_robot
+from pkmodes.core.robot.reading import read_robot
 from pkmodes_derive import mechanisms
 from pkmodes_derive.emit import latex, product
 texts = dict(product.parametric("linear_delta"))

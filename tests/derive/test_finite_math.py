@@ -9,7 +9,7 @@ import pytest
 
 from helpers.generated.compiled import COMPILER
 from helpers.generated.generated_robots import Robot
-from pkmodes.compiled import build
+from pkmodes.core.compiled import build
 
 pytestmark = pytest.mark.compiler
 

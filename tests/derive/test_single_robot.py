@@ -19,8 +19,8 @@ from helpers.robots.dissipating import dissipating
 from helpers.robots.sample_robots import ROBOTS
 from helpers.runs.shared import Shared
 from pkmodes.codegen.generation import specification
-from pkmodes.mechanism.registry import mechanism
-from pkmodes.robot.reading import robot_from_document
+from pkmodes.core.mechanism.registry import mechanism
+from pkmodes.core.robot.reading import robot_from_document
 from pkmodes_derive.emit import product
 
 #: Makes the model, the generated module and the texts of a robot file with some effects.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pkmodes.linalg.mac import ALIKE, space
+from pkmodes.support.mac import ALIKE, space
 
 
 @pytest.mark.parametrize(("apart", "dimension"), [(1e-4, 2), (3e-6, 2), (3e-7, 1), (0.0, 1)])

@@ -11,7 +11,7 @@ import pytest
 from scipy import sparse
 
 from helpers.robots.small_structures import frame, frame_matrices, frame_measured
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Parameter, diagnose
 from pkmodes.diagnosis.structure.kept import Kept
 

@@ -13,9 +13,9 @@ import pytest
 import pkmodes
 from helpers.diagnoses import closed_loop_example
 from pkmodes import read_robot, updating
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis import Measurements, diagnose
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.robot.robot import Robot
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 ROBOT, MEASURED = (EXAMPLES / "closed_loop" / name for name in ("robot.toml", "measured.csv"))

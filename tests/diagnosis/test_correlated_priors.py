@@ -10,7 +10,7 @@ import pytest
 from helpers.robots.robot_text import published
 from helpers.robots.small_structures import SIGMA, LogLinear, log_linear, logs_measured
 from pkmodes import read_robot
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Measurements, Parameter
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.damping.fit import LossFitter

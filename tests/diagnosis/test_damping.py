@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pkmodes import read_robot, updating
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
 from pkmodes_rig import POSES, TrueModes, read, true_modes

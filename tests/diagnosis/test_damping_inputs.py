@@ -11,7 +11,7 @@ import pytest
 
 from helpers.diagnoses.damped_cases import columns, made, measured
 from pkmodes import updating
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Measurements
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig.suites.mechanism_cases import MACHINES, robot_of

@@ -10,7 +10,7 @@ from helpers.robots.small_structures import (
     SIGMA,
     frame,
 )
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, diagnose
 
 

@@ -11,11 +11,11 @@ import pytest
 from scipy.linalg import eigh
 
 from pkmodes import Robot, read_robot, updating
-from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.diagnosis import Measurements, Prediction
-from pkmodes.robot.paths import resolve
-from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.sensitivity.paths import resolve
 from pkmodes.updating.candidates import suspects
 from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes.updating.predictions import Moves, derived, solved

@@ -9,7 +9,7 @@ import pytest
 from scipy import linalg, sparse
 
 from helpers.robots.small_structures import mixture
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Parameter
 from pkmodes.diagnosis.matrices import at_measured
 

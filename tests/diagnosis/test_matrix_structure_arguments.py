@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
 
 

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from helpers.robots.small_structures import LogLinear, logs_measured
+from pkmodes.core.mechanism import registry
 from pkmodes.diagnosis import Candidate, Diagnosis, Parameter, diagnose
 from pkmodes.diagnosis.verdict import naming
 from pkmodes.diagnosis.verdict.findings import Finding
 from pkmodes.diagnosis.verdict.members import Member
 from pkmodes.diagnosis.verdict.possible import member, possible
-from pkmodes.mechanism import registry
 from pkmodes.updating.kinds import KINDS, with_kinds
 
 SERIES = "a compliance in series with the belt"

@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Measurements, Prediction
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 

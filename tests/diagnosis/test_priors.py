@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from helpers.robots.small_structures import SIGMA, LogLinear, log_linear, logs_measured
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Candidate, Parameter, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis

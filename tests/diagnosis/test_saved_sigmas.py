@@ -13,8 +13,8 @@ import pytest
 import pkmodes
 from helpers.diagnoses.diagnose_command import call
 from pkmodes import updating
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.robot.robot import Robot
 from pkmodes_rig import POSES, ROBOTS, identified, written
 from pkmodes_rig.suites.strengths import Truth
 

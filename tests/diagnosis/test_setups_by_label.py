@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from helpers.robots.small_structures import LOADS, frame, frame_derivatives, frame_matrices, frame_measured
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Measurements, compare, diagnose, update
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from helpers.robots.small_structures import SIGMA, LogLinear, logs_measured
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Candidate, Measurements, Parameter, update
 
 COUNT = 12

@@ -14,10 +14,10 @@ import pytest
 
 from helpers.pages.report_examples import made_up
 from pkmodes import updating
-from pkmodes.base.documents import schema_of
 from pkmodes.cli import cli, run
 from pkmodes.diagnosis.verdict import document, verdicts
 from pkmodes.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, Colour, Verdict, Word
+from pkmodes.support.documents import schema_of
 
 ROOT = Path(__file__).parents[2]
 DIAGNOSE = [

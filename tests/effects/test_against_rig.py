@@ -16,7 +16,7 @@ import pytest
 
 import pkmodes
 from helpers.robots.dissipating import dissipating
-from pkmodes.mechanism.registry import mechanism
+from pkmodes.core.mechanism.registry import mechanism
 from pkmodes_rig.engine import EFFECTS, OUTSIDE, Rig, TrueModes, true_modes
 from pkmodes_rig.mujoco_engine import Engine
 from pkmodes_rig.robots import POSES, ROBOTS, read

@@ -10,7 +10,7 @@ from scipy.linalg import eigh
 
 from helpers.robots.dissipating import dissipating
 from helpers.robots.sample_robots import random_robot
-from pkmodes.mechanism.registry import mechanism
+from pkmodes.core.mechanism.registry import mechanism
 from pkmodes_generated.linear_delta import Parameters, extended, model
 
 SEEDS = range(4)

@@ -12,9 +12,9 @@ import pkmodes
 from helpers.robots.dissipating import dissipating
 from helpers.robots.robot_text import edited, published
 from helpers.robots.sensitivity_cases import moving
-from pkmodes.robot.paths import moved, paths, resolve
-from pkmodes.robot.reading import robot_from_document
-from pkmodes.robot.robot import Robot
+from pkmodes.core.robot.reading import robot_from_document
+from pkmodes.core.robot.robot import Robot
+from pkmodes.sensitivity.paths import moved, paths, resolve
 from pkmodes_generated.linear_delta import Parameters
 
 POSE = [0.6, 0.03, -0.245]

@@ -6,7 +6,7 @@ import pytest
 
 import pkmodes
 from helpers.robots.one_of_each import FILES, ROBOTS
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 
 
 @pytest.mark.parametrize(

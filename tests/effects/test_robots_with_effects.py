@@ -16,9 +16,9 @@ import pytest
 import pkmodes
 from helpers.robots.dissipating import dissipating
 from helpers.robots.robot_text import PUBLISHED, published
-from pkmodes.base.errors import RobotFileError
 from pkmodes.cli import run
-from pkmodes.mechanism.registry import mechanism
+from pkmodes.core.base.errors import RobotFileError
+from pkmodes.core.mechanism.registry import mechanism
 
 CATALOGUE = mechanism("linear_delta").effects
 

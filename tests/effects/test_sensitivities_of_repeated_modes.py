@@ -8,7 +8,7 @@ import pytest
 import pkmodes
 from helpers.references.sensitivity_references import AHEAD, eigenvalues
 from helpers.robots.sensitivity_cases import CROSSING, assert_small, case
-from pkmodes.robot.paths import moved
+from pkmodes.sensitivity.paths import moved
 from pkmodes.sensitivity.sensitivities import TOGETHER
 
 

@@ -10,9 +10,9 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED, edited
-from pkmodes.base.errors import PkmodesError
-from pkmodes.robot.paths import moved, resolve
-from pkmodes.robot.units import Quantity
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.robot.units import Quantity
+from pkmodes.sensitivity.paths import moved, resolve
 from pkmodes.updating.candidates import suspects
 from pkmodes.updating.robot_structure import RobotStructure
 from pkmodes_rig.engine import true_modes

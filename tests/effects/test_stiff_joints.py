@@ -15,10 +15,10 @@ import pkmodes
 from helpers.references.high_precision import Exact, exact_derivatives, exact_modes, mp
 from helpers.references.sensitivity_references import robot_of
 from helpers.robots.sample_robots import Sample, published, random_robot
-from pkmodes.base.errors import PoseError
-from pkmodes.linalg.eigen import condensed_eigh, generalised_eigh
-from pkmodes.mechanism.registry import mechanism
-from pkmodes.system.evaluation import ExtendedSystem, matrices
+from pkmodes.core.base.errors import PoseError
+from pkmodes.core.linalg.eigen import condensed_eigh, generalised_eigh
+from pkmodes.core.mechanism.registry import mechanism
+from pkmodes.core.system.evaluation import ExtendedSystem, matrices
 
 KIND = mechanism("linear_delta")
 CATALOGUE = KIND.effects

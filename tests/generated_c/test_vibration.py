@@ -15,8 +15,8 @@ from helpers.generated.held_robots import CASES, HeldRobot, build, library_of
 from helpers.runs.programs import needed
 from helpers.runs.shared import Shared
 from pkmodes.codegen.generation import generate
-from pkmodes.mechanism import registry
-from pkmodes.robot.reading import read_robot
+from pkmodes.core.mechanism import registry
+from pkmodes.core.robot.reading import read_robot
 from pkmodes_derive import mechanisms
 from pkmodes_derive.assembly.held import held_motors
 from pkmodes_derive.emit import product

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from pkmodes.compiled import build, loader
+from pkmodes.core.compiled import build, loader
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ import pytest
 import pkmodes
 from helpers.generated.libraries import POSE, ROBOT, ROOT
 from pkmodes import PkmodesError
-from pkmodes.solve import batch
+from pkmodes.core.solve import batch
 
 pytestmark = pytest.mark.compiler
 

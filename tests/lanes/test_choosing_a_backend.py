@@ -14,7 +14,7 @@ import pytest
 import pkmodes
 from helpers.generated.libraries import POSE, ROBOT, ROOT, frequencies, libraries
 from pkmodes import PkmodesError
-from pkmodes.compiled import build
+from pkmodes.core.compiled import build
 
 pytestmark = pytest.mark.compiler
 

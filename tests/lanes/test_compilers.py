@@ -9,7 +9,7 @@ import pytest
 
 from helpers.generated.libraries import frequencies, libraries
 from pkmodes import PkmodesError
-from pkmodes.compiled import build
+from pkmodes.core.compiled import build
 
 pytestmark = pytest.mark.compiler
 

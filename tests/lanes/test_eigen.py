@@ -12,8 +12,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from pkmodes.compiled import build
-from pkmodes.linalg.eigen import TIE
+from pkmodes.core.compiled import build
+from pkmodes.core.linalg.eigen import TIE
 
 pytestmark = pytest.mark.compiler
 

@@ -19,11 +19,11 @@ from helpers.robots.lane_samples import (
     robot_of,
 )
 from pkmodes import PkmodesError
-from pkmodes.robot.paths import ParameterPath
+from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING
+from pkmodes.sensitivity.paths import ParameterPath
 from pkmodes.sensitivity.terms import terms_of
-from pkmodes.system.evaluation import ExtendedSystem
 
 pytestmark = pytest.mark.compiler
 

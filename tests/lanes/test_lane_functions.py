@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pkmodes.compiled import build
-from pkmodes.compiled.loader import load
+from pkmodes.core.compiled import build
+from pkmodes.core.compiled.loader import load
 
 pytestmark = pytest.mark.compiler
 

@@ -9,10 +9,10 @@ import pytest
 
 import pkmodes
 from helpers.robots.lane_samples import NAMES, ROBOTS, case, evaluator, results
-from pkmodes.compiled import build
-from pkmodes.compiled.evaluator import SHARE
-from pkmodes.compiled.loader import load
-from pkmodes.mechanism.poses import check_poses
+from pkmodes.core.compiled import build
+from pkmodes.core.compiled.evaluator import SHARE
+from pkmodes.core.compiled.loader import load
+from pkmodes.core.mechanism.poses import check_poses
 
 pytestmark = pytest.mark.compiler
 

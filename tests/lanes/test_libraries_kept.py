@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from helpers.generated.libraries import POSE, ROBOT, ROOT, frequencies, libraries
-from pkmodes.compiled import build, loader
+from pkmodes.core.compiled import build, loader
 
 pytestmark = pytest.mark.compiler
 
@@ -116,7 +116,7 @@ def test_processes_that_need_a_library_at_once_build_it_once(fresh: Path, tmp_pa
     )
     counting.chmod(0o755)
     program = (
-        "import sys; from pathlib import Path; from pkmodes.compiled import build, loader; import pkmodes\n"
+        "import sys; from pathlib import Path; from pkmodes.core.compiled import build, loader; import pkmodes\n"
         "build.FLAGS = ('-std=gnu11', '-O0', '-fPIC'); build.WIDTHS = {build.machine(): {2: ()}}\n"
         "loader.SHIPPED = Path('nowhere')\n"
         f"print(pkmodes.load({str(ROBOT)!r}).modes({POSE}, backend='compiled').backend)"

@@ -10,7 +10,7 @@ import pytest
 
 from helpers.generated.libraries import frequencies, libraries
 from pkmodes import PkmodesError
-from pkmodes.compiled import build, loader
+from pkmodes.core.compiled import build, loader
 
 pytestmark = pytest.mark.compiler
 

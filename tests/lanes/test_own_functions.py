@@ -17,9 +17,9 @@ PLAIN, WITH_ABS = "sqrt(rho2[j] - along[j] ** 2)", "sqrt(Abs(rho2[j] - along[j] 
 CODE = """
 from pathlib import Path
 import numpy as np, pkmodes
-from pkmodes.compiled import build
+from pkmodes.core.compiled import build
 from pkmodes.codegen.generation import generate
-from pkmodes.mechanism.registry import add_folder
+from pkmodes.core.mechanism.registry import add_folder
 build.FLAGS = tuple("-O1" if flag == "-O3" else flag for flag in build.FLAGS)
 generate(Path("five-bar.toml"), Path("out"), Path("five_bar.py"))
 add_folder("out/five_bar")

@@ -9,13 +9,13 @@ from pathlib import Path
 
 import pytest
 
-from pkmodes.compiled import build
+from pkmodes.core.compiled import build
 
 pytestmark = pytest.mark.compiler
 
 CODE = """
 import numpy as np
-from pkmodes.compiled import build, loader
+from pkmodes.core.compiled import build, loader
 build.FLAGS = tuple("-O0" if f == "-O3" else f for f in build.FLAGS) + (
     "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 build.WIDTHS = {build.machine(): {2: ()}}

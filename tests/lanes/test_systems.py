@@ -9,9 +9,9 @@ import pytest
 
 from helpers.references.numpy_modes import solve
 from helpers.robots.lane_samples import NAMES, case
-from pkmodes.solve.solutions import modes_of_systems
-from pkmodes.system.evaluation import ExtendedSystem
-from pkmodes.system.stacked import stacked
+from pkmodes.core.solve.solutions import modes_of_systems
+from pkmodes.core.system.evaluation import ExtendedSystem
+from pkmodes.core.system.stacked import stacked
 
 pytestmark = pytest.mark.compiler
 

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 from helpers.robots.lane_samples import EFFECTS, NAMES, ROOT, case, chosen, robot_of
-from pkmodes.compiled import build
-from pkmodes.compiled.loader import UnavailableError, load
-from pkmodes.robot.paths import ParameterPath, paths, resolve_all
+from pkmodes.core.compiled import build
+from pkmodes.core.compiled.loader import UnavailableError, load
+from pkmodes.core.solve.solutions import ModesOfSystems, modes_of_systems
+from pkmodes.core.system.evaluation import STEP, ExtendedSystem
 from pkmodes.sensitivity.compiled import CompiledDerivatives, derivatives_of
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, locked_joints
+from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
 from pkmodes.sensitivity.shapes import shape_derivatives
-from pkmodes.solve.solutions import ModesOfSystems, modes_of_systems
-from pkmodes.system.evaluation import STEP, ExtendedSystem
 
 pytestmark = pytest.mark.compiler
 

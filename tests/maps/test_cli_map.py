@@ -109,7 +109,7 @@ def test_units_sweeps_and_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[s
 def test_every_changeable_path_can_be_swept() -> None:
     import pkmodes
     from pkmodes.maps.ranges import parse_settings
-    from pkmodes.robot.corrections import changeable
+    from pkmodes.robot_files.corrections import changeable
 
     for file in sorted((ROOT / "robots").glob("*.toml")):
         units = changeable(pkmodes.load(file).robot)

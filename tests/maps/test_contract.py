@@ -10,7 +10,7 @@ import pytest
 import xarray
 
 import pkmodes
-from pkmodes.robot.reading import read_robot
+from pkmodes.core.robot.reading import read_robot
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 PUBLISHED = ROBOTS / "linear-delta-2022.toml"

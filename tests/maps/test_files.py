@@ -8,7 +8,7 @@ import pytest
 import xarray
 
 from helpers.commands.map_runs import model
-from pkmodes.base.errors import OutputError
+from pkmodes.core.base.errors import OutputError
 from pkmodes.maps.locking import LOCK
 
 POSE = {"x": 0.6, "y": 0.0, "z": -0.245}

@@ -24,7 +24,7 @@ from helpers.commands.map_runs import (
     model,
     started,
 )
-from pkmodes.base.errors import OutputError
+from pkmodes.core.base.errors import OutputError
 from pkmodes.maps import mapping
 from pkmodes.maps.locking import locked
 

@@ -10,7 +10,7 @@ from scipy.stats import kstest
 
 import pkmodes
 from helpers.robots.robot_text import edited
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 
 POSE = {"x": 0.6, "y": 0.0, "z": -0.245}
 

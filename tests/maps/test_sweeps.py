@@ -11,7 +11,7 @@ import pytest
 import xarray
 
 import pkmodes
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 
 PUBLISHED = Path(__file__).parents[2] / "robots" / "linear-delta-2022.toml"
 GRID = {"x": [0.45, 0.6], "y": [0.0, 0.05], "z": -0.245}

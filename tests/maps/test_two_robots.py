@@ -11,8 +11,8 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED, published
-from pkmodes.base.errors import PkmodesError, PoseError
 from pkmodes.cli import run
+from pkmodes.core.base.errors import PkmodesError, PoseError
 from pkmodes.maps.robots_compared import (
     ModeChange,
     compare_frequencies,
@@ -21,7 +21,7 @@ from pkmodes.maps.robots_compared import (
     mode_changes,
 )
 from pkmodes.maps.workspace import reachable, reachable_by
-from pkmodes.robot.differences import differences
+from pkmodes.robot_files.differences import differences
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 

@@ -13,14 +13,14 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import pkmodes
-from pkmodes.base.errors import PoseError
+from pkmodes.core.base.errors import PoseError
+from pkmodes.core.robot.usable import Radius, SingularAngle
 from pkmodes.figures.quantities import volume_of
 from pkmodes.figures.working_plane import working_plane
+from pkmodes.maps.reached import box_of
+from pkmodes.maps.usable import usable_box
 from pkmodes.maps.workspace import reachable
 from pkmodes.plots.plane import Plane
-from pkmodes.robot.usable import Radius, SingularAngle
-from pkmodes.solve.usable import usable_box
-from pkmodes.solve.workspace import box_of
 from pkmodes.updating.candidates import suspects
 from pkmodes.updating.robot_structure import RobotStructure
 from pkmodes.view import poses_around, typical_pose

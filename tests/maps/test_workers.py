@@ -18,10 +18,10 @@ import xarray
 
 import pkmodes
 from helpers.commands.map_runs import GRID, ROOT, count_tasks, model
-from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.mechanism import registry as mechanism
 from pkmodes.maps import mapping, running
-from pkmodes.mechanism import registry as mechanism
 
 #: Longer than any machine takes to start or to answer [s].
 LONG = 600

@@ -9,9 +9,9 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import edited, published
-from pkmodes.base.errors import PoseError
+from pkmodes.core.base.errors import PoseError
+from pkmodes.maps.reached import box_of
 from pkmodes.maps.workspace import POSES, reachable
-from pkmodes.solve.workspace import box_of
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 

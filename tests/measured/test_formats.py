@@ -10,7 +10,7 @@ import pytest
 
 from helpers.diagnoses.measurement_files import CHANNELS, HEADER, ROW
 from pkmodes import diagnosis, updating
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.csv_format import CSV
 from pkmodes.measured.formats import Format, Machine
 from pkmodes.measured.measurements import Measurements

@@ -10,7 +10,7 @@ import pytest
 
 from helpers.diagnoses.measurement_files import HEADER
 from pkmodes import Robot, read_robot, updating
-from pkmodes.base.errors import MeasurementError, PkmodesError
+from pkmodes.core.base.errors import MeasurementError, PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, compare
 from pkmodes.measured.reading import read_measurements, read_modes
 

@@ -11,7 +11,7 @@ import pkmodes
 from helpers.diagnoses.measurement_files import HEADER, ROW, read
 from helpers.robots.robot_text import PUBLISHED
 from pkmodes import updating
-from pkmodes.base.errors import MeasurementError, PkmodesError
+from pkmodes.core.base.errors import MeasurementError, PkmodesError
 from pkmodes.measured.measurements import Measurements
 from pkmodes.updating import measured_robot
 from pkmodes.updating.measured_robot import MeasuredRobot

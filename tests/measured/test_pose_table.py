@@ -14,7 +14,7 @@ import pytest
 import xarray
 
 import pkmodes
-from pkmodes.measured.pose_table import by_name
+from pkmodes.core.robot.pose_table import by_name
 from pkmodes.view import scene
 
 ROBOT = Path(__file__).parents[2] / "robots" / "linear-delta-2022.toml"

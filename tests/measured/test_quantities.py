@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from helpers.diagnoses.measurement_files import HEADER, read, refusal
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.columns import Numbers
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.quantities import (

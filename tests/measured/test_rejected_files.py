@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.diagnoses.measurement_files import CHANNELS, FULL, HEADER, ROW, read, refusal
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.reading import read_measurements
 
 

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from pkmodes import Model, Robot, read_robot, updating
-from pkmodes.base.errors import MeasurementError, PkmodesError
 from pkmodes.cli import run
+from pkmodes.core.base.errors import MeasurementError, PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, compare
 
 ROBOTS = Path(__file__).parents[2] / "robots"

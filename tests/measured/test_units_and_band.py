@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from helpers.diagnoses.measurement_files import HEADER, ROW
 from pkmodes import diagnosis
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.mechanism.generated import Generated
-from pkmodes.mechanism.regular import regular_poses
-from pkmodes.mechanism.rods import rods_of, singular_angles
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.regular import regular_poses
+from pkmodes.core.mechanism.rods import rods_of, singular_angles
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 

@@ -20,8 +20,8 @@ from helpers.references.oracle import Oracle
 from helpers.references.oracle_modes import exact, model_of
 from helpers.robots.sample_mechanisms import NAMES, effects, sample
 from helpers.robots.sample_robots import Sample, published, random_robot
-from pkmodes.base.errors import PoseError
-from pkmodes.linalg.eigen import generalised_eigh
+from pkmodes.core.base.errors import PoseError
+from pkmodes.core.linalg.eigen import generalised_eigh
 
 pytestmark = pytest.mark.usefixtures("backend")
 ROBOT = Path(__file__).parents[2] / "robots" / "linear-delta-2022.toml"

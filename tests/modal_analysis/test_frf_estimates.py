@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.frf_estimates import impact_estimate, without_window
 from pkmodes.identification.frf_identification import identify_frf
 from pkmodes_rig.structures.forced import impact, mac, structure

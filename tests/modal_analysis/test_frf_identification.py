@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.estimates import turned_real
 from pkmodes.identification.frf_identification import identify_frf
 from pkmodes.identification.frf_lines import used_lines

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.signal import welch
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.spectra import identify_spectrum
 from pkmodes_rig.structures.driven import Array, Structure, ambient, random_structure, structure, sweep
 

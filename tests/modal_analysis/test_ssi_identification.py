@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.estimates import turned_real
 from pkmodes.identification.ssi_identification import identify_responses
 from pkmodes_rig.structures.driven import (

@@ -11,14 +11,14 @@ import pytest
 from helpers.pages.page_reading import Element, read
 from helpers.pages.report_examples import HOSTILE
 from pkmodes import read_robot
-from pkmodes.base.errors import MeasurementError, RobotFileError
 from pkmodes.campaign.campaign import read_campaign
 from pkmodes.cli import run
 from pkmodes.codegen.generation import specification
-from pkmodes.robot.corrections import Correction
-from pkmodes.robot.robot import Robot
-from pkmodes.robot.saving import corrected_text
-from pkmodes.robot.text import text_of
+from pkmodes.core.base.errors import MeasurementError, RobotFileError
+from pkmodes.core.robot.robot import Robot
+from pkmodes.dataset.robot_text import text_of
+from pkmodes.robot_files.corrections import Correction
+from pkmodes.robot_files.saving import corrected_text
 
 ROOT = Path(__file__).parents[2]
 LOOP, CAMPAIGN = ROOT / "examples" / "closed_loop", ROOT / "examples" / "campaign"

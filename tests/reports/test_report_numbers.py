@@ -17,9 +17,9 @@ from helpers.pages.page_reading import Element, at, powers, read, shown
 from helpers.pages.report_examples import diagnosed, made_up
 from pkmodes import read_robot, updating
 from pkmodes.cli import run
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis import Comparison, Diagnosis, Measurements
 from pkmodes.report import report
-from pkmodes.robot.robot import Robot
 
 ROOT = Path(__file__).parents[2]
 LOOP = [ROOT / "examples" / "closed_loop" / name for name in ("robot.toml", "measured.csv")]

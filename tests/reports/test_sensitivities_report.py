@@ -14,8 +14,8 @@ import pkmodes
 from helpers.pages.browser import opened
 from helpers.pages.page_reading import at, read, shown
 from pkmodes.cli import run
+from pkmodes.core.robot.reading import robot_from_document
 from pkmodes.report.sensitivities import sensitivities_report
-from pkmodes.robot.reading import robot_from_document
 
 ROBOT, POSE = "robots/corexy-printer.toml", "0.1,0.15"
 

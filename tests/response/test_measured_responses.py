@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.base.errors import MeasurementError, PkmodesError
 from pkmodes.cli import run
+from pkmodes.core.base.errors import MeasurementError, PkmodesError
 from pkmodes.figures import read_response, response_picture
 from pkmodes.response.frequency_response import FrequencyResponse
 

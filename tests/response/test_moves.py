@@ -11,7 +11,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import pkmodes
-from pkmodes.base.errors import PkmodesError, PoseError
+from pkmodes.core.base.errors import PkmodesError, PoseError
 from pkmodes.response.moves import shaped_command
 from pkmodes.shaping import Shaper, shaper
 from pkmodes_rig.moves import StraightMove, deviation

@@ -9,7 +9,7 @@ import pkmodes
 from helpers.references.whole_system import companion_poles, full_damping
 from helpers.robots.damped_robots import BACKENDS, CASES, DRIVES, EFFECTS, FRICTION, LOSSES, repeated
 from helpers.robots.one_of_each import POSES, model_of
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 
 
 @pytest.mark.parametrize("drives", DRIVES)

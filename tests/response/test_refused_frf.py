@@ -10,7 +10,7 @@ import pytest
 
 import pkmodes
 from helpers.robots.one_of_each import FILES, POSES, model_of
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 
 
 @pytest.mark.parametrize("mechanism", FILES)

@@ -13,7 +13,7 @@ import pytest
 from scipy.optimize import differential_evolution
 
 import pkmodes
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.shaping import KINDS, residual, shaper
 from pkmodes.shaping.choice import choose, lines_of
 from pkmodes.shaping.fixed import best_fixed

@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 from scipy.signal.windows import chebwin
 
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.shaping import KINDS, Shaper, residual, shaper
 
 TOLERANCE = 0.05

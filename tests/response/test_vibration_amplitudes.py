@@ -13,8 +13,8 @@ from scipy.linalg import eigh
 import pkmodes
 from helpers.robots.one_of_each import FILES, POSES, ROBOTS, model_of
 from pkmodes.cli import run
-from pkmodes.mechanism.generated import Generated
-from pkmodes.system.strain_free import strain_free_motions
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.system.strain_free import strain_free_motions
 
 #: Effects that change modes, those with springs to ground apart.
 EFFECTS = {

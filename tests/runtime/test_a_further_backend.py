@@ -9,10 +9,10 @@ import pytest
 
 import pkmodes
 from helpers.references.loop_solver import LoopSolver
-from pkmodes.robot.robot import Robot
-from pkmodes.solve import backends
-from pkmodes.solve.solutions import modes_of_systems
-from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.solve import backends
+from pkmodes.core.solve.solutions import modes_of_systems
+from pkmodes.core.system.evaluation import ExtendedSystem
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 #: Robots of every mechanism with poses, some of them out of reach, and an effect that releases joints.

@@ -11,10 +11,10 @@ import pytest
 
 import pkmodes
 from pkmodes.cli import run
-from pkmodes.compiled.evaluator import Evaluator
-from pkmodes.dataset.fields import FIELDS, MODE, Field
-from pkmodes.solve import mode_fields
-from pkmodes.solve.results import Modes
+from pkmodes.core.compiled.evaluator import Evaluator
+from pkmodes.core.solve import mode_fields
+from pkmodes.core.solve.fields import FIELDS, MODE, Field
+from pkmodes.core.solve.results import Modes
 
 ROBOT = Path(__file__).parents[2] / "robots/linear-delta-2022.toml"
 GRID = {"x": np.linspace(0.4, 0.6, 3), "y": [0.02, 5.0], "z": -0.245}

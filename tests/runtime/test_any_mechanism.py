@@ -13,17 +13,17 @@ import pytest
 import pkmodes
 import planar_pair
 from pkmodes import diagnosis, updating
-from pkmodes.base.errors import MeasurementError, PkmodesError, PoseError
 from pkmodes.cli.modes import as_json
 from pkmodes.cli.poses import parse_pose
 from pkmodes.codegen.checking.consistency import check_consistency
-from pkmodes.mechanism import registry as known
-from pkmodes.mechanism.generated import Generated
-from pkmodes.mechanism.regular import sample
-from pkmodes.robot.paths import ParameterPath
-from pkmodes.robot.robot import Robot
+from pkmodes.core.base.errors import MeasurementError, PkmodesError, PoseError
+from pkmodes.core.mechanism import registry as known
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.regular import sample
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.matrices import MatrixDerivatives
-from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.sensitivity.paths import ParameterPath
 from pkmodes.updating import frame
 from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes.updating.robot_structure import RobotStructure, channels

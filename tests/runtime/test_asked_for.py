@@ -18,14 +18,14 @@ import pytest
 
 import pkmodes
 from helpers.references.loop_solver import LoopSolver
-from pkmodes.compiled.evaluator import Evaluator
-from pkmodes.compiled.room import Room
-from pkmodes.dataset.fields import FIELDS
-from pkmodes.solve import backends, mode_fields
-from pkmodes.solve.mode_fields import ModeFields
-from pkmodes.solve.plans import Plan
-from pkmodes.solve.results import Modes
-from pkmodes.system.dissipation import Dissipation
+from pkmodes.core.compiled.evaluator import Evaluator
+from pkmodes.core.compiled.room import Room
+from pkmodes.core.solve import backends, mode_fields
+from pkmodes.core.solve.fields import FIELDS
+from pkmodes.core.solve.mode_fields import ModeFields
+from pkmodes.core.solve.plans import Plan
+from pkmodes.core.solve.results import Modes
+from pkmodes.core.system.dissipation import Dissipation
 
 ROBOT = Path(__file__).parents[2] / "robots/linear-delta-2022.toml"
 POSES = np.array([[0.6, 0.02, -0.245], [0.5, 0.05, -0.245], [0.55, -0.03, -0.25]])
@@ -176,10 +176,10 @@ def test_a_second_call_works_out_nothing(
 ) -> None:
     made: list[str] = []
     monkeypatch.setattr(ModeFields, "__init__", counting(made, "fields", ModeFields.__init__))
-    monkeypatch.setattr("pkmodes.model.model.Plan", counting(made, "plan", Plan))
+    monkeypatch.setattr("pkmodes.core.model.Plan", counting(made, "plan", Plan))
     monkeypatch.setattr(Evaluator, "room", counting(made, "room", Evaluator.room))
     honest = backends.solver_of
-    for module in ("model.model", "solve.mode_fields"):
+    for module in ("core.model", "core.solve.mode_fields"):
         monkeypatch.setattr(f"pkmodes.{module}.solver_of", counting(made, "solver", honest))
 
     def every_call() -> None:

@@ -9,7 +9,7 @@ import pytest
 from threadpoolctl import threadpool_info, threadpool_limits
 
 from pkmodes import updating
-from pkmodes.linalg.threads import one_blas_thread
+from pkmodes.support.threads import one_blas_thread
 from pkmodes.updating import analyses
 
 

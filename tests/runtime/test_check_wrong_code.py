@@ -20,7 +20,7 @@ from pkmodes.cli import run
 from pkmodes.codegen.checking import products
 from pkmodes.codegen.checking.consistency import Check
 from pkmodes.codegen.derivation import REQUIREMENTS
-from pkmodes.mechanism import registry
+from pkmodes.core.mechanism import registry
 from pkmodes_derive.emit import product
 
 CLAMP = '\n[effects.clamp_compliance]\ncompliance = "1e-7 m/N"\n'

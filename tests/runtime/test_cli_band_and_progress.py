@@ -12,8 +12,8 @@ import pytest
 
 import pkmodes
 from pkmodes import updating
-from pkmodes.base.errors import MeasurementError, PkmodesError
 from pkmodes.cli import run
+from pkmodes.core.base.errors import MeasurementError, PkmodesError
 from pkmodes.updating.measured_robot import MeasuredRobot
 
 pytestmark = pytest.mark.usefixtures("backend")

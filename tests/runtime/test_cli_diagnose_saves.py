@@ -24,7 +24,7 @@ from helpers.diagnoses.diagnose_command import (
     measured,
 )
 from pkmodes.cli import run
-from pkmodes.robot.reading import robot_from_document
+from pkmodes.core.robot.reading import robot_from_document
 
 pytestmark = pytest.mark.usefixtures("backend")
 

@@ -69,8 +69,8 @@ def expect_one_line(process: subprocess.Popen[bytes]) -> None:
         "click",
         "numpy",
         "numpy.linalg",
-        "pkmodes.model.model",
-        "pkmodes.robot",
+        "pkmodes.core.model",
+        "pkmodes.core.robot",
         "pint",
         "tomllib",
         "rich",
@@ -81,7 +81,7 @@ def test_an_interrupt_while_a_library_is_loaded(tmp_path: Path, how: list[str], 
 
 
 @pytest.mark.parametrize("script", [False, True], ids=["-m", "script"])
-@pytest.mark.parametrize("module", ["lazy_loader", "pkmodes.base.version", "pkmodes.__main__"])
+@pytest.mark.parametrize("module", ["lazy_loader", "pkmodes.core.base.version", "pkmodes.__main__"])
 def test_an_interrupt_while_the_package_itself_is_loaded(tmp_path: Path, script: bool, module: str) -> None:
     """As early as anything of pkmodes runs; before that, only Python does."""
     (tmp_path / "pkmodes").write_text(STARTS[1][1], encoding="utf-8")

@@ -10,8 +10,8 @@ import pytest
 
 from helpers.diagnoses.diagnose_command import unwritable
 from pkmodes import read_robot, updating
-from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Diagnosis
 from pkmodes.report import report
 

@@ -8,9 +8,9 @@ import pytest
 from helpers.generated.broken_module import Broken
 from helpers.robots.sample_robots import random_robot
 from pkmodes.codegen.checking.consistency import check_consistency
-from pkmodes.mechanism.generated import Generated
-from pkmodes.mechanism.registry import mechanism
-from pkmodes.mechanism.regular import sample
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.registry import mechanism
+from pkmodes.core.mechanism.regular import sample
 from pkmodes_derive import mechanisms
 from pkmodes_generated import linear_delta
 

@@ -13,10 +13,10 @@ import pytest
 from helpers.commands.generating import refused
 from helpers.generated.generated_model import MODULE
 from helpers.robots.robot_text import published
-from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
 from pkmodes.codegen.checking.recorded import recorded_robot
-from pkmodes.robot.reading import read_robot
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.robot.reading import read_robot
 from pkmodes_rig.robots import ROBOTS
 
 EFFECTS = '\n[effects.frame_compliance]\ncompliance = "1e-7 m/N"\n\n[effects.payload]\nmass = "0.35 kg"\n'

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.robot.covariance import Covariance
+from pkmodes.core.robot.covariance import Covariance
 
 
 def correlated(

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from helpers.robots.robot_text import published
-from pkmodes.base.errors import RobotFileError
 from pkmodes.codegen.generation import specification
-from pkmodes.robot.covariance import Covariance, correlations_of, covariance_of
-from pkmodes.robot.differences import differences
-from pkmodes.robot.reading import read_robot
-from pkmodes.robot.robot import Robot
-from pkmodes.robot.text import text_of
+from pkmodes.core.base.errors import RobotFileError
+from pkmodes.core.robot.covariance import Covariance, correlations_of, covariance_of
+from pkmodes.core.robot.reading import read_robot
+from pkmodes.core.robot.robot import Robot
+from pkmodes.dataset.robot_text import text_of
+from pkmodes.robot_files.differences import differences
 
 MASS, WIDTH, RADIUS = '"1.5 kg"', '"15 mm"', '"35 mm"'
 TWO = """

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from pkmodes.linalg.eigen import generalised_eigh, natural_frequencies
+from pkmodes.core.linalg.eigen import generalised_eigh, natural_frequencies
 
 
 def random_pair(rng: np.random.Generator, n: int, spread: float) -> tuple[np.ndarray, np.ndarray]:

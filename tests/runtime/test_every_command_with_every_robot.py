@@ -19,7 +19,7 @@ from pkmodes.cli import run
 from pkmodes.figures import files
 from pkmodes.report import blocks
 from pkmodes.report import map as report_of_maps
-from pkmodes.robot.saving import Correction, corrected_text
+from pkmodes.robot_files.saving import Correction, corrected_text
 from pkmodes.view import poses as viewed
 
 ROOT = Path(__file__).parents[2]

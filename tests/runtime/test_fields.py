@@ -13,10 +13,10 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED
-from pkmodes.base.errors import NotComputedError
+from pkmodes.core.base.errors import NotComputedError
+from pkmodes.core.solve import batch, kinematics, mode_fields
 from pkmodes.sensitivity import sensitivities as sensitivity_module
 from pkmodes.sensitivity.sensitivities import Sensitivities
-from pkmodes.solve import batch, kinematics, mode_fields
 
 pytestmark = pytest.mark.usefixtures("backend")
 

@@ -14,10 +14,10 @@ import pytest
 from helpers.commands.generating import contents, refused
 from helpers.generated.generated_model import MODULE
 from helpers.robots.robot_text import PUBLISHED, published
-from pkmodes.base import writing
-from pkmodes.base.errors import OutputError
 from pkmodes.cli import run
 from pkmodes.codegen import generation
+from pkmodes.core.base.errors import OutputError
+from pkmodes.support import writing
 
 
 def test_files_of_the_user_are_no_concern_of_check_and_survive_generate(

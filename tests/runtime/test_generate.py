@@ -17,10 +17,10 @@ import pytest
 import pkmodes
 from helpers.generated.generated_model import MODULE, edit
 from helpers.robots.robot_text import PUBLISHED, published
-from pkmodes.base import writing
 from pkmodes.cli import run
 from pkmodes.codegen.generation import specification
-from pkmodes.robot.reading import read_robot
+from pkmodes.core.robot.reading import read_robot
+from pkmodes.support import writing
 from pkmodes_derive.emit import product
 
 

@@ -10,9 +10,9 @@ import pytest
 
 from helpers.commands.generating import refused
 from helpers.robots.robot_text import PUBLISHED, published
-from pkmodes.base.errors import OutputError
 from pkmodes.cli import run
 from pkmodes.codegen import alone, generation
+from pkmodes.core.base.errors import OutputError
 
 
 @pytest.fixture

@@ -9,10 +9,10 @@ import pytest
 from helpers.commands.generating import refused
 from helpers.generated.generated_model import MODULE
 from helpers.robots.robot_text import PUBLISHED
-from pkmodes.base import writing
-from pkmodes.base.errors import OutputError
 from pkmodes.cli import run
 from pkmodes.codegen.product_folder import check_place
+from pkmodes.core.base.errors import OutputError
+from pkmodes.support import writing
 
 
 @pytest.mark.parametrize("name", [MODULE, "linear_delta_2022.c", "manifest.json", ".pkmodes-generate.lock"])

@@ -8,7 +8,7 @@ from scipy.linalg import eigh
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED
-from pkmodes.base.errors import PoseError
+from pkmodes.core.base.errors import PoseError
 from pkmodes_generated import linear_delta
 
 pytestmark = pytest.mark.usefixtures("backend")
@@ -50,7 +50,7 @@ def test_three_rigid_modes_come_first(model: pkmodes.Model) -> None:
 
 
 def test_a_batch_equals_its_poses_one_by_one(model: pkmodes.Model, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pkmodes.solve.batch.CHUNK", 7)  # several chunks, the last one not full
+    monkeypatch.setattr("pkmodes.core.solve.batch.CHUNK", 7)  # several chunks, the last one not full
     rng = np.random.default_rng(3)
     poses = POSE + rng.uniform(-0.02, 0.02, size=(4, 5, 3))
     batch = model.modes(poses)

@@ -6,7 +6,7 @@ import pytest
 
 import pkmodes
 from helpers.robots.one_of_each import FILES, ROBOTS
-from pkmodes.robot.motors import motors_in_words, motors_of_both
+from pkmodes.support.motors import motors_in_words, motors_of_both
 
 
 @pytest.mark.parametrize("name", list(FILES.values()))

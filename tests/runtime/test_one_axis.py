@@ -11,7 +11,7 @@ import pytest
 import pkmodes
 from helpers.pages.page_reading import read
 from pkmodes.cli import run
-from pkmodes.mechanism import registry as mechanism
+from pkmodes.core.mechanism import registry as mechanism
 from pkmodes.view import poses_around
 
 pytestmark = pytest.mark.usefixtures("slide")

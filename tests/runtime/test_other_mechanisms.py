@@ -16,14 +16,14 @@ import pytest
 import pkmodes
 from helpers.robots.made_up_mechanisms import ARMS_FILE, GANTRY_FILE, write_package
 from helpers.robots.robot_text import edited
-from pkmodes.base.errors import PkmodesError, RobotFileError
-from pkmodes.mechanism import registry as mechanisms
-from pkmodes.robot.documents import document_of
-from pkmodes.robot.layout import items
-from pkmodes.robot.paths import moved, paths, resolve
-from pkmodes.robot.reading import read_robot, robot_from_document
-from pkmodes.robot.robot import Robot
-from pkmodes.robot.saving import Correction, corrected_text
+from pkmodes.core.base.errors import PkmodesError, RobotFileError
+from pkmodes.core.mechanism import registry as mechanisms
+from pkmodes.core.robot.documents import document_of
+from pkmodes.core.robot.layout import items
+from pkmodes.core.robot.reading import read_robot, robot_from_document
+from pkmodes.core.robot.robot import Robot
+from pkmodes.robot_files.saving import Correction, corrected_text
+from pkmodes.sensitivity.paths import moved, paths, resolve
 from pkmodes.updating.candidates import suspects
 
 

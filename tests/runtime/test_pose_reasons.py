@@ -7,7 +7,7 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED
-from pkmodes.base.errors import PoseError
+from pkmodes.core.base.errors import PoseError
 
 pytestmark = pytest.mark.usefixtures("backend")
 

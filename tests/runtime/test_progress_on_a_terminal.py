@@ -15,9 +15,9 @@ from pathlib import Path
 
 import pytest
 
-from pkmodes.base.progress import say, told
 from pkmodes.cli import progress, run
 from pkmodes.cli.progress import ProgressLine, duration
+from pkmodes.support.progress import say, told
 
 ROOT = Path(__file__).resolve().parents[2]
 PRINTER, DELTA = str(ROOT / "robots/corexy-printer.toml"), str(ROOT / "robots/linear-delta-2022.toml")

@@ -14,8 +14,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.robots.robot_text import PUBLISHED, edited, published
-from pkmodes.base.errors import RobotFileError
-from pkmodes.robot.reading import read_robot
+from pkmodes.core.base.errors import RobotFileError
+from pkmodes.core.robot.reading import read_robot
 
 
 def read(tmp_path: Path, text: str) -> object:
@@ -282,7 +282,7 @@ values = st.one_of(
 def test_any_value_is_read_or_refused_clearly(key: str, value: object) -> None:
     import tomllib
 
-    from pkmodes.robot.reading import robot_from_document
+    from pkmodes.core.robot.reading import robot_from_document
 
     document = tomllib.loads(published())
     document[key] = value

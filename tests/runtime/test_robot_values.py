@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED, edited, published
-from pkmodes.base.errors import PoseError, RobotFileError
-from pkmodes.robot.paths import moved, paths, resolve
-from pkmodes.robot.units import Quantity
+from pkmodes.core.base.errors import PoseError, RobotFileError
+from pkmodes.core.robot.units import Quantity
+from pkmodes.sensitivity.paths import moved, paths, resolve
 
 POSE = [0.6, 0.03, -0.245]
 #: Joints off the centre, overrides, standard deviations, effects, a direction that changes when normalised twice.

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pkmodes.robot.units import DIMENSIONS, QuantityError, parse
+from pkmodes.core.robot.units import DIMENSIONS, QuantityError, parse
 
 
 @pytest.mark.parametrize(

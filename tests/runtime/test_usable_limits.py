@@ -13,15 +13,15 @@ from hypothesis import strategies as st
 import pkmodes
 from helpers.robots.corrected_files import changed_lines, correct
 from helpers.robots.robot_text import published
-from pkmodes.base.errors import PkmodesError, RobotFileError
 from pkmodes.codegen.generation import specification
-from pkmodes.robot.differences import differences
-from pkmodes.robot.paths import paths
-from pkmodes.robot.reading import read_robot, robot_from_document
-from pkmodes.robot.robot import Robot
-from pkmodes.robot.saving import Correction
-from pkmodes.robot.text import text_of
-from pkmodes.robot.usable import Radius, in_words, limits_of
+from pkmodes.core.base.errors import PkmodesError, RobotFileError
+from pkmodes.core.robot.reading import read_robot, robot_from_document
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.robot.usable import Radius, in_words, limits_of
+from pkmodes.dataset.robot_text import text_of
+from pkmodes.robot_files.differences import differences
+from pkmodes.robot_files.saving import Correction
+from pkmodes.sensitivity.paths import paths
 from pkmodes.updating.load_cases import settable
 
 ROBOTS = Path(__file__).parents[2] / "robots"

@@ -10,14 +10,14 @@ import pytest
 
 import pkmodes
 from helpers.robots.sample_robots import published
-from pkmodes.base.errors import PoseError
-from pkmodes.mechanism.registry import mechanism
-from pkmodes.solve import numpy_solver
-from pkmodes.solve.compiled_solver import CompiledSolver
-from pkmodes.solve.field_arrays import chosen_fields
-from pkmodes.solve.solutions import _by_solvers
-from pkmodes.solve.solver import UNSOLVED
-from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.core.base.errors import PoseError
+from pkmodes.core.mechanism.registry import mechanism
+from pkmodes.core.solve import numpy_solver
+from pkmodes.core.solve.compiled_solver import CompiledSolver
+from pkmodes.core.solve.field_arrays import chosen_fields
+from pkmodes.core.solve.solutions import _by_solvers
+from pkmodes.core.solve.solver import UNSOLVED
+from pkmodes.core.system.evaluation import ExtendedSystem
 
 LINEAR_DELTA = mechanism("linear_delta")
 

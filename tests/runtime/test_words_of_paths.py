@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from pkmodes import read_robot
-from pkmodes.robot.paths import paths
-from pkmodes.robot.words import in_words
+from pkmodes.sensitivity.paths import paths
+from pkmodes.support.words import in_words
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.io import savemat
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals import matlab
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Kind, SignalFile

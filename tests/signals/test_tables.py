@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Kind, SignalFile
 from pkmodes.signals.reading import read_signals

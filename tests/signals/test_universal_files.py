@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.functions import Kind
 from pkmodes.signals.reading import read_signals
 from signals.universal import dataset, dataset58, dataset58b, packed

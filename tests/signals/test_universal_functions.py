@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Function, Kind
 from pkmodes.signals.reading import read_signals

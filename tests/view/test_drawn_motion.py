@@ -13,9 +13,9 @@ import pkmodes
 from helpers.robots.sample_mechanisms import TYPICAL
 from helpers.robots.sample_mechanisms import sample as other_sample
 from helpers.robots.sample_robots import sample as linear_sample
-from pkmodes.mechanism import registry
-from pkmodes.robot.robot import Robot
-from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.core.mechanism import registry
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.view.evaluating import scene
 from pkmodes.view.robot_drawing import RobotDrawing
 

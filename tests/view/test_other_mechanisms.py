@@ -11,12 +11,12 @@ import pytest
 
 import pkmodes
 from helpers.commands.adding_a_mechanism import BLOCKS, DEFINITION, ROBOT
-from pkmodes.base.errors import PkmodesError
 from pkmodes.codegen.checking.drawing import check_drawing
 from pkmodes.codegen.derivation import Definition, define, parametric, staged
-from pkmodes.mechanism import registry as known
-from pkmodes.mechanism.regular import sample
-from pkmodes.robot.robot import Robot
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.mechanism import registry as known
+from pkmodes.core.mechanism.regular import sample
+from pkmodes.core.robot.robot import Robot
 from pkmodes.view import page, poses_around, scene, typical_pose
 
 PAIR = known._read("planar_pair")

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import pkmodes
-from pkmodes.base.errors import PoseError
-from pkmodes.solve.workspace import box_of
+from pkmodes.core.base.errors import PoseError
+from pkmodes.maps.reached import box_of
 from pkmodes.view import page, poses_around, scene, typical_pose
 from pkmodes.view.robot_drawing import upright
 from pkmodes.view.workspace import workspace

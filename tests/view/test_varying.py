@@ -11,9 +11,9 @@ import pytest
 
 import pkmodes
 from helpers.pages.browser import opened
-from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
 from pkmodes.cli.varying import parse_vary
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.view import varied
 
 ROBOTS = Path(__file__).parents[2] / "robots"

@@ -8,15 +8,15 @@ from dataclasses import dataclass, field
 from os import PathLike, fspath
 from pathlib import Path
 
-from pkmodes.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.campaign.description import CampaignTable, EditTable, RecordTable, read_description
 from pkmodes.campaign.quantities import band_of, frequency, quantity, share, uncertain
 from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, sensors_of, unsigned
+from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
+from pkmodes.core.model import Model
+from pkmodes.core.robot.reading import read_robot
+from pkmodes.core.robot.report_fields import read_report
 from pkmodes.identification.asked import Asked
 from pkmodes.measured.rules import PRINTABLE, is_label
-from pkmodes.model.model import Model
-from pkmodes.robot.reading import read_robot
-from pkmodes.robot.report_fields import read_report
 from pkmodes.updating.load_cases import settable
 from pkmodes.updating.robot_structure import channels
 

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from itertools import combinations
 from pathlib import Path
 
-from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import Record
+from pkmodes.core.base.errors import MeasurementError
 
 #: Bytes that are read at a time: files of signals may be large.
 BLOCK = 1 << 20

@@ -10,7 +10,7 @@ from typing import Any, Literal, NoReturn
 import msgspec
 from msgspec import Struct, field
 
-from pkmodes.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.measured.csv_format import read_text
 
 LARGEST_FILE = 1_000_000

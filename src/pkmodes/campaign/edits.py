@@ -8,12 +8,12 @@ from typing import NoReturn
 
 import numpy as np
 
-from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import Record
 from pkmodes.campaign.found import Found
 from pkmodes.campaign.grouping import grouped
 from pkmodes.campaign.kinds import Kind
 from pkmodes.campaign.results import IdentifiedMode
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.asked import Asked, nearest
 
 #: Two added modes are one if their frequencies differ by less, relative: fits do not end so near by chance.

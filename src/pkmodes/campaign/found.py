@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
+from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.identification.estimates import alike
 from pkmodes.identification.level_regression import LevelShift
-from pkmodes.robot.units import LARGEST, SMALLEST
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.file_modes import FileModes, Fit
 from pkmodes.campaign.motion import Motion
@@ -25,6 +24,7 @@ from pkmodes.campaign.sensor_functions import (
     sensor_functions,
 )
 from pkmodes.campaign.sensors import Place, Sensor, unsigned
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.frf_identification import identify_frf
 from pkmodes.identification.tones import no_bandwidth
 from pkmodes.signals.functions import Function, Kind

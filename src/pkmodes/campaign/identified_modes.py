@@ -7,13 +7,13 @@ from pathlib import Path
 
 import numpy as np
 
-from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.file_modes import FileModes
 from pkmodes.campaign.found import Found, check_shape
 from pkmodes.campaign.grouping import APART
 from pkmodes.campaign.mode_tables import read_mode_table
 from pkmodes.campaign.shapes import by_channel
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.functions import ModeShape
 from pkmodes.signals.reading import HEAD, read_signals
 from pkmodes.signals.universal_file import UNIVERSAL_FILE

@@ -6,8 +6,6 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from pkmodes.base.errors import MeasurementError, nearest, shown
-from pkmodes.base.progress import say
 from pkmodes.campaign.averaging import Mean
 from pkmodes.campaign.campaign import Campaign
 from pkmodes.campaign.copies import refuse_copied_visits
@@ -20,8 +18,10 @@ from pkmodes.campaign.revisits import revisited
 from pkmodes.campaign.rows import measurements_of
 from pkmodes.campaign.sensors import Place
 from pkmodes.campaign.shapes import by_channel, turned_shape
+from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.identification.estimates import collinearity
-from pkmodes.linalg.threads import one_blas_thread
+from pkmodes.support.progress import say
+from pkmodes.support.threads import one_blas_thread
 
 #: Relative standard deviation of a damping ratio below which it is rounding: of the same number written several
 #: times, or of functions without noise.

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
-from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.file_modes import FileModes, Fit
 from pkmodes.campaign.levels import with_levels
 from pkmodes.campaign.sensor_functions import ACCELERATION, added_of, found_of, in_file
 from pkmodes.campaign.time_records import time_signals
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.frf_estimates import impact_estimate
 from pkmodes.identification.frf_identification import identify_frf
 from pkmodes.identification.tones import no_bandwidth

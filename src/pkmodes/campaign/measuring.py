@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.averaging import Mean, averaged
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.copies import copied_repeats
@@ -18,6 +17,7 @@ from pkmodes.campaign.inspection import Inspection, Repeats, inspection
 from pkmodes.campaign.joining import joined
 from pkmodes.campaign.kinds import Kind
 from pkmodes.campaign.results import LeftOut
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.asked import NEAR
 
 #: A mode must be in this share of the repeats.

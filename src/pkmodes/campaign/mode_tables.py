@@ -12,14 +12,14 @@ from typing import NoReturn
 
 import numpy as np
 
-from pkmodes.base.errors import MeasurementError, nearest, shown
 from pkmodes.campaign.found import Found, check_shape
+from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.robot.columns import IN_BRACKETS, frequency_factor
+from pkmodes.core.robot.units import QuantityError, base_units
 from pkmodes.measured.cells import Notation
 from pkmodes.measured.csv_format import read_text
 from pkmodes.measured.csv_rows import read_lines
 from pkmodes.measured.rules import SHAPE
-from pkmodes.robot.columns import IN_BRACKETS, frequency_factor
-from pkmodes.robot.units import QuantityError, base_units
 
 #: Columns of numbers, with the kind of their units.
 NUMBERS = {"frequency": "Hz", "sigma": "Hz", "damping": "1", "sigma_damping": "1", "sigma_shape": "1"}

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from pkmodes.base.errors import MeasurementError, shown
-from pkmodes.robot.units import QuantityError, base_units
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.core.robot.units import QuantityError, base_units
 from pkmodes.signals.units import unit_text
 
 #: Standard gravity as pint knows it.  "g" alone is that of accelerometers' data sheets: no sensor measures grams.

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from pkmodes.base.errors import MeasurementError, shown
 from pkmodes.campaign.description import Uncertain
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.core.robot.columns import frequency_factor
+from pkmodes.core.robot.units import NUMBER, QuantityError, dimension_of, parse
 from pkmodes.measured.cells import number_in
-from pkmodes.robot.columns import frequency_factor
-from pkmodes.robot.units import NUMBER, QuantityError, dimension_of, parse
 
 Given = str | int | float
 

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.averaging import Mean
 from pkmodes.campaign.campaign import Record
 from pkmodes.campaign.grouping import grouped
+from pkmodes.core.base.errors import MeasurementError
 
 #: Modes that must have been measured again.
 FEWEST = 3

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pkmodes.base.errors import MeasurementError
 from pkmodes.campaign.campaign import Campaign
 from pkmodes.campaign.results import RecordResult
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
 
 

@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import MeasurementError, nearest, shown
 from pkmodes.campaign.found import Found
 from pkmodes.campaign.motion import Motion, motion
 from pkmodes.campaign.sensors import Sensor, check_motion
+from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.identification.estimates import Mode
-from pkmodes.robot.units import LARGEST, SMALLEST
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Function, Kind, SignalFile
 from pkmodes.signals.reading import read_signals

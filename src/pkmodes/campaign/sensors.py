@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
-from pkmodes.base.errors import MeasurementError, nearest, shown
 from pkmodes.campaign.description import ForceTable, SensorTable
 from pkmodes.campaign.motion import Motion, motion, motion_of_voltage
-from pkmodes.mechanism.directions import unit_direction
+from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.response.directions import unit_direction
 
 #: Channel of a sensor that helps to find modes but is in no shape.
 NONE = "none"

@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.errors import MeasurementError, shown
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.sensor_functions import (
     ACCELERATION,
@@ -17,6 +16,7 @@ from pkmodes.campaign.sensor_functions import (
     motion_of,
     sensor_functions,
 )
+from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.signals.functions import Kind
 from pkmodes.signals.reduction import reduced, reduction
 from pkmodes.signals.sampling import even_pieces

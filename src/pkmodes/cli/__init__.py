@@ -15,8 +15,6 @@ from pathlib import Path
 
 import click
 
-from pkmodes.base.errors import PkmodesError
-from pkmodes.base.version import VERSION
 from pkmodes.cli.check import check
 from pkmodes.cli.commands import Commands
 from pkmodes.cli.compare import compare
@@ -32,6 +30,8 @@ from pkmodes.cli.response import response
 from pkmodes.cli.sensitivities import sensitivities
 from pkmodes.cli.shaper import shaper
 from pkmodes.cli.show import show
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.base.version import VERSION
 
 DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 

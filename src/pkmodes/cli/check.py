@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import click
 from msgspec import Meta
 
-from pkmodes.base.documents import Document
-from pkmodes.base.errors import PkmodesError
-from pkmodes.base.progress import say
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import json_option
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.support.documents import Document
+from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
     from pkmodes.codegen.checking.report import Report
@@ -120,7 +120,7 @@ def check(targets: tuple[Path, ...], mechanism: Path | None, json_file: str | No
     A mechanism of your own is derived from the definition stored with its code, which is executed.
     """
     from pkmodes.codegen.checking import products
-    from pkmodes.mechanism.registry import add_folder, supplied
+    from pkmodes.core.mechanism.registry import add_folder, supplied
 
     check_targets(json_file, targets)
     if mechanism is not None:

@@ -8,8 +8,6 @@ from typing import Annotated
 import click
 from msgspec import Meta, field
 
-from pkmodes.base.documents import Count, Document, Number, Probability, Settings, Size
-from pkmodes.base.drives import Drives
 from pkmodes.cli.compare_robots import compare_robots
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import (
@@ -24,7 +22,9 @@ from pkmodes.cli.options import (
 from pkmodes.cli.poses import grid_option, poses_option
 from pkmodes.cli.reporting import page_of, report_file, sources_of
 from pkmodes.cli.targets import check_targets, report_target
-from pkmodes.robot.reading import read_robot
+from pkmodes.core.base.drives import Drives
+from pkmodes.core.robot.reading import read_robot
+from pkmodes.support.documents import Count, Document, Number, Probability, Settings, Size
 
 
 class RowDocument(Document, omit_defaults=True):

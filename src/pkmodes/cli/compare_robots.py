@@ -11,23 +11,23 @@ import numpy as np
 from msgspec import Meta
 
 from pkmodes.api import load
-from pkmodes.base.documents import Count, Document, Number, Probability
-from pkmodes.base.drives import FREE, Drives
-from pkmodes.base.errors import PkmodesError
-from pkmodes.base.progress import say
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import named_as_options
 from pkmodes.cli.poses import places_given
 from pkmodes.cli.printing import signed
 from pkmodes.cli.reporting import report_file, sources_of
-from pkmodes.robot.motors import motors_of_both
+from pkmodes.core.base.drives import FREE, Drives
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.support.documents import Count, Document, Number, Probability
+from pkmodes.support.motors import motors_of_both
+from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
+    from pkmodes.core.model import Model
     from pkmodes.maps.poses import Grid, Places
     from pkmodes.maps.robots_compared import FrequencyChanges, ModeChange
-    from pkmodes.model.model import Model
     from pkmodes.report.sources import Source
-    from pkmodes.robot.differences import Differences
+    from pkmodes.robot_files.differences import Differences
 
 #: Poses of the workspace, about, and poses at most: all of them are held at once.
 POSES, MOST = 20_000, 1_000_000
@@ -124,7 +124,7 @@ def compare_robots(
 ) -> None:
     """Compare two robot files, and print, write and draw what differs."""
     from pkmodes.maps.robots_compared import compare_frequencies, headline, mode_changes
-    from pkmodes.robot.differences import check_one_mechanism, differences
+    from pkmodes.robot_files.differences import check_one_mechanism, differences
 
     sources = sources_of(report_to, dict(zip(("first robot file", "second robot file"), files, strict=True)))
     first, second = map(load, files)
@@ -160,8 +160,8 @@ def compare_robots(
 
 def _points(first: Model, second: Model, places: Places | None) -> np.ndarray:
     from pkmodes.maps.poses import Grid
+    from pkmodes.maps.usable import within
     from pkmodes.maps.workspace import reachable_by
-    from pkmodes.solve.usable import within
 
     if places is None:
         places = reachable_by([first, second], POSES)

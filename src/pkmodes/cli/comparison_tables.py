@@ -7,19 +7,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pkmodes.base.numbers import hertz, p_in_words
-from pkmodes.base.ordering import sorted_labels
 from pkmodes.cli.diagnosis_tables import setting
 from pkmodes.cli.printing import signed
 from pkmodes.cli.terminal import Terminal
-from pkmodes.robot.motors import motors_in_words
+from pkmodes.support.motors import motors_in_words
+from pkmodes.support.numbers import hertz, p_in_words
+from pkmodes.support.ordering import sorted_labels
 
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from pkmodes.core.robot.robot import Robot
     from pkmodes.diagnosis import Comparison
     from pkmodes.diagnosis.compare import ComparedRow
-    from pkmodes.robot.robot import Robot
 
 #: Rows that are shown without ``--all``, and unmatched ones and settings named there at most.
 WORST, MOST_NAMED = 5, 8

@@ -13,10 +13,10 @@ from typing import Any
 
 import click
 
-from pkmodes.base.errors import PkmodesError
-from pkmodes.base.writing import write_file
 from pkmodes.cli.printing import echo
 from pkmodes.cli.progress import end_progress
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.support.writing import write_file
 
 #: Characters that JSON may hold and a terminal obeys: controls, and those that turn the direction.  Bytes of a file
 #: name that are not UTF-8 are surrogates, which JSON can hold only as escapes.

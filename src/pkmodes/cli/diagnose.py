@@ -11,10 +11,6 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.base.numbers import plain
-from pkmodes.base.pasting import pasted
-from pkmodes.base.progress import say
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.options import (
     band_of,
@@ -30,11 +26,15 @@ from pkmodes.cli.progress import on_terminal
 from pkmodes.cli.reporting import page_of, report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.cli.verdicts import failing
-from pkmodes.robot.reading import read_robot
+from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.robot.reading import read_robot
+from pkmodes.support.numbers import plain
+from pkmodes.support.pasting import pasted
+from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
+    from pkmodes.core.robot.robot import Robot
     from pkmodes.diagnosis import Diagnosis
-    from pkmodes.robot.robot import Robot
 
 #: Largest number of values listed whose standard deviations are larger in a saved file than in the fit.
 MOST_WIDENED = 3

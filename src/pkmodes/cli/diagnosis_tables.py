@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from statistics import median
 
-from pkmodes.base.drives import HELD
-from pkmodes.base.numbers import p_in_words, plain, rounded
-from pkmodes.base.ordering import sorted_labels
 from pkmodes.cli.stability_text import stability_sentence
 from pkmodes.cli.terminal import Terminal
+from pkmodes.core.base.drives import HELD
+from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.verdict import naming
 from pkmodes.diagnosis.verdict.findings import (
     NOTICEABLE,
@@ -23,10 +24,9 @@ from pkmodes.diagnosis.verdict.findings import (
 )
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.rows import Error, Row
-from pkmodes.mechanism.poses import placed
-from pkmodes.mechanism.registry import Mechanism
-from pkmodes.robot.motors import motors_in_words
-from pkmodes.robot.robot import Robot
+from pkmodes.support.motors import motors_in_words
+from pkmodes.support.numbers import p_in_words, plain, rounded
+from pkmodes.support.ordering import sorted_labels
 from pkmodes.updating.load_cases import settable
 
 #: Largest number of measurement lines listed; the JSON has all of them.

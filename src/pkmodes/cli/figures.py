@@ -9,14 +9,14 @@ import click
 from msgspec import Meta
 
 from pkmodes.api import load
-from pkmodes.base.documents import Document
-from pkmodes.base.errors import OutputError, shown
-from pkmodes.base.places import resolved
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.cli.terminal import Terminal
+from pkmodes.core.base.errors import OutputError, shown
+from pkmodes.support.documents import Document
+from pkmodes.support.places import resolved
 
 
 class FiguresDocument(Document):

@@ -8,13 +8,13 @@ from typing import Annotated
 import click
 from msgspec import Meta
 
-from pkmodes.base.documents import Document
-from pkmodes.base.errors import OutputError
-from pkmodes.base.progress import say
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import json_option
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
+from pkmodes.core.base.errors import OutputError
+from pkmodes.support.documents import Document
+from pkmodes.support.progress import say
 
 
 class GenerateDocument(Document):

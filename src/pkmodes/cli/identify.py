@@ -9,15 +9,15 @@ import click
 import numpy as np
 from msgspec import Meta
 
-from pkmodes.base.documents import Count, Document, Probability, Size
-from pkmodes.base.drives import motors
-from pkmodes.base.numbers import plain, rounded
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.options import json_option, mechanism_option, report_option
 from pkmodes.cli.printing import echo
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
-from pkmodes.robot.motors import motors_in_words
+from pkmodes.core.base.drives import motors
+from pkmodes.support.documents import Count, Document, Probability, Size
+from pkmodes.support.motors import motors_in_words
+from pkmodes.support.numbers import plain, rounded
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -109,10 +109,10 @@ def identify(
     """
     targets = Target("--out", out, "the modes", (".csv",)), report_target(report_to)
     check_targets(json_file, [campaign], *targets)
-    from pkmodes.base.writing import write_file
     from pkmodes.campaign.campaign import read_campaign
     from pkmodes.campaign.identify import identify as identified
     from pkmodes.measured.writing import as_csv
+    from pkmodes.support.writing import write_file
 
     declared = read_campaign(campaign)
     inputs = [file for record in declared.records for files in record.setups.values() for file in files]

@@ -12,21 +12,21 @@ import click
 from msgspec import Meta
 
 from pkmodes.api import load
-from pkmodes.base.documents import Document
-from pkmodes.base.drives import Drives
-from pkmodes.base.progress import say
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options, report_option
 from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.progress import duration
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
-from pkmodes.robot.declaration import changeable
+from pkmodes.core.base.drives import Drives
+from pkmodes.core.robot.declaration import changeable
+from pkmodes.support.documents import Document
+from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
     from pkmodes.report.sources import Source
 
 

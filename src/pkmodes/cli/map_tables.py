@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from pkmodes.base.numbers import hertz
 from pkmodes.cli.terminal import Terminal
+from pkmodes.core.model import Model
+from pkmodes.core.robot.declaration import changeable
 from pkmodes.maps.left_out import sentences
 from pkmodes.maps.summary import SHARES, quantiles_in_words
-from pkmodes.model.model import Model
-from pkmodes.robot.declaration import changeable
-from pkmodes.robot.motors import motors_in_words
+from pkmodes.support.motors import motors_in_words
+from pkmodes.support.numbers import hertz
 
 
 def show(model: Model, content: dict[str, Any]) -> None:

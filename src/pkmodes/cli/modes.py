@@ -13,22 +13,22 @@ from msgspec import UNSET, Meta, UnsetType
 from numpy.typing import NDArray
 
 from pkmodes.api import load
-from pkmodes.base.documents import Count, Document
-from pkmodes.base.drives import DRIVES, HELD
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import drives_option, json_option, mechanism_option
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.cli.targets import check_targets
-from pkmodes.dataset.fields import FIELDS, INDEPENDENT, Field, of_modes
-from pkmodes.linalg.damping import poles
-from pkmodes.mechanism.poses import placed
-from pkmodes.model.model import Model
+from pkmodes.core.base.drives import DRIVES, HELD
+from pkmodes.core.linalg.damping import poles
+from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.model import Model
+from pkmodes.core.solve.backends import AUTO, SOLVERS
+from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, Field, of_modes
+from pkmodes.core.solve.results import Modes, Statics
 from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.poles import notes_on_damping
-from pkmodes.robot.motors import motors_in_words
 from pkmodes.sensitivity.spread import spread_of
-from pkmodes.solve.backends import AUTO, SOLVERS
-from pkmodes.solve.results import Modes, Statics
+from pkmodes.support.documents import Count, Document
+from pkmodes.support.motors import motors_in_words
 
 Array = NDArray[np.float64]
 #: Components smaller than this are rounding; of frequencies, whose squares are computed, this part of the largest.
@@ -76,7 +76,7 @@ _AFTER: tuple[tuple[str, Any, str], ...] = (
 
 
 def modes_document() -> type[Document]:
-    """Return the class of the JSON document, whose keys are fields of `pkmodes.Modes` (`pkmodes.dataset.fields`)."""
+    """Return the class of the JSON document: its keys are fields of the modes (`pkmodes.core.solve.fields`)."""
     fields = [FIELDS[name] for name in of_modes() if FIELDS[name].key]
     keys = [(field.key, _type_of(field), field.key_text) for field in fields if not field.same_as]
     declared: list[Any] = [

@@ -10,9 +10,9 @@ from typing import Any
 
 import click
 
-from pkmodes.base.drives import DRIVES, FREE
-from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.base.pasting import pasted
+from pkmodes.core.base.drives import DRIVES, FREE
+from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.support.pasting import pasted
 
 json_option = click.option(
     "--json",
@@ -33,7 +33,7 @@ report_option = click.option(
 
 def _add_mechanism(_: click.Context, __: click.Parameter, folder: Path | None) -> Path | None:
     if folder is not None:
-        from pkmodes.mechanism.registry import add_folder
+        from pkmodes.core.mechanism.registry import add_folder
 
         add_folder(folder)
     return folder
@@ -123,7 +123,7 @@ def quantity_option(name: str, unit: str, example: str, **settings: Any) -> Call
     """
 
     def read(_: click.Context, __: click.Parameter, text: str | None) -> float | None:
-        from pkmodes.robot.units import QuantityError, parse_number_or_quantity
+        from pkmodes.core.robot.units import QuantityError, parse_number_or_quantity
 
         if text is None:
             return None

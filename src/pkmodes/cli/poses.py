@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pkmodes.base.errors import PoseError
+from pkmodes.core.base.errors import PoseError
 
 if TYPE_CHECKING:
+    from pkmodes.core.mechanism.registry import Mechanism
+    from pkmodes.core.model import Model
     from pkmodes.maps.poses import Places
-    from pkmodes.mechanism.registry import Mechanism
-    from pkmodes.model.model import Model
 
 pose_option = click.option(
     "--pose",
@@ -48,7 +48,7 @@ def parse_pose(text: str, mechanism: Mechanism) -> list[float]:
     PoseError
         If the number of components is wrong, or one of them is not such a quantity.
     """
-    from pkmodes.robot.units import QuantityError, parse_number_or_quantity
+    from pkmodes.core.robot.units import QuantityError, parse_number_or_quantity
 
     parts, names = text.split(","), ",".join(component.name for component in mechanism.pose).upper()
     if len(parts) != len(mechanism.pose):
@@ -72,7 +72,7 @@ def check_metres(model: Model, text: str, point: list[float]) -> None:
     PoseError
         Other poses that cannot be reached are left to the model to reject.
     """
-    from pkmodes.mechanism.poses import LARGE
+    from pkmodes.core.mechanism.poses import LARGE
 
     lengths = [component.unit == "m" for component in model.mechanism.pose]
     smaller = [c / 1e3 if length else c for c, length in zip(point, lengths, strict=True)]

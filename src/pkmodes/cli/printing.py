@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import click
 
-from pkmodes.base.errors import printable
 from pkmodes.cli.progress import clear_progress
+from pkmodes.core.base.errors import printable
 
 
 def echo(text: object = "", *, err: bool = False) -> None:

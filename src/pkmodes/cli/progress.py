@@ -13,8 +13,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from typing import TextIO
 
-from pkmodes.base.errors import printable
-from pkmodes.base.progress import told
+from pkmodes.core.base.errors import printable
+from pkmodes.support.progress import told
 
 #: Seconds after which a command says what it does, and between two changes of the line.
 DELAY, STEP = 0.3, 0.2
@@ -93,7 +93,7 @@ def on_terminal() -> bool:
 
 @contextmanager
 def progress_line(text: str) -> Iterator[None]:
-    """Show what is said inside the block (`pkmodes.base.progress.say`), if stderr is a terminal."""
+    """Show what is said inside the block (`pkmodes.support.progress.say`), if stderr is a terminal."""
     global _current
     if not on_terminal():
         yield

@@ -6,14 +6,14 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pkmodes.base.progress import say
-from pkmodes.base.writing import write_file
 from pkmodes.cli.delivery import ResultFile
+from pkmodes.support.progress import say
+from pkmodes.support.writing import write_file
 
 if TYPE_CHECKING:
+    from pkmodes.core.robot.robot import Robot
     from pkmodes.diagnosis import Comparison, Diagnosis, Measurements
     from pkmodes.report.sources import Source
-    from pkmodes.robot.robot import Robot
 
 
 def sources_of(report: Path | None, inputs: Mapping[str, Path]) -> Sequence[Source]:

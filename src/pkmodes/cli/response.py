@@ -12,10 +12,6 @@ from msgspec import Meta
 from numpy.typing import NDArray
 
 from pkmodes.api import load
-from pkmodes.base.documents import Document
-from pkmodes.base.drives import Drives
-from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.base.progress import say
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.options import (
     comma_list,
@@ -28,13 +24,17 @@ from pkmodes.cli.options import (
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
-from pkmodes.mechanism.poses import placed
+from pkmodes.core.base.drives import Drives
+from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.mechanism.poses import placed
 from pkmodes.response.channels import without_response
 from pkmodes.response.ports import QUANTITIES
-from pkmodes.robot.motors import motors_in_words
+from pkmodes.support.documents import Document
+from pkmodes.support.motors import motors_in_words
+from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
-    from pkmodes.mechanism.registry import Mechanism
+    from pkmodes.core.mechanism.registry import Mechanism
     from pkmodes.response.frequency_response import FrequencyResponse
     from pkmodes.response.measured import MeasuredResponse
 
@@ -224,9 +224,9 @@ def _picture(
     """Return what writes the picture; it is drawn before anything is written."""
     if figure is None:
         return lambda path: None
-    from pkmodes.base.writing import write_file
     from pkmodes.figures.files import rendered
     from pkmodes.figures.response_picture import response_picture
+    from pkmodes.support.writing import write_file
 
     content = rendered(response_picture(found, measured), figure.suffix[1:].lower())
     return lambda path: write_file(path, content)

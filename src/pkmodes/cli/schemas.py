@@ -6,8 +6,6 @@ import json
 import sys
 from pathlib import Path
 
-from pkmodes.base.documents import Document, schema_of
-from pkmodes.base.writing import write_files
 from pkmodes.cli.check import CheckDocument
 from pkmodes.cli.compare import CompareDocument
 from pkmodes.cli.compare_robots import RobotsDocument
@@ -21,6 +19,8 @@ from pkmodes.cli.sensitivities import SensitivitiesDocument
 from pkmodes.cli.shaper import ShaperDocument
 from pkmodes.cli.show import ShowDocument
 from pkmodes.diagnosis.verdict.document import DiagnoseDocument
+from pkmodes.support.documents import Document, schema_of
+from pkmodes.support.writing import write_files
 
 #: What each command writes; `compare` writes the second where it compares two robots.
 DOCUMENTS: dict[str, type[Document]] = {

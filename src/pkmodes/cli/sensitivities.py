@@ -12,21 +12,21 @@ from msgspec import Meta
 from numpy.typing import NDArray
 
 from pkmodes.api import load
-from pkmodes.base.documents import Count, Document, Matrix
-from pkmodes.base.drives import Drives
-from pkmodes.base.progress import say
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import comma_list, drives_option, json_option, mechanism_option, report_option
 from pkmodes.cli.poses import check_metres, parse_pose, pose_option
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import check_targets, report_target
+from pkmodes.core.base.drives import Drives
 from pkmodes.sensitivity.relative import relative_of
+from pkmodes.support.documents import Count, Document, Matrix
+from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
+    from pkmodes.core.solve.results import Modes
     from pkmodes.report.sources import Source
     from pkmodes.sensitivity.sensitivities import Sensitivities
-    from pkmodes.solve.results import Modes
 
 Array = NDArray[np.float64]
 #: Of --parameters, for messages.

@@ -11,16 +11,16 @@ from numpy.typing import NDArray
 
 from pkmodes.cli.terminal import Terminal
 from pkmodes.cli.wide_tables import split
-from pkmodes.mechanism.poses import placed
-from pkmodes.robot.motors import motors_in_words
+from pkmodes.core.mechanism.poses import placed
 from pkmodes.sensitivity.changes import CORRELATED, SIGMA, changes_at
 from pkmodes.sensitivity.relative import alike_around, scalable
 from pkmodes.sensitivity.spread import stated_sigmas
+from pkmodes.support.motors import motors_in_words
 
 if TYPE_CHECKING:
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
+    from pkmodes.core.solve.results import Modes
     from pkmodes.sensitivity.sensitivities import Sensitivities
-    from pkmodes.solve.results import Modes
 
 Array = NDArray[np.float64]
 #: Derivatives below these bounds are rounding and shown as 0: relative change of the frequency per relative change of

@@ -11,9 +11,6 @@ import numpy as np
 from msgspec import Meta
 
 from pkmodes.api import load
-from pkmodes.base.documents import Count, Document, Size
-from pkmodes.base.drives import Drives
-from pkmodes.base.errors import PkmodesError
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import (
     comma_list,
@@ -26,11 +23,14 @@ from pkmodes.cli.options import (
 from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import check_targets, report_target
+from pkmodes.core.base.drives import Drives
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.support.documents import Count, Document, Size
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
     from pkmodes.shaping.choice import Candidate, Choice
 
 #: Poses that are compared at most: all of them are held at once.
@@ -197,8 +197,8 @@ def shaper(
 
 def _points(model: Model, grid: str | None, poses: Path | None) -> NDArray[np.float64]:
     """Return the poses, by default those of the workspace that can be evaluated."""
+    from pkmodes.maps.usable import within
     from pkmodes.maps.workspace import reachable
-    from pkmodes.solve.usable import within
 
     places = places_given(model, grid, poses)
     count = 0 if places is None else math.prod(places.shape)
@@ -255,7 +255,7 @@ def _page(model: Model, choice: Choice, content: dict[str, Any], sources: Any) -
 
 def _print(model: Model, choice: Choice, document: ShaperDocument) -> None:
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.mechanism.poses import placed
+    from pkmodes.core.mechanism.poses import placed
     from pkmodes.shaping.firmware import NAMES
 
     terminal = Terminal()

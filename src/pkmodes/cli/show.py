@@ -9,16 +9,16 @@ import click
 from msgspec import Meta
 
 from pkmodes.api import load
-from pkmodes.base.documents import Document
-from pkmodes.base.errors import PkmodesError
-from pkmodes.base.progress import say
-from pkmodes.base.writing import write_file
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options
 from pkmodes.cli.poses import check_metres, parse_pose
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import Target, check_targets
 from pkmodes.cli.varying import OPTION, parse_vary, vary_option
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.support.documents import Document
+from pkmodes.support.progress import say
+from pkmodes.support.writing import write_file
 
 
 class ShowDocument(Document):

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from pkmodes.base.errors import OutputError, shown
-from pkmodes.base.pasting import pasted
-from pkmodes.base.places import resolved
+from pkmodes.core.base.errors import OutputError, shown
+from pkmodes.support.pasting import pasted
+from pkmodes.support.places import resolved
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from rich.cells import cell_len
 from rich.console import Console
 
-from pkmodes.base.errors import printable
+from pkmodes.core.base.errors import printable
 
 #: Sentences are never wrapped to lines shorter than this.
 NARROWEST = 40

@@ -8,10 +8,10 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.base.errors import PkmodesError, nearest, shown
 
 if TYPE_CHECKING:
-    from pkmodes.robot.robot import Robot
+    from pkmodes.core.robot.robot import Robot
 
 OPTION = "--vary"
 EXAMPLE = f"for example: {OPTION} platform.mass=0.5:3,effects.payload.mass=0:2"
@@ -44,8 +44,8 @@ def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:
     PkmodesError
         If a path is unknown or repeated, a range is invalid, or there are too many.
     """
+    from pkmodes.core.robot.declaration import changeable
     from pkmodes.maps.ranges import parse_range
-    from pkmodes.robot.declaration import changeable
     from pkmodes.view.varying import COUNTS, PARAMETERS
 
     parts = [part.strip() for part in text.split(",")]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Sequence
 
-from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.core.base.errors import PkmodesError, shown
 
 #: Stands for every verdict that is a failure by itself: all except adequate.
 ANY = "any"

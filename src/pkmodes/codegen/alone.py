@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from pkmodes.base.errors import OutputError
-from pkmodes.base.writing import refusal
+from pkmodes.core.base.errors import OutputError
+from pkmodes.support.writing import refusal
 
 #: Hidden, and removed at the end.
 LOCK = ".pkmodes-generate.lock"

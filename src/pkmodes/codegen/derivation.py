@@ -15,10 +15,10 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from types import ModuleType
 
-from pkmodes.base.errors import MissingExtraError, PkmodesError
-from pkmodes.base.writing import write_files
-from pkmodes.mechanism.packages import DEFINITION, GIVE
-from pkmodes.mechanism.registry import Mechanism, supplied, temporarily_registered
+from pkmodes.core.base.errors import MissingExtraError, PkmodesError
+from pkmodes.core.mechanism.packages import DEFINITION, GIVE
+from pkmodes.core.mechanism.registry import Mechanism, supplied, temporarily_registered
+from pkmodes.support.writing import write_files
 
 #: The extra `derive` of pyproject.toml, repeated here so that it can be installed without a pkmodes index entry.
 REQUIREMENTS = ("jinja2>=3.1", "sympy==1.14.0")

@@ -9,8 +9,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pkmodes.base.errors import OutputError, PkmodesError, shown
-from pkmodes.base.writing import write_files
 from pkmodes.codegen.alone import alone
 from pkmodes.codegen.derivation import (
     Definition,
@@ -30,11 +28,13 @@ from pkmodes.codegen.product_folder import (
     check_place,
     stale_outputs,
 )
-from pkmodes.mechanism.packages import folder_of
-from pkmodes.mechanism.registry import add_folder
-from pkmodes.robot.reading import read_robot
-from pkmodes.robot.robot import Robot
-from pkmodes.system.released import active_effects
+from pkmodes.core.base.errors import OutputError, PkmodesError, shown
+from pkmodes.core.mechanism.packages import folder_of
+from pkmodes.core.mechanism.registry import add_folder
+from pkmodes.core.robot.reading import read_robot
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.system.released import active_effects
+from pkmodes.support.writing import write_files
 
 
 def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:

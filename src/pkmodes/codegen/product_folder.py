@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from pkmodes.base.errors import OutputError, shown
-from pkmodes.base.places import resolved
+from pkmodes.core.base.errors import OutputError, shown
+from pkmodes.support.places import resolved
 
 MANIFEST = "manifest.json"
 ELSEWHERE = "name a new or empty folder, such as --out build/my-robot"

@@ -7,15 +7,15 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.base.drives import FREE
-from pkmodes.base.extras import require
-from pkmodes.base.version import VERSION
-from pkmodes.dataset.fields import COORDINATE, DIRECTION, DRIVE, MODE
+from pkmodes.core.base.drives import FREE
+from pkmodes.core.base.version import VERSION
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.robot.usable import reasons_of
+from pkmodes.core.solve.fields import COORDINATE, DIRECTION, DRIVE, MODE
+from pkmodes.dataset.robot_text import text_of
 from pkmodes.dataset.variables import EVENTS, FIRST
-from pkmodes.mechanism.registry import Mechanism
-from pkmodes.robot.robot import Robot
-from pkmodes.robot.text import text_of
-from pkmodes.robot.usable import reasons_of
+from pkmodes.support.extras import require
 
 CONVENTIONS = "CF-1.11"
 

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, MODE, Field, conditions_of, of_maps
+from pkmodes.core.solve.results import Modes
 from pkmodes.dataset.attributes import attributes_of, imported, labels_of, meanings_of
-from pkmodes.dataset.fields import FIELDS, INDEPENDENT, MODE, Field, conditions_of, of_maps
 from pkmodes.dataset.table import table_of
 from pkmodes.dataset.variables import dims_of_poses, variables
-from pkmodes.mechanism.registry import Mechanism
-from pkmodes.solve.results import Modes
 
 if TYPE_CHECKING:
     import pandas

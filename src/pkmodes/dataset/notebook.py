@@ -6,8 +6,8 @@ from html import escape
 
 import numpy as np
 
-from pkmodes.dataset.fields import FIELDS
-from pkmodes.solve.results import Modes
+from pkmodes.core.solve.fields import FIELDS
+from pkmodes.core.solve.results import Modes
 
 #: Rows of a table at most.
 ROWS = 20

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pkmodes.dataset.fields import EVERY, MODE, of_maps
+from pkmodes.core.solve.fields import EVERY, MODE, of_maps
 from pkmodes.dataset.variables import LIST, OF_POSES, OF_TRACKING, dims_of
 
 if TYPE_CHECKING:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from pkmodes.dataset.fields import COORDINATE, INDEPENDENT, MODE, SHAPES, Field, of_maps
-from pkmodes.mechanism.registry import Mechanism
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.solve.fields import COORDINATE, INDEPENDENT, MODE, SHAPES, Field, of_maps
 
 #: The axis of poses that are not on a grid.
 LIST = "pose"
@@ -60,7 +60,7 @@ def variables(
     normal : str or None
         Direction perpendicular to the plane of the grid.
     conditions : frozenset of str
-        From `pkmodes.dataset.fields.conditions_of`.
+        From `pkmodes.core.solve.fields.conditions_of`.
     tracked : bool
         Whether modes are tracked.
     """

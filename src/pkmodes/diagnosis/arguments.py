@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from pkmodes.base.drives import HELD
-from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.core.base.drives import HELD
+from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.matrices import at_measured
 from pkmodes.diagnosis.problem import Driven, Structure
 from pkmodes.measured.measurements import Measurements

@@ -16,7 +16,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.arguments import checked
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.damping.diagnose_damping import with_damping

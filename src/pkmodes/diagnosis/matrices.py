@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pkmodes.base.errors import PkmodesError, listed, shown
+from pkmodes.core.base.errors import PkmodesError, listed, shown
 from pkmodes.diagnosis.problem import (
     Array,
     Batch,

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy import stats
 
-from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.arguments import checked
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.diagnose import split

@@ -8,17 +8,17 @@ from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pkmodes.base.arguments import check_argument, one_of
-from pkmodes.base.drives import FREE
-from pkmodes.base.errors import OutputError
-from pkmodes.base.writing import write_files
+from pkmodes.core.base.arguments import check_argument, one_of
+from pkmodes.core.base.drives import FREE
+from pkmodes.core.base.errors import OutputError
 from pkmodes.figures.pictures import Picture, pictures
 from pkmodes.plots.style import GREY, styled
+from pkmodes.support.writing import write_files
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
 
 FORMATS = ("svg", "png", "pdf")
 #: Between a figure and the line below it [inch].

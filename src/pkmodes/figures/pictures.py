@@ -14,10 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
-from pkmodes.base.drives import FREE
-from pkmodes.base.errors import PkmodesError
-from pkmodes.base.extras import require
-from pkmodes.base.progress import say
+from pkmodes.core.base.drives import FREE
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.figures.quantities import (
     coarser,
     median_spread,
@@ -38,12 +36,14 @@ from pkmodes.plots.plane import Plane, plane_axes, where
 from pkmodes.plots.style import stated, styled
 from pkmodes.plots.svg import inline
 from pkmodes.plots.workspace import workspace
-from pkmodes.robot.motors import motors_in_words
+from pkmodes.support.extras import require
+from pkmodes.support.motors import motors_in_words
+from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
 
 #: Length of the name of a robot below its figures at most.
 LONGEST = 60

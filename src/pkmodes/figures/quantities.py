@@ -8,19 +8,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.linalg.mac import mass_weighted_mac
+from pkmodes.maps.reached import box_of
+from pkmodes.maps.usable import usable_box, within
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.workspace import Volume
 from pkmodes.sensitivity.alike import alike
 from pkmodes.sensitivity.relative import scalable
 from pkmodes.sensitivity.sensitivities import sensitivities_at
 from pkmodes.sensitivity.spread import spread_of
-from pkmodes.solve.usable import usable_box, within
-from pkmodes.solve.workspace import box_of
+from pkmodes.support.mac import mass_weighted_mac
 from pkmodes.view.robot_drawing import RobotDrawing
 
 if TYPE_CHECKING:
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
 
 Array = NDArray[Any]
 #: Poses of a map of sensitivities, about.

@@ -8,11 +8,11 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from pkmodes.mechanism.poses import placed
+from pkmodes.core.mechanism.poses import placed
 from pkmodes.response.channels import Index, without_response
 from pkmodes.response.frequency_response import FrequencyResponse
 from pkmodes.response.measured import MeasuredResponse
-from pkmodes.robot.motors import motors_in_words
+from pkmodes.support.motors import motors_in_words
 
 Array = NDArray[Any]
 

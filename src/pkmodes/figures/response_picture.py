@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pkmodes.base.extras import require
 from pkmodes.figures.pictures import Picture
 from pkmodes.figures.response_channels import DrawnChannels
 from pkmodes.plots.responses import MOST, responses
@@ -10,6 +9,7 @@ from pkmodes.plots.style import styled
 from pkmodes.response.channels import Index
 from pkmodes.response.frequency_response import FrequencyResponse
 from pkmodes.response.measured import MeasuredResponse
+from pkmodes.support.extras import require
 
 
 def response_picture(

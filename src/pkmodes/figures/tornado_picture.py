@@ -6,17 +6,17 @@ from typing import TYPE_CHECKING
 
 from numpy.typing import ArrayLike
 
-from pkmodes.base.drives import FREE, checked_drives
-from pkmodes.base.extras import require
+from pkmodes.core.base.drives import FREE, checked_drives
+from pkmodes.core.mechanism.poses import placed
 from pkmodes.figures.pictures import Picture
-from pkmodes.mechanism.poses import placed
 from pkmodes.plots.style import styled
 from pkmodes.plots.tornado import MOST, tornado
-from pkmodes.robot.motors import motors_in_words
 from pkmodes.sensitivity.changes import PERCENT, Changes, changes_at
+from pkmodes.support.extras import require
+from pkmodes.support.motors import motors_in_words
 
 if TYPE_CHECKING:
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
 
 TITLES = {
     "percent": "What one per cent of each quantity does",

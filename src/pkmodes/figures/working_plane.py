@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.maps.mapping import map_of
 from pkmodes.maps.poses import Grid
 from pkmodes.maps.workspace import reachable
 
 if TYPE_CHECKING:
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
 
 #: Poses of the plane and of the volume in which it is chosen, about.
 POSES, VOLUME = 8_000, 40_000

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

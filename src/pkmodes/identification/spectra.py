@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.asked import NOTHING, REACH, Asked, replaced, within_reach
 from pkmodes.identification.clusters import HIGHEST_DAMPING
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation

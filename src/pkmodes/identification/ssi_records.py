@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.estimates import Mode
 from pkmodes.identification.ssi_bands import Lines, lines
 

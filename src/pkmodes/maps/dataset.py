@@ -8,8 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.solve.fields import INDEPENDENT, of_maps
+from pkmodes.core.system.evaluation import evaluation
+from pkmodes.core.system.motors import solved_system
 from pkmodes.dataset.attributes import attributes_of, imported, labels_of, meanings_of
-from pkmodes.dataset.fields import INDEPENDENT, of_maps
 from pkmodes.dataset.variables import LIST, variables
 from pkmodes.maps.evaluating import codes
 from pkmodes.maps.fields import fields_of
@@ -17,10 +21,6 @@ from pkmodes.maps.layout import Layout
 from pkmodes.maps.poses import Grid, Places
 from pkmodes.maps.tracking import Tracked
 from pkmodes.maps.variants import SAMPLE, Variants
-from pkmodes.robot.declaration import changeable
-from pkmodes.robot.robot import Robot
-from pkmodes.system.evaluation import evaluation
-from pkmodes.system.motors import solved_system
 
 if TYPE_CHECKING:
     import xarray

@@ -12,14 +12,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import PkmodesError
-from pkmodes.dataset.fields import COORDINATE, INDEPENDENT, MODE, Field, missing, of_maps
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.mechanism.poses import codes_of
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.model import Model
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.robot.usable import USABLE, inside
+from pkmodes.core.solve.fields import COORDINATE, INDEPENDENT, MODE, Field, missing, of_maps
 from pkmodes.maps.layout import Layout, tails
-from pkmodes.mechanism.poses import codes_of
-from pkmodes.mechanism.registry import Mechanism
-from pkmodes.model.model import Model
-from pkmodes.robot.robot import Robot
-from pkmodes.robot.usable import USABLE, inside
 
 Array = NDArray[Any]
 

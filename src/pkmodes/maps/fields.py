@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.dataset.fields import EVERY, MODE, of_maps
+from pkmodes.core.solve.fields import EVERY, MODE, of_maps
 from pkmodes.maps.storage import Stored
 from pkmodes.maps.tracking import Tracked
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from pkmodes.dataset.fields import SHAPES, conditions_of, of_maps, sizes_of, tail
-from pkmodes.robot.robot import Robot
-from pkmodes.system.evaluation import evaluation, number_of_modes
-from pkmodes.system.motors import solved_system
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.solve.fields import SHAPES, conditions_of, of_maps, sizes_of, tail
+from pkmodes.core.system.evaluation import evaluation, number_of_modes
+from pkmodes.core.system.motors import solved_system
 
 
 @dataclass(frozen=True)
@@ -22,7 +22,7 @@ class Layout:
     coordinates : tuple of str
         All coordinates of any robot.
     conditions : frozenset of str
-        Conditions under which fields are there, from `pkmodes.dataset.fields.conditions_of`.
+        Conditions under which fields are there, from `pkmodes.core.solve.fields.conditions_of`.
     backend, drives : str
         As for `pkmodes.Model.modes`.
     """

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from pkmodes.base.errors import OutputError, shown
-from pkmodes.base.writing import refusal
+from pkmodes.core.base.errors import OutputError, shown
+from pkmodes.support.writing import refusal
 
 LOCK = "pkmodes-map.lock"
 ELSEWHERE = "move or rename it, or choose another output"

@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pkmodes.base.arguments import FILE_NAME, alternatives, check_argument
-from pkmodes.base.errors import OutputError, shown
-from pkmodes.base.extras import require
-from pkmodes.base.places import resolved
+from pkmodes.core.base.arguments import FILE_NAME, alternatives, check_argument
+from pkmodes.core.base.errors import OutputError, shown
 from pkmodes.dataset.attributes import imported
 from pkmodes.dataset.table import table_of, write_table
+from pkmodes.support.extras import require
+from pkmodes.support.places import resolved
 
 if TYPE_CHECKING:
     import xarray

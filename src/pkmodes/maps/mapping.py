@@ -12,10 +12,16 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.drives import FREE, checked_drives
-from pkmodes.base.errors import PkmodesError
-from pkmodes.base.version import VERSION
+from pkmodes.core.base.drives import FREE, checked_drives
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.base.version import VERSION
+from pkmodes.core.model import Model
+from pkmodes.core.robot.usable import USABLE
+from pkmodes.core.solve.backends import AUTO, checked_threads, chosen
+from pkmodes.core.system.evaluation import evaluation
+from pkmodes.core.system.motors import solved_system
 from pkmodes.dataset.attributes import imported
+from pkmodes.dataset.robot_text import text_of
 from pkmodes.maps.dataset import dataset_of
 from pkmodes.maps.evaluating import Task, code_of
 from pkmodes.maps.layout import Layout, layout_of, tails
@@ -27,12 +33,6 @@ from pkmodes.maps.storage import SUFFIX, InMemory, OnDisk, Tails
 from pkmodes.maps.tracking import Tracked, track
 from pkmodes.maps.variants import SAMPLE, Variants, variants_of
 from pkmodes.maps.workspace import bounds_of, reachable
-from pkmodes.model.model import Model
-from pkmodes.robot.text import text_of
-from pkmodes.robot.usable import USABLE
-from pkmodes.solve.backends import AUTO, checked_threads, chosen
-from pkmodes.system.evaluation import evaluation
-from pkmodes.system.motors import solved_system
 
 if TYPE_CHECKING:
     import xarray

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from pkmodes.dataset.variables import EVENTS
-from pkmodes.linalg.mac import mass_weighted_mac
+from pkmodes.support.mac import mass_weighted_mac
 
 Array = NDArray[Any]
 Index = NDArray[np.intp]

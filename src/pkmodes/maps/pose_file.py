@@ -8,14 +8,14 @@ from pathlib import Path
 
 import numpy as np
 
-from pkmodes.base.errors import MeasurementError, shown
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.robot.columns import column_of
 from pkmodes.maps.poses import Poses
 from pkmodes.measured.cells import Notation
 from pkmodes.measured.csv_format import read_text
 from pkmodes.measured.csv_rows import read_lines
 from pkmodes.measured.rules import PRINTABLE
-from pkmodes.mechanism.registry import Mechanism
-from pkmodes.robot.columns import column_of
 
 LABEL = "pose"
 

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.arguments import is_number
-from pkmodes.base.errors import PkmodesError, PoseError, listed, shown
+from pkmodes.core.base.arguments import is_number
+from pkmodes.core.base.errors import PkmodesError, PoseError, listed, shown
+from pkmodes.core.mechanism.poses import given_poses
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.robot.pose_table import poses_by_name
 from pkmodes.dataset.variables import LIST
-from pkmodes.measured.pose_table import poses_by_name
-from pkmodes.mechanism.poses import given_poses
-from pkmodes.mechanism.registry import Mechanism
 
 Array = NDArray[np.float64]
 EXAMPLE = 'for example: {"x": numpy.linspace(0.3, 0.8, 51), "y": 0.0}'

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.mechanism.registry import Mechanism
-from pkmodes.robot.units import QuantityError, parse_number_or_quantity
+from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.robot.units import QuantityError, parse_number_or_quantity
 
 Array = NDArray[np.float64]
 #: More values along one axis are a mistake.

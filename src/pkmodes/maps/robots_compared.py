@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from pkmodes.base.drives import FREE
-from pkmodes.base.errors import PoseError
-from pkmodes.base.progress import say
-from pkmodes.linalg.mac import mass_weighted_mac
-from pkmodes.model.model import Model
-from pkmodes.robot.differences import check_one_mechanism
+from pkmodes.core.base.drives import FREE
+from pkmodes.core.base.errors import PoseError
+from pkmodes.core.model import Model
+from pkmodes.robot_files.differences import check_one_mechanism
+from pkmodes.support.mac import mass_weighted_mac
+from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
 #: Poses evaluated together.

@@ -13,11 +13,11 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from pkmodes.base.arguments import Constraint, check_argument
-from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.base.extras import require
-from pkmodes.base.version import VERSION
+from pkmodes.core.base.arguments import Constraint, check_argument
+from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.base.version import VERSION
 from pkmodes.maps.evaluating import Task, evaluate
+from pkmodes.support.extras import require
 
 #: Tasks in progress for each thread: one is computed while the result of another is stored.
 AHEAD = 2
@@ -158,7 +158,7 @@ def _probe() -> Callable[[], str]:
 
     def version() -> str:
         try:
-            from pkmodes.base.version import VERSION
+            from pkmodes.core.base.version import VERSION
         except ModuleNotFoundError:
             return ""
         return VERSION

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.model import Model
+from pkmodes.core.robot.robot import Robot
 from pkmodes.maps.variants import SAMPLE, taken
-from pkmodes.model.model import Model
-from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.spread import spread_of, stated_sigmas
 
 if TYPE_CHECKING:

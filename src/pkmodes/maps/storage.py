@@ -24,9 +24,9 @@ import numpy as np
 from numpy.lib.format import dtype_to_descr, write_array_header_1_0
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import OutputError
-from pkmodes.base.writing import refusal
-from pkmodes.dataset.fields import EVERY, of_maps
+from pkmodes.core.base.errors import OutputError
+from pkmodes.core.solve.fields import EVERY, of_maps
+from pkmodes.support.writing import refusal
 
 Array = NDArray[Any]
 #: Shape at one pose, and type, of each field.

@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.arguments import NATURAL_NUMBER, POSITIVE_INTEGER, Constraint, check_argument
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.arguments import NATURAL_NUMBER, POSITIVE_INTEGER, Constraint, check_argument
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.robot.covariance import covariance_of, root_of, uncertain
+from pkmodes.core.robot.layout import lent
+from pkmodes.core.robot.parameter_groups import elements_of, groups_by_path
+from pkmodes.core.robot.robot import Robot
 from pkmodes.maps.poses import ascending
-from pkmodes.robot.covariance import covariance_of, root_of, uncertain
-from pkmodes.robot.layout import lent
-from pkmodes.robot.parameter_groups import elements_of, groups_by_path
-from pkmodes.robot.robot import Robot
 
 Array = NDArray[np.float64]
 SAMPLE = "sample"

@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import PoseError
-from pkmodes.base.progress import say
+from pkmodes.core.base.errors import PoseError
+from pkmodes.core.mechanism.poses import LARGE
+from pkmodes.core.robot.usable import is_box, limits_of
 from pkmodes.maps.poses import Grid
-from pkmodes.mechanism.poses import LARGE
-from pkmodes.robot.usable import is_box, limits_of
-from pkmodes.solve.usable import usable_box
-from pkmodes.solve.workspace import workspace_in_words
+from pkmodes.maps.reached import workspace_in_words
+from pkmodes.maps.usable import usable_box
+from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
 
 Array = NDArray[np.float64]
 #: Poses of the grid, about, and along one component at most, about.

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pkmodes.base.errors import MeasurementError, listed, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, listed, nearest, shown
 from pkmodes.measured.columns import Array
 from pkmodes.measured.quantities import QUANTITIES, Number, row_numbers
 

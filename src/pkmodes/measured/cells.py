@@ -11,7 +11,7 @@ import re
 from decimal import Decimal
 from typing import NamedTuple
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 
 #: What separates cells, in words.  Of those that a header has equally often it is the first one: tabs also align.
 SEPARATORS = {";": "semicolons", ",": "commas", "\t": "tabs"}

@@ -6,7 +6,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import NoReturn
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.cells import separator_of
 from pkmodes.measured.csv_rows import read_lines, read_table
 from pkmodes.measured.formats import Format, Machine

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pkmodes.base.drives import DRIVES, FREE
-from pkmodes.base.errors import MeasurementError, shown
+from pkmodes.core.base.drives import DRIVES, FREE
+from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.measured.cells import SEPARATORS, Notation, separator_of
 from pkmodes.measured.header import SPREAD, TEXT, Column
 from pkmodes.measured.measurements import Measurements

@@ -11,7 +11,8 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from decimal import Decimal
 from typing import NamedTuple, NoReturn
 
-from pkmodes.base.errors import MeasurementError, shown
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.core.robot.columns import factor_of, kind_of_unit, parted
 from pkmodes.measured.quantities import (
     QUANTITIES,
     SHAPE_SIGMA,
@@ -20,7 +21,6 @@ from pkmodes.measured.quantities import (
     row_numbers,
 )
 from pkmodes.measured.rules import SET, SHAPE
-from pkmodes.robot.columns import factor_of, kind_of_unit, parted
 
 #: Columns of text.
 TEXT = ("pose", "mode", "drives")

@@ -14,8 +14,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pkmodes.base.drives import FREE
-from pkmodes.base.errors import MeasurementError, listed, shown
+from pkmodes.core.base.drives import FREE
+from pkmodes.core.base.errors import MeasurementError, listed, shown
+from pkmodes.core.robot.columns import frequency_factor
+from pkmodes.core.robot.units import QuantityError
 from pkmodes.measured.arguments import (
     by_name,
     checked_array,
@@ -42,8 +44,6 @@ from pkmodes.measured.rules import (
     text_problems,
     value_problems,
 )
-from pkmodes.robot.columns import frequency_factor
-from pkmodes.robot.units import QuantityError
 
 
 @dataclass(frozen=True, eq=False, init=False)

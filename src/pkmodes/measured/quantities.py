@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.measured.columns import Array, Columns
-from pkmodes.robot.units import LARGEST, SMALLEST
 
 #: The largest number below 1.
 BELOW_ONE = math.nextafter(1.0, 0.0)

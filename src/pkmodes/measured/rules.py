@@ -8,8 +8,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.drives import DRIVES
-from pkmodes.base.errors import MeasurementError, shown
+from pkmodes.core.base.drives import DRIVES
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.measured.columns import Array, Columns, Integers
 from pkmodes.measured.quantities import (
     FREQUENCY,
@@ -19,7 +20,6 @@ from pkmodes.measured.quantities import (
     Range,
     quantity_numbers,
 )
-from pkmodes.robot.units import LARGEST, SMALLEST
 
 #: Prefix of the columns that hold mode shapes.
 SHAPE = "shape:"

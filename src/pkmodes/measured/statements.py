@@ -9,12 +9,12 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-from pkmodes.base.drives import DRIVES
-from pkmodes.base.errors import MeasurementError, shown
+from pkmodes.core.base.drives import DRIVES
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.core.robot.columns import frequency_factor
+from pkmodes.core.robot.units import QuantityError
 from pkmodes.measured.cells import NUMBER, number_in
 from pkmodes.measured.rules import checked_band
-from pkmodes.robot.columns import frequency_factor
-from pkmodes.robot.units import QuantityError
 
 BAND_HELP = 'write "# band: 10 Hz, 400 Hz", or start the comment with another word'
 DRIVES_HELP = 'write "# drives: free" or "# drives: held", or start the comment with another word'

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.extras import require
 from pkmodes.plots.style import INK, VERMILLION, figure, styled
+from pkmodes.support.extras import require
 from pkmodes.view.projection import camera, hull, rim
 from pkmodes.view.scene import AMPLITUDE, Scene
 

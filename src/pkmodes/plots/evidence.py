@@ -8,12 +8,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.base.ordering import in_order
+from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
+from pkmodes.support.ordering import in_order
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

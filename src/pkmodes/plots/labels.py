@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from pkmodes.base.errors import printable
+from pkmodes.core.base.errors import printable
 
 if TYPE_CHECKING:
     from matplotlib.axis import Axis

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.robot.units import SHOWN
 from pkmodes.plots.labels import typeset
-from pkmodes.robot.units import SHOWN
 
 if TYPE_CHECKING:
     import xarray

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.robot.units import SHOWN
 from pkmodes.plots.labels import short
 from pkmodes.plots.style import BLUE, GREY, PALETTE, VERMILLION, figure
-from pkmodes.robot.units import SHOWN
 
 if TYPE_CHECKING:
     import xarray

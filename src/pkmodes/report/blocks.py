@@ -317,7 +317,7 @@ class Summary:
     facts : sequence of (str, Cell)
         The most important numbers.
     head : sequence of (str, str)
-        Titles and texts beside the subject, such as the customer: `pkmodes.robot.report_fields.head_of`.
+        Titles and texts beside the subject, such as the customer: `pkmodes.core.robot.report_fields.head_of`.
     """
 
     subject: str

@@ -5,11 +5,11 @@ from __future__ import annotations
 import difflib
 from pathlib import Path
 
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.report.blocks import Block, Difference, Paragraph
 from pkmodes.report.formatting import SENTENCE, clean
-from pkmodes.robot.robot import Robot
 from pkmodes.updating.corrected_robot import corrected_robot
 
 NO_END = "\\ No newline at end of file"

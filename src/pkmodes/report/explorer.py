@@ -9,19 +9,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.robot.units import SHOWN
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.plane import limits_of
 from pkmodes.plots.style import styled
 from pkmodes.report.blocks import Explorer, Slider
 from pkmodes.report.formatting import clean
 from pkmodes.report.map_values import DECIMALS, LARGEST, MapValues, values_of
-from pkmodes.robot.units import SHOWN
 from pkmodes.view.page_data import embedded
 
 if TYPE_CHECKING:
     import xarray
 
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
 
 #: Colours of the scale in the page.
 COLOURS = 128

@@ -6,10 +6,10 @@ import math
 import re
 from collections.abc import Mapping
 
-from pkmodes.base import numbers
-from pkmodes.base.numbers import p_text, plain, rounded
 from pkmodes.plots.labels import RAISED, TIMES, typeset, visible
 from pkmodes.report.blocks import Cell, Spread
+from pkmodes.support import numbers
+from pkmodes.support.numbers import p_text, plain, rounded
 
 #: Labels and names longer than this are shortened; the JSON has them whole.
 LONGEST = 100

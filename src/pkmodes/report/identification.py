@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.base.version import VERSION
 from pkmodes.campaign.campaign import Campaign
 from pkmodes.campaign.identify import COMPLEX
 from pkmodes.campaign.results import Identification, IdentifiedMode, RecordResult
+from pkmodes.core.base.version import VERSION
+from pkmodes.core.robot.report_fields import head_of
 from pkmodes.plots import identified_modes
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Picture, Section, Summary
 from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer
@@ -19,7 +20,6 @@ from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source
 from pkmodes.report.tables import table
-from pkmodes.robot.report_fields import head_of
 
 #: Places that a note of the head names at most.
 PLACES = 8

@@ -15,7 +15,7 @@ from pkmodes.plots import fits, identified_modes
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Section, Table
 from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer, uncertain
 from pkmodes.report.tables import table
-from pkmodes.robot.motors import motors_in_words
+from pkmodes.support.motors import motors_in_words
 
 #: Complex shapes drawn of a record at most: the least collinear.
 MOST_SHAPES = 18

@@ -6,8 +6,10 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from pkmodes.base import numbers
-from pkmodes.dataset.fields import FIELDS
+from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.report_fields import head_of
+from pkmodes.core.robot.units import SHOWN
+from pkmodes.core.solve.fields import FIELDS
 from pkmodes.figures.pictures import pictures
 from pkmodes.maps.left_out import sentences, shown
 from pkmodes.maps.spread import spread_along
@@ -33,15 +35,13 @@ from pkmodes.report.map_planes import declared_values, plane_of, swept_paths, sw
 from pkmodes.report.origin import files_of, view_section
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
-from pkmodes.robot.declaration import changeable
-from pkmodes.robot.motors import motors_in_words
-from pkmodes.robot.report_fields import head_of
-from pkmodes.robot.units import SHOWN
+from pkmodes.support import numbers
+from pkmodes.support.motors import motors_in_words
 
 if TYPE_CHECKING:
     import xarray
 
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
 
 NO_BREAK_PER_CENT = "\N{NO-BREAK SPACE}%"
 #: What the bands are where the robot file states standard deviations.

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pkmodes.core.robot.usable import USABLE
 from pkmodes.figures.working_plane import WIDE, working_plane
 from pkmodes.maps.poses import Grid
 from pkmodes.plots import maps
@@ -15,12 +16,11 @@ from pkmodes.plots.plane import Plane, where
 from pkmodes.plots.style import styled
 from pkmodes.report.blocks import Paragraph, Picture
 from pkmodes.report.formatting import clean, unit
-from pkmodes.robot.usable import USABLE
 
 if TYPE_CHECKING:
     import xarray
 
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
 
 #: Values along each side of the plane that is drawn at most.
 FINEST = 150

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.model import Model
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
-from pkmodes.model.model import Model
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report.comparison import comparison_page
 from pkmodes.report.diagnosis import diagnosis_page
 from pkmodes.report.page import need_report
 from pkmodes.report.setting import Setting
 from pkmodes.report.sources import Source, known_sources
-from pkmodes.robot.robot import Robot
 from pkmodes.updating.declared_spread import declared_spread
 
 

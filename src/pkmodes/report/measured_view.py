@@ -9,15 +9,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import PkmodesError
-from pkmodes.base.ordering import in_order
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.model import Model
+from pkmodes.core.robot.reading import robot_from_document
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
-from pkmodes.model.model import Model
-from pkmodes.robot.reading import robot_from_document
-from pkmodes.robot.robot import Robot
+from pkmodes.support.ordering import in_order
 from pkmodes.updating import frame
 from pkmodes.updating.corrected_robot import corrected_robot
 from pkmodes.updating.load_cases import settable

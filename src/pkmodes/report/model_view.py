@@ -7,15 +7,15 @@ from collections import Counter
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.drives import FREE
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.drives import FREE
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.model import Model
+from pkmodes.core.robot.pose_table import poses_by_name
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.pose_table import poses_by_name
-from pkmodes.model.model import Model
 from pkmodes.report.measured_view import MOST, measured_scene, robot_shown
-from pkmodes.robot.robot import Robot
 from pkmodes.view import assets, fragment, poses_around, scene, typical_pose
 
 

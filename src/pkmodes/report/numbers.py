@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pkmodes.base.ordering import sorted_labels
 from pkmodes.diagnosis.verdict.findings import Corrected
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
 from pkmodes.diagnosis.verdict.rows import Error
@@ -23,6 +22,7 @@ from pkmodes.report.formatting import (
 )
 from pkmodes.report.setting import Setting
 from pkmodes.report.tables import table
+from pkmodes.support.ordering import sorted_labels
 
 STAGES = {
     "before": "before: as declared",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pkmodes.base.version import VERSION
+from pkmodes.core.base.version import VERSION
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report.blocks import Block, Cell, Facts, Foreign, Paragraph, Section
 from pkmodes.report.formatting import clean, plural

@@ -7,10 +7,10 @@ from functools import cache
 from importlib.resources import files
 from typing import TYPE_CHECKING
 
-from pkmodes.base.extras import require
-from pkmodes.base.page_policy import with_policy
-from pkmodes.base.version import VERSION
+from pkmodes.core.base.version import VERSION
 from pkmodes.report.blocks import Section, Summary
+from pkmodes.support.extras import require
+from pkmodes.support.page_policy import with_policy
 
 if TYPE_CHECKING:
     from jinja2 import Environment

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base import numbers
-from pkmodes.base.version import VERSION
+from pkmodes.core.base.version import VERSION
+from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.robot.report_fields import head_of
 from pkmodes.figures.response_channels import DrawnChannels
-from pkmodes.mechanism.poses import placed
 from pkmodes.plots.labels import MINUS
 from pkmodes.plots.responses import responses
 from pkmodes.plots.style import styled
@@ -32,12 +32,12 @@ from pkmodes.report.sources import Source, known_sources
 from pkmodes.report.tables import table
 from pkmodes.response.channels import most_responsive
 from pkmodes.response.measured import MeasuredResponse
-from pkmodes.robot.motors import motors_in_words
-from pkmodes.robot.report_fields import head_of
 from pkmodes.sensitivity.spread import spread_of
+from pkmodes.support import numbers
+from pkmodes.support.motors import motors_in_words
 
 if TYPE_CHECKING:
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
     from pkmodes.response.frequency_response import FrequencyResponse
 
 #: Channels in one figure: two by two.

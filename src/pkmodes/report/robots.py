@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from pkmodes.base.version import VERSION
+from pkmodes.core.base.version import VERSION
+from pkmodes.core.robot.report_fields import common_head
 from pkmodes.figures.quantities import points_of
 from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.mapping import map_of
@@ -31,12 +32,11 @@ from pkmodes.report.formatting import clean, number, plural, pointer, thousands,
 from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source
-from pkmodes.robot.motors import motors_of_both
-from pkmodes.robot.report_fields import common_head
-from pkmodes.robot.words import in_words
+from pkmodes.support.motors import motors_of_both
+from pkmodes.support.words import in_words
 
 if TYPE_CHECKING:
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
 
 #: Titles of standard deviations by their keys.
 SIGMAS = {"first_sigma": "\u03c3, first", "second_sigma": "\u03c3, second"}

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pkmodes.base.numbers import hertz, plain
-from pkmodes.base.version import VERSION
+from pkmodes.core.base.version import VERSION
+from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.robot.report_fields import head_of
 from pkmodes.figures.tornado_picture import describe
-from pkmodes.mechanism.poses import placed
 from pkmodes.plots.labels import MINUS, typeset
 from pkmodes.plots.style import styled
 from pkmodes.plots.tornado import PANELS, tornado
@@ -20,14 +20,14 @@ from pkmodes.report.formatting import NOTHING, clean, number, pointer, unit
 from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
-from pkmodes.robot.motors import motors_in_words
-from pkmodes.robot.report_fields import head_of
-from pkmodes.robot.words import in_words
 from pkmodes.sensitivity.changes import CORRELATED, PERCENT, SIGMA, Changes, changes_at
 from pkmodes.sensitivity.spread import stated_sigmas
+from pkmodes.support.motors import motors_in_words
+from pkmodes.support.numbers import hertz, plain
+from pkmodes.support.words import in_words
 
 if TYPE_CHECKING:
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
 
 #: Of parameters that act as one.
 ONE = "Quantities in one row act as one: only their product or quotient enters the equations."

@@ -6,15 +6,15 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from pkmodes.base.numbers import plain
+from pkmodes.core.robot.report_fields import head_of
+from pkmodes.core.robot.robot import Robot
 from pkmodes.measured.measurements import Measurements
 from pkmodes.plots.labels import typeset
 from pkmodes.report.formatting import clean, unit
 from pkmodes.report.sources import Source
-from pkmodes.robot.motors import motors_in_words
-from pkmodes.robot.report_fields import head_of
-from pkmodes.robot.robot import Robot
-from pkmodes.robot.words import in_words
+from pkmodes.support.motors import motors_in_words
+from pkmodes.support.numbers import plain
+from pkmodes.support.words import in_words
 from pkmodes.updating.load_cases import settable
 
 

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.version import VERSION
+from pkmodes.core.base.version import VERSION
+from pkmodes.core.robot.report_fields import head_of
+from pkmodes.core.robot.units import SHOWN
 from pkmodes.plots import shapers
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.style import styled
@@ -17,13 +19,11 @@ from pkmodes.report.formatting import clean, number, pointer, thousands
 from pkmodes.report.origin import files_of
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
-from pkmodes.robot.report_fields import head_of
-from pkmodes.robot.units import SHOWN
 from pkmodes.shaping.firmware import NAMES
 from pkmodes.shaping.residual_vibration import residual
 
 if TYPE_CHECKING:
-    from pkmodes.model.model import Model
+    from pkmodes.core.model import Model
     from pkmodes.shaping.choice import Candidate, Choice
 
 #: Relative errors of the frequencies in the second figure.

@@ -10,14 +10,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.arguments import check_argument, one_of
-from pkmodes.base.drives import checked_drives
-from pkmodes.base.errors import PkmodesError
-from pkmodes.mechanism.poses import CheckedPoses
-from pkmodes.model.model import Model
+from pkmodes.core.base.arguments import check_argument, one_of
+from pkmodes.core.base.drives import checked_drives
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.mechanism.poses import CheckedPoses
+from pkmodes.core.model import Model
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.solve.results import AtPoses
 from pkmodes.response.ports import QUANTITIES, Output, Port, inputs_of, outputs_of, units_of
-from pkmodes.robot.robot import Robot
-from pkmodes.solve.results import AtPoses
 
 Index = tuple[int, ...] | int
 #: A response below this fraction of the largest one of the same unit is rounding.

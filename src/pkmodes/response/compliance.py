@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.drives import HELD
-from pkmodes.base.errors import PkmodesError
-from pkmodes.linalg import statics
-from pkmodes.mechanism.poses import OnError
-from pkmodes.model.model import Model
-from pkmodes.system.evaluation import Evaluation, matrices
-from pkmodes.system.motors import MotorsHeld
+from pkmodes.core.base.drives import HELD
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.linalg import statics
+from pkmodes.core.mechanism.poses import OnError
+from pkmodes.core.model import Model
+from pkmodes.core.system.evaluation import Evaluation, matrices
+from pkmodes.core.system.motors import MotorsHeld
 
 Array = NDArray[np.float64]
 

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.linalg.receptance import receptance
 from pkmodes.response.linearised import LinearisedRobot
+from pkmodes.response.receptance import receptance
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

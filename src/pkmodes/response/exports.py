@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.extras import require
-from pkmodes.base.writing import write_file
+from pkmodes.core.mechanism.poses import placed
 from pkmodes.dataset.attributes import imported
 from pkmodes.dataset.variables import dims_of_poses
-from pkmodes.mechanism.poses import placed
 from pkmodes.response.channels import Channels, Index
+from pkmodes.support.extras import require
+from pkmodes.support.writing import write_file
 
 if TYPE_CHECKING:
     from xarray import Dataset

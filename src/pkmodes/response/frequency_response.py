@@ -11,16 +11,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.arguments import real_numbers
-from pkmodes.base.drives import FREE
-from pkmodes.base.errors import PkmodesError
-from pkmodes.mechanism.poses import OnError
-from pkmodes.model.model import Model
+from pkmodes.core.base.arguments import real_numbers
+from pkmodes.core.base.drives import FREE
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.mechanism.poses import OnError
+from pkmodes.core.model import Model
+from pkmodes.core.solve.backends import AUTO
 from pkmodes.response.channels import Asked, Channels
 from pkmodes.response.equations import equations
 from pkmodes.response.linearised import LinearisedRobot, nan_in_both_parts
 from pkmodes.response.ports import QUANTITIES, Output, Port, input_vectors, output_vectors, prescribed
-from pkmodes.solve.backends import AUTO
 
 if TYPE_CHECKING:
     from xarray import Dataset

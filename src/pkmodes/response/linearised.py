@@ -14,11 +14,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.linalg.damping import ModalDamping, modal_damping, rates_of_ratio
-from pkmodes.linalg.eigen import generalised_eigh
-from pkmodes.model.model import Model
-from pkmodes.solve.solutions import solved
-from pkmodes.system.motors import MotorsHeld, motor_motion
+from pkmodes.core.linalg.damping import ModalDamping, modal_damping, rates_of_ratio
+from pkmodes.core.linalg.eigen import generalised_eigh
+from pkmodes.core.model import Model
+from pkmodes.core.solve.solutions import solved
+from pkmodes.core.system.motors import MotorsHeld, motor_motion
 
 Array = NDArray[np.float64]
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import MeasurementError, PkmodesError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.signals.functions import Kind
 from pkmodes.signals.reading import read_signals
 

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.arguments import Constraint, check_argument, is_number, real_numbers
-from pkmodes.base.drives import HELD
-from pkmodes.base.errors import PkmodesError, PoseError, shown
-from pkmodes.measured.pose_table import poses_by_name
-from pkmodes.mechanism.poses import placed
-from pkmodes.model.model import Model
+from pkmodes.core.base.arguments import Constraint, check_argument, is_number, real_numbers
+from pkmodes.core.base.drives import HELD
+from pkmodes.core.base.errors import PkmodesError, PoseError, shown
+from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.model import Model
+from pkmodes.core.robot.pose_table import poses_by_name
 from pkmodes.response.path_vibration import deviation_along
 from pkmodes.shaping.arguments import checked_impulses
 from pkmodes.shaping.shapers import Shaper

@@ -7,8 +7,8 @@ the modes make: with the motion r of all coordinates that moves the platform by 
     \delta = J_p \Phi \eta ,
 
 where :math:`\Lambda`, :math:`\Phi`, M, r and D are those of the commanded pose of the moment.  D has the viscous
-friction, the damping ratio, and the loss factors as in `pkmodes.linalg.damping`.  Ratio and loss factors damp the
-vibration alone, friction resists the move too.  Forces that grow with the square of the speed are left out.
+friction, the damping ratio, and the loss factors as in `pkmodes.core.linalg.damping`.  Ratio and loss factors damp
+the vibration alone, friction resists the move too.  Forces that grow with the square of the speed are left out.
 
 Between samples the command is a straight line, so that its acceleration is a jump of the velocity at each sample.
 Every sample's matrices hold for half an interval before and after it; in between, displacements
@@ -24,11 +24,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import expm
 
-from pkmodes.base.drives import HELD
-from pkmodes.model.model import Model
+from pkmodes.core.base.drives import HELD
+from pkmodes.core.model import Model
+from pkmodes.core.solve.backends import AUTO
+from pkmodes.core.system.strain_free import strain_free_motions
 from pkmodes.response.linearised import LinearisedRobot
-from pkmodes.solve.backends import AUTO
-from pkmodes.system.strain_free import strain_free_motions
 
 Array = NDArray[np.float64]
 #: Samples whose matrices are kept at a time.

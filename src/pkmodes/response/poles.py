@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.drives import FREE, checked_drives
-from pkmodes.linalg.damping import poles, ratios_of_poles
-from pkmodes.mechanism.poses import OnError
-from pkmodes.model.model import Model
+from pkmodes.core.base.drives import FREE, checked_drives
+from pkmodes.core.linalg.damping import poles, ratios_of_poles
+from pkmodes.core.mechanism.poses import OnError
+from pkmodes.core.model import Model
+from pkmodes.core.solve.backends import AUTO
 from pkmodes.response.linearised import LinearisedRobot, nan_in_both_parts
-from pkmodes.solve.backends import AUTO
 
 #: A ratio that differs from that of its pole by more than this fraction is named.
 DIFFERENT = 0.1

@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.drives import FREE, HELD
-from pkmodes.base.errors import PkmodesError, nearest, shown
-from pkmodes.mechanism.directions import unit_direction
-from pkmodes.model.model import Model
+from pkmodes.core.base.drives import FREE, HELD
+from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.model import Model
+from pkmodes.response.directions import unit_direction
 from pkmodes.response.linearised import LinearisedRobot
 
 Array = NDArray[np.float64]

@@ -23,14 +23,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.linalg import expm
 
-from pkmodes.base.drives import FREE
-from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.mechanism.poses import OnError
-from pkmodes.model.model import Model
+from pkmodes.core.base.drives import FREE
+from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.mechanism.poses import OnError
+from pkmodes.core.model import Model
+from pkmodes.core.solve.backends import AUTO
 from pkmodes.response.channels import Asked, Channels, Index
 from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.ports import QUANTITIES, Output, Port, input_vectors, output_vectors, prescribed
-from pkmodes.solve.backends import AUTO
 
 if TYPE_CHECKING:
     from scipy.signal import StateSpace as OfScipy

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.errors import PkmodesError
-from pkmodes.model.model import Model
-from pkmodes.robot.paths import resolve_all
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.model import Model
+from pkmodes.sensitivity.paths import resolve_all
 from pkmodes.sensitivity.relative import alike_around, rates_of, scalable
 from pkmodes.sensitivity.spread import frequency_sigmas, stated_sigmas
 

@@ -7,13 +7,13 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.compiled.lanes import Along
-from pkmodes.robot.paths import ParameterPath
+from pkmodes.core.compiled.lanes import Along
+from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.solve.solver import Solver
+from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.matrices import MatrixDerivatives
+from pkmodes.sensitivity.paths import ParameterPath
 from pkmodes.sensitivity.terms import terms_of_all
-from pkmodes.solve.at_poses import RobotAtPoses
-from pkmodes.solve.solver import Solver
-from pkmodes.system.evaluation import ExtendedSystem
 
 Array = NDArray[np.float64]
 

@@ -18,10 +18,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.mechanism.registry import Mechanism
-from pkmodes.robot.layout import Slot
-from pkmodes.robot.paths import ParameterPath
-from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.robot.layout import Slot
+from pkmodes.core.system.evaluation import ExtendedSystem
+from pkmodes.sensitivity.paths import ParameterPath
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]

@@ -35,7 +35,7 @@ def groups(eigenvalues: Array, close: float, magnitude: Array) -> Index:
     close : float
         The fraction; gaps below rounding are also ignored.
     magnitude : ndarray, shape (..., m)
-        Magnitude to which the rounding of each eigenvalue is relative (`pkmodes.linalg.eigen.magnitude`).
+        Magnitude to which the rounding of each eigenvalue is relative (`pkmodes.core.linalg.eigen.magnitude`).
 
     Returns
     -------

@@ -7,15 +7,15 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.compiled.lanes import UNSOLVED, Terms
-from pkmodes.linalg.eigen import magnitude
-from pkmodes.mechanism.poses import CHUNK, codes_of
+from pkmodes.core.compiled.lanes import UNSOLVED, Terms
+from pkmodes.core.linalg.eigen import magnitude
+from pkmodes.core.mechanism.poses import CHUNK, codes_of
+from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.solve.batch import Job
+from pkmodes.core.solve.solver import EIGENVALUES, Codes, Solver
+from pkmodes.core.system.evaluation import Evaluation, may_be_refused, number_of_modes
 from pkmodes.sensitivity.modes import ROUNDING, separate
 from pkmodes.sensitivity.terms import RATES
-from pkmodes.solve.at_poses import RobotAtPoses
-from pkmodes.solve.batch import Job
-from pkmodes.solve.solver import EIGENVALUES, Codes, Solver
-from pkmodes.system.evaluation import Evaluation, may_be_refused, number_of_modes
 
 Array = NDArray[np.float64]
 

@@ -7,15 +7,15 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.mechanism.regular import extent
-from pkmodes.model.model import Model
-from pkmodes.robot.layout import effect_parameters, items
-from pkmodes.robot.parameter_groups import groups_by_path, value_of, weights_of
-from pkmodes.robot.paths import ParameterPath, paths
-from pkmodes.robot.robot import Robot
+from pkmodes.core.mechanism.regular import extent
+from pkmodes.core.model import Model
+from pkmodes.core.robot.layout import effect_parameters, items
+from pkmodes.core.robot.parameter_groups import groups_by_path, value_of, weights_of
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.solve.backends import AUTO
 from pkmodes.sensitivity.alike import Alike, alike
+from pkmodes.sensitivity.paths import ParameterPath, paths
 from pkmodes.sensitivity.sensitivities import ResolvedPaths, sensitivities
-from pkmodes.solve.backends import AUTO
 
 Array = NDArray[np.float64]
 #: Poses around a given one at which parameters are compared, and how far they lie from it: a fraction of the robot's

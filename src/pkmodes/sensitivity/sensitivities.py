@@ -10,27 +10,27 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.drives import FREE, checked_drives
-from pkmodes.base.errors import PkmodesError, listed, shown
-from pkmodes.compiled.lanes import Terms
-from pkmodes.linalg.eigen import has_stiff_joint, magnitude
-from pkmodes.measured.pose_table import poses_by_name
-from pkmodes.mechanism.poses import OnError, check_poses
-from pkmodes.model.model import Model
-from pkmodes.robot.layout import effect_parameters
-from pkmodes.robot.paths import ParameterPath, paths, resolve_all
-from pkmodes.robot.robot import Robot
+from pkmodes.core.base.drives import FREE, checked_drives
+from pkmodes.core.base.errors import PkmodesError, listed, shown
+from pkmodes.core.compiled.lanes import Terms
+from pkmodes.core.linalg.eigen import has_stiff_joint, magnitude
+from pkmodes.core.mechanism.poses import OnError, check_poses
+from pkmodes.core.model import Model
+from pkmodes.core.robot.layout import effect_parameters
+from pkmodes.core.robot.pose_table import poses_by_name
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.solve.backends import AUTO, checked_threads
+from pkmodes.core.solve.batch import run
+from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
+from pkmodes.core.solve.results import ChosenFields
+from pkmodes.core.solve.solutions import solved
+from pkmodes.core.solve.solver import Solver
+from pkmodes.core.system.evaluation import ExtendedSystem, evaluation
+from pkmodes.core.system.motors import MotorsHeld, solved_system
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
+from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
 from pkmodes.sensitivity.terms import RATES, terms_of
-from pkmodes.solve.backends import AUTO, checked_threads
-from pkmodes.solve.batch import run
-from pkmodes.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
-from pkmodes.solve.results import ChosenFields
-from pkmodes.solve.solutions import solved
-from pkmodes.solve.solver import Solver
-from pkmodes.system.evaluation import ExtendedSystem, evaluation
-from pkmodes.system.motors import MotorsHeld, solved_system
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]

@@ -5,8 +5,8 @@ The law of propagation of uncertainty, with exact derivatives g and the covarian
 .. math:: \sigma_f^2 = g^T C \, g
 
 Values are independent unless a table ``[[covariance]]`` of the robot file correlates them
-(`pkmodes.robot.covariance`).  It is exact to first order: good where the standard deviations are small against the
-values.
+(`pkmodes.core.robot.covariance`).  It is exact to first order: good where the standard deviations are small against
+the values.
 
 References
 ----------
@@ -20,16 +20,16 @@ from collections.abc import Collection, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.drives import FREE, checked_drives
-from pkmodes.base.errors import PkmodesError
-from pkmodes.mechanism.poses import OnError
-from pkmodes.model.model import Model
-from pkmodes.robot.covariance import covariance_of, root_of, uncertain
-from pkmodes.robot.layout import Slot, lent
-from pkmodes.robot.paths import ParameterPath, paths
-from pkmodes.robot.robot import Robot
+from pkmodes.core.base.drives import FREE, checked_drives
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.mechanism.poses import OnError
+from pkmodes.core.model import Model
+from pkmodes.core.robot.covariance import covariance_of, root_of, uncertain
+from pkmodes.core.robot.layout import Slot, lent
+from pkmodes.core.robot.robot import Robot
 from pkmodes.sensitivity.matrices import locked_joints
 from pkmodes.sensitivity.modes import groups
+from pkmodes.sensitivity.paths import ParameterPath, paths
 from pkmodes.sensitivity.relative import CLOSE, rates_of
 from pkmodes.sensitivity.sensitivities import ResolvedPaths
 

@@ -7,13 +7,13 @@ from functools import cache
 
 import numpy as np
 
-from pkmodes.compiled.lanes import Terms, flat
-from pkmodes.mechanism.registry import Mechanism
-from pkmodes.mechanism.regular import sample
-from pkmodes.robot.layout import Slot
-from pkmodes.robot.paths import ParameterPath
+from pkmodes.core.compiled.lanes import Terms, flat
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.mechanism.regular import sample
+from pkmodes.core.robot.layout import Slot
+from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.matrices import POSE, effect_fields, joints_of
-from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.sensitivity.paths import ParameterPath
 
 #: The compiled evaluator's names of the fields of `pkmodes.Sensitivities` that it evaluates.
 RATES = {"eigenvalues": "eigenvalue_rates", "frequencies": "frequency_rates"}

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.arguments import real_numbers
-from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.core.base.arguments import real_numbers
+from pkmodes.core.base.errors import PkmodesError, shown
 
 Array = NDArray[np.float64]
 #: What to do about arguments that are no numbers.

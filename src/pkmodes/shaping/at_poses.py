@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.errors import PkmodesError
-from pkmodes.model.model import Model
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.model import Model
 from pkmodes.shaping.fixed import BEYOND, CLOSE
 from pkmodes.shaping.kinds import factors
 from pkmodes.shaping.residual_vibration import residual, residual_of_even

@@ -8,10 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.arguments import Constraint, check_argument, is_number, one_of
-from pkmodes.base.errors import PkmodesError
-from pkmodes.base.progress import say
-from pkmodes.model.model import Model
+from pkmodes.core.base.arguments import Constraint, check_argument, is_number, one_of
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.model import Model
 from pkmodes.shaping.at_poses import following
 from pkmodes.shaping.firmware import NAMES
 from pkmodes.shaping.firmware import firmware as lines
@@ -20,6 +19,7 @@ from pkmodes.shaping.kinds import KINDS, PRODUCT, factors, plain
 from pkmodes.shaping.residual_vibration import residual
 from pkmodes.shaping.ringing import Ringing, ringing
 from pkmodes.shaping.shapers import Shaper
+from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
 #: A fixed shaper is good enough if it leaves this share of the vibration at the worst pose.

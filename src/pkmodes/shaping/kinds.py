@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from pkmodes.base.arguments import alternatives
-from pkmodes.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.base.arguments import alternatives
+from pkmodes.core.base.errors import PkmodesError, nearest, shown
 from pkmodes_description.shapers import SHAPERS, Kind
 
 PRODUCT = "*"

@@ -8,13 +8,13 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.arguments import POSITIVE_INTEGER, check_argument
-from pkmodes.base.drives import HELD
-from pkmodes.base.errors import PkmodesError, PoseError
-from pkmodes.base.progress import say
-from pkmodes.model.model import Model
+from pkmodes.core.base.arguments import POSITIVE_INTEGER, check_argument
+from pkmodes.core.base.drives import HELD
+from pkmodes.core.base.errors import PkmodesError, PoseError
+from pkmodes.core.model import Model
+from pkmodes.core.solve.backends import AUTO
 from pkmodes.sensitivity.spread import spread_of
-from pkmodes.solve.backends import AUTO
+from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
 #: Modes that count by default: the lowest ones.

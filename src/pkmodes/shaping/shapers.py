@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.shaping.arguments import checked_modes
 from pkmodes.shaping.kinds import factors
 from pkmodes_description.shapers import Kind

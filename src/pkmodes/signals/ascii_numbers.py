@@ -7,7 +7,7 @@ import warnings
 
 import numpy as np
 
-from pkmodes.base.errors import shown
+from pkmodes.core.base.errors import shown
 from pkmodes.signals.functions import Array
 from pkmodes.signals.scanning import Scanner, is_delimiter, text_of
 

@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from pkmodes.base.errors import shown
+from pkmodes.core.base.errors import shown
 from pkmodes.signals.ascii_numbers import numbers_in
 from pkmodes.signals.functions import Array, ModeShape
 from pkmodes.signals.header58 import DIRECTIONS

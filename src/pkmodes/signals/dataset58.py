@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.ascii_numbers import read_numbers
 from pkmodes.signals.checks import check_abscissa, check_finite
 from pkmodes.signals.functions import Array, Complex

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.checks import FEWEST, check_abscissa, check_coherence
 from pkmodes.signals.dataset58 import Points, Stored
 from pkmodes.signals.formats import Asked

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
-from pkmodes.base.errors import shown
+from pkmodes.core.base.errors import shown
 from pkmodes.signals.scanning import Scanner
 
 LINES = 11

@@ -13,7 +13,7 @@ from typing import Any, BinaryIO, TypeVar
 
 import numpy as np
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.checks import FEWEST, check_abscissa, check_finite
 from pkmodes.signals.formats import Asked, SignalFormat
 from pkmodes.signals.functions import Array, Complex, Function, Kind, SignalFile

@@ -6,7 +6,7 @@ import os
 from os import PathLike, fspath
 from pathlib import Path
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.formats import Asked, SignalFormat
 from pkmodes.signals.functions import SignalFile
 from pkmodes.signals.matlab import MATLAB

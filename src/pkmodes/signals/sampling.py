@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.checks import FEWEST
 from pkmodes.signals.functions import Array
 

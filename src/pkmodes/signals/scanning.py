@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import BinaryIO, NoReturn
 
-from pkmodes.base.errors import MeasurementError, shown
+from pkmodes.core.base.errors import MeasurementError, shown
 
 DELIMITER = b"    -1"
 #: The longest line of text, far above the 80 columns of the format: longer ones are binary data.

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pkmodes.base.errors import MeasurementError, shown
+from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.signals.checks import FEWEST, outside_coherence
 from pkmodes.signals.formats import Asked, SignalFormat
 from pkmodes.signals.functions import Array, Complex, Function, Kind, SignalFile

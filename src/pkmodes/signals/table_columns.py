@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from pkmodes.base.errors import MeasurementError, shown
-from pkmodes.robot.columns import IN_BRACKETS
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.core.robot.columns import IN_BRACKETS
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Kind
 

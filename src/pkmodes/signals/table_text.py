@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pkmodes.base.errors import MeasurementError, shown
+from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.measured.cells import NUMBER, separator_of
 from pkmodes.measured.csv_format import WORKBOOKS
 from pkmodes.signals.functions import Array

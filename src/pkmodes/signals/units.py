@@ -13,8 +13,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 
-from pkmodes.robot.columns import frequency_factor
-from pkmodes.robot.units import QuantityError, base_units
+from pkmodes.core.robot.columns import frequency_factor
+from pkmodes.core.robot.units import QuantityError, base_units
 
 #: Labels of measuring systems that are no unit.
 NO_UNIT = frozenset({"", "none", "unknown", "eu", "-"})

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from pkmodes import diagnosis
+from pkmodes.core.model import Model
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.update import Update
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.linalg.threads import one_blas_thread
 from pkmodes.measured.measurements import Measurements
-from pkmodes.model.model import Model
-from pkmodes.robot.robot import Robot
+from pkmodes.support.threads import one_blas_thread
 from pkmodes.updating.damping import with_damping
 from pkmodes.updating.measured_robot import MeasuredRobot
 

@@ -6,16 +6,16 @@ import math
 from collections.abc import Mapping
 from pathlib import Path
 
-from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.mechanism.described import DAMPING_RATIO
+from pkmodes.core.model import Model
+from pkmodes.core.robot.covariance import Covariance
+from pkmodes.core.robot.parameter_groups import groups_by_path
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.verdict.findings import Corrected
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.mechanism.described import DAMPING_RATIO
-from pkmodes.model.model import Model
-from pkmodes.robot.covariance import Covariance
-from pkmodes.robot.parameter_groups import groups_by_path
-from pkmodes.robot.paths import resolve
-from pkmodes.robot.robot import Robot
-from pkmodes.robot.saving import Correction, corrected_text, save_corrected
+from pkmodes.robot_files.saving import Correction, corrected_text, save_corrected
+from pkmodes.sensitivity.paths import resolve
 from pkmodes.updating import frame
 from pkmodes.updating.measured_robot import robot_of
 

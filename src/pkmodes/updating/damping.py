@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from pkmodes.core.model import Model
 from pkmodes.diagnosis.compare import Comparison
-from pkmodes.model.model import Model
 from pkmodes.updating.measured_robot import MeasuredRobot
 
 

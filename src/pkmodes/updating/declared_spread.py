@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.mechanism.poses import MAX_CONDITION
+from pkmodes.core.model import Model
+from pkmodes.core.robot.robot import Robot
 from pkmodes.measured.measurements import Measurements
-from pkmodes.mechanism.poses import MAX_CONDITION
-from pkmodes.model.model import Model
-from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.spread import spread_of, stated_sigmas
 from pkmodes.updating.load_cases import load_cases
 

@@ -12,8 +12,8 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.diagnosis.problem import Candidate, Parameter
-from pkmodes.mechanism.registry import Mechanism
 
 Array = NDArray[np.float64]
 #: Prefixes of the parameters of the measurement, and of its candidates.

@@ -11,17 +11,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.drives import FREE, HELD, other_drives
-from pkmodes.base.errors import MeasurementError, PkmodesError, nearest, shown
+from pkmodes.core.base.drives import FREE, HELD, other_drives
+from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.layout import Slot, effect_parameters, items
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.system.evaluation import ExtendedSystem
+from pkmodes.core.system.motors import solved_system
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.rules import SET
-from pkmodes.mechanism.registry import Mechanism
-from pkmodes.robot.declaration import changeable
-from pkmodes.robot.layout import Slot, effect_parameters, items
-from pkmodes.robot.paths import ParameterPath, resolve
-from pkmodes.robot.robot import Robot
-from pkmodes.system.evaluation import ExtendedSystem
-from pkmodes.system.motors import solved_system
+from pkmodes.sensitivity.paths import ParameterPath, resolve
 
 Index = NDArray[np.intp]
 Known = frozenset[Slot]

@@ -8,15 +8,15 @@ from os import PathLike
 
 import numpy as np
 
-from pkmodes.base.errors import MeasurementError, PkmodesError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
+from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
+from pkmodes.core.model import Model
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.arguments import check_measurements
 from pkmodes.diagnosis.problem import Loss
 from pkmodes.measured.header import OTHER_MACHINE, SPREAD, in_words, owners
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.rules import SHAPE
-from pkmodes.mechanism.registry import Mechanism, mechanism, names
-from pkmodes.model.model import Model
-from pkmodes.robot.robot import Robot
 from pkmodes.updating.candidates import suspects
 from pkmodes.updating.load_cases import LoadCases, load_cases
 from pkmodes.updating.losses import is_loss, losses_of, without_losses

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.robot.layout import EFFECTS, items
-from pkmodes.robot.paths import ParameterPath, resolve
-from pkmodes.robot.robot import Robot
+from pkmodes.core.robot.layout import EFFECTS, items
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.matrices import MatrixDerivatives
-from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.sensitivity.paths import ParameterPath, resolve
 
 Array = NDArray[np.float64]
 #: The effect of a mass on the platform, and its parameter.

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import MeasurementError, PoseError, shown
+from pkmodes.core.base.errors import MeasurementError, PoseError, shown
+from pkmodes.core.mechanism.poses import LARGE, check_poses, placed
+from pkmodes.core.robot.robot import Robot
 from pkmodes.measured.header import in_words
 from pkmodes.measured.measurements import Measurements
-from pkmodes.mechanism.poses import LARGE, check_poses, placed
-from pkmodes.robot.robot import Robot
 from pkmodes.updating.load_cases import LoadCases, of_columns
 
 #: Factors for lengths in another unit than stated, and the remedy.

@@ -12,15 +12,15 @@ from typing import NamedTuple, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.solve.solutions import modes_of_systems, modes_where_reached, together
+from pkmodes.core.solve.solver import Solver
+from pkmodes.core.system.evaluation import STEP, ExtendedSystem
 from pkmodes.diagnosis.problem import Prediction
-from pkmodes.robot.paths import ParameterPath
-from pkmodes.robot.robot import Robot
 from pkmodes.sensitivity.compiled import derivatives_of
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, geometry_of, locked_joints
+from pkmodes.sensitivity.paths import ParameterPath
 from pkmodes.sensitivity.shapes import shape_derivatives
-from pkmodes.solve.solutions import modes_of_systems, modes_where_reached, together
-from pkmodes.solve.solver import Solver
-from pkmodes.system.evaluation import STEP, ExtendedSystem
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]

@@ -9,10 +9,10 @@ from typing import NoReturn
 
 import numpy as np
 
-from pkmodes.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.robot.units import NUMBER, QuantityError, base_units
 from pkmodes.diagnosis.problem import Candidate, Parameter
-from pkmodes.robot.robot import Robot
-from pkmodes.robot.units import NUMBER, QuantityError, base_units
 
 
 def with_priors(

@@ -7,13 +7,13 @@ from functools import partial
 from os import PathLike
 from pathlib import Path
 
-from pkmodes.base.drives import checked_drives
-from pkmodes.base.errors import MeasurementError, PkmodesError, shown
+from pkmodes.core.base.drives import checked_drives
+from pkmodes.core.base.errors import MeasurementError, PkmodesError, shown
+from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
+from pkmodes.core.model import Model
+from pkmodes.core.robot.robot import Robot
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
-from pkmodes.mechanism.registry import Mechanism, mechanism, names
-from pkmodes.model.model import Model
-from pkmodes.robot.robot import Robot
 from pkmodes.updating.load_cases import settable
 from pkmodes.updating.measured_robot import columns_of_others, robot_of
 from pkmodes.updating.robot_structure import channels

@@ -9,16 +9,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.mechanism.poses import MAX_CONDITION, check_poses
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.mechanism.regular import declared
+from pkmodes.core.mechanism.rods import rods_of, singular_angles
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.robot.usable import SingularAngle, inside, limits_of, not_singular
+from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.diagnosis.problem import Batch, Candidate, Loss, Parameter, Prediction, Sensor
-from pkmodes.mechanism.poses import MAX_CONDITION, check_poses
-from pkmodes.mechanism.registry import Mechanism
-from pkmodes.mechanism.regular import declared
-from pkmodes.mechanism.rods import rods_of, singular_angles
-from pkmodes.robot.paths import ParameterPath, moved
-from pkmodes.robot.robot import Robot
-from pkmodes.robot.usable import SingularAngle, inside, limits_of, not_singular
 from pkmodes.sensitivity.matrices import POSE, locked_joints
-from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.sensitivity.paths import ParameterPath, moved
 from pkmodes.updating import frame
 from pkmodes.updating.candidates import EFFECTS
 from pkmodes.updating.load_cases import LoadCase, LoadCases

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.diagnosis.problem import Sensor
-from pkmodes.mechanism.registry import Mechanism
 
 #: Prefix of the channels of the platform's absolute motion.
 PLATFORM = "p_"

@@ -12,9 +12,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from pkmodes.core.robot.layout import GRAVITY, Item
 from pkmodes.diagnosis.problem import Parameter
 from pkmodes.measured.measurements import Measurements
-from pkmodes.robot.layout import GRAVITY, Item
 from pkmodes.updating import frame
 
 #: A wrong length is that of another part, some millimetres away [m], or goes to another point: some per cent of it.

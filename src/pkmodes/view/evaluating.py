@@ -12,11 +12,11 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.drives import FREE
-from pkmodes.measured.pose_table import poses_by_name
-from pkmodes.model.model import Model
-from pkmodes.robot.motors import motors_in_words
-from pkmodes.robot.report_fields import head_of
+from pkmodes.core.base.drives import FREE
+from pkmodes.core.model import Model
+from pkmodes.core.robot.pose_table import poses_by_name
+from pkmodes.core.robot.report_fields import head_of
+from pkmodes.support.motors import motors_in_words
 from pkmodes.view.page import page
 from pkmodes.view.robot_drawing import RobotDrawing, Springs, present
 from pkmodes.view.scene import Scene

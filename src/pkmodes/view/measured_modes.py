@@ -19,7 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.linalg.mac import channel_motion
+from pkmodes.support.mac import channel_motion
 
 Array = NDArray[np.float64]
 

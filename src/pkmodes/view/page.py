@@ -11,8 +11,8 @@ from importlib.resources import files
 
 import numpy as np
 
-from pkmodes.base.page_policy import with_policy
-from pkmodes.robot.units import SHOWN
+from pkmodes.core.robot.units import SHOWN
+from pkmodes.support.page_policy import with_policy
 from pkmodes.view.interpolation import FINE
 from pkmodes.view.measured_table import measured_table, observed
 from pkmodes.view.page_data import as_data, embedded, platform_directions

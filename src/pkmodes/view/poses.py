@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.drives import FREE
-from pkmodes.base.errors import PoseError
-from pkmodes.mechanism.generated import Generated
-from pkmodes.mechanism.regular import regular_poses
-from pkmodes.model.model import Model
-from pkmodes.solve.usable import usable_box, usable_poses, used, within
-from pkmodes.solve.workspace import hanging
+from pkmodes.core.base.drives import FREE
+from pkmodes.core.base.errors import PoseError
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.regular import regular_poses
+from pkmodes.core.model import Model
+from pkmodes.maps.reached import hanging
+from pkmodes.maps.usable import usable_box, usable_poses, used, within
 from pkmodes.view.evaluating import scene
 from pkmodes.view.interpolation import FINE, deviations
 from pkmodes.view.pairing import paired_modes

@@ -8,9 +8,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.mechanism.generated import Generated
-from pkmodes.robot.robot import Robot
-from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes_description import Named
 
 Array = NDArray[np.float64]

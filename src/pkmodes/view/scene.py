@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.drives import FREE
+from pkmodes.core.base.drives import FREE
 from pkmodes.view.measured_modes import Channel, MeasuredMode
 from pkmodes.view.workspace import Surface
 from pkmodes_description import Element, Named

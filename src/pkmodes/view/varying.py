@@ -9,11 +9,11 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.base.drives import FREE
-from pkmodes.base.errors import PkmodesError
-from pkmodes.mechanism.poses import OnError
-from pkmodes.model.model import Model
-from pkmodes.robot.paths import resolve
+from pkmodes.core.base.drives import FREE
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.mechanism.poses import OnError
+from pkmodes.core.model import Model
+from pkmodes.sensitivity.paths import resolve
 from pkmodes.view.evaluating import scene_of
 from pkmodes.view.interpolation import deviations
 from pkmodes.view.pairing import paired_modes

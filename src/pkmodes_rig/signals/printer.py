@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from pkmodes.robot.reading import robot_from_document
+from pkmodes.core.robot.reading import robot_from_document
 from pkmodes_rig.corexy import corexy
 from pkmodes_rig.signals.adxl345 import Chip, Recording, record, write_spectrum
 from pkmodes_rig.signals.excitation import fan, sweep

@@ -16,12 +16,12 @@ import numpy as np
 from pkmodes import updating
 from pkmodes.campaign.campaign import read_campaign
 from pkmodes.campaign.identify import identify
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.writing import as_csv
-from pkmodes.robot.robot import Robot
 from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes_rig.signals.campaigns import CAMPAIGN, make
 from pkmodes_rig.signals.small_motion import Losses

@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pkmodes.mechanism.registry import mechanism
-from pkmodes.robot.paths import moved, resolve
+from pkmodes.core.mechanism.registry import mechanism
+from pkmodes.sensitivity.paths import moved, resolve
 from pkmodes_rig import ROBOTS as DELTAS
 from pkmodes_rig import drawn_values
 from pkmodes_rig.robots import with_effects

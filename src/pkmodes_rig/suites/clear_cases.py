@@ -16,7 +16,7 @@ from functools import cache
 import numpy as np
 
 from pkmodes import updating
-from pkmodes.mechanism.registry import mechanism
+from pkmodes.core.mechanism.registry import mechanism
 from pkmodes_rig import Identified, Laboratory, drawn_values, identified, written
 from pkmodes_rig.suites.judging import judged
 from pkmodes_rig.suites.mechanism_cases import (

@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pkmodes.mechanism.registry import mechanism
+from pkmodes.core.mechanism.registry import mechanism
 from pkmodes_rig import ROBOTS
 from pkmodes_rig.suites import mechanism_suites, sizes
 from pkmodes_rig.suites.clear_cases import ClearCase, ClearOutcome, run, splits

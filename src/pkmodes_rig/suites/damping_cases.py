@@ -13,11 +13,11 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from pkmodes import updating
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.rows import Row
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE
 from pkmodes.measured.measurements import Measurements
-from pkmodes.robot.robot import Robot
 from pkmodes.updating.losses import RATIO
 from pkmodes_rig import Identified, TrueModes, drawn_values, drives_of, identified
 from pkmodes_rig.dissipation import coulomb_ratios, damping_ratios

@@ -17,14 +17,14 @@ from pathlib import Path
 import numpy as np
 
 from pkmodes import updating
+from pkmodes.core.robot.reading import read_robot
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
-from pkmodes.robot.paths import moved, resolve
-from pkmodes.robot.reading import read_robot
-from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.paths import moved, resolve
 from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes_rig import (
     BASE_RIGID,

@@ -19,8 +19,8 @@ from dataclasses import replace
 from pathlib import Path
 from pprint import pformat
 
-from pkmodes.mechanism.registry import mechanism
-from pkmodes.robot.paths import resolve
+from pkmodes.core.mechanism.registry import mechanism
+from pkmodes.sensitivity.paths import resolve
 from pkmodes.updating.candidates import PREFIX
 from pkmodes_rig.suites.mechanism_cases import (
     KINDS,

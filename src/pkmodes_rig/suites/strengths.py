@@ -22,14 +22,14 @@ from pathlib import Path
 
 import numpy as np
 
+from pkmodes.core.mechanism.registry import mechanism
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
-from pkmodes.mechanism.registry import mechanism
-from pkmodes.robot.paths import moved, resolve
-from pkmodes.robot.robot import Robot
+from pkmodes.sensitivity.paths import moved, resolve
 from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes.updating.robot_structure import channels as channels_of
 from pkmodes_rig import (

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from pkmodes.cli import run
-from pkmodes.robot.reading import robot_from_document
+from pkmodes.core.robot.reading import robot_from_document
 from pkmodes_rig.measurements import measure
 from pkmodes_rig.robots import POSES, ROBOTS
 

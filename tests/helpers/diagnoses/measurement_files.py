@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from pkmodes.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
 

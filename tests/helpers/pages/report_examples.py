@@ -9,12 +9,12 @@ import numpy as np
 from helpers.diagnoses.diagnose_command import files
 from helpers.diagnoses.verdict_examples import given, judged
 from pkmodes import read_robot, updating
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis import Diagnosis, Measurements
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.findings import Corrected, Examined, Finding, Stability, Value
 from pkmodes.diagnosis.verdict.result import Stages
 from pkmodes.diagnosis.verdict.rows import Error, Row
-from pkmodes.robot.robot import Robot
 
 #: Text that a careless page would execute, obey or be torn apart by.
 HOSTILE = (

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import mpmath
 import numpy as np
 
-from pkmodes.mechanism.registry import mechanism
-from pkmodes.system.evaluation import ExtendedSystem
+from pkmodes.core.mechanism.registry import mechanism
+from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes_generated.linear_delta import Parameters, extended
 
 CATALOGUE = mechanism("linear_delta").effects

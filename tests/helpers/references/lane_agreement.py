@@ -6,9 +6,9 @@ import numpy as np
 
 from helpers.references.numpy_modes import solve
 from helpers.robots.lane_samples import Case, results
-from pkmodes.linalg.eigen import has_stiff_joint, natural_frequencies
-from pkmodes.mechanism.generated import Generated
-from pkmodes.mechanism.poses import check_poses
+from pkmodes.core.linalg.eigen import has_stiff_joint, natural_frequencies
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.poses import check_poses
 
 #: Largest errors: of frequencies of vibration, relative; of the shapes of separate modes, relative to the largest
 #: component; of eigenvalues relative to the largest; of M-orthogonality; of the scaled residual relative to K.

@@ -8,10 +8,10 @@ from typing import Self
 import numpy as np
 import scipy.linalg
 
-from pkmodes.linalg.eigen import TIE
-from pkmodes.solve.at_poses import RobotAtPoses
-from pkmodes.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
-from pkmodes.system.evaluation import Evaluation
+from pkmodes.core.linalg.eigen import TIE
+from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
+from pkmodes.core.system.evaluation import Evaluation
 
 
 class LoopSolver(Solver):

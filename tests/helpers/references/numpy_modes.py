@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pkmodes.solve.at_poses import RobotAtPoses
-from pkmodes.solve.numpy_solver import modes_of
-from pkmodes.system.evaluation import Evaluation
+from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.solve.numpy_solver import modes_of
+from pkmodes.core.system.evaluation import Evaluation
 
 
 class Solution(NamedTuple):

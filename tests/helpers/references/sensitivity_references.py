@@ -16,10 +16,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import pkmodes
-from pkmodes.mechanism.registry import mechanism
-from pkmodes.robot.paths import ParameterPath, moved
-from pkmodes.robot.reading import robot_from_document
-from pkmodes.robot.robot import Robot
+from pkmodes.core.mechanism.registry import mechanism
+from pkmodes.core.robot.reading import robot_from_document
+from pkmodes.core.robot.robot import Robot
+from pkmodes.sensitivity.paths import ParameterPath, moved
 from pkmodes_generated.linear_delta import Parameters, extended
 
 CATALOGUE = mechanism("linear_delta").effects

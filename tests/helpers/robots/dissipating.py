@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pkmodes.mechanism.registry import mechanism
+from pkmodes.core.mechanism.registry import mechanism
 
 
 def dissipating(name: str) -> tuple[str, ...]:

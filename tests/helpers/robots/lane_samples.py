@@ -12,16 +12,16 @@ import numpy as np
 
 from helpers.robots import sample_mechanisms, sample_robots
 from pkmodes import read_robot
-from pkmodes.compiled.evaluator import Evaluator
-from pkmodes.compiled.lanes import FIELDS, RATES, Terms
-from pkmodes.compiled.loader import load
-from pkmodes.mechanism import registry
-from pkmodes.mechanism.poses import MAX_CONDITION
-from pkmodes.mechanism.registry import Mechanism
-from pkmodes.robot.paths import ParameterPath, paths, resolve_all
-from pkmodes.robot.robot import Robot
+from pkmodes.core.compiled.evaluator import Evaluator
+from pkmodes.core.compiled.lanes import FIELDS, RATES, Terms
+from pkmodes.core.compiled.loader import load
+from pkmodes.core.mechanism import registry
+from pkmodes.core.mechanism.poses import MAX_CONDITION
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.system.evaluation import BaseEvaluation, Evaluation, ExtendedSystem
+from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
 from pkmodes.sensitivity.terms import terms_of
-from pkmodes.system.evaluation import BaseEvaluation, Evaluation, ExtendedSystem
 
 ROOT = Path(__file__).parents[3]
 ROBOTS = {"linear_delta": "linear-delta-2022", "rotary_delta": "clavel-delta", "corexy": "corexy-printer"}

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 import pkmodes
-from pkmodes.mechanism.registry import Mechanism, mechanism
+from pkmodes.core.mechanism.registry import Mechanism, mechanism
 
 ROBOTS = Path(__file__).resolve().parents[3] / "robots"
 FILES = {

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pkmodes.robot.reading import read_robot
+from pkmodes.core.robot.reading import read_robot
 from pkmodes_generated.linear_delta import Parameters
 
 ROBOTS = Path(__file__).resolve().parents[3] / "robots"

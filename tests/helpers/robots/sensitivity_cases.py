@@ -14,10 +14,10 @@ import pkmodes
 from helpers.references.sensitivity_references import at_poses, robot_of, size
 from helpers.robots.dissipating import dissipating
 from helpers.robots.sample_robots import published, random_robot, tower_printer
-from pkmodes.robot.paths import paths, resolve
-from pkmodes.robot.robot import Robot
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.system.evaluation import ExtendedSystem
+from pkmodes.sensitivity.paths import paths, resolve
 from pkmodes.sensitivity.sensitivities import Sensitivities
-from pkmodes.system.evaluation import ExtendedSystem
 
 Array = np.ndarray
 

@@ -12,7 +12,7 @@ import pytest
 import pkmodes
 from helpers.commands.adding_a_mechanism import COMMANDS, DEFINITION, MEASURING, ROBOT
 from pkmodes.cli import run
-from pkmodes.mechanism import registry as known
+from pkmodes.core.mechanism import registry as known
 
 
 @contextmanager

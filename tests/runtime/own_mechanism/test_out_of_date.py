@@ -10,7 +10,7 @@ import pytest
 from helpers.commands.adding_a_mechanism import DEFINITION
 from helpers.commands.refused_commands import refused
 from pkmodes.cli import run
-from pkmodes.mechanism import registry as known
+from pkmodes.core.mechanism import registry as known
 
 
 def test_a_changed_definition_is_found_and_mended(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:

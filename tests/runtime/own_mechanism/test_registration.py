@@ -14,10 +14,10 @@ import pytest
 import pkmodes
 from helpers.commands.adding_a_mechanism import POSE
 from helpers.commands.refused_commands import refused
-from pkmodes.base.errors import PkmodesError
 from pkmodes.cli import run
-from pkmodes.mechanism import packages as mechanism_packages
-from pkmodes.mechanism import registry as known
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.mechanism import packages as mechanism_packages
+from pkmodes.core.mechanism import registry as known
 
 
 @pytest.mark.parametrize("method", ["fork", "spawn"])

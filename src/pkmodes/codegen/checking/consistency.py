@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.progress import say
 from pkmodes.codegen.checking.mechanism_relations import own_relations
 from pkmodes.codegen.checking.relations import Derivative, Relation, State, relations
-from pkmodes.mechanism.generated import Generated
-from pkmodes.mechanism.registry import Mechanism
-from pkmodes.mechanism.regular import regular_poses
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.mechanism.regular import regular_poses
+from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
 

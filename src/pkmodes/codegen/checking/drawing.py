@@ -8,8 +8,8 @@ import numpy as np
 
 from pkmodes.codegen.checking.consistency import Check, check_consistency
 from pkmodes.codegen.checking.relations import Relation, State
-from pkmodes.mechanism.generated import Generated
-from pkmodes.mechanism.registry import Mechanism
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.registry import Mechanism
 
 
 def check_drawing(mechanism: Mechanism, parameters: object) -> list[Check]:

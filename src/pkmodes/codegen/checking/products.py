@@ -12,8 +12,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.base.pasting import pasted
 from pkmodes.codegen.checking.consistency import Check, check_consistency
 from pkmodes.codegen.checking.drawing import check_drawing
 from pkmodes.codegen.checking.recorded import recorded_robot
@@ -22,13 +20,15 @@ from pkmodes.codegen.checking.user_mechanisms import check_definition, check_mec
 from pkmodes.codegen.derivation import derivation
 from pkmodes.codegen.generation import specialised, specification
 from pkmodes.codegen.product_folder import MANIFEST
-from pkmodes.mechanism import registry
-from pkmodes.mechanism.generated import Generated
-from pkmodes.mechanism.regular import regular_poses, sample
-from pkmodes.robot.reading import read_robot
-from pkmodes.robot.robot import Robot
-from pkmodes.system.evaluation import evaluation, matrices
-from pkmodes.system.released import active_effects
+from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.mechanism import registry
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.regular import regular_poses, sample
+from pkmodes.core.robot.reading import read_robot
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.system.evaluation import evaluation, matrices
+from pkmodes.core.system.released import active_effects
+from pkmodes.support.pasting import pasted
 
 REGENERATE = "python -m pkmodes_derive generate"
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from pkmodes.base.errors import PkmodesError
-from pkmodes.mechanism import registry
-from pkmodes.robot.documents import document_of
-from pkmodes.robot.reading import robot_from_document
-from pkmodes.robot.robot import Robot
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.mechanism import registry
+from pkmodes.core.robot.documents import document_of
+from pkmodes.core.robot.reading import robot_from_document
+from pkmodes.core.robot.robot import Robot
 
 
 def recorded_robot(recorded: Mapping[str, Any], place: str) -> Robot:

@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.mechanism.generated import Generated
-from pkmodes.mechanism.registry import Mechanism
-from pkmodes.mechanism.regular import extent, travel
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.mechanism.regular import extent, travel
 
 Array = NDArray[np.float64]
 Derivative = Callable[[Callable[[Array], Array], Array, float], Array]

@@ -6,10 +6,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from pkmodes.base.errors import PkmodesError
 from pkmodes.codegen.checking.consistency import Check
 from pkmodes.codegen.derivation import derivation
 from pkmodes.codegen.product_folder import MANIFEST
+from pkmodes.core.base.errors import PkmodesError
 
 
 @dataclass(frozen=True)

@@ -8,16 +8,16 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from pkmodes.base.errors import PkmodesError, shown
-from pkmodes.base.pasting import pasted
 from pkmodes.codegen.checking.consistency import check_consistency
 from pkmodes.codegen.checking.drawing import check_drawing
 from pkmodes.codegen.checking.report import Report, findings_of
 from pkmodes.codegen.derivation import derivation, parametric, read_definition, staged
 from pkmodes.codegen.product_folder import MANIFEST
-from pkmodes.mechanism.generated import Generated
-from pkmodes.mechanism.packages import DEFINITION
-from pkmodes.mechanism.regular import sample
+from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.packages import DEFINITION
+from pkmodes.core.mechanism.regular import sample
+from pkmodes.support.pasting import pasted
 
 
 def check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:

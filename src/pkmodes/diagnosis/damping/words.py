@@ -6,12 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pkmodes.base.numbers import p_in_words, rounded
 from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
 from pkmodes.diagnosis.damping.judgement import DampingJudgement, names_of
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.verdict.findings import Finding
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA
+from pkmodes.support.numbers import p_in_words, rounded
 
 #: Most lines that a note lists.
 LISTED = 8

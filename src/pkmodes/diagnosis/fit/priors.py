@@ -13,7 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter
 
 #: Least eigenvalue of a correlation, and rounding of what was given.

@@ -22,8 +22,8 @@ from numpy.typing import NDArray
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.match.pairing import Pairing, neighbours, tiled, unmeasured_neighbours
 from pkmodes.diagnosis.problem import Array, Prediction
-from pkmodes.linalg.mac import space
 from pkmodes.measured.measurements import Measurements
+from pkmodes.support.mac import space
 
 
 class _Spaces(NamedTuple):

@@ -15,12 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.problem import Array, Index, Prediction
-from pkmodes.linalg.mac import channel_motion, mac, normalised, subspace_mac, weighted
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.quantities import FREQUENCY
+from pkmodes.support.mac import channel_motion, mac, normalised, subspace_mac, weighted
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from pkmodes.base.errors import PkmodesError, listed, shown
+from pkmodes.core.base.errors import PkmodesError, listed, shown
 from pkmodes.diagnosis.problem import Candidate, Parameter
 
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import linalg
 
-from pkmodes.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis.problem import Array
 
 #: Smaller pivots of a matrix scaled to a unit diagonal are zero up to rounding.

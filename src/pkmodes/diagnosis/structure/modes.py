@@ -15,11 +15,11 @@ import numpy as np
 from scipy import linalg, sparse
 from scipy.sparse import linalg as iterative
 
+from pkmodes.core.linalg.eigen import generalised_eigh
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.structure.forms import is_sparse
 from pkmodes.diagnosis.structure.massless import SINGULAR, UnstableError, UnusableError, condense, definite
 from pkmodes.diagnosis.structure.supplied import Pair
-from pkmodes.linalg.eigen import generalised_eigh
 
 #: If more than this fraction of the modes is needed, all are computed: that is then cheaper.
 PART = 0.3

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from scipy import sparse
 
-from pkmodes.base.errors import PkmodesError, shown
+from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.structure.forms import is_sparse
 
 REMEDY = "give each channel a row and each coordinate of the model a column"

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pkmodes.base.numbers import plain
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.search.limits import ONE_SIDED
 from pkmodes.diagnosis.verdict.findings import Corrected
+from pkmodes.support.numbers import plain
 
 #: Standard deviations from the declared value, or by the fit alone, from which on a refitted value is conspicuous.
 FAR = Criteria.far

@@ -6,9 +6,9 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from pkmodes.base.documents import Count, Document, Number, Probability, Settings, Size
-from pkmodes.base.drives import Drives
+from pkmodes.core.base.drives import Drives
 from pkmodes.diagnosis.verdict.verdicts import DampingWord, Word
+from pkmodes.support.documents import Count, Document, Number, Probability, Settings, Size
 
 
 class SizeDocument(Document):

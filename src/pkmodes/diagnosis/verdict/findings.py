@@ -6,11 +6,11 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from pkmodes.base.numbers import rounded
 from pkmodes.diagnosis.verdict.members import Member
 from pkmodes.diagnosis.verdict.relative import relative_to_mean
 from pkmodes.diagnosis.verdict.unseen import Unseen
 from pkmodes.diagnosis.verdict.verdicts import Word
+from pkmodes.support.numbers import rounded
 
 
 @dataclass(frozen=True)

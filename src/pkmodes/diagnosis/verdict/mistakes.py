@@ -6,14 +6,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from pkmodes.core.robot.columns import frequency_factor
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.match.pairing import Pairer
 from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.diagnosis.verdict.wiring import rewired
-from pkmodes.linalg.mac import mac
 from pkmodes.measured.measurements import Measurements
-from pkmodes.robot.columns import frequency_factor
+from pkmodes.support.mac import mac
 
 #: Units in which frequencies are measured, each with its number per Hz.
 UNITS = {unit: float(1 / frequency_factor(unit)) for unit in ("Hz", "rad/s", "1/min", "mHz", "kHz", "deg/s")}

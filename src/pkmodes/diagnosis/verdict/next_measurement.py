@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pkmodes.base.drives import DRIVES, motors, other_drives
+from pkmodes.core.base.drives import DRIVES, motors, other_drives
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array, Driven, Loadable, Prediction, Structure, Surrounded

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from scipy import stats
 
-from pkmodes.base.drives import motors
-from pkmodes.base.numbers import plain
+from pkmodes.core.base.drives import motors
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
@@ -17,6 +16,7 @@ from pkmodes.diagnosis.search.unmeasured import never_measured
 from pkmodes.diagnosis.verdict.mistakes import all_alike
 from pkmodes.diagnosis.verdict.shapes import strange_shapes
 from pkmodes.diagnosis.verdict.unevaluated import unevaluated
+from pkmodes.support.numbers import plain
 
 
 def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:

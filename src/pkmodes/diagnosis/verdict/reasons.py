@@ -8,13 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
-from pkmodes.base.numbers import p_in_words, p_text, plain, rounded
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.gate import Gate
 from pkmodes.diagnosis.verdict.findings import Finding
 from pkmodes.diagnosis.verdict.naming import explained
+from pkmodes.support.numbers import p_in_words, p_text, plain, rounded
 
 
 def noise(fit: Fit, lines: NDArray[np.int_]) -> str:

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from pkmodes.base.documents import Document
-from pkmodes.base.numbers import p_in_words, rounded
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.document import (
     CandidateDocument,
@@ -38,6 +36,8 @@ from pkmodes.diagnosis.verdict.proposal import NextMeasurement
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.diagnosis.verdict.unseen import Limit
 from pkmodes.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, DampingWord, Word
+from pkmodes.support.documents import Document
+from pkmodes.support.numbers import p_in_words, rounded
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.match.wirings import Wiring, as_in_file
 from pkmodes.diagnosis.problem import Array, Index, Prediction
-from pkmodes.linalg.mac import channel_motion
+from pkmodes.support.mac import channel_motion
 
 #: Numbers in the largest array that is evaluated at once.
 AT_ONCE = 2_000_000

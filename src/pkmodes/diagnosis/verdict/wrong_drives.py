@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.base.drives import other_drives
+from pkmodes.core.base.drives import other_drives
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis

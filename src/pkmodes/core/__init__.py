@@ -1,0 +1,1 @@
+"""The core: robot file, parameters, M and K, modes.  README.md leads a pose through it."""

@@ -1,0 +1,40 @@
+"""What the motors do: they turn freely, or position loops far stiffer than the machine hold them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Annotated, Literal
+
+from msgspec import Meta
+
+from pkmodes.core.base.arguments import Constraint, alternatives, check_argument, one_of
+
+FREE, HELD = DRIVES = "free", "held"
+#: The same in a JSON document.
+Drives = Annotated[Literal["free", "held"], Meta(description="What the motors do: turn freely, or are held.")]
+
+_ONE_OF_THEM = Constraint(alternatives(f'"{word}"' for word in DRIVES), one_of(DRIVES).holds)
+
+
+def other_drives(drives: str) -> str:
+    """Return "held" for "free", and "free" for "held"."""
+    return HELD if drives == FREE else FREE
+
+
+def motors(drives: Iterable[str | None]) -> str:
+    """Return what the motors do in one or several measurements, as words: motors free or held."""
+    did = set(drives)
+    return f"motors {' or '.join(word for word in DRIVES if word in did)}"
+
+
+def checked_drives(drives: str) -> str:
+    """Check what the caller says of the motors.
+
+    Raises
+    ------
+    PkmodesError
+        If it is neither "free" nor "held".
+    """
+    remedy = "say whether the motors turn freely or position loops hold them"
+    check_argument(drives, _ONE_OF_THEM, "drives", remedy)
+    return drives

@@ -1,0 +1,179 @@
+"""The compiled evaluator of one robot, or of several: modes at poses, written into arrays of the caller."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
+from threading import Lock
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.compiled.lanes import Along, Lanes, Terms
+from pkmodes.core.compiled.loader import Library, Request
+from pkmodes.core.compiled.room import Room
+
+Array = NDArray[np.float64]
+#: Poses that a thread takes at a time, a multiple of those in a block.
+SHARE = 4800
+
+
+class Evaluator:
+    """The compiled evaluator of one robot, or of several with the same free coordinates.
+
+    Parameters
+    ----------
+    coordinates : int
+        Without effects; with them `lanes` says how many there are.
+    largest_condition : float
+        Poses with a larger condition number are singular.
+    directions : int
+        Directions of the platform's motion, for `along`.
+
+    Attributes
+    ----------
+    coordinates, modes : int
+        n, and m of them with inertia.
+    """
+
+    def __init__(
+        self, library: Library, lanes: Lanes, coordinates: int, largest_condition: float, directions: int = 0
+    ) -> None:
+        self.coordinates = coordinates
+        self.modes = coordinates - int(lanes.massless.sum())
+        self._library, self._lanes = library, lanes  # the arrays live as long as their addresses are used
+        self._robots, self._directions = lanes.robots, directions
+        self._request = Request(
+            robots=self._robots,
+            parameter_count=lanes.parameters.shape[-1],
+            effect_count=lanes.effects.shape[-1],
+            joint_count=lanes.joints.shape[-1],
+            parameters=lanes.parameters.ctypes.data,
+            effects=lanes.effects.ctypes.data,
+            largest_condition=largest_condition,
+            joints=lanes.joints.ctypes.data,
+            free=lanes.free.ctypes.data,
+            massless=lanes.massless.ctypes.data,
+            free_count=len(lanes.free),
+            leading=lanes.fold.leading.ctypes.data,
+            following=lanes.fold.following.ctypes.data,
+            fold_weights=lanes.fold.weights.ctypes.data,
+            fold_count=len(lanes.fold.weights),
+        )
+
+    def run(
+        self,
+        points: Array,
+        arrays: Mapping[str, Array],
+        threads: int = 1,
+        width: int | None = None,
+        terms: Terms | None = None,
+    ) -> NDArray[np.int8]:
+        """Evaluate poses.
+
+        Parameters
+        ----------
+        points : ndarray, shape (N, d)
+            Contiguous; of several robots the same number for each, robot by robot.
+        arrays : mapping of str to ndarray, (N, ...)
+            Contiguous arrays to fill, by field of `pkmodes.core.compiled.lanes.FIELDS`, or of `RATES` with `terms`;
+            NaN where a pose cannot be evaluated.
+        threads : int
+            Number of threads for one robot; the results do not depend on it.
+        width : int, optional
+            Number of lanes, by default the largest that the processor has.
+        terms : Terms, optional
+            Paths along which to differentiate.
+
+        Returns
+        -------
+        ndarray of int8, shape (N,)
+            Indices into `pkmodes.core.mechanism.poses.codes_of`, or `pkmodes.core.compiled.lanes.UNSOLVED`.
+        """
+        count = len(points)
+        codes = np.empty(count, dtype=np.int8)
+        request = self._with(terms)
+        helpers = min(threads, -(-count // SHARE)) - 1 if self._robots == 1 else 0
+        if helpers < 1:
+            self._part(request, points, arrays, codes, width)
+            return codes
+        starts, lock = iter(range(0, count, SHARE)), Lock()
+
+        def work() -> None:
+            """Take shares until none is left: a thread that is held up delays the others by one share at most."""
+            while True:
+                with lock:
+                    start = next(starts, None)
+                if start is None:
+                    return
+                part = slice(start, start + SHARE)
+                some = {name: array[part] for name, array in arrays.items()}
+                self._part(request, points[part], some, codes[part], width)
+
+        with ThreadPoolExecutor(helpers) as pool:
+            others = [pool.submit(work) for _ in range(helpers)]
+            work()
+            for other in others:
+                other.result()
+        return codes
+
+    def room(self, size: int, tails: Mapping[str, tuple[int, ...]]) -> Room:
+        """Return room for one pose of some components and some fields of one robot: see `Room`."""
+        return Room(self._library, self._request, size, tails)
+
+    def along(self, points: Array, eigenvalues: Array, shapes: Array, terms: Terms) -> Along | None:
+        """Evaluate the derivatives along paths that the derivatives of given modes need.
+
+        Parameters
+        ----------
+        points : ndarray, shape (N, d)
+            As for `run`.
+        eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
+            The modes, with n coordinates that are not locked.
+        terms : Terms
+            Of T paths; for several robots those of each.
+
+        Returns
+        -------
+        Along or None
+            None if a pose cannot be evaluated.
+        """
+        count, m, n = shapes.shape
+        request = Request.from_buffer_copy(self._with(terms))
+        request.effects = self._request.effects
+        given = np.ascontiguousarray(eigenvalues), np.ascontiguousarray(shapes)
+        request.given_eigenvalues, request.given_shapes = (array.ctypes.data for array in given)
+        request.modes, request.path_count = m, terms.first.shape[-1] - 1
+        request.term_count = terms.first.shape[-1] if terms.first.ndim > 1 else 0
+        tails = {"changes": (m, n), "mode_rates": (m,), "norms": (m,), "motions": (m, self._directions)}
+        arrays = {name: np.empty((count, request.path_count, *tail)) for name, tail in tails.items()}
+        codes = np.empty(count, dtype=np.int8)
+        self._part(request, points, arrays, codes, None)
+        return None if codes.any() else Along(**arrays)
+
+    def _with(self, terms: Terms | None) -> Request:
+        """Return the request with paths."""
+        if terms is None:
+            return self._request
+        request = Request.from_buffer_copy(self._request)
+        request.effects = terms.effects.ctypes.data
+        request.path_count = len(terms.first) - 1
+        request.first_term, request.places = terms.first.ctypes.data, terms.places.ctypes.data
+        request.weights = terms.weights.ctypes.data
+        request.all_coordinates, request.locked_joints = terms.all_coordinates, terms.locked_joints
+        return request
+
+    def _part(
+        self,
+        robot: Request,
+        points: Array,
+        arrays: Mapping[str, Array],
+        codes: NDArray[np.int8],
+        width: int | None,
+    ) -> None:
+        request = Request.from_buffer_copy(robot)
+        request.count, request.poses, request.codes = len(points), points.ctypes.data, codes.ctypes.data
+        for name, array in arrays.items():
+            setattr(request, name, array.ctypes.data)
+        self._library.run(ctypes.addressof(request), self._library.width if width is None else width)

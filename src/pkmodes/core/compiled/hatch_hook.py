@@ -1,0 +1,68 @@
+"""Build hook of the wheel: compile the libraries of the mechanisms that come with pkmodes.
+
+Without a C compiler the package is built all the same, and evaluates with NumPy.
+"""
+
+from __future__ import annotations
+
+import runpy
+import sysconfig
+import tempfile
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+
+HERE = Path(__file__).parent
+ROOT = HERE.parents[3]
+LIBRARIES = "libraries"
+
+
+class CompiledLibraries(BuildHookInterface):  # type: ignore[misc]  # hatchling is only there while building
+    """Hook of hatchling: ``[tool.hatch.build.targets.wheel.hooks.custom]``."""
+
+    def initialize(self, version: str, build_data: dict[str, Any]) -> None:
+        """Compile, and add the libraries to the wheel; of an editable install they lie beside the sources."""
+        build = _build()
+        cc = build.compiler()
+        if cc is None:
+            self._notice("no C compiler found")
+            return
+        folder = HERE / LIBRARIES
+        if version != "editable":
+            self._temporary = tempfile.TemporaryDirectory()
+            folder = Path(self._temporary.name)
+        folder.mkdir(exist_ok=True)
+        for header in sorted((ROOT / "generated/pkmodes_generated").glob(f"*/{build.HEADER}")):
+            name = header.parent.name
+            try:
+                for old in (folder / f"{name}.so", *folder.glob(f"{name}.*.so")):  # of an editable install
+                    old.unlink(missing_ok=True)
+                library = build.build(header.read_text(encoding="utf-8"), folder, name, cc)
+            except (build.BuildError, OSError) as error:
+                self._notice(str(error))
+                return
+            if version != "editable":
+                build_data["force_include"][str(library)] = (
+                    f"pkmodes/core/compiled/{LIBRARIES}/{library.name}"
+                )
+        platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
+        build_data["pure_python"] = False
+        build_data["tag"] = f"py3-none-{platform}"
+
+    def finalize(self, version: str, build_data: dict[str, Any], artifact_path: str) -> None:
+        """Remove what was compiled for the wheel."""
+        if hasattr(self, "_temporary"):
+            self._temporary.cleanup()
+
+    def _notice(self, why: str) -> None:
+        self.app.display_warning(
+            f"pkmodes is installed without its compiled evaluator ({why}): it evaluates with NumPy, some twenty "
+            "times slower; install a C compiler and then pkmodes again"
+        )
+
+
+def _build() -> SimpleNamespace:
+    """The module beside this one, without the package: what that imports is not installed while a wheel is built."""
+    return SimpleNamespace(**runpy.run_path(str(HERE / "build.py")))

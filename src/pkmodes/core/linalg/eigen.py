@@ -1,0 +1,235 @@
+r"""The generalised symmetric eigenproblem K phi = lambda M phi, for a batch of small matrices.
+
+M is scaled to a unit diagonal, which removes the mixture of units (kg and kg m^2) before the Cholesky factorisation;
+the problem then becomes the standard one :math:`L^{-1} K L^{-T} y = \lambda y` for LAPACK's symmetric solver.
+Reference: Golub and Van Loan, Matrix Computations, section 8.7.
+
+The solver's error is rounding of the largest eigenvalue.  If a released joint is so stiff that this would affect the
+vibration modes, `pkmodes.core.linalg.graded` solves the system again.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+#: Components that differ from the largest by less than this fraction count as equal to it: symmetric poses have
+#: shapes with components of equal size, and rounding must not decide which of them sets the sign.
+TIE = 1e-6
+
+#: Ratio of the largest eigenvalue to the lowest vibration eigenvalue up to which the latter has eleven correct
+#: digits: the symmetric solver's error is 1e-15 of the largest.
+GRADED = 1e4
+#: Below this ratio of the lowest to the largest eigenvalue, motions that springs hold to ground have hardly nine
+#: digits: random robots with frames and links have errors of up to 2e-15 of the largest.  Their springs are solved
+#: apart from the others (`pkmodes.core.linalg.held`).
+HELD = 3e-6
+#: The ratio is attributed to a stiff joint if the largest eigenvalue exceeds those of the base coordinates this much.
+STIFFER = 10.0
+
+
+def generalised_eigh(M: Array, K: Array) -> tuple[Array, Array]:
+    """Solve K phi = lambda M phi.
+
+    Parameters
+    ----------
+    M, K : ndarray, shape (N, n, n)
+        Symmetric; M positive definite.
+
+    Returns
+    -------
+    eigenvalues : ndarray, shape (N, n)
+        Ascending [1/s^2].
+    shapes : ndarray, shape (N, n, n)
+        ``shapes[:, i]`` is mode i, with phi^T M phi = 1; in coordinates scaled to a unit diagonal of M, the first
+        of its largest components is positive.
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        If some M is not positive definite.
+    """
+    diagonal = np.diagonal(M, axis1=-2, axis2=-1)
+    if not (diagonal > 0.0).all():
+        raise np.linalg.LinAlgError("the diagonal of M is not positive")
+    scale = 1.0 / np.sqrt(diagonal)
+    both = scale[..., :, None] * scale[..., None, :]
+    inverse = np.linalg.inv(np.linalg.cholesky(M * both))
+    transposed = np.swapaxes(inverse, -1, -2)
+    standard = inverse @ (K * both) @ transposed
+    eigenvalues, y = np.linalg.eigh(0.5 * (standard + np.swapaxes(standard, -1, -2)))
+    scaled = np.swapaxes(transposed @ y, -1, -2)
+    scaled *= _sign(scaled)[..., None]
+    return eigenvalues, scaled * scale[..., None, :]
+
+
+def condensed_eigh(
+    M: Array, K: Array, first: int, rigid: int = 0, massless: NDArray[np.bool_] | None = None
+) -> tuple[Array, Array]:
+    r"""Solve K phi = lambda M phi where released joints may have no inertia or hardly any compliance.
+
+    A massless coordinate r follows the others statically, :math:`K_{rr} x_r + K_{rq} x_q = 0`; this condensation is
+    exact.  The coordinate adds no mode but is included in the shapes.  The same coordinates must be massless in the
+    whole batch.  The stiffness of stiff joints on the diagonal of K may be arbitrarily large: where it costs the
+    vibration modes digits, the system is solved in its graded form (`pkmodes.core.linalg.graded`).
+
+    Parameters
+    ----------
+    M, K : ndarray, shape (N, n, n)
+        Symmetric; M positive definite except for rows and columns of zeros, where K must be regular.
+    first : int
+        Index of the first released joint; released joints may be massless or stiff.
+    rigid : int
+        Number of rigid-body modes, whose eigenvalues are zero except for gravity.
+    massless : ndarray of bool, shape (n,), optional
+        Which coordinates have no inertia; by default those whose rows of M are zero.  Needed for an empty batch.
+
+    Returns
+    -------
+    eigenvalues : ndarray, shape (N, m)
+        Ascending [1/s^2]; m is the number of coordinates with inertia.
+    shapes : ndarray, shape (N, m, n)
+        As returned by `generalised_eigh`, in all coordinates.
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        If M is not positive definite on the coordinates with inertia, or K is singular on the massless ones.
+    """
+    if massless is None:
+        massless = without_inertia(M, first)
+    if not massless.any():
+        return _all_sizes(M, K, first, rigid)
+    q, r = np.flatnonzero(~massless), np.flatnonzero(massless)
+    follow = -np.linalg.solve(K[:, r[:, None], r], K[:, r[:, None], q])
+    eigenvalues, kept = _all_sizes(
+        M[:, q[:, None], q], K[:, q[:, None], q] + K[:, q[:, None], r] @ follow, first, rigid
+    )
+    shapes = np.empty((len(M), len(q), M.shape[-1]))
+    shapes[:, :, q] = kept
+    shapes[:, :, r] = kept @ np.swapaxes(follow, -1, -2)
+    return eigenvalues, shapes
+
+
+def without_inertia(M: Array, first: int) -> NDArray[np.bool_]:
+    """Return which coordinates of released joints have rows of zeros in M, (n,); none for an empty batch."""
+    none = (M == 0.0).all(axis=(0, 1)) if len(M) else np.zeros(M.shape[-1], dtype=bool)
+    return np.asarray(none & (np.arange(M.shape[-1]) >= first))
+
+
+def _all_sizes(M: Array, K: Array, first: int, rigid: int) -> tuple[Array, Array]:
+    """Solve the eigenproblem; solve systems whose modes lost digits to a stiff joint again, one by one."""
+    eigenvalues, shapes = generalised_eigh(M, K)
+    stiff = np.flatnonzero(has_stiff_joint(eigenvalues, first, rigid))
+    if len(stiff):
+        from pkmodes.core.linalg.graded import graded_eigh  # SciPy's linear algebra takes a while to import
+    for i in stiff:
+        scale = 1.0 / np.sqrt(np.diagonal(M[i]))
+        both = scale[:, None] * scale
+        eigenvalues[i], scaled = graded_eigh(M[i] * both, K[i] * both, first)
+        shapes[i] = scaled * _sign(scaled)[:, None] * scale
+    return eigenvalues, shapes
+
+
+def has_stiff_joint(eigenvalues: Array, first: int, rigid: int) -> NDArray[np.bool_]:
+    """Return where the largest eigenvalue belongs to a stiff joint and is too large for the symmetric solver.
+
+    Parameters
+    ----------
+    eigenvalues : ndarray, shape (N, m) or (m,)
+        Ascending, accurate to rounding of the largest or better.
+    first : int
+        Index of the first released joint.
+    rigid : int
+        Number of rigid-body modes.
+
+    Returns
+    -------
+    ndarray of bool, shape (N,) or ()
+    """
+    if eigenvalues.shape[-1] <= first:
+        return np.zeros(eigenvalues.shape[:-1], dtype=bool)
+    of_mode = eigenvalues.T  # numbers where there is no batch
+    largest = of_mode[-1]
+    stiff: NDArray[np.bool_] = (largest > GRADED * abs(of_mode[rigid])) & (
+        largest > STIFFER * abs(of_mode[first - 1])
+    )
+    return stiff
+
+
+def held_softly(eigenvalues: Array, motions: int) -> NDArray[np.bool_]:
+    """Return where springs to ground are too soft for the symmetric solver.
+
+    Parameters
+    ----------
+    eigenvalues : ndarray, shape (N, m) or (m,)
+        Ascending, accurate to rounding of the largest or better.
+    motions : int
+        Number of motions that nothing else holds; 0 for a system that is not held.
+
+    Returns
+    -------
+    ndarray of bool, shape (N,) or ()
+    """
+    if not motions:
+        return np.zeros(eigenvalues.shape[:-1], dtype=bool)
+    size = np.abs(eigenvalues)
+    softly: NDArray[np.bool_] = size[..., :motions].min(axis=-1) < HELD * size[..., -1]
+    return softly
+
+
+def magnitude(eigenvalues: Array, first: int, rigid: int, motions: int = 0) -> Array:
+    """Return the magnitude to which the rounding of each eigenvalue of a robot is relative.
+
+    This is the largest eigenvalue; where a joint is stiff, the larger of the eigenvalue itself and those of the
+    coordinates that are not stiff; where springs to ground are soft, for the motions that they hold the largest
+    of these.
+
+    Parameters
+    ----------
+    eigenvalues : ndarray, shape (N, m)
+    first, rigid : int
+        As for `condensed_eigh`.
+    motions : int
+        As for `held_softly`.
+
+    Returns
+    -------
+    ndarray, shape (N, m)
+        Not negative.
+    """
+    size = np.abs(eigenvalues)
+    magnitudes = np.repeat(size.max(axis=-1, keepdims=True), size.shape[-1], axis=-1)
+    stiff = has_stiff_joint(eigenvalues, first, rigid)
+    magnitudes[stiff] = np.maximum(size[stiff], size[stiff, first - 1 : first])
+    softly = held_softly(eigenvalues, motions)
+    magnitudes[softly, :motions] = size[softly, :motions].max(axis=-1, keepdims=True, initial=0.0)
+    return magnitudes
+
+
+def base_level(M: Array, K: Array, first: int) -> Array:
+    """Return the largest K_ii / M_ii of the base coordinates, (N,): the order of their largest eigenvalue."""
+    level: Array = np.max(
+        np.diagonal(K, axis1=-2, axis2=-1)[:, :first] / np.diagonal(M, axis1=-2, axis2=-1)[:, :first], axis=1
+    )
+    return level
+
+
+def positive_components(shapes: Array, M: Array) -> Array:
+    """Return shapes, (N, m, n), with the signs of `generalised_eigh`."""
+    scale = np.sqrt(np.diagonal(M, axis1=-2, axis2=-1))[:, None, :]
+    return np.asarray(shapes * _sign(shapes * scale)[..., None])
+
+
+def _sign(shapes: Array) -> Array:
+    size = np.abs(shapes)
+    largest = np.argmax(size >= (1.0 - TIE) * size.max(axis=-1, keepdims=True), axis=-1)
+    return np.sign(np.take_along_axis(shapes, largest[..., None], axis=-1))[..., 0]
+
+
+def natural_frequencies(eigenvalues: Array) -> Array:
+    """Return sqrt(|lambda|) / (2 pi) with the sign of lambda [Hz]: gravity may make a rigid-body mode unstable."""
+    frequencies: Array = np.sign(eigenvalues) * np.sqrt(np.abs(eigenvalues)) / (2.0 * np.pi)
+    return frequencies

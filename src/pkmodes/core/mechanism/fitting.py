@@ -1,0 +1,153 @@
+"""Whether the description of a mechanism fits its generated code: its fields, coordinates and functions.
+
+The functions are evaluated once for the sample robot, at any pose: only the shapes of the results count.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import prod
+from typing import Any
+
+import numpy as np
+
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.mechanism.described import Mechanism
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.packages import place_of
+from pkmodes.core.mechanism.regular import sample
+from pkmodes_description import Table
+
+Shape = tuple[int, ...]
+
+
+def check_code(mechanism: Mechanism) -> None:
+    """Compare a description with its code.
+
+    Raises
+    ------
+    PkmodesError
+        If they do not belong together.
+    """
+    try:
+        with np.errstate(all="ignore"):
+            problem = next(_problems(mechanism), "")
+    except Exception as error:  # the code is not the one that was described
+        problem = f"{type(error).__name__}: {error}"
+    if problem:
+        what = f"the description of the mechanism does not fit its code: {problem}"
+        raise PkmodesError(what, place_of(mechanism.package), "generate it again")
+
+
+def _problems(mechanism: Mechanism) -> Iterator[str]:
+    shapes = {field: _shape(value) for field, value in mechanism.sample.items()}
+    yield from _differ("the fields of the sample", shapes, mechanism.model.Parameters._fields)
+    yield from _keys(mechanism, shapes)
+    yield from _coordinates(mechanism)
+    for field, other in mechanism.differences.items():
+        yield from _wrong(f"the shape of {field} and {other}", shapes[field], shapes[other])
+    for scale in mechanism.scales:
+        yield from _wrong(
+            f"the shape of {scale.field}", np.shape(np.zeros(shapes[scale.field])[scale.index]), ()
+        )
+    yield from _functions(mechanism)
+    yield from _drawing(mechanism)
+
+
+def _shape(value: Any) -> Shape:
+    array = np.asarray(value)
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"expected numbers in the sample, found {value!r:.60}")
+    return array.shape
+
+
+def _differ(what: str, given: Sequence[str] | dict[str, Any], wanted: Sequence[str]) -> Iterator[str]:
+    if set(given) != set(wanted):
+        yield f"{what} are {', '.join(given)}; expected {', '.join(wanted)}"
+
+
+def _wrong(what: str, given: object, wanted: object) -> Iterator[str]:
+    if given != wanted:
+        yield f"{what} is {given}, expected {wanted}"
+
+
+def _keys(mechanism: Mechanism, shapes: dict[str, Shape]) -> Iterator[str]:
+    """Every number of every field is that of one key."""
+    places: dict[str, list[Shape]] = {"gravity": [()]}
+    numbers = {"gravity": 3}
+    for table in mechanism.tables:
+        entries = _entries(mechanism, table)
+        for key in table.keys:
+            if key.field:
+                shape = shapes[key.field]
+                leading, block = shape[: len(entries)], shape[len(entries) + len(key.index) :]
+                yield from _wrong(f"the shape of {key.field}", (*entries, *key.shape), (*leading, *block))
+                np.zeros(shape[len(entries) :])[key.index]  # IndexError if there is no such place
+                places.setdefault(key.field, []).append(key.index)
+                numbers[key.field] = numbers.get(key.field, 0) + prod((*entries, *key.shape))
+    yield from _differ("the fields of the keys", places, tuple(shapes))
+    for field, indices in places.items():
+        yield from _wrong(f"the number of keys of {field}", len(indices), len(set(indices)))
+        yield from _wrong(f"the number of values of {field}", numbers[field], prod(shapes[field]))
+
+
+def _entries(mechanism: Mechanism, table: Table) -> Shape:
+    """Return the leading extent of the fields of a table, that of the repeated table that takes its values."""
+    count = next((t.count for t in mechanism.tables if t.name == table.shared_by), table.count)
+    return (count,) if count else ()
+
+
+def _coordinates(mechanism: Mechanism) -> Iterator[str]:
+    effects = mechanism.effects.values()
+    every = (*mechanism.coordinates, *(q for effect in effects for q in effect.coordinates))
+    for module, coordinates in ((mechanism.model, mechanism.coordinates), (mechanism.extended, every)):
+        yield from _wrong(
+            "the order of coordinates", tuple(q.name for q in coordinates), tuple(module.COORDINATES)
+        )
+        yield from _wrong("their units", tuple(q.unit for q in coordinates), tuple(module.COORDINATE_UNITS))
+    fields = [f"{effect.name}_{parameter.name}" for effect in effects for parameter in effect.parameters]
+    yield from _differ("the parameters of effects", fields, mechanism.extended.Effects._fields)
+    if hasattr(mechanism.model, "RIGID_MODES"):
+        yield from _wrong("the number of rigid modes", mechanism.rigid_modes, mechanism.model.RIGID_MODES)
+
+
+def _functions(mechanism: Mechanism) -> Iterator[str]:
+    model, effects = _of_sample(mechanism, mechanism.model), _of_sample(mechanism, mechanism.extended)
+    pose = np.full(len(mechanism.pose), 0.1)
+    positions, jacobian = model.inverse_kinematics(pose), model.platform_jacobian(pose)
+    yield from _wrong("the number of independent coordinates", len(mechanism.independent), len(positions))
+    yield from _wrong("the shape of the platform Jacobian", (len(pose), len(positions)), np.shape(jacobian))
+    motion = np.shape(effects.extended_platform_motion(pose))
+    yield from _wrong("the number of directions", len(mechanism.directions), motion[0])
+    torques = model.static_equilibrium(pose)[0]
+    yield from _wrong("the number of drives", len(mechanism.drives), len(torques))
+    motors = np.shape(effects.motor_motion())
+    what = "the shape of the motors' angles"
+    yield from _wrong(what, (len(mechanism.drives), len(mechanism.extended.COORDINATES)), motors)
+    for margin in mechanism.margins:
+        results = getattr(model, margin.function)(pose)
+        shape = np.shape(results[margin.output] if isinstance(results, tuple) else (results,)[margin.output])
+        yield from _wrong(
+            f"the shape of the names of {margin.function}", tuple(map(len, margin.names)), shape
+        )
+    requirements = [(model, one) for one in mechanism.requirements]
+    requirements += [(effects, one) for effect in mechanism.effects.values() for one in effect.requirements]
+    for generated, requirement in requirements:
+        size = np.size(getattr(generated, requirement.function)())
+        yield from _wrong(f"the number of places of {requirement.function}", len(requirement.places), size)
+
+
+def _drawing(mechanism: Mechanism) -> Iterator[str]:
+    drawing, drawn = mechanism.drawing, _of_sample(mechanism, mechanism.drawn)
+    pose = np.full(len(mechanism.pose), 0.1)
+    up = (np.tile([0.0, 0.0, 1.0], drawing.uprights),) if drawing.uprights else ()
+    points, motions = drawn.drawing_points(pose, *up), drawn.drawing_motion(pose, *up)
+    yield from _wrong("the number of drawn points", len(drawing.motions), len(points))
+    yield from _wrong("the number of their motions", max(drawing.motions) + 1, len(motions))
+    yield from _wrong("the number of springs", len(drawing.springs), len(drawn.springs(pose)[0]))
+    if drawing.uprights:
+        yield from _wrong("the number of uprights", drawing.uprights, len(drawn.drawing_directions(pose)))
+
+
+def _of_sample(mechanism: Mechanism, module: Any) -> Generated:
+    return Generated(module, sample(mechanism), mechanism.extended.Effects())

@@ -1,0 +1,114 @@
+"""Generated code of user-defined mechanisms: imported from a folder, or from an installed package.
+
+A folder is imported under a name derived from its path and content, so two folders of the same mechanism do not
+collide, and another process finds the same one again.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import sys
+from functools import cache
+from importlib import import_module
+from importlib.util import module_from_spec, spec_from_file_location
+from os import PathLike
+from pathlib import Path
+
+from pkmodes.core.base.errors import PkmodesError
+
+#: Entry points of this group name packages with generated code: ``five_bar = "my_robots.five_bar"``.
+GROUP = "pkmodes.mechanisms"
+OPTION = "--mechanism"
+PREFIX = "pkmodes_folder_"
+DEFINITION = "definition.py"
+FILES = ("__init__.py", "model.py", "extended.py", "drawing.py", "description.json")
+GIVE = "give the folder DIR/<mechanism> written by: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
+
+_folders: dict[str, str] = {}
+
+
+@cache
+def installed() -> dict[str, str]:
+    """Return the installed mechanism packages by mechanism name."""
+    from importlib.metadata import entry_points  # slow, so imported only for a name that is otherwise unknown
+
+    return {point.name: point.value for point in entry_points(group=GROUP)}
+
+
+def imported(path: str | PathLike[str]) -> str:
+    """Import a generated folder and return the name of the package.
+
+    Raises
+    ------
+    PkmodesError
+        If the folder is not a generated one, or its code raises.
+    """
+    folder = Path(path)
+    _check(folder)
+    content = b"\0".join((folder / name).read_bytes() for name in FILES)
+    folder = folder.resolve()
+    package = (
+        PREFIX + hashlib.sha256(f"{folder}\0".encode("utf-8", "surrogateescape") + content).hexdigest()[:16]
+    )
+    if package not in sys.modules:
+        _import(package, folder)
+    return package
+
+
+def again(package: str, folder: str) -> str:
+    """Import a folder that another process imported; reuse the package if this process has it already."""
+    return package if package in sys.modules else imported(folder)
+
+
+def folder_of(package: str) -> str | None:
+    """Return the folder that was imported under that name, None for any other package."""
+    return _folders.get(package)
+
+
+def place_of(package: str) -> str:
+    """Return the location of a package, for messages."""
+    return _folders.get(package, f"package {package}")
+
+
+def _import(package: str, folder: Path) -> None:
+    spec = spec_from_file_location(package, folder / "__init__.py", submodule_search_locations=[str(folder)])
+    assert spec is not None  # the file exists and its name ends in .py
+    assert spec.loader is not None
+    module = sys.modules[package] = module_from_spec(spec)
+    try:
+        spec.loader.exec_module(module)
+        extended = import_module(f"{package}.extended")
+        import_module(f"{package}.drawing")
+        _ = module.Parameters, module.COORDINATES, extended.Effects, extended.COORDINATES
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # SystemExit too: a file that ends the program is no model
+        for name in [name for name in sys.modules if name.startswith(package)]:
+            del sys.modules[name]
+        what = f"the generated code cannot be imported: {type(error).__name__}: {error}"
+        raise PkmodesError(what, str(folder), "generate it again") from None
+    _folders[package] = str(folder)
+
+
+def _check(folder: Path) -> None:
+    """Reject anything but the folder of a generated mechanism."""
+    if not folder.is_dir():
+        what = "no such folder"
+        if folder.is_file():
+            what = "expected the folder of a generated mechanism, found a file"
+        raise PkmodesError(what, str(folder), GIVE)
+    missing = [name for name in FILES if not (folder / name).is_file()]
+    if missing:
+        what = f"expected the folder of a generated mechanism, but {missing[0]} is missing"
+        raise PkmodesError(what, str(folder), _instead(folder) or GIVE)
+
+
+def _instead(folder: Path) -> str:
+    """Return a remedy for the folder of a robot's model: the mechanism folder inside it, if there is one."""
+    try:
+        name = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["mechanism"]
+        within = (folder / name / "description.json").is_file()
+    except (OSError, ValueError, LookupError, TypeError, RecursionError):
+        return ""
+    return f"give the mechanism folder inside it: {folder / name}" if within else ""

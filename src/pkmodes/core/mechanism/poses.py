@@ -1,0 +1,318 @@
+"""Validation of poses: shape, numbers, and the conditions of the mechanism, checked before anything is solved.
+
+The margins come from the generated model and their sentences from the mechanism's description; this module only
+compares them with their bounds and formats the messages.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.core.base.arguments import POSITIVE_NUMBER, check_argument
+from pkmodes.core.base.errors import PoseError, shown
+from pkmodes.core.mechanism.described import Mechanism
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes_description import Margin
+
+Array = NDArray[np.float64]
+OnError = Literal["raise", "nan"]
+#: Positions of some poses in the array of all poses.
+Where = slice | NDArray[np.intp]
+
+#: Beyond this condition number the platform Jacobian has lost six digits, and the rigid-link model is not valid.
+MAX_CONDITION = 1e6
+
+#: Number of poses evaluated together, chosen so that matrices and temporaries fit in the cache.
+CHUNK = 2048
+
+#: The condition checked before the mechanism's margins: its code and what violating it means.
+FINITE = ("finite", "a coordinate is NaN or infinite")
+#: A bare length from here on, in metres, may well have been meant in millimetres.
+LARGE = 10.0
+IN_WORDS = {"m": "metres", "rad": "radians"}
+
+
+def reasons(mechanism: Mechanism) -> dict[str, str]:
+    """Return the reasons why a pose cannot be evaluated, in the order of the checks: code and meaning."""
+    meanings = dict([FINITE])
+    for margin in mechanism.margins:
+        meanings.setdefault(margin.code, margin.meaning)
+    return meanings
+
+
+def codes_of(mechanism: Mechanism) -> tuple[str, ...]:
+    """Return the reasons that `CheckedPoses.codes` index; 0 is a pose that can be evaluated."""
+    return ("", FINITE[0], *(margin.code for margin in mechanism.margins))
+
+
+class CheckedPoses(NamedTuple):
+    """Validated poses.
+
+    Attributes
+    ----------
+    points : ndarray, shape (N, d)
+        Poses, d components each, in SI units.
+    codes : ndarray of int8, shape (N,)
+        Indices into `known`: 0 for a pose that can be evaluated, otherwise the reason why not.
+    batch : tuple of int
+        Leading axes of the poses as the caller gave them.
+    known : tuple of str
+        The reasons that the codes index.
+    left : ndarray of int, optional
+        Which poses NumPy evaluated because the solver could not.
+    """
+
+    points: NDArray[np.float64]
+    codes: NDArray[np.int8]
+    batch: tuple[int, ...]
+    known: tuple[str, ...]
+    left: NDArray[np.intp] | None = None
+
+    @property
+    def valid(self) -> NDArray[np.bool_]:
+        """Mask of the poses that can be evaluated, (N,)."""
+        return np.asarray(self.codes == 0)
+
+    def parts(self, size: int, *, even: bool = False) -> Iterator[tuple[Where, NDArray[np.float64]]]:
+        """Yield the valid poses part by part: their positions among all poses, and the poses, (n, d).
+
+        If there are none, one empty part is yielded, so that results still get the right shapes.
+
+        Parameters
+        ----------
+        size : int
+            Largest number of poses in a part.
+        even : bool
+            Whether to make parts of equal size instead of full parts and a remainder.
+        """
+        places = np.flatnonzero(self.valid) if self.codes.any() else None
+        count = len(self.points) if places is None else len(places)
+        number = max(-(-count // size), 1)
+        least, more = divmod(count, number)  # the first `more` parts have one pose more
+        for i in range(number):
+            start, stop = (
+                (i * least + min(i, more), (i + 1) * least + min(i + 1, more))
+                if even
+                else (i * size, min((i + 1) * size, count))
+            )
+            where: Where = slice(start, stop) if places is None else places[start:stop]
+            yield where, self.points[where]
+
+
+def check_poses(
+    poses: ArrayLike,
+    mechanism: Mechanism,
+    parameters: Any,
+    on_error: OnError = "raise",
+    max_condition: float = MAX_CONDITION,
+) -> CheckedPoses:
+    """Check poses of the platform.
+
+    Parameters
+    ----------
+    poses : array_like, shape (d,) or (..., d)
+        In SI units, with the mechanism's pose components.
+    parameters : Parameters
+        The robot's parameters for the generated model.
+    on_error : {"raise", "nan"}
+        Whether a pose that cannot be evaluated raises an error or is marked invalid.
+    max_condition : float
+        Largest condition number that counts as regular.
+
+    Raises
+    ------
+    PoseError
+        If the array does not hold poses; with ``on_error="raise"`` also if a pose is not finite or violates a
+        condition of the mechanism.
+    """
+    points, batch = given_poses(poses, mechanism, on_error)
+    codes = pose_codes(points, mechanism, parameters, max_condition)
+    if on_error == "raise":
+        refuse(points, codes, mechanism, parameters)
+    return CheckedPoses(points, codes, batch, codes_of(mechanism))
+
+
+def pose_codes(
+    points: Array, mechanism: Mechanism, parameters: Any, max_condition: float
+) -> NDArray[np.int8]:
+    """Return the first condition that each pose, (N, d), violates, as an index into `codes_of`, chunk by chunk."""
+    codes = np.empty(len(points), dtype=np.int8)
+    for start in range(0, len(points), CHUNK):
+        part = slice(start, start + CHUNK)
+        codes[part] = _codes(points[part], mechanism, parameters, max_condition)
+    return codes
+
+
+def given_poses(poses: ArrayLike, mechanism: Mechanism, on_error: OnError) -> tuple[Array, tuple[int, ...]]:
+    """Check the arguments of a method that takes poses: the poses as (N, d), and the shape that they had without d.
+
+    Raises
+    ------
+    PoseError
+        If the array is not one of poses, or `on_error` is unknown.
+    """
+    if not (isinstance(on_error, str) and on_error in ("raise", "nan")):
+        raise PoseError(
+            f'expected on_error "raise" or "nan", found {shown(on_error)}',
+            "on_error",
+            "choose one of the two",
+        )
+    return as_points(poses, "poses", len(mechanism.pose), lambda: f"give {_in_words(mechanism)}")
+
+
+def refuse(points: Array, codes: NDArray[np.int8], mechanism: Mechanism, parameters: Any) -> None:
+    """Raise the error of the first pose that cannot be evaluated, if there is one.
+
+    Parameters
+    ----------
+    points : ndarray, shape (N, d)
+    codes : ndarray of int8, shape (N,)
+        Indices into `codes_of`.
+    parameters : Parameters
+        The robot.
+
+    Raises
+    ------
+    PoseError
+        That of the first bad pose.
+    """
+    if not codes.any():
+        return
+    index = int(np.argmax(codes != 0))
+    one = slice(index, index + 1)
+    ((what, remedy),) = explained(points[one], codes[one], mechanism, parameters)
+    bad = int(np.count_nonzero(codes))
+    where = f"pose {index} at {placed(mechanism, points[index])}" + (
+        f", the first of {bad} bad poses" if bad > 1 else ""
+    )
+    if len(points) > 1:
+        remedy += ', or use on_error="nan" to get NaN instead'
+    raise PoseError(what, where, remedy, index)
+
+
+def largest_condition(given: float) -> float:
+    """Check the largest condition number that counts as regular.
+
+    Raises
+    ------
+    PkmodesError
+        If it is not a positive number.
+    """
+    remedy = f"give the largest condition number to accept, such as {MAX_CONDITION:g}"
+    check_argument(given, POSITIVE_NUMBER, "max_condition", remedy)
+    return given
+
+
+def as_points(
+    given: ArrayLike, name: str, size: int, remedy: Callable[[], str]
+) -> tuple[NDArray[np.float64], tuple[int, ...]]:
+    """Check an array of tuples of numbers; return it as (N, size), and its leading axes.
+
+    Raises
+    ------
+    PoseError
+        If it is not a non-empty array of real numbers of shape (size,) or (..., size); `name` and `remedy()` go into
+        the message.
+    """
+    try:
+        if type(given) is not np.ndarray and np.ma.is_masked(given):
+            raise TypeError("masked values")
+        array = np.asarray(given)
+        if array.dtype.kind not in "iuf":
+            raise TypeError(f"values of type {array.dtype}")
+        array = array.astype(float)
+    except Exception as error:  # conversion of an arbitrary object may raise anything
+        raise PoseError(f"expected an array of numbers, found {error}", name, remedy()) from None
+    if array.ndim == 0 or array.shape[-1] != size:
+        what = f"expected {name} of shape ({size},) or (N, {size}), found {array.shape}"
+        raise PoseError(what, name, remedy())
+    if array.size == 0:
+        raise PoseError(f"expected at least one pose, found an array of shape {array.shape}", name, remedy())
+    return array.reshape(-1, size), array.shape[:-1]
+
+
+def placed(mechanism: Mechanism, point: Sequence[float] | Array, digits: str = ".6g") -> str:
+    """Format a pose for messages and tables, such as ``[0.6, 0, -0.245] m``."""
+    numbers = [format(float(value), digits) for value in point]
+    units = [component.unit for component in mechanism.pose]
+    if len(set(units)) == 1:
+        return f"[{', '.join(numbers)}] {units[0]}"
+    return f"[{', '.join(f'{number} {unit}' for number, unit in zip(numbers, units, strict=True))}]"
+
+
+def _in_words(mechanism: Mechanism) -> str:
+    """Describe the components of a pose, for a remedy."""
+    units = {component.unit for component in mechanism.pose}
+    names = ", ".join(component.name for component in mechanism.pose)
+    unit = IN_WORDS.get(units.pop(), "SI units") if len(units) == 1 else "SI units"
+    return f"poses [{names}] in {unit}: {mechanism.pose_is}"
+
+
+def margin_of(generated: Generated, margin: Margin, points: Array) -> Array:
+    """Evaluate one of a mechanism's margins at poses; of several results, select the margin's output."""
+    results = getattr(generated, margin.function)(points)
+    return np.asarray(results[margin.output] if isinstance(results, tuple) else results)
+
+
+def _codes(
+    points: NDArray[np.float64], mechanism: Mechanism, parameters: Any, max_condition: float
+) -> NDArray[np.int8]:
+    """Return the first condition that each pose violates, as an index into `codes_of`."""
+    with np.errstate(all="ignore"):  # the margins report the error; a NaN compares false and so fails
+        generated = Generated(mechanism.model, parameters)
+        failed = [~np.isfinite(points).all(axis=-1)]
+        for margin in mechanism.margins:
+            values = margin_of(generated, margin, points).reshape(len(points), -1)
+            failed.append(~_holds(margin, values, max_condition).all(axis=-1))
+    return np.select(failed, range(1, len(failed) + 1), 0).astype(np.int8)
+
+
+def _holds(margin: Margin, values: Array, max_condition: float) -> NDArray[np.bool_]:
+    if margin.rule == "at_most_limit":
+        return np.asarray(values <= max_condition)
+    return np.asarray(values > 0.0 if margin.rule == "above_zero" else values >= 0.0)
+
+
+def explained(
+    points: NDArray[np.float64], codes: NDArray[np.int8], mechanism: Mechanism, parameters: Any
+) -> list[tuple[str, str]]:
+    """Return what is wrong with poses that cannot be evaluated, and the remedies.
+
+    Parameters
+    ----------
+    points : ndarray, shape (N, d)
+        Poses.
+    codes : ndarray of int8, shape (N,)
+        Their codes from `check_poses`, all nonzero.
+    parameters : Parameters
+        The robot's parameters.
+    """
+    with np.errstate(all="ignore"):
+        generated = Generated(mechanism.model, parameters)
+        values = [margin_of(generated, margin, points) for margin in mechanism.margins]
+    return [
+        ("expected finite coordinates, found NaN or infinity", "give finite coordinates")
+        if code == 1
+        else _sentence(mechanism.margins[code - 2], values[code - 2][i])
+        for i, code in enumerate(codes.tolist())
+    ]
+
+
+def _sentence(margin: Margin, values: Array) -> tuple[str, str]:
+    """Return what is wrong with a pose that violates a margin, whose values there are (...), and the remedy."""
+    if margin.rule == "at_most_limit":
+        value = float(values.max())  # NaN if any value is NaN
+        return margin.sentence.format(value=f"{np.inf if np.isnan(value) else value:.3g}"), margin.remedy
+    place = np.unravel_index(int(np.argmin(values)), values.shape)
+    lacking = -float(values[place])
+    size = f"{lacking:.4g} {margin.unit}".removesuffix(" 1")
+    what = margin.sentence.format(
+        *(names[i] for names, i in zip(margin.names, place, strict=True)),
+        missing=size if np.isfinite(lacking) else "far",
+        short="of no length" if lacking == 0.0 else f"{size} too short",
+    )
+    return what, margin.remedy

@@ -1,0 +1,164 @@
+"""The registry of mechanisms: those that come with pkmodes, those that were added, and installed packages."""
+
+from __future__ import annotations
+
+import copyreg
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
+from importlib.resources import files
+from os import PathLike
+
+from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.mechanism.described import Mechanism, described
+from pkmodes.core.mechanism.fitting import check_code
+from pkmodes.core.mechanism.packages import OPTION, again, folder_of, imported, installed, place_of
+from pkmodes_description import FILE_NAME, DescriptionError
+
+__all__ = ["Mechanism", "add", "add_folder", "mechanism", "names", "supplied", "temporarily_registered"]
+
+#: The package of the generated models.
+GENERATED = "pkmodes_generated"
+#: Packages of other mechanisms, by mechanism name: see `add`.
+_added: dict[str, str] = {}
+
+
+def names() -> tuple[str, ...]:
+    """Return the names of all known mechanisms: supplied with pkmodes, added, or installed as a package.
+
+    Returns
+    -------
+    tuple of str
+        In alphabetical order.
+    """
+    return tuple(sorted({*supplied(), *_added, *installed()}))
+
+
+@cache
+def supplied() -> tuple[str, ...]:
+    """Return the names of the mechanisms that come with pkmodes."""
+    return tuple(sorted(entry.name for entry in files(GENERATED).iterdir() if (entry / FILE_NAME).is_file()))
+
+
+def mechanism(name: str) -> Mechanism:
+    """Return the mechanism with a given name.
+
+    Parameters
+    ----------
+    name : str
+        As in the robot file.
+
+    Returns
+    -------
+    Mechanism
+        Its description and its generated functions.
+
+    Raises
+    ------
+    PkmodesError
+        If there is none (the message suggests the nearest), or the package installed under that name cannot be read.
+    """
+    if name in _added:
+        return _read(_added[name])
+    if name in supplied():
+        return _read(f"{GENERATED}.{name}")
+    if name in installed():
+        return _fitting(installed()[name])
+    remedy = nearest(name, names(), f"known: {', '.join(names())}; add one of your own with {OPTION}")
+    raise PkmodesError(f"unknown mechanism {shown(name)}", "mechanism", remedy)
+
+
+def add(package: str) -> Mechanism:
+    """Register a mechanism whose description and functions were generated into a separate package.
+
+    Parameters
+    ----------
+    package : str
+        Import name of the package, which contains a ``description.json`` and a module ``extended``.
+
+    Raises
+    ------
+    PkmodesError
+        If it cannot be imported, or has the name of a mechanism of pkmodes.
+    """
+    added = _described_in(package)
+    if added.name in supplied() and package != f"{GENERATED}.{added.name}":
+        what = f"{shown(added.name)} is a mechanism of pkmodes already"
+        raise PkmodesError(what, place_of(package), "give your mechanism another name")
+    _added[added.name] = package
+    return added
+
+
+def add_folder(path: str | PathLike[str]) -> Mechanism:
+    """Register a mechanism that ``pkmodes generate --mechanism FILE.py ...`` wrote into a folder.
+
+    Robot files can then name it.  If the name was added before, the present content of the folder replaces it.
+
+    Parameters
+    ----------
+    path : path-like
+        The folder of the mechanism, ``DIR/<mechanism>``.
+
+    Returns
+    -------
+    Mechanism
+        Its description and its generated functions.
+
+    Raises
+    ------
+    PkmodesError
+        If it is not such a folder, cannot be imported, its description does not fit its code, or it has the name of
+        a mechanism of pkmodes.
+    """
+    package = imported(path)
+    _fitting(package)
+    return add(package)
+
+
+@contextmanager
+def temporarily_registered(path: str | PathLike[str]) -> Iterator[Mechanism]:
+    """Register the mechanism in a folder for the duration of the context."""
+    before = dict(_added)
+    try:
+        yield add_folder(path)
+    finally:
+        _added.clear()
+        _added.update(before)
+
+
+def _unpickled(package: str, folder: str | None) -> Mechanism:
+    """Restore a mechanism from another process and register it, as it was registered there."""
+    if folder is not None:
+        package = again(package, folder)
+    restored = _read(package)
+    if restored.name not in names():
+        _added[restored.name] = package
+    return restored
+
+
+copyreg.pickle(Mechanism, lambda mechanism: (_unpickled, (mechanism.package, folder_of(mechanism.package))))
+
+
+@cache
+def _read(package: str) -> Mechanism:
+    return described(package)
+
+
+def _described_in(package: str) -> Mechanism:
+    remedy = "generate it again, or name the package that has its description.json"
+    try:
+        return _read(package)
+    except DescriptionError as error:
+        what = f"cannot read the description of a mechanism: {error}"
+        raise PkmodesError(what, place_of(package), remedy) from None
+    except (ImportError, OSError, ValueError, LookupError, TypeError) as error:
+        what = f"cannot read the description of a mechanism: {type(error).__name__}: {error}"
+        raise PkmodesError(what, place_of(package), remedy) from None
+
+
+@cache
+def _fitting(package: str) -> Mechanism:
+    """Return the mechanism in a package after comparing its description with its code."""
+    mechanism = _described_in(package)
+    check_code(mechanism)
+    return mechanism

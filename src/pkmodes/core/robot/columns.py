@@ -1,0 +1,95 @@
+"""A column of numbers by the text at its head: a name, followed by a unit in square brackets or without one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from decimal import Decimal
+
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.core.robot.units import QuantityError, base_units
+
+#: Radians per cycle, to convert an angular frequency to a frequency.
+CYCLE = Decimal("6.28318530717958647692528676656")
+
+IN_BRACKETS = re.compile(r"(.*?)\s*\[([^\[\]]*)\]")
+EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"'}
+
+
+def column_of(cell: str, where: str, units: Mapping[str, str]) -> tuple[str, Decimal | None]:
+    """Return the name of a column and the factor of its unit to SI, None without a unit; other columns have none.
+
+    Parameters
+    ----------
+    cell : str
+        Of the header.
+    where : str
+        For messages.
+    units : mapping of str to str
+        SI units of the columns that are read.
+
+    Raises
+    ------
+    MeasurementError
+        If the unit is not one of that kind.
+    """
+    name, unit = parted(cell, list(units))
+    if unit is None or name not in units:
+        return name, None
+    plain = "" if units[name] == "1" else units[name]
+    return name, factor_of(name, unit, where, (units[name],), kind_of_unit(plain))
+
+
+def parted(cell: str, known: Sequence[str]) -> tuple[str, str | None]:
+    """Split a cell into name and unit; brackets may also be part of a channel name."""
+    if cell in known or (match := IN_BRACKETS.fullmatch(cell)) is None:
+        return cell, None
+    return match[1], match[2].strip()
+
+
+def frequency_factor(unit: str) -> Decimal:
+    """Return the factor that converts a frequency in this unit to Hz.
+
+    Raises
+    ------
+    QuantityError
+        If it is not a unit of frequency.
+    """
+    factor, powers = base_units(unit)
+    if powers == {"second": -1}:
+        return factor
+    if powers == {"radian": 1, "second": -1}:
+        return factor / CYCLE
+    raise QuantityError(f"{shown(unit)} is not a unit of frequency")
+
+
+def kind_of_unit(plain: str) -> str:
+    """Return the remedy for a unit of another kind; `plain` is the unit of a column without one, empty for ratios."""
+    return f"write a unit of that kind, or none for {plain or 'a plain ratio'}"
+
+
+def factor_of(name: str, unit: str, place: str, allowed: Sequence[str], remedy: str) -> Decimal:
+    """Return the factor that converts the numbers of a column to SI units.
+
+    Parameters
+    ----------
+    allowed : sequence of str
+        SI units, one of which its unit has to be a multiple of.
+
+    Raises
+    ------
+    MeasurementError
+        If it is none.
+    """
+    expected = " or ".join(EXAMPLES.get(one, f'"{one}"') for one in allowed)
+    try:
+        if allowed == ("Hz",):
+            return frequency_factor(unit)
+        factor, powers = base_units(unit)
+        for si, same in map(base_units, allowed):
+            if powers == same:
+                return factor / si
+        problem = f"{shown(unit)} is another kind of unit"
+    except QuantityError as error:
+        problem = str(error)
+    raise MeasurementError(f"expected a unit such as {expected} for {name}: {problem}", place, remedy)

@@ -1,0 +1,349 @@
+r"""The tables ``[[covariance]]`` of a robot file: values whose errors belong together.
+
+Each names values with a ``sigma`` and their correlations r.  Where it has a list ``sigma`` of its own, s, the
+covariance of two of its values is :math:`s_i s_j r_{ij}`; without one, s are the values' own standard deviations.
+Values in no table, or in different ones, are independent.
+
+A value's own standard deviation may be larger than s.  The rest, :math:`\sigma_i^2 - s_i^2`, is what something else
+in the file that has no ``sigma`` may have made the value take up: it makes up for that in the frequencies, so that
+they do not show it.  So the frequencies have the covariance s, and a value itself, such as a prior, has its sigma.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.arguments import is_number
+from pkmodes.core.base.errors import nearest, shown
+from pkmodes.core.mechanism.described import Mechanism
+from pkmodes.core.robot import schema
+from pkmodes.core.robot.layout import lent
+from pkmodes.core.robot.units import Quantity, dimension_of
+
+COVARIANCE = "covariance"
+PATHS, SIGMA, CORRELATION = "paths", "sigma", "correlation"
+#: Rounding of what a file states: of symmetry, of the diagonal, of the least eigenvalue; and of a sigma, which has
+#: three digits where a program wrote it.
+ROUNDING, DIGITS = 1e-6, 1e-2
+
+Array = NDArray[np.float64]
+Problem = Callable[[str, str, str], None]
+
+
+@dataclass(frozen=True)
+class Covariance:
+    """Values whose errors belong together.
+
+    Attributes
+    ----------
+    paths : tuple of str, length k
+        In the order of the table.
+    correlation : tuple of k tuples of k floats
+        Symmetric and positive semidefinite, 1 on its diagonal.
+    sigmas : tuple of float, length k, or None
+        Standard deviations that belong to it [SI]; None for the values' own.
+    """
+
+    paths: tuple[str, ...]
+    correlation: tuple[tuple[float, ...], ...]
+    sigmas: tuple[float, ...] | None = None
+
+    def without(self, paths: Collection[str]) -> Covariance:
+        """Return the table of the other values."""
+        left = [i for i, path in enumerate(self.paths) if path not in paths]
+        return Covariance(
+            tuple(self.paths[i] for i in left),
+            tuple(tuple(self.correlation[i][k] for k in left) for i in left),
+            None if self.sigmas is None else tuple(self.sigmas[i] for i in left),
+        )
+
+    def raw(self) -> dict[str, Any]:
+        """Return the table as a robot file has it."""
+        table: dict[str, Any] = {PATHS: list(self.paths)}
+        if self.sigmas is not None:
+            table[SIGMA] = list(self.sigmas)
+        return {**table, CORRELATION: [list(row) for row in self.correlation]}
+
+
+class Declared(Protocol):
+    """What is needed of a robot."""
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """Its mechanism."""
+
+    @property
+    def quantities(self) -> Mapping[str, Quantity]:
+        """Its declared values."""
+
+    @property
+    def covariance(self) -> tuple[Covariance, ...]:
+        """Its tables."""
+
+
+def uncertain(robot: Declared) -> dict[str, float]:
+    """Return the standard deviations above 0 of a robot by path [SI]; a value that an effect takes, once."""
+    twice = {path for path, own in lent(robot.mechanism).items() if own in robot.quantities}
+    return {path: q.sigma for path, q in robot.quantities.items() if q.sigma and path not in twice}
+
+
+def covariance_of(robot: Declared, paths: Sequence[str]) -> Array:
+    """Return the covariance of uncertain values as the frequencies have it, (k, k) [SI].
+
+    That of some values is that of all without the others: those may have any value.
+    """
+    sigmas = uncertain(robot)
+    found = np.diag([sigmas[path] ** 2 for path in paths])
+    place = {path: i for i, path in enumerate(paths)}
+    for table in robot.covariance:
+        stated = _sigmas(table, sigmas)
+        some = [k for k, path in enumerate(table.paths) if path in place]
+        at = [place[table.paths[k]] for k in some]
+        found[np.ix_(at, at)] = (np.array(table.correlation) * np.outer(stated, stated))[np.ix_(some, some)]
+    return found
+
+
+def correlations_of(robot: Declared) -> dict[str, tuple[tuple[str, float], ...]]:
+    """Return the correlations of each value with others by path, for standard deviations that are the values' own."""
+    sigmas, found = uncertain(robot), {}
+    for table in robot.covariance:
+        part = np.array(_sigmas(table, sigmas)) / [sigmas[path] for path in table.paths]
+        rates = np.array(table.correlation) * np.outer(part, part)
+        for i, path in enumerate(table.paths):
+            others = [(other, float(rates[i, k])) for k, other in enumerate(table.paths) if k != i]
+            found[path] = tuple((other, rate) for other, rate in others if rate)
+    return found
+
+
+def root_of(covariance: Array) -> Array:
+    """Return a matrix L with L L^T = C, (k, r), by its eigenvectors: C may be singular.
+
+    It is diagonal where C is.
+    """
+    size = np.sqrt(np.diagonal(covariance))
+    if not (covariance - np.diag(np.diagonal(covariance))).any():
+        return np.diag(size)
+    scale = np.where(size > 0.0, size, 1.0)
+    values, vectors = np.linalg.eigh(covariance / np.outer(scale, scale))
+    some = values > len(values) * np.finfo(float).eps
+    root: Array = scale[:, None] * vectors[:, some] * np.sqrt(values[some])
+    return root
+
+
+def _sigmas(table: Covariance, own: Mapping[str, float]) -> list[float]:
+    return [own[path] for path in table.paths] if table.sigmas is None else list(table.sigmas)
+
+
+def with_sigmas(tables: Sequence[Covariance], given: Mapping[str, float | None]) -> tuple[Covariance, ...]:
+    """Return the tables of a robot some of whose standard deviations were given anew, None or 0 for none.
+
+    A value without one leaves its table; one with another keeps its correlations.
+    """
+    changed = []
+    for table in tables:
+        gone = {path for path in table.paths if path in given and not given[path]}
+        left = table.without(gone)
+        if left.sigmas is not None:
+            sigmas = (given.get(p) or s for p, s in zip(left.paths, left.sigmas, strict=True))
+            left = Covariance(left.paths, left.correlation, tuple(sigmas))
+        if left.paths:
+            changed.append(left)
+    return tuple(changed)
+
+
+def joined(tables: Sequence[Covariance], own: Mapping[str, float]) -> Covariance:
+    """Return one table of the values of several, which stay independent of each other.
+
+    Parameters
+    ----------
+    own : mapping of str to float
+        Standard deviations of the values themselves, by path; those of the table if they are of each.
+    """
+    if len(tables) == 1:
+        return tables[0]
+    sigmas = None
+    if any(table.sigmas is not None for table in tables):
+        sigmas = tuple(one for table in tables for one in _sigmas(table, own))
+    ends = np.cumsum([0, *(len(table.paths) for table in tables)])
+    blocks = np.zeros((ends[-1], ends[-1]))
+    for table, start, end in zip(tables, ends, ends[1:], strict=False):
+        blocks[start:end, start:end] = table.correlation
+    return Covariance(
+        tuple(path for table in tables for path in table.paths),
+        tuple(tuple(row) for row in blocks.tolist()),
+        sigmas,
+    )
+
+
+# Reading ---------------------------------------------------------------------------------------------------
+
+
+def read_covariance(
+    raw: Any, mechanism: Mechanism, quantities: Mapping[str, Quantity], problem: Problem
+) -> tuple[Covariance, ...]:
+    """Read the tables.
+
+    Parameters
+    ----------
+    raw : object
+        The list of tables in the parsed file.
+    quantities : mapping of str to Quantity
+        Every declared value by path.
+    problem : callable
+        Takes the path, what is wrong, and the remedy of each problem.
+
+    Returns
+    -------
+    tuple of Covariance
+        Those without a problem; a value that an effect takes from a table of the file has its path there.
+    """
+    if not isinstance(raw, list) or not all(isinstance(table, Mapping) for table in raw):
+        found = shown(raw)
+        problem(COVARIANCE, f"expected tables, found {found}", f"write each below [[{COVARIANCE}]]")
+        return ()
+    tables, seen = [], dict[str, int]()
+    for number, given in enumerate(raw, start=1):
+        where = f"{COVARIANCE}.{number}"
+        for key in given:
+            if key not in (PATHS, SIGMA, CORRELATION):
+                name = key if schema.is_bare(key) else shown(key)
+                known = (PATHS, CORRELATION, SIGMA)
+                problem(f"{where}.{name}", f"unknown key {shown(key)}", nearest(key, known))
+        paths = _paths(given.get(PATHS), where, mechanism, quantities, seen, number, problem)
+        if paths is None:
+            continue
+        correlation = _correlation(given.get(CORRELATION), len(paths), f"{where}.{CORRELATION}", problem)
+        sigmas = None
+        if SIGMA in given:
+            own = [quantities[path] for path in paths]
+            sigmas = _own_sigmas(given[SIGMA], own, f"{where}.{SIGMA}", problem)
+            if sigmas is None:
+                continue
+        if correlation is not None:
+            tables.append(Covariance(paths, correlation, sigmas))
+    return tuple(tables)
+
+
+def _paths(
+    raw: Any,
+    where: str,
+    mechanism: Mechanism,
+    quantities: Mapping[str, Quantity],
+    seen: dict[str, int],
+    number: int,
+    problem: Problem,
+) -> tuple[str, ...] | None:
+    example = f'write {PATHS} = ["platform.mass", "belt.width"], values of this file that have a sigma'
+    if not isinstance(raw, list) or not raw:
+        found = "nothing" if raw is None else "an empty list" if raw == [] else shown(raw)
+        problem(f"{where}.{PATHS}", f"expected a list of dotted paths, found {found}", example)
+        return None
+    own = {path: of for path, of in lent(mechanism).items() if of in quantities}
+    good, paths = True, []
+    for place, given in enumerate(raw, start=1):
+        at = f"{where}.{PATHS}.{place}"
+        path = own.get(given, given) if isinstance(given, str) else given
+        what, remedy = _not_uncertain(path, quantities, example)
+        if not what and path in seen:
+            what = f"expected each value once, found {path} also in {COVARIANCE}.{seen[path]}"
+            remedy = "name it in one table, once"
+        if what:
+            problem(at, what, remedy)
+            good = False
+        else:
+            seen[path] = number
+            paths.append(path)
+    return tuple(paths) if good else None
+
+
+def _not_uncertain(path: Any, quantities: Mapping[str, Quantity], example: str) -> tuple[str, str]:
+    """Return why a path is that of no uncertain value, and the remedy; empty if it is."""
+    expected = "expected the dotted path of a value with a sigma"
+    if not isinstance(path, str):
+        return f"{expected}, found {shown(path)}", example
+    if path not in quantities:
+        return f"{expected}, found {shown(path)}, which this file does not declare", nearest(path, quantities)
+    sigma = quantities[path].sigma
+    if not sigma:
+        found = "which has no sigma" if sigma is None else "whose sigma is 0: it is known exactly"
+        return f"{expected}, found {shown(path)}, {found}", "give it a sigma, or leave it out here"
+    return "", ""
+
+
+def _correlation(raw: Any, count: int, where: str, problem: Problem) -> tuple[tuple[float, ...], ...] | None:
+    rows = "row" if count == 1 else "rows"
+    remedy = f"write {count} {rows} of {count}, in the order of {PATHS}, such as [[1, 0.8], [0.8, 1]] for two"
+    square = isinstance(raw, list) and len(raw) == count
+    if not square or not all(isinstance(row, list) and len(row) == count for row in raw):
+        sizes = [f"{len(row)}" if isinstance(row, list) else shown(row) for row in raw] if square else []
+        found = "nothing" if raw is None else shown(raw)
+        if isinstance(raw, list):
+            found = f"rows of {', '.join(sizes)}" if square else f"a list of {len(raw)}"
+        problem(where, f"expected a matrix of {count} by {count} correlations, found {found}", remedy)
+        return None
+    for i, row in enumerate(raw, start=1):
+        for k, one in enumerate(row, start=1):
+            if not is_number(one) or not abs(one) <= 1.0 + ROUNDING:
+                what = f"expected a correlation from -1 to 1, found {shown(one)}"
+                problem(f"{where}.{i}.{k}", what, "write a number without a unit")
+                return None
+    matrix = np.array(raw, dtype=float)
+    flaw = _flaw(matrix)
+    if flaw is not None:
+        place, what, how = flaw
+        problem(f"{where}{place}", what, how)
+        return None
+    return tuple(tuple(row) for row in matrix.tolist())
+
+
+def _flaw(matrix: Array) -> tuple[str, str, str] | None:
+    """Return the place, what is wrong, and the remedy, of a matrix that is no correlation matrix."""
+    diagonal = np.flatnonzero(np.abs(np.diagonal(matrix) - 1.0) > ROUNDING)
+    if len(diagonal):
+        i = int(diagonal[0])
+        what = f"expected 1 on the diagonal, found {matrix[i, i]:g}"
+        return f".{i + 1}.{i + 1}", what, "write correlations, not covariances"
+    apart = np.argwhere(np.abs(matrix - matrix.T) > ROUNDING)
+    if len(apart):
+        i, k = apart[0].tolist()
+        found = f"{matrix[i, k]:g} here and {matrix[k, i]:g} in row {k + 1}"
+        what = f"expected a symmetric matrix, found {found}"
+        return f".{i + 1}.{k + 1}", what, "write the same number in both places"
+    least = float(np.linalg.eigvalsh(matrix)[0])
+    if least < -ROUNDING:
+        what = f"expected a positive semidefinite matrix, found an eigenvalue of {least:.3g}"
+        return "", what, "no values are correlated like this: write more digits, or smaller correlations"
+    return None
+
+
+def _own_sigmas(raw: Any, own: Sequence[Quantity], where: str, problem: Problem) -> tuple[float, ...] | None:
+    count = len(own)
+    if not isinstance(raw, list) or len(raw) != count:
+        found = f"a list of {len(raw)}" if isinstance(raw, list) else shown(raw)
+        remedy = f"write one for each of {PATHS}, or leave {SIGMA} out for those of the values"
+        problem(where, f"expected {count} standard deviations, found {found}", remedy)
+        return None
+    sigmas = []
+    for place, (given, quantity) in enumerate(zip(raw, own, strict=True), start=1):
+        at = f"{where}.{place}"
+        try:
+            sigma = schema.standard_deviation(given, quantity.value, dimension_of(quantity.unit))
+        except schema.RefusedError as error:
+            problem(at, error.what, error.remedy)
+            return None
+        most = quantity.sigma or 0.0
+        if not 0.0 < sigma <= (1.0 + DIGITS) * most:
+            unit = "" if quantity.unit == "1" else f" {quantity.unit}"
+            what = (
+                f"expected a standard deviation above 0 and at most that of the value, {most:g}{unit}, found "
+                f"{sigma:g}{unit}"
+            )
+            problem(at, what, "it may not be larger: enlarge the sigma of the value, or leave this one out")
+            return None
+        sigmas.append(sigma)
+    return tuple(sigmas)

@@ -1,0 +1,149 @@
+"""The declarations of a robot file, merged and in SI units."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from pkmodes.core.mechanism import registry
+from pkmodes.core.mechanism.described import DAMPING_RATIO, Mechanism
+from pkmodes.core.robot.covariance import Covariance
+from pkmodes.core.robot.layout import OF_QUANTITIES, Item, effect_parameters, items
+from pkmodes.core.robot.units import Quantity
+from pkmodes.core.robot.usable import Bound
+
+#: The named tuple of the generated model; each mechanism has its own.
+Parameters = Any
+
+
+@dataclass(frozen=True, eq=False)
+class Declaration:
+    """The declarations of a robot file.
+
+    Two declarations are equal if their content is equal; the location of their files is ignored.
+
+    Attributes
+    ----------
+    name : str
+        The robot's name.
+    mechanism_name : str
+        The mechanism's name.
+    source : str
+        The robot file, for messages.
+    parameters : Parameters
+        Parameter values in SI units, as passed to the generated model.
+    quantities : mapping of str to Quantity
+        Every declared value with its standard deviation, by dotted path (``platform.mass``,
+        ``axis.1.belt.width`` for the override of one axis, ``axis.1.limits.min``, ``gravity.z``).
+    effects : mapping of str to float
+        Parameters of the declared effects in SI units, by ``<effect>.<parameter>``.  A diagnosis also tries
+        compliances of single joints, by ``<effect>.<parameter>.<coordinate>``; a file cannot declare them.
+    constants : mapping of str to float
+        Effect parameters that come from other tables of the file and are never fitted (the frame mass), whether or
+        not the effect is declared.
+    usable : mapping of str to Limits, Radius or SingularAngle
+        Where the machine is used: lower and upper limit of components of the pose, ``radius`` and
+        ``singular_angle``, in SI units.
+    report : mapping of str to str
+        What the head of reports says of the machine, by key of the table ``[report]``.
+    covariance : tuple of Covariance
+        Values whose errors belong together; all others are independent.
+    """
+
+    name: str
+    mechanism_name: str
+    source: str
+    parameters: Parameters
+    quantities: Mapping[str, Quantity] = field(repr=False)
+    effects: Mapping[str, float] = field(default_factory=dict)
+    constants: Mapping[str, float] = field(default_factory=dict)
+    usable: Mapping[str, Bound] = field(default_factory=dict)
+    report: Mapping[str, str] = field(default_factory=dict)
+    covariance: tuple[Covariance, ...] = ()
+
+    def __eq__(self, other: object) -> bool:
+        return self._content == other._content if isinstance(other, Declaration) else NotImplemented
+
+    def __getstate__(self) -> dict[str, Any]:
+        # The mechanism comes first: unpickling it registers it, and the parameters need its generated module.
+        return {"mechanism": self.mechanism, **vars(self)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        # Pickling and copying lose the read-only flag.
+        self.__dict__.update({name: value for name, value in state.items() if name != "mechanism"})
+        for value in self.parameters:
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
+
+    def __hash__(self) -> int:
+        return hash(self._content)
+
+    @property
+    def _content(self) -> tuple[object, ...]:
+        """Everything except the source, in a form that can be compared and hashed."""
+        arrays = (np.asarray(value) for value in self.parameters)
+        mappings = (self.quantities, self.effects, self.constants, self.usable, self.report)
+        return (
+            self.name,
+            self.mechanism_name,
+            tuple((array.shape, *array.ravel().tolist()) for array in arrays),
+            *(frozenset(mapping.items()) for mapping in mappings),
+            self.covariance,
+        )
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism: description and generated functions."""
+        return registry.mechanism(self.mechanism_name)
+
+    @property
+    def damping_ratio(self) -> float:
+        """Damping ratio of every vibration mode, in addition to what effects dissipate."""
+        given = self.quantities.get(DAMPING_RATIO)
+        return 0.0 if given is None else given.value
+
+    @property
+    def effects_dissipate(self) -> bool:
+        """Whether any effect dissipates."""
+        catalogue = self.mechanism.effects
+        return any(
+            value and catalogue[path.partition(".")[0]].dissipates for path, value in self.effects.items()
+        )
+
+    @property
+    def dissipates(self) -> bool:
+        """Whether anything does: an effect, or the damping ratio of every vibration mode."""
+        return self.effects_dissipate or self.damping_ratio > 0.0
+
+    @property
+    def declared(self) -> dict[str, object]:
+        """Every declared value by dotted path, in SI units: quantities, and choices such as a direction."""
+        values: dict[str, object] = {path: quantity.value for path, quantity in self.quantities.items()}
+        for item in items(self.mechanism):
+            if item.key.kind not in OF_QUANTITIES:
+                values[item.path] = self._chosen(item)
+        return values
+
+    def _chosen(self, item: Item) -> object:
+        value = np.asarray(getattr(self.parameters, item.key.field))[item.index]
+        if item.key.kind == "choice":
+            return int(value)
+        if item.key.kind == "one_of":
+            return item.key.choices[int(np.argmax(value))]
+        return value.tolist() if item.key.kind == "direction" else [int(sign) for sign in value]
+
+
+def changeable(robot: Declaration) -> dict[str, str]:
+    """Return the paths that can be changed or added, with their SI units."""
+    declared = {path: quantity.unit for path, quantity in robot.quantities.items()}
+    others = {
+        number.path: number.unit
+        for item in items(robot.mechanism)
+        if item.shared or item.key.default is not None
+        for number in item.numbers
+    }
+    groups = {group.path: group.unit for group in robot.mechanism.parameter_groups}
+    return {**declared, **others, **effect_parameters(robot.mechanism), **groups}

@@ -1,0 +1,163 @@
+"""Layout of a robot file: its keys with their dotted paths, and the fields of the generated model they map to.
+
+The layout follows from the description of the mechanism.  Entries of a repeated table count from 1 in paths.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache, cached_property
+
+from pkmodes.core.mechanism.described import Mechanism
+from pkmodes.core.robot.units import DIMENSIONS
+from pkmodes_description import Key, Table
+
+#: A number among the generated parameters or effects: its field, and its index in the field.
+Slot = tuple[str, tuple[int, ...]]
+
+EFFECTS = "effects"
+XYZ = ("x", "y", "z")
+#: The vector that every robot file has besides its tables.
+GRAVITY = Key(
+    name="gravity",
+    kind="vector",
+    field="gravity",
+    dimension="acceleration",
+    description="gravitational acceleration in the base frame",
+    elements=XYZ,
+    signed=True,
+)
+#: Kinds of keys whose values are quantities; other keys are choices, without unit or standard deviation.
+OF_QUANTITIES = ("quantity", "vector", "pair")
+
+
+@dataclass(frozen=True)
+class Number:
+    """A quantity of a robot file.
+
+    Attributes
+    ----------
+    path : str
+        Such as ``platform.mass``, ``axis.2.belt.width``, ``axis.1.origin.x``.
+    unit : str
+        SI unit.
+    slot : Slot or None
+        None for a value that the entries of a repeated table share: it is stored in the slots of the entries; and for
+        a value that changes neither M nor K, such as a damping ratio.
+    place : tuple of str and int
+        Its keys in the parsed file.
+    """
+
+    path: str
+    unit: str
+    slot: Slot | None
+    place: tuple[str | int, ...]
+
+
+@dataclass(frozen=True)
+class Item:
+    """A key of the robot file in one of its tables.
+
+    Attributes
+    ----------
+    path : str
+        Such as ``gravity``, ``belt.width``, ``axis.2.belt.width``, ``axis.1.direction``.
+    index : tuple of int or None
+        Index of its numbers in their field; None for a value that the entries of a repeated table share.
+    entry : int or None
+        Index of the entry in the repeated table, from 0.
+    shared : str
+        Path of the shared value that is used if this one is not given; empty for none.
+    place : tuple of str and int
+        Its keys in the parsed file.
+    """
+
+    path: str
+    key: Key
+    index: tuple[int, ...] | None
+    entry: int | None
+    shared: str
+    place: tuple[str | int, ...]
+
+    @cached_property
+    def numbers(self) -> tuple[Number, ...]:
+        """The item's quantities; empty for a choice."""
+        unit = DIMENSIONS[self.key.dimension][0]
+        if self.key.kind == "quantity":
+            return (Number(self.path, unit, self._slot(()), self.place),)
+        if self.key.kind not in OF_QUANTITIES:
+            return ()
+        return tuple(
+            Number(f"{self.path}.{name}", unit, self._slot((i,)), (*self.place, i))
+            for i, name in enumerate(self.key.elements)
+        )
+
+    def _slot(self, element: tuple[int, ...]) -> Slot | None:
+        if not self.key.field:
+            return (self.key.effect, ()) if self.key.effect else None
+        return None if self.index is None else (self.key.field, (*self.index, *element))
+
+
+@cache
+def items(mechanism: Mechanism) -> tuple[Item, ...]:
+    """Return every key that a robot file may have, in the order of the file, without those of effects."""
+    return tuple(_items(mechanism))
+
+
+def _items(mechanism: Mechanism) -> Iterator[Item]:
+    yield Item(GRAVITY.name, GRAVITY, GRAVITY.index, None, "", (GRAVITY.name,))
+    for table in mechanism.tables:
+        if table.count:
+            for j in range(table.count):
+                yield from _entry(mechanism, table, j)
+        else:
+            for key in table.keys:
+                index = None if table.shared_by else key.index
+                yield Item(f"{table.name}.{key.name}", key, index, None, "", (table.name, key.name))
+
+
+def _entry(mechanism: Mechanism, table: Table, j: int) -> Iterator[Item]:
+    """Yield the keys of one entry of a repeated table: its own keys, and overrides of shared ones."""
+    name = f"{table.name}.{j + 1}"
+    for key in table.keys:
+        yield Item(f"{name}.{key.name}", key, (j, *key.index), j, "", (table.name, j, key.name))
+    for other in mechanism.tables:
+        if other.shared_by == table.name:
+            for key in other.keys:
+                shared = f"{other.name}.{key.name}"
+                place = (table.name, j, other.name, key.name)
+                yield Item(f"{name}.{shared}", key, (j, *key.index), j, shared, place)
+
+
+@cache
+def by_path(mechanism: Mechanism) -> dict[str, Item]:
+    """Return the keys by their own paths and by the paths of their quantities."""
+    by_path = {item.path: item for item in items(mechanism)}
+    return by_path | {number.path: item for item in items(mechanism) for number in item.numbers}
+
+
+@cache
+def takers(mechanism: Mechanism) -> dict[str, tuple[Item, ...]]:
+    """Return, by the path of a shared value, the keys that take it if they are not given."""
+    takers_of: dict[str, tuple[Item, ...]] = {}
+    for item in items(mechanism):
+        if item.shared:
+            takers_of[item.shared] = (*takers_of.get(item.shared, ()), item)
+    return takers_of
+
+
+@cache
+def lent(mechanism: Mechanism) -> dict[str, str]:
+    """Return the paths of table values that effects use, by the path of the effect parameter."""
+    return {f"{EFFECTS}.{item.key.effect}": item.path for item in items(mechanism) if item.key.effect}
+
+
+@cache
+def effect_parameters(mechanism: Mechanism) -> dict[str, str]:
+    """Return the SI units of the parameters of all effects that apply, by path."""
+    return {
+        f"{EFFECTS}.{effect.name}.{parameter.name}": parameter.unit
+        for effect in mechanism.effects.values()
+        for parameter in effect.parameters
+    }

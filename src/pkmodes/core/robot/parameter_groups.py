@@ -1,0 +1,102 @@
+"""Parameter groups: several numbers that one path changes together.
+
+A ``span`` moves the two ends of every pair symmetrically apart, a ``radius`` scales every vector along its direction.
+The value of a group is that of the first pair or vector, and the others change by the same amount.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.mechanism.described import Mechanism
+from pkmodes.core.robot.declaration import Declaration
+from pkmodes.core.robot.layout import Item, Slot, items
+from pkmodes_description import ParameterGroup
+
+Array = NDArray[np.float64]
+
+
+def groups_by_path(mechanism: Mechanism) -> dict[str, ParameterGroup]:
+    """Return the parameter groups of a mechanism by path."""
+    return {group.path: group for group in mechanism.parameter_groups}
+
+
+def items_of(mechanism: Mechanism, group: ParameterGroup) -> list[Item]:
+    """Return the pairs or vectors that a group changes."""
+    return [item for item in items(mechanism) if item.key.field == group.field]
+
+
+def value_of(robot: Declaration, group: ParameterGroup) -> float:
+    """Return the value of a group in SI units."""
+    first = _vectors(robot, group)[0]
+    return float(first[1] - first[0]) if group.kind == "span" else float(np.linalg.norm(first))
+
+
+def weights_of(robot: Declaration, group: ParameterGroup) -> dict[Slot, float]:
+    """Return the change of each number per unit of the group; empty if a vector is zero and has no direction."""
+    vectors = _vectors(robot, group)
+    if group.kind == "span":
+        rates = np.tile([-0.5, 0.5], (len(vectors), 1))
+    else:
+        norms = np.linalg.norm(vectors, axis=1, keepdims=True)
+        if not norms.all():
+            return {}
+        rates = vectors / norms
+    return {
+        number.slot: rate
+        for item, row in zip(items_of(robot.mechanism, group), rates.tolist(), strict=True)
+        for number, rate in zip(item.numbers, row, strict=True)
+        if rate != 0.0 and number.slot is not None
+    }
+
+
+def elements_of(robot: Declaration, group: ParameterGroup, value: float) -> dict[str, float]:
+    """Return the elements by path that give a group another value.
+
+    Raises
+    ------
+    PkmodesError
+        If a vector is zero and has no direction, or would shrink to zero.
+    """
+    vectors = _vectors(robot, group).tolist()
+    elements: dict[str, float] = {}
+    for item, vector in zip(items_of(robot.mechanism, group), vectors, strict=True):
+        if group.kind == "span":
+            moved = _apart(vector, value - (vectors[0][1] - vectors[0][0]))
+        else:
+            moved = _along(vector, value - math.hypot(*vectors[0]), item, robot.source)
+        for number, before, after in zip(item.numbers, vector, moved, strict=True):
+            if group.kind == "span" or before != 0.0:
+                elements[number.path] = after
+    return elements
+
+
+def _apart(pair: Sequence[float], change: float) -> list[float]:
+    low, high = pair
+    moved = (low - change / 2.0, high + change / 2.0)
+    # Rounding must not turn a limit of 0 into 1e-17 m.
+    return [0.0 if abs(value) < 1e-12 * (high - low) else value for value in moved]
+
+
+def _along(vector: Sequence[float], change: float, item: Item, source: str) -> list[float]:
+    before = math.hypot(*vector)
+    if before == 0.0 or before + change <= 0.0:
+        name, unit = item.key.name, item.numbers[0].unit
+        reason = "it is 0" if before == 0.0 else f"it would become {before + change:g} {unit}"
+        raise PkmodesError(
+            f"the radius of {name} {(item.entry or 0) + 1} cannot be changed along its direction: {reason}",
+            f"{source}: {item.path}",
+            f"correct the elements of the {name} instead",
+        )
+    return [element * ((before + change) / before) for element in vector]
+
+
+def _vectors(robot: Declaration, group: ParameterGroup) -> Array:
+    """Return one row for each pair or vector."""
+    field = np.asarray(getattr(robot.parameters, group.field))
+    return np.array([field[item.index] for item in items_of(robot.mechanism, group)])

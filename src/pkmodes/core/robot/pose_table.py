@@ -1,0 +1,108 @@
+"""Poses in a table of another library: columns are taken by name, whatever their order.
+
+Anything with named columns is one: tables of pandas, polars and pyarrow, structured arrays of NumPy, and what has a
+label for each number of a pose, such as a row of pandas or an array of xarray.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from decimal import Decimal
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.core.base.errors import MeasurementError, PoseError, shown
+from pkmodes.core.mechanism.registry import Mechanism
+
+Array = NDArray[Any]
+#: The names of a table's columns, and a function that returns the values of one by its place among them.
+Named = tuple[Sequence[Any], Callable[[int], Any]]
+
+
+def poses_by_name(poses: ArrayLike, mechanism: Mechanism) -> ArrayLike:
+    """Return poses as an array with the components in their order; what has no names is returned unchanged.
+
+    Parameters
+    ----------
+    poses : array_like, or table
+        A table has a column for each component of the pose, in SI units or with a unit in its name (``x [mm]``);
+        other columns are ignored.
+
+    Raises
+    ------
+    PoseError
+        If a column is missing or repeated, does not hold numbers, or has another kind of unit.
+    """
+    if _is_array(poses):
+        return poses  # at once: a single pose takes microseconds
+    return by_name(poses, {component.name: component.unit for component in mechanism.pose}, "poses")
+
+
+def by_name(given: ArrayLike, units: Mapping[str, str], where: str) -> ArrayLike:
+    """Return numbers by their names, (..., k), as `poses_by_name` does.
+
+    Parameters
+    ----------
+    units : mapping of str to str
+        Names and SI units, in the order of the result.
+    where : str
+        Name of the argument, for messages.
+    """
+    named = None if _is_array(given) else _named(given)
+    if named is None:
+        return given
+    from pkmodes.core.robot.columns import column_of  # not needed for arrays
+
+    names, values = named
+    example = f"name them {', '.join(units)}, in any order, or give an array"
+    try:
+        columns = [
+            column_of(str(name).strip(), f"{where}: column {shown(str(name))}", units) for name in names
+        ]
+    except MeasurementError as error:
+        raise PoseError(error.what, error.where, error.remedy) from None
+    found = []
+    for name in units:
+        places = [i for i, (known, _) in enumerate(columns) if known == name]
+        if len(places) != 1:
+            given_names = shown(", ".join(str(one) for one in names))
+            what = f"expected one column {shown(name)}, found {len(places) or 'none'} among {given_names}"
+            raise PoseError(what, where, example)
+        column, factor = np.asarray(values(places[0])), columns[places[0]][1]
+        if column.dtype.kind not in "iuf":
+            what = f"expected numbers in the column {shown(name)}, found values of type {column.dtype}"
+            raise PoseError(what, where, "give a number for each pose")
+        found.append(column if factor is None else _converted(column, factor))
+    return np.stack(found, axis=-1)
+
+
+def _converted(column: Array, factor: Decimal) -> Array:
+    """Return numbers in SI units, to the same digits as from a file."""
+    values = [float(Decimal(repr(value)) * factor) for value in column.astype(float).ravel().tolist()]
+    return np.array(values).reshape(column.shape)
+
+
+def _is_array(given: Any) -> bool:
+    return isinstance(given, list | tuple) or (isinstance(given, np.ndarray) and given.dtype.names is None)
+
+
+def _named(given: Any) -> Named | None:
+    """Return the columns of a table, None for anything else."""
+    if isinstance(given, np.ndarray):
+        names = given.dtype.names or ()
+        return names, lambda i: given[names[i]]
+    if hasattr(given, "iloc"):  # pandas, and what has its interface
+        if hasattr(given, "columns"):
+            return list(given.columns), lambda i: given.iloc[:, i]
+        return list(given.index), lambda i: given.iloc[i]
+    columns = getattr(given, "column_names", getattr(given, "columns", None))  # pyarrow, polars
+    if isinstance(columns, list | tuple) and hasattr(given, "__getitem__"):
+        return columns, lambda i: given[columns[i]]
+    dims, coords = getattr(given, "dims", None), getattr(given, "coords", None)
+    if isinstance(dims, tuple) and dims and isinstance(coords, Mapping) and dims[-1] in coords:
+        labels, array = np.asarray(coords[dims[-1]]), np.asarray(given)  # xarray
+        if labels.dtype.kind in "UO":
+            return labels.tolist(), lambda i: array[..., i]
+    return None

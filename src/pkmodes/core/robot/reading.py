@@ -1,0 +1,84 @@
+"""Read and validate a robot file in TOML, reporting every problem in it."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from os import PathLike, fspath
+from pathlib import Path
+from typing import Any, NoReturn
+
+from pkmodes.core.base.errors import PkmodesError, RobotFileError, shown
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.robot.validation import declaration
+
+LARGEST_FILE = 1_000_000
+#: Points in a line.  The memory for a key grows with the square of the number of its parts.
+MOST_POINTS = 100
+#: Between the parts of a key there is one; more are a row of them in a comment.
+SEPARATOR = re.compile(r"(?<!\.)\.(?!\.)")
+
+
+def read_robot(path: str | PathLike[str]) -> Robot:
+    """Read and validate a robot file.
+
+    Parameters
+    ----------
+    path : path-like
+        A TOML file, format 1.
+
+    Returns
+    -------
+    Robot
+        All values in SI units.
+
+    Raises
+    ------
+    RobotFileError
+        If the file cannot be read or is invalid: one problem for each thing to fix, with the dotted path, what was
+        expected and what was found.
+    """
+    name = fspath(path) if isinstance(path, str | PathLike) else None
+    if not isinstance(name, str):
+        _refuse(
+            f"expected the path of a robot file, found {shown(path)}", "robot file", "give its path as text"
+        )
+    return robot_from_document(_document(Path(path), name), name)
+
+
+def robot_from_document(document: Mapping[str, Any], source: str) -> Robot:
+    """Validate a parsed robot file; `source` names it in messages."""
+    return Robot.of(declaration(document, source))
+
+
+def _document(path: Path, name: str) -> dict[str, Any]:
+    try:
+        if path.exists() and not path.is_file():
+            kind = "a folder" if path.is_dir() else "not a regular file"
+            _refuse(f"cannot read the robot file: it is {kind}", name, "give a robot file in TOML")
+        if path.stat().st_size > LARGEST_FILE:
+            _refuse("cannot read the robot file: it is larger than 1 MB", name, "give a robot file in TOML")
+        text = path.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as error:
+        what = f"expected UTF-8 text, found an invalid byte at offset {error.start}"
+        _refuse(what, name, "save the file as UTF-8")
+    except (OSError, ValueError) as error:  # ValueError: a path with a null character
+        reason = getattr(error, "strerror", None) or str(error)
+        _refuse(f"cannot read the robot file: {reason.lower()}", name, "check the path")
+    for number, line in enumerate(text.split("\n"), 1):
+        points = len(SEPARATOR.findall(line))
+        if points > MOST_POINTS:
+            what = f"expected a key of a few parts, found a line with {points} points"
+            _refuse(what, f"{name}: line {number}", "shorten the key, or break the line")
+    try:
+        return tomllib.loads(text)
+    except (
+        ValueError,
+        RecursionError,
+    ) as error:  # also integers with too many digits, tables nested too deeply
+        _refuse(f"not valid TOML: {error}", name, "fix the syntax at that place")
+
+
+def _refuse(what: str, where: str, remedy: str) -> NoReturn:
+    raise RobotFileError([PkmodesError(what, where, remedy)]) from None

@@ -1,0 +1,60 @@
+"""The table ``[report]`` of a robot file or a campaign file: what the head of every report says beside the result.
+
+Nothing is computed from it, and generated code does not depend on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from pkmodes.core.base.errors import nearest, printable, shown
+from pkmodes.core.robot import schema
+
+REPORT = "report"
+#: The keys, in the order of the head, with their titles there.
+TITLES = {"customer": "Customer", "machine": "Machine", "serial": "Serial number", "operator": "Operator"}
+LONGEST = 120
+
+
+def read_report(raw: Any, problem: Callable[[str, str, str], None]) -> dict[str, str]:
+    """Read the table.
+
+    Parameters
+    ----------
+    raw : object
+        The table in the parsed file.
+    problem : callable
+        Takes the path, what is wrong, and the remedy of each problem.
+
+    Returns
+    -------
+    dict of str to str
+        The fields that it gives, in the order of the head, on one line each and without characters that are not
+        visible.
+    """
+    if not isinstance(raw, Mapping):
+        problem(REPORT, f"expected a table, found {shown(raw)}", f'write customer = "..." below [{REPORT}]')
+        return {}
+    fields: dict[str, str] = {}
+    for name, given in raw.items():
+        place = f"{REPORT}.{name if schema.is_bare(name) else shown(name)}"
+        if name not in TITLES:
+            problem(place, f"unknown key {shown(name)}", nearest(name, TITLES))
+        elif not isinstance(given, str) or not given.strip() or len(given) > LONGEST:
+            what = f"expected text of at most {LONGEST} characters, found {shown(given)}"
+            problem(place, what, f'write {name} = "...", or leave it out')
+        else:
+            fields[name] = printable(given).strip()
+    return {name: fields[name] for name in TITLES if name in fields}
+
+
+def head_of(*reports: Mapping[str, str]) -> list[tuple[str, str]]:
+    """Return the lines of a head, titles with texts: each field as the first table has it that gives it."""
+    given = {name: text for report in reversed(reports) for name, text in report.items()}
+    return [(TITLES[name], given[name]) for name in TITLES if name in given]
+
+
+def common_head(first: Mapping[str, str], second: Mapping[str, str]) -> list[tuple[str, str]]:
+    """Return the lines of the head of a page on two robots: the fields that both tables give alike."""
+    return head_of({name: text for name, text in first.items() if second.get(name) == text})

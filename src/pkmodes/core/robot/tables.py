@@ -1,0 +1,191 @@
+"""Read the tables of a parsed robot file one by one: values by path, and all problems."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypeVar
+
+from pkmodes.core.base.errors import PkmodesError, RobotFileError, nearest, shown
+from pkmodes.core.mechanism import registry
+from pkmodes.core.mechanism.described import Mechanism
+from pkmodes.core.robot import schema
+from pkmodes.core.robot.covariance import COVARIANCE
+from pkmodes.core.robot.effects import read_effects
+from pkmodes.core.robot.layout import EFFECTS, GRAVITY, by_path, lent
+from pkmodes.core.robot.report_fields import REPORT, read_report
+from pkmodes.core.robot.units import DIMENSIONS, Quantity
+from pkmodes.core.robot.usable import USABLE, Bound, read_usable
+from pkmodes_description import Key, Table
+
+FORMAT_HELP = "see docs/robot-file.md for the format"
+FORMAT = 1
+#: Keys that every robot file has before its tables.
+HEAD = ("format", "name", "mechanism", GRAVITY.name)
+COUNTS = ("no", "one", "two", "three", "four", "five", "six")
+
+T = TypeVar("T")
+
+
+class Tables:
+    """The tables of a robot file.
+
+    Parameters
+    ----------
+    document : mapping
+        The parsed file.
+    source : str
+        Its name, for messages.
+
+    Attributes
+    ----------
+    name : str
+        The robot's name.
+    values : mapping of str to Value
+        By path, as given in the tables: without merging and without defaults.
+    effects : mapping of str to Quantity
+        Parameters of the effects in the file, by path.
+    usable : mapping of str to Limits, Radius or SingularAngle
+        Limits of components of the pose, where the file gives any.
+    report : mapping of str to str
+        Fields of the head of reports.
+    covariance : object
+        The tables of correlations as they were given: they need all values.
+
+    Raises
+    ------
+    RobotFileError
+        If the mechanism is unknown, because it defines the tables.
+    """
+
+    def __init__(self, document: Mapping[str, Any], source: str) -> None:
+        self.source = source
+        self.values: dict[str, schema.Value] = {}
+        self.problems: list[PkmodesError] = []
+        self._present(document, "format", lambda raw: schema.choice(raw, (FORMAT,)))
+        self.name = self._present(document, "name", schema.plain_name) or ""
+        mechanism = self._present(document, "mechanism", self._mechanism)
+        if mechanism is None:
+            raise RobotFileError(self.problems)
+        self.mechanism = mechanism
+        self._key(document, GRAVITY, GRAVITY.name)
+        for table in mechanism.tables:
+            if table.count:
+                self._repeated(document, table, [t for t in mechanism.tables if t.shared_by == table.name])
+            elif table.name in document:
+                self._table(document[table.name], table.name, table.keys, needed=not table.shared_by)
+            elif not table.shared_by and any(key.default is None for key in table.keys):
+                self._missing(table.name)
+        self.effects = self._effects(document.get(EFFECTS, {}))
+        tables = [table.name for table in mechanism.tables]
+        self.usable: dict[str, Bound] = {}
+        if USABLE not in tables:  # a mechanism of a user may have a table of that name
+            self.usable = read_usable(mechanism, document.get(USABLE, {}), self.problem)
+        self.report: dict[str, str] = {}
+        if REPORT not in tables:
+            self.report = read_report(document.get(REPORT, {}), self.problem)
+        self.covariance: Any = [] if COVARIANCE in tables else document.get(COVARIANCE, [])
+        self._unknown(document, "", [*HEAD, *tables, EFFECTS, USABLE, REPORT, COVARIANCE])
+
+    def raise_problems(self) -> None:
+        """Raise an error with all problems, if there are any."""
+        if self.problems:
+            raise RobotFileError(self.problems)
+
+    def _mechanism(self, raw: Any) -> Mechanism:
+        if not isinstance(raw, str):
+            raise schema.RefusedError(f"expected the name of a mechanism, found {shown(raw)}", FORMAT_HELP)
+        try:
+            return registry.mechanism(raw)
+        except PkmodesError as error:
+            raise schema.RefusedError(error.what, error.remedy) from error
+
+    def _repeated(self, document: Mapping[str, Any], table: Table, overrides: Sequence[Table]) -> None:
+        """Read the entries of a repeated table, each with its overrides of shared values."""
+        if table.name not in document:
+            self._missing(table.name)
+            return
+        entries = document[table.name]
+        number_given = len(entries) if isinstance(entries, list) else shown(entries)
+        if number_given != table.count:
+            number = COUNTS[table.count] if table.count < len(COUNTS) else str(table.count)
+            self.problem(
+                table.name,
+                f"expected exactly {number} [[{table.name}]] tables, found {number_given}",
+                f"describe each of the {number} once: {table.description}",
+            )
+        for j, entry in enumerate(entries[: table.count] if isinstance(entries, list) else ()):
+            self._table(entry, f"{table.name}.{j + 1}", table.keys, overrides)
+
+    def _table(
+        self, raw: Any, path: str, keys: Sequence[Key], overrides: Sequence[Table] = (), needed: bool = True
+    ) -> None:
+        if not isinstance(raw, dict):
+            self.problem(path, f"expected a table, found {shown(raw)}", FORMAT_HELP)
+            return
+        for key in keys:
+            self._key(raw, key, f"{path}.{key.name}", needed)
+        for table in overrides:
+            if table.name in raw:
+                self._table(raw[table.name], f"{path}.{table.name}", table.keys, needed=False)
+        self._unknown(raw, path, [*(key.name for key in keys), *(table.name for table in overrides)])
+
+    def _key(self, raw: Mapping[str, Any], key: Key, path: str, needed: bool = True) -> None:
+        if key.name in raw:
+            value = self._read(raw[key.name], path, lambda given: schema.value_of(given, key))
+            if value is not None:
+                self.values[path] = value
+        elif needed and key.default is None:
+            self._missing(path)
+
+    def _effects(self, raw: Any) -> dict[str, Quantity]:
+        """Read the effects; a value that an effect takes from a table must not be declared in both."""
+        if not isinstance(raw, dict):
+            self.problem(EFFECTS, f"expected a table, found {shown(raw)}", FORMAT_HELP)
+            return {}
+        values: dict[str, Quantity] = {}
+        for path, own in lent(self.mechanism).items():
+            _, effect, name = path.split(".")
+            value, table = self.values.get(own), own.rpartition(".")[0]
+            given = raw.get(effect)
+            if value is not None and isinstance(given, dict) and name in given:
+                what = f"the {name} of the {table} is declared twice"
+                self.problem(path, what, f"keep it in [{table}] and remove it here")
+            value = default_of(by_path(self.mechanism)[own].key) if value is None else value
+            if isinstance(value, Quantity):
+                values[path] = value
+        return read_effects(self.mechanism, raw, values, self.source, self.problems)
+
+    def _present(self, document: Mapping[str, Any], key: str, read: Callable[[Any], T]) -> T | None:
+        if key in document:
+            return self._read(document[key], key, read)
+        self._missing(key)
+        return None
+
+    def _read(self, raw: Any, path: str, read: Callable[[Any], T]) -> T | None:
+        try:
+            return read(raw)
+        except schema.RefusedError as error:
+            self.problem(f"{path}.{error.element}" if error.element else path, error.what, error.remedy)
+            return None
+
+    def _missing(self, path: str) -> None:
+        self.problem(path, f"the key {path} is missing", f"add it; {FORMAT_HELP}")
+
+    def _unknown(self, raw: Mapping[str, Any], path: str, known: Sequence[str]) -> None:
+        for key in raw:
+            if key not in known:
+                # Without quotes if TOML allows a bare key.
+                name = key if schema.is_bare(key) else shown(key)
+                place = f"{path}.{name}" if path else name
+                self.problem(place, f"unknown key {shown(key)}", nearest(key, known))
+
+    def problem(self, path: str, what: str, remedy: str) -> None:
+        """Add a problem at a path."""
+        self.problems.append(PkmodesError(what, f"{self.source}: {path}", remedy))
+
+
+def default_of(key: Key) -> Quantity | None:
+    """Return the default of a quantity, None if the file must give it."""
+    if key.default is None:
+        return None
+    return Quantity(key.default, DIMENSIONS[key.dimension][0])

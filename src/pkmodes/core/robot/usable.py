@@ -1,0 +1,307 @@
+"""The table ``[usable]`` of a robot file: where the machine is used.
+
+It limits components of the pose, the distance from an axis along z, and the angle of every rod to its singular
+direction.  Maps without a grid, pictures and proposed measurements stay inside.  The limits are no parameters:
+nothing depends on them, and they have no standard deviation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from typing import Any, NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import nearest, shown
+from pkmodes.core.mechanism.described import Mechanism
+from pkmodes.core.mechanism.poses import reasons
+from pkmodes.core.mechanism.rods import rods_of, singular_angles
+from pkmodes.core.robot import schema
+from pkmodes.core.robot.units import SHOWN, article, dimension_of
+
+Array = NDArray[np.float64]
+USABLE = "usable"
+ENDS = ("min", "max")
+#: The limits that are none of a component of the pose, and the components of which the radius is.
+RADIUS, SINGULAR_ANGLE = "radius", "singular_angle"
+ACROSS = ("x", "y")
+OF_RADIUS = 'write radius = "120 mm", or radius = { value = "120 mm", about = ["0 mm", "0 mm"] }'
+OF_ANGLE = 'write singular_angle = "15 deg"'
+
+
+class Limits(NamedTuple):
+    """The lower and the upper limit of a component of the pose [SI]."""
+
+    low: float
+    high: float
+
+
+class Radius(NamedTuple):
+    """The largest distance from an axis along z, and where the axis is, (x, y) [m]."""
+
+    value: float
+    about: tuple[float, float]
+
+
+class SingularAngle(NamedTuple):
+    """The least angle of a rod to its singular direction [rad]."""
+
+    value: float
+
+
+#: A limit of the table.
+Bound = Limits | Radius | SingularAngle
+
+
+class Used(Protocol):
+    """A robot with its limits."""
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """Its mechanism."""
+
+    @property
+    def parameters(self) -> Any:
+        """Its parameters for the generated model."""
+
+    @property
+    def usable(self) -> Mapping[str, Bound]:
+        """Its limits."""
+
+
+def read_usable(mechanism: Mechanism, raw: Any, problem: Callable[[str, str, str], None]) -> dict[str, Bound]:
+    """Read the table.
+
+    Parameters
+    ----------
+    raw : object
+        The table in the parsed file.
+    problem : callable
+        Takes the path, what is wrong, and the remedy of each problem.
+
+    Returns
+    -------
+    dict of str to Limits, Radius or SingularAngle
+        In SI units: components of the pose in its order, then the others.
+    """
+    units = {component.name: component.unit for component in mechanism.pose}
+    if not isinstance(raw, Mapping):
+        problem(
+            USABLE,
+            f"expected a table, found {shown(raw)}",
+            f"write {_example(*list(units.items())[-1])} below [{USABLE}]",
+        )
+        return {}
+    readers: dict[str, Callable[[Any], Bound]] = {
+        name: partial(_limits, name=name, unit=unit) for name, unit in units.items()
+    }
+    others = [name for name in _others(mechanism) if name not in units]
+    readers |= {name: OTHERS[name] for name in others}
+    bounds: dict[str, Bound] = {}
+    for name, given in raw.items():
+        if name not in readers:
+            what = f"expected a component of the pose{_listed(others)}, found {shown(name)}"
+            lacks = LACKING.get(name, "")
+            if lacks:
+                what = f"{mechanism.name} has {lacks}"
+            remedy = f"leave {name} out" if lacks else nearest(name, readers)
+            problem(f"{USABLE}.{_key(name)}", what, remedy)
+            continue
+        try:
+            bounds[name] = readers[name](given)
+        except schema.RefusedError as error:
+            place = f"{USABLE}.{name}" + (f".{error.element}" if error.element else "")
+            problem(place, error.what, error.remedy)
+    return {name: bounds[name] for name in readers if name in bounds}
+
+
+def limits_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> tuple[Array, Array]:
+    """Return a box around what is usable: its lower and upper ends, (d,) each, infinite where there are none."""
+    ends = {name: Limits(*bound) for name, bound in usable.items() if _of_component(bound)}
+    for bound in usable.values():
+        if isinstance(bound, Radius):
+            for name, middle in zip(ACROSS, bound.about, strict=True):
+                low, high = ends.get(name, (-np.inf, np.inf))
+                ends[name] = Limits(max(low, middle - bound.value), min(high, middle + bound.value))
+    every = [ends.get(component.name, (-np.inf, np.inf)) for component in mechanism.pose]
+    return np.array([low for low, _ in every]), np.array([high for _, high in every])
+
+
+def reasons_of(robot: Used) -> dict[str, str]:
+    """Return why a pose may be left out of a result: code and meaning, in the order of the checks."""
+    known = reasons(robot.mechanism)
+    if is_box(robot.usable):
+        return known
+    return {
+        **known,
+        USABLE: f"the pose is left out, beyond the usable limits: {in_words(robot.mechanism, robot.usable)}",
+    }
+
+
+def is_box(usable: Mapping[str, Bound]) -> bool:
+    """Return whether all limits are of components: what is usable is then a box, of which every grid is inside."""
+    return all(map(_of_component, usable.values()))
+
+
+def inside(robot: Used, points: Array) -> NDArray[np.bool_]:
+    """Return which poses, (..., d), are within all usable limits of a robot."""
+    mechanism, names = robot.mechanism, [component.name for component in robot.mechanism.pose]
+    within = np.ones(points.shape[:-1], dtype=bool)
+    for name, bound in robot.usable.items():
+        if isinstance(bound, Radius):
+            across = points[..., [names.index(one) for one in ACROSS]] - bound.about
+            within &= np.hypot(across[..., 0], across[..., 1]) <= bound.value
+        elif isinstance(bound, SingularAngle):
+            angles = singular_angles(mechanism, robot.parameters, points[within])
+            within[within] = (angles >= bound.value).all(axis=-1)
+        else:
+            low, high = bound
+            value = points[..., names.index(name)]
+            within &= (value >= low) & (value <= high)
+    return within
+
+
+def raw_of(bound: Bound) -> Any:
+    """Return a limit as a robot file could contain it, in SI units."""
+    if _of_component(bound):
+        return list(bound)
+    if isinstance(bound, Radius) and any(bound.about):
+        return {"value": bound.value, "about": list(bound.about)}
+    return bound[0]
+
+
+def numbers_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> dict[str, tuple[float, str]]:
+    """Return all limits by their path, each with its SI unit, in the order of the pose and then of the others."""
+    units = {component.name: component.unit for component in mechanism.pose}
+    numbers: dict[str, tuple[float, str]] = {}
+    for name in (*units, *OTHERS):
+        bound = usable.get(name)
+        path = f"{USABLE}.{name}"
+        if isinstance(bound, SingularAngle):
+            numbers[path] = bound.value, "rad"
+        elif isinstance(bound, Radius):
+            numbers[path] = bound.value, "m"
+            if any(bound.about):
+                numbers |= {f"{path}.about.{end}": (bound.about[k], "m") for k, end in enumerate(ACROSS)}
+        elif bound is not None:
+            numbers |= {f"{path}.{end}": (bound[k], units[name]) for k, end in enumerate(ENDS)}
+    return numbers
+
+
+def in_words(mechanism: Mechanism, usable: Mapping[str, Bound]) -> str:
+    """Return all limits as text."""
+    units = {component.name: component.unit for component in mechanism.pose}
+    parts = []
+    for name in (*units, *OTHERS):
+        bound = usable.get(name)
+        if isinstance(bound, SingularAngle):
+            parts.append(not_singular(bound.value))
+        elif isinstance(bound, Radius):
+            axis = ", ".join(f"{one} = {value:.4g} m" for one, value in zip(ACROSS, bound.about, strict=True))
+            parts.append(f"at most {bound.value:.4g} m from {axis}")
+        elif bound is not None:
+            parts.append(f"{name} from {bound[0]:.4g} to {bound[1]:.4g} {units[name]}")
+    return ", ".join(parts)
+
+
+def not_singular(angle: float) -> str:
+    """Return the condition that no rod is nearer than an angle [rad] to its singular direction, as text."""
+    return f"every rod at least {np.degrees(angle):.4g} deg from its singular direction"
+
+
+def _of_component(bound: Bound) -> bool:
+    return not isinstance(bound, Radius | SingularAngle)
+
+
+def _limits(raw: Any, name: str, unit: str) -> Limits:
+    dimension, remedy = dimension_of(unit), f"write two limits, such as {_example(name, unit)}"
+    low, high = _numbers(raw, ENDS, "the lower and the upper limit", dimension, remedy)
+    if low >= high:
+        found = f"{low:g} {unit} twice" if low == high else f"{low:g} {unit} before {high:g} {unit}"
+        what = f"expected the lower limit first and a higher one, found {found}"
+        raise schema.RefusedError(what, remedy if low == high else "exchange them, or check the signs")
+    return Limits(low, high)
+
+
+def _radius(raw: Any) -> Radius:
+    value, about = raw, (0.0, 0.0)
+    if isinstance(raw, Mapping):
+        if "value" not in raw or not raw.keys() <= {"value", "about"}:
+            keys = ", ".join(map(shown, raw)) or "an empty table"
+            raise schema.RefusedError(
+                f'expected a table with "value" and "about", found {keys}: a limit has no standard deviation'
+                if "sigma" in raw
+                else f'expected a table with "value" and "about", found {keys}',
+                OF_RADIUS,
+            )
+        value = raw["value"]
+        if "about" in raw:
+            try:
+                x, y = _numbers(raw["about"], ACROSS, "x and y of the axis", "length", OF_RADIUS)
+            except schema.RefusedError as error:
+                element = f"about.{error.element}".removesuffix(".")
+                raise schema.RefusedError(error.what, error.remedy, element) from None
+            about = x, y
+    return Radius(_number(value, "length", OF_RADIUS, above=0.0), about)
+
+
+def _singular_angle(raw: Any) -> SingularAngle:
+    value = _number(raw, "angle", OF_ANGLE, above=0.0)
+    if value >= np.pi / 2:
+        what = f"expected an angle below 90 deg, found {shown(raw)}"
+        raise schema.RefusedError(f"{what}, which is {np.degrees(value):.4g} deg", OF_ANGLE)
+    return SingularAngle(value)
+
+
+#: How the limits that are none of a component are read; of a mechanism without what they limit, what it lacks.
+OTHERS: dict[str, Callable[[Any], Bound]] = {RADIUS: _radius, SINGULAR_ANGLE: _singular_angle}
+LACKING = {
+    RADIUS: "no radius: its pose has no lengths x and y",
+    SINGULAR_ANGLE: "no singular angle: it has no rods between a carriage or arm and the platform",
+}
+
+
+def _others(mechanism: Mechanism) -> list[str]:
+    """Return the limits that are none of a component of the pose and that a mechanism can have."""
+    lengths = {component.name for component in mechanism.pose if component.unit == "m"}
+    has = {RADIUS: lengths >= set(ACROSS), SINGULAR_ANGLE: bool(rods_of(mechanism))}
+    return [name for name in OTHERS if has[name]]
+
+
+def _numbers(raw: Any, elements: Sequence[str], are: str, dimension: str, remedy: str) -> list[float]:
+    """Read a list of quantities without standard deviations."""
+    if not isinstance(raw, list) or len(raw) != len(elements):
+        found = f"a list of {len(raw)}" if isinstance(raw, list) else shown(raw)
+        raise schema.RefusedError(f"expected {are}, found {found}", remedy)
+    values = []
+    for name, element in zip(elements, raw, strict=True):
+        try:
+            values.append(_number(element, dimension, remedy))
+        except schema.RefusedError as error:
+            raise schema.RefusedError(error.what, error.remedy, name) from None
+    return values
+
+
+def _number(raw: Any, dimension: str, remedy: str, above: float | None = None) -> float:
+    """Read a quantity without a standard deviation."""
+    if isinstance(raw, Mapping):
+        what = f"expected {article(dimension)}, found a table: a limit has no standard deviation"
+        raise schema.RefusedError(what, remedy)
+    return schema.quantity(raw, dimension, above=above).value
+
+
+def _listed(names: Sequence[str]) -> str:
+    """Return further names that may stand in the place of a component."""
+    return "".join(f"{' or' if name is names[-1] else ','} {name}" for name in names)
+
+
+def _example(name: str, unit: str) -> str:
+    unit = SHOWN.get(unit, (unit, 1.0))[0]
+    return f'{name} = ["-100 {unit}", "100 {unit}"]'
+
+
+def _key(name: str) -> str:
+    """Return a key as it can stand in a path."""
+    return name if schema.is_bare(name) else shown(name)

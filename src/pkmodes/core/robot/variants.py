@@ -1,0 +1,189 @@
+"""A robot with other values: the document that declares it is changed and then read like a robot file.
+
+This way one set of rules applies, and values that a file could not have are rejected here too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.robot import schema
+from pkmodes.core.robot.covariance import Covariance, with_sigmas
+from pkmodes.core.robot.declaration import Declaration, changeable
+from pkmodes.core.robot.documents import document_of
+from pkmodes.core.robot.layout import by_path, lent, takers
+from pkmodes.core.robot.parameter_groups import elements_of, groups_by_path, items_of
+from pkmodes.core.robot.units import Quantity
+from pkmodes.core.robot.validation import declaration
+from pkmodes_description import ParameterGroup
+
+OTHER_VALUES = " with other values"
+
+
+def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
+    """Return the declaration of a file with these values: see `pkmodes.Robot.with_values`."""
+    if not isinstance(values, Mapping):
+        raise PkmodesError(
+            f"expected values by path, found {shown(values)}",
+            "values",
+            'for example: {"frame.mass": "60 kg"}',
+        )
+    source = robot.source.removesuffix(OTHER_VALUES) + OTHER_VALUES
+    changes = _changes(robot, values, source)
+    declared = raw_values(robot)
+    if _read(robot, declared, source, robot.covariance) != robot:
+        raise PkmodesError(
+            "the robot's parameters differ from those that it declares",
+            robot.source,
+            "start from a robot that was read from a file",
+        )
+    changed = _read(robot, {**declared, **changes}, source)
+    return replace(changed, covariance=_covariance(robot, changed))
+
+
+def _read(
+    robot: Declaration, values: Mapping[str, Any], source: str, covariance: Sequence[Covariance] = ()
+) -> Declaration:
+    """Return the declaration of a file with only these values."""
+    document = document_of(robot.mechanism, robot.name, values, robot.usable, robot.report, covariance)
+    return declaration(document, source)
+
+
+def _covariance(robot: Declaration, changed: Declaration) -> tuple[Covariance, ...]:
+    """Return the correlations of a robot with other values: a value without a standard deviation has none."""
+    sigmas = {path: quantity.sigma for path, quantity in changed.quantities.items()}
+    given = {
+        path: sigmas.get(path)
+        for table in robot.covariance
+        for path in table.paths
+        if sigmas.get(path) != robot.quantities[path].sigma
+    }
+    return with_sigmas(robot.covariance, given)
+
+
+def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict[str, Any]:
+    """Return the changed values of the file by path, as a robot file could contain them."""
+    owners = {path: own for path, own in lent(robot.mechanism).items() if _lent_now(robot, values, path, own)}
+    changes: dict[str, Any] = {}
+    for path, raw in values.items():
+        if not isinstance(path, str):
+            what = f"expected a parameter path, found {shown(path)}"
+            raise PkmodesError(what, "values", 'for example: {"frame.mass": "60 kg"}')
+        if raw is None or (isinstance(raw, Mapping) and raw.get("value", raw) is None):
+            remedy = "give a number or text with a unit; 0 means no effect"
+            raise PkmodesError("expected a value, found None", f"{source}: {path}", remedy)
+        for element, value in _elements(robot, owners.get(path, path), raw, source).items():
+            others = {element, lent(robot.mechanism).get(element), *_borrowers(robot, element)}
+            if others & changes.keys():
+                what = "the value would be changed twice"
+                raise PkmodesError(what, f"{source}: {element}", "change it only once")
+            changes[element] = value
+    before = {own: robot.quantities.get(path) for path, own in lent(robot.mechanism).items()}
+    return {path: _with_sigma(raw, {**before, **robot.quantities}.get(path)) for path, raw in changes.items()}
+
+
+def _lent_now(robot: Declaration, values: Mapping[str, Any], path: str, own: str) -> bool:
+    """Return whether an effect parameter takes its value from a table instead of declaring it."""
+    effect = path.rpartition(".")[0]
+    others = [name for name in (*robot.quantities, *values) if name != path and _begins(name, effect)]
+    return own in robot.quantities or not others
+
+
+def _begins(name: object, table: str) -> bool:
+    return isinstance(name, str) and name.startswith(f"{table}.")
+
+
+def _borrowers(robot: Declaration, own: str) -> list[str]:
+    return [path for path, owner in lent(robot.mechanism).items() if owner == own]
+
+
+def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str, Any]:
+    """Return the values of the file that a value by path changes."""
+    known = changeable(robot)
+    raw = _plain(raw, known.get(path), f"{source}: {path}")
+    if path in (of_mechanism := groups_by_path(robot.mechanism)):
+        group = of_mechanism[path]
+        return dict(elements_of(robot, group, _value_of_group(robot, group, raw, source)))
+    if path in known:
+        _check_taken(robot, path)
+        return {path: raw}
+    item = by_path(robot.mechanism).get(path)
+    if item is None:
+        vectors = [
+            one.path for one in by_path(robot.mechanism).values() if one.path not in known and one.numbers
+        ]
+        remedy = nearest(path, [*known, *vectors], "see docs/sensitivities.md for the paths")
+        raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
+    if not item.numbers:
+        what = f"{path} is not a quantity: it cannot be changed here"
+        raise PkmodesError(what, robot.source, "change the robot file")
+    if not isinstance(raw, list | tuple) or len(raw) != len(item.numbers):
+        given = f"{len(raw)}" if isinstance(raw, list | tuple) else shown(raw)
+        what = f"expected a list of {len(item.numbers)} values, found {given}"
+        raise PkmodesError(what, f"{source}: {path}", f"give {', '.join(item.key.elements)}")
+    return {
+        number.path: _plain(one, number.unit, f"{source}: {number.path}")
+        for number, one in zip(item.numbers, raw, strict=True)
+    }
+
+
+def _plain(raw: Any, unit: str | None, where: str) -> Any:
+    """Return a value as a robot file could contain it, without NumPy types and `Quantity`."""
+    if isinstance(raw, np.ndarray | np.generic):
+        return raw.tolist()
+    if isinstance(raw, Quantity):
+        if raw.unit != unit:
+            what = f"expected a quantity in {unit}, found one in {raw.unit}"
+            raise PkmodesError(what, where, "give a quantity with that unit")
+        return {"value": raw.value, "sigma": raw.sigma}
+    if isinstance(raw, Mapping):
+        return {key: _plain(value, unit, where) for key, value in raw.items()}
+    return raw
+
+
+def _value_of_group(robot: Declaration, group: ParameterGroup, raw: Any, source: str) -> float:
+    """Read the value of a group, which cannot have a standard deviation."""
+    where = f"{source}: {group.path}"
+    if isinstance(raw, Mapping) and raw.get("sigma") is not None:
+        what = f"{group.path} has no standard deviation: only its elements have one"
+        raise PkmodesError(what, where, "give the value only, and give sigma for the elements")
+    if isinstance(raw, Mapping):
+        raw = {key: value for key, value in raw.items() if key != "sigma"}
+    try:
+        return schema.quantity(raw, items_of(robot.mechanism, group)[0].key.dimension, above=0.0).value
+    except schema.RefusedError as error:
+        raise PkmodesError(error.what, where, error.remedy) from None
+
+
+def _check_taken(robot: Declaration, path: str) -> None:
+    """Reject a change of a shared value that every entry overrides: it would have no effect."""
+    own = [item.path for item in takers(robot.mechanism).get(path, ())]
+    if own and all(taker in robot.quantities for taker in own):
+        raise PkmodesError(
+            f"no {own[0].partition('.')[0]} takes the shared value {path}: each overrides it",
+            robot.source,
+            f"change {', '.join(own[:-1])} and {own[-1]}",
+        )
+
+
+def _with_sigma(raw: Any, before: Quantity | None) -> Any:
+    """Return a changed value with its previous standard deviation, unless a table gives another."""
+    table = dict(raw) if isinstance(raw, Mapping) else {"value": raw}
+    if before is not None:
+        table = {"value": before.value, "sigma": before.sigma, **table}
+    if table.get("sigma", 0) is None:
+        del table["sigma"]
+    return table if set(table) != {"value"} else table["value"]
+
+
+def raw_values(robot: Declaration) -> dict[str, Any]:
+    """Return the robot's declared values by path, as a robot file could contain them."""
+    return {
+        path: _with_sigma({}, robot.quantities[path]) if path in robot.quantities else value
+        for path, value in robot.declared.items()
+    }

@@ -1,0 +1,92 @@
+"""A robot at poses that can be evaluated, with the quantities of which fields are functions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.solve.fields import FIELDS
+from pkmodes.core.system.evaluation import Evaluation
+from pkmodes.core.system.stiffness_parts import StiffnessParts, stiffness_parts
+
+Array = NDArray[np.float64]
+
+
+class RobotAtPoses:
+    """The quantities of a robot at N poses; each is evaluated once, when it is needed.
+
+    Parameters
+    ----------
+    points : ndarray, shape (N, d)
+    source : str
+        The robot, for messages.
+    known : mapping of str to object
+        Quantities that need not be evaluated, such as ``eigenvalues`` and ``shapes`` from a solver.
+    """
+
+    def __init__(self, system: Evaluation, points: Array, source: str, known: Mapping[str, Any]) -> None:
+        self.system, self.points, self.source = system, points, source
+        self.known = dict(known)
+
+    def __getitem__(self, name: str) -> Any:
+        """Return a field, or a quantity by the name of an attribute."""
+        if name not in self.known:
+            field = FIELDS.get(name)
+            if field is None or field.needs == (name,):
+                return getattr(self, name)
+            self.known[name] = field.of(*(self[needed] for needed in field.needs))
+        return self.known[name]
+
+    @cached_property
+    def all_coordinates(self) -> tuple[Array, Array]:
+        """M and K including the coordinates of locked joints, each (N, e, e)."""
+        return self.system.all_coordinates(self.points)
+
+    @cached_property
+    def mass_matrix(self) -> Array:
+        """M, (N, n, n)."""
+        return self.system.free_part(self.all_coordinates[0])
+
+    @cached_property
+    def stiffness_matrix(self) -> Array:
+        """K, (N, n, n)."""
+        return self.system.free_part(self.all_coordinates[1])
+
+    @cached_property
+    def stiffness_parts(self) -> StiffnessParts:
+        """K in parts, of an extended system."""
+        return stiffness_parts(self.system, self.points)
+
+    @cached_property
+    def platform_motion(self) -> Array:
+        """Absolute motion of the platform per unit of each coordinate, (N, directions, n)."""
+        return self.system.platform_motion(self.points)
+
+    @cached_property
+    def static_torques(self) -> Array:
+        """Torques that hold the poses, (N, drives) [N m]."""
+        return self.system.statics(self.points)[0]
+
+    @cached_property
+    def joint_positions(self) -> Array:
+        """The independent coordinates, (N, k)."""
+        return np.asarray(self._kinematics.inverse_kinematics(self.points))
+
+    @cached_property
+    def platform_jacobian(self) -> Array:
+        """D_p, (N, d, k)."""
+        return np.asarray(self._kinematics.platform_jacobian(self.points))
+
+    @property
+    def directions(self) -> tuple[str, ...]:
+        """Names of the directions of the platform's motion."""
+        return tuple(self.system.mechanism.directions)
+
+    @property
+    def _kinematics(self) -> Generated:
+        return Generated(self.system.mechanism.model, self.system.parameters)

@@ -1,0 +1,124 @@
+"""A batch of poses: checked, evaluated once by a solver, and by NumPy where the solver cannot.
+
+A batch that is refused leaves the caller's arrays alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.core.mechanism.poses import CHUNK, CheckedPoses, OnError, given_poses, pose_codes, refuse
+from pkmodes.core.robot.pose_table import poses_by_name
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.solve.field_arrays import FieldArrays, Out
+from pkmodes.core.solve.solver import UNSOLVED, Alone, Codes
+
+Array = NDArray[Any]
+Rows = Mapping[str, Array]
+
+
+@dataclass(frozen=True)
+class Job:
+    """What to evaluate at the poses of a robot.
+
+    Attributes
+    ----------
+    tails : mapping of str to (tuple of int, str)
+        Shape at one pose, and type, of each field.
+    known : tuple of str
+        The reasons that codes index: `pkmodes.core.mechanism.poses.codes_of`.
+    compute : callable
+        Fills the fields at poses, (n, d), with so many threads at most, and returns their codes, `UNSOLVED` where
+        `by_numpy` has to do it.
+    by_numpy : callable
+        Returns the fields at poses, (n, d), that can be evaluated.
+    checks_poses : bool
+        Whether `compute` checks the poses; without fields it only checks them.  If not, it is given some thousand
+        poses at a time that can be evaluated.
+    refusable : bool
+        Whether a pose may be refused after it was checked: then the caller's arrays are filled at the end.
+    alone : callable, optional
+        Evaluates the fields at a single pose with less overhead: see `pkmodes.core.solve.solver.Solver.alone`.
+    """
+
+    tails: Mapping[str, tuple[tuple[int, ...], str]]
+    known: tuple[str, ...]
+    compute: Callable[[NDArray[np.float64], Rows, int], Codes]
+    by_numpy: Callable[[NDArray[np.float64]], Rows]
+    checks_poses: bool
+    refusable: bool
+    alone: Alone | None = None
+
+
+def run(
+    job: Job,
+    robot: Robot,
+    max_condition: float,
+    poses: ArrayLike,
+    on_error: OnError,
+    out: Out,
+    threads: int = 1,
+) -> tuple[CheckedPoses, dict[str, Array]]:
+    """Evaluate a job.
+
+    Returns
+    -------
+    CheckedPoses
+        With the code of each pose.
+    dict of str to ndarray, shape (..., *tail)
+        By field; NaN where a pose cannot be evaluated.
+
+    Raises
+    ------
+    PoseError, PkmodesError
+        As `pkmodes.Model.modes` does.
+    """
+    mechanism = robot.mechanism
+    points, batch = given_poses(poses_by_name(poses, mechanism), mechanism, on_error)
+    if job.alone is not None and len(points) == 1 and not out:
+        found = job.alone(points)
+        if found is not None:
+            return CheckedPoses(points, np.zeros(1, np.int8), batch, job.known), {
+                name: array.reshape(batch + array.shape[1:]) for name, array in found.items()
+            }
+    points, raises = np.ascontiguousarray(points), on_error == "raise"
+    aside = raises and job.refusable and bool(out)
+    codes = None
+    if not job.checks_poses:
+        codes = pose_codes(points, mechanism, robot.parameters, max_condition)
+    elif raises and out and not aside:
+        # Before the caller's arrays are filled; it takes less than a tenth of the time of the evaluation.
+        codes = job.compute(points, {}, threads)
+    if raises and codes is not None:
+        refuse(points, np.maximum(codes, 0), mechanism, robot.parameters)
+    fields = FieldArrays(batch, out, aside=aside, blank=codes is not None and bool(codes.any()))
+    for name, (tail, dtype) in job.tails.items():
+        fields.add(name, tail, dtype)
+    if job.checks_poses or codes is None:
+        codes = job.compute(points, fields.rows, threads)
+    else:
+        _compute_valid(job, CheckedPoses(points, codes, batch, job.known), fields, threads)
+    left = None
+    if codes.any():
+        left = np.flatnonzero(codes == UNSOLVED)
+        codes[left] = 0
+        if raises:  # a pose out of reach before a joint that is too soft
+            refuse(points, codes, mechanism, robot.parameters)
+        for start in range(0, len(left), CHUNK):
+            places = left[start : start + CHUNK]
+            fields.put(places, job.by_numpy(points[places]))
+    return CheckedPoses(points, codes, batch, job.known, left), fields.finish()
+
+
+def _compute_valid(job: Job, checked: CheckedPoses, fields: FieldArrays, threads: int) -> None:
+    """Compute the poses that can be evaluated, in parts that fit in the cache."""
+    for where, points in list(checked.parts(CHUNK)) if checked.valid.any() else ():
+        rows = {name: array[where] for name, array in fields.rows.items()}
+        checked.codes[where] = job.compute(points, rows, threads)
+        if not isinstance(where, slice):  # copies instead of views
+            fields.put(where, rows)

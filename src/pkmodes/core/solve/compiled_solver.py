@@ -1,0 +1,180 @@
+"""The back end of compiled libraries, which leaves the poses that they cannot solve accurately to NumPy."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+from typing import TYPE_CHECKING, ClassVar, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.compiled.lanes import FIELDS, UNSOLVED, Along, Terms
+from pkmodes.core.linalg.eigen import has_stiff_joint, held_softly
+from pkmodes.core.mechanism.poses import CHUNK
+from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.solve.solver import EIGENVALUES, Alone, Codes, Solver, UnavailableError
+from pkmodes.core.system.evaluation import Evaluation
+
+if TYPE_CHECKING:
+    from pkmodes.core.compiled.evaluator import Evaluator
+    from pkmodes.core.compiled.room import Room
+
+Array = NDArray[np.float64]
+#: Very soft and very stiff released joints cost digits: NumPy solves where the lowest eigenvalue of vibration is
+#: below this fraction, or the highest one above this multiple, of the highest one of the base coordinates.
+SOFT, STIFF = 1e-5, 1e3
+#: Without released joints, below this fraction; NumPy refuses a tenth of it.
+APART = 1e-6
+
+
+class CompiledSolver(Solver):
+    """Evaluates modes with the compiled library of a mechanism.
+
+    Parameters
+    ----------
+    system : Evaluation
+        Of the same robot or robots.
+    """
+
+    name = "compiled"
+    fields: ClassVar[frozenset[str]] = frozenset(FIELDS)
+    checks_poses = True
+    differentiates = True
+    together = True
+    #: The fields that need the eigenproblem.
+    _of_modes = frozenset({"frequencies", EIGENVALUES, "shapes", "platform_shapes"})
+
+    def __init__(self, evaluator: Evaluator, system: Evaluation) -> None:
+        self.evaluator, self._system = evaluator, system
+        self._released = len(system.coordinates) > system.first
+
+    @classmethod
+    def init(cls, system: Evaluation, largest_condition: float) -> Self:
+        """Load the library of a robot's mechanism, or build it.
+
+        Raises
+        ------
+        UnavailableError
+            If there is no library.
+        """
+        # Building and loading libraries needs modules that are slow to import.
+        from pkmodes.core.compiled import loader
+        from pkmodes.core.compiled.evaluator import Evaluator
+
+        mechanism = system.mechanism
+        try:
+            library = loader.load(mechanism.package, mechanism.name)
+            lanes = system.lanes()
+        except loader.UnavailableError as error:
+            raise UnavailableError(
+                f"the compiled back end is not available: {error.why}", mechanism.name, error.remedy
+            ) from None
+        directions = len(mechanism.directions)
+        return cls(Evaluator(library, lanes, len(system.coordinates), largest_condition, directions), system)
+
+    def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
+        """Fill arrays."""
+        shown = self._shown_by(arrays)
+        if shown is not None and shown not in arrays:
+            arrays = {**arrays, shown: np.empty((len(at.points), self.evaluator.modes))}
+        return self._marked(self.evaluator.run(at.points, arrays, threads), arrays)
+
+    def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone:
+        """Return what fills arrays at a single pose."""
+        shown = self._shown_by(tails)
+        also = {} if shown is None else {shown: (self.evaluator.modes,)}
+        return _OnePose(self, len(self._system.mechanism.pose), tails, {**tails, **also})
+
+    def _shown_by(self, names: Collection[str]) -> str | None:
+        """Return the field that shows what the kernel cannot resolve, where some fields are evaluated.
+
+        None if none of them needs the eigenproblem.
+        """
+        if self._of_modes.isdisjoint(names):
+            return None
+        if EIGENVALUES in names or self._released or self._system.held_motions:
+            return EIGENVALUES
+        return "frequencies"
+
+    def rates(self, at: RobotAtPoses, arrays: Mapping[str, Array], terms: Terms, threads: int = 1) -> Codes:
+        """Fill arrays, also with derivatives."""
+        return self._marked(self.evaluator.run(at.points, arrays, threads, terms=terms), arrays)
+
+    def along(self, at: RobotAtPoses, eigenvalues: Array, shapes: Array, terms: Terms) -> Along | None:
+        """Return what the derivatives of given modes along paths need; None if a pose cannot be evaluated."""
+        return self.evaluator.along(at.points, eigenvalues, shapes, terms)
+
+    def _marked(self, codes: Codes, arrays: Mapping[str, Array]) -> Codes:
+        """Mark the poses at which the kernel cannot resolve a vibration."""
+        shown = self._shown_by(arrays)
+        if shown is not None:
+            for start in range(0, len(codes), CHUNK):
+                part = slice(start, start + CHUNK)
+                unresolved = self.unresolved(shown, arrays[shown][part])
+                if unresolved.any():
+                    codes[part][(codes[part] == 0) & unresolved] = UNSOLVED
+        return codes
+
+    def unresolved(self, shown: str, values: Array) -> NDArray[np.bool_]:
+        """Return where joints are too soft or too stiff, springs to ground too soft, or magnitudes too different.
+
+        Parameters
+        ----------
+        shown : {"eigenvalues", "frequencies"}
+        values : ndarray, shape (N, m) or (m,)
+            Of this field.
+
+        Returns
+        -------
+        ndarray of bool, shape (N,) or ()
+        """
+        system = self._system
+        first, rigid = system.first, system.rigid_modes
+        of_mode = values.T  # numbers where there is no batch
+        last = abs(of_mode[first - 1])
+        if shown != EIGENVALUES:
+            return np.asarray(abs(of_mode[rigid]) < APART**0.5 * last)
+        unresolved = abs(of_mode[rigid]) < (SOFT if self._released else APART) * last
+        if system.held_motions:
+            unresolved = unresolved | held_softly(values, system.held_motions)
+        if self._released:
+            unresolved = unresolved | has_stiff_joint(values, first, rigid) | (of_mode[-1] > STIFF * last)
+        return np.asarray(unresolved)
+
+
+class _OnePose:
+    """Fills arrays at a single pose, each thread in a room of its own.
+
+    Parameters
+    ----------
+    size : int
+        Components of a pose.
+    wanted : iterable of str
+        The fields to return.
+    tails : mapping of str to tuple of int
+        Shapes at one pose of the fields to evaluate.
+    """
+
+    def __init__(
+        self,
+        solver: CompiledSolver,
+        size: int,
+        wanted: Iterable[str],
+        tails: Mapping[str, tuple[int, ...]],
+    ) -> None:
+        self._solver, self._size, self._wanted, self._tails = solver, size, tuple(wanted), dict(tails)
+        self._shown = solver._shown_by(tails)
+        self._rooms: list[Room] = []  # those that no thread is using
+
+    def __call__(self, point: Array) -> dict[str, Array] | None:
+        try:
+            room = self._rooms.pop()
+        except IndexError:
+            room = self._solver.evaluator.room(self._size, self._tails)
+        found = None
+        if room.run(point) == 0 and not (
+            self._shown and self._solver.unresolved(self._shown, room.arrays[self._shown][0])
+        ):
+            found = {name: room.arrays[name].copy() for name in self._wanted}
+        self._rooms.append(room)
+        return found

@@ -1,0 +1,148 @@
+"""Fields of a result: which are requested, and arrays that are filled part by part.
+
+Poses are evaluated in parts that fit the cache, and each part is stored at once, so the memory needed is that of
+the result and one part.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Mapping
+from math import prod
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import PkmodesError, listed, nearest, shown
+from pkmodes.core.mechanism.poses import Where
+from pkmodes.core.solve.fields import missing
+
+Array = NDArray[Any]
+Fields = Iterable[str] | None
+Out = Mapping[str, Array] | None
+
+
+def chosen_fields(fields: Fields, out: Out, known: tuple[str, ...]) -> tuple[str, ...]:
+    """Check which fields are requested.
+
+    Parameters
+    ----------
+    fields : iterable of str, optional
+        By default the fields in `out`, or all without `out`.
+    out : mapping of str to ndarray, optional
+        Arrays to fill, by field.
+    known : tuple of str
+        All fields.
+
+    Returns
+    -------
+    tuple of str
+        In the order of `known`.
+
+    Raises
+    ------
+    PkmodesError
+        If a field is unknown, no field is requested, or `out` is not a mapping of fields to different arrays.
+    """
+    if out is not None and not isinstance(out, Mapping):
+        raise PkmodesError(
+            f"expected arrays by field, found {shown(out)}", "out", f'for example: {{"{known[0]}": array}}'
+        )
+    if fields is None:
+        fields = known if out is None else tuple(out)
+    asked = listed(fields, "fields", "fields", f'"{known[0]}"')
+    for where, names in (("fields", asked), ("out", list(out or ()))):
+        for name in names:
+            if not (isinstance(name, str) and name in known):
+                raise PkmodesError(f"unknown field {shown(name)}", where, nearest(name, known))
+    if not asked:
+        raise PkmodesError("expected at least one field, found none", "fields", f"known: {', '.join(known)}")
+    for name, array in (out or {}).items():
+        _check_out(name, array, asked)
+    for (a, first), (b, second) in itertools.combinations((out or {}).items(), 2):
+        if np.may_share_memory(first, second) and np.shares_memory(first, second):
+            raise PkmodesError(f"{a} and {b} share memory", "out", "give a separate array for each field")
+    return tuple(name for name in known if name in asked)
+
+
+def _check_out(name: str, array: object, asked: list[str]) -> None:
+    where = f"out: {name}"
+    if name not in asked:
+        raise PkmodesError("the field is not requested", where, "add it to fields, or remove it from out")
+    if not isinstance(array, np.ndarray):
+        raise PkmodesError(
+            f"expected an ndarray, found {shown(type(array).__name__)}", where, "use numpy.empty"
+        )
+    if not array.flags.writeable:
+        raise PkmodesError("the array is read-only", where, "give a writable array")
+
+
+def _check_fits(name: str, array: Array, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
+    if array.dtype != dtype or array.shape != shape:
+        raise PkmodesError(
+            f"expected an array of shape {shape} and type {dtype}, "
+            f"found shape {array.shape} and type {array.dtype}",
+            f"out: {name}",
+            f"use numpy.empty({shape}, {dtype})",
+        )
+
+
+class FieldArrays:
+    """Arrays with the leading axes of the caller's poses, filled part by part.
+
+    Parameters
+    ----------
+    batch : tuple of int
+        Shape of the poses.
+    out : mapping of str to ndarray, optional
+        Arrays of the caller's to fill; arrays of other fields are allocated.
+    aside : bool
+        Whether the caller's arrays are left alone until `finish`.
+    blank : bool
+        Whether arrays begin with NaN, or -1 in arrays of integers, instead of anything.
+
+    Attributes
+    ----------
+    arrays : dict of str to ndarray, shape (..., *tail)
+        By field.
+    rows : dict of str to ndarray, shape (N, *tail)
+        What to fill, contiguous: a view of the array, or a stand-in until `finish`.
+    """
+
+    def __init__(
+        self, batch: tuple[int, ...], out: Out = None, *, aside: bool = False, blank: bool = False
+    ) -> None:
+        self._batch, self._out, self._aside, self._blank = batch, out or {}, aside, blank
+        self.arrays: dict[str, Array] = {}
+        self.rows: dict[str, Array] = {}
+        self._stand_ins: list[str] = []
+
+    def add(self, name: str, tail: tuple[int, ...], dtype: Any = float) -> None:
+        """Add a field with its shape at one pose."""
+        shape = (*self._batch, *tail)
+        array = self._out.get(name)
+        if array is None:
+            array = whole = np.empty(shape, dtype)
+        else:
+            _check_fits(name, array, shape, np.dtype(dtype))
+            whole = array
+            if self._aside or not array.flags.c_contiguous:
+                whole = np.empty(shape, dtype)
+                self._stand_ins.append(name)
+        self.arrays[name], self.rows[name] = array, whole.reshape(prod(self._batch), *tail)
+        if self._blank:
+            whole[...] = missing(whole.dtype)
+
+    def put(self, where: Where, values: Mapping[str, Array]) -> None:
+        """Store the values of some poses, (n, *tail) each; fields are added when they come first."""
+        for name, part in values.items():
+            if name not in self.rows:
+                self.add(name, part.shape[1:], part.dtype)
+            self.rows[name][where] = part
+
+    def finish(self) -> dict[str, Array]:
+        """Copy stand-ins to where they belong, and return the arrays."""
+        for name in self._stand_ins:
+            self.arrays[name][...] = self.rows[name].reshape(self.arrays[name].shape)
+        return self.arrays

@@ -1,0 +1,140 @@
+"""Motions of a robot that springs to ground hold softly: solved with the parts of K kept apart, or refused.
+
+Frequencies of vibration have nine correct digits, or the robot is refused; where springs and gravity nearly cancel,
+the digits are those of the springs.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import PoseError
+from pkmodes.core.linalg.eigen import base_level, condensed_eigh, held_softly, natural_frequencies
+from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.system.evaluation import Evaluation
+from pkmodes.core.system.stiffness_parts import StiffnessParts
+
+Array = NDArray[np.float64]
+#: Eigenvalues have an error of some 1e-16 of the largest.  Below this fraction of the largest, a vibration frequency
+#: no longer has nine correct digits.
+RESOLVED = 1e-7
+#: Likewise for a spring to ground beside gravity: where gravity leaves a motion alone, its part of K is a
+#: cancellation of rounded numbers, with an error of up to 2e-15 of its largest entries, depending on the processor.
+BESIDE_GRAVITY = 4e-6
+#: Below this [1/s^2], numbers have fewer digits.
+SMALLEST = 1e-290
+
+
+def solve_held(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:
+    """Solve in place where the motions that springs to ground hold have lost digits.
+
+    Parameters
+    ----------
+    eigenvalues : ndarray, shape (N, m)
+        From `pkmodes.core.linalg.eigen.condensed_eigh`.
+    shapes : ndarray, shape (N, m, n)
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        If the springs are too soft for any number.
+    """
+    system = at.system
+    softly = held_softly(eigenvalues, system.held_motions)
+    if not softly.any():
+        return
+    from pkmodes.core.linalg.held import held_eigh  # SciPy's linear algebra takes a while to import
+
+    parts, M = at.stiffness_parts, at.mass_matrix
+    soft = parts.ground + parts.gravity
+    where = np.flatnonzero(softly & ~_stiffer(system, parts, M))
+    if not len(where):
+        return
+    eigenvalues[where], shapes[where] = held_eigh(
+        M[where], parts.machine[where], soft[where], system.first, system.held_motions
+    )
+
+
+def refuse_unresolved(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:
+    """Refuse robots with held motions whose frequencies of vibration are lost in rounding.
+
+    A motion that springs hold and gravity destabilises is not refused, however near to balance they are.
+
+    Parameters
+    ----------
+    eigenvalues, shapes : ndarray, shape (N, m) and (N, m, n)
+        After `solve_held`.
+
+    Raises
+    ------
+    PoseError
+        With the smallest stiffness of a spring to ground that is resolved, if it is to blame.
+    """
+    system, motions = at.system, at.system.held_motions
+    where = np.flatnonzero(held_softly(eigenvalues, motions))
+    if not len(where):
+        return
+    parts, M = StiffnessParts(*(part[where] for part in at.stiffness_parts)), at.mass_matrix[where]
+    stiffer = _stiffer(system, parts, M)
+    levels, _ = condensed_eigh(M, parts.machine, system.first, motions)
+    lowest = np.where(stiffer, np.abs(eigenvalues[where, :motions]).min(axis=1), levels[:, motions])
+    highest = base_level(M, at.stiffness_matrix[where], system.first)
+    lost = np.abs(lowest) < RESOLVED * highest
+    if lost.any():
+        which = int(np.argmax(lost))
+        raise lost_in_rounding(at, lowest[which], highest[which], by_springs=bool(stiffer[which]))
+    slow, size = shapes[where, :motions], np.abs(eigenvalues[where, :motions])
+    springs, pull = (np.einsum("Nia,Nab,Nib->Ni", slow, part, slow) for part in (parts.ground, parts.gravity))
+    least = np.maximum(BESIDE_GRAVITY * np.abs(pull).max(axis=1, keepdims=True), SMALLEST)
+    small = (size < least) & (springs < least)
+    if small.any():
+        pose, mode = np.unravel_index(int(np.argmax(small)), small.shape)
+        raise _too_soft(at, size[pose, mode], springs[pose, mode] / least[pose, 0])
+
+
+def _stiffer(system: Evaluation, parts: StiffnessParts, M: Array) -> NDArray[np.bool_]:
+    """Return where springs to ground and gravity are stiffer than belts and reducers."""
+    base = slice(system.first)
+    inertia = np.diagonal(M, axis1=-2, axis2=-1)[:, base]
+    soft, machine = (
+        np.abs(part[:, base, base] / np.sqrt(inertia[:, :, None] * inertia[:, None, :])).max(axis=(1, 2))
+        for part in (parts.ground + parts.gravity, parts.machine)
+    )
+    return np.asarray(soft > machine)
+
+
+def lost_in_rounding(
+    at: RobotAtPoses, lowest: float, highest: float, *, by_springs: bool = False
+) -> PoseError:
+    """Return the error that a frequency of vibration has lost its digits, from two eigenvalues."""
+    low, high = natural_frequencies(np.array([lowest, highest]))
+    lost = f"vibration at {abs(low):.2g} Hz is lost in rounding against {high:.4g} Hz"
+    if by_springs:
+        springs = " and ".join(map(in_effects, at.system.springs_to_ground))
+        return PoseError(f"a {lost}", at.source, f"make the springs to ground softer: {springs}")
+    if len(at.system.coordinates) > at.system.first:
+        remedy = "check the compliances under [effects]: make the joint stiffer"
+        return PoseError(f"a joint is so soft that its {lost}", at.source, remedy)
+    remedy = "check the robot's masses, inertias, lengths and stiffnesses, and their units"
+    return PoseError(f"a {lost}", at.source, remedy)
+
+
+def _too_soft(at: RobotAtPoses, eigenvalue: float, share: float) -> PoseError:
+    springs = at.system.springs_to_ground
+    low = natural_frequencies(np.array([eigenvalue]))[0]
+    what = f"springs to ground are so soft that their vibration at {abs(low):.2g} Hz is lost in rounding"
+    if len(springs) > 1 or not 0.0 < share < 1.0 or min(springs.values()) < SMALLEST:
+        return PoseError(
+            what, at.source, f"make them stiffer or leave them out: {', '.join(map(in_effects, springs))}"
+        )
+    ((path, value),) = springs.items()
+    effect, name, *_ = path.split(".")
+    unit = next(p.unit for p in at.system.mechanism.effects[effect].parameters if p.name == name)
+    least = float(f"{1.05 * value / share:.1e}")
+    return PoseError(what, at.source, f"give {in_effects(path)} at least {least:g} {unit}, or leave it out")
+
+
+def in_effects(path: str) -> str:
+    """Return the place of an effect parameter in the robot file."""
+    return f"effects.{path}"

@@ -1,0 +1,221 @@
+"""Fields of one robot at poses: those that its solver fills, and those that follow from them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import cached_property, partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.drives import HELD
+from pkmodes.core.mechanism.poses import CHUNK, CheckedPoses, codes_of
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.solve.backends import solver_of
+from pkmodes.core.solve.batch import Job, Rows, run
+from pkmodes.core.solve.fields import DISSIPATION, FIELDS, MODE, missing, sizes_of
+from pkmodes.core.solve.fields import tail as tail_of
+from pkmodes.core.solve.numpy_solver import NumpySolver
+from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
+from pkmodes.core.system.evaluation import Evaluation, may_be_refused, number_of_modes
+from pkmodes.core.system.motors import MotorsHeld
+from pkmodes.core.system.strain_free import strain_free_motions
+
+Array = NDArray[np.float64]
+#: Poses for which quantities are kept that are not among the fields, for each thread.
+PART = 4800
+
+
+class ModeFields:
+    """How a solver and NumPy evaluate some fields of a robot: worked out once, for any number of calls.
+
+    A field that tells nothing of the robot, such as damping where nothing dissipates, is not computed but filled.
+
+    Parameters
+    ----------
+    solved : Evaluation
+        The system that the solver solves: that of the robot, or the one with held motors.
+    source : str
+        The robot, for messages.
+    names : iterable of str
+        Of `pkmodes.core.solve.fields.FIELDS`.
+    given : mapping of str to object
+        Quantities that fields need and a robot does not have, such as the normal of a plane.
+
+    Attributes
+    ----------
+    job : Job
+        Evaluates the fields.
+    """
+
+    def __init__(
+        self,
+        solver: Solver,
+        system: Evaluation,
+        solved: Evaluation,
+        source: str,
+        names: Iterable[str],
+        given: Mapping[str, Any],
+    ) -> None:
+        self._solver, self._system, self._solved = solver, system, solved
+        self._source, self._given = source, {**_given_by_motors(system, solved), **given}
+        self._names = tuple(names)
+        self._filled = [name for name in self._names if not self._tells(name)]
+        self._computed = computed = [name for name in self._names if name not in self._filled]
+        self._derived = [name for name in computed if name not in solver.fields]
+        self._needed = _needed(self._derived, solver.fields) - {*self._names}
+        if _of_modes(self._filled) and not _of_modes(computed):
+            self._needed |= {EIGENVALUES}  # they say whether the robot is refused
+        modes = number_of_modes(solved)
+        sizes = sizes_of(system.mechanism, modes, len(system.coordinates))
+        fields = {name: FIELDS[name] for name in (*self._names, *self._needed) if name in FIELDS}
+        self._tails = {name: (tail_of(field, sizes), field.dtype) for name, field in fields.items()}
+        self._tails[EIGENVALUES] = (modes,), "f8"
+        alone = None
+        if computed and not (self._filled or self._derived):
+            alone = solver.alone({name: self._tails[name][0] for name in computed})
+        self.job = Job(
+            tails={name: self._tails[name] for name in self._names},
+            known=codes_of(system.mechanism),
+            compute=self.compute,
+            by_numpy=self.by_numpy,
+            checks_poses=solver.checks_poses,
+            refusable=_of_modes(self._names) and may_be_refused(solved),
+            alone=alone,
+        )
+
+    def _tells(self, name: str) -> bool:
+        """Return whether a field tells anything of this robot."""
+        field = FIELDS.get(name)
+        if field is None:
+            return True
+        if field.only == DISSIPATION:
+            return bool(self._given["dissipation"])
+        return field.only != HELD or isinstance(self._solved, MotorsHeld)
+
+    def tail(self, name: str) -> tuple[int, ...]:
+        """Return the shape of a field at one pose."""
+        return self._tails[name][0]
+
+    def again(
+        self, robot: Robot, max_condition: float, checked: CheckedPoses, threads: int
+    ) -> dict[str, NDArray[Any]]:
+        """Evaluate the fields, (N, *tail), at poses where others were: see `pkmodes.core.solve.batch.run`."""
+        if not self._computed:
+            rows: dict[str, NDArray[Any]] = {
+                name: _empty(len(checked.points), *self._tails[name]) for name in self._filled
+            }
+            for name, array in rows.items():
+                self._fill(name, array, checked.codes)
+            return rows
+        _, rows = run(self.job, robot, max_condition, checked.points, "nan", None, threads)
+        if checked.left is not None and len(checked.left):
+            for name, array in self.by_numpy(checked.points[checked.left]).items():
+                rows[name][checked.left] = array
+        return rows
+
+    def compute(self, points: Array, rows: Rows, threads: int) -> Codes:
+        """Fill the fields at poses, all or none of them, and return the codes."""
+        if not rows or not self._needed:
+            return self._part(points, rows, threads)
+        codes = np.empty(len(points), dtype=np.int8)
+        for start in range(0, len(points), PART * threads):
+            part = slice(start, start + PART * threads)
+            codes[part] = self._part(
+                points[part], {name: array[part] for name, array in rows.items()}, threads
+            )
+        return codes
+
+    def by_numpy(self, points: Array) -> Rows:
+        """Return the fields at poses, solved by NumPy."""
+        rows = {name: _empty(len(points), *self._tails[name]) for name in self._names}
+        self._by_numpy.compute(points, rows, 1)
+        return rows
+
+    @cached_property
+    def _by_numpy(self) -> ModeFields:
+        if self._solver.name == NumpySolver.name:
+            return self
+        solver = solver_of(self._solved, np.inf, NumpySolver.name)
+        return ModeFields(solver, self._system, self._solved, self._source, self._names, self._given)
+
+    def _part(self, points: Array, rows: Rows, threads: int) -> Codes:
+        at = RobotAtPoses(self._system, points, self._source, self._given)
+        filled = {name: array for name, array in rows.items() if name in self._solver.fields}
+        if rows:
+            for name in self._needed:
+                filled[name] = _empty(len(points), *self._tails[name])
+        if filled or self._solver.checks_poses:
+            codes = self._solver.compute(at, filled, threads)
+        else:
+            codes = np.zeros(len(points), dtype=np.int8)
+        if rows and self._derived:
+            self._derive(at, filled, rows, codes)
+        if rows:
+            for name in self._filled:
+                self._fill(name, rows[name], codes)
+        return codes
+
+    def _fill(self, name: str, array: Array, codes: Codes) -> None:
+        """Fill a field that tells nothing of the robot; NaN where there is none."""
+        array[...] = FIELDS[name].otherwise
+        if FIELDS[name].dims[:1] == (MODE,):
+            array[:, : self._solved.rigid_modes] = np.nan
+        if codes.any():
+            array[codes != 0] = np.nan
+
+    def _derive(self, at: RobotAtPoses, filled: Rows, rows: Rows, codes: Codes) -> None:
+        """Fill the fields that follow from those of the solver; NaN where there are none."""
+        if not codes.any() and len(codes) <= CHUNK:  # `at` may have matrices already
+            at.known.update(filled)
+            for name in self._derived:
+                rows[name][...] = at[name]
+            return
+        for name in self._derived:
+            rows[name][codes != 0] = missing(rows[name].dtype)
+        good = np.flatnonzero(codes == 0)
+        for start in range(0, len(good), CHUNK):
+            some = good[start : start + CHUNK]
+            known = {**self._given, **{name: array[some] for name, array in filled.items()}}
+            part = RobotAtPoses(self._system, at.points[some], self._source, known)
+            for name in self._derived:
+                rows[name][some] = part[name]
+
+
+def _given_by_motors(system: Evaluation, solved: Evaluation) -> dict[str, Any]:
+    """Return what fields need to know of the motors.
+
+    Returns
+    -------
+    dict of str to object
+        ``rigid_modes``, the number of rigid modes; ``strain_free_motions``, from N poses the motions of all
+        coordinates, None with free motors; ``kept``, all coordinates per unit of those that remain with held motors,
+        (n, r), None with free motors or if a motion remains that nothing elastic resists.
+    """
+    given: dict[str, Any] = {"rigid_modes": solved.rigid_modes, "strain_free_motions": None, "kept": None}
+    if isinstance(solved, MotorsHeld):
+        given["strain_free_motions"] = partial(strain_free_motions, system)
+        given["kept"] = None if solved.rigid_modes else solved.motions()[0]
+    return given
+
+
+def _empty(count: int, shape: tuple[int, ...], dtype: str) -> Array:
+    return np.empty((count, *shape), dtype)
+
+
+def _of_modes(names: Iterable[str]) -> bool:
+    """Return whether any of some fields follows from modes."""
+    return bool(_needed(names, frozenset({EIGENVALUES, SHAPES})))
+
+
+def _needed(names: Iterable[str], fields: frozenset[str]) -> frozenset[str]:
+    """Return which of a solver's fields some names need, directly or through others."""
+    needed: set[str] = set()
+    for name in names:
+        if name in fields:
+            needed.add(name)
+        elif name in FIELDS:
+            needed |= _needed((one for one in FIELDS[name].needs if one != name), fields)
+    return frozenset(needed)

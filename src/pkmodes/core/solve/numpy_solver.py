@@ -1,0 +1,115 @@
+"""The back end that needs nothing but NumPy."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import ClassVar, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import PoseError
+from pkmodes.core.linalg.eigen import base_level, condensed_eigh, has_stiff_joint
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.regular import regular_poses
+from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.solve.held_motions import RESOLVED, lost_in_rounding, refuse_unresolved, solve_held
+from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
+from pkmodes.core.system.evaluation import Evaluation, matrices
+
+Array = NDArray[np.float64]
+
+
+class NumpySolver(Solver):
+    """Solves the eigenproblem with NumPy, and refuses unphysical systems."""
+
+    name = "numpy"
+    at_hand: ClassVar[frozenset[str]] = frozenset({"mass_matrix", "stiffness_matrix"})
+
+    @classmethod
+    def init(cls, system: Evaluation, largest_condition: float) -> Self:
+        """Prepare for a robot."""
+        return cls()
+
+    def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
+        """Fill the eigenvalues and shapes.
+
+        Raises
+        ------
+        PoseError
+            As `checked_modes` does.
+        """
+        both = dict(zip((EIGENVALUES, SHAPES), checked_modes(at), strict=True))
+        for name, array in arrays.items():
+            array[...] = both[name]
+        return np.zeros(len(at.points), dtype=np.int8)
+
+
+def checked_modes(at: RobotAtPoses) -> tuple[Array, Array]:
+    """Return eigenvalues and shapes as `modes_of` does, with its layout in memory.
+
+    Raises
+    ------
+    PoseError
+        If M is not positive definite, the eigenvalues are not finite, or a frequency of vibration is lost in
+        rounding.
+    """
+    try:
+        eigenvalues, shapes = modes_of(at)
+    except np.linalg.LinAlgError:
+        raise PoseError(
+            "the mass matrix is not positive definite", at.source, "give every moving body a mass"
+        ) from None
+    _check(eigenvalues, shapes, at)
+    return eigenvalues, shapes
+
+
+def modes_of(at: RobotAtPoses) -> tuple[Array, Array]:
+    """Return eigenvalues, (N, m), and shapes, (N, m, n), at N valid poses; N may be 0.
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        If M is not positive definite.
+    """
+    system = at.system
+    massless = None if len(at.points) else system.massless()
+    eigenvalues, shapes = condensed_eigh(
+        at.mass_matrix, at.stiffness_matrix, system.first, system.rigid_modes, massless
+    )
+    solve_held(at, eigenvalues, shapes)
+    return eigenvalues, shapes
+
+
+def _check(eigenvalues: Array, shapes: Array, at: RobotAtPoses) -> None:
+    """Reject eigenvalues that are no frequencies, or whose digits are lost."""
+    if not np.isfinite(eigenvalues).all():
+        raise PoseError("the eigenvalues are not finite", at.source, "check the robot's magnitudes")
+    system = at.system
+    if not len(eigenvalues):
+        return
+    if system.held_motions:
+        refuse_unresolved(at, eigenvalues, shapes)
+        return
+    lowest, highest = eigenvalues[:, system.rigid_modes], eigenvalues[:, -1]
+    stiff = has_stiff_joint(eigenvalues, system.first, system.rigid_modes)
+    if stiff.any():
+        highest = np.where(stiff, base_level(at.mass_matrix, at.stiffness_matrix, system.first), highest)
+    lost = np.abs(lowest) < RESOLVED * highest
+    if lost.any() and (system.first < len(system.coordinates) or _loses_everywhere(system)):
+        which = int(np.argmax(lost))
+        raise lost_in_rounding(at, lowest[which], highest[which])
+
+
+def _loses_everywhere(system: Evaluation) -> bool:
+    """Return whether a robot without effects loses vibrations well inside its workspace, too.
+
+    Where a belt span is short, or near a singular pose, a vibration of any robot grows beyond all bounds.
+    """
+    mechanism, parameters = system.mechanism, system.parameters
+    points = regular_poses(Generated(mechanism.model, parameters), mechanism, parameters)
+    if not len(points):
+        return True
+    eigenvalues, _ = condensed_eigh(*matrices(system, points), system.first, system.rigid_modes)
+    lowest, highest = eigenvalues[:, system.rigid_modes], eigenvalues[:, -1]
+    return bool((np.abs(lowest) < RESOLVED * highest).all())

@@ -1,0 +1,130 @@
+"""What a back end provides: a solver of one robot's eigenproblem.
+
+A further back end is a subclass of `Solver` and a line in `pkmodes.core.solve.backends.SOLVERS`.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping
+from typing import ClassVar, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.compiled.lanes import UNSOLVED, Along, Terms
+from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.system.evaluation import Evaluation
+
+Array = NDArray[np.float64]
+Codes = NDArray[np.int8]
+Alone = Callable[[Array], dict[str, Array] | None]
+__all__ = ["EIGENVALUES", "SHAPES", "UNSOLVED", "Alone", "Codes", "Solver", "UnavailableError"]
+EIGENVALUES, SHAPES = "eigenvalues", "shapes"
+
+
+class UnavailableError(PkmodesError):
+    """A back end cannot be used here."""
+
+
+class Solver(ABC):
+    """Solves the eigenproblem of one robot at poses.
+
+    Attributes
+    ----------
+    name : str
+        That a user gives.
+    fields : frozenset of str
+        The quantities that `compute` fills, at least ``eigenvalues`` and ``shapes``; other fields follow from them.
+    at_hand : frozenset of str
+        Fields that cost no more than a copy where `compute` has solved for modes.
+    checks_poses : bool
+        Whether `compute` checks the poses itself.  If not, it is given poses that can be evaluated, a few thousand
+        at a time.
+    differentiates : bool
+        Whether it has `rates`.
+    together : bool
+        Whether `init` also takes several robots (`pkmodes.core.system.stacked`) with the same coordinates without
+        inertia.
+    """
+
+    name: ClassVar[str]
+    fields: ClassVar[frozenset[str]] = frozenset({EIGENVALUES, SHAPES})
+    at_hand: ClassVar[frozenset[str]] = frozenset()
+    checks_poses: ClassVar[bool] = False
+    differentiates: ClassVar[bool] = False
+    together: ClassVar[bool] = False
+
+    @property
+    def inner(self) -> Solver:
+        """The solver of the system that is solved, with shapes in its own coordinates."""
+        return self
+
+    @classmethod
+    @abstractmethod
+    def init(cls, system: Evaluation, largest_condition: float) -> Self:
+        """Prepare for a robot.
+
+        Parameters
+        ----------
+        system : Evaluation
+            The robot; if `together`, also several.
+        largest_condition : float
+            Poses with a larger condition number are singular; for back ends that check poses.
+
+        Raises
+        ------
+        UnavailableError
+            If the back end cannot be used here.
+        """
+
+    @abstractmethod
+    def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
+        """Fill arrays at N poses.
+
+        Parameters
+        ----------
+        arrays : mapping of str to ndarray, shape (N, ...)
+            Contiguous, by name of `fields`; eigenvalues (N, m) ascending, shapes (N, m, n) as `condensed_eigh`
+            returns them.
+        threads : int
+            At most.
+
+        Returns
+        -------
+        ndarray of int8, shape (N,)
+            0 where the arrays are filled, `UNSOLVED` where NumPy has to do it; from a back end that checks poses,
+            also indices into `pkmodes.core.mechanism.poses.codes_of`, where it fills NaN.
+        """
+
+    def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone | None:
+        """Return what fills arrays at a single pose with less overhead than `compute`, if there is such a thing.
+
+        Parameters
+        ----------
+        tails : mapping of str to tuple of int
+            Shapes at one pose of fields of `fields`.
+
+        Returns
+        -------
+        callable or None
+            From a pose, (1, d), new arrays, (1, *tail), by field, to the last digit those of `compute`; None where
+            `compute` has to evaluate the pose, because its code is not 0.  Several threads may call it.
+        """
+        return None
+
+    def rates(self, at: RobotAtPoses, arrays: Mapping[str, Array], terms: Terms, threads: int = 1) -> Codes:
+        """Fill arrays as `compute` does, also with derivatives along paths, by the names of `Evaluator.run`."""
+        raise NotImplementedError
+
+    def along(self, at: RobotAtPoses, eigenvalues: Array, shapes: Array, terms: Terms) -> Along | None:
+        """Return what the derivatives of given modes along paths need; None if NumPy has to evaluate it.
+
+        Parameters
+        ----------
+        eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
+        terms : Terms
+            Of each robot.
+        """
+        return None

@@ -1,0 +1,56 @@
+"""What a robot dissipates: a damping ratio of every vibration mode, viscous friction, and loss factors of springs."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem
+
+Array = NDArray[np.float64]
+
+
+class Dissipation:
+    """The damping of one robot.
+
+    Parameters
+    ----------
+    system : Evaluation
+        The robot with free motors.
+
+    Attributes
+    ----------
+    ratio : float
+        Damping ratio of every vibration mode, in addition to what the effects dissipate.
+    by_effects : bool
+        Whether any effect dissipates.
+    """
+
+    def __init__(self, robot: Robot, system: Evaluation) -> None:
+        self.ratio, self.by_effects = robot.damping_ratio, robot.effects_dissipate
+        self._dissipates = robot.dissipates
+        self._size = len(system.coordinates)
+        self._system = system if isinstance(system, ExtendedSystem) else ExtendedSystem.of(robot)
+
+    def __bool__(self) -> bool:
+        """Whether the robot dissipates anything."""
+        return self._dissipates
+
+    def matrices(self, p: Array) -> tuple[Array, Array]:
+        """Return C_v [N s/m, N s, N m s] and K'' [N/m, N, N m] in the coordinates of the robot, each (N, n, n)."""
+        if not self.by_effects:
+            zero = np.zeros((len(p), self._size, self._size))
+            return zero, zero
+        viscous, loss = self.of_model(p)
+        return self._system.free_part(viscous), self._system.free_part(loss)
+
+    def of_model(self, p: Array) -> tuple[Array, Array]:
+        """Return C_v and K'' in all coordinates of the generated model, each (N, e, e)."""
+        system = self._system
+        generated = Generated(system.mechanism.extended, system.parameters, system.effects)
+        viscous, loss = generated.extended_dissipation(p)
+        diagonal = np.arange(system.first, loss.shape[-1])
+        loss[..., diagonal, diagonal] += generated.joint_loss() * system.joints[system.first :]
+        return viscous, loss

@@ -1,0 +1,338 @@
+"""Matrices of one robot from the generated model: the base model, or the extended model with effects.
+
+An effect whose parameters are all at their null value is absent: its coordinates are locked.  A robot without
+effects is evaluated by the base model.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import cache, cached_property
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.compiled.lanes import NO_FOLD, Fold, Lanes, flat
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.mechanism.regular import declared, regular_poses, sample
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.system.released import active_effects, released
+
+Array = NDArray[np.float64]
+#: Dimensions of inertias.
+INERTIAS = ("mass", "moment of inertia")
+#: Step of complex-step differentiation, which has no cancellation.
+STEP = 1e-30
+
+
+class Evaluation(Protocol):
+    """The interface of a robot to the solver.
+
+    Attributes
+    ----------
+    parameters : Parameters
+        Of the generated model.
+    coordinates : tuple of str
+        Names of the n generalised coordinates.
+    first : int
+        Index of the first coordinate of a released joint, which is the number of coordinates without effects.
+    rigid_modes : int
+        Number of modes that strain nothing elastic.
+    held_motions : int
+        Number of motions that strain only springs to ground.
+    springs_to_ground : mapping of str to float
+        The springs that do so, by path without ``effects.``.
+    """
+
+    mechanism: Mechanism
+    parameters: Any
+    coordinates: tuple[str, ...]
+    first: int
+    rigid_modes: int
+    held_motions: int
+    springs_to_ground: Mapping[str, float]
+
+    def all_coordinates(self, p: Array) -> tuple[Array, Array]:
+        """Return M and K including the coordinates of locked joints, if the model has any, each (N, e, e)."""
+
+    def free_part(self, matrix: Array) -> Array:
+        """Return the rows and columns of such a matrix that belong to `coordinates`, (N, n, n)."""
+
+    def massless(self) -> NDArray[np.bool_]:
+        """Return which coordinates have no inertia at any pose, (n,); used if there is no pose to read M from."""
+
+    def platform_motion(self, p: Array) -> Array:
+        """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""
+
+    def statics(self, p: Array) -> tuple[Array, Array]:
+        """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
+
+    def lanes(self) -> Lanes:
+        """The robot as the compiled evaluator takes it."""
+
+
+class BaseEvaluation:
+    """The base model, without effects."""
+
+    def __init__(self, mechanism: Mechanism, parameters: Any) -> None:
+        self.mechanism, self.parameters = mechanism, parameters
+        self._generated = Generated(mechanism.model, parameters)
+        self.coordinates = tuple(q.name for q in mechanism.coordinates)
+        self.first = len(self.coordinates)
+        self.rigid_modes = mechanism.rigid_modes
+        self.held_motions = 0
+        self.springs_to_ground: Mapping[str, float] = {}
+
+    def all_coordinates(self, p: Array) -> tuple[Array, Array]:
+        """Return M and K, each (N, n, n)."""
+        M, K = self._generated.modal_matrices(p)
+        return M, K
+
+    def free_part(self, matrix: Array) -> Array:
+        """Return the whole matrix."""
+        return matrix
+
+    def massless(self) -> NDArray[np.bool_]:
+        """Return all False: every base coordinate needs inertia for the eigenproblem to be defined."""
+        return np.zeros(len(self.coordinates), dtype=bool)
+
+    def platform_motion(self, p: Array) -> Array:
+        """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""
+        pose = [component.name for component in self.mechanism.pose]
+        rows = [pose.index(name) for name in self.mechanism.directions]
+        columns = [self.coordinates.index(name) for name in self.mechanism.independent]
+        motion = np.zeros((*p.shape[:-1], len(rows), len(self.coordinates)))
+        motion[..., columns] = self._generated.platform_jacobian(p)[..., rows, :]
+        return motion
+
+    def statics(self, p: Array) -> tuple[Array, Array]:
+        """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
+        torques, values = self._generated.static_equilibrium(p)
+        return torques, values
+
+    def lanes(self) -> Lanes:
+        """The robot as the compiled evaluator takes it."""
+        none = np.empty(0)
+        return Lanes(flat(self.parameters), none, none, none.astype(np.int32), none.astype(np.int8))
+
+
+class ExtendedSystem:
+    """The extended model of one robot, including the coordinates of released joints that are not locked.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        The robot, as the generated model takes it.
+    effects : mapping of str to float
+        By ``<effect>.<parameter>``; the additional compliance of a single joint of an effect is given by
+        ``<effect>.<parameter>.<coordinate>``, such as ``gearbox_compliance.compliance.psi_2``.
+
+    Attributes
+    ----------
+    parameters, effects : Parameters and Effects
+        Arguments of the generated model.
+    given : mapping of str to float
+        The effects as given.
+    free : ndarray of int, shape (n,)
+        Indices of the coordinates of the extended model that are not locked.
+    coordinates : tuple of str, length n
+        Their names.
+    first, rigid_modes, held_motions, springs_to_ground
+        See `Evaluation`.
+    joints, joint_rates : ndarray, shape (e,)
+        Stiffnesses of the released joints and their derivatives with respect to the compliances; zero for other
+        coordinates.
+    """
+
+    #: The coordinates of the generated model per unit of all coordinates here, (e, e), if these are others.
+    basis: Array | None = None
+
+    def __init__(self, mechanism: Mechanism, parameters: Any, effects: Mapping[str, float]) -> None:
+        self.mechanism, self.parameters, self.given = mechanism, parameters, effects
+        self.first = len(mechanism.coordinates)
+        of_effects = released(mechanism, tuple(effects.items()))
+        self.effects, self.free, self.coordinates = (
+            of_effects.effects,
+            of_effects.free,
+            of_effects.coordinates,
+        )
+        self.joints, self.joint_rates = of_effects.joints, of_effects.joint_rates
+        self.rigid_modes = of_effects.rigid_modes
+        self.held_motions = mechanism.rigid_modes - self.rigid_modes
+        self.springs_to_ground: Mapping[str, float] = of_effects.springs_to_ground
+
+    @classmethod
+    def of(cls, robot: Robot) -> ExtendedSystem:
+        """Return the system of a robot, with or without effects."""
+        return cls(robot.mechanism, robot.parameters, robot.effects)
+
+    def all_coordinates(self, p: Array) -> tuple[Array, Array]:
+        """Return M and K in all coordinates, each (N, e, e); here locked joints are free and have no spring."""
+        M, K = self.without_springs(p)
+        diagonal = np.arange(K.shape[-1])
+        K[..., diagonal, diagonal] += self.joints
+        return M, K
+
+    def free_part(self, matrix: Array) -> Array:
+        """Return the rows and columns of the coordinates that are not locked."""
+        rows, columns = np.ix_(self.free, self.free)
+        return matrix[..., rows, columns]
+
+    def without_springs(self, p: Array) -> tuple[Array, Array]:
+        """Return M and K in all coordinates without the springs of the released joints."""
+        M, K_el, K_g = self._single("extended_matrices", p)
+        return self.in_basis(M), self.in_basis(K_el + K_g)
+
+    def in_basis(self, matrix: Array) -> Array:
+        """Return a matrix in the coordinates of the generated model, (..., e, e), in all coordinates here."""
+        return matrix if self.basis is None else np.asarray(self.basis.T @ matrix @ self.basis)
+
+    def derivatives(self, p: Array, *, geometry: bool) -> tuple[Array, Array]:
+        """Return derivatives of the entries of M and K that the generated model lists, each (N, entries).
+
+        Derivatives with respect to the geometry come last and take most of the time; they are zero if not requested.
+        """
+        M_theta, K_theta = self._single("value_sensitivities", p)
+        if geometry:
+            also = self._single("geometry_sensitivities", p)
+        else:
+            also = tuple(np.zeros((len(p), count)) for count in self._entries_of_geometry())
+        return np.hstack([M_theta, also[0]]), np.hstack([K_theta, also[1]])
+
+    def of_model(self, vectors: Array) -> Array:
+        """Return vectors in all coordinates here, (..., e), in the coordinates of the generated model."""
+        return vectors if self.basis is None else np.asarray(vectors @ self.basis.T)
+
+    def by_pose(self, p: Array) -> tuple[Array, Array]:
+        """Return derivatives of M and K in all coordinates with respect to the pose, each (N, d, e, e).
+
+        They are computed by complex step, which is exact to rounding: the generated functions accept complex poses.
+        """
+        moved = p + STEP * 1j * np.eye(p.shape[-1])[:, None]
+        M, K_el, K_g = self._generated.extended_matrices(moved)
+        dM, dK = (np.moveaxis(np.imag(a) / STEP, 0, 1) for a in (M, K_el + K_g))
+        return dM, dK
+
+    def massless(self) -> NDArray[np.bool_]:
+        """Return which released coordinates have no inertia."""
+        return self._massless
+
+    @cached_property
+    def _massless(self) -> NDArray[np.bool_]:
+        massless = np.zeros(len(self.free), dtype=bool)
+        if len(self.free) > self.first:
+            massless[self.first :] = self.without_inertia[self.first :]
+        return massless
+
+    @property
+    def without_inertia(self) -> NDArray[np.bool_]:
+        """Which coordinates that are not locked move no inertia, (n,): released or not."""
+        return self._zero_inertia(self.free)
+
+    def _zero_inertia(self, coordinates: NDArray[np.intp]) -> NDArray[np.bool_]:
+        values = (*self.effects, *(getattr(self.parameters, name) for name in _inertias(self.mechanism)))
+        zeros = b"".join((np.asarray(value) == 0.0).tobytes() for value in values)
+        none: NDArray[np.bool_] = _massless(self.mechanism, zeros)[coordinates]
+        return none
+
+    def platform_motion(self, p: Array) -> Array:
+        """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""
+        return self.motion_of_all(p)[..., self.free]
+
+    def motion_of_all(self, p: Array, parameters: Any = None) -> Array:
+        """Return the same for all coordinates, (N, directions, e), optionally with other parameters."""
+        given = self.parameters if parameters is None else parameters
+        motion = np.asarray(Generated(self.mechanism.extended, given).extended_platform_motion(p))
+        return motion if self.basis is None else motion @ self.basis
+
+    def statics(self, p: Array) -> tuple[Array, Array]:
+        """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
+        torques, values = self._generated.extended_static_equilibrium(p)
+        return torques, values
+
+    def lanes(self) -> Lanes:
+        """The robot as the compiled evaluator takes it."""
+        return Lanes(
+            flat(self.parameters),
+            flat(self.effects),
+            self.joints,
+            self.free.astype(np.int32),
+            self.massless().astype(np.int8),
+            self.fold(),
+        )
+
+    def fold(self) -> Fold:
+        """Return which coordinates of the generated model follow those that are free here."""
+        if self.basis is None:
+            return NO_FOLD
+        following, leading = np.nonzero(self.basis - np.diag(np.diag(self.basis)))
+        return Fold(
+            leading.astype(np.int32), following.astype(np.int32), self.basis[following, leading].copy()
+        )
+
+    def _entries_of_geometry(self) -> tuple[int, int]:
+        listed = self.mechanism.extended.GEOMETRY_SENSITIVITIES
+        return sum(len(entry[2]) for entry in listed), sum(len(entry[3]) for entry in listed)
+
+    @property
+    def _generated(self) -> Generated:
+        return Generated(self.mechanism.extended, self.parameters, self.effects)
+
+    def _single(self, name: str, p: Array) -> tuple[Array, ...]:
+        """Evaluate a generated function; a single pose uses scalars, several times faster than arrays of length 1."""
+        function: Callable[[Array], tuple[Array, ...]] = getattr(self._generated, name)
+        return tuple(values[None] for values in function(p[0])) if len(p) == 1 else function(p)
+
+
+@cache
+def _inertias(mechanism: Mechanism) -> tuple[str, ...]:
+    """Return the generated parameters that are inertias."""
+    return tuple(dict.fromkeys(key.field for key in declared(mechanism) if key.dimension in INERTIAS))
+
+
+@cache
+def _massless(mechanism: Mechanism, zeros: bytes) -> NDArray[np.bool_]:
+    """Return which of all coordinates have no inertia, (e,).
+
+    This depends only on which effects and inertias are zero, in their order; it is read from M of the sample geometry
+    at a regular pose, with ones for the others.
+    """
+    plain, effects, names = sample(mechanism), mechanism.extended.Effects(), _inertias(mechanism)
+    present = 1.0 - np.frombuffer(zeros, dtype=np.bool_)
+    shapes = [np.shape(value) for value in (*effects, *(getattr(plain, name) for name in names))]
+    ends = np.cumsum([int(np.prod(shape)) for shape in shapes])
+    values = [part.reshape(shape) for part, shape in zip(np.split(present, ends[:-1]), shapes, strict=True)]
+    plain = plain._replace(**dict(zip(names, values[len(effects) :], strict=True)))
+    p = regular_poses(Generated(mechanism.model, plain), mechanism, plain, 1)
+    M, _, _ = Generated(mechanism.extended, plain, effects._make(values[: len(effects)])).extended_matrices(
+        p[0]
+    )
+    return np.asarray((M == 0.0).all(axis=0))
+
+
+def number_of_modes(system: Evaluation) -> int:
+    """Return how many coordinates have inertia."""
+    return len(system.coordinates) - int(np.count_nonzero(system.massless()))
+
+
+def matrices(system: Evaluation, p: Array) -> tuple[Array, Array]:
+    """Return M and K of the free coordinates, each (N, n, n)."""
+    M, K = (system.free_part(matrix) for matrix in system.all_coordinates(p))
+    return M, K
+
+
+def may_be_refused(system: Evaluation) -> bool:
+    """Return whether the values of a robot's effects may be such that its modes have too few digits.
+
+    A robot without effects is refused only where its magnitudes are out of all proportion.
+    """
+    return len(system.coordinates) > system.first or system.held_motions > 0
+
+
+def evaluation(robot: Robot) -> Evaluation:
+    """Choose the model of a robot: the base model if no effect changes M or K, else the extended model."""
+    mechanism = robot.mechanism
+    active = {*active_effects(mechanism, robot.effects)} & mechanism.conservative_effects.keys()
+    return ExtendedSystem.of(robot) if active else BaseEvaluation(mechanism, robot.parameters)

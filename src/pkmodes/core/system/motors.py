@@ -1,0 +1,234 @@
+"""A robot whose motors are held: the coordinates that remain, and how the rotors follow them.
+
+The angle of a motor, seen at the rotor that it drives, is a linear form in the coordinates that depends on no pose:
+theta of that rotor, plus psi where the gearbox winds up.  With every motor at rest, the rotor is at rest too or
+follows the wind-up, theta = -psi.
+"""
+
+from __future__ import annotations
+
+from functools import cache, cached_property, lru_cache
+from typing import Any, NamedTuple, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.drives import FREE
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.mechanism.regular import declared, regular_poses, sample
+from pkmodes.core.system.evaluation import INERTIAS, Evaluation, ExtendedSystem
+
+Array = NDArray[np.float64]
+#: An eigenvalue below this fraction of the largest is that of a motion that strains nothing.
+RIGID = 1e-9
+#: Derivatives below this fraction of the largest are zero.
+ZERO = 1e-12
+
+
+class MotorsHeld(ExtendedSystem):
+    """The evaluation of a robot with every motor at rest.
+
+    The coordinates r are those of the robot with free motors, but for the rotors that are driven: these are replaced
+    by the angles of the motors, q = T r, and then locked.  The inertia of the motors and springs between them and
+    ground have no influence, and are left out: nothing large cancels.
+
+    Parameters
+    ----------
+    system : ExtendedSystem
+        The robot with free motors.
+
+    Attributes
+    ----------
+    basis : ndarray, shape (e, e)
+        T, in all coordinates: 0, 1 or -1.
+    free : ndarray of int, shape (r,)
+        Indices of the coordinates that remain.
+    coordinates : tuple of str, length r
+        Their names.
+    rotors : list of int
+        Index of the rotor that each motor drives.
+    """
+
+    basis: Array
+
+    def __init__(self, system: ExtendedSystem) -> None:
+        mechanism, inert = system.mechanism, _inert(system.mechanism)
+        parameters = system.parameters._replace(
+            **{name: np.zeros_like(getattr(system.parameters, name)) for name in inert.parameters}
+        )
+        effects = {path: v for path, v in system.given.items() if not path.startswith(inert.effects)}
+        super().__init__(mechanism, parameters, effects)
+        motion = np.asarray(Generated(mechanism.extended, parameters, self.effects).motor_motion())
+        remaining = _remaining(mechanism, motion.tobytes(), self.free.tobytes())
+        self._listed, self.free, self.basis = self.free, remaining.free, remaining.basis
+        self.coordinates, self.rotors = remaining.coordinates, remaining.rotors
+        self.first -= len(motion)
+        self.rigid_modes = 0 if self.springs_to_ground else remaining.loose
+        self.held_motions = remaining.loose - self.rigid_modes
+
+    @cached_property
+    def _massless(self) -> NDArray[np.bool_]:
+        # Released coordinates that remain have no inertia if no rotor that follows them has any.
+        none = np.ones(len(self.basis), dtype=bool)
+        none[self._listed] = self.without_inertia
+        massless: NDArray[np.bool_] = (none[:, None] | (self.basis == 0.0)).all(axis=0)[self.free]
+        massless[: self.first] = False
+        return massless
+
+    @property
+    def without_inertia(self) -> NDArray[np.bool_]:
+        """Which coordinates with free motors move no inertia, (n,)."""
+        return self._zero_inertia(self._listed)
+
+    def motions(self) -> tuple[Array, Array]:
+        """Return all coordinates with free motors per unit of those that remain, (n, r), and of motors, (n, j)."""
+        listed = self.basis[self._listed]
+        return listed[:, self.free], listed[:, self.rotors]
+
+    @cached_property
+    def _remaining_in_all(self) -> Array:
+        """Those that remain, (r, n): each row is one of them in all coordinates with free motors."""
+        return self.basis[np.ix_(self._listed, self.free)].T
+
+    def part_with_free_motors(self, vectors: Array) -> Array:
+        """Return vectors in the coordinates that remain, (..., r), in those with free motors, (..., n)."""
+        return np.asarray(vectors @ self._remaining_in_all)
+
+
+class _Remaining(NamedTuple):
+    """What remains of some coordinates: see `MotorsHeld`; and how many motions strain nothing elastic."""
+
+    free: NDArray[np.intp]
+    rotors: list[int]
+    coordinates: tuple[str, ...]
+    basis: Array
+    loose: int
+
+
+@lru_cache(256)  # a diagnosis asks for the same few again and again
+def _remaining(mechanism: Mechanism, motion: bytes, listed: bytes) -> _Remaining:
+    """Return what remains where the motors are held.
+
+    Parameters
+    ----------
+    motion : bytes
+        The angle of each motor per unit of each coordinate.
+    listed : bytes
+        The coordinates that are not locked with free motors.
+    """
+    first, names = len(mechanism.coordinates), mechanism.extended.COORDINATES
+    of_all = np.frombuffer(motion).reshape(-1, len(names))
+    rotors, basis = _following(of_all, first)
+    free = np.setdiff1d(np.frombuffer(listed, dtype=np.intp), rotors)
+    loose = _loose(mechanism, of_all[:, :first].tobytes())
+    return _Remaining(free, rotors, tuple(names[i] for i in free), basis, loose)
+
+
+class _Inert(NamedTuple):
+    """What has no influence if the motors are held: fields of the parameters, and prefixes of paths of effects."""
+
+    parameters: tuple[str, ...]
+    effects: tuple[str, ...]
+
+
+def _following(motion: Array, first: int) -> tuple[list[int], Array]:
+    """Return the driven rotors, and T, which has the angle of its motor in the place of each.
+
+    Parameters
+    ----------
+    motion : ndarray, shape (drives, n)
+        The angle of each motor per unit of each coordinate.
+    first : int
+        Number of coordinates without effects.
+    """
+    rotors = [int(np.flatnonzero(row[:first])[0]) for row in motion]
+    T = np.eye(motion.shape[1])
+    for rotor, row in zip(rotors, motion, strict=True):
+        T[rotor] = -row / row[rotor] + 0.0
+        T[rotor, rotor] = 1.0 / row[rotor]
+    return rotors, T
+
+
+@cache
+def _loose(mechanism: Mechanism, motion: bytes) -> int:
+    """Return how many motions strain nothing elastic although the motors are held.
+
+    Parameters
+    ----------
+    motion : bytes
+        The angles of the motors per unit of each coordinate without effects.
+    """
+    plain, base = sample(mechanism), len(mechanism.coordinates)
+    p = regular_poses(Generated(mechanism.model, plain), mechanism, plain, 1)
+    M, K, _ = Generated(mechanism.extended, plain, mechanism.extended.Effects()).extended_matrices(p[0])
+    rotors, _ = _following(np.frombuffer(motion).reshape(-1, base), base)
+    kept = np.setdiff1d(np.arange(base), rotors)
+    M, K = (matrix[np.ix_(kept, kept)] for matrix in (M, K))
+    scale = 1.0 / np.sqrt(np.diag(M))
+    levels = np.linalg.eigvalsh(K * np.outer(scale, scale))
+    return int(np.count_nonzero(levels < RIGID * levels.max(initial=0.0)))
+
+
+@cache
+def _inert(mechanism: Mechanism) -> _Inert:
+    """Return what changes neither M nor K of a sample robot with held motors."""
+    extended, plain = mechanism.extended, sample(mechanism)
+    generated = Generated(extended, plain, extended.Effects())
+    p = regular_poses(Generated(mechanism.model, plain), mechanism, plain, 1)[0]
+    rotors, T = _following(np.asarray(generated.motor_motion()), len(mechanism.coordinates))
+    T = np.delete(T, rotors, axis=1)
+    rates = generated.value_sensitivities(p)
+    starts = [0, 0]
+    seen: dict[str, set[bool]] = {}
+    for field, _, *places in extended.VALUE_SENSITIVITIES:
+        for k, (entries, all_rates) in enumerate(zip(places, rates, strict=True)):
+            part = np.zeros(2 * (len(extended.COORDINATES),))
+            for i, (row, column) in enumerate(entries, starts[k]):
+                part[row, column] = part[column, row] = all_rates[i]
+            starts[k] += len(entries)
+            if part.any():
+                left = np.abs(T.T @ part @ T).max()
+                seen.setdefault(field, set()).add(bool(left > ZERO * np.abs(part).max()))
+    without = {field for field, moves in seen.items() if moves == {False}}
+    inertias = {key.field for key in declared(mechanism) if key.dimension in INERTIAS}
+    effects = [name for name, effect in mechanism.effects.items() if _all_of(name, effect, without)]
+    return _Inert(tuple(sorted(inertias & without)), tuple(f"{name}." for name in effects))
+
+
+def _all_of(name: str, effect: Any, without: set[str]) -> bool:
+    fields = [f"{name}_{parameter.name}" for parameter in effect.parameters]
+    return not effect.coordinates and all(field in without for field in fields)
+
+
+def motor_motion(system: Evaluation) -> Array:
+    """Return the angle of each motor per unit of each coordinate with free motors, (drives, n)."""
+    extended = _extended(system)
+    generated = Generated(extended.mechanism.extended, extended.parameters, extended.effects)
+    motion: Array = np.asarray(generated.motor_motion())[:, extended.free]
+    return motion
+
+
+@overload
+def solved_system(system: ExtendedSystem, drives: str) -> ExtendedSystem: ...
+@overload
+def solved_system(system: Evaluation, drives: str) -> Evaluation: ...
+
+
+def solved_system(system: Evaluation, drives: str) -> Evaluation:
+    """Return the system that is solved for a robot, with free or held motors.
+
+    Parameters
+    ----------
+    system : Evaluation
+        The robot with free motors.
+    drives : {"free", "held"}
+    """
+    return system if drives == FREE else MotorsHeld(_extended(system))
+
+
+def _extended(system: Evaluation) -> ExtendedSystem:
+    """Return a system evaluated by the extended model, which alone knows motors."""
+    if isinstance(system, ExtendedSystem):
+        return system
+    return ExtendedSystem(system.mechanism, system.parameters, {})

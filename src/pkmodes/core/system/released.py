@@ -1,0 +1,90 @@
+"""What follows from the effects of a robot alone: which joints are released, and how stiff they are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache, lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.mechanism.registry import Mechanism
+
+Array = NDArray[np.float64]
+
+
+class Released(NamedTuple):
+    """What follows from the effects: see `pkmodes.core.system.evaluation.ExtendedSystem`."""
+
+    effects: Any
+    free: NDArray[np.intp]
+    joints: Array
+    joint_rates: Array
+    coordinates: tuple[str, ...]
+    rigid_modes: int
+    springs_to_ground: Mapping[str, float]
+
+
+@lru_cache(maxsize=256)
+def released(mechanism: Mechanism, effects: tuple[tuple[str, float], ...]) -> Released:
+    """Return what follows from effects; a fit evaluates many robots with the same."""
+    shared, _ = _shared_and_single(dict(effects))
+    releasing = tuple((path, value) for path, value in effects if path.split(".")[0] in _releasing(mechanism))
+    grounding = [name for name in active_effects(mechanism, dict(effects)) if mechanism.effects[name].grounds]
+    springs = {path: value for path, value in effects if path.split(".")[0] in grounding and value != 0.0}
+    free, joints, rates, coordinates = _joints(mechanism, releasing)
+    rigid = 0 if grounding else mechanism.rigid_modes
+    values = mechanism.extended.Effects(**shared)
+    return Released(values, free, joints, rates, coordinates, rigid, springs)
+
+
+@lru_cache(maxsize=256)
+def _joints(
+    mechanism: Mechanism, effects: tuple[tuple[str, float], ...]
+) -> tuple[NDArray[np.intp], Array, Array, tuple[str, ...]]:
+    """Return the free coordinates, the joints' stiffnesses and their rates, and the names of the coordinates."""
+    extended, base = mechanism.extended, len(mechanism.coordinates)
+    shared, single = _shared_and_single(dict(effects))
+    with np.errstate(divide="ignore"):
+        stiffness, rates = extended.joint_stiffness(extended.Effects(**shared))
+        for coordinate, name, value in single:
+            place = extended.COORDINATES.index(coordinate) - base
+            beyond = extended.Effects(**{**shared, name: shared.get(name, 0.0) + value})
+            stiffness[place], rates[place] = (a[place] for a in extended.joint_stiffness(beyond))
+    released = np.isfinite(stiffness)  # a joint without compliance is infinitely stiff: locked
+    free = np.concatenate([np.arange(base), base + np.flatnonzero(released)])
+    joints = np.concatenate([np.zeros(base), np.where(released, stiffness, 0.0)])
+    joint_rates = np.concatenate([np.zeros(base), np.where(released, rates, 0.0)])
+    for array in (free, joints, joint_rates):
+        array.flags.writeable = False
+    return free, joints, joint_rates, tuple(extended.COORDINATES[i] for i in free)
+
+
+@cache
+def _releasing(mechanism: Mechanism) -> frozenset[str]:
+    """Return the names of the effects that release joints, whose stiffnesses depend on nothing else."""
+    return frozenset(effect.name for effect in mechanism.effects.values() if effect.coordinates)
+
+
+def active_effects(mechanism: Mechanism, effects: Mapping[str, float]) -> tuple[str, ...]:
+    """Return the names of effects that are not null; constants such as a frame mass do not activate an effect."""
+    present = {".".join(path.split(".")[:2]) for path, value in effects.items() if value != 0.0}
+    return tuple(
+        effect.name
+        for effect in mechanism.effects.values()
+        if any(f"{effect.name}.{parameter.name}" in present for parameter in effect.fitted)
+    )
+
+
+def _shared_and_single(effects: Mapping[str, float]) -> tuple[dict[str, float], list[tuple[str, str, float]]]:
+    """Split parameters into those of whole effects and (coordinate, parameter, value) of single joints."""
+    shared: dict[str, float] = {}
+    single = []
+    for path, value in effects.items():
+        effect, parameter, *coordinate = path.split(".")
+        if coordinate:
+            single.append((coordinate[0], f"{effect}_{parameter}", value))
+        else:
+            shared[f"{effect}_{parameter}"] = value
+    return shared, single

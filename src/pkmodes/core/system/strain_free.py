@@ -1,0 +1,45 @@
+"""Motions of a robot that move its platform and strain nothing."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.linalg.statics import strain_free
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.system.evaluation import Evaluation
+
+Array = NDArray[np.float64]
+
+
+def strain_free_motions(system: Evaluation, points: Array) -> Array:
+    """Return the motions that move the platform by 1 along each linear component of the pose and strain nothing.
+
+    They are those of rigid links, belts, reducers and joints: released joints do not move, and springs to ground
+    count as no strain.  Other components of the pose, such as angles, do not change.
+
+    Parameters
+    ----------
+    system : Evaluation
+        With free motors.
+    points : ndarray, shape (N, d)
+
+    Returns
+    -------
+    ndarray, shape (N, n, directions)
+        In all n coordinates, motors included.
+    """
+    mechanism, extended = system.mechanism, system.mechanism.extended
+    names, pose = [q.name for q in mechanism.coordinates], [c.name for c in mechanism.pose]
+    model = Generated(mechanism.model, system.parameters)
+    if model.has("elastic_hessian"):  # the same, several times faster
+        elastic = model.elastic_hessian(points)
+    else:
+        _, elastic, _ = Generated(extended, system.parameters, extended.Effects()).extended_matrices(points)
+    jacobian = model.platform_jacobian(points)
+    rates = np.linalg.pinv(jacobian)[..., [pose.index(name) for name in mechanism.directions]]
+    base = len(names)
+    motions = np.zeros((len(points), len(system.coordinates), rates.shape[-1]))
+    independent = [names.index(name) for name in mechanism.independent]
+    motions[:, :base] = strain_free(elastic[..., :base, :base], independent, rates)
+    return motions

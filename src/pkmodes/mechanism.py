@@ -1,0 +1,5 @@
+"""Mechanisms: those that come with pkmodes, and your own (docs/adding-a-mechanism.md)."""
+
+from pkmodes.core.mechanism import add_folder, mechanism, names
+
+__all__ = ["add_folder", "mechanism", "names"]

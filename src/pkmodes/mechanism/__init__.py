@@ -1,8 +1,0 @@
-"""Mechanisms: their registry, descriptions, generated functions and poses.
-
-`add_folder` registers a mechanism of your own (docs/adding-a-mechanism.md).
-"""
-
-from pkmodes.mechanism.registry import Mechanism, add, add_folder, mechanism, names
-
-__all__ = ["Mechanism", "add", "add_folder", "mechanism", "names"]

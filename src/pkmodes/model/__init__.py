@@ -1,1 +1,0 @@
-"""The evaluator of one robot, and loading a robot file."""

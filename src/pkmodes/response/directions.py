@@ -1,0 +1,48 @@
+"""Directions along the linear components of a pose."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import PkmodesError, shown
+
+
+def unit_direction(
+    given: Any, directions: Collection[str], where: str, error: type[PkmodesError] = PkmodesError
+) -> NDArray[np.float64]:
+    """Return a unit vector, (d,).
+
+    Parameters
+    ----------
+    given : Any
+        As the user gives it: a number for each of the directions, not all of them 0.
+    directions : collection of str
+        Linear components of the pose.
+    where : str
+        For messages.
+    error : type
+        Of the error.
+
+    Raises
+    ------
+    PkmodesError
+        If it is no direction.
+    """
+    try:
+        vector = np.array(given, dtype=float)
+    except (TypeError, ValueError):
+        vector = np.empty(0)
+    if vector.shape != (len(directions),) or not np.isfinite(vector).all() or not vector.any():
+        what = f"expected a direction along {', '.join(directions)}, found {_as_given(given)}"
+        raise error(what, where, f"give {len(directions)} numbers, not all of them 0")
+    vector = vector / np.abs(vector).max()  # the squares of tiny and huge numbers are not numbers
+    return np.asarray(vector / np.linalg.norm(vector))
+
+
+def _as_given(direction: Any) -> str:
+    text = str(direction)
+    return text if isinstance(direction, list | tuple | np.ndarray) and len(text) < 60 else shown(direction)

@@ -1,0 +1,1 @@
+"""Robot files changed and compared: edits that keep comments and order."""

@@ -1,0 +1,201 @@
+"""What two robot files of one mechanism declare differently: values with their uncertainties, and effects."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.robot.covariance import COVARIANCE
+from pkmodes.core.robot.declaration import Declaration
+from pkmodes.core.robot.layout import by_path, takers
+from pkmodes.core.robot.units import Quantity
+from pkmodes.core.robot.usable import numbers_of
+
+
+@dataclass(frozen=True)
+class ValueDifference:
+    """A quantity that two robots declare differently, or that one of them does not declare.
+
+    Attributes
+    ----------
+    path : str
+        Such as ``platform.mass`` or ``effects.payload.mass``.
+    unit : str
+        SI unit; 1 if dimensionless.
+    first, second : float or None
+        Its values in that unit; None where it is not declared.
+    first_sigma, second_sigma : float or None
+        Their standard deviations; None where none is declared.
+    """
+
+    path: str
+    unit: str
+    first: float | None
+    second: float | None
+    first_sigma: float | None
+    second_sigma: float | None
+
+    @property
+    def relative(self) -> float | None:
+        """Second / first - 1; None where one is not declared, or the first is 0."""
+        return self.second / self.first - 1.0 if self.first and self.second is not None else None
+
+
+@dataclass(frozen=True)
+class ChoiceDifference:
+    """A choice, such as the direction of an axis, that two robots declare differently, or their correlations."""
+
+    path: str
+    first: str
+    second: str
+
+
+@dataclass(frozen=True)
+class Differences:
+    """What two robots declare differently.
+
+    Attributes
+    ----------
+    values : tuple of ValueDifference
+        In the order of the first file, then those of the second alone.
+    choices : tuple of ChoiceDifference
+    added, removed : tuple of str
+        Effects that only the second robot has, and only the first.
+    compared : int
+        Quantities that were compared.
+    """
+
+    values: tuple[ValueDifference, ...]
+    choices: tuple[ChoiceDifference, ...]
+    added: tuple[str, ...]
+    removed: tuple[str, ...]
+    compared: int
+
+
+def check_one_mechanism(first: Declaration, second: Declaration) -> None:
+    """Refuse robots of different mechanisms, of which no value and no pose means the same.
+
+    Raises
+    ------
+    PkmodesError
+    """
+    if first.mechanism_name != second.mechanism_name:
+        what = (
+            f"expected two robots of one mechanism, found {first.mechanism_name} and {second.mechanism_name}"
+        )
+        raise PkmodesError(
+            what, f"{first.source}, {second.source}", "compare two files of the same mechanism"
+        )
+
+
+def differences(first: Declaration, second: Declaration) -> Differences:
+    """Compare the declarations of two robots.
+
+    A value that an axis has of its own is compared with the shared one where the other robot has no own.
+
+    Raises
+    ------
+    PkmodesError
+        If their mechanisms differ.
+    """
+    check_one_mechanism(first, second)
+    paths = [
+        path
+        for path in dict.fromkeys([*first.quantities, *second.quantities])
+        if _compared(path, first, second)
+    ]
+    found = [_difference(path, first, second) for path in paths]
+    some = [*found, *_usable(first, second)]
+    ours, theirs = _effects(first), _effects(second)
+    return Differences(
+        tuple(one for one in some if (one.first, one.first_sigma) != (one.second, one.second_sigma)),
+        (*_choices(first, second), *_correlations(first, second)),
+        tuple(name for name in theirs if name not in ours),
+        tuple(name for name in ours if name not in theirs),
+        len(some),
+    )
+
+
+def _compared(path: str, first: Declaration, second: Declaration) -> bool:
+    """Return whether a value is compared by itself: not a shared one where the other robot's axes have their own."""
+    if path in first.quantities and path in second.quantities:
+        return True
+    own = [item.path for item in takers(first.mechanism).get(path, ())]
+    return not any(name in robot.quantities for robot in (first, second) for name in own)
+
+
+def _difference(path: str, first: Declaration, second: Declaration) -> ValueDifference:
+    ours, theirs = (_quantity(path, robot) for robot in (first, second))
+    unit = next(one.unit for one in (ours, theirs) if one is not None)
+    return ValueDifference(
+        path,
+        unit,
+        None if ours is None else ours.value,
+        None if theirs is None else theirs.value,
+        None if ours is None else ours.sigma,
+        None if theirs is None else theirs.sigma,
+    )
+
+
+def _quantity(path: str, robot: Declaration) -> Quantity | None:
+    item = by_path(robot.mechanism).get(path)
+    shared = "" if item is None or not item.shared else path.replace(item.path, item.shared, 1)
+    return robot.quantities.get(path, robot.quantities.get(shared))
+
+
+def _usable(first: Declaration, second: Declaration) -> Iterator[ValueDifference]:
+    ours, theirs = (numbers_of(robot.mechanism, robot.usable) for robot in (first, second))
+    for path in dict.fromkeys([*ours, *theirs]):
+        unit = (ours.get(path) or theirs[path])[1]
+        mine, other = (of[path][0] if path in of else None for of in (ours, theirs))
+        yield ValueDifference(path, unit, mine, other, None, None)
+
+
+def _correlations(first: Declaration, second: Declaration) -> Iterator[ChoiceDifference]:
+    """Yield one entry if the errors of values belong together in different ways."""
+    ours, theirs = (_pairs(robot) for robot in (first, second))
+    before, after = _between(ours), _between(theirs)
+    if ours != theirs:
+        far = max(abs(ours.get(pair, 0.0) - theirs.get(pair, 0.0)) for pair in ours.keys() | theirs.keys())
+        apart = f", which differ from those by up to {far:.2g}" if ours and theirs else ""
+        yield ChoiceDifference(COVARIANCE, before, after + apart)
+    elif ours and _stated(first) != _stated(second):
+        yield ChoiceDifference(COVARIANCE, before, f"{after}, the same with other standard deviations")
+
+
+def _pairs(robot: Declaration) -> dict[frozenset[str], float]:
+    """Return the correlation of each pair of values that are correlated."""
+    return {
+        frozenset((table.paths[i], table.paths[k])): rate
+        for table in robot.covariance
+        for i, row in enumerate(table.correlation)
+        for k, rate in enumerate(row[:i])
+        if rate
+    }
+
+
+def _stated(robot: Declaration) -> dict[str, float]:
+    """Return the standard deviations that tables state beside those of the values."""
+    return {
+        path: sigma
+        for table in robot.covariance
+        for path, sigma in zip(table.paths, table.sigmas or (), strict=False)
+    }
+
+
+def _between(pairs: Mapping[frozenset[str], float]) -> str:
+    """Return a table of correlations in words."""
+    count = len({path for pair in pairs for path in pair})
+    return f"correlations of {count} values" if count else "no correlations"
+
+
+def _effects(robot: Declaration) -> list[str]:
+    return list(dict.fromkeys(path.split(".")[0] for path in robot.effects))
+
+
+def _choices(first: Declaration, second: Declaration) -> Iterator[ChoiceDifference]:
+    ours, theirs = first.declared, second.declared
+    for path in ours:
+        if path not in first.quantities and path in theirs and ours[path] != theirs[path]:
+            yield ChoiceDifference(path, str(ours[path]), str(theirs[path]))

@@ -1,0 +1,183 @@
+"""Edit values of a TOML text in place; comments, order and layout of everything else are preserved.
+
+Keys are tuples of table names and array indices that end in a name or an index.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import tomlkit
+from tomlkit.exceptions import TOMLKitError
+from tomlkit.items import AoT, Comment, InlineTable, Item, Table, Whitespace
+
+from pkmodes.core.base.errors import OutputError
+
+Keys = tuple[str | int, ...]
+
+
+class TomlText:
+    """A TOML text that can be edited.
+
+    Parameters
+    ----------
+    text : str
+        Valid TOML; a byte order mark and Windows line endings are kept.
+    source : str
+        Its file, for messages.
+
+    Raises
+    ------
+    OutputError
+        If its layout cannot be preserved.
+    """
+
+    def __init__(self, text: str, source: str) -> None:
+        self._mark = "\ufeff" if text.startswith("\ufeff") else ""
+        text = text.removeprefix("\ufeff")
+        self._windows = "\r\n" in text and re.search(r"(?<!\r)\n", text) is None
+        self._open = not text.endswith("\n")  # a table can only be added after a line ending
+        self._appended = ""
+        text += self._newline if self._open else ""
+        try:
+            self._document: Any = tomlkit.parse(text)
+            kept = tomlkit.dumps(self._document) == text
+        except (TOMLKitError, RecursionError):
+            kept = False
+        if not kept:
+            raise OutputError(
+                "cannot edit the robot file and keep its layout",
+                source,
+                "write the entries of a repeated table one after another, and each table only once",
+            )
+
+    @property
+    def _newline(self) -> str:
+        return "\r\n" if self._windows else "\n"
+
+    @property
+    def text(self) -> str:
+        """The text with all edits."""
+        body = tomlkit.dumps(self._document)
+        body = body.removesuffix(self._newline) if self._open and not self._appended else body
+        body += self._appended
+        return self._mark + (re.sub(r"(?<!\r)\n", "\r\n", body) if self._windows else body)
+
+    def find(self, keys: Keys) -> Any:
+        """Return the item at a place, None if there is none."""
+        node = self._document
+        for key in keys:
+            try:
+                node = node[key]
+            except (KeyError, IndexError):
+                return None
+        return node
+
+    def replace(self, keys: Keys, raw: str) -> None:
+        """Replace an existing value by another, given as TOML text."""
+        self.find(keys[:-1])[keys[-1]] = tomlkit.value(raw)
+
+    def insert(self, keys: Keys, raw: str) -> None:
+        """Add a key to a table; a missing table is added to its parent first."""
+        *path, key = keys
+        table = self.find(tuple(path))
+        if table is not None:
+            self._add_key(table, key, raw)
+            return
+        parent = self.find(tuple(path[:-1]))
+        if isinstance(parent, InlineTable):
+            new = tomlkit.inline_table()
+            new[str(key)] = tomlkit.value(raw)
+            parent[str(path[-1])] = new
+        else:
+            self._add_table(parent, str(path[-1]), str(key), raw)
+
+    def append_table(
+        self, name: str, values: dict[str, str], comment: str, *, repeated: bool = False
+    ) -> None:
+        """Add a table, or an entry of a repeated one, at the end of the text, after a blank line and a comment."""
+        head = f"[[{name}]]" if repeated else f"[{name}]"
+        lines = ["", *([f"# {_one_line(comment)}"] if comment else []), head]
+        lines += [f"{key} = {raw}" for key, raw in values.items()]
+        self._appended += "\n".join(lines) + "\n"
+
+    def rewrite(self, keys: Keys, values: dict[str, str]) -> None:
+        """Give a table other values, keeping its comments; keys that are not among them go."""
+        table = self.find(keys)
+        for key in [key for key in table if key not in values]:
+            table.remove(key)
+        for key, raw in values.items():
+            if key in table:
+                table[key] = tomlkit.value(raw)
+            else:
+                self._add_key(table, key, raw)
+
+    def remove_entry(self, name: str, index: int) -> None:
+        """Remove an entry of a repeated table, but not the first; comments after it stay."""
+        entries = self.find((name,))
+        if isinstance(entries, AoT):
+            body, before = entries[index].value.body, entries[index - 1].value.body
+            kept: list[Any] = []
+            while body and isinstance(body[-1][1], Whitespace | Comment):
+                kept.insert(0, body.pop())
+            before.extend(kept)
+        del entries[index]
+
+    def comment(self, keys: Keys, text: str) -> None:
+        """Add a comment at the end of a value's line, after any existing comment.
+
+        Values on one line share its comment, because TOML does not allow comments inside inline tables.
+        """
+        node, line = self._document, None
+        for key in keys:
+            node = node[key]
+            if isinstance(node, Item) and not isinstance(node, Table | AoT):
+                line = node
+                break
+        text = _one_line(text)
+        if line is None or not text:
+            return
+        before = line.trivia.comment
+        if text in before:
+            return
+        line.trivia.comment_ws = line.trivia.comment_ws or "  "
+        line.trivia.comment = f"{before}; {text}" if before else f"# {text}"
+
+    def is_inline(self, keys: Keys) -> bool:
+        """Return whether a table is written as an inline table."""
+        return isinstance(self.find(keys), InlineTable)
+
+    @staticmethod
+    def _add_key(table: Any, key: str | int, raw: str) -> None:
+        body = table.value.body if isinstance(table, Table) else []
+        moved: list[Any] = []
+        while body and isinstance(body[-1][1], Whitespace | Comment):
+            moved.insert(0, body.pop())
+        table[key] = tomlkit.value(raw)
+        body.extend(moved)
+
+    def _add_table(self, parent: Any, name: str, key: str, raw: str) -> None:
+        """Add a table after the last line of its parent, before the blank lines and comments of the next table."""
+        last = parent
+        while last.value.body and isinstance(last.value.body[-1][1], Table):
+            last = last.value.body[-1][1]
+        body = last.value.body
+        moved: list[Any] = []
+        while body and isinstance(body[-1][1], Whitespace | Comment):
+            moved.insert(0, body.pop())
+        # Comments up to the first blank line belong to the lines before them.
+        blank = [isinstance(item, Whitespace) for _, item in moved]
+        if any(blank):
+            body.extend(moved[: blank.index(True)])
+            moved = moved[blank.index(True) :]
+        new = tomlkit.table()
+        new[key] = tomlkit.value(raw)
+        parent.append(name, new)
+        new.trivia.indent = self._newline
+        new.value.body.extend(moved)
+
+
+def _one_line(text: str) -> str:
+    """Return text on one line and without control characters, for a comment."""
+    return " ".join("".join(c if c.isprintable() else " " for c in text).split())

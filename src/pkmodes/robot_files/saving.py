@@ -1,0 +1,256 @@
+"""Write a corrected robot: the robot file with some values changed and everything else kept."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from pkmodes.core.base.errors import RobotFileError, shown
+from pkmodes.core.mechanism.described import Mechanism
+from pkmodes.core.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA, Covariance, joined, uncertain
+from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.layout import EFFECTS, by_path, lent
+from pkmodes.core.robot.reading import read_robot, robot_from_document
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.robot.units import Quantity
+from pkmodes.robot_files.corrections import DIGITS, Correction, Edit, edits_of, refuse
+from pkmodes.robot_files.editing import Keys, TomlText
+from pkmodes.robot_files.notation import Notation
+from pkmodes.support.writing import write_file
+
+CLOSE, CLOSE_SIGMA = 1e-9, 1e-2  # tolerances for the digits written; standard deviations have three
+#: Digits of standard deviations in a table of correlations: small sums of large parts of a variance depend on them.
+SIGMA_DIGITS = 8
+CORRELATED = "how the errors of the fitted values belong together: frequencies and samples have these"
+BY_HAND = "change the robot file by hand"
+
+__all__ = ["Correction", "corrected_text", "save_corrected"]
+
+
+def save_corrected(
+    source: Path, target: Path, changes: Mapping[str, Correction], covariance: Covariance | None = None
+) -> None:
+    """Write the corrected robot into another file, completely or not at all.
+
+    Parameters
+    ----------
+    source : Path
+        The robot file.
+    target : Path
+        Output file; an existing file is replaced, but never the robot file itself.
+    changes : mapping of str to Correction
+    covariance : Covariance, optional
+        As for `corrected_text`.
+
+    Raises
+    ------
+    OutputError
+        If the target is the robot file or cannot be written, or as for `corrected_text`.
+    RobotFileError
+        If the robot file cannot be read.
+    """
+    if "\0" in str(target) or target.is_dir() or not target.parent.is_dir():
+        remedy = (
+            "choose another place" if "\0" in str(target) or target.is_dir() else "create the folder first"
+        )
+        refuse("expected a file in an existing folder", shown(str(target)), remedy)
+    if source.exists() and target.exists() and source.samefile(target):
+        refuse("the corrected robot would replace its own input", str(target), "choose another file")
+    write_file(target, corrected_text(source, changes, covariance))
+
+
+def corrected_text(
+    source: Path, changes: Mapping[str, Correction], covariance: Covariance | None = None
+) -> str:
+    """Return the text of a robot file with some values changed.
+
+    Parameters
+    ----------
+    source : Path
+        The robot file.
+    changes : mapping of str to Correction
+        By path: a declared value (``platform.mass``, ``axis.1.origin.x``); an override for one axis
+        (``axis.1.belt.width``); ``frame.mass``; an effect parameter (``effects.payload.mass``); or a group such as
+        ``axis.span``: its value is that of the first element, and its change applies to all.
+    covariance : Covariance, optional
+        How the errors of changed values belong together.  Tables of the file that correlate any of these become one,
+        in the place of the first: these values, and the others as they were.
+
+    Returns
+    -------
+    str
+        In the units of the file.  Lines without a changed value are unchanged.  The standard deviation of a group is
+        written in a comment, because its elements cannot carry it.
+
+    Raises
+    ------
+    OutputError
+        If a path cannot be changed, a value would be rejected by the reader, or the result does not read back as
+        intended.
+    RobotFileError
+        If the robot file cannot be read.
+    """
+    robot = read_robot(source)
+    edits = edits_of(changes, robot)
+    document = TomlText(source.read_bytes().decode("utf-8"), robot.source)
+    units = changeable(robot)
+    appended: dict[str, dict[str, Edit]] = {}
+    for path, edit in edits.items():
+        keys = _keys(robot.mechanism, path)
+        if document.find(keys) is not None:
+            _rewrite(document, keys, edit, robot.quantities[path])
+        elif _is_appended(document, keys):
+            appended.setdefault(path.rpartition(".")[0], {})[path] = edit
+        else:
+            document.insert(keys, _new_value(document, robot.mechanism, path, units[path], edit))
+            document.comment(keys, edit.note)
+    for table, group in appended.items():
+        values = {
+            path.rpartition(".")[2]: _new_value(document, robot.mechanism, path, units[path], edit)
+            for path, edit in group.items()
+        }
+        notes = dict.fromkeys(edit.note for edit in group.values() if edit.note)
+        document.append_table(table, values, "; ".join(notes))
+    tables = robot.covariance if covariance is None else _correlate(document, robot, covariance, edits)
+    text = document.text
+    _check(text, robot, edits, tables)
+    return text
+
+
+def _correlate(
+    document: TomlText, robot: Robot, new: Covariance, edits: Mapping[str, Edit]
+) -> tuple[Covariance, ...]:
+    """Write a table of correlations, and return all tables of the text."""
+    tables = list(robot.covariance)
+    touched = [i for i, table in enumerate(tables) if set(table.paths) & set(new.paths)]
+    others = [left for i in touched if (left := tables[i].without(new.paths)).paths]
+    own = {**uncertain(robot), **{path: edit.sigma for path, edit in edits.items() if edit.sigma}}
+    merged = joined([new, *others], own)
+    values = {
+        PATHS: _listed(f'"{path}"' for path in merged.paths),
+        **({} if merged.sigmas is None else {SIGMA: _listed(f"{s:.{SIGMA_DIGITS}g}" for s in merged.sigmas)}),
+        CORRELATION: _listed(
+            # Rounded, what is 0 but for the rounding of a fit is written as 0.
+            (
+                f"[{', '.join(f'{round(one, DIGITS) + 0.0:.{DIGITS}g}' for one in row)}]"
+                for row in merged.correlation
+            ),
+            apart=True,
+        ),
+    }
+    if not touched:
+        document.append_table(COVARIANCE, values, CORRELATED, repeated=True)
+        return (*tables, merged)
+    for i in reversed(touched[1:]):
+        document.remove_entry(COVARIANCE, i)
+        del tables[i]
+    document.rewrite((COVARIANCE, touched[0]), values)
+    tables[touched[0]] = merged
+    return tuple(tables)
+
+
+def _listed(texts: Iterable[str], *, apart: bool = False) -> str:
+    """Return a list as TOML, on one line, or with a line for each element."""
+    return "[\n" + "".join(f"    {text},\n" for text in texts) + "]" if apart else f"[{', '.join(texts)}]"
+
+
+def _keys(mechanism: Mechanism, path: str) -> Keys:
+    """Return the keys of the document for a dotted path: entries and elements by index."""
+    item = by_path(mechanism).get(path)
+    if item is None:  # an effect parameter
+        return tuple(path.split("."))
+    return next(number.place for number in item.numbers if number.path == path)
+
+
+def _is_appended(document: TomlText, keys: Keys) -> bool:
+    """Return whether a value needs a new table at the end of the file, which a table of an entry cannot be."""
+    return (
+        not any(isinstance(key, int) for key in keys)
+        and document.find(keys[:-1]) is None
+        and not document.is_inline(keys[:1])
+    )
+
+
+def _rewrite(document: TomlText, keys: Keys, edit: Edit, before: Quantity) -> None:
+    """Change an existing value, keeping its notation."""
+    written = document.find(keys)
+    if isinstance(written, dict):
+        notation = Notation.of(written["value"], before.unit)
+        document.replace((*keys, "value"), notation.number(edit.value, edit.digits))
+        relative = "%" in str(written.get("sigma", ""))
+        if edit.sigma is not None and "sigma" not in written:
+            document.insert((*keys, "sigma"), notation.sigma(edit.sigma))
+        elif edit.sigma is not None:
+            document.replace((*keys, "sigma"), notation.sigma(edit.sigma))
+        elif relative and before.sigma is not None:  # a fraction of the new value would be another deviation
+            document.replace((*keys, "sigma"), notation.sigma(before.sigma))
+        document.comment((*keys, "value"), edit.note)
+    else:
+        document.replace(
+            keys, Notation.of(written, before.unit).quantity(edit.value, edit.sigma, edit.digits)
+        )
+        document.comment(keys, edit.note)
+
+
+def _new_value(document: TomlText, mechanism: Mechanism, path: str, unit: str, edit: Edit) -> str:
+    """Format a value that is new in the file: in the notation of the shared value, or in SI units."""
+    item = by_path(mechanism).get(path)
+    shared = document.find(_keys(mechanism, item.shared)) if item is not None and item.shared else None
+    shared = shared["value"] if isinstance(shared, dict) else shared
+    notation = Notation.si(unit) if shared is None else Notation.of(shared, unit)
+    return notation.quantity(edit.value, edit.sigma, edit.digits)
+
+
+def _check(text: str, robot: Robot, edits: Mapping[str, Edit], tables: Sequence[Covariance]) -> None:
+    """Read the text back and check that changed values are as intended and all others as before."""
+    try:
+        after = robot_from_document(tomllib.loads(text.removeprefix("\ufeff")), robot.source)
+    except RobotFileError as error:
+        refuse(f"the corrected robot would be rejected: {error.what}", error.where, "use another value")
+    except ValueError as error:
+        refuse(f"the corrected robot is not valid TOML: {error}", robot.source, BY_HAND)
+    expected = {**robot.declared, **{path: edit.value for path, edit in edits.items()}}
+    sigmas = {path: quantity.sigma for path, quantity in robot.quantities.items()}
+    sigmas.update({path: edit.sigma for path, edit in edits.items() if edit.sigma is not None})
+    changed = set(edits)
+    for borrowed, own in lent(robot.mechanism).items():
+        if own in edits and borrowed in expected:  # the effect takes the value from the table
+            expected[borrowed], sigmas[borrowed] = expected[own], sigmas.get(own)
+            changed.add(borrowed)
+    # A new effect has all its parameters; those not given are at their defaults.
+    added = tuple(path.rpartition(".")[0] + "." for path in edits if path.startswith(EFFECTS))
+    declared = {
+        path: value
+        for path, value in after.declared.items()
+        if path in expected or not path.startswith(added)
+    }
+    for path in {**expected, **declared}:
+        value, wanted = declared.get(path), expected.get(path)
+        sigma = after.quantities[path].sigma if path in after.quantities else None
+        same = _close(value, wanted, CLOSE) if path in changed else value == wanted
+        if not same or not _close(sigma, sigmas.get(path), CLOSE_SIGMA):
+            what = f"the corrected value does not read back: expected {wanted} with sigma {sigmas.get(path)}, found "
+            refuse(f"{what}{value} with {sigma}", f"{robot.source}: {path}", BY_HAND)
+
+    if not _alike(after.covariance, tables):
+        what = "the correlations do not read back"
+        refuse(what, f"{robot.source}: {COVARIANCE}", BY_HAND)
+
+
+def _alike(found: Sequence[Covariance], wanted: Sequence[Covariance]) -> bool:
+    """Return whether tables are the same, to the digits written."""
+    return [table.paths for table in found] == [table.paths for table in wanted] and all(
+        np.allclose(one.correlation, other.correlation, rtol=0.0, atol=CLOSE)
+        and (one.sigmas is None) == (other.sigmas is None)
+        and np.allclose(one.sigmas or (), other.sigmas or (), rtol=10.0 ** (1 - SIGMA_DIGITS), atol=0.0)
+        for one, other in zip(found, wanted, strict=True)
+    )
+
+
+def _close(value: object, wanted: object, tolerance: float) -> bool:
+    if isinstance(value, float) and isinstance(wanted, float):
+        return abs(value - wanted) <= tolerance * abs(wanted)
+    return value == wanted

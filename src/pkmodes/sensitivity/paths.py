@@ -1,0 +1,168 @@
+"""Parameter paths: each names a quantity and corresponds to a direction in the generated model's parameters.
+
+A shared value changes every entry that does not override it, and a parameter group changes many numbers at once:
+pairs symmetrically apart, or vectors along their directions.  Each path is a straight line in the space of the
+generated parameters, so values and derivatives along it follow from the same weights.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.layout import EFFECTS, Item, Slot, effect_parameters, items, takers
+from pkmodes.core.robot.parameter_groups import groups_by_path, items_of, value_of, weights_of
+from pkmodes.core.robot.robot import Robot
+
+#: The unit of a path, and the weight with which each number changes along it.
+Moves = tuple[str, Mapping[Slot, float]]
+
+
+@dataclass(frozen=True)
+class ParameterPath:
+    """A quantity that can vary.
+
+    Attributes
+    ----------
+    path : str
+        Dotted path, such as ``platform.mass``, ``axis.span`` or ``effects.payload.mass``.
+    value : float
+        The declared value in SI units.
+    unit : str
+        SI unit, ``"1"`` if dimensionless.
+    weights : mapping of slot to float
+        Change of each number of the generated model when the quantity changes by one unit.
+    """
+
+    path: str
+    value: float
+    unit: str
+    weights: Mapping[Slot, float]
+
+
+def paths(robot: Robot) -> tuple[str, ...]:
+    """Return every path that `resolve` accepts for this robot: shared quantities, those of each entry, effects."""
+    return tuple(_known(robot))
+
+
+def resolve(robot: Robot, path: str) -> ParameterPath:
+    """Resolve a path.
+
+    Parameters
+    ----------
+    robot : Robot
+        Its declared values are the starting point of the path's line.
+    path : str
+        Dotted path, see docs/sensitivities.md.
+
+    Raises
+    ------
+    PkmodesError
+        If there is no such quantity, it cannot vary, or no mode depends on it.
+    """
+    return resolve_all(robot, [path])[0]
+
+
+def resolve_all(robot: Robot, wanted: Iterable[str | ParameterPath]) -> list[ParameterPath]:
+    """Resolve several paths, as `resolve` does; those that are resolved already stay as they are."""
+    known = _known(robot)
+    return [path if isinstance(path, ParameterPath) else _resolved(robot, path, known) for path in wanted]
+
+
+def _resolved(robot: Robot, path: str, known: Mapping[str, Moves]) -> ParameterPath:
+    if not isinstance(path, str):
+        raise PkmodesError(f"expected a parameter path, found {shown(path)}", "parameters", "give strings")
+    if path not in known and path in changeable(robot):
+        what = f"no frequency and no mode shape depends on {path}"
+        own = [
+            one for one in known if one.endswith(f".{path}")
+        ]  # of every axis, in place of the shared value
+        remedy = nearest(path, own, "choose a quantity that changes masses or stiffnesses")
+        raise PkmodesError(what, robot.source, remedy)
+    if path not in known:
+        remedy = nearest(path, known, "see docs/sensitivities.md for the paths")
+        raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
+    unit, weights = known[path]
+    group = groups_by_path(robot.mechanism).get(path)
+    if group is not None and not weights:
+        item = items_of(robot.mechanism, group)[0]
+        what = f"{path} cannot vary: a {item.key.name} that is zero has no direction"
+        raise PkmodesError(what, robot.source, f"use elements such as {item.numbers[0].path}")
+    value = _value(robot, next(iter(weights))) if group is None else value_of(robot, group)
+    return ParameterPath(path, value, unit, weights)
+
+
+def moved(robot: Robot, changes: Iterable[tuple[ParameterPath, float]]) -> Robot:
+    """Return the robot with quantities changed by (not to) these amounts."""
+    steps: dict[Slot, float] = {}
+    for path, amount in changes:
+        for slot, weight in path.weights.items():
+            steps[slot] = steps.get(slot, 0.0) + weight * amount
+    arrays: dict[str, np.ndarray] = {}
+    effects = dict(robot.effects)
+    for (field, index), step in steps.items():
+        if field in robot.parameters._fields:
+            if field not in arrays:
+                arrays[field] = np.array(getattr(robot.parameters, field), dtype=float)
+            arrays[field][index] += step
+        else:
+            effects[field] = effects.get(field, robot.constants.get(field, 0.0)) + step
+            effect = field.split(".")[0]
+            for constant, value in robot.constants.items():
+                if constant.split(".")[0] == effect and constant != field:
+                    effects.setdefault(constant, value)
+    values = {field: array if array.shape else float(array) for field, array in arrays.items()}
+    return replace(robot, parameters=robot.parameters._replace(**values), effects=effects)
+
+
+def _value(robot: Robot, slot: Slot) -> float:
+    field, index = slot
+    if field not in robot.parameters._fields:
+        return robot.effects.get(field, robot.constants.get(field, 0.0))
+    return float(np.asarray(getattr(robot.parameters, field))[index])
+
+
+def _known(robot: Robot) -> dict[str, Moves]:
+    groups = {g.path: (g.unit, weights_of(robot, g)) for g in robot.mechanism.parameter_groups}
+    return {**_common(robot), **groups, **_of_entries(robot), **_of_effects(robot)}
+
+
+def _common(robot: Robot) -> dict[str, Moves]:
+    """Return the quantities of the robot as a whole, and those that several entries share."""
+    moves: dict[str, Moves] = {}
+    shared = takers(robot.mechanism)
+    for item in items(robot.mechanism):
+        if item.path in shared:
+            following = [own for own in shared[item.path] if own.path not in robot.quantities]
+            slots = [number.slot for own in following for number in own.numbers]
+            if slots and (item.path in robot.quantities or item.key.default is not None):
+                moves[item.path] = (item.numbers[0].unit, {slot: 1.0 for slot in slots if slot is not None})
+        elif item.entry is None:
+            moves |= _single(item)
+    return moves
+
+
+def _of_entries(robot: Robot) -> dict[str, Moves]:
+    """Return the quantities of single entries, whether they override the shared value or take it."""
+    moves: dict[str, Moves] = {}
+    of_entries = [item for item in items(robot.mechanism) if item.entry is not None]
+    for item in sorted(of_entries, key=lambda item: (item.entry, not item.shared)):
+        moves |= _single(item)
+    return moves
+
+
+def _single(item: Item) -> dict[str, Moves]:
+    return {
+        number.path: (number.unit, {number.slot: 1.0}) for number in item.numbers if number.slot is not None
+    }
+
+
+def _of_effects(robot: Robot) -> dict[str, Moves]:
+    return {
+        path: (unit, {(path.removeprefix(f"{EFFECTS}."), ()): 1.0})
+        for path, unit in effect_parameters(robot.mechanism).items()
+    }

@@ -1,0 +1,33 @@
+"""Libraries of the optional extras, which everything else works without."""
+
+from __future__ import annotations
+
+from importlib.util import find_spec
+
+from pkmodes.core.base.errors import MissingExtraError
+
+
+def require(what: str, extra: str, *libraries: str) -> None:
+    """Check, before anything is computed, that libraries are installed.
+
+    Parameters
+    ----------
+    what : str
+        What needs them, in the plural.
+    extra : str
+        The extra that brings them.
+    *libraries : str
+        Names to import.
+
+    Raises
+    ------
+    MissingExtraError
+        If one is not installed.
+    """
+    for library in libraries:
+        if find_spec(library) is None:
+            raise MissingExtraError(
+                f"{library} is not installed; {what} need it",
+                "optional dependency",
+                f"install it with: pip install 'pkmodes[{extra}]'",
+            )

@@ -1,0 +1,31 @@
+"""Where a path leads, through symbolic links that may form a loop."""
+
+from __future__ import annotations
+
+import errno
+from pathlib import Path
+
+from pkmodes.core.base.errors import OutputError, shown
+
+
+def resolved(path: Path, option: str = "") -> Path:
+    """Return the absolute path without symbolic links; it need not exist.
+
+    Parameters
+    ----------
+    option : str
+        The option that names it, for messages.
+
+    Raises
+    ------
+    OutputError
+        If its symbolic links form a loop.
+    """
+    try:
+        path.stat()
+    except OSError as error:
+        if error.errno == errno.ELOOP:
+            where = f"{option} {shown(str(path))}".lstrip()
+            what = "expected a file or folder, found symbolic links that lead back to themselves"
+            raise OutputError(what, where, "remove the link, or choose another place") from None
+    return path.resolve()
