@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -22,9 +23,13 @@ main()
 
 
 def ran(names: list[str], *arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    return python(BLOCKED.format(names=names), *arguments, folder=folder)
+
+
+def python(code: str, *arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
     paths = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
     return subprocess.run(
-        [sys.executable, "-c", BLOCKED.format(names=names), *arguments],
+        [sys.executable, "-c", code, *arguments],
         env={**os.environ, "PYTHONPATH": paths},
         cwd=folder,
         capture_output=True,
@@ -32,30 +37,55 @@ def ran(names: list[str], *arguments: str, folder: Path) -> subprocess.Completed
     )
 
 
-@pytest.mark.parametrize(
-    ("library", "options"),
-    [
-        ("xarray", []),
-        ("xarray", ["--out", "map.nc"]),
-        ("netCDF4", ["--out", "map.nc"]),
-        ("dask", ["--out", "map.nc"]),
-        ("zarr", ["--out", "map.zarr"]),
-        ("pyarrow", ["--out", "map.csv"]),
-        ("pyarrow", ["--out", "map.parquet"]),
-        ("pandas", ["--out", "map.csv"]),
-        ("distributed", ["--scheduler", "tcp://127.0.0.1:9"]),
-    ],
-)
-def test_a_missing_library_is_named_before_anything_is_computed(
-    tmp_path: Path, library: str, options: list[str]
-) -> None:
-    grid = ["--grid", "x=0.6,y=0,z=-0.245"]
-    done = ran([library], "map", str(PUBLISHED), *grid, *options, folder=tmp_path)
-    assert done.returncode == 2
-    assert done.stderr.count("\n") == 1
-    assert f"error: {library} is not installed; " in done.stderr, done.stderr
-    assert "pip install 'pkmodes[map]'" in done.stderr
-    assert list(tmp_path.iterdir()) == []
+#: Each case is the library that is missing, and options of a map.
+CASES = [
+    ("dask", ["--out", "map.nc"]),  # the first, because reading a robot loads it with pint
+    ("xarray", []),
+    ("xarray", ["--out", "map.nc"]),
+    ("netCDF4", ["--out", "map.nc"]),
+    ("zarr", ["--out", "map.zarr"]),
+    ("pyarrow", ["--out", "map.csv"]),
+    ("pyarrow", ["--out", "map.parquet"]),
+    ("pandas", ["--out", "map.csv"]),
+    ("distributed", ["--scheduler", "tcp://127.0.0.1:9"]),
+]
+#: Runs every case in a process of its own, forked before the library is loaded, and prints their exit codes.
+FORKED = """
+import json, os, sys
+import pkmodes.maps.mapping
+from pkmodes.cli import main
+cases, arguments = json.loads(sys.argv[1]), sys.argv[2:]
+codes = []
+for number, (library, options) in enumerate(cases):
+    child = os.fork()
+    if not child:
+        assert library not in sys.modules
+        sys.modules[library] = None
+        os.mkdir(f"work{number}")
+        log = os.open(f"errors{number}", os.O_WRONLY | os.O_CREAT)
+        os.dup2(log, 2)
+        os.chdir(f"work{number}")
+        main([*arguments, *options])
+    if not number:
+        pkmodes.load(arguments[1])
+    codes.append(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+print(json.dumps(codes))
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="forks")
+def test_a_missing_library_is_named_before_anything_is_computed(tmp_path: Path) -> None:
+    arguments = ["map", str(PUBLISHED), "--grid", "x=0.6,y=0,z=-0.245"]
+    done = python(FORKED, json.dumps(CASES), *arguments, folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout.splitlines()[-1]) == [2] * len(CASES)
+    for number, (library, options) in enumerate(CASES):
+        case = (library, options)
+        error = (tmp_path / f"errors{number}").read_text(encoding="utf-8")
+        assert error.count("\n") == 1, case
+        assert f"error: {library} is not installed; " in error, (case, error)
+        assert "pip install 'pkmodes[map]'" in error, case
+        assert list((tmp_path / f"work{number}").iterdir()) == [], case
 
 
 def test_other_commands_do_without(tmp_path: Path) -> None:

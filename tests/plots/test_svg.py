@@ -11,7 +11,6 @@ from xml.etree import ElementTree
 
 import matplotlib
 import numpy as np
-import pytest
 from matplotlib.figure import Figure
 
 from pkmodes.plots.style import BLUE, INK, PAPER, figure, styled
@@ -142,8 +141,9 @@ def test_no_figure_uses_the_global_state_of_pyplot(tmp_path: Path) -> None:
     assert python(code, MPLCONFIGDIR=str(tmp_path)) == "False\n"
 
 
-@pytest.mark.parametrize("name", ["plots.spectrum", "plots.svg", "report", "report.page", "cli.reporting"])
-def test_the_modules_are_imported_without_the_libraries(name: str) -> None:
+def test_the_modules_are_imported_without_the_libraries() -> None:
     """They are needed only when something is drawn."""
-    code = f"import sys; sys.modules.update(dict.fromkeys(('matplotlib', 'jinja2'))); import pkmodes.{name}"
+    names = ["plots.spectrum", "plots.svg", "report", "report.page", "cli.reporting"]
+    code = "import sys; sys.modules.update(dict.fromkeys(('matplotlib', 'jinja2')))"
+    code += "".join(f"; import pkmodes.{name}" for name in names)
     assert python(code) == ""

@@ -117,6 +117,7 @@ def test_nothing_of_it_reaches_a_pipe(tmp_path: Path, capsys: pytest.CaptureFixt
         ),
     ],
 )
+@pytest.mark.usefixtures("no_drawing")
 def test_each_long_command_says_what_it_does(
     arguments: list[str], expected: list[str], tmp_path: Path
 ) -> None:

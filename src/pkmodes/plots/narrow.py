@@ -205,10 +205,11 @@ def _fitted(figure: Figure, owner: Any, legend: Legend, settings: dict[str, Any]
             handles, names, ncols=columns, columnspacing=1.2, handletextpad=0.4, **settings
         )
         made.set_in_layout(owner is figure)  # one above a panel may reach over the labels beside it
-        figure.draw_without_rendering()
+        # Its texts alone make its width: nothing is drawn for it.
         if columns == 1 or made.get_window_extent().width <= (NARROW - 0.1) * figure.dpi:
             break
         made.remove()
+    figure.draw_without_rendering()
     return made
 
 

@@ -50,9 +50,12 @@ def styled() -> Iterator[None]:
 
 def figure(height: float, width: float = WIDTH) -> Figure:
     """Return an empty figure, sizes in inches; call it inside `styled`."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    return Figure(figsize=(width, height), layout="constrained")
+    drawn = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(drawn)  # without it, each layout measures every text anew
+    return drawn
 
 
 def stated(sentence: str) -> Figure:
