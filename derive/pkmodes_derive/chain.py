@@ -16,7 +16,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from sympy import Add, Expr, Integer, Symbol, default_sort_key, diff
+from sympy import Add, Expr, Integer, Symbol, default_sort_key
+
+from pkmodes_derive.differentiation import partial_derivative
 
 
 class Chain:
@@ -27,6 +29,7 @@ class Chain:
         self._rules: dict[tuple[Symbol, Symbol], Expr] = {}
         self._cache: dict[tuple[Symbol, Symbol, frozenset[Symbol]], Expr] = {}
         self._partials: dict[tuple[Expr, Symbol], Expr] = {}
+        self._names: dict[Expr, list[Symbol]] = {}
 
     @property
     def definitions(self) -> Mapping[Symbol, Expr]:
@@ -81,18 +84,23 @@ class Chain:
         return expression
 
     def _derivative(self, expression: Expr, variable: Symbol, hold: frozenset[Symbol]) -> Expr:
-        # SymPy returns free symbols as a set; sorting keeps the output independent of hashing.
         terms = []
-        for symbol in sorted(expression.free_symbols, key=default_sort_key):
+        for symbol in self._symbols(expression):
             inner = self._symbol_derivative(symbol, variable, hold)
             if inner != 0:
                 terms.append(self._partial(expression, symbol) * inner)
         return Add(*terms)
 
+    def _symbols(self, expression: Expr) -> list[Symbol]:
+        # SymPy returns free symbols as a set; sorting keeps the output independent of hashing.
+        if expression not in self._names:
+            self._names[expression] = sorted(expression.free_symbols, key=default_sort_key)
+        return self._names[expression]
+
     def _partial(self, expression: Expr, symbol: Symbol) -> Expr:
-        # Cached: it is the same for every variable, and SymPy spends most of its time here.
+        # Cached: it is the same for every variable.
         if (expression, symbol) not in self._partials:
-            self._partials[expression, symbol] = diff(expression, symbol)
+            self._partials[expression, symbol] = partial_derivative(expression, symbol)
         return self._partials[expression, symbol]
 
     def _symbol_derivative(self, symbol: Symbol, variable: Symbol, hold: frozenset[Symbol]) -> Expr:

@@ -45,9 +45,10 @@ def condensed(K: Rows, kept: Sequence[int], massless: Sequence[int], by: Rows) -
 
 def projected(matrix: Rows, by: Rows) -> list[list[Expr]]:
     """Return T^T A T of a symmetric matrix A in all coordinates, with T from `follow`."""
-    every = range(len(by))
+    rows = [[i for i, row in enumerate(by) if row[a] != 0] for a in range(len(by[0]))]
     return _symmetric(
-        len(by[0]), lambda a, b: Add(*(by[i][a] * matrix[i][j] * by[j][b] for i in every for j in every))
+        len(by[0]),
+        lambda a, b: Add(*(by[i][a] * matrix[i][j] * by[j][b] for i in rows[a] for j in rows[b])),
     )
 
 

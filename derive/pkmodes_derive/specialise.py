@@ -35,19 +35,37 @@ def specialise(model: Model, values: Mapping[str, float]) -> Model:
         If a parameter has no value.
     """
     constants = {symbol: number(values[symbol.name]) for field in model.fields for symbol in field.symbols}
-    return replace(model, functions=tuple(fold(function, constants) for function in model.functions))
+    known: dict[int, tuple[dict[Symbol, Expr], dict[Symbol, Expr]]] = {}
+    functions = []
+    for function in model.functions:
+        # Most functions of a model share their definitions.
+        shared = id(function.definitions)
+        if shared not in known:
+            known[shared] = _folded(function.definitions, constants)
+        functions.append(_with(function, *known[shared]))
+    return replace(model, functions=tuple(functions))
 
 
 def fold(function: Function, known: Mapping[Symbol, Expr] | None = None) -> Function:
     """Substitute known values, and definitions that become a number or another name for a symbol."""
-    known = dict(known or {})
-    definitions: dict[Symbol, Expr] = {}
-    for symbol, expression in function.definitions.items():
+    return _with(function, *_folded(function.definitions, known or {}))
+
+
+def _folded(
+    definitions: Mapping[Symbol, Expr], known: Mapping[Symbol, Expr]
+) -> tuple[dict[Symbol, Expr], dict[Symbol, Expr]]:
+    """Return the definitions that remain, and all values that are known with those of the others."""
+    known, remaining = dict(known), {}
+    for symbol, expression in definitions.items():
         folded = expression.xreplace(known)
         if folded.is_number or folded.is_Symbol:
             known[symbol] = folded
         else:
-            definitions[symbol] = folded
+            remaining[symbol] = folded
+    return remaining, known
+
+
+def _with(function: Function, definitions: Mapping[Symbol, Expr], known: Mapping[Symbol, Expr]) -> Function:
     outputs = tuple(
         replace(output, entries=tuple(entry.xreplace(known) for entry in output.entries))
         for output in function.outputs

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -40,12 +41,12 @@ class StraightMove:
     speed: float = 1.0
     acceleration: float = 15.0
 
-    @property
+    @cached_property
     def distance(self) -> float:
         """In m."""
         return float(np.linalg.norm(self.target - self.start))
 
-    @property
+    @cached_property
     def corners(self) -> np.ndarray:
         """Times at which the acceleration changes [s]."""
         ramp = min(self.speed / self.acceleration, np.sqrt(self.distance / self.acceleration))

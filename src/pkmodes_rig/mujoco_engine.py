@@ -70,7 +70,10 @@ class Engine:
         self._coordinates = self._carriages + self._pulleys
         self._places = np.array([self.model.jnt_qposadr[self.model.dof_jntid[i]] for i in self._coordinates])
         # The engine expresses the velocity of a ball joint in the frame of the rod, whose z axis is along the rod.
-        self._spins_and_coordinates = np.eye(self.model.nv)[[i + 2 for i in self._balls] + self._coordinates]
+        spins_and_coordinates = [i + 2 for i in self._balls] + self._coordinates
+        #: What `_square` returns; the engine's constraints, which come first, change with the position.
+        self._rows = np.zeros((self.model.nv, self.model.nv))
+        self._rows[-len(spins_and_coordinates) :] = np.eye(self.model.nv)[spins_and_coordinates]
         for j in AXES:
             # The engine takes the second anchor of a pin from the assembled pose, whatever that pose is.  Set it
             # to the true rod length, so that closing the loop is left to the engine.
@@ -86,10 +89,15 @@ class Engine:
         """Displace carriages and pulleys to `q`, at rest, and close the loops by Newton's method."""
         residual = np.inf
         self._motions = self._inertia = None
+        error = np.zeros(self.model.nv)
+        self.data.qvel[:] = 0
         for _ in range(20):
-            self.data.qvel[:] = 0
-            mujoco.mj_fwdPosition(self.model, self.data)
-            error = np.concatenate([-self.data.efc_pos, np.zeros(3), q - self._displacements()])
+            # Of the engine's stages, those that the constraints need.
+            mujoco.mj_kinematics(self.model, self.data)
+            mujoco.mj_comPos(self.model, self.data)
+            mujoco.mj_makeConstraint(self.model, self.data)
+            error[: -len(q) - len(AXES)] = -self.data.efc_pos
+            error[-len(q) :] = q - self._displacements()
             before, residual = residual, float(np.abs(error).max())
             if residual < 1e-16 or before / 2 <= residual < 1e-13:  # closed to rounding
                 break
@@ -97,6 +105,7 @@ class Engine:
             mujoco.mj_integratePos(self.model, self.data.qpos, step, 1.0)
         else:
             raise ValueError(f"the loops do not close: residual {residual:.1e} m")
+        mujoco.mj_fwdPosition(self.model, self.data)
         mujoco.mj_fwdVelocity(self.model, self.data)
 
     def closure(self) -> float:
@@ -265,8 +274,8 @@ class Engine:
 
     def _square(self) -> np.ndarray:
         """Return the rows that determine a motion: the engine's constraints, spin of the rods, the coordinates."""
-        constraints = np.reshape(self.data.efc_J, (self.data.nefc, self.model.nv))
-        return np.vstack([constraints, self._spins_and_coordinates])
+        self._rows[: self.data.nefc] = np.reshape(self.data.efc_J, (self.data.nefc, self.model.nv))
+        return self._rows
 
     def _id(self, kind: mujoco.mjtObj, name: str) -> int:
         return int(mujoco.mj_name2id(self.model, kind, name))

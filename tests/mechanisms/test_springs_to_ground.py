@@ -1,7 +1,7 @@
 """Robots that springs hold to ground, from 1e-8 N/m to 1e6: nine digits with both back ends, or an error.
 
 In K the springs stand beside belts of 1e5 N/m, and without care a symmetric solver loses them in the rounding of its
-largest eigenvalue.  The references are modes of the oracles' matrices in 60 digits.
+largest eigenvalue.  The references are modes of the oracles' matrices in 60 digits, found once for both back ends.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -54,6 +55,16 @@ def scaled(name: str, seed: int, *, gravity: float, mass: float) -> Sample:
     return robot._replace(parameters=parameters)
 
 
+@cache
+def held(
+    name: str, spring: str, beside: str, stiffness: float, gravity: float, mass: float, seed: int
+) -> tuple[Sample, Any, Exact]:
+    """A robot with a spring to ground and what is beside it, its effects, and its modes."""
+    robot = scaled(name, seed, gravity=gravity, mass=mass)
+    chosen = effects(name, BESIDE[beside])._replace(**{spring: stiffness})
+    return robot, chosen, exact(name, robot, chosen)[1]
+
+
 @pytest.mark.parametrize("beside", list(BESIDE))
 @pytest.mark.parametrize("spring", ["cable_stiffness_stiffness", "servo_stiffness_stiffness"])
 @pytest.mark.parametrize("name", NAMES)
@@ -61,9 +72,7 @@ def test_modes_of_held_robots_have_nine_digits(name: str, spring: str, beside: s
     rng = np.random.default_rng([len(name), len(spring), len(beside)])
     for stiffness in rng.choice(STIFFNESSES[:-1], 4, replace=False):
         gravity, mass, seed = rng.choice([0.0, 1.0]), rng.choice([0.01, 1.0, 100.0]), int(rng.integers(3))
-        robot = scaled(name, seed, gravity=gravity, mass=mass)
-        chosen = effects(name, BESIDE[beside])._replace(**{spring: stiffness})
-        _, modes, _ = exact(name, robot, chosen)
+        robot, chosen, modes = held(name, spring, beside, stiffness, gravity, mass, seed)
         found = model_of(name, robot, chosen).modes(robot.pose)
         assert_nine_digits(found.frequencies, modes)
         M, rows = found.mass_matrix, modes.rows()
@@ -91,6 +100,7 @@ def linear_delta(robot: Sample, cable: float, servo: float) -> pkmodes.Model:
     return pkmodes.Model(replace(pkmodes.read_robot(ROBOT), parameters=robot.parameters, effects=springs))
 
 
+@cache
 def modes_of(name: str, gravity: float, cable: float, servo: float) -> Exact:
     robot, M, K, J = unheld(name, gravity)
     K = K.copy()
@@ -144,17 +154,22 @@ def test_a_motion_near_balance_between_spring_and_gravity_is_not_refused() -> No
     assert f[3] > 50.0
 
 
+@cache
+def frequencies(cable: float | mp.mpf, head: float | mp.mpf) -> list[mp.mpf]:
+    """All digits of a printer's frequencies with a cable and a tool head."""
+    robot = sample("corexy", 1)
+    moved = robot._replace(parameters=robot.parameters._replace(toolhead_mass=head))
+    chosen = effects("corexy")._replace(cable_stiffness_stiffness=cable)
+    values = exact("corexy", moved, chosen)[1].eigenvalues
+    return [mp.sqrt(value) / (2 * mp.pi) for value in values]
+
+
 @pytest.mark.parametrize("stiffness", [1e-8, 1e-2, 1e2])
 def test_sensitivities_of_held_motions_have_nine_digits(stiffness: float) -> None:
     """Against differences in 60 digits; the first two modes are the held motions."""
     name, robot = "corexy", sample("corexy", 1)
     chosen = effects(name)._replace(cable_stiffness_stiffness=stiffness)
     model, step = model_of(name, robot, chosen), 1e-12
-
-    def frequency(cable: float, head: float, k: int) -> mp.mpf:
-        moved = robot._replace(parameters=robot.parameters._replace(toolhead_mass=head))
-        value = exact(name, moved, chosen._replace(cable_stiffness_stiffness=cable))[1].eigenvalues[k]
-        return mp.sqrt(value) / (2 * mp.pi)
 
     head = float(robot.parameters.toolhead_mass)
     found = model.sensitivities(
@@ -163,8 +178,8 @@ def test_sensitivities_of_held_motions_have_nine_digits(stiffness: float) -> Non
     for k in range(4):
         for t, (at, moved) in enumerate(
             (
-                (stiffness, lambda x, k=k: frequency(x, head, k)),
-                (head, lambda x, k=k: frequency(stiffness, x, k)),
+                (stiffness, lambda x, k=k: frequencies(x, head)[k]),
+                (head, lambda x, k=k: frequencies(stiffness, x)[k]),
             )
         ):
             ahead, behind = mp.mpf(at) * (1 + mp.mpf(step)), mp.mpf(at) * (1 - mp.mpf(step))

@@ -223,9 +223,10 @@ def few_of_each(data: Any) -> list[tuple[Place, Any]]:
 
 
 def mutated(data: Any, place: Place, other: Any) -> str:
-    changed = copy.deepcopy(data)
-    parent = changed
+    # Only what holds the place is copied: the rest is written, not changed.
+    changed = parent = copy.copy(data)
     for key in place[:-1]:
+        parent[key] = copy.copy(parent[key])
         parent = parent[key]
     if other is REMOVED:
         del parent[place[-1]]

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence, Set
 
-from sympy import Add, Expr, Integer, Matrix, Symbol, default_sort_key, prime
+from sympy import Add, Expr, Integer, Matrix, Symbol
 
 from pkmodes_derive import condensation
 from pkmodes_derive.assembly.derived import (
@@ -23,6 +23,7 @@ from pkmodes_derive.assembly.derived import (
     units_of_mass,
     units_of_stiffness,
 )
+from pkmodes_derive.assembly.rank import nullity
 from pkmodes_derive.functions import Function, HeldMotors, Output
 from pkmodes_derive.machine import Machine
 
@@ -193,12 +194,10 @@ def _rigid_motion(machine: Machine, rates: Matrix) -> Rows:
 
 
 def _loose(K_el: Sequence[Sequence[Expr]]) -> str:
-    """Return why there are not only vibrations: from the exact rank of the stiffness at unrelated values (primes)."""
+    """Return why there are not only vibrations: from the nullity of the stiffness at unrelated values."""
     if not K_el:
         return "nothing moves"
-    symbols = sorted({s for row in K_el for entry in row for s in entry.free_symbols}, key=default_sort_key)
-    values = {symbol: Integer(prime(i)) for i, symbol in enumerate(symbols, start=1)}
-    loose = len(K_el) - int(Matrix([[e.xreplace(values) for e in row] for row in K_el]).rank())
+    loose = nullity(K_el)
     motions = "motion strains" if loose == 1 else "motions strain"
     return f"{loose} {motions} nothing elastic" if loose else ""
 

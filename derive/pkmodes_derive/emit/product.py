@@ -127,11 +127,6 @@ def specialised(specification: Specification) -> dict[str, str]:
 
 def _specialised(specification: Specification) -> dict[str, str]:
     model = of_robot(specification)
-    values = {
-        symbol.name: value
-        for field in model.fields
-        for symbol, value in zip(field.symbols, _flat(specification.fields[field.name]), strict=True)
-    }
     name, given = specification.identifier, specification.definition
     option = f"--mechanism {pasteable(given)} " if given else ""
     own = mechanisms.source(specification.mechanism)
@@ -154,18 +149,15 @@ def _specialised(specification: Specification) -> dict[str, str]:
         beside = f"{name}_{WITHOUT_EFFECTS}"
         note = f"The same functions for the robot without its effects are in `{beside}`."
         model = replace(model, notes=(*model.notes, note))
-    texts, programs = written((specialise(model, values), provenance))
+    texts, programs = written((specialise(model, _values(model, specification)), provenance))
     if specification.effects:
-        base = of_robot(replace(specification, effects=()))
-        without_effects = replace(
-            provenance,
-            name=beside,
-            module=beside,
-            title=f"Dynamics of the robot {specification.name} ({specification.mechanism}) without its effects, "
-            "parameters folded in.",
-            constants=_constants(base, specification),
+        title = (
+            f"Dynamics of the robot {specification.name} ({specification.mechanism}) without its effects, "
+            "parameters folded in."
         )
-        own_texts, own_programs = written((specialise(base, values), without_effects))
+        own_texts, own_programs = _without_effects(
+            specification, replace(provenance, name=beside, module=beside, title=title)
+        )
         texts |= own_texts
         programs |= {f"{WITHOUT_EFFECTS}_{key}": program for key, program in own_programs.items()}
     origin = None if own is None else (given, own)
@@ -173,6 +165,36 @@ def _specialised(specification: Specification) -> dict[str, str]:
         name, specification.mechanism, specification, texts, programs, origin
     )
     return texts
+
+
+def _without_effects(
+    specification: Specification, provenance: Provenance
+) -> tuple[dict[str, str], dict[str, Program]]:
+    """Write the model of a robot without its effects, which is the same whatever they are."""
+    fields = {field.name for field in mechanisms.base(specification.mechanism).fields}
+    bare = replace(
+        specification,
+        fields={name: value for name, value in specification.fields.items() if name in fields},
+        values={},
+        effects=(),
+    )
+
+    def write() -> tuple[dict[str, str], dict[str, Program]]:
+        model = of_robot(bare)
+        own = replace(provenance, constants=_constants(model, bare))
+        return written((specialise(model, _values(model, bare)), own))
+
+    of = bare, replace(provenance, constants=()), mechanisms.source(bare.mechanism)
+    return kept("without_effects", of, write)
+
+
+def _values(model: Model, specification: Specification) -> dict[str, float]:
+    """Return the value of every parameter symbol by name."""
+    return {
+        symbol.name: value
+        for field in model.fields
+        for symbol, value in zip(field.symbols, _flat(specification.fields[field.name]), strict=True)
+    }
 
 
 def written(*models: tuple[Model, Provenance]) -> tuple[dict[str, str], dict[str, Program]]:

@@ -14,13 +14,15 @@ from sympy import Expr, Float, Integer, Pow, Rational
 from sympy.printing.c import C99CodePrinter
 from sympy.printing.precedence import PRECEDENCE
 
+from pkmodes_derive.emit.printing import Ordered
+
 HALF = Rational(1, 2)
 LARGEST_PRODUCT = 4
 #: Whole numbers below it are exact in either precision, and fit into an int.
 EXACT = 2**24
 
 
-class C99Printer(C99CodePrinter):  # type: ignore[misc]  # SymPy has no types
+class C99Printer(Ordered, C99CodePrinter):  # type: ignore[misc]  # SymPy has no types
     """Printer of C99 expressions of type double; it refuses unknown functions."""
 
     #: C99 has no named constants: ``M_PI`` is POSIX.
@@ -77,6 +79,9 @@ class EitherPrecisionPrinter(C99Printer):
         return f"(pkmodes_real){super()._print_sign(expr)}"
 
 
+_PRINTER = EitherPrecisionPrinter({"strict": True})
+
+
 def expression(value: Expr) -> str:
     """Print an expression as C99 of either precision.
 
@@ -85,5 +90,5 @@ def expression(value: Expr) -> str:
     PrintMethodNotImplementedError
         If it contains a function that C99 does not have.
     """
-    text: str = EitherPrecisionPrinter({"strict": True}).doprint(value)
+    text: str = _PRINTER.doprint(value)
     return text

@@ -22,6 +22,9 @@ class LanesPrinter(C99Printer):
         return f"{int(expr)}.0"
 
 
+_PRINTER = LanesPrinter({"strict": True})
+
+
 def expression(value: Expr) -> str:
     """Print for lanes.
 
@@ -30,5 +33,5 @@ def expression(value: Expr) -> str:
     PrintMethodNotImplementedError
         If it holds a function that C99 does not have.
     """
-    text: str = LanesPrinter({"strict": True}).doprint(value)
+    text: str = _PRINTER.doprint(value)
     return text

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from sympy import Expr, Pow, Rational, Symbol, diff
+from sympy import Expr, Pow, Rational, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.core.function import Function as Applied
 
+from pkmodes_derive.differentiation import partial_derivative
 from pkmodes_derive.emit.program import Program
 from pkmodes_derive.reserved_words import NUMBERED
 
@@ -72,4 +73,4 @@ def partial(value: Expr, variable: Symbol, symbol: Symbol | None) -> Expr:
             return -(symbol**2)
         if value.exp == Rational(1, 2):
             return 1 / (2 * symbol)
-    return diff(value, variable)
+    return partial_derivative(value, variable)

@@ -12,12 +12,14 @@ from sympy import Expr, Float, Pow, Rational
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.pycode import PythonCodePrinter
 
+from pkmodes_derive.emit.printing import Ordered
+
 HALF = Rational(1, 2)
 #: Name of the function that replaces `np.arctan2`.
 ARCTAN2 = "_arctan2"
 
 
-class NumPyPrinter(PythonCodePrinter):  # type: ignore[misc]  # SymPy has no types
+class NumPyPrinter(Ordered, PythonCodePrinter):  # type: ignore[misc]  # SymPy has no types
     """Printer of Python expressions with ``np`` for NumPy; it refuses unknown functions."""
 
     _kf: ClassVar[dict[str, str]] = {
@@ -52,6 +54,9 @@ class NumPyPrinter(PythonCodePrinter):  # type: ignore[misc]  # SymPy has no typ
         return text
 
 
+_PRINTER = NumPyPrinter({"strict": True})
+
+
 def expression(value: Expr) -> str:
     """Print an expression for NumPy.
 
@@ -60,5 +65,5 @@ def expression(value: Expr) -> str:
     PrintMethodNotImplementedError
         If it contains a function without a known NumPy equivalent.
     """
-    text: str = NumPyPrinter({"strict": True}).doprint(value)
+    text: str = _PRINTER.doprint(value)
     return text

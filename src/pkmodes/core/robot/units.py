@@ -10,7 +10,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
-from functools import cache
+from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
 from pkmodes.core.base.errors import shown
@@ -86,6 +86,8 @@ def _registry() -> UnitRegistry[Decimal]:
     return pint.UnitRegistry(non_int_type=Decimal)
 
 
+# A robot is often read again with one value changed.
+@lru_cache(maxsize=4096)
 def parse(text: str, dimension: str) -> float:
     """Convert a number with its unit to SI.
 
