@@ -9,7 +9,7 @@ from pkmodes_derive.emit.provenance import Provenance
 from pkmodes_derive.functions import Argument, Model
 from pkmodes_description import Margin
 
-#: Largest condition number of a regular pose, as `pkmodes.mechanism.poses.MAX_CONDITION`; single precision has
+#: Largest condition number of a regular pose, as `pkmodes.core.mechanism.poses.MAX_CONDITION`; single precision has
 #: fewer digits to lose.
 MAX_CONDITION, MAX_CONDITION_SINGLE = 1e6, 1e3
 #: Meaning of the status of a pose with a component that is NaN or infinite.

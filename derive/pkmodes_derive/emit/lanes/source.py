@@ -1,7 +1,7 @@
 """Lay out what the compiled evaluator needs of a mechanism: one header in C with vector types.
 
 A pose occupies one lane of a vector, so that the same statements evaluate several poses at once.  What depends on the
-parameters alone is a double; the rest is a `lane`.  `pkmodes.compiled` has the linear algebra and the entry points.
+parameters alone is a double; the rest is a `lane`.  `pkmodes.core.compiled` has the linear algebra and the entries.
 """
 
 from __future__ import annotations
