@@ -55,6 +55,15 @@ hypothesis.settings.register_profile(
 hypothesis.settings.load_profile("pkmodes")
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--update-golden", action="store_true", help="write tests/golden instead of comparing with it"
+    )
+    parser.addoption(
+        "--whole-suites", action="store_true", help="run every case of the suites on the virtual rig"
+    )
+
+
 def pytest_unconfigure() -> None:
     if _derived is not None:
         _derived.cleanup()

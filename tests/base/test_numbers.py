@@ -9,7 +9,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from pkmodes.base.numbers import p_in_words, plain, rounded
+from pkmodes.base.numbers import hertz, p_in_words, plain, rounded
 from pkmodes.plots.labels import typeset
 
 #: What a rounded number with its standard deviation looks like.
@@ -112,3 +112,9 @@ def test_integers_and_large_values_are_readable() -> None:
 )
 def test_p_values_below_a_millionth_are_not_told_apart(p: float, text: str) -> None:
     assert p_in_words(p) == text
+
+
+def test_frequencies_have_three_decimals_and_large_ones_a_power_of_ten() -> None:
+    shown = {0.0: "0.000", 0.0042: "0.0042", 72.3514: "72.351", 99_999.9: "99999.900", 9041462019.1: "9.04e9"}
+    assert {value: hertz(value) for value in shown} == shown
+    assert hertz(-2e5) == "-2.00e5"

@@ -12,7 +12,7 @@ import pkmodes
 from pkmodes.maps import fields
 from pkmodes.maps.left_out import sentences
 from pkmodes.maps.quantiles import quantiles
-from pkmodes.maps.summary import quantiles_in_words, shown_hertz, summary_of
+from pkmodes.maps.summary import quantiles_in_words, summary_of
 from pkmodes.report.map import _headline
 
 PUBLISHED = Path(__file__).parents[2] / "robots" / "linear-delta-2022.toml"
@@ -69,12 +69,6 @@ def test_quantiles_of_parts_are_those_of_the_whole(rows: int) -> None:
     assert np.isnan(found[5]).all()
     expected = np.nanquantile(whole[:, :5], shares, axis=0).T
     np.testing.assert_allclose(found[:5], expected, rtol=1e-15, atol=0.0)
-
-
-def test_large_frequencies_have_a_power_of_ten() -> None:
-    shown = {0.0: "0.000", 72.3514: "72.351", 99_999.9: "99999.900", 9041462019.1: "9.04e9", -2e5: "-2.00e5"}
-    assert {value: shown_hertz(value) for value in shown} == shown
-    assert shown_hertz(None) == "-"
 
 
 #: Of the published robot with motors held: three poses of the working plane; then one where the links lie almost in

@@ -95,7 +95,7 @@ def test_the_head_says_where_the_first_channel_answers_most(page: Element, folde
     g, softer = column(folder / "softer" / "table.csv", "p_x/force_x")
     first, second = f[np.abs(values).argmax()], g[np.abs(softer).argmax()]
     assert first - second > 1.0
-    said = f"p_x responds most to force_x at {first:.1f} Hz, measured at {second:.1f} Hz"
+    said = f"p_x responds most to force_x at {first:.3f} Hz, measured at {second:.3f} Hz"
     assert said in page.by_id("summary").text
 
 
@@ -159,7 +159,7 @@ def test_the_head_names_the_channel_that_responds_most_of_one_unit(tmp_path: Pat
     output, at = sizes[max(sizes)]
     assert output == "x"
     said = page.by_id("summary").text
-    assert f"p_x responds most to force_x at {at:.1f} Hz" in said
+    assert f"p_x responds most to force_x at {at:.3f} Hz" in said
     assert "Of the channels in m/N this one has the largest response." in said
     assert "p_y/force_x" in said[said.index("No response in") :]  # by symmetry
     shown_there = [row[0].text.strip() for row in rows_of(page.by_id("responses"))]

@@ -19,6 +19,8 @@ PLAIN = range(-3, 6)
 MOST_ZEROS = 1
 #: Most decimals: beyond that, a value does not hold the digits that its standard deviation asks for.
 MOST_DECIMALS = 12
+#: Frequencies [Hz] below the first and from the second on have another format than those between.
+SMALL_FREQUENCY, LARGE_FREQUENCY = 0.01, 1e5
 #: p-values below this are not told apart: what is left then depends on tails that nobody has checked.
 LEAST_P = 1e-6
 
@@ -52,6 +54,19 @@ class Rounded:
     def __str__(self) -> str:
         text = f"{self.value} +- {self.sigma}"
         return f"({text}){self.power}" if self.exponent else text
+
+
+def hertz(value: float) -> str:
+    """Return a frequency [Hz] as headlines and tables show it alike.
+
+    With three decimals; with two digits below 0.01 Hz; with a power of ten from 100 kHz.
+    """
+    if 0.0 < abs(value) < SMALL_FREQUENCY:
+        return f"{value:.2g}"
+    if abs(value) < LARGE_FREQUENCY:
+        return f"{value:.3f}"
+    digits, _, power = f"{value:.2e}".partition("e")
+    return f"{digits}e{int(power)}"
 
 
 def rounded(value: float, sigma: float) -> Rounded:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pkmodes.base.numbers import p_in_words
+from pkmodes.base.numbers import hertz, p_in_words
 from pkmodes.base.ordering import sorted_labels
 from pkmodes.cli.diagnosis_tables import setting
 from pkmodes.cli.printing import signed
@@ -206,9 +206,9 @@ def _named(labels: Sequence[str], what: str) -> str:
 def _numbers(row: ComparedRow, rigid: int) -> list[str]:
     return [
         "none" if row.partner is None else str(row.partner - rigid),
-        _hertz(row.measured),
-        _hertz(row.sigma),
-        "" if row.predicted is None else _hertz(row.predicted),
+        hertz(row.measured),
+        hertz(row.sigma),
+        "" if row.predicted is None else hertz(row.predicted),
         "" if row.residual is None else signed(100.0 * row.residual),
         "" if row.sigmas is None else signed(row.sigmas, 1),
     ]
@@ -218,8 +218,3 @@ def _median(ratios: Iterable[float | None]) -> str:
     """Return the median of the damping ratios that are known, in per cent."""
     known = [ratio for ratio in ratios if ratio is not None]
     return f"{100.0 * float(np.median(known)):.3g}" if known else "-"
-
-
-def _hertz(value: float) -> str:
-    """Format with three decimals, or with two digits below 0.01."""
-    return f"{value:.3f}" if value >= 0.01 else f"{value:.2g}"

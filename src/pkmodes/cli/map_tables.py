@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from pkmodes.base.numbers import hertz
 from pkmodes.cli.terminal import Terminal
 from pkmodes.maps.left_out import sentences
-from pkmodes.maps.summary import SHARES, quantiles_in_words, shown_hertz
+from pkmodes.maps.summary import SHARES, quantiles_in_words
 from pkmodes.model.model import Model
 from pkmodes.robot.corrections import changeable
 from pkmodes.robot.motors import motors_in_words
@@ -36,7 +37,7 @@ def show(model: Model, content: dict[str, Any]) -> None:
     terminal.line(f"{quantiles_in_words(content)}:")
     terminal.table(
         ("mode", "2 % [Hz]", "median [Hz]", "98 % [Hz]"),
-        [[str(row["mode"]), *(shown_hertz(row[key]) for key in SHARES)] for row in content["modes"]],
+        [[str(row["mode"]), *(_hertz(row[key]) for key in SHARES)] for row in content["modes"]],
     )
     terminal.line()
     terminal.line("The extremes, and where they are:")
@@ -58,8 +59,12 @@ def _ends(row: dict[str, Any], dims: list[str]) -> Iterator[list[str]]:
     """Yield the lines of the lowest and of the highest frequency of a mode, each with its place."""
     for number, word, end in ((str(row["mode"]), "lowest", "minimum"), ("", "highest", "maximum")):
         at = row[f"{end}_at"] or {}
-        yield [number, word, shown_hertz(row[f"{end}_hz"]), *(_shown(at.get(name, "-")) for name in dims)]
+        yield [number, word, _hertz(row[f"{end}_hz"]), *(_shown(at.get(name, "-")) for name in dims)]
 
 
 def _shown(value: Any) -> str:
     return value if isinstance(value, str) else f"{value:.6g}"
+
+
+def _hertz(value: float | None) -> str:
+    return "-" if value is None else hertz(value)

@@ -21,8 +21,6 @@ if TYPE_CHECKING:
 SHARES = {"quantile_2_hz": 0.02, "median_hz": 0.5, "quantile_98_hz": 0.98}
 #: Number of poses below which 2 % of them are less than one.
 FEW = 50
-#: A frequency is written with decimals up to this one [Hz].
-LARGE = 1e5
 
 
 def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
@@ -85,16 +83,6 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
             for number, low, high, row in zip(numbers, lowest, highest, rows, strict=True)
         ],
     }
-
-
-def shown_hertz(value: float | None) -> str:
-    """Return a frequency as a table shows it: with three decimals, or with a power of ten."""
-    if value is None:
-        return "-"
-    if abs(value) < LARGE:
-        return f"{value:.3f}"
-    digits, _, power = f"{value:.2e}".partition("e")
-    return f"{digits}e{int(power)}"
 
 
 def quantiles_in_words(content: dict[str, Any]) -> str:

@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Mapping
 
+from pkmodes.base import numbers
 from pkmodes.base.numbers import p_text, plain, rounded
 from pkmodes.plots.labels import RAISED, TIMES, typeset, visible
 from pkmodes.report.blocks import Cell, Spread
@@ -73,8 +74,10 @@ def three_digits(value: float | None, at: str = "", *, scale: float = 1.0, stron
 
 
 def hertz(value: float | None, at: str = "") -> Cell:
-    """Return a frequency with three decimals, or with two digits below 0.01 Hz."""
-    return number(value, ".3f" if value is None or value >= 0.01 else ".2g", at)
+    """Return a frequency as a cell."""
+    if value is None or math.isnan(value):
+        return Cell(NOTHING, None, at)
+    return Cell(typeset(numbers.hertz(value)), float(value), at)
 
 
 def p_value(value: float | None, at: str = "") -> Cell:

@@ -6,11 +6,12 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
+from pkmodes.base import numbers
 from pkmodes.dataset.fields import FIELDS
 from pkmodes.figures.pictures import pictures
 from pkmodes.maps.left_out import sentences, shown
 from pkmodes.maps.spread import spread_along
-from pkmodes.maps.summary import FEW, SHARES, quantiles_in_words, shown_hertz, summary_of
+from pkmodes.maps.summary import FEW, SHARES, quantiles_in_words, summary_of
 from pkmodes.plots import sweeps
 from pkmodes.plots.labels import MINUS, typeset
 from pkmodes.plots.style import styled
@@ -27,7 +28,7 @@ from pkmodes.report.blocks import (
     Table,
 )
 from pkmodes.report.explorer import explorer_of
-from pkmodes.report.formatting import clean, number, plural, pointer, thousands, unit
+from pkmodes.report.formatting import clean, hertz, number, plural, pointer, thousands, unit
 from pkmodes.report.map_planes import declared_values, plane_of, swept_paths, swept_pictures
 from pkmodes.report.origin import files_of, view_section
 from pkmodes.report.page import need_report, page
@@ -144,8 +145,8 @@ def _headline(content: dict[str, Any]) -> str:
     else:
         low, high, where = first["quantile_2_hz"], first["quantile_98_hz"], " at 96 % of the poses"
     if count == 1:
-        return f"{lowest} is {low:.2f} Hz"
-    return f"{lowest} lies between {low:.2f} and {high:.2f} Hz{where}"
+        return f"{lowest} is {numbers.hertz(low)} Hz"
+    return f"{lowest} lies between {numbers.hertz(low)} and {numbers.hertz(high)} Hz{where}"
 
 
 def _extent(model: Model, content: dict[str, Any]) -> str:
@@ -203,8 +204,7 @@ def _ranges(model: Model, content: dict[str, Any]) -> list[Block]:
 
 def _frequency(mode: dict[str, Any], index: int, key: str) -> Cell:
     value = mode[key]
-    at = pointer("modes", index, key)
-    return number(None, at=at) if value is None else Cell(typeset(shown_hertz(value)), value, at)
+    return hertz(value, pointer("modes", index, key))
 
 
 def _place(value: Any, factor: float) -> Cell:

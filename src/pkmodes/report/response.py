@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.base import numbers
 from pkmodes.base.version import VERSION
 from pkmodes.figures.response_channels import DrawnChannels
 from pkmodes.mechanism.poses import placed
@@ -98,11 +99,13 @@ def _summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) ->
     name = most_responsive(compared, drawn.units)
     output, _, into = name.partition("/")
     peak = int(np.abs(drawn.model[name]).argmax())
-    headline = f"{clean(output)} responds most to {clean(into)} at {drawn.frequencies[peak]:.1f} Hz"
+    headline = (
+        f"{clean(output)} responds most to {clean(into)} at {numbers.hertz(drawn.frequencies[peak])} Hz"
+    )
     if drawn.measured is not None and name in measured:
         place = _within(drawn, measured[name])
         if place is not None:
-            headline += f", measured at {drawn.measured[0][place]:.1f} Hz"
+            headline += f", measured at {numbers.hertz(drawn.measured[0][place])} Hz"
     first, last = (float(drawn.frequencies[i]) for i in (0, -1))
     facts = [
         ("channels", Cell(str(len(drawn.model)), len(drawn.model))),
@@ -196,7 +199,7 @@ def _cells(f: NDArray[Any], values: NDArray[Any], peak: int, at: str = "") -> li
     value = complex(values[peak])
     return [
         _four_digits(abs(value)),
-        number(float(f[peak]), ".2f", at),
+        hertz(float(f[peak]), at),
         number(float(np.degrees(np.angle(value))), ".0f"),
     ]
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pkmodes.base.numbers import plain
+from pkmodes.base.numbers import hertz, plain
 from pkmodes.base.version import VERSION
 from pkmodes.figures.tornado_picture import describe
 from pkmodes.mechanism.poses import placed
@@ -85,7 +85,7 @@ def _summary(model: Model, percent: Changes, sigma: Changes | None, content: dic
     at = placed(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
     doing, facts = motors_in_words(model.robot, content["drives"]), []
     for mode, frequency in enumerate(percent.frequencies.tolist()):
-        text = f"{frequency:.2f} Hz"
+        text = f"{hertz(frequency)} Hz"
         if sigma is not None and sigma.together is not None:
             text = _with_sigma(frequency, float(sigma.together[mode]))
         place = pointer("frequencies_hz", content["rigid_modes"] + mode)
@@ -118,7 +118,7 @@ def _quantity(model: Model, paths: Sequence[str]) -> Cell:
 def _with_sigma(frequency: float, sigma: float) -> str:
     """Return a frequency with its standard deviation, both to two digits of the latter."""
     if not sigma > 0.0:
-        return f"{frequency:.2f} Hz"
+        return f"{hertz(frequency)} Hz"
     decimals = max(0, 1 - math.floor(math.log10(sigma)))
     return f"{frequency:.{decimals}f} \u00b1 {sigma:.{decimals}f} Hz"
 

@@ -1,0 +1,33 @@
+"""What every command says and writes on the robots and examples of the repository is frozen.
+
+A change that is meant is written by ``pytest tests/golden --update-golden``, and reviewed as a diff of these files.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from helpers.golden.agreement import CALCULATED, differences
+from helpers.golden.outcomes import commands, golden, outcome, update
+
+COMMANDS = commands()
+#: Relative tolerance of numbers that an optimisation has found.
+FITTED = 1e-3
+TOLERANCES = {"identify": FITTED, "diagnose": FITTED}
+
+
+@pytest.mark.compiler
+@pytest.mark.parametrize("name", COMMANDS)
+def test_a_command_says_and_writes_what_it_did(
+    name: str, tmp_path: Path, pytestconfig: pytest.Config
+) -> None:
+    found, frozen = outcome(COMMANDS[name], tmp_path), golden(name)
+    if pytestconfig.getoption("update_golden"):
+        update(name, found)
+        return
+    assert list(found) == sorted(frozen, key=list(found).index), "files of another outcome"
+    tolerance = TOLERANCES.get(name.partition("/")[0], CALCULATED)
+    wrong = [place for file in frozen for place in differences(file, frozen[file], found[file], tolerance)]
+    assert not wrong, "\n".join(wrong)

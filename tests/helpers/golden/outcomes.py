@@ -1,0 +1,127 @@
+"""Golden outcomes of commands: what each printed and wrote, as text."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import re
+import shlex
+import tomllib
+from collections.abc import Mapping
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from helpers.pages.page_reading import VOID
+from helpers.pages.without_drawing import without_drawing
+from pkmodes.cli import run
+
+ROOT = Path(__file__).parents[3]
+GOLDEN = ROOT / "tests" / "golden"
+#: What was printed, in the folder of an outcome.
+TERMINAL = "terminal.txt"
+#: Files that a command writes, which are text; of a page its visible text is kept, as ``.txt``.
+KEPT = (".json", ".csv", ".toml")
+#: What depends on the clock or on the machine, in JSON and in text.
+VARIABLE = re.compile(r'(?<="seconds": )[\d.e+-]+')
+#: Elements whose text is not seen.
+HIDDEN = {"script", "style", "svg", "template"}
+#: Elements that begin a line, and cells of a table.
+LINES = {
+    "p",
+    "h1",
+    "h2",
+    "h3",
+    "h4",
+    "tr",
+    "li",
+    "dt",
+    "div",
+    "section",
+    "figcaption",
+    "caption",
+    "header",
+    "footer",
+}
+CELLS = {"td", "th", "dd"}
+
+
+def commands() -> dict[str, str]:
+    """Return all commands by ``command/name``."""
+    table = tomllib.loads((GOLDEN / "commands.toml").read_text(encoding="utf-8"))
+    return {f"{command}/{name}": line for command, some in table.items() for name, line in some.items()}
+
+
+def outcome(line: str, folder: Path) -> dict[str, str]:
+    """Run a command in an empty folder, and return what it printed and wrote, by file name.
+
+    Parameters
+    ----------
+    line : str
+        Arguments, as typed in a shell.
+    folder : Path
+        The robots, examples and golden outcomes of the repository are linked into it.
+    """
+    for name, to in (("robots", ROOT / "robots"), ("examples", ROOT / "examples"), ("golden", GOLDEN)):
+        (folder / name).symlink_to(to)
+    linked = set(folder.iterdir())
+    out, errors = io.StringIO(), io.StringIO()
+    with pytest.MonkeyPatch.context() as patch, without_drawing():
+        patch.chdir(folder)
+        patch.setenv("COLUMNS", "110")
+        patch.setattr("pkmodes.figures.files.rendered", lambda *_, **__: b"drawn")
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
+            code = run(shlex.split(line))
+    said = f"--- errors\n{errors.getvalue()}" if errors.getvalue() else ""
+    found = {TERMINAL: f"{out.getvalue()}{said}--- exit code {code}\n"}
+    for path in sorted(folder.iterdir()):
+        if path in linked or path.is_dir():
+            continue
+        if path.suffix == ".html":
+            found[f"{path.stem}.txt"] = visible(path.read_text(encoding="utf-8"))
+        elif path.suffix in KEPT:
+            found[path.name] = VARIABLE.sub("0.0", path.read_text(encoding="utf-8"))
+    return found
+
+
+def golden(name: str) -> Mapping[str, str]:
+    """Return the golden outcome of a command; empty if there is none."""
+    return {path.name: path.read_text(encoding="utf-8") for path in sorted((GOLDEN / name).glob("*.*"))}
+
+
+def update(name: str, found: Mapping[str, str]) -> None:
+    """Make an outcome the golden one."""
+    folder = GOLDEN / name
+    folder.mkdir(parents=True, exist_ok=True)
+    for path in folder.iterdir():
+        path.unlink()
+    for file, text in found.items():
+        (folder / file).write_text(text, encoding="utf-8")
+
+
+def visible(page: str) -> str:
+    """Return the visible text of a page: a line for each paragraph and each row of a table."""
+    reader = _Visible()
+    reader.feed(page)
+    lines = (" ".join(line.split()) for line in "".join(reader.text).splitlines())
+    return "\n".join(line for line in lines if line.strip("| ")) + "\n"
+
+
+class _Visible(HTMLParser):
+    def __init__(self) -> None:
+        super().__init__(convert_charrefs=True)
+        self.text: list[str] = []
+        self._hidden = 0
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self._hidden += tag in HIDDEN and tag not in VOID
+        self.text += ["\n"] * (tag in LINES) + [" | "] * (tag in CELLS)
+
+    def handle_endtag(self, tag: str) -> None:
+        self._hidden -= tag in HIDDEN
+        self.text += ["\n"] * (tag in LINES)
+
+    def handle_data(self, data: str) -> None:
+        if not self._hidden:
+            self.text.append(data.replace("\n", " "))
