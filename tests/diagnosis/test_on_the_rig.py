@@ -65,6 +65,12 @@ def diagnosed(text: str, robot: str) -> Diagnosis:
     return updating.diagnose(read(robot), measurements(text))
 
 
+@pytest.fixture(scope="module")
+def template() -> Diagnosis:
+    """A verdict for the judge of the suites, from which others are invented."""
+    return diagnosed(measured(case("nothing missing", "nothing", place=0)), "published")
+
+
 @pytest.mark.parametrize("number", range(12))
 def test_a_robot_that_lacks_nothing_is_adequate(number: int) -> None:
     outcome = run(case("nothing missing", "nothing", place=number))
@@ -234,9 +240,8 @@ def test_no_cause_is_claimed_for_a_mistake_of_the_experimenter(mistake: str) -> 
     assert not outcome.physical, outcome.reason
 
 
-def test_a_class_with_none_of_the_causes_is_wrong_whatever_else_is_found() -> None:
+def test_a_class_with_none_of_the_causes_is_wrong_whatever_else_is_found(template: Diagnosis) -> None:
     """The judge of the suites, on invented verdicts."""
-    template = diagnosed(measured(case("nothing missing", "nothing", place=0)), "published")
     finding = Finding("payload", ("payload",), (), {}, 0.0, "")
     assert judged(("payload",), template) == "adequate"
     assert judged(("payload",), replace(template, verdict="ambiguous")) == "abstained"
@@ -255,8 +260,9 @@ def test_a_class_with_none_of_the_causes_is_wrong_whatever_else_is_found() -> No
     assert state(("gearbox_inertia",), ("parameter:motor.gear_ratio",)) == "named"
 
 
-def test_a_correction_of_the_measurement_is_right_where_poses_are_not_where_the_file_says() -> None:
-    template = diagnosed(measured(case("nothing missing", "nothing", place=0)), "published")
+def test_a_correction_of_the_measurement_is_right_where_poses_are_not_where_the_file_says(
+    template: Diagnosis,
+) -> None:
     finding = Finding("measurement:yaw", ("measurement:yaw",), (), {}, 0.0, "")
     turned = replace(template, verdict="effect_found", effects=(finding,))
     assert judged(("measurement:offset.z",), turned) == "named"
@@ -267,9 +273,8 @@ def test_a_correction_of_the_measurement_is_right_where_poses_are_not_where_the_
     assert not physical(("payload",), replace(turned, effects=(both,)))
 
 
-def test_a_row_is_set_aside_blindly_where_the_others_could_not_tell() -> None:
+def test_a_row_is_set_aside_blindly_where_the_others_could_not_tell(template: Diagnosis) -> None:
     few = numbered("few rows", 60)
-    template = diagnosed(measured(case("nothing missing", "nothing", place=0)), "published")
     row = replace(template.rows[0], held_out=False, outlier=False)
     outlier = replace(row, outlier=True)
     for rows, blind in (

@@ -14,7 +14,8 @@ import pytest
 
 from helpers.diagnoses.verdict_examples import VERDICTS
 from helpers.pages.page_reading import Element, at, powers, read, shown
-from helpers.pages.report_examples import diagnosed, made_up
+from helpers.pages.report_examples import diagnosed, made_up, many_modes, page_of
+from helpers.runs.shared import Shared
 from pkmodes import read_robot, updating
 from pkmodes.cli import run
 from pkmodes.core.robot.robot import Robot
@@ -43,9 +44,10 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> tuple[Diagnosis, Robot, M
 
 
 @pytest.fixture(scope="module", params=VERDICTS)
-def made(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Made:
-    result, robot, data = diagnosed(request.param, tmp_path_factory.mktemp(request.param))
-    html = report(result, robot=robot, data=data)
+def made(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory, shared: Shared) -> Made:
+    folder = tmp_path_factory.mktemp(request.param)
+    result, robot, data = diagnosed(request.param, folder)
+    html = page_of(request.param, folder, shared)
     assert html == report(result, robot=robot, data=data)
     return Made(result, json.loads(json.dumps(result.as_json())), html, read(html))
 
@@ -334,9 +336,9 @@ def test_the_mac_of_all_modes_has_that_of_the_pair(
         assert stage.spectrum[data.pose, stage.mode - 1] == pytest.approx(stage.frequency, rel=1e-12)
 
 
-def test_many_rows_are_cut_to_the_worst_and_the_page_stays_small() -> None:
-    result, data = made_up(500, 20)
-    html = report(result, data=data, title="many")
+def test_many_rows_are_cut_to_the_worst_and_the_page_stays_small(shared: Shared) -> None:
+    result, _ = made_up(500, 20)
+    html = many_modes(shared)
     # A quarter of it is the numbers of the figures, to be saved, and as much the figures for narrow screens.
     assert len(html.encode()) < 4_000_000
     section = read(html).by_id("rows")

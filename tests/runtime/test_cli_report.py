@@ -63,7 +63,7 @@ def test_json_on_standard_output_is_nothing_else(tmp_path: Path, capsys: pytest.
     assert captured.err == f"\nwrote {target}\n"
 
 
-@pytest.mark.usefixtures("diagnosed")
+@pytest.mark.usefixtures("diagnosed", "no_drawing")
 def test_an_older_report_is_replaced_and_the_same_result_gives_the_same_bytes(tmp_path: Path) -> None:
     target = tmp_path / "report.html"
     target.write_text("an older one", encoding="utf-8")

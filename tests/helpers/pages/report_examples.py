@@ -8,6 +8,7 @@ import numpy as np
 
 from helpers.diagnoses.diagnose_command import files
 from helpers.diagnoses.verdict_examples import given, judged
+from helpers.runs.shared import Shared
 from pkmodes import read_robot, updating
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis import Diagnosis, Measurements
@@ -15,6 +16,7 @@ from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.findings import Corrected, Examined, Finding, Stability, Value
 from pkmodes.diagnosis.verdict.result import Stages
 from pkmodes.diagnosis.verdict.rows import Error, Row
+from pkmodes.report import report
 
 #: Text that a careless page would execute, obey or be torn apart by.
 HOSTILE = (
@@ -49,6 +51,36 @@ def diagnosed(verdict: str, folder: Path) -> tuple[Diagnosis, Robot, Measurement
     result = _DIAGNOSES[verdict]
     assert result.verdict == verdict
     return result, robot, data
+
+
+def page_of(verdict: str, folder: Path, shared: Shared) -> str:
+    """Return the page of `diagnosed`, which the tests of a run make once."""
+
+    def made() -> str:
+        result, robot, data = diagnosed(verdict, folder)
+        return report(result, robot=robot, data=data)
+
+    return shared.value(f"page of {verdict}", made)
+
+
+def many_modes(shared: Shared) -> str:
+    """Return the page of 10 000 measured modes, which the tests of a run make once."""
+
+    def made() -> str:
+        result, data = made_up(500, 20)
+        return report(result, data=data, title="many")
+
+    return shared.value("page of many modes", made)
+
+
+def hostile_page(shared: Shared) -> str:
+    """Return the page on which every name and label is hostile, which the tests of a run make once."""
+
+    def made() -> str:
+        result, data = made_up(12, 3, labels=HOSTILE, names=HOSTILE)
+        return report(result, data=data, title=" ".join(HOSTILE))
+
+    return shared.value("page of hostile names", made)
 
 
 def made_up(
