@@ -87,6 +87,9 @@ figures: $(VENV)/.dev  ## the pictures of the README and docs/figures.md, and th
 	$(BIN)/python docs/studies/published_figures/claims.py
 	$(BIN)/python docs/studies/shaped_moves/table.py
 
+# The virtual rig is test equipment: it lies beside the tests, and is not installed.
+suites benchmark figures: export PYTHONPATH = tests
+
 suites: $(VENV)/.dev  ## error rates of identification and diagnosis on the virtual test rig, three to four hours on two cores
 	$(BIN)/python -m pkmodes_rig.suites.diagnosis --seed 20261216 --out docs/diagnosis-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.mechanism_suites --seed 20261215 --out docs/mechanisms-measured.md

@@ -1,4 +1,4 @@
-"""Verdicts on the rotary delta and the CoreXY: a few cases of `src/pkmodes_rig/suites/mechanism_suites.py`.
+"""Verdicts on the rotary delta and the CoreXY: a few cases of `tests/pkmodes_rig/suites/mechanism_suites.py`.
 
 How often each verdict is right is measured by the whole suites, in docs/mechanisms-measured.md.
 """

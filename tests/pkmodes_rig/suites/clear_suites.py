@@ -134,7 +134,7 @@ def _page(
     return [
         "# Clear causes, measured on all mechanisms alike",
         "",
-        "Written by `make suites`; do not edit. `src/pkmodes_rig/suites/clear_suites.py` defines the cases and the",
+        "Written by `make suites`; do not edit. `tests/pkmodes_rig/suites/clear_suites.py` defines the cases and the",
         "requirements, `clear_cases.py` how they are sized, measured and judged; terms are those of",
         "docs/diagnosis-measured.md. The rigs share no code with the model.",
         "",

@@ -74,7 +74,7 @@ def page(outcomes: Sequence[Outcome], seed: int, every: int, seconds: float, job
     return [
         "# Damping, measured",
         "",
-        "Written by `make suites`; do not edit. `src/pkmodes_rig/suites/damping.py` defines the requirements,",
+        "Written by `make suites`; do not edit. `tests/pkmodes_rig/suites/damping.py` defines the requirements,",
         "`damping_cases.py` the cases. Modes come from the virtual test rig, damping ratios from a second",
         "description of its joints that shares no code with the model.",
         "",

@@ -128,7 +128,7 @@ def page(outcomes: Sequence[CampaignOutcome], seconds: float, jobs: int) -> list
     missed = [o for o in outcomes if o.case.names and o.state != "named"]
     unkind = Counter(words for o in outcomes for words in o.unkind)
     head = TEXT.format(
-        command=f"python -m pkmodes_rig.suites.campaigns --seed {seed} --machines {count}",
+        command=f"PYTHONPATH=tests python -m pkmodes_rig.suites.campaigns --seed {seed} --machines {count}",
         count=count,
         unkind=", ".join(f"{name}: {n}" for name, n in sorted(unkind.items())),
         seed=seed,

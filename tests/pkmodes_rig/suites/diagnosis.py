@@ -131,7 +131,7 @@ def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
     return [
         "# The diagnosis, measured",
         "",
-        "Written by `make suites`; do not edit. In `src/pkmodes_rig/suites/`, `suites.py` and `hard_suites.py`",
+        "Written by `make suites`; do not edit. In `tests/pkmodes_rig/suites/`, `suites.py` and `hard_suites.py`",
         "define the cases and their seeds, `strengths.py` how the sizes of the causes were chosen, `requirements.py`",
         "the requirements.",
         "The physics of the rig is MuJoCo's and shares no code with the model. There are three robots, three plans",

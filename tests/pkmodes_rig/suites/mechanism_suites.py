@@ -256,7 +256,7 @@ def _page(outcomes: list[MechanismOutcome], seconds: float, jobs: int) -> list[s
     lines = [
         "# The diagnosis of other mechanisms, measured",
         "",
-        "Written by `make suites`; do not edit. `src/pkmodes_rig/suites/mechanism_suites.py` defines the cases,",
+        "Written by `make suites`; do not edit. `tests/pkmodes_rig/suites/mechanism_suites.py` defines the cases,",
         "`mechanism_cases.py` how they are measured and judged; terms and requirements are those of",
         "docs/diagnosis-measured.md. The rigs share no code with the model: MuJoCo for the rotary delta, with",
         "loops closed by hand where its links yield or its frame rocks, and the formulas of the contract for the",

@@ -158,7 +158,7 @@ def page(outcomes: Sequence[Shown], seed: int, seconds: float, jobs: int) -> lis
     return [
         "# The limits, measured",
         "",
-        "Written by `make suites`; do not edit. `src/pkmodes_rig/suites/limits.py` defines the cases. On the",
+        "Written by `make suites`; do not edit. `tests/pkmodes_rig/suites/limits.py` defines the cases. On the",
         "virtual test rig, whose physics shares no code with the model, one effect or one wrong value is hidden in",
         f"each case: its predicted signal is drawn evenly between 0 and {LARGEST:g} standard deviations. Half of the",
         "cases have shapes, a quarter a realistic laboratory with missed modes and a band. A limit covers if the",
