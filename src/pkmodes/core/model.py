@@ -454,7 +454,7 @@ class Model:
         threads: int = 1,
         given: Mapping[str, Any] | None = None,
     ) -> tuple[CheckedPoses, dict[str, Array]]:
-        """Evaluate fields of `pkmodes.core.solve.fields.FIELDS`.
+        """Evaluate fields of the table in ``pkmodes.core.solve.fields``.
 
         Parameters
         ----------
