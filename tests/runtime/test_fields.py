@@ -13,8 +13,9 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED
+from pkmodes.core import model as model_module
 from pkmodes.core.base.errors import NotComputedError
-from pkmodes.core.solve import batch, kinematics, mode_fields
+from pkmodes.core.solve import batch, mode_fields
 from pkmodes.sensitivity import sensitivities as sensitivity_module
 from pkmodes.sensitivity.sensitivities import Sensitivities
 
@@ -84,7 +85,7 @@ def test_digits_do_not_depend_on_the_parts(extended: pkmodes.Model, monkeypatch:
     statics = extended.statics(poses, "nan")
     monkeypatch.setattr(batch, "CHUNK", 6)
     monkeypatch.setattr(mode_fields, "CHUNK", 6)
-    monkeypatch.setattr(kinematics, "CHUNK", 6)
+    monkeypatch.setattr(model_module, "CHUNK", 6)
     monkeypatch.setattr(sensitivity_module, "TOGETHER", 6)
     for name in pkmodes.Modes.FIELDS:
         np.testing.assert_array_equal(getattr(extended.modes(poses, "nan"), name), getattr(whole, name))
