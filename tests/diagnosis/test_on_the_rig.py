@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import pytest
 
+from helpers.golden.case_book import frozen
 from pkmodes import updating
 from pkmodes.diagnosis.verdict.findings import Finding
 from pkmodes.diagnosis.verdict.result import Diagnosis
@@ -42,6 +43,12 @@ OUTLIERS = [0, 4, 12, 20, 24, 28, *range(30, 60, 4)]
 #: Seed of published cases that showed a mistake of the diagnosis.
 PUBLISHED = 20261201
 MISTAKEN = ["rad/s for Hz", "rpm for Hz", "all shapes equal", "sigma far too large"]
+
+
+@pytest.fixture(autouse=True)
+def _frozen(monkeypatch: pytest.MonkeyPatch, pytestconfig: pytest.Config) -> None:
+    """Every outcome is compared with the golden one, too (tests/golden)."""
+    monkeypatch.setitem(globals(), "run", frozen(run, "on_the_rig", pytestconfig))
 
 
 def case(suite: str, kind: str, robot: str = "", place: int = -1) -> Case:

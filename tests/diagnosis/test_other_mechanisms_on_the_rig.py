@@ -7,12 +7,19 @@ from __future__ import annotations
 
 import pytest
 
+from helpers.golden.case_book import frozen
 from pkmodes.updating.candidates import suspects
 from pkmodes_rig.suites.mechanism_cases import KINDS, MechanismCase, MechanismOutcome, robot_of, run
 from pkmodes_rig.suites.mechanism_sizes import SIZES
 from pkmodes_rig.suites.mechanism_suites import OUTSIDE, SUITES, WRONG, cases
 
 RIGHT = 3.0
+
+
+@pytest.fixture(autouse=True)
+def _frozen(monkeypatch: pytest.MonkeyPatch, pytestconfig: pytest.Config) -> None:
+    """Every outcome is compared with the golden one, too (tests/golden)."""
+    monkeypatch.setitem(globals(), "run", frozen(run, "other_mechanisms_on_the_rig", pytestconfig))
 
 
 def case(mechanism: str, suite: str, kind: str, place: int = -1) -> MechanismCase:

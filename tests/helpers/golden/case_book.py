@@ -1,0 +1,67 @@
+"""Golden outcomes of cases on the virtual rig: verdict, classes, and the values of causes."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import pytest
+
+from helpers.golden.outcomes import GOLDEN
+
+FOLDER = GOLDEN / "suites"
+#: Relative tolerance of an estimate and its standard deviation.
+FITTED = 2e-3
+
+
+def read(book: str) -> dict[str, Any]:
+    """Return the golden outcomes of a book by case; empty if there is none."""
+    path = FOLDER / f"{book}.json"
+    return dict(json.loads(path.read_text(encoding="utf-8"))) if path.exists() else {}
+
+
+def write(book: str, found: Mapping[str, Any]) -> None:
+    """Add outcomes to a book, a line for each case, in place of former ones."""
+    lines = ",\n".join(
+        f"{json.dumps(key)}: {json.dumps(one)}" for key, one in {**read(book), **found}.items()
+    )
+    FOLDER.mkdir(exist_ok=True)
+    (FOLDER / f"{book}.json").write_text(f"{{\n{lines}\n}}\n", encoding="utf-8")
+
+
+def said(outcome: Any) -> dict[str, Any]:
+    """Return what an outcome says of a case."""
+    found = {"verdict": outcome.verdict, "classes": [list(members) for members in outcome.classes]}
+    if hasattr(outcome, "of_damping"):
+        return {**found, "damping": outcome.of_damping}
+    return {**found, "values": {name: [value, sigma] for name, value, sigma, _ in outcome.values}}
+
+
+def check(book: str, found: Mapping[str, Any], config: pytest.Config) -> None:
+    """Compare outcomes with the golden ones, or make them these with ``--update-golden``."""
+    if config.getoption("update_golden"):
+        write(book, found)
+        return
+    frozen = read(book)
+    wrong = {key: one for key, one in found.items() if not _alike(frozen[key], one)}
+    assert not wrong, "\n".join(f"{key}: {one} instead of {frozen[key]}" for key, one in wrong.items())
+
+
+def frozen(run: Callable[[Any], Any], book: str, config: pytest.Config) -> Callable[[Any], Any]:
+    """Return a function that runs cases of the suites and compares each outcome with the golden one."""
+
+    def compared(case: Any) -> Any:
+        outcome = run(case)
+        check(book, {f"{case.label}, {case.kind}, seed {case.seed}": said(outcome)}, config)
+        return outcome
+
+    return compared
+
+
+def _alike(old: dict[str, Any], new: dict[str, Any]) -> bool:
+    """Whether two outcomes say the same, values to the tolerance of a fit."""
+    close = {
+        name: pytest.approx(pair, rel=FITTED, nan_ok=True) for name, pair in old.get("values", {}).items()
+    }
+    return bool(new == {**old, **({"values": close} if "values" in old else {})})
