@@ -1,6 +1,6 @@
 """Time of a diagnosis of a robot, in one process on one core, beside a fixed piece of NumPy work.
 
-    python benchmarks/diagnosis.py
+    PYTHONPATH=tests python benchmarks/diagnosis.py
 
 The measurements are those of the suites (`pkmodes_rig`): every mechanism, complete, with one cause, and with a cause
 that no candidate explains.  A ratio is to the fixed work, measured before and after each case: unlike seconds, it can

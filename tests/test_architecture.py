@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+from pkmodes.api import APPLICATIONS
+
 ROOT = Path(__file__).parents[1]
 STANDARD = sys.stdlib_module_names
 #: Parts of the runtime that may import the derivation, and only inside functions.
@@ -205,6 +207,25 @@ def test_the_engine_of_the_diagnosis_knows_no_robots() -> None:
     allowed = tuple(f"pkmodes.{name}." for name in DIAGNOSIS)
     for file in files("src/pkmodes/diagnosis"):
         assert all(f"{name}.".startswith(allowed) for name in modules_imported(file)), file
+
+
+def test_type_checkers_see_the_functions_that_are_attached() -> None:
+    tree = ast.parse((ROOT / "src/pkmodes/api.py").read_text(encoding="utf-8"))
+    (model,) = (node for node in tree.body if isinstance(node, ast.ClassDef))
+    imported = {
+        alias.name: f"{node.module}:{alias.name}"
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    }
+    seen = {
+        node.targets[0].id: imported[node.value.id]
+        for node in ast.walk(model)
+        if isinstance(node, ast.Assign)
+        and isinstance(node.targets[0], ast.Name)
+        and isinstance(node.value, ast.Name)
+    }
+    assert seen == APPLICATIONS
 
 
 def test_no_module_imports_itself_through_others() -> None:

@@ -1,7 +1,7 @@
 """`pkmodes.Model`: the core's model, to which the applications are attached as methods.
 
-An application is a function whose first argument is a model of the core.  It is loaded when its method is first used,
-so that who asks for modes does not wait for maps.
+An application is a function whose first argument is a model of the core.  It is loaded when its method is first used:
+asking for modes does not load maps.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Model", "load", "read_robot"]
 
-#: The methods of applications: where each function is.
+#: The methods of applications: where each function is.  The class below says the same to type checkers.
 APPLICATIONS = {
     "sensitivities": "pkmodes.sensitivity.sensitivities:sensitivities_at",
     "frequency_sigmas": "pkmodes.sensitivity.spread:frequency_sigmas",
@@ -42,7 +42,7 @@ APPLICATIONS = {
 }
 
 
-class Model(model.Model):  # noqa: D101  # that of the core's
+class Model(model.Model):  # noqa: D101  # the docstring is inherited
     __doc__ = model.Model.__doc__
 
     if TYPE_CHECKING:
@@ -59,8 +59,7 @@ class Model(model.Model):  # noqa: D101  # that of the core's
 
 
 for _name, _place in APPLICATIONS.items():
-    setattr(Model, _name, _attached := Attached(_place))
-    _attached.__set_name__(Model, _name)
+    setattr(Model, _name, Attached(_place))
 
 
 def load(path: str | PathLike[str]) -> Model:

@@ -9,6 +9,7 @@ import pytest
 from scipy.linalg import eigvalsh
 
 import pkmodes
+from pkmodes.cli.map_tables import _hertz
 from pkmodes.maps import fields
 from pkmodes.maps.left_out import sentences
 from pkmodes.maps.quantiles import quantiles
@@ -69,6 +70,11 @@ def test_quantiles_of_parts_are_those_of_the_whole(rows: int) -> None:
     assert np.isnan(found[5]).all()
     expected = np.nanquantile(whole[:, :5], shares, axis=0).T
     np.testing.assert_allclose(found[:5], expected, rtol=1e-15, atol=0.0)
+
+
+def test_a_frequency_that_no_pose_has_is_a_dash_on_the_terminal() -> None:
+    assert _hertz(None) == "-"
+    assert _hertz(9041462019.1) == "9.04e9"
 
 
 #: Of the published robot with motors held: three poses of the working plane; then one where the links lie almost in

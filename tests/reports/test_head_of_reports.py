@@ -10,15 +10,13 @@ import pytest
 
 from helpers.pages.page_reading import Element, read
 from helpers.pages.report_examples import HOSTILE
-from pkmodes import read_robot, updating
+from pkmodes import read_robot
 from pkmodes.campaign.campaign import read_campaign
 from pkmodes.cli import run
 from pkmodes.codegen.generation import specification
 from pkmodes.core.base.errors import MeasurementError, RobotFileError
 from pkmodes.core.robot.robot import Robot
 from pkmodes.dataset.robot_text import text_of
-from pkmodes.diagnosis import Comparison, Measurements
-from pkmodes.report import report
 from pkmodes.robot_files.corrections import Correction
 from pkmodes.robot_files.saving import corrected_text
 
@@ -77,11 +75,7 @@ def pages(robot: Path, folder: Path) -> dict[str, Sequence[str]]:
 @pytest.mark.parametrize(
     "command", ["compare", "diagnose", "map", "shaper", "sensitivities", "response", "show"]
 )
-def test_every_page_of_a_robot_has_what_its_file_says(
-    command: str, tmp_path: Path, request: pytest.FixtureRequest
-) -> None:
-    if command == "diagnose":  # test_report_numbers.py draws its figures twice
-        request.getfixturevalue("no_drawing")
+def test_every_page_of_a_robot_has_what_its_file_says(command: str, tmp_path: Path) -> None:
     target = tmp_path / "page.html"
     arguments = pages(robot_with(tmp_path), tmp_path)[command]
     assert run([*arguments, str(target)]) == 0
@@ -123,26 +117,15 @@ def test_what_the_campaign_says_prevails_over_the_robot(tmp_path: Path) -> None:
     assert head(target) == [HEAD[0], ("Machine", "Cell 4"), HEAD[1], ("Operator", "C. Diaz")]
 
 
-@pytest.fixture(scope="module")
-def compared() -> tuple[Comparison, Measurements]:
-    """The comparison of the example, which no head changes."""
-    robot = read_robot(LOOP / "robot.toml")
-    data = updating.read(LOOP / "measured.csv", None, robot)
-    return updating.compare(robot, data), data
-
-
 @pytest.mark.usefixtures("no_drawing")
 @pytest.mark.parametrize("given", HOSTILE[:-1])
-def test_hostile_text_is_shown_as_text(
-    given: str, compared: tuple[Comparison, Measurements], tmp_path: Path
-) -> None:
+def test_hostile_text_is_shown_as_text(given: str, tmp_path: Path) -> None:
     if "\x00" in given:
         pytest.skip("TOML has no such characters")
     quoted = given.replace("\\", "\\\\").replace('"', '\\"')
-    robot = read_robot(robot_with(tmp_path, f'\n[report]\ncustomer = "{quoted}"\n'))
-    result, data = compared
+    robot = robot_with(tmp_path, f'\n[report]\ncustomer = "{quoted}"\n')
     target = tmp_path / "page.html"
-    target.write_text(report(result, robot=robot, data=data), encoding="utf-8")
+    assert run(["compare", str(robot), str(LOOP / "measured.csv"), "--report", str(target)]) == 0
     ((title, shown),) = head(target)
     assert title == "Customer"
     assert shown.isprintable()

@@ -12,7 +12,7 @@ from decimal import Decimal
 from typing import NamedTuple, NoReturn
 
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.core.robot.columns import factor_of, kind_of_unit, parted
+from pkmodes.core.robot.columns import factor_of, parted, unit_remedy
 from pkmodes.measured.quantities import (
     QUANTITIES,
     SHAPE_SIGMA,
@@ -194,7 +194,7 @@ def _factor(
         allowed = (channels[name.removeprefix(SHAPE)],)
     else:
         allowed = MOTIONS
-    remedy = kind_of_unit(_plain(name, units))
+    remedy = unit_remedy(units.get(name, "SI units"))
     for quantity in QUANTITIES.values():
         if name == quantity.sigma.column and unit == "%":
             remedy = f"multiply by the {quantity.value.column}, and write the result in its unit"

@@ -1,1 +1,1 @@
-"""Robot files changed and compared: edits that keep comments and order."""
+"""Changing and comparing robot files: edits keep comments and order."""

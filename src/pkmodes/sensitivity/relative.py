@@ -12,10 +12,9 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import effect_parameters, items
 from pkmodes.core.robot.parameter_groups import groups_by_path, value_of, weights_of
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.solve.backends import AUTO
 from pkmodes.sensitivity.alike import Alike, alike
 from pkmodes.sensitivity.paths import ParameterPath, paths
-from pkmodes.sensitivity.sensitivities import ResolvedPaths, sensitivities
+from pkmodes.sensitivity.sensitivities import ResolvedPaths, sensitivities_at
 
 Array = NDArray[np.float64]
 #: Poses around a given one at which parameters are compared, and how far they lie from it: a fraction of the robot's
@@ -61,16 +60,15 @@ def rates_of(
     model: Model, poses: ArrayLike, paths: Sequence[str | ParameterPath], drives: str, on_error: str
 ) -> Array:
     """Return the derivatives of all frequencies, (..., T, m) [Hz per unit]: see `pkmodes.Model.sensitivities`."""
-    found = sensitivities(
-        ResolvedPaths(model.robot, tuple(paths), drives),
+    found = sensitivities_at(
+        model,
         poses,
-        "nan" if on_error == "nan" else "raise",
-        model.max_condition,
-        CLOSE,
-        ("frequencies",),
-        None,
-        model.solver(AUTO, drives),
-        1,
+        paths,
+        close=CLOSE,
+        on_error="nan" if on_error == "nan" else "raise",
+        fields=("frequencies",),
+        drives=drives,
+        threads=1,
     )
     return found.frequencies
 

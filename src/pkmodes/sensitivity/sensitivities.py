@@ -14,10 +14,9 @@ from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.base.errors import PkmodesError, listed, shown
 from pkmodes.core.compiled.lanes import Terms
 from pkmodes.core.linalg.eigen import has_stiff_joint, magnitude
-from pkmodes.core.mechanism.poses import OnError, check_poses
+from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import effect_parameters
-from pkmodes.core.robot.pose_table import poses_by_name
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.backends import AUTO, checked_threads
 from pkmodes.core.solve.batch import run
@@ -148,7 +147,7 @@ class ResolvedPaths:
 def sensitivities_at(
     model: Model,
     poses: ArrayLike,
-    parameters: Sequence[str] | None = None,
+    parameters: Sequence[str | ParameterPath] | None = None,
     *,
     close: float = 1e-6,
     on_error: OnError = "raise",
@@ -197,47 +196,8 @@ def sensitivities_at(
         If a path is unknown (the message suggests the nearest), or a field or an array in `out` is invalid as
         in `modes`.
     """
-    return sensitivities(
-        _resolved(model, parameters, checked_drives(drives)),
-        poses,
-        on_error,
-        model.max_condition,
-        close,
-        fields,
-        out,
-        model.solver(backend, drives),
-        checked_threads(threads),
-    )
-
-
-def _resolved(model: Model, parameters: Sequence[str] | None, drives: str) -> ResolvedPaths:
-    """Resolve parameter paths; those of the last call are kept with the model."""
-    if parameters is None:
-        names: tuple[str, ...] | None = None
-    elif isinstance(parameters, list | tuple) and all(isinstance(path, str) for path in parameters):
-        names = tuple(parameters)
-    else:  # anything else is converted or refused
-        return ResolvedPaths(model.robot, parameters, drives)
-    key, last = (names, drives), model.kept.get(ResolvedPaths)
-    if last is None or last[0] != key:
-        last = model.kept[ResolvedPaths] = key, ResolvedPaths(model.robot, parameters, drives)
-    resolved: ResolvedPaths = last[1]
-    return resolved
-
-
-def sensitivities(
-    resolved: ResolvedPaths,
-    poses: ArrayLike,
-    on_error: OnError,
-    max_condition: float,
-    close: float,
-    fields: Fields,
-    out: Out,
-    solver: Solver,
-    threads: int,
-) -> Sensitivities:
-    """Evaluate the sensitivities to resolved paths."""
-    solver = solver.inner
+    resolved = _resolved(model, parameters, checked_drives(drives))
+    solver, count = model.solver(backend, drives).inner, checked_threads(threads)
     robot, chosen, system = resolved.robot, resolved.paths, resolved.system
     if not (isinstance(close, int | float | np.integer | np.floating) and 0.0 <= close < 1.0):
         raise PkmodesError(f"expected a fraction below 1, found {shown(close)}", "close", "for example: 1e-6")
@@ -255,10 +215,9 @@ def sensitivities(
             asked,
             lambda p: _in_parts(lambda part: _at(resolved, part, limit, asked, solver), p),
         )
-        checked, arrays = run(job, robot, max_condition, poses, on_error, out, threads)
+        checked, arrays = run(job, robot, model.max_condition, poses, on_error, out, count)
     else:
-        points = poses_by_name(poses, robot.mechanism)
-        checked = check_poses(points, robot.mechanism, robot.parameters, on_error, max_condition)
+        checked = model.checked(poses, on_error)
         aside = on_error == "raise" and len(system.coordinates) > system.first
         of_poses = FieldArrays(checked.batch, out, aside=aside, blank=bool(checked.codes.any()))
         # In parts of equal size: a single pose is evaluated differently, which gives repeated modes another basis.
@@ -274,6 +233,21 @@ def sensitivities(
         values=np.array([path.value for path in chosen]),
         drives=resolved.drives,
     )
+
+
+def _resolved(model: Model, parameters: Sequence[str | ParameterPath] | None, drives: str) -> ResolvedPaths:
+    """Resolve parameter paths; those of the last call are kept with the model."""
+    if parameters is None:
+        names: tuple[str, ...] | None = None
+    elif isinstance(parameters, list | tuple) and all(isinstance(path, str) for path in parameters):
+        names = tuple(str(path) for path in parameters)
+    else:  # paths that are resolved already; anything else is refused
+        return ResolvedPaths(model.robot, parameters, drives)
+    key, last = (names, drives), model.kept.get(ResolvedPaths)
+    if last is None or last[0] != key:
+        last = model.kept[ResolvedPaths] = key, ResolvedPaths(model.robot, parameters, drives)
+    resolved: ResolvedPaths = last[1]
+    return resolved
 
 
 def _in_parts(at: Callable[[Array], Mapping[str, Array]], p: Array) -> dict[str, Array]:

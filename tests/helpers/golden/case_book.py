@@ -8,11 +8,10 @@ from typing import Any
 
 import pytest
 
+from helpers.golden.agreement import FITTED
 from helpers.golden.outcomes import GOLDEN
 
 FOLDER = GOLDEN / "suites"
-#: Relative tolerance of an estimate and its standard deviation.
-FITTED = 2e-3
 
 
 def read(book: str) -> dict[str, Any]:
@@ -30,12 +29,14 @@ def write(book: str, found: Mapping[str, Any]) -> None:
     (FOLDER / f"{book}.json").write_text(f"{{\n{lines}\n}}\n", encoding="utf-8")
 
 
-def said(outcome: Any) -> dict[str, Any]:
-    """Return what an outcome says of a case."""
+def said(case: Any, outcome: Any) -> dict[str, dict[str, Any]]:
+    """Return what an outcome says of a case, by the name of the case."""
     found = {"verdict": outcome.verdict, "classes": [list(members) for members in outcome.classes]}
     if hasattr(outcome, "of_damping"):
-        return {**found, "damping": outcome.of_damping}
-    return {**found, "values": {name: [value, sigma] for name, value, sigma, _ in outcome.values}}
+        found["damping"] = outcome.of_damping
+    else:
+        found["values"] = {name: [value, sigma] for name, value, sigma, _ in outcome.values}
+    return {f"{case.label}, seed {case.seed}": found}
 
 
 def check(book: str, found: Mapping[str, Any], config: pytest.Config) -> None:
@@ -53,7 +54,7 @@ def frozen(run: Callable[[Any], Any], book: str, config: pytest.Config) -> Calla
 
     def compared(case: Any) -> Any:
         outcome = run(case)
-        check(book, {f"{case.label}, {case.kind}, seed {case.seed}": said(outcome)}, config)
+        check(book, said(case, outcome), config)
         return outcome
 
     return compared
@@ -64,4 +65,4 @@ def _alike(old: dict[str, Any], new: dict[str, Any]) -> bool:
     close = {
         name: pytest.approx(pair, rel=FITTED, nan_ok=True) for name, pair in old.get("values", {}).items()
     }
-    return bool(new == {**old, **({"values": close} if "values" in old else {})})
+    return bool(new == old | ({"values": close} if close else {}))

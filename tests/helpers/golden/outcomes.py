@@ -8,12 +8,11 @@ import re
 import shlex
 import tomllib
 from collections.abc import Mapping
-from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
 
-from helpers.pages.page_reading import VOID
+from helpers.pages.page_reading import Element, read
 from helpers.pages.without_drawing import without_drawing
 from pkmodes.cli import run
 
@@ -23,27 +22,13 @@ GOLDEN = ROOT / "tests" / "golden"
 TERMINAL = "terminal.txt"
 #: Files that a command writes, which are text; of a page its visible text is kept, as ``.txt``.
 KEPT = (".json", ".csv", ".toml")
-#: What depends on the clock or on the machine, in JSON and in text.
+#: What depends on the clock.
 VARIABLE = re.compile(r'(?<="seconds": )[\d.e+-]+')
 #: Elements whose text is not seen.
 HIDDEN = {"script", "style", "svg", "template"}
 #: Elements that begin a line, and cells of a table.
-LINES = {
-    "p",
-    "h1",
-    "h2",
-    "h3",
-    "h4",
-    "tr",
-    "li",
-    "dt",
-    "div",
-    "section",
-    "figcaption",
-    "caption",
-    "header",
-    "footer",
-}
+BLOCKS = {"div", "section", "header", "footer", "figcaption", "caption"}
+LINES = {"p", "h1", "h2", "h3", "h4", "tr", "li", "dt", *BLOCKS}
 CELLS = {"td", "th", "dd"}
 
 
@@ -102,26 +87,16 @@ def update(name: str, found: Mapping[str, str]) -> None:
 
 def visible(page: str) -> str:
     """Return the visible text of a page: a line for each paragraph and each row of a table."""
-    reader = _Visible()
-    reader.feed(page)
-    lines = (" ".join(line.split()) for line in "".join(reader.text).splitlines())
+    lines = (" ".join(line.split()) for line in _text(read(page)).splitlines())
     return "\n".join(line for line in lines if line.strip("| ")) + "\n"
 
 
-class _Visible(HTMLParser):
-    def __init__(self) -> None:
-        super().__init__(convert_charrefs=True)
-        self.text: list[str] = []
-        self._hidden = 0
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self._hidden += tag in HIDDEN and tag not in VOID
-        self.text += ["\n"] * (tag in LINES) + [" | "] * (tag in CELLS)
-
-    def handle_endtag(self, tag: str) -> None:
-        self._hidden -= tag in HIDDEN
-        self.text += ["\n"] * (tag in LINES)
-
-    def handle_data(self, data: str) -> None:
-        if not self._hidden:
-            self.text.append(data.replace("\n", " "))
+def _text(element: Element | str) -> str:
+    if isinstance(element, str):
+        return element.replace("\n", " ")
+    if element.tag in HIDDEN:
+        return ""
+    inside = "".join(map(_text, element.children))
+    if element.tag in LINES:
+        return f"\n{inside}\n"
+    return f" | {inside}" if element.tag in CELLS else inside

@@ -112,6 +112,11 @@ class Case:
     number: int
     seed: int
 
+    @property
+    def label(self) -> str:
+        """Name for reports."""
+        return f"{self.machine}, {self.kind} {self.number}, motors {self.drives}"
+
 
 @dataclass(frozen=True)
 class Outcome:

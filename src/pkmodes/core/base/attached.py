@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cached_property
 from importlib import import_module
 from typing import Any
 
 
 class Attached:
-    """A function of an application as a method: it is loaded at its first use, and then stands in the class itself.
+    """A function of an application as a method, loaded at its first use.
 
     Parameters
     ----------
@@ -18,11 +20,11 @@ class Attached:
     def __init__(self, place: str) -> None:
         self._place = place
 
-    def __set_name__(self, owner: type, name: str) -> None:
-        self._owner, self._name = owner, name
+    @cached_property
+    def _function(self) -> Callable[..., Any]:
+        module, _, name = self._place.partition(":")
+        function: Callable[..., Any] = getattr(import_module(module), name)
+        return function
 
     def __get__(self, instance: Any, owner: type) -> Any:
-        module, _, name = self._place.partition(":")
-        function = getattr(import_module(module), name)
-        setattr(self._owner, self._name, function)
-        return function.__get__(instance, owner)
+        return self._function.__get__(instance, owner)

@@ -12,7 +12,9 @@ from pkmodes.core.robot.units import QuantityError, base_units
 #: Radians per cycle, to convert an angular frequency to a frequency.
 CYCLE = Decimal("6.28318530717958647692528676656")
 
+#: A name, and a unit in square brackets.
 IN_BRACKETS = re.compile(r"(.*?)\s*\[([^\[\]]*)\]")
+#: Units that a message suggests, by SI unit.
 EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"'}
 
 
@@ -36,8 +38,7 @@ def column_of(cell: str, where: str, units: Mapping[str, str]) -> tuple[str, Dec
     name, unit = parted(cell, list(units))
     if unit is None or name not in units:
         return name, None
-    plain = "" if units[name] == "1" else units[name]
-    return name, factor_of(name, unit, where, (units[name],), kind_of_unit(plain))
+    return name, factor_of(name, unit, where, (units[name],), unit_remedy(units[name]))
 
 
 def parted(cell: str, known: Sequence[str]) -> tuple[str, str | None]:
@@ -63,9 +64,9 @@ def frequency_factor(unit: str) -> Decimal:
     raise QuantityError(f"{shown(unit)} is not a unit of frequency")
 
 
-def kind_of_unit(plain: str) -> str:
-    """Return the remedy for a unit of another kind; `plain` is the unit of a column without one, empty for ratios."""
-    return f"write a unit of that kind, or none for {plain or 'a plain ratio'}"
+def unit_remedy(si: str) -> str:
+    """Return the remedy for a unit of another kind in a column that is in this unit where it names none."""
+    return f"write a unit of that kind, or none for {'a plain ratio' if si == '1' else si}"
 
 
 def factor_of(name: str, unit: str, place: str, allowed: Sequence[str], remedy: str) -> Decimal:
