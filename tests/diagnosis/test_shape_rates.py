@@ -1,19 +1,14 @@
-"""Derivatives of shapes: against differences, closed forms, and where only few modes are known."""
+"""Derivatives of shapes: against differences and closed forms."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from scipy import sparse
 
 from helpers.robots.small_structures import mixture
-from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.structure import shape_rates as module
+from pkmodes.diagnosis import MatrixStructure, Parameter
 
 
 def every(structure: MatrixStructure, values: np.ndarray, by: Sequence[int]) -> np.ndarray:
@@ -72,35 +67,6 @@ def test_few_modes_have_the_same_derivatives_as_all() -> None:
     )
 
 
-@pytest.mark.parametrize("still", [False, True])
-def test_derivatives_of_shapes_of_a_large_structure(still: bool) -> None:
-    n = 240
-
-    def matrices(values, setup) -> tuple[Any, Any]:
-        k = 1e4 * np.ones(n)
-        k[70:90] *= 1 + values["stiffer"]
-        m = np.ones(n)
-        if still:
-            m[1::2] = 0.0
-        m[101 if still else 100] += values["tip"]
-        K = sparse.diags_array([k + np.append(k[1:], 0.0), -k[1:], -k[1:]], offsets=[0, 1, -1])
-        return sparse.diags_array(m), K
-
-    channels = [f"x{i}" for i in range(0, n, 7)]
-    structure = MatrixStructure(
-        [Parameter("stiffer", 0.0, lower=-0.9), Parameter("tip", 0.0, lower=-1.0)],
-        [],
-        matrices,
-        channels=channels,
-        coordinates=[f"x{i}" for i in range(n)],
-        modes=6,
-    )
-    values = np.array([0.1, 0.3])
-    found = every(structure, values, (0, 1))
-    expected = differences(structure, values, np.array([1e-4, 1e-4]))
-    assert found == pytest.approx(expected, abs=1e-6 * np.abs(expected).max())
-
-
 def test_shapes_of_coincident_modes_rotate_as_fast_as_the_limit() -> None:
     # Two equal masses on equal springs: a coupling c splits them, and rotates their shapes immediately.
     structure = MatrixStructure(
@@ -123,25 +89,7 @@ def test_shapes_of_coincident_modes_rotate_as_fast_as_the_limit() -> None:
     assert np.isfinite(every(exact, np.zeros(1), (0,))).all()
 
 
-@pytest.mark.parametrize("n", [30, 240])
-def test_a_mode_that_coincides_with_the_first_one_left_out_rotates_as_fast(n: int) -> None:
-    level = np.concatenate([[1.0, 4.0, 4.0 + 1e-9], 10.0 + np.arange(n - 3)])
-
-    def matrices(values, setup) -> tuple[Any, Any]:
-        c = np.zeros(n - 1)
-        c[1] = values["c"]
-        return sparse.eye_array(n), sparse.diags_array([level, c, c], offsets=[0, 1, -1])
-
-    structure = MatrixStructure(
-        [Parameter("c", 0.0)], [], matrices, channels=[str(i) for i in range(n)], modes=2
-    )
-    found = every(structure, np.zeros(1), (0,))
-    # Which combination of the two counts as the second mode is open; only a turn of one by the other is left.
-    assert np.abs(found[0, 1, :, 0]).max() <= 1.01 / 4e-6
-    assert found[0, 1, [0, *range(3, n)], 0] == pytest.approx(0.0, abs=1e-9)
-
-
-def test_derivatives_of_some_modes_in_any_arrangement() -> None:
+def test_a_setup_without_modes_has_no_derivatives() -> None:
     structure = MatrixStructure(
         [Parameter("m", 0.0, upper=4.0)],
         [],
@@ -152,94 +100,7 @@ def test_derivatives_of_some_modes_in_any_arrangement() -> None:
         channels=["a", "b"],
         setups=["A", "B"],
     )
-    found = structure.predict(np.zeros(1), (0,), shape_rates=True).shape_rates
-    whole = every(structure, np.zeros(1), (0,))
-    setups, modes = np.array([[1], [0], [1]]), np.array([1, 0])
-    assert (found[setups, modes] == whole[setups, modes]).all()
-    none = structure.predict(np.zeros(1), (), shape_rates=True).shape_rates
-    assert none[setups, modes].shape == (3, 2, 2, 0)
+    assert every(structure, np.zeros(1), ()).shape == (2, 2, 2, 0)
     # More mass than B has is removed: there are no modes.
-    part = structure.predict(np.array([3.5]), (0,), shape_rates=True).shape_rates
-    assert np.isnan(part[np.array([0, 1]), np.array([0, 0])]).all(axis=(1, 2)).tolist() == [False, True]
-
-
-# Algorithms ------------------------------------------------------------------------------------------------
-
-
-def row(n: int, form: Callable, *, free: bool = False, still: bool = False) -> Callable:
-    """N masses in a row, of which the first may be free and every second one may have no mass."""
-
-    def matrices(values, setup) -> tuple[Any, Any]:
-        k = 1e4 * np.ones(n)
-        k[n // 3 : n // 2] *= 1 + values["stiffer"]
-        k[0] *= not free
-        m = np.ones(n)
-        m[1::2] *= not still
-        m[n // 2 - n // 2 % 2] += values["heavier"]
-        K = sparse.diags_array([k + np.append(k[1:], 0.0), -k[1:], -k[1:]], offsets=[0, 1, -1])
-        return form(sparse.diags_array(m)), form(K)
-
-    return matrices
-
-
-def in_a_row(n: int, form: Callable, modes: int | None = None, **options: bool) -> MatrixStructure:
-    return MatrixStructure(
-        [Parameter("stiffer", 0.0, lower=-0.9), Parameter("heavier", 0.0, lower=0.0)],
-        [Candidate("stiffer", ("stiffer",)), Candidate("heavier", ("heavier",))],
-        row(n, form, **options),
-        channels=[str(i) for i in range(n)],
-        rigid=int(options.get("free", False)),
-        modes=modes,
-    )
-
-
-def full(matrix: Any) -> np.ndarray:
-    return matrix.toarray()
-
-
-@pytest.mark.parametrize("form", [sparse.csr_array, full])
-@pytest.mark.parametrize("options", [{}, {"free": True}, {"still": True}, {"free": True, "still": True}])
-def test_one_factor_for_all_modes_gives_what_one_for_each_does(
-    form: Callable, options: dict[str, bool], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    n = 180 if form is full else 240
-    structure, values = in_a_row(n, form, 24, **options), np.array([0.3, 0.5])
-    monkeypatch.setattr(module, "SHRINKS", 0.0)
-    nelson = every(structure, values, (0, 1))
-    monkeypatch.undo()
-    monkeypatch.setattr(module, "SHRINKS", 1.0 - 1e-9)
-    monkeypatch.setattr(module, "_bordered", None)
-    ours = every(structure, values, (0, 1))
-    assert ours == pytest.approx(nelson, abs=1e-8 * np.abs(nelson).max())
-
-
-def test_a_fit_asks_for_the_derivatives_of_the_partners_only(monkeypatch: pytest.MonkeyPatch) -> None:
-    structure = in_a_row(240, sparse.csr_array)
-    found = structure.predict(np.array([0.5, 0.0]), ())
-    f = np.exp(found.log_frequencies[0, [1, 3, 4]])
-    seen = [20, 75, 100, 140]
-    data = Measurements.from_rows(
-        ["a"] * 3, f, 1e-3 * f, shapes={str(i): found.shapes[0, [1, 3, 4], i] for i in seen}
-    )
-    derive, asked = module.shape_rates, []
-
-    def noted(pair: Any, modes: Any, some: np.ndarray, changes: Any) -> np.ndarray:
-        asked.append(some.tolist())
-        return derive(pair, modes, some, changes)
-
-    def refused(*_: Any) -> None:
-        raise AssertionError("the lowest of 40 modes need no factor of their own")
-
-    monkeypatch.setattr("pkmodes.diagnosis.matrices.rates_of_shapes", noted)
-    monkeypatch.setattr(module, "_bordered", refused)
-    fit = Fitter(structure, data).fit(Hypothesis(structure.candidates[:1]))
-    assert fit is not None
-    assert fit.values[0] == pytest.approx(0.5, rel=1e-6)
-    assert asked
-    assert all(modes == [1, 3, 4] for modes in asked)
-    asked.clear()
-    rates = structure.predict(fit.values, (0, 1), shape_rates=True).shape_rates
-    for modes in ([1, 3], [3, 4, 1], [4]):
-        rates[np.zeros(len(modes), dtype=int), np.array(modes)]
-    assert asked == [[1, 3], [4]]
-    assert fit.prediction.shape_rates is None  # which would keep matrices and factors of every fit
+    part = every(structure, np.array([3.5]), (0,))
+    assert np.isnan(part).all(axis=(1, 2, 3)).tolist() == [False, True]

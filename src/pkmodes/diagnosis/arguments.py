@@ -32,7 +32,7 @@ def checked(structure: Structure, data: Measurements) -> Structure:
         raise PkmodesError(what, data.source, "leave drives out, or model it in the setups of the structure")
     for candidate in structure.candidates:
         _check_prior(candidate.name, candidate.sigma, len(candidate.parameters))
-    return at_measured(structure, data.labels, float(data.frequency.max(initial=0.0)))
+    return at_measured(structure, data.labels)
 
 
 def check_measurements(data: object, reader: str) -> None:

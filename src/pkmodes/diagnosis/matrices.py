@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Sequence
-from functools import partial
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,7 +13,6 @@ from pkmodes.diagnosis.problem import (
     Array,
     Batch,
     Candidate,
-    Index,
     Parameter,
     Prediction,
     Structure,
@@ -23,19 +21,13 @@ from pkmodes.diagnosis.problem import (
 from pkmodes.diagnosis.structure.checks import check_callables, check_candidate, check_names, check_parameter
 from pkmodes.diagnosis.structure.kept import Kept
 from pkmodes.diagnosis.structure.massless import UnstableError, UnusableError
-from pkmodes.diagnosis.structure.modes import Modes, lowest_modes, modes_below
+from pkmodes.diagnosis.structure.modes import Modes, eigenvalue_rates, modes_of
+from pkmodes.diagnosis.structure.modes import shape_rates as rates_of_shapes
 from pkmodes.diagnosis.structure.sensors import sensor_map
-from pkmodes.diagnosis.structure.shape_rates import ShapeRates, eigenvalue_rates
-from pkmodes.diagnosis.structure.shape_rates import shape_rates as rates_of_shapes
 from pkmodes.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Supplied
 
-#: By default all modes are computed for up to SMALL coordinates, otherwise the lowest FEW, and all up to REACH times
-#: the highest measured frequency: modes farther away are not paired with it.
-SMALL, FEW, REACH = 150, 40, 2.0
 #: The time of a diagnosis is dominated by calls of the callable that take longer than this [s].
 SLOW = 0.02
-#: Modes computed beyond the predicted ones, so that the neighbours of the last one are known.
-GUARD = 3
 
 
 class _Solved(NamedTuple):
@@ -57,10 +49,10 @@ class MatrixStructure:
     matrices : callable
         ``matrices(values, setup) -> (M, K)``, with the values of all parameters by name and the label of a
         setup; both (n, n), real and symmetric, arrays or scipy.sparse matrices, in consistent units (K / M in
-        1/s^2).  M may be singular if K is positive definite for the motions without inertia; these are condensed
-        exactly.  If the matrices are not finite, the values cannot be evaluated, and a fit avoids them; an exception
-        at any values within the bounds is an error.  The matrices must be reproducible; they are cached while there
-        is memory for them.
+        1/s^2); all are solved as dense ones, which suits up to some 60 coordinates.  M may be singular if K is
+        positive definite for the motions without inertia; these are condensed exactly.  If the matrices are not
+        finite, the values cannot be evaluated, and a fit avoids them; an exception at any values within the bounds
+        is an error.  The matrices must be reproducible; they are cached while there is memory for them.
     channels : sequence of str
         Names allowed for the shape columns of the measurements: those of the n coordinates, some of
         `coordinates`, or one name for each row of `sensors`.
@@ -76,8 +68,7 @@ class MatrixStructure:
     rigid : int
         Number of rigid-body modes, which are not measured.  All other modes must be stable.
     modes : int, optional
-        Number of modes to compute, the lowest, rigid ones included.  By default all for up to 150 coordinates; for
-        more, 40 or those below twice the highest frequency passed to `reaching`, whichever is more.
+        Number of modes that are compared, the lowest, rigid ones included; by default all.
 
     Raises
     ------
@@ -141,7 +132,7 @@ class MatrixStructure:
             self._size,
             f"{self._size} channels" if self._map is None else reason,
         )
-        self._count = min(self._size, modes or (self._size if self._size <= SMALL else FEW + rigid))
+        self._count = min(self._size, modes or self._size)
         self._solutions: Kept[list[_Solved | None]] = Kept()
         self._check(UnusableError)
         for setup in self.setups[:1]:
@@ -151,20 +142,6 @@ class MatrixStructure:
         """Return the same structure in some of its setups."""
         part = copy.copy(self)
         part.setups, part._solutions = tuple(self.setups[i] for i in setups), Kept()
-        return part
-
-    def reaching(self, frequency: float) -> MatrixStructure:
-        """Return the same structure with enough modes for measurements up to a frequency [Hz].
-
-        It is changed only if it has more than 150 coordinates and `modes` was not given.
-        """
-        if self.modes is not None or self._size <= SMALL:
-            return self
-        limit = (2.0 * np.pi * REACH * frequency) ** 2
-        pairs = (self._supplied.at(self._declared, setup, finite=True) for setup in self.setups)
-        needed = max(modes_below(pair, limit) for pair in pairs)
-        part = copy.copy(self)
-        part._count, part._solutions = min(max(self._count, needed), self._size), Kept()
         return part
 
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
@@ -182,21 +159,22 @@ class MatrixStructure:
                 shapes[k] = self._measured(one.modes.shapes[:count])
         pairs = {setup: s.pair for setup, s in known.items()}
         by_each = [self._supplied.rates(values, i, pairs) for i in by] if known else []
-        derive: list[Callable[[Index], Array] | None] = [None] * len(solved)
+        moved = np.full((*shapes.shape, len(by)), np.nan) if shape_rates else None
         place = iter(range(len(known)))
         for k, one in enumerate(solved):
             if one is not None:
                 at = next(place)
                 changes = [None if each is None else each[at] for each in by_each]
-                rates[k] = eigenvalue_rates(one.modes, np.arange(count), changes)
-                derive[k] = partial(self._shape_rates, one, changes)
-        moved = ShapeRates(derive, (*shapes.shape, len(by))) if shape_rates else None
+                rates[k] = eigenvalue_rates(one.modes, count, changes)
+                if moved is not None:
+                    moving = rates_of_shapes(one.pair.K, one.modes, count, changes)
+                    moved[k] = np.moveaxis(self._measured(np.moveaxis(moving, 2, 1)), 1, 2)
         return Prediction(eigenvalues, rates, shapes, self.rigid, moved)
 
     def predict_many(
         self, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
     ) -> list[Batch]:
-        """Return the same for several sets of values, one by one: LAPACK and ARPACK solve them separately anyway."""
+        """Return the same for several sets of values, one by one."""
         return one_by_one(self, values, by, shape_rates=shape_rates)
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> None:
@@ -225,7 +203,7 @@ class MatrixStructure:
         for setup in self.setups:
             pair = self._supplied.at(self._declared, setup, finite=True)
             try:
-                lowest_modes(pair, self._count, self.rigid)
+                modes_of(pair, self.rigid)
             except UnusableError as error:
                 if isinstance(error, UnstableError) and kind is not UnstableError:
                     continue
@@ -236,17 +214,9 @@ class MatrixStructure:
     def _declared(self) -> Array:
         return np.array([p.value for p in self.parameters])
 
-    def _shape_rates(self, one: _Solved, changes: Sequence[Pair | None], some: Index) -> Array:
-        """Return the derivatives of some shapes at the channels, (W, C, T)."""
-        rates = rates_of_shapes(one.pair, one.modes, some, changes)
-        return np.moveaxis(self._measured(np.moveaxis(rates, 2, 1)), 1, 2)
-
     def _measured(self, shapes: Array) -> Array:
         """Return shapes (..., n) at the channels."""
-        if self._map is None:
-            return shapes
-        motions: Array = (self._map @ shapes.reshape(-1, self._size).T).T
-        return motions.reshape(*shapes.shape[:-1], len(self.channels))
+        return shapes if self._map is None else shapes @ self._map.T
 
     def _solved(self, values: Array) -> list[_Solved | None]:
         """Return the modes of all setups, None for a setup without modes at these values."""
@@ -262,14 +232,13 @@ class MatrixStructure:
         pair = self._supplied.at(values, setup)
         if pair is None:
             return None
-        count = min(self._count + GUARD, self._size) if self._count < self._size else self._size
         try:  # matrices without modes are not an error here: a fit may try any value within the bounds
-            return _Solved(pair, lowest_modes(pair, count, self.rigid))
+            return _Solved(pair, modes_of(pair, self.rigid))
         except UnusableError:
             return None
 
 
-def at_measured(structure: Structure, labels: Sequence[str], highest: float | None = None) -> Structure:
+def at_measured(structure: Structure, labels: Sequence[str]) -> Structure:
     """Return the structure at the measured setups, in the order of the measurements.
 
     Parameters
@@ -279,8 +248,6 @@ def at_measured(structure: Structure, labels: Sequence[str], highest: float | No
         structures already have the setups of the measurements.
     labels : sequence of str
         Labels of the measurements.
-    highest : float, optional
-        Highest measured frequency [Hz], which the modes of a large `MatrixStructure` must reach.
 
     Raises
     ------
@@ -289,8 +256,6 @@ def at_measured(structure: Structure, labels: Sequence[str], highest: float | No
     """
     if not isinstance(structure, MatrixStructure):
         return structure
-    if highest is not None:
-        structure = structure.reaching(highest)
     if structure.setups == ("",) and len(labels) == 1:
         structure.check_stands()
         return structure

@@ -110,13 +110,6 @@ def reached_bounds(p: Parameter, value: float, size: float = 0.0) -> list[float]
     return [bound for bound in (p.lower, p.upper) if np.isfinite(bound) and abs(value - bound) <= near]
 
 
-class ShapeRates(Protocol):
-    """Derivatives of shapes: an array (S, m, C, T), or an object that computes them for requested modes."""
-
-    def __getitem__(self, at: tuple[Index, Index], /) -> Array:
-        """Return those of some modes, indexed by setup and number, with axes (..., channels, parameters)."""
-
-
 @dataclass(frozen=True)
 class Prediction:
     """Modes of all S setups for given parameter values.
@@ -132,16 +125,16 @@ class Prediction:
         Mode shapes in the model's channels, mass-normalised.
     rigid : int
         Number of leading modes that are rigid-body motions, which are not measured.
-    shape_rates : ShapeRates, optional
-        Derivatives of the shapes, (S, m, C, T), if requested; ``np.asarray`` gives all of them.  For close modes, the
-        component within their own subspace may have any finite value: no comparison depends on it.
+    shape_rates : ndarray, shape (S, m, C, T), optional
+        Derivatives of the shapes, if requested.  For close modes, the component within their own
+        subspace may have any finite value: no comparison depends on it.
     """
 
     eigenvalues: Array
     rates: Array
     shapes: Array
     rigid: int = 0
-    shape_rates: ShapeRates | None = None
+    shape_rates: Array | None = None
 
     @cached_property
     def log_frequencies(self) -> Array:

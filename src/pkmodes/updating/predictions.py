@@ -142,8 +142,8 @@ def joined(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction
     eigenvalues = np.full((setups, count), np.nan)
     arrays = [np.full((setups, count, *a.shape[2:]), np.nan) for a in (only.rates, only.shapes)]
     with_rates = only.shape_rates is not None
-    if with_rates:
-        arrays.append(np.full((setups, count, *np.asarray(only.shape_rates).shape[2:]), np.nan))
+    if only.shape_rates is not None:
+        arrays.append(np.full((setups, count, *only.shape_rates.shape[2:]), np.nan))
     for rows, part in parts:
         elastic = part.eigenvalues.shape[1] - part.rigid
         lacking = LACKING * FARTHER ** np.arange(count - rigid - elastic)
@@ -159,7 +159,7 @@ def joined(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction
 
 
 def _concatenated(parts: Sequence[Prediction]) -> Prediction:
-    along = [np.asarray(part.shape_rates) for part in parts if part.shape_rates is not None]
+    along = [part.shape_rates for part in parts if part.shape_rates is not None]
     return Prediction(
         np.concatenate([part.eigenvalues for part in parts]),
         np.concatenate([part.rates for part in parts]),

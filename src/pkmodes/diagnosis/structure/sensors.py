@@ -6,15 +6,14 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from scipy import sparse
 
 from pkmodes.core.base.errors import PkmodesError, shown
-from pkmodes.diagnosis.structure.forms import is_sparse
+from pkmodes.diagnosis.problem import Array
 
 REMEDY = "give each channel a row and each coordinate of the model a column"
 
 
-def sensor_map(channels: Sequence[str], coordinates: Sequence[str] | None, sensors: Any) -> Any:
+def sensor_map(channels: Sequence[str], coordinates: Sequence[str] | None, sensors: Any) -> Array | None:
     """Return the matrix that maps the coordinates of a model to the channels.
 
     Parameters
@@ -26,7 +25,7 @@ def sensor_map(channels: Sequence[str], coordinates: Sequence[str] | None, senso
 
     Returns
     -------
-    sparse array, shape (C, n), or None
+    ndarray, shape (C, n), or None
         None if the channels are all coordinates in order.
 
     Raises
@@ -46,24 +45,22 @@ def sensor_map(channels: Sequence[str], coordinates: Sequence[str] | None, senso
                 )
         place = {name: i for i, name in enumerate(coordinates)}
         columns = [place[name] for name in channels]
-        ones = np.ones(len(columns))
-        shape = (len(columns), len(coordinates))
-        return sparse.csr_array((ones, (np.arange(len(columns)), columns)), shape=shape)
+        return np.eye(len(coordinates))[columns]
     if coordinates is not None:
         what = "expected sensors or coordinates, found both"
         raise PkmodesError(what, "sensors", "leave out one of them")
     try:
-        matrix = sparse.csr_array(sensors if is_sparse(sensors) else np.asarray(sensors))
+        matrix = sensors.toarray() if hasattr(sensors, "toarray") else np.asarray(sensors)
     except (TypeError, ValueError) as error:
         raise PkmodesError(f"expected a matrix, found {shown(str(error))}", "sensors", REMEDY) from error
     if matrix.ndim != 2 or matrix.shape[0] != len(channels):
         what = f"expected one row for each channel ({len(channels)}), found the shape {matrix.shape}"
         raise PkmodesError(what, "sensors", REMEDY)
-    if matrix.dtype.kind not in "biuf" or not np.isfinite(matrix.data).all():
+    if matrix.dtype.kind not in "biuf" or not np.isfinite(matrix).all():
         raise PkmodesError("expected finite real numbers", "sensors", REMEDY)
-    matrix = matrix.astype(float)
-    empty = np.flatnonzero(abs(matrix).sum(axis=1) == 0.0)
+    found: Array = matrix.astype(float)
+    empty = np.flatnonzero(~found.any(axis=1))
     if empty.size:
         what = f"the channel {shown(channels[empty[0]])} measures nothing: its row is zero"
         raise PkmodesError(what, "sensors", "remove it or correct its row")
-    return matrix
+    return found

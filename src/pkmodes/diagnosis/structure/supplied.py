@@ -8,23 +8,9 @@ from contextlib import contextmanager
 from typing import Any, Literal, NamedTuple, overload
 
 import numpy as np
-from scipy import sparse
 
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.problem import Array, Parameter
-from pkmodes.diagnosis.structure.forms import (
-    FEW,
-    MANY,
-    count_of,
-    entries_of,
-    is_sparse,
-    is_symmetric,
-    minus,
-    packed,
-    relative_change,
-    size_of,
-    thin,
-)
 from pkmodes.diagnosis.structure.kept import Kept
 
 Matrices = Callable[[Mapping[str, float], str], tuple[Any, Any]]
@@ -41,15 +27,17 @@ SMALLEST = 1e-12
 STRAIGHT = 1e-8
 #: Largest difference of two calls with the same values: a hundredth of the change in a difference.
 REPEATABLE = 1e-8
+#: Asymmetry due to rounding, relative to an entry and to the largest entry.
+RELATIVE, ROUNDING = 1e-9, 1e-12
 #: Largest number of values that a message names.
 NAMED = 8
 
 
 class Pair(NamedTuple):
-    """Mass and stiffness of one setup, or their derivatives: both ndarrays, or both sparse arrays."""
+    """Mass and stiffness of one setup, or their derivatives, (n, n)."""
 
-    M: Any
-    K: Any
+    M: Array
+    K: Array
 
 
 class _Search(NamedTuple):
@@ -127,14 +115,14 @@ class Supplied:
         declared = np.array([p.value for p in self.parameters])
         before, again = self.at(declared, setup, finite=True), self._called(declared, setup, finite=True)
         assert again is not None
-        apart = max(relative_change(minus(b, a), a) for a, b in zip(before, again, strict=True))
+        apart = max(_relative_change(b - a, a) for a, b in zip(before, again, strict=True))
         if apart > (REPEATABLE if self.derivatives is None else CHANGE):
             what = f"the matrices differ by {apart:.0e} between two calls with the same values"
             remedy = "fix the seed or tighten the solver behind them"
             raise PkmodesError(what, self._where(declared, setup), remedy)
 
     def _keep(self, key: tuple[object, ...], pair: Pair | None) -> Pair | None:
-        return self._known.keep(key, pair, sum(map(size_of, pair or ())))
+        return self._known.keep(key, pair, sum(matrix.nbytes for matrix in pair or ()))
 
     def _called(self, values: Array, setup: str, finite: bool) -> Pair | None:
         named = self._named(values)
@@ -144,16 +132,11 @@ class Supplied:
             returned = self.matrices(named, setup)
         self.calls, self.seconds = self.calls + 1, self.seconds + time.perf_counter() - start
         pair = self._pair(returned, ("M", "K"), where)
-        n = self.expected
-        if n >= MANY and all(count_of(matrix) <= FEW * n * n for matrix in pair):
-            pair = Pair(*map(packed, pair))
-        else:  # a copy: a callable may reuse its arrays
-            pair = Pair(*(matrix.toarray() if is_sparse(matrix) else matrix.copy() for matrix in pair))
         for name, matrix in zip(("M", "K"), pair, strict=True):
-            known = np.isfinite(entries_of(matrix)).all()
+            known = np.isfinite(matrix).all()
             if not known and not finite:
                 return None
-            if not known or not is_symmetric(matrix):
+            if not known or not _is_symmetric(matrix):
                 what = f"expected {name} finite and symmetric"
                 raise PkmodesError(what, where, "check how it is assembled")
         return pair
@@ -173,10 +156,10 @@ class Supplied:
                 returned = self.derivatives(self._named(values), setup, name)
             pair = self._pair(returned, ("dM", "dK"), where)
             for kind, matrix in zip(("dM", "dK"), pair, strict=True):
-                if not np.isfinite(entries_of(matrix)).all() or not is_symmetric(matrix):
+                if not np.isfinite(matrix).all() or not _is_symmetric(matrix):
                     what = f"expected {kind} finite and symmetric"
                     raise PkmodesError(what, where, "fix it, or leave the derivatives out")
-            each_setup.append(Pair(*map(thin, pair)))
+            each_setup.append(pair)
             self._keep(key, each_setup[-1])
         return each_setup
 
@@ -217,7 +200,7 @@ class Supplied:
             if first is None or second is None:
                 return False
             for one, other, of in zip(first, second, centre, strict=True):
-                if relative_change(minus(other, one), of) > STRAIGHT * relative_change(one, of):
+                if _relative_change(other - one, of) > STRAIGHT * _relative_change(one, of):
                     return False
         return True
 
@@ -241,7 +224,7 @@ class Supplied:
             finite = True
             known = [pair for pair in differences if pair is not None]
             change = max(
-                relative_change(d, of)
+                _relative_change(d, of)
                 for pair, centre in zip(known, setups.values(), strict=True)
                 for d, of in zip(pair, centre, strict=True)
             )
@@ -260,7 +243,7 @@ class Supplied:
         after, before = self.at(ahead, setup), self.at(behind, setup)
         if after is None or before is None:
             return None
-        return Pair(*(thin(minus(a, b)) for a, b in zip(after, before, strict=True)))
+        return Pair(after.M - before.M, after.K - before.K)
 
     def _named(self, values: Array) -> dict[str, float]:
         return {p.name: float(value) for p, value in zip(self.parameters, values, strict=True)}
@@ -278,12 +261,11 @@ class Supplied:
             raise PkmodesError(what, where, f"return {kind}")
         return Pair(*(self._matrix(m, name, where) for name, m in zip(names, returned, strict=True)))
 
-    def _matrix(self, given: Any, name: str, where: str) -> Any:
-        if not is_sparse(given):
-            try:
-                given = np.asarray(given)
-            except (TypeError, ValueError) as error:
-                raise PkmodesError(f"expected {name} as an array: {error}", where, "return arrays") from error
+    def _matrix(self, given: Any, name: str, where: str) -> Array:
+        try:
+            given = given.toarray() if hasattr(given, "toarray") else np.asarray(given)
+        except (TypeError, ValueError) as error:
+            raise PkmodesError(f"expected {name} as an array: {error}", where, "return arrays") from error
         if given.dtype.kind not in "biuf":
             kind = "complex numbers" if given.dtype.kind == "c" else f"values of type {given.dtype}"
             remedy = "give real matrices: the modes are undamped"
@@ -298,6 +280,23 @@ class Supplied:
             raise PkmodesError(
                 what, where, "give one channel for each coordinate, or coordinates= or sensors="
             )
-        if is_sparse(given):
-            return sparse.csc_array(given, dtype=float, copy=True)
-        return given.astype(float, copy=False)
+        matrix: Array = given.astype(float)  # a copy: a callable may reuse its arrays
+        return matrix
+
+
+def _is_symmetric(matrix: Array) -> bool:
+    """Return whether a matrix is symmetric up to rounding."""
+    if np.array_equal(matrix, matrix.T):
+        return True
+    return np.allclose(matrix, matrix.T, rtol=RELATIVE, atol=ROUNDING * np.abs(matrix).max())
+
+
+def _relative_change(change: Array, of: Array) -> float:
+    """Return the largest change of an entry, relative to the diagonal entries of its row and column."""
+    size = np.sqrt(np.abs(of.diagonal()))
+    rows, columns = np.nonzero(change)
+    scale = size[rows] * size[columns]
+    # Entries with a zero diagonal entry (a free coordinate) have no scale.
+    scale[scale == 0.0] = np.abs(of).max(initial=0.0)
+    known = scale > 0.0
+    return float((np.abs(change[rows, columns])[known] / scale[known]).max(initial=0.0))

@@ -1,4 +1,4 @@
-"""Large structures, sparse and dense: the lowest modes against closed forms and full solutions."""
+"""Structures of some sixty coordinates, given as arrays or sparse matrices, against closed forms."""
 
 from __future__ import annotations
 
@@ -10,8 +10,6 @@ import pytest
 from scipy import linalg, sparse
 
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, diagnose
-from pkmodes.diagnosis.matrices import at_measured
-from pkmodes.diagnosis.structure import modes as solving
 
 FORMS: dict[str, Callable[[Any], Any]] = {
     "array": lambda matrix: matrix.toarray(),
@@ -21,7 +19,7 @@ FORMS: dict[str, Callable[[Any], Any]] = {
 }
 
 
-def chain(n: int, form: str = "csr", full: float = 0.0) -> Callable:
+def chain(n: int, form: str = "csr") -> Callable:
     """N masses of 1 kg and springs in a row, the first one on the ground; one of the springs may be stiffer."""
 
     def matrices(values, setup) -> tuple[Any, Any]:
@@ -29,8 +27,6 @@ def chain(n: int, form: str = "csr", full: float = 0.0) -> Callable:
         k[n // 3] *= 1.0 + values["stiffer"]
         K = sparse.diags_array([k + np.append(k[1:], 0.0), -k[1:], -k[1:]], offsets=[0, 1, -1])
         M = sparse.diags_array(np.full(n, values["m"]))
-        if full:  # the same in every entry: springs from each mass to the mean of all
-            return M.toarray(), K.toarray() + full * (np.eye(n) - np.ones((n, n)) / n)
         return FORMS[form](M), FORMS[form](K)
 
     return matrices
@@ -52,7 +48,7 @@ def structure(n: int, form: str = "csr", **options: Any) -> MatrixStructure:
     return MatrixStructure(
         PARAMETERS,
         [Candidate("stiffer", ("stiffer",))],
-        options.pop("matrices", None) or chain(n, form),
+        chain(n, form),
         **{"channels": names(n), **options},
     )
 
@@ -64,9 +60,9 @@ def closed_form(n: int, count: int) -> tuple[np.ndarray, np.ndarray]:
     return 4e4 * np.sin(angle[:, 0] / 2) ** 2, np.sin(np.arange(1, n + 1) * angle) * 2 / np.sqrt(2 * n + 1)
 
 
-@pytest.mark.parametrize("n", [30, 300])
 @pytest.mark.parametrize("form", FORMS)
-def test_the_lowest_modes_of_a_chain_are_those_of_the_closed_form(n: int, form: str) -> None:
+def test_the_lowest_modes_of_a_chain_are_those_of_the_closed_form(form: str) -> None:
+    n = 60
     found = structure(n, form, modes=7).predict(DECLARED, (0, 1, 2))
     eigenvalues, shapes = closed_form(n, 7)
     assert found.eigenvalues == pytest.approx(eigenvalues[None], rel=1e-11)
@@ -75,57 +71,6 @@ def test_the_lowest_modes_of_a_chain_are_those_of_the_closed_form(n: int, form: 
     rates = np.column_stack([-eigenvalues, eigenvalues / 1e4, 1e4 * stretch**2])
     # Differences of entries of 2e4 that change by a millionth: their rounding is 1e-10 of the entries, 2e-6.
     assert found.rates[0] == pytest.approx(rates, rel=1e-7, abs=2e-6)
-
-
-def test_dense_matrices_have_the_same_lowest_modes_by_both_methods() -> None:
-    n = 300
-    matrices = chain(n, full=50.0)
-    M, K = matrices(dict(zip("mk", DECLARED, strict=False)) | {"stiffer": 0.3}, "")
-    expected, _ = linalg.eigh(K, M)
-    found = structure(n, matrices=matrices, modes=9).predict(np.array([1.0, 1e4, 0.3]), ())
-    assert found.eigenvalues[0] == pytest.approx(expected[:9], rel=1e-10)
-
-
-def test_all_modes_of_small_structures_and_enough_of_large_ones() -> None:
-    assert structure(150).predict(DECLARED, ()).eigenvalues.shape == (1, 150)
-    large = structure(400)
-    assert large.predict(DECLARED, ()).eigenvalues.shape == (1, 40)
-    # The j-th frequency of the chain; modes are known up to twice the highest that was measured.
-    f = np.sqrt(closed_form(400, 400)[0]) / (2 * np.pi)
-    for form in ("csr", "array"):
-        reaching = at_measured(structure(400, form), ["today"], f[59])
-        count = reaching.predict(DECLARED, ()).eigenvalues.shape[1]
-        assert count == np.count_nonzero(f < 2 * f[59])
-    assert at_measured(large, ["today"], f[3]).predict(DECLARED, ()).eigenvalues.shape == (1, 40)
-    few = structure(400, modes=6)
-    assert at_measured(few, ["today"], f[59]).predict(DECLARED, ()).eigenvalues.shape == (1, 6)
-
-
-@pytest.mark.parametrize("count", [1, 2, 3, 4, 10, 17])
-def test_coincident_modes_are_not_missed(count: int) -> None:
-    # A square membrane: lambda = 4 sin^2 + 4 sin^2, nearly all of them twice.
-    k = 20
-    line = sparse.diags_array([[-1.0] * (k - 1), [2.0] * k, [-1.0] * (k - 1)], offsets=[-1, 0, 1])
-    one = sparse.eye_array(k)
-    K = sparse.kron(line, one) + sparse.kron(one, line)
-    membrane = MatrixStructure(
-        [], [], lambda *_: (sparse.eye_array(k * k), K), channels=names(k * k), modes=count
-    )
-    side = 4 * np.sin(np.arange(1, k + 1) * np.pi / (2 * (k + 1))) ** 2
-    expected = np.sort(np.add.outer(side, side).ravel())[:count]
-    assert membrane.predict(np.zeros(0), ()).eigenvalues[0] == pytest.approx(expected, rel=1e-11)
-
-
-def test_modes_that_lanczos_misses_are_found_by_the_count(monkeypatch: pytest.MonkeyPatch) -> None:
-    honest = solving._lanczos
-
-    def misses_the_second(M: Any, shift: float, factor: Any, count: int, start: np.ndarray) -> Any:
-        eigenvalues, shapes = honest(M, shift, factor, count + 1, start)
-        return np.delete(eigenvalues, 1), np.delete(shapes, 1, axis=1)
-
-    monkeypatch.setattr(solving, "_lanczos", misses_the_second)
-    found = structure(300, modes=5).predict(DECLARED, ()).eigenvalues[0]
-    assert found == pytest.approx(closed_form(300, 5)[0], rel=1e-9)
 
 
 def beam(elements: int, *, lumped: bool, free: bool = False) -> tuple[Any, Any]:
@@ -170,7 +115,7 @@ CLAMPED = np.array([1.875104068711961, 4.694091132974175, 7.854757438237613]) **
 FREE = np.array([4.730040744862704, 7.853204624095838, 10.995607838001671]) ** 2
 
 
-@pytest.mark.parametrize("elements", [20, 150])
+@pytest.mark.parametrize("elements", [10, 30])
 @pytest.mark.parametrize("form", [sparse.csr_array, np.asarray])
 def test_a_cantilever_has_the_frequencies_of_the_closed_form(elements: int, form: Callable) -> None:
     # The error of consistent masses falls with the fourth power of the length of an element, that of lumped ones
@@ -182,7 +127,7 @@ def test_a_cantilever_has_the_frequencies_of_the_closed_form(elements: int, form
 
 
 @pytest.mark.parametrize("lumped", [True, False])
-@pytest.mark.parametrize("elements", [20, 150])
+@pytest.mark.parametrize("elements", [10, 30])
 def test_rigid_modes_come_first_and_the_others_are_those_of_a_free_beam(elements: int, lumped: bool) -> None:
     free = of_beam(elements, lumped=lumped, rigid=2, modes=6)
     found = free.predict(np.ones(1), (0,))
@@ -192,8 +137,8 @@ def test_rigid_modes_come_first_and_the_others_are_those_of_a_free_beam(elements
     assert found.log_rates[0, 2:, 0] == pytest.approx(0.5, rel=1e-5)
 
 
-def test_a_large_structure_that_buckles_has_no_frequencies() -> None:
-    n = 300
+def test_a_structure_that_buckles_has_no_frequencies() -> None:
+    n = 60
 
     def pressed(values, setup) -> tuple[Any, Any]:
         M, K = chain(n)({"m": 1.0, "k": 1e4, "stiffer": 0.0}, setup)
@@ -208,8 +153,8 @@ def test_a_large_structure_that_buckles_has_no_frequencies() -> None:
     assert np.isnan(column.predict(np.array([1.1 * eigenvalues[0]]), ()).eigenvalues).all()
 
 
-def test_a_diagnosis_of_a_large_structure_with_few_sensors() -> None:
-    n, seen = 300, [20, 75, 140, 170, 230, 299]
+def test_a_diagnosis_of_a_structure_with_few_sensors() -> None:
+    n, seen = 60, [4, 15, 28, 34, 46, 59]
     model = MatrixStructure(
         PARAMETERS + [Parameter("tip", 0.0, "kg", lower=0.0)],
         [Candidate("stiffer", ("stiffer",)), Candidate("tip", ("tip",))],
