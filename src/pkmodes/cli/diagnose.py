@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import csv
+import difflib
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -25,7 +26,6 @@ from pkmodes.cli.options import (
 from pkmodes.cli.progress import on_terminal
 from pkmodes.cli.reporting import page_of, report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
-from pkmodes.cli.verdicts import failing
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.support.numbers import plain
@@ -35,6 +35,36 @@ from pkmodes.support.progress import say
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
     from pkmodes.diagnosis import Diagnosis
+
+
+#: Stands for every verdict that is a failure by itself: all except adequate.
+ANY = "any"
+
+
+def failing(names: Sequence[str]) -> frozenset[str]:
+    """Return the verdicts that the names stand for.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Verdicts, or the word any.
+
+    Raises
+    ------
+    PkmodesError
+        If there is no such verdict.
+    """
+    from pkmodes.diagnosis.verdict.verdicts import VERDICTS  # loads SciPy
+
+    known, failures = (*VERDICTS, ANY), set[str]()
+    for name in names:
+        if name not in known:
+            nearest = difflib.get_close_matches(name, known, n=1, cutoff=0.5)
+            remedy = f'did you mean "{nearest[0]}"?' if nearest else f"choose from {', '.join(known)}"
+            raise PkmodesError(f"unknown verdict {shown(name)}", "--fail-on", remedy)
+        failures |= {word for word, verdict in VERDICTS.items() if verdict.fails} if name == ANY else {name}
+    return frozenset(failures)
+
 
 #: Largest number of values listed whose standard deviations are larger in a saved file than in the fit.
 MOST_WIDENED = 3
