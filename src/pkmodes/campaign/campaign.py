@@ -65,7 +65,7 @@ class Record:
 
 @dataclass(frozen=True)
 class Edit:
-    """The user's word on the modes of a record: frequencies [Hz]."""
+    """What the user decides on the modes of a record: frequencies [Hz]."""
 
     pose: str
     strike: tuple[float, ...]
@@ -86,7 +86,7 @@ class Campaign:
     repeatability : float or None
         Relative standard deviation of a frequency when a pose is approached again; None to estimate it.
     tones : tuple of float
-        Of mains, fans and motors [Hz]: these and their multiples are no modes.
+        Of mains, fans and motors [Hz]: these and their multiples are not modes.
     report : mapping of str to str
         Fields of the head of its report, which prevail over those of the robot.
     """
@@ -273,7 +273,7 @@ def _time(text: str, where: str) -> float:
 
 
 def _point(given: RecordTable, model: Model | None, where: str) -> tuple[dict[str, float], dict[str, float]]:
-    """Return the pose and its standard deviations; empty for a structure that is no robot."""
+    """Return the pose and its standard deviations; empty for a structure that is not a robot."""
     if model is None:
         if given.at:
             what = "a structure without a robot has no positions"

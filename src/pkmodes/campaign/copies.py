@@ -1,4 +1,4 @@
-"""Files of equal content: a copy is no second measurement, and would make scatter and repeatability nothing."""
+"""Files of equal content: a copy is not a second measurement, and would make scatter and repeatability nothing."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def _digest(path: Path) -> bytes:
 def copied_repeats(record: Record) -> list[str]:
     """Return a sentence for each repeat of a record that is a copy of another."""
     return [
-        f"{record.pose}: {copy.name} is a copy of {first.name}: a copy is no repeat, and flatters the scatter"
+        f"{record.pose}: {copy.name} is a copy of {first.name}: a copy is not a repeat, and lowers the scatter"
         for paths in record.setups.values()
         for first, copy in copies(paths)
     ]

@@ -1,4 +1,4 @@
-"""The user's word on the modes of a record: modes struck out, and modes added where the user asks for them."""
+"""What the user decides on the modes of a record: modes struck out, and modes added where the user asks for them."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Modes of several files that are the same mode: groups with at most one mode of each file.
 
 Pairs of groups merge in the order of their distance, differences of frequency and of shape together; the mean
-distance of their members counts (average linkage), so that a chain of neighbours is no group.
+distance of their members counts (average linkage), so that a chain of neighbours is not a group.
 """
 
 from __future__ import annotations

@@ -88,7 +88,7 @@ def measured(
         if not one.found:
             continue
         inspections += [] if one.inspection is None else [one.inspection]
-        messages += _what_lacks(record, setup, one, campaign)
+        messages += _gaps_in_the_record(record, setup, one, campaign)
         least = max(1.0, OFTEN * len(one.found))
         groups = [group for group in grouped([file.modes for file in one.found]) if len(group) >= least]
         more: dict[float, dict[int, Found]] = {}
@@ -154,7 +154,7 @@ def _added(one: Found | str, record: Record, setup: str, kind: Kind, campaign: C
     return _named(one, setup, kind, campaign) if low <= one.frequency <= high else "its fit leaves the band"
 
 
-def _what_lacks(record: Record, setup: str, one: _Setup, campaign: Campaign) -> list[str]:
+def _gaps_in_the_record(record: Record, setup: str, one: _Setup, campaign: Campaign) -> list[str]:
     """Name the sensors that are in no file, and single files."""
     said: list[str] = []
     unseen = sorted(campaign.named_in(setup).difference(*(file.seen for file in one.found)))

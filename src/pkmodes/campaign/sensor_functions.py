@@ -68,7 +68,7 @@ def sensor_functions(
     of_kind = [one for one in read.functions if one.kind is kind and not one.force]
     used = [one for one in of_kind if one.response in names or (not names and kind is Kind.SPECTRUM)]
     if not used:
-        _refuse_strangers(path, kind, names, rate)
+        _refuse_unknown_names(path, kind, names, rate)
     for one in used:
         if not np.array_equal(one.abscissa, used[0].abscissa):
             what = f"the {WORDS[kind][1]} of {shown(one.response)} differ from those of {shown(used[0].response)}"
@@ -76,7 +76,7 @@ def sensor_functions(
     return SensorFunctions(read, tuple(used))
 
 
-def _refuse_strangers(path: Path, kind: Kind, names: frozenset[str], rate: float | None) -> None:
+def _refuse_unknown_names(path: Path, kind: Kind, names: frozenset[str], rate: float | None) -> None:
     """Say what a file has instead of the campaign's sensors."""
     read = read_signals(path, Asked(rate=rate))
     found = list(dict.fromkeys(one.response for one in read.functions if one.kind is kind and not one.force))

@@ -30,7 +30,7 @@ class Terminal:
 
     @property
     def width(self) -> int:
-        """Characters in a line: 80 where standard output is no terminal."""
+        """Characters in a line: 80 where standard output is not a terminal."""
         return self._width
 
     def heading(self, text: str) -> None:

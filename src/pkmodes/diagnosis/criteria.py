@@ -178,7 +178,7 @@ class Criteria:
     damping_resolved: float = 3.0
     #: A prediction of no damping counts as this part of the measured ratio, whose logarithm is a clear contradiction.
     damping_least: float = 0.01
-    #: Ratios whose median is above this are no light damping, and more likely per cent.
+    #: Ratios whose median is above this are not light damping, and more likely per cent.
     damping_most: float = 0.3
     #: Ratios that scatter about those of the model by no more than this beyond their stated errors, as those of
     #: repeated tests often do, contradict it no more than a common ratio that differs so much from the declared one;

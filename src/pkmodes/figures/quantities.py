@@ -112,7 +112,7 @@ def volume_of(model: Model, plane: Plane) -> Volume | None:
 
 
 def motors_of(model: Model, plane: Plane) -> Array | None:
-    """Return where the motors are, (N, 2): across and along in the drawn units; None if an axis is no length."""
+    """Return where the motors are, (N, 2): across and along in the drawn units; None if an axis is not a length."""
     valid = points_of(model, plane)[plane.dataset["valid"].values]
     names = ["x", "y", "z"]
     if not len(valid) or not {plane.across, plane.along} <= set(names):

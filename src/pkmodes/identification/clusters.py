@@ -4,7 +4,7 @@ Reynders, Houbrechts and De Roeck, Mechanical Systems and Signal Processing 29, 
 removed by hard criteria (negative or very high damping), the others are clustered hierarchically with average
 linkage by the distance of their eigenvalues plus 1 - MAC, and large clusters are physical.  Two things differ.  The
 distance of eigenvalues is relative to the bandwidth of the modes and not to their frequency: two modes 1 % apart are
-neighbours at 3 % damping and strangers at 0.3 %, and the limit needs no tuning to the measurement.  And large means a
+close at 3 % damping and well separated at 0.3 %, and the limit needs no tuning to the measurement.  And large means a
 fixed share of the orders, not the larger of two groups: with k-means, a measurement without spurious poles would lose
 modes.
 """

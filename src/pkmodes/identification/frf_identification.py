@@ -75,7 +75,7 @@ def identify_frf(
     exponential : float, optional
         Time constant of an exponential window of the responses [s].
     tones : sequence of float
-        Lines at these frequencies and their multiples are no modes [Hz].
+        Lines at these frequencies and their multiples are not modes [Hz].
     asked : Asked
         Modes that the user adds.
 

@@ -1,4 +1,4 @@
-"""Refinement of candidates: groups of modes are fitted in turn, and what is no mode is dropped.
+"""Refinement of candidates: groups of modes are fitted in turn, and what is not a mode is dropped.
 
 A candidate is dropped if
 
@@ -163,8 +163,8 @@ def _with_references(modes: Modes, bounds: Uncertainty, fits: list[GroupFit]) ->
             known = np.isfinite(variances[:, m])
             each = variances[known, m]
             each = each * sigmas[m, part] ** 2 * (1.0 / each).sum()  # those of one fit, with its correlations
-            alone = poles[known, m]
-            values.append((alone.real if part == 0 else alone.imag) / size[m])
+            each_pole = poles[known, m]
+            values.append((each_pole.real if part == 0 else each_pole.imag) / size[m])
             spreads.append(each / size[m] ** 2)
         more = between(values, spreads)
         seen = np.maximum(np.isfinite(variances).sum(axis=0), 1)

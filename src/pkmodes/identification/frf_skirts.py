@@ -34,7 +34,7 @@ NARROW = 1.0
 TOGETHER = 5.0
 #: Lines that are used on each side.
 BEYOND = 24
-#: Probability that noise alone makes skirts, and that it makes a line that is said.
+#: Probability that noise alone makes skirts, and that it makes a line that is reported.
 FALSE_ALARM, NOISE = 1e-3, 1e-9
 #: The residue of the skirts differs by less than this part from that of the peak: halfway between a tone and a mode.
 SHARE = 0.5

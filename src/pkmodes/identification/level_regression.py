@@ -26,7 +26,7 @@ FALSE_ALARM = 1e-4
 #: The change must go on, to this probability, after the first part of the fall of the logarithmic level: what a blow
 #: or the force of a sweep adds at the beginning of a decay moves the frequency there only.
 FIRST, LATER = 0.3, 0.01
-#: Least relative change of a frequency that is said: less is below what neighbours leave in a band-pass.
+#: Least relative change of a frequency that is reported: less is below what neighbours leave in a band-pass.
 LEAST = 1e-4
 #: Relative noise of the frequency of a segment at least.
 ROUNDING = 1e-9

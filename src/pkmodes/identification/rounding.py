@@ -1,6 +1,6 @@
 """Records that hold nothing but tones and the rounding of their numbers.
 
-A record of an instrument is a multiple of a step.  The rounding of a tone is no noise: it repeats with the tone, and
+A record of an instrument is a multiple of a step.  The rounding of a tone is not noise: it repeats with the tone, and
 its power, that of an even distribution over a step (Widrow and Kollar, Quantization Noise, 2008), lies in lines and
 bands that look like modes.  Sensor noise, or modes, add power of their own.
 """

@@ -135,7 +135,7 @@ def _check_averaged(P: Array) -> None:
         raise MeasurementError(
             "expected an averaged spectrum, found lines that scatter as those of a single record do",
             "band",
-            "average over ten pieces of the record or more: the peaks of a single one are no modes",
+            "average over ten pieces of the record or more: the peaks of a single one are not modes",
         )
 
 
@@ -160,7 +160,7 @@ def _shape(f: Array, peak: _Peak, slope: int = SLOPE) -> Array:
 
 
 def _fitted(f: Array, total: Array, k: int) -> _Peak | None:
-    """Return the peak around line k, None if it is no mode."""
+    """Return the peak around line k, None if it is not a mode."""
     around = slice(max(k - SIDE, 0), k + SIDE + 1)
     at, P, step = f[around], total[around], float(f[min(k + 1, len(f) - 1)] - f[k - 1]) / 2.0
 

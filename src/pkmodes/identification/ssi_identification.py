@@ -123,7 +123,7 @@ def identify_responses(
     band : tuple of float
         Where modes are wanted [Hz].
     tones : sequence of float
-        Frequencies of lines that are no modes, as are their multiples [Hz].
+        Frequencies of lines that are not modes, as are their multiples [Hz].
     asked : Asked
         Modes that the user adds.
 

@@ -106,9 +106,9 @@ def refined(
     if len(powers.values) < 12:
         return None
     near = [one.frequency for one in beside], [max(one.rate, 0.5 / seconds) for one in beside]
-    alone = fit_peaks(powers, *near)
+    without = fit_peaks(powers, *near)
     fit = fit_peaks(powers, [mode.frequency, *near[0]], [max(mode.rate, 0.5 / seconds), *near[1]])
-    gain = fit.likelihood - alone.likelihood
+    gain = fit.likelihood - without.likelihood
     return _accepted(mode, fit, gain, reach, seconds, (low, high)) if gain >= least else None
 
 

@@ -53,7 +53,7 @@ def locked(folder: Path) -> Iterator[None]:
 
 
 def _check_own(folder: Path) -> None:
-    """Refuse what is no folder of a map in progress; one that is empty may become one."""
+    """Refuse what is not a folder of a map in progress; one that is empty may become one."""
     if folder.is_symlink():
         what = "expected a folder for the map in progress, found a symbolic link"
         raise OutputError(what, str(folder), "remove it, or choose another output")

@@ -24,7 +24,7 @@ def quantiles(parts: Callable[[], Iterable[Array]], shares: Sequence[float]) -> 
     Parameters
     ----------
     parts : function
-        Returns the parts of a table anew, each of shape (rows, columns); NaN is no value.
+        Returns the parts of a table anew, each of shape (rows, columns); NaN stands for no value.
     shares : sequence of float
         From 0 to 1.
 

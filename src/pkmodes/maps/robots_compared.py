@@ -25,7 +25,7 @@ ENDS = (0.02, 0.98)
 #: A mode can be compared where its partner is another one at no more than this share of the poses, and the median MAC
 #: of the pairs is at least this.
 EXCHANGED, LIKE = 0.1, 0.8
-#: Relative differences of a frequency below this are no differences.
+#: Smaller relative differences of a frequency count as none.
 NOTHING = 5e-5
 
 

@@ -35,7 +35,7 @@ def read(path: str | PathLike[str], machine: Machine) -> Measurements:
 
 
 def begins_with_a_header(head: bytes) -> bool:
-    """Return whether the first line that is no comment names the column of the poses."""
+    """Return whether the first line that is not a comment names the column of the poses."""
     lines = (line.strip() for line in head.decode("utf-8-sig", "replace").splitlines())
     header = next((line for line in lines if line and not line.startswith("#")), "")
     return "pose" in [cell.strip(' "') for cell in header.split(separator_of(header))]

@@ -280,7 +280,7 @@ def _joined(tables: Sequence[tuple[int, Mapping[str, Sequence[Any]]]]) -> list[l
 
 
 def _cell(value: Any) -> str:
-    """Return the text of a cell: numbers so that they read back the same, and text that is no formula."""
+    """Return the text of a cell: numbers so that they read back the same, and text that is not a formula."""
     if isinstance(value, float):
         if not np.isfinite(value):
             return ""

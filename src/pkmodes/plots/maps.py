@@ -35,7 +35,7 @@ Array = NDArray[Any]
 STROKES = 9
 #: Relative difference of frequencies up to which two poses have the same one, such as mirrored ones.
 ROUNDING = 1e-9
-#: Poses that can share an extreme; where more do, it is no place.
+#: Poses that can share an extreme; where more do, it has no place.
 SHARED = 8
 #: Numbers on contours are at least this far from one another, and from the edges of a panel; shorter lines have none
 #: [inch].
@@ -61,7 +61,7 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Figure | str:
     """
     values = plane.dataset["frequency"].values
     known = shown(plane.dataset)["frequency"].values
-    # A negative number is no frequency: where the machine is unstable the panels are blank.
+    # A negative number is not a frequency: where the machine is unstable the panels are blank.
     values = np.where(unstable(plane.dataset).values[..., None], np.nan, values)
     modes = values.shape[-1]
     if np.isfinite(values).any() and all(
@@ -174,7 +174,7 @@ def extremes(values: Array) -> dict[str, list[tuple[int, int]]]:
     -------
     dict
         For ``minimum`` and ``maximum`` the indices of the poses, of several where they share the value, as mirrored
-        poses do; none if no pose can be evaluated, or if it is shared by so many that it is no place.
+        poses do; none if no pose can be evaluated, or if it is shared by so many that it has no place.
     """
     found: dict[str, list[tuple[int, int]]] = {"minimum": [], "maximum": []}
     if not np.isfinite(values).any():

@@ -37,9 +37,9 @@ COMPARED: dict[str, Any] = {**FITTED, "label": "measured mode"}
 def rows(axes: Axes, evidence: Evidence, x: Array, y: Array, size: float = 16.0) -> None:
     """Mark each row at (x, y) by its kind; rows with a NaN are left out."""
     shown = np.isfinite(x) & np.isfinite(y)
-    alone = len(evidence.stages) == 1
+    compared = len(evidence.stages) == 1
     kinds = (
-        (~evidence.held_out & ~evidence.outlier, COMPARED if alone else FITTED),
+        (~evidence.held_out & ~evidence.outlier, COMPARED if compared else FITTED),
         (evidence.held_out & ~evidence.outlier, HELD_OUT),
         (evidence.outlier, OUTLIER),
     )

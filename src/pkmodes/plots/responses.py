@@ -85,10 +85,10 @@ def _channel(
     above: Axes, below: Axes, curves: list[tuple[Array, Array, dict[str, Any]]], ends: tuple[float, float]
 ) -> None:
     """Draw one channel: its magnitude and its phase, between two frequencies."""
-    alone = ends[0] == ends[1]
+    single = ends[0] == ends[1]
     for f, values, style in curves:
         seen = (f >= ends[0]) & (f <= ends[1])
-        size, look = np.abs(values[seen]), {**style, "marker": "." if alone else ""}
+        size, look = np.abs(values[seen]), {**style, "marker": "." if single else ""}
         above.semilogy(f[seen], np.where(size > 0.0, size, np.nan), **look)
         below.plot(*_unbroken(f[seen], np.degrees(np.angle(values[seen]))), **look)
     below.set_ylim(-190.0, 190.0)
@@ -98,7 +98,7 @@ def _channel(
         decades(above.yaxis, lambda value: typeset(f"{value:.0e}"))
     else:
         above.set_yticks([])
-    if alone:
+    if single:
         return
     above.set_xlim(*ends)
     if ends[0] > 0.0 and ends[1] / ends[0] > DECADES:

@@ -78,37 +78,37 @@ def _members(
 
     The standard deviation of a single cause is the one that may be relied on, beside that of the fit.
     """
-    alone = len(effect.members) == 1
+    single = len(effect.members) == 1
     rows = []
     for member in effect.members:
         why = effect.member(member).implausible
         for value in effect.alternatives[member]:
             at = place + pointer("alternatives", member, key(value))
             fit, saved = at + pointer("sigma"), place + pointer("parameters", key(value), "saved_sigma")
-            sigma = believed(value, corrected).sigma if alone else value.sigma
+            sigma = believed(value, corrected).sigma if single else value.sigma
             rows.append(
                 [
                     Cell.named(clean(sentences.get(member, "")), clean(member)),
                     Cell.named(setting.words(value.name), clean(value.name)),
-                    uncertain(value.value, sigma, at + pointer("value"), saved if alone else fit),
-                    *((figures(value.sigma, 2, fit),) if alone else ()),
+                    uncertain(value.value, sigma, at + pointer("value"), saved if single else fit),
+                    *((figures(value.sigma, 2, fit),) if single else ()),
                     Cell(unit(value.unit)),
                     Cell(prose(f"no: {why}") if why else "yes"),
                 ]
             )
     columns = [Column("cause", False), Column("parameter", False)]
     columns += (
-        [Column("value"), Column("\u03c3 of the fit")] if alone else [Column("value, \u03c3 of the fit")]
+        [Column("value"), Column("\u03c3 of the fit")] if single else [Column("value, \u03c3 of the fit")]
     )
     columns += [Column("unit", False), Column("plausible", False)]
-    if alone:  # the cause stands above
+    if single:  # the cause stands above
         rows, columns = [row[1:] for row in rows], columns[1:]
-    if alone and all(effect.plausible.values()):
+    if single and all(effect.plausible.values()):
         rows, columns = [row[:-1] for row in rows], columns[:-1]
     caption = (
         f"Size of the cause{', with that mean' if effect.relative() else ''}; its standard deviation includes what "
         "a candidate that these data do not show could have done to it."
-        if alone
+        if single
         else "The class: each member as if it were the cause."
     )
     return table(caption, columns, rows)

@@ -25,7 +25,7 @@ from pkmodes.report.tables import table
 PLACES = 8
 #: MAC of two modes above which the sensors hardly tell them apart.
 ALIKE = 0.8
-#: Relative standard deviation of a damping ratio above which it is said.
+#: Relative standard deviation of a damping ratio from which the page mentions it.
 UNCERTAIN = 0.5
 
 

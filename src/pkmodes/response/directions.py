@@ -30,7 +30,7 @@ def unit_direction(
     Raises
     ------
     PkmodesError
-        If it is no direction.
+        If it is not a direction.
     """
     try:
         vector = np.array(given, dtype=float)

@@ -36,7 +36,7 @@ class Move:
     poses : ndarray, shape (T, d)
         What the motors follow: the command, after the shaper.  The platform is at ``poses + deviation``.
     deviation : ndarray, shape (T, d)
-        Of the platform from `poses` [m].  Static sag under gravity is no part of it.
+        Of the platform from `poses` [m].  Static sag under gravity is not part of it.
     """
 
     time: Array
@@ -70,7 +70,7 @@ def simulate(
         Ascending [s].  Before the first sample the machine is at rest; between samples the command is a straight
         line, so sample it as the controller does.
     poses : array_like, shape (T, d)
-        The command, in SI units.  Components that are no lengths stay constant.
+        The command, in SI units.  Components that are not lengths stay constant.
     shaper : Shaper, optional
         With which the command is convolved: one, amplitudes and delays (n,), or one for each time, (T, n), which
         splits what the command moves up to this time: `shaper` designs them for the commanded poses.

@@ -45,11 +45,11 @@ def receptance(Z: Complex, D: Array, b: Complex, l: Complex, omega: Array) -> Co
         Angular frequencies [rad/s].
     """
     coupled = (_coupling(Z) | _coupling(D)).any(axis=1)
-    alone, some = np.flatnonzero(~coupled), np.flatnonzero(coupled)
-    z, d = np.diagonal(Z)[alone], np.diagonal(D)[alone]
+    uncoupled, some = np.flatnonzero(~coupled), np.flatnonzero(coupled)
+    z, d = np.diagonal(Z)[uncoupled], np.diagonal(D)[uncoupled]
     with np.errstate(divide="ignore", invalid="ignore"):  # infinite at a resonance without damping
         gain = 1.0 / (z + 1j * omega[:, None] * d - omega[:, None] ** 2)
-        H = _summed(gain, l[:, alone], b[alone])
+        H = _summed(gain, l[:, uncoupled], b[uncoupled])
     if len(some):
         H = H + _of_coupled(Z[np.ix_(some, some)], D[np.ix_(some, some)], b[some], l[:, some], omega)
     return H

@@ -11,7 +11,7 @@ from pkmodes.core.base.arguments import real_numbers
 from pkmodes.core.base.errors import PkmodesError, shown
 
 Array = NDArray[np.float64]
-#: What to do about arguments that are no numbers.
+#: What to do about arguments that are not numbers.
 GIVE = "give a number, or an array of numbers"
 DESIGN = "design it with pkmodes.shaping.shaper or Model.shaper"
 #: Error of the sum of a shaper's amplitudes, which rounding and few decimal digits make.
@@ -56,7 +56,7 @@ def checked_impulses(shaper: Any) -> tuple[Array, Array]:
     Raises
     ------
     PkmodesError
-        If it is no shaper, an amplitude is negative, their sum is not 1, or the delays do not ascend from 0.
+        If it is not a shaper, an amplitude is negative, their sum is not 1, or the delays do not ascend from 0.
     """
     try:
         given = [np.asarray(part, dtype=float) for part in (shaper.amplitudes, shaper.delays)]

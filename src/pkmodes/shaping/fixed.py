@@ -98,7 +98,7 @@ def _best_combinations(tables: list[Array], weights: Array, *, alike: bool) -> l
 
 
 def _apart(combinations: NDArray[np.intp]) -> list[tuple[int, ...]]:
-    """Return the first few combinations that are no neighbours of each other."""
+    """Return the first few combinations that are not neighbours of each other."""
     chosen = [combinations[0]]
     for one in combinations[1:]:
         if len(chosen) == STARTS:

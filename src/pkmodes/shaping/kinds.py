@@ -17,7 +17,7 @@ def factors(kind: str) -> tuple[Kind, ...]:
     Raises
     ------
     PkmodesError
-        If a factor is no kind of shaper (the message suggests the nearest).
+        If a factor is not a kind of shaper (the message suggests the nearest).
     """
     names = names_of(kind)
     for name in names:

@@ -25,7 +25,7 @@ REFERENCE = "__"
 HDF5 = b"\x89HDF\r\n\x1a\n"
 #: Values that are read of a file, in all: together with what they are unpacked from they take 2 GB of memory.
 MOST_VALUES = 100_000_000
-#: Classes of variables of version 4 that are no arrays of numbers, in words.
+#: Classes of variables of version 4 that are not arrays of numbers, in words.
 TEXTS = {"char": "text", "sparse": "a sparse matrix"}
 REMEDY = "save time or frequency and one vector for each sensor, with save -v7"
 

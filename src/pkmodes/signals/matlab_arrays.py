@@ -154,7 +154,7 @@ def _values(
 
 
 def _none(name: str) -> Array:
-    raise DamagedError(f"{name} is no vector of numbers")
+    raise DamagedError(f"{name} is not a vector of numbers")
 
 
 def _numbers(part: _Element, order: str, count: int, name: str) -> Array:

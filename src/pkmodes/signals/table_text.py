@@ -65,7 +65,7 @@ class TableText:
         Raises
         ------
         MeasurementError
-            If a cell is no finite number or a row has too few or too many cells, with line and column.
+            If a cell is not a finite number or a row has too few or too many cells, with line and column.
         """
         body = BLANK_LINES.sub(b"", COMMENT_LINES.sub(b"", self.body) if b"#" in self.body else self.body)
         body = body.replace(b'"', b"")
@@ -128,7 +128,7 @@ class TableText:
 
 
 def check_text(content: bytes, source: str) -> None:
-    """Refuse what is no text.
+    """Refuse what is not text.
 
     Raises
     ------
@@ -143,7 +143,7 @@ def check_text(content: bytes, source: str) -> None:
 
 
 def split_table(content: bytes, source: str) -> TableText:
-    """Find the header of a table: the first line that is no comment, or a comment right above the numbers.
+    """Find the header of a table: the first line that is not a comment, or a comment right above the numbers.
 
     Raises
     ------

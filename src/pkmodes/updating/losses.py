@@ -2,7 +2,7 @@
 
 Losses are the dissipating effects of the catalogue and the damping ratio common to all modes.  One that the file
 declares without a standard deviation, or an effect that it does not declare, may be suspected.  A common ratio that
-the file does not declare is no cause, because it names no joint; but it competes with the causes.
+the file does not declare is not a cause, because it names no joint; but it competes with the causes.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def losses_of(robot: Robot, chosen: Sequence[str] | None = None) -> tuple[Loss, 
     Raises
     ------
     PkmodesError
-        If a chosen loss has a sigma, so that it is no candidate.
+        If a chosen loss has a sigma, so that it is not a candidate.
     """
     names = None if chosen is None else set(chosen)
     losses = [_ratio(robot, names), *_effects(robot, names)]
@@ -145,8 +145,8 @@ def rates_of_losses(at: Solved, losses: Sequence[Loss]) -> Array:
             if not loss.effect:
                 rates[some, rigid:, j] = 1.0
                 continue
-            alone = _with_one(robot, loss.parameter.name)
-            viscous, lost = Dissipation(alone, ExtendedSystem.of(alone)).of_model(at.points[some])
+            lossy = _with_one(robot, loss.parameter.name)
+            viscous, lost = Dissipation(lossy, ExtendedSystem.of(lossy)).of_model(at.points[some])
             rates[some, :, j] = damping_ratios(*modes, viscous, lost, 0.0, rigid) / PART
     return rates
 

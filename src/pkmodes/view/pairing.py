@@ -1,6 +1,6 @@
 """Which mode at one state of a grid continues which mode at another: the numbering that the page interpolates along.
 
-Ranks are no numbering to interpolate along: where two frequencies cross, the shapes exchange their ranks.
+Ranks cannot be interpolated along: where two frequencies cross, the shapes exchange their ranks.
 """
 
 from __future__ import annotations

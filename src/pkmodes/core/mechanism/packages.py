@@ -83,7 +83,7 @@ def _import(package: str, folder: Path) -> None:
         _ = module.Parameters, module.COORDINATES, extended.Effects, extended.COORDINATES
     except KeyboardInterrupt:
         raise
-    except BaseException as error:  # SystemExit too: a file that ends the program is no model
+    except BaseException as error:  # SystemExit too: a file that ends the program is not a model
         for name in [name for name in sys.modules if name.startswith(package)]:
             del sys.modules[name]
         what = f"the generated code cannot be imported: {type(error).__name__}: {error}"

@@ -302,7 +302,7 @@ def _correlation(raw: Any, count: int, where: str, problem: Problem) -> tuple[tu
 
 
 def _flaw(matrix: Array) -> tuple[str, str, str] | None:
-    """Return the place, what is wrong, and the remedy, of a matrix that is no correlation matrix."""
+    """Return the place, what is wrong, and the remedy, of a matrix that is not a correlation matrix."""
     diagonal = np.flatnonzero(np.abs(np.diagonal(matrix) - 1.0) > ROUNDING)
     if len(diagonal):
         i = int(diagonal[0])

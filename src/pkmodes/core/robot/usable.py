@@ -1,7 +1,7 @@
 """The table ``[usable]`` of a robot file: where the machine is used.
 
 It limits components of the pose, the distance from an axis along z, and the angle of every rod to its singular
-direction.  Maps without a grid, pictures and proposed measurements stay inside.  The limits are no parameters:
+direction.  Maps without a grid, pictures and proposed measurements stay inside.  The limits are not parameters:
 nothing depends on them, and they have no standard deviation.
 """
 

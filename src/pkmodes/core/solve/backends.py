@@ -36,7 +36,7 @@ def chosen(backend: str) -> str:
     Raises
     ------
     PkmodesError
-        If either is no back end.
+        If either is not the name of a back end.
     """
     name, where = backend, "backend"
     if isinstance(backend, str) and backend == AUTO:

@@ -82,7 +82,7 @@ def modes_of(at: RobotAtPoses) -> tuple[Array, Array]:
 
 
 def _check(eigenvalues: Array, shapes: Array, at: RobotAtPoses) -> None:
-    """Reject eigenvalues that are no frequencies, or whose digits are lost."""
+    """Reject eigenvalues that are not frequencies, or whose digits are lost."""
     if not np.isfinite(eigenvalues).all():
         raise PoseError("the eigenvalues are not finite", at.source, "check the robot's magnitudes")
     system = at.system

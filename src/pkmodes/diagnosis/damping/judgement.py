@@ -2,7 +2,7 @@
 
 Hypotheses are the declared losses, each suspected loss alone and each pair.  The rules are those of the frequencies:
 an explanation leaves noise, has no distinguishable rival, improves significantly on the declared losses, and is
-specific.  Friction that depends on the amplitude, such as Coulomb friction, is no loss of the catalogue; it is
+specific.  Friction that depends on the amplitude, such as Coulomb friction, is not a loss of the catalogue; it is
 refused because it leaves more than noise, or a trend with frequency.
 """
 
@@ -106,7 +106,7 @@ def _claimed(
     alike = [fit for fit in survivors if fitter.difference(best, fit) < c.told_apart]
     alike.sort(key=lambda fit: (not _is_effect(fitter, fit), fit.criterion))
     # Of explanations that are the same to any measurement, an effect names the class; and of any class in which the
-    # best is no cause.
+    # best is not a cause.
     claimable = all(fitter.losses[j].claimable for j in best.causes)
     same = [fit for fit in alike if not claimable or fitter.difference(best, fit) < SAME]
     best = same[0] if same else best

@@ -62,11 +62,11 @@ class Additions:
                     fits.append(self.store.fit(replace(h, excluded=h.excluded | {int(row)}), fit.values))
         return [option for option in fits if option is not None]
 
-    def beside_strangers(self, fit: Fit) -> list[Fit]:
+    def beside_rows_that_are_not_modes(self, fit: Fit) -> list[Fit]:
         """Return fits with a cause and without the rows that are farthest from any mode, those that leave only noise.
 
-        A row that is no mode, such as a tone or a peak of noise, may be as far from the model as a large cause, and
-        distort all fits: no cause helps until it is gone.  A cause that helps alone needs none of these.
+        A row that is not a mode, such as a tone or a peak of noise, may be as far from the model as a large cause,
+        and distort all fits: no cause helps until it is gone.  A cause that helps alone needs none of these.
         """
         c, found = self.criteria, list[Fit]()
         if self._rows < c.rows_to_set_aside or fit.causes or fit.hypothesis.excluded:

@@ -140,9 +140,9 @@ class Search:
             improves = any(criterion(option) < criterion(fit) for option in options)
             options += [] if improves else self.alone()
             if all(self.store.p_value(option) <= self.criteria.surely for option in options):
-                strangers = additions.beside_strangers(fit)
-                if strangers:
-                    return min(strangers, key=criterion)
+                without = additions.beside_rows_that_are_not_modes(fit)
+                if without:
+                    return min(without, key=criterion)
         elif (again := self._again(fit, options)) is not None:
             return again  # no addition is needed
         elif len(fit.causes) < self.criteria.most_causes and not fit.causes[0].remote:
