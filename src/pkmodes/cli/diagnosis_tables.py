@@ -111,18 +111,10 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
 
 
 def _errors(terminal: Terminal, result: Diagnosis) -> None:
-    held = any(e is not None and e.held_out_rms_relative is not None for e in _stages(result).values())
+    held = any(error.held_out_rms_relative is not None for _, error in result.errors.values())
     titles = ("error", "rms [%]", *(("held out [%]",) if held else ()), "chi2 per dof")
-    rows = [(title, *_row(error, held)) for title, error in _stages(result).items() if error is not None]
+    rows = [(words, *_row(error, held)) for words, error in result.errors.values()]
     terminal.table(titles, rows, left=("error",))
-
-
-def _stages(result: Diagnosis) -> dict[str, Error | None]:
-    return {
-        "before: as declared": result.before,
-        "refit of the uncertain values only": result.refit,
-        "after: with the cause" + ("s" if len(result.effects) > 1 else ""): result.after,
-    }
 
 
 def _row(error: Error, held: bool) -> tuple[str, ...]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pkmodes.diagnosis.verdict.findings import Corrected
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
-from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, meaning, same
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Paragraph, Picture, Table
@@ -24,29 +23,19 @@ from pkmodes.report.setting import Setting
 from pkmodes.report.tables import table
 from pkmodes.support.ordering import sorted_labels
 
-STAGES = {
-    "before": "before: as declared",
-    "refit": "refit of the uncertain values only",
-    "after": "after: with the cause",
-}
 CHANGES = {HALVED: "\u03c3 halved", DOUBLED: "\u03c3 doubled", WIDENED: "priors twice as wide"}
 SAME = "no change"
 
 
 def errors(result: Diagnosis) -> list[Block]:
     """Return the errors of the stages, over fitted and held-out rows."""
-    stages: dict[str, Error | None] = {"before": result.before, "refit": result.refit, "after": result.after}
-    last = [name for name, error in stages.items() if error is not None][-1:]
     rows = []
-    for name, error in stages.items():
-        if error is None:
-            continue
-        at, strong = ("error", name), name in last
-        title = STAGES[name] + ("s" if name == "after" and len(result.effects) > 1 else "")
+    for name, (words, error) in result.errors.items():
+        at, strong = ("error", name), name == list(result.errors)[-1]
         held = error.held_out_rms_relative
         rows.append(
             [
-                Cell(title, strong=strong),
+                Cell(words, strong=strong),
                 percent(error.rms_relative, pointer(*at, "rms_relative"), strong),
                 percent(held, pointer(*at, "held_out_rms_relative"), strong),
                 three_digits(error.chi2_per_dof, pointer(*at, "chi2_per_dof"), strong=strong),

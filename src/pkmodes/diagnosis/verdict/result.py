@@ -220,6 +220,17 @@ class Diagnosis:
         return self.effects + self.damping.effects
 
     @property
+    def errors(self) -> dict[str, tuple[str, Error]]:
+        """The stages that there are, by their key in the JSON: what each is, in words, and its errors."""
+        after = f"after: with the cause{'s' if len(self.effects) > 1 else ''}"
+        stages = {
+            "before": ("before: as declared", self.before),
+            "refit": ("refit of the uncertain values only", self.refit),
+            "after": (after, self.after),
+        }
+        return {key: (words, error) for key, (words, error) in stages.items() if error is not None}
+
+    @property
     def next_measurement_reason(self) -> str:
         """Why no next measurement is proposed; empty where one is."""
         if self.next_measurement is not None:
