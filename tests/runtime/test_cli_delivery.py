@@ -32,9 +32,11 @@ VERDICTS = get_args(get_type_hints(Diagnosis)["verdict"])
 def shell(command: str, *arguments: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
     """Run a shell line in which ``$PK "$@"`` is a pkmodes command with these arguments."""
     path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
+    # Streams are buffered, as a user has them: what is left in a buffer is written when the interpreter ends.
+    given = {name: value for name, value in os.environ.items() if name != "PYTHONUNBUFFERED"}
     return subprocess.run(
         ["bash", "-o", "pipefail", "-c", command, "bash", *arguments],
-        env={**os.environ, "PYTHONPATH": path, "PK": f"{sys.executable} -m pkmodes"},
+        env={**given, "PYTHONPATH": path, "PK": f"{sys.executable} -m pkmodes"},
         capture_output=True,
         text=True,
         check=False,

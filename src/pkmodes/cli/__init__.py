@@ -117,7 +117,10 @@ def _be_lenient() -> None:
 
 
 def _report(lines: Sequence[str]) -> int:
-    with suppress(OSError):  # stderr is closed
+    try:
         for line in lines:
             echo(f"error: {line}", err=True)
+    except OSError:  # nobody can be told
+        with suppress(OSError):
+            silence(sys.stderr)
     return BAD_INPUT

@@ -9,7 +9,7 @@ import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
 import click
 
@@ -108,6 +108,9 @@ def _text(content: dict[str, Any], ascii_only: bool) -> str:
     return json.dumps(content, indent=1, allow_nan=False, ensure_ascii=ascii_only) + "\n"
 
 
-def silence() -> None:
-    """Discard further standard output: the interpreter would report an error when it flushes a closed pipe."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+def silence(stream: TextIO | None = None) -> None:
+    """Discard what is left for a stream that cannot be written, by default standard output.
+
+    The interpreter would report an error when it flushes it at the end, or replace the exit code by 120.
+    """
+    os.dup2(os.open(os.devnull, os.O_WRONLY), (stream or sys.stdout).fileno())
