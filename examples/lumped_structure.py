@@ -59,9 +59,8 @@ def main() -> None:
             print(
                 f"  {value.name} = {value.value:.3g} +- {value.sigma:.2g} {value.unit}; class: {found.members}"
             )
-    for stage, error in (("before", result.before), ("refit", result.refit), ("after", result.after)):
-        if error is not None:
-            print(f"  {stage:6} rms {100 * error.rms_relative:.2f} %, chi2 per dof {error.chi2_per_dof:.3g}")
+    for stage, (_, error) in result.errors.items():
+        print(f"  {stage:6} rms {100 * error.rms_relative:.2f} %, chi2 per dof {error.chi2_per_dof:.3g}")
 
 
 if __name__ == "__main__":

@@ -73,6 +73,26 @@ def test_the_lowest_modes_of_a_chain_are_those_of_the_closed_form(form: str) -> 
     assert found.rates[0] == pytest.approx(rates, rel=1e-7, abs=2e-6)
 
 
+def test_all_modes_are_compared_or_the_lowest() -> None:
+    assert structure(60).predict(DECLARED, ()).eigenvalues.shape == (1, 60)
+    assert structure(60, modes=6).predict(DECLARED, ()).eigenvalues.shape == (1, 6)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 4, 10, 17])
+def test_coincident_modes_are_not_missed(count: int) -> None:
+    # A square membrane: lambda = 4 sin^2 + 4 sin^2, nearly all of them twice.
+    k = 7
+    line = sparse.diags_array([[-1.0] * (k - 1), [2.0] * k, [-1.0] * (k - 1)], offsets=[-1, 0, 1])
+    one = sparse.eye_array(k)
+    K = sparse.kron(line, one) + sparse.kron(one, line)
+    membrane = MatrixStructure(
+        [], [], lambda *_: (sparse.eye_array(k * k), K), channels=names(k * k), modes=count
+    )
+    side = 4 * np.sin(np.arange(1, k + 1) * np.pi / (2 * (k + 1))) ** 2
+    expected = np.sort(np.add.outer(side, side).ravel())[:count]
+    assert membrane.predict(np.zeros(0), ()).eigenvalues[0] == pytest.approx(expected, rel=1e-11)
+
+
 def beam(elements: int, *, lumped: bool, free: bool = False) -> tuple[Any, Any]:
     """M and K of a uniform Euler-Bernoulli beam with EI = rho A = L = 1, clamped at one end or free."""
     h, n = 1.0 / elements, 2 * (elements + 1)

@@ -65,7 +65,7 @@ class Record:
 
 @dataclass(frozen=True)
 class Edit:
-    """What the user decides on the modes of a record: frequencies [Hz]."""
+    """What the user decides about the modes of a record: frequencies [Hz]."""
 
     pose: str
     strike: tuple[float, ...]

@@ -1,4 +1,4 @@
-"""Files of equal content: a copy is not a second measurement, and would make scatter and repeatability nothing."""
+"""Files of equal content: a copy is not a second measurement, and would make scatter and repeatability zero."""
 
 from __future__ import annotations
 

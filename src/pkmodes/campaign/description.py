@@ -72,7 +72,7 @@ class RecordTable(Part, frozen=True):
 
 
 class EditTable(Part, frozen=True):
-    """``[[edit]]``: what the user decides on the modes of a record."""
+    """``[[edit]]``: what the user decides about the modes of a record."""
 
     pose: str
     strike: list[str] = []

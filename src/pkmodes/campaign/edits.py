@@ -1,4 +1,4 @@
-"""What the user decides on the modes of a record: modes struck out, and modes added where the user asks for them."""
+"""What the user decides about the modes of a record: which are struck out, and where one is added."""
 
 from __future__ import annotations
 

@@ -96,12 +96,12 @@ def run(arguments: Sequence[str] | None = None) -> int:
         return INTERRUPTED
     except (BrokenPipeError, SystemExit):
         # A reader such as head closed the pipe, which click turns into SystemExit.
-        silence()
+        silence(sys.stdout)
         return DONE
     except OSError as error:
         where = str(error.filename) if error.filename else "standard output"
         if not error.filename:
-            silence()
+            silence(sys.stdout)
         return _report(
             [f"{(error.strerror or str(error)).lower()} ({where}); check the place and run it again"]
         )

@@ -92,7 +92,7 @@ def deliver(
         if sys.stdout is not None:
             sys.stdout.flush()
     except (BrokenPipeError, SystemExit):  # click and rich turn the one into the other
-        silence()
+        silence(sys.stdout)
     finally:
         if problems:
             raise problems[0]
@@ -108,9 +108,9 @@ def _text(content: dict[str, Any], ascii_only: bool) -> str:
     return json.dumps(content, indent=1, allow_nan=False, ensure_ascii=ascii_only) + "\n"
 
 
-def silence(stream: TextIO | None = None) -> None:
-    """Discard what is left for a stream that cannot be written, by default standard output.
+def silence(stream: TextIO) -> None:
+    """Discard what is left in the buffer of a stream that cannot be written, and all that follows.
 
-    The interpreter would report an error when it flushes it at the end, or replace the exit code by 120.
+    At the end the interpreter flushes it, and would report an error or replace the exit code by 120.
     """
-    os.dup2(os.open(os.devnull, os.O_WRONLY), (stream or sys.stdout).fileno())
+    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())

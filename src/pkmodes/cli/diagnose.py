@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import difflib
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -26,7 +25,7 @@ from pkmodes.cli.options import (
 from pkmodes.cli.progress import on_terminal
 from pkmodes.cli.reporting import page_of, report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
-from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.base.errors import PkmodesError, nearest, shown
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.support.numbers import plain
 from pkmodes.support.pasting import pasted
@@ -39,31 +38,6 @@ if TYPE_CHECKING:
 
 #: Stands for every verdict that is a failure by itself: all except adequate.
 ANY = "any"
-
-
-def failing(names: Sequence[str]) -> frozenset[str]:
-    """Return the verdicts that the names stand for.
-
-    Parameters
-    ----------
-    names : sequence of str
-        Verdicts, or the word any.
-
-    Raises
-    ------
-    PkmodesError
-        If there is no such verdict.
-    """
-    from pkmodes.diagnosis.verdict.verdicts import VERDICTS  # loads SciPy
-
-    known, failures = (*VERDICTS, ANY), set[str]()
-    for name in names:
-        if name not in known:
-            nearest = difflib.get_close_matches(name, known, n=1, cutoff=0.5)
-            remedy = f'did you mean "{nearest[0]}"?' if nearest else f"choose from {', '.join(known)}"
-            raise PkmodesError(f"unknown verdict {shown(name)}", "--fail-on", remedy)
-        failures |= {word for word, verdict in VERDICTS.items() if verdict.fails} if name == ANY else {name}
-    return frozenset(failures)
 
 
 #: Largest number of values listed whose standard deviations are larger in a saved file than in the fit.
@@ -136,7 +110,7 @@ def diagnose(
     check_targets(json_file, [robot, modes], save_target, report_target(report_to))
     names = None if candidates is None else _names(candidates, "--candidates")
     held = None if holdout is None else [] if holdout.strip() == "none" else _names(holdout, "--holdout")
-    failures = frozenset() if fail_on is None else failing(_names(fail_on, "--fail-on"))
+    failures = frozenset() if fail_on is None else _failing(_names(fail_on, "--fail-on"))
     from pkmodes import updating  # SciPy is loaded only where it is used
     from pkmodes.cli.diagnosis_tables import show
 
@@ -259,3 +233,27 @@ def _progress() -> Iterator[Callable[[str], None]]:
             click.echo(f"pkmodes diagnose: {text}", err=True)
 
     yield line
+
+
+def _failing(names: Sequence[str]) -> frozenset[str]:
+    """Return the verdicts that the names stand for.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Verdicts, or the word any.
+
+    Raises
+    ------
+    PkmodesError
+        If there is no such verdict.
+    """
+    from pkmodes.diagnosis.verdict.verdicts import VERDICTS  # loads SciPy
+
+    known, failures = (*VERDICTS, ANY), set[str]()
+    for name in names:
+        if name not in known:
+            remedy = nearest(name, known, f"choose from {', '.join(known)}")
+            raise PkmodesError(f"unknown verdict {shown(name)}", "--fail-on", remedy)
+        failures |= {word for word, verdict in VERDICTS.items() if verdict.fails} if name == ANY else {name}
+    return frozenset(failures)

@@ -113,7 +113,7 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
 def _errors(terminal: Terminal, result: Diagnosis) -> None:
     held = any(error.held_out_rms_relative is not None for _, error in result.errors.values())
     titles = ("error", "rms [%]", *(("held out [%]",) if held else ()), "chi2 per dof")
-    rows = [(words, *_row(error, held)) for words, error in result.errors.values()]
+    rows = [(title, *_row(error, held)) for title, error in result.errors.values()]
     terminal.table(titles, rows, left=("error",))
 
 

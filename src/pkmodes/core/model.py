@@ -516,7 +516,7 @@ class Model:
         key = asked, apart, chosen(backend), drives, len(FIELDS)
         try:
             return self._plans[key]
-        except (KeyError, TypeError):  # a new one, or drives that are not a word
+        except (KeyError, TypeError):  # a new one, or drives that cannot be a key
             solver = self.solver(backend, drives)
         names = Modes.fields_of(self.robot.mechanism) if asked is None else asked
         # Two names of the same values share one array unless the caller passes a second one.

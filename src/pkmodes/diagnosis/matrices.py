@@ -21,8 +21,7 @@ from pkmodes.diagnosis.problem import (
 from pkmodes.diagnosis.structure.checks import check_callables, check_candidate, check_names, check_parameter
 from pkmodes.diagnosis.structure.kept import Kept
 from pkmodes.diagnosis.structure.massless import UnstableError, UnusableError
-from pkmodes.diagnosis.structure.modes import Modes, eigenvalue_rates, modes_of
-from pkmodes.diagnosis.structure.modes import shape_rates as rates_of_shapes
+from pkmodes.diagnosis.structure.modes import Modes, changes_of, modes_of, shape_rates_of
 from pkmodes.diagnosis.structure.sensors import sensor_map
 from pkmodes.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Supplied
 
@@ -153,22 +152,18 @@ class MatrixStructure:
         size = (len(self.setups), count)
         eigenvalues, rates = np.full(size, np.nan), np.full((*size, len(by)), np.nan)
         shapes = np.zeros((*size, len(self.channels)))
-        for k, one in enumerate(solved):
-            if one is not None:
-                eigenvalues[k] = one.modes.eigenvalues[:count]
-                shapes[k] = self._measured(one.modes.shapes[:count])
+        moved = np.full((*shapes.shape, len(by)), np.nan) if shape_rates else None
         pairs = {setup: s.pair for setup, s in known.items()}
         by_each = [self._supplied.rates(values, i, pairs) for i in by] if known else []
-        moved = np.full((*shapes.shape, len(by)), np.nan) if shape_rates else None
-        place = iter(range(len(known)))
-        for k, one in enumerate(solved):
-            if one is not None:
-                at = next(place)
-                changes = [None if each is None else each[at] for each in by_each]
-                rates[k] = eigenvalue_rates(one.modes, count, changes)
-                if moved is not None:
-                    moving = rates_of_shapes(one.pair.K, one.modes, count, changes)
-                    moved[k] = np.moveaxis(self._measured(np.moveaxis(moving, 2, 1)), 1, 2)
+        for at, (setup, one) in enumerate(known.items()):
+            k, changes = self.setups.index(setup), [None if each is None else each[at] for each in by_each]
+            eigenvalues[k] = one.modes.eigenvalues[:count]
+            shapes[k] = self._measured(one.modes.shapes[:count])
+            forces, norm = changes_of(one.modes, changes)
+            rates[k] = np.einsum("tin,in->it", forces, one.modes.shapes)[:count]
+            if moved is not None:
+                along = shape_rates_of(one.pair.K, one.modes, forces, norm)[:, :count]
+                moved[k] = np.moveaxis(self._measured(along), 0, -1)
         return Prediction(eigenvalues, rates, shapes, self.rigid, moved)
 
     def predict_many(

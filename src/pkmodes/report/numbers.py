@@ -29,13 +29,13 @@ SAME = "no change"
 
 def errors(result: Diagnosis) -> list[Block]:
     """Return the errors of the stages, over fitted and held-out rows."""
-    rows = []
-    for name, (words, error) in result.errors.items():
-        at, strong = ("error", name), name == list(result.errors)[-1]
+    stages, rows = result.errors, []
+    for name, (title, error) in stages.items():
+        at, strong = ("error", name), name == [*stages][-1]
         held = error.held_out_rms_relative
         rows.append(
             [
-                Cell(words, strong=strong),
+                Cell(title, strong=strong),
                 percent(error.rms_relative, pointer(*at, "rms_relative"), strong),
                 percent(held, pointer(*at, "held_out_rms_relative"), strong),
                 three_digits(error.chi2_per_dof, pointer(*at, "chi2_per_dof"), strong=strong),

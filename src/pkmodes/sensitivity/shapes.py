@@ -1,13 +1,8 @@
-r"""Derivatives of mode shapes by modal expansion, for fits that need them many times.
+"""Derivatives of mode shapes by modal expansion (`core.linalg.expansion`), for fits that need them many times.
 
-With :math:`z_i = (dK - \lambda_i dM) \phi_i` and mass-normalised modes,
-
-.. math:: d\phi_i = \sum_{j \ne i} \phi_j \frac{\phi_j^T z_i}{\lambda_i - \lambda_j}
-    - \tfrac12 \phi_i \, \phi_i^T dM \, \phi_i
-
-(Fox and Kapoor, AIAA Journal 6(12), 1968), which is exact with all modes.  Coordinates without inertia follow the
-others statically, and a locked joint with a compliance deflects under its force.  `sensitivity.modes` computes the
-same from one linear system for each mode: slower, but accurate to the last digit even for nearly coincident modes.
+Coordinates without inertia follow the others statically, and a locked joint with a compliance deflects under its
+force.  `sensitivity.modes` computes the same from one linear system for each mode: slower, but accurate to the last
+digit even for nearly coincident modes.
 """
 
 from __future__ import annotations
@@ -17,13 +12,10 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.linalg.expansion import modal_expansion
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 
 Array = NDArray[np.float64]
-#: Lower bound of the difference between two eigenvalues in the denominator, relative to the larger of the two.
-SMALLEST_GAP = 1e-6
-#: The same relative to the largest eigenvalue: smaller differences, as between rigid-body modes, are rounding.
-ROUNDING = float(np.finfo(float).eps)
 
 
 def shape_derivatives(
@@ -55,13 +47,7 @@ def shape_derivatives(
         per unit of the coordinates as they are.
     """
     change, norm = derivatives.changes(eigenvalues, shapes)
-    gap = eigenvalues[:, :, None] - eigenvalues[:, None, :]
-    least = SMALLEST_GAP * np.maximum(np.abs(eigenvalues[:, :, None]), np.abs(eigenvalues[:, None, :]))
-    least = np.maximum(least, ROUNDING * np.abs(eigenvalues).max(axis=1)[:, None, None])
-    gap = np.where(gap >= 0.0, 1.0, -1.0) * np.maximum(np.abs(gap), np.maximum(least, 1e-300))
-    share = change @ np.swapaxes(shapes, -1, -2)[:, None] / gap[:, None]  # (N, T, i, j)
-    diagonal = np.arange(shapes.shape[1])
-    share[..., diagonal, diagonal] = -0.5 * norm
+    share = modal_expansion(change, norm, eigenvalues, shapes)
     free, size = derivatives.free, derivatives.size
     channels = np.zeros((*shapes.shape[:2], size + (0 if motions is None else motions.shape[-1])))
     channels[..., free] = shapes

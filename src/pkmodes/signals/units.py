@@ -16,7 +16,7 @@ from decimal import Decimal
 from pkmodes.core.robot.columns import frequency_factor
 from pkmodes.core.robot.units import QuantityError, base_units
 
-#: Labels of measuring systems that are not a unit.
+#: Labels of measuring systems that are not units.
 NO_UNIT = frozenset({"", "none", "unknown", "eu", "-"})
 #: Standard gravity, which files call g; no signal is a mass.
 GRAVITY = re.compile(r"(?<![A-Za-z0-9_])(?:[gG]n?|g's)(?![A-Za-z0-9_])")

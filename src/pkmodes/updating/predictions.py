@@ -140,10 +140,7 @@ def joined(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction
     rigid = max(part.rigid for _, part in parts)
     count = rigid + max(part.eigenvalues.shape[1] - part.rigid for _, part in parts)
     eigenvalues = np.full((setups, count), np.nan)
-    arrays = [np.full((setups, count, *a.shape[2:]), np.nan) for a in (only.rates, only.shapes)]
-    with_rates = only.shape_rates is not None
-    if only.shape_rates is not None:
-        arrays.append(np.full((setups, count, *only.shape_rates.shape[2:]), np.nan))
+    arrays = [np.full((setups, count, *a.shape[2:]), np.nan) for a in _arrays(only)]
     for rows, part in parts:
         elastic = part.eigenvalues.shape[1] - part.rigid
         lacking = LACKING * FARTHER ** np.arange(count - rigid - elastic)
@@ -151,11 +148,16 @@ def joined(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction
         eigenvalues[np.ix_(rows, np.arange(part.rigid, rigid))] = 0.0
         eigenvalues[np.ix_(rows, np.arange(rigid + elastic, count))] = lacking
         eigenvalues[np.ix_(rows, place)] = part.eigenvalues
-        given = [part.rates, part.shapes, *([np.asarray(part.shape_rates)] if with_rates else [])]
-        for whole, some in zip(arrays, given, strict=True):
+        for whole, some in zip(arrays, _arrays(part), strict=True):
             whole[rows] = 0.0
             whole[np.ix_(rows, place)] = some
-    return Prediction(eigenvalues, arrays[0], arrays[1], rigid, arrays[2] if with_rates else None)
+    rates, shapes, *along = arrays
+    return Prediction(eigenvalues, rates, shapes, rigid, *along)
+
+
+def _arrays(part: Prediction) -> list[Array]:
+    """Return the derivatives of the eigenvalues, the shapes and, if there are any, their derivatives."""
+    return [part.rates, part.shapes, *([] if part.shape_rates is None else [part.shape_rates])]
 
 
 def _concatenated(parts: Sequence[Prediction]) -> Prediction:

@@ -145,9 +145,7 @@ class RobotStructure:
         ]
         return [(load, self.at(self.points, LoadCases(tuple(load), (case,), every))) for load, case in cases]
 
-    @np.errstate(
-        over="ignore", invalid="ignore", divide="ignore"
-    )  # a fit may try values that no machine can have
+    @np.errstate(over="ignore", invalid="ignore", divide="ignore")  # a fit may try impossible values
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         """Return the modes at all poses, with derivatives with respect to some of the parameters."""
         asked = values.tobytes(), tuple(by), shape_rates
@@ -165,9 +163,7 @@ class RobotStructure:
             self._latest = asked, prediction
         return prediction
 
-    @np.errstate(
-        over="ignore", invalid="ignore", divide="ignore"
-    )  # a fit may try values that no machine can have
+    @np.errstate(over="ignore", invalid="ignore", divide="ignore")  # a fit may try impossible values
     def predict_many(
         self, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
     ) -> list[Batch]:

@@ -66,7 +66,7 @@ def bounded_least_squares(
     def jacobian(u: Array) -> Array:
         return np.asarray(rates(at(u)) * unit)
 
-    with np.errstate(over="ignore", invalid="ignore"):  # a fit may try values that no machine can have
+    with np.errstate(over="ignore", invalid="ignore"):  # a fit may try impossible values
         solution = least_squares(
             scaled,
             (first - origin) / unit,

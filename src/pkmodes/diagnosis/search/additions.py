@@ -62,7 +62,7 @@ class Additions:
                     fits.append(self.store.fit(replace(h, excluded=h.excluded | {int(row)}), fit.values))
         return [option for option in fits if option is not None]
 
-    def beside_rows_that_are_not_modes(self, fit: Fit) -> list[Fit]:
+    def without_distant_rows(self, fit: Fit) -> list[Fit]:
         """Return fits with a cause and without the rows that are farthest from any mode, those that leave only noise.
 
         A row that is not a mode, such as a tone or a peak of noise, may be as far from the model as a large cause,

@@ -140,7 +140,7 @@ class Search:
             improves = any(criterion(option) < criterion(fit) for option in options)
             options += [] if improves else self.alone()
             if all(self.store.p_value(option) <= self.criteria.surely for option in options):
-                without = additions.beside_rows_that_are_not_modes(fit)
+                without = additions.without_distant_rows(fit)
                 if without:
                     return min(without, key=criterion)
         elif (again := self._again(fit, options)) is not None:

@@ -1,8 +1,7 @@
 r"""The modes of K phi = lambda M phi, where M may be singular, and their derivatives.
 
-With :math:`f_i = (dK - \lambda_i dM) \phi_i`, the derivative of shape i has three parts: the other modes j,
-:math:`\phi_j \phi_j^T f_i / (\lambda_i - \lambda_j)`; the motions N without inertia,
-:math:`-N (N^T K N)^{-1} N^T f_i`; and the normalisation, :math:`-\phi_i \phi_i^T dM \phi_i / 2`.
+The derivative of a shape is its modal expansion (`core.linalg.expansion`) and that of the motions N without inertia,
+which follow statically: :math:`-N (N^T K N)^{-1} N^T (dK - \lambda_i dM) \phi_i`.
 """
 
 from __future__ import annotations
@@ -11,17 +10,15 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from scipy import linalg
 
 from pkmodes.core.linalg.eigen import generalised_eigh
+from pkmodes.core.linalg.expansion import modal_expansion
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.structure.massless import UnstableError, UnusableError, condense
 from pkmodes.diagnosis.structure.supplied import Pair
 
 #: Eigenvalues below zero by less than this fraction of the largest are zero up to rounding.
 STABLE = 1e-9
-#: Smaller relative gaps of two eigenvalues are set to this: derivatives of a single mode are not defined there.
-GAP = 1e-6
 
 
 class Modes(NamedTuple):
@@ -44,11 +41,6 @@ class Modes(NamedTuple):
     def size(self) -> int:
         """Memory [bytes]."""
         return sum(a.nbytes for a in self if a is not None)
-
-    @property
-    def scale(self) -> float:
-        """Size of the largest eigenvalue."""
-        return float(np.abs(self.eigenvalues).max())
 
 
 def modes_of(pair: Pair, rigid: int) -> Modes:
@@ -73,70 +65,43 @@ def modes_of(pair: Pair, rigid: int) -> Modes:
         eigenvalues, shapes = (solution[0] for solution in generalised_eigh(part.M[None], part.K[None]))
     except np.linalg.LinAlgError as error:
         raise UnusableError(f"no modes: {error}", "M", "check the masses") from error
-    modes = Modes(eigenvalues, shapes if part.T is None else shapes @ part.T.T, part.N)
     # A structure that buckles does not vibrate: sqrt(|lambda|) would not be a frequency.
     lowest = eigenvalues[rigid : rigid + 1].min(initial=np.inf)
-    if not np.isfinite(eigenvalues).all() or lowest < -STABLE * modes.scale:
+    if not np.isfinite(eigenvalues).all() or lowest < -STABLE * np.abs(eigenvalues).max():
         what = f"expected a stable structure, found the eigenvalue {lowest:.6g} 1/s^2"
         remedy = "check the sign of K, and that rigid counts every free motion"
         raise UnstableError(what, "K", remedy)
-    return modes
+    return Modes(eigenvalues, shapes if part.T is None else shapes @ part.T.T, part.N)
 
 
-def eigenvalue_rates(modes: Modes, count: int, changes: Sequence[Pair | None]) -> Array:
-    """Differentiate the lowest eigenvalues: phi^T (dK - lambda dM) phi, (count, T)."""
-    forces, _ = _forces(modes, count, changes)
-    rates: Array = np.einsum("tin,in->it", forces, modes.shapes[:count])
-    return rates
+def changes_of(modes: Modes, changes: Sequence[Pair | None]) -> tuple[Array, Array]:
+    """Return (dK - lambda dM) phi, (T, m, n), and phi^T dM phi, (T, m), of each parameter; zero where it is None."""
+    forces = np.zeros((len(changes), *modes.shapes.shape))
+    norm = np.zeros(forces.shape[:2])
+    for t, change in enumerate(changes):
+        if change is not None:
+            inertia = modes.shapes @ change.M
+            forces[t] = modes.shapes @ change.K - modes.eigenvalues[:, None] * inertia
+            norm[t] = (modes.shapes * inertia).sum(axis=1)
+    return forces, norm
 
 
-def shape_rates(K: Array, modes: Modes, count: int, changes: Sequence[Pair | None]) -> Array:
-    """Differentiate the shapes of the lowest modes.
+def shape_rates_of(K: Array, modes: Modes, forces: Array, norm: Array) -> Array:
+    """Differentiate the shapes.
 
     Parameters
     ----------
     K : ndarray, shape (n, n)
     modes : Modes
-    count : int
-        Number of modes whose shapes are differentiated.
-    changes : sequence of Pair or None, length T
-        Derivatives of M and K with respect to each parameter, None if zero.
+    forces, norm : ndarray, shape (T, m, n) and (T, m)
+        From `changes_of`.
 
     Returns
     -------
-    ndarray, shape (count, n, T)
+    ndarray, shape (T, m, n)
     """
-    forces, inertial = _forces(modes, count, changes)
-    factors = np.einsum("tin,jn->tij", forces, modes.shapes, optimize=True) / _gaps(modes, count)
-    factors[:, np.arange(count), np.arange(count)] = 0.0
-    derivatives = factors @ modes.shapes
-    if (N := modes.massless) is not None:
-        held = linalg.solve(N.T @ (K @ N), N.T @ forces.reshape(-1, len(N)).T)
-        derivatives -= held.T.reshape(*forces.shape[:2], -1) @ N.T
-    derivatives -= 0.5 * inertial[..., None] * modes.shapes[:count]
-    rates: Array = np.moveaxis(derivatives, 0, -1)
+    eigenvalues, shapes, N = modes
+    rates: Array = modal_expansion(forces[None], norm[None], eigenvalues[None], shapes[None])[0] @ shapes
+    if N is not None:
+        rates -= np.swapaxes(np.linalg.solve(N.T @ K @ N, N.T @ np.swapaxes(forces, -1, -2)), -1, -2) @ N.T
     return rates
-
-
-def _forces(modes: Modes, count: int, changes: Sequence[Pair | None]) -> tuple[Array, Array]:
-    """Return (dK - lambda_i dM) phi_i, (T, count, n), and phi_i^T dM phi_i, (T, count)."""
-    eigenvalues, phi = modes.eigenvalues[:count], modes.shapes[:count]
-    forces, inertial = np.zeros((len(changes), *phi.shape)), np.zeros((len(changes), count))
-    for t, change in enumerate(changes):
-        if change is not None:
-            inertia = (change.M @ phi.T).T
-            forces[t] = (change.K @ phi.T).T - eigenvalues[:, None] * inertia
-            inertial[t] = (phi * inertia).sum(axis=1)
-    return forces, inertial
-
-
-def _gaps(modes: Modes, count: int) -> Array:
-    """Return lambda_i - lambda_j, bounded away from zero with its sign; for equal ones, the sign of their order."""
-    every = modes.eigenvalues
-    some = every[:count]
-    gaps = some[:, None] - every
-    largest = np.maximum(np.abs(some)[:, None], np.abs(every))
-    least = np.maximum(GAP * largest, STABLE * GAP * (modes.scale or 1.0))
-    order = np.sign(np.arange(count)[:, None] - np.arange(len(every)))
-    sign = np.where(gaps == 0.0, order, np.sign(gaps))
-    return np.where(np.abs(gaps) < least, np.where(sign == 0.0, 1.0, sign) * least, gaps)

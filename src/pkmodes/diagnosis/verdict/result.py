@@ -197,12 +197,11 @@ class Diagnosis:
             lines.append(f"cause: one of these, which these data cannot tell apart ({p})")
             lines += [f"  {name}: {_values(effect, name, self)}" for name in effect.members]
         lines += [f"remains: {' or '.join(group)}" for group in self.survivors]
-        for stage, error in (("before", self.before), ("refit", self.refit), ("after", self.after)):
-            if error is not None:
-                rms = "" if error.rms_relative is None else f"rms {100 * error.rms_relative:.3f} %, "
-                held = error.held_out_rms_relative
-                apart = "" if held is None else f"held out {100 * held:.3f} %, "
-                lines.append(f"{stage:6} {rms}{apart}chi2 per degree of freedom {error.chi2_per_dof:.3g}")
+        for stage, (_, error) in self.errors.items():
+            rms = "" if error.rms_relative is None else f"rms {100 * error.rms_relative:.3f} %, "
+            held = error.held_out_rms_relative
+            apart = "" if held is None else f"held out {100 * held:.3f} %, "
+            lines.append(f"{stage:6} {rms}{apart}chi2 per degree of freedom {error.chi2_per_dof:.3g}")
         lines += [f"note: {text}" for text in self.notes]
         if self.damping.measured:
             lines.append(f"damping: {self.damping.verdict}: {self.damping.reason}")
@@ -221,14 +220,14 @@ class Diagnosis:
 
     @property
     def errors(self) -> dict[str, tuple[str, Error]]:
-        """The stages that there are, by their key in the JSON: what each is, in words, and its errors."""
+        """For each stage that was reached, by its key in the JSON: its title and its errors."""
         after = f"after: with the cause{'s' if len(self.effects) > 1 else ''}"
         stages = {
             "before": ("before: as declared", self.before),
             "refit": ("refit of the uncertain values only", self.refit),
             "after": (after, self.after),
         }
-        return {key: (words, error) for key, (words, error) in stages.items() if error is not None}
+        return {key: (title, error) for key, (title, error) in stages.items() if error is not None}
 
     @property
     def next_measurement_reason(self) -> str:
