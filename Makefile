@@ -72,7 +72,6 @@ benchmark: $(VENV)/.benchmark  ## tables of docs/compiled.md, docs/maps.md and d
 	$(BIN)/python benchmarks/one_core.py --keep
 	$(BIN)/python benchmarks/evaluation.py
 	$(BIN)/python benchmarks/many_rows.py
-	$(BIN)/python benchmarks/large_models.py
 	$(BIN)/python benchmarks/diagnosis.py
 	$(BIN)/python benchmarks/map.py
 	$(BIN)/python benchmarks/identification.py --out docs/identification-compared.md

@@ -77,12 +77,12 @@ def test_the_schemas_are_those_of_the_documents() -> None:
     assert committed == schema_files(), "run: make schemas"
 
 
-class Inner(Document, omit_defaults=True):
+class Inner(Document, frozen=True, omit_defaults=True):
     sizes: list[float | None]
     load: dict[str, float] = field(name="set", default_factory=dict)
 
 
-class Outer(Document):
+class Outer(Document, frozen=True):
     rows: list[Inner]
     count: int
 

@@ -10,6 +10,7 @@ import re
 from dataclasses import replace
 
 import pytest
+from msgspec import structs
 
 from helpers.golden.case_book import frozen
 from pkmodes import updating
@@ -282,8 +283,8 @@ def test_a_correction_of_the_measurement_is_right_where_poses_are_not_where_the_
 
 def test_a_row_is_set_aside_blindly_where_the_others_could_not_tell(template: Diagnosis) -> None:
     few = numbered("few rows", 60)
-    row = replace(template.rows[0], held_out=False, outlier=False)
-    outlier = replace(row, outlier=True)
+    row = structs.replace(template.rows[0], held_out=False, outlier=False)
+    outlier = structs.replace(row, outlier=True)
     for rows, blind in (
         ((row,) * 4, False),
         ((row,) * 3 + (outlier,), True),

@@ -115,7 +115,7 @@ def test_a_held_out_error_that_grows_contradicts_a_claim() -> None:
     before, after = Error(0.01, 0.01, 2.0), Error(0.001, 0.14, 1.0)
     (note,) = remarks(data, held, predicted, before, after, 2.0)
     assert "grows from 1 to 14 %; the worst is line 3 (held-out B, 30 Hz)" in note
-    assert not list(remarks(data, held, predicted, before, replace(after, held_out_rms_relative=0.019), 2.0))
+    assert not list(remarks(data, held, predicted, before, Error(0.001, 0.019, 1.0), 2.0))
 
 
 def test_one_bad_shape_is_not_excused_by_the_scatter_that_it_raises() -> None:

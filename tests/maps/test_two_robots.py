@@ -54,7 +54,7 @@ def test_belts_stiffer_by_21_per_cent_raise_every_frequency_by_10(poses: np.ndar
         changes = compare_frequencies(light, stiff, poses, drives)
         valid = light.check(poses).valid
         assert 0 < valid.sum() < len(poses)
-        assert changes.counts == {
+        assert changes.counts.as_json() == {
             "both": valid.sum(),
             "first_only": 0,
             "second_only": 0,
@@ -103,8 +103,8 @@ def test_poses_that_only_one_of_them_reaches_are_counted(tmp_path: Path, model: 
     points = grid.points(np.arange(np.prod(grid.shape)))
     changes = compare_frequencies(model, shorter, points)
     first, second = model.check(points).valid, shorter.check(points).valid
-    assert changes.counts["both"] == (first & second).sum() > 100
-    assert changes.counts["first_only"] == (first & ~second).sum() > 100
+    assert changes.counts.both == (first & second).sum() > 100
+    assert changes.counts.first_only == (first & ~second).sum() > 100
     assert np.isnan(changes.relative[~(first & second)]).all()
     assert np.isfinite(changes.relative[first & second]).all()
     alone = reachable(model, 2_000)

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from msgspec import structs
 
 from helpers.pages.page_reading import Element, read
 from helpers.pages.report_examples import diagnosed, made_up
@@ -35,8 +36,9 @@ def _no_drawing() -> Iterator[None]:
 def page() -> Element:
     """The report of a result whose errors were 2 and 2.1 % before, 1 and 1.1 % refitted, 0.2 and 0.3 % after."""
     result, data = made_up(6, 3)
-    object.__setattr__(result.after, "held_out_rms_relative", 0.003)
-    return read(report(result, data=data))
+    assert result.after is not None
+    after = structs.replace(result.after, held_out_rms_relative=0.003)
+    return read(report(replace(result, after=after), data=data))
 
 
 def table(section: Element, number: int = 0) -> tuple[list[str], list[list[str]]]:
@@ -149,7 +151,9 @@ def undecided() -> Element:
         effects=(),
         survivors=(("payload",), ("belt_mass + gearbox_inertia", "link_compliance")),
         candidates=tested,
-        next_measurement=NextMeasurement((0.6, -0.05, -0.245), ("payload", "belt_mass"), 7.0, load),
+        next_measurement=NextMeasurement(
+            (0.6, -0.05, -0.245), ("payload", "belt_mass"), 7.0, None, load=load
+        ),
         stability=(
             Stability("sigma x 0.5", "unexplained", ("payload",)),
             Stability("sigma x 2", "adequate", ()),

@@ -4,36 +4,48 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Annotated, Any
 
 import numpy as np
+from msgspec import Meta
 
 from pkmodes.campaign.campaign import Record
 from pkmodes.campaign.inspection import Inspection, Repeats
 from pkmodes.measured.measurements import Measurements
+from pkmodes.support.documents import Count, Document, Probability, Size
 
 
-@dataclass(frozen=True)
-class Parts:
-    """What a standard deviation of a frequency consists of [Hz], added in quadrature.
+class Parts(Document, frozen=True):
+    """What the standard deviation of a frequency consists of [Hz], added in quadrature."""
 
-    Attributes
-    ----------
-    scatter : float
-        Of the mean over repeats; 0 for a single one.
-    fit : float
-        Uncertainty of the identification itself.
-    repeatability : float
-        What approaching the pose again changes.
-    """
-
-    scatter: float
-    fit: float
-    repeatability: float
+    scatter: Annotated[Size, Meta(description="Of the mean over repeats; 0 for a single file.")]
+    fit: Annotated[Size, Meta(description="Uncertainty of the identification itself.")]
+    repeatability: Annotated[Size, Meta(description="What approaching the pose again changes.")]
 
     @property
     def total(self) -> float:
         """The standard deviation."""
         return float(np.sqrt(self.scatter**2 + self.fit**2 + self.repeatability**2))
+
+
+class ModeDocument(Document, frozen=True):
+    """A mode of a record."""
+
+    frequency: Annotated[Size, Meta(description="Undamped natural frequency [Hz].")]
+    sigma: Annotated[Size, Meta(description="Its standard deviation [Hz].")]
+    sigma_parts: Annotated[Parts, Meta(description="What it consists of.")]
+    damping: Annotated[float | None, Meta(description="Damping ratio; null where unknown.")]
+    sigma_damping: Annotated[Size | None, Meta(description="Its standard deviation; null where unknown.")]
+    complexity: Annotated[
+        Probability | None,
+        Meta(description="Modal phase collinearity, 1 for a real shape; null without a shape."),
+    ]
+    found_in: Annotated[
+        tuple[int, ...] | None,
+        Meta(description="In how many model orders, of how many; null for spectra and identified modes."),
+    ]
+    files: Annotated[Count, Meta(description="In how many files it was found.")]
+    edited: Annotated[str | None, Meta(description='"added" if the campaign asked for it.')]
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,13 +91,29 @@ class IdentifiedMode:
         """The standard deviation of the frequency [Hz]."""
         return self.parts.total
 
+    def document(self) -> ModeDocument:
+        """Return it in the form described in docs/json.md."""
+        return ModeDocument.of(self, sigma_parts=self.parts)
 
-@dataclass(frozen=True)
-class LeftOut:
+
+class LeftOut(Document, frozen=True):
     """A faulty file that was left out."""
 
-    file: str
-    reason: str
+    file: Annotated[str, Meta(description="Its path.")]
+    reason: Annotated[str, Meta(description="What is wrong with it.")]
+
+
+class RecordDocument(Document, frozen=True):
+    """The modes of a record."""
+
+    pose: Annotated[str, Meta(description="Its label.")]
+    kind: Annotated[str, Meta(description="Of the record.")]
+    modes: Annotated[tuple[ModeDocument, ...], Meta(description="Ascending in frequency.")]
+    struck: Annotated[
+        tuple[float, ...], Meta(description="Frequencies of modes that the campaign strikes out [Hz].")
+    ]
+    left_out: Annotated[tuple[LeftOut, ...], Meta(description="Faulty files.")]
+    messages: Annotated[tuple[str, ...], Meta(description="What the reader should know.")]
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,6 +140,20 @@ class RecordResult:
     inspections: tuple[Inspection, ...] = ()
     repeats: tuple[Repeats, ...] = ()
 
+    def document(self) -> RecordDocument:
+        """Return them in the form described in docs/json.md."""
+        modes = tuple(mode.document() for mode in self.modes)
+        return RecordDocument.of(self, pose=self.record.pose, kind=self.record.kind, modes=modes)
+
+
+class IdentifyDocument(Document, frozen=True):
+    """The modes of a campaign."""
+
+    records: Annotated[tuple[RecordDocument, ...], Meta(description="In the order of the campaign.")]
+    repeatability: Annotated[
+        Size, Meta(description="Relative standard deviation of a frequency when a pose is approached again.")
+    ]
+
 
 @dataclass(frozen=True, eq=False)
 class Identification:
@@ -129,3 +171,7 @@ class Identification:
     repeatability: float
     measurements: Measurements
     messages: tuple[str, ...]
+
+    def as_json(self) -> dict[str, Any]:
+        """Return them in the form described in docs/json.md, without NaN."""
+        return IdentifyDocument.of(self, records=tuple(one.document() for one in self.records)).as_json()

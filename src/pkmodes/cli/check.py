@@ -33,7 +33,7 @@ Cause = Literal[
 ]
 
 
-class FindingDocument(Document):
+class FindingDocument(Document, frozen=True):
     """A reason why a target is not up to date."""
 
     cause: Annotated[Cause, Meta(description="Kind of finding.")]
@@ -47,7 +47,7 @@ class FindingDocument(Document):
     ]
 
 
-class RelationDocument(Document):
+class RelationDocument(Document, frozen=True):
     """A generated derivative compared with finite differences."""
 
     name: Annotated[str, Meta(description="The relation, and the kind of finite difference.")]
@@ -59,7 +59,7 @@ class RelationDocument(Document):
     holds: Annotated[bool, Meta(description="Whether it is within the bound.")]
 
 
-class TargetDocument(Document):
+class TargetDocument(Document, frozen=True):
     """A checked target."""
 
     target: Annotated[str, Meta(description="The checked folder or robot file.")]
@@ -84,7 +84,7 @@ class TargetDocument(Document):
     ]
 
 
-class CheckDocument(Document):
+class CheckDocument(Document, frozen=True):
     """The report on all targets."""
 
     holds: Annotated[

@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal, cast
+from typing import TYPE_CHECKING
 
 import numpy as np
-from msgspec import Meta
 
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
@@ -16,18 +15,17 @@ from pkmodes.cli.options import named_as_options
 from pkmodes.cli.poses import places_given
 from pkmodes.cli.printing import signed
 from pkmodes.cli.reporting import report_file, sources_of
-from pkmodes.core.base.drives import FREE, Drives
+from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.support.documents import Count, Document, Number, Probability
 from pkmodes.support.motors import motors_of_both
 from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
     from pkmodes.maps.poses import Grid, Places
-    from pkmodes.maps.robots_compared import FrequencyChanges, ModeChange
+    from pkmodes.maps.robots_compared import ModeChange, RobotsCompared
     from pkmodes.report.sources import Source
-    from pkmodes.robot_files.differences import Differences
+    from pkmodes.robot_files.differences import ValueDifference
 
 #: Poses of the workspace, about, and poses at most: all of them are held at once.
 POSES, MOST = 20_000, 1_000_000
@@ -35,85 +33,7 @@ POSES, MOST = 20_000, 1_000_000
 LARGEST = 10
 
 
-class ValueDocument(Document):
-    """A quantity that the two robots declare differently."""
-
-    path: Annotated[str, Meta(description="Its dotted path.")]
-    unit: Annotated[str, Meta(description="Its SI unit; 1 if dimensionless.")]
-    first: Annotated[float | None, Meta(description="Value of the first robot; null where it declares none.")]
-    second: Annotated[
-        float | None, Meta(description="Value of the second robot; null where it declares none.")
-    ]
-    first_sigma: Annotated[float | None, Meta(description="Standard deviation; null where none is declared.")]
-    second_sigma: Annotated[float | None, Meta(description="Likewise of the second robot.")]
-    relative: Annotated[
-        float | None,
-        Meta(description="second / first - 1; null where one is not declared, or the first is 0."),
-    ]
-
-
-class ChoiceDocument(Document):
-    """A choice, such as a direction, or the correlations, that the two robots declare differently."""
-
-    path: Annotated[str, Meta(description="Its dotted path.")]
-    first: Annotated[str, Meta(description="As the first robot has it.")]
-    second: Annotated[str, Meta(description="As the second robot has it.")]
-
-
-class PosesDocument(Document):
-    """How many of the poses each robot can reach."""
-
-    both: Annotated[Count, Meta(description="Both robots.")]
-    first_only: Annotated[Count, Meta(description="The first robot only.")]
-    second_only: Annotated[Count, Meta(description="The second robot only.")]
-    none: Annotated[Count, Meta(description="None of them, such as corners of a grid.")]
-
-
-class ModeChangeDocument(Document):
-    """The relative difference of a frequency over the poses that both robots reach."""
-
-    mode: Annotated[
-        Number, Meta(description="Number by frequency in the first robot: 1 is its first vibration mode.")
-    ]
-    poses: Annotated[Count, Meta(description="Poses at which it has a partner in the second robot.")]
-    median: Annotated[
-        float | None,
-        Meta(description="Median of second / first - 1; null, like the next five, without a partner."),
-    ]
-    low: Annotated[float | None, Meta(description="2 % of the poses lie below it.")]
-    high: Annotated[float | None, Meta(description="2 % of the poses lie above it.")]
-    partner: Annotated[
-        Number | None,
-        Meta(
-            description="Number of its partner among the vibration modes of the second robot, at most of the poses."
-        ),
-    ]
-    exchanged: Annotated[
-        Probability | None, Meta(description="Share of the poses at which the partner has another number.")
-    ]
-    mac: Annotated[float | None, Meta(description="Median modal assurance criterion of the pairs.")]
-
-
-class RobotsDocument(Document):
-    """The differences of two robots: the second against the first."""
-
-    first: Annotated[str, Meta(description="Name of the first robot.")]
-    second: Annotated[str, Meta(description="Name of the second robot.")]
-    drives: Drives
-    compared: Annotated[Count, Meta(description="Number of declared values compared.")]
-    values: Annotated[
-        list[ValueDocument], Meta(description="Those that differ, also by their standard deviations.")
-    ]
-    choices: Annotated[list[ChoiceDocument], Meta(description="Choices that differ.")]
-    effects_added: Annotated[list[str], Meta(description="Effects of the second robot only.")]
-    effects_removed: Annotated[list[str], Meta(description="Effects of the first robot only.")]
-    poses: Annotated[PosesDocument, Meta(description="Poses considered.")]
-    modes: Annotated[list[ModeChangeDocument], Meta(description="The vibration modes of the first robot.")]
-    second_modes: Annotated[Count, Meta(description="Number of vibration modes of the second robot.")]
-    notes: Annotated[list[str], Meta(description="What the reader should know.")]
-
-
-def compare_robots(
+def compare_two(
     files: tuple[Path, Path],
     grid: str | None,
     poses: Path | None,
@@ -123,37 +43,21 @@ def compare_robots(
     json_file: str | None,
 ) -> None:
     """Compare two robot files, and print, write and draw what differs."""
-    from pkmodes.maps.robots_compared import compare_frequencies, headline, mode_changes
-    from pkmodes.robot_files.differences import check_one_mechanism, differences
+    from pkmodes.maps.robots_compared import compare_robots, headline
+    from pkmodes.robot_files.differences import check_one_mechanism
 
     sources = sources_of(report_to, dict(zip(("first robot file", "second robot file"), files, strict=True)))
     first, second = map(load, files)
     check_one_mechanism(first.robot, second.robot)
-    found = differences(first.robot, second.robot)
     places = places_given(first, grid, poses)
     with named_as_options({"poses": "--poses" if poses else "--grid", "grid": "--grid"}):
-        changes = compare_frequencies(first, second, _points(first, second, places), drives or FREE)
-    modes = mode_changes(changes)
-    document = RobotsDocument(
-        first=first.robot.name,
-        second=second.robot.name,
-        drives=cast('Literal["free", "held"]', drives or FREE),
-        compared=found.compared,
-        values=list(map(ValueDocument.of, found.values)),
-        choices=list(map(ChoiceDocument.of, found.choices)),
-        effects_added=list(found.added),
-        effects_removed=list(found.removed),
-        poses=PosesDocument(**changes.counts),
-        modes=list(map(ModeChangeDocument.of, modes)),
-        second_modes=changes.second_modes,
-        notes=_notes(found, changes, modes),
-    )
+        document = compare_robots(first, second, _points(first, second, places), drives or FREE)
     doing = motors_of_both(first.robot, second.robot, document.drives)
     report = report_file(report_to, lambda: _page(first, second, document, sources, _plane(places)))
     deliver(
         json_file,
         document.as_json(),
-        lambda: _print(files, document, everything, headline(modes), doing),
+        lambda: _print(files, document, everything, headline(document.modes), doing),
         report,
     )
 
@@ -181,24 +85,8 @@ def _plane(places: Places | None) -> Grid | None:
     return places if isinstance(places, Grid) and sum(n > 1 for n in places.shape) == 2 else None
 
 
-def _notes(found: Differences, changes: FrequencyChanges, each: Sequence[ModeChange]) -> list[str]:
-    from pkmodes.maps.robots_compared import exchanging
-
-    notes = [sentence] if (sentence := exchanging(each)) else []
-    more = changes.second_modes - changes.modes
-    if more:
-        has = "second" if more > 0 else "first"
-        modes = "mode" if abs(more) == 1 else "modes"
-        notes.append(
-            f"the {has} robot has {abs(more)} {modes} of vibration more, without partners at each pose"
-        )
-    if not (found.values or found.choices or found.added or found.removed):
-        notes.append("the two files declare the same robot")
-    return notes
-
-
 def _page(
-    first: Model, second: Model, document: RobotsDocument, sources: Sequence[Source], plane: Grid | None
+    first: Model, second: Model, document: RobotsCompared, sources: Sequence[Source], plane: Grid | None
 ) -> str:
     from pkmodes.report.robots import robots_report
 
@@ -207,7 +95,7 @@ def _page(
 
 
 def _print(
-    files: tuple[Path, Path], document: RobotsDocument, everything: bool, headline: str, doing: str
+    files: tuple[Path, Path], document: RobotsCompared, everything: bool, headline: str, doing: str
 ) -> None:
     from pkmodes.cli.terminal import Terminal
 
@@ -269,7 +157,7 @@ def _places(count: int) -> str:
     return "the one pose" if count == 1 else f"the {count:,} poses"
 
 
-def _other_sigma(value: ValueDocument) -> bool:
+def _other_sigma(value: ValueDifference) -> bool:
     """Return whether the standard deviations differ, also relative to the values, which a file may state."""
     ours, theirs = value.first_sigma, value.second_sigma
     if ours is None or theirs is None:
@@ -278,7 +166,7 @@ def _other_sigma(value: ValueDocument) -> bool:
     return ours != theirs and not (same and value.first is not None)
 
 
-def _size(value: ValueDocument) -> tuple[int, float]:
+def _size(value: ValueDifference) -> tuple[int, float]:
     """Return the key by which values are sorted: those without a relative difference first, then the largest ones."""
     return (0, 0.0) if value.relative is None else (1, -abs(value.relative))
 
@@ -287,7 +175,7 @@ def _value(value: float | None) -> str:
     return "-" if value is None else f"{value:.6g}"
 
 
-def _mode(mode: ModeChangeDocument) -> list[str]:
+def _mode(mode: ModeChange) -> list[str]:
     ends = ["-" if value is None else signed(100.0 * value) for value in (mode.low, mode.median, mode.high)]
     partner = "-" if mode.partner is None else str(mode.partner)
     exchanged = "-" if mode.exchanged is None else f"{100.0 * mode.exchanged:.1f}"

@@ -19,7 +19,7 @@ from pkmodes.support.documents import Document
 from pkmodes.support.places import resolved
 
 
-class FiguresDocument(Document):
+class FiguresDocument(Document, frozen=True):
     """The files of the figures."""
 
     robot: Annotated[str, Meta(description="The robot file, as given.")]

@@ -17,7 +17,7 @@ from pkmodes.support.documents import Document
 from pkmodes.support.progress import say
 
 
-class GenerateDocument(Document):
+class GenerateDocument(Document, frozen=True):
     """The files of a model."""
 
     robot: Annotated[str, Meta(description="The robot file, as given.")]

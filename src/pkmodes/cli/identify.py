@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
-from msgspec import Meta
 
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.options import json_option, mechanism_option, report_option
@@ -15,7 +14,6 @@ from pkmodes.cli.printing import echo
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.drives import motors
-from pkmodes.support.documents import Count, Document, Probability, Size
 from pkmodes.support.motors import motors_in_words
 from pkmodes.support.numbers import plain, rounded
 
@@ -23,65 +21,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from pkmodes.campaign.campaign import Campaign
-    from pkmodes.campaign.results import Identification, IdentifiedMode, LeftOut, RecordResult
+    from pkmodes.campaign.results import Identification
     from pkmodes.report.sources import Source
-
-
-class PartsDocument(Document):
-    """What the standard deviation of a frequency consists of [Hz], added in quadrature."""
-
-    scatter: Annotated[Size, Meta(description="Of the mean over repeats; 0 for a single file.")]
-    fit: Annotated[Size, Meta(description="Uncertainty of the identification itself.")]
-    repeatability: Annotated[Size, Meta(description="What approaching the pose again changes.")]
-
-
-class ModeDocument(Document):
-    """A mode of a record."""
-
-    frequency: Annotated[Size, Meta(description="Undamped natural frequency [Hz].")]
-    sigma: Annotated[Size, Meta(description="Its standard deviation [Hz].")]
-    sigma_parts: Annotated[PartsDocument, Meta(description="What it consists of.")]
-    damping: Annotated[float | None, Meta(description="Damping ratio; null where unknown.")]
-    sigma_damping: Annotated[Size | None, Meta(description="Its standard deviation; null where unknown.")]
-    complexity: Annotated[
-        Probability | None,
-        Meta(description="Modal phase collinearity, 1 for a real shape; null without a shape."),
-    ]
-    found_in: Annotated[
-        list[int] | None,
-        Meta(description="In how many model orders, of how many; null for spectra and identified modes."),
-    ]
-    files: Annotated[Count, Meta(description="In how many files it was found.")]
-    edited: Annotated[str | None, Meta(description='"added" if the campaign asked for it.')]
-
-
-class LeftOutDocument(Document):
-    """A faulty file that was left out."""
-
-    file: Annotated[str, Meta(description="Its path.")]
-    reason: Annotated[str, Meta(description="What is wrong with it.")]
-
-
-class RecordDocument(Document):
-    """The modes of a record."""
-
-    pose: Annotated[str, Meta(description="Its label.")]
-    kind: Annotated[str, Meta(description="Of the record.")]
-    modes: Annotated[list[ModeDocument], Meta(description="Ascending in frequency.")]
-    struck: Annotated[
-        list[float], Meta(description="Frequencies of modes that the campaign strikes out [Hz].")
-    ]
-    left_out: Annotated[list[LeftOutDocument], Meta(description="Faulty files.")]
-    messages: Annotated[list[str], Meta(description="What the reader should know.")]
-
-
-class IdentifyDocument(Document):
-    """The modes of a campaign."""
-
-    records: Annotated[list[RecordDocument], Meta(description="In the order of the campaign.")]
-    repeatability: Annotated[
-        Size, Meta(description="Relative standard deviation of a frequency when a pose is approached again.")
-    ]
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes identify examples/campaign/campaign.toml --out modes.csv")
@@ -122,7 +63,7 @@ def identify(
     found = identified(declared, keep_going=keep_going, inspect=report_to is not None)
     for message in _said(found):
         echo(message, err=True)
-    content = _document(found).as_json()
+    content = found.as_json()
     text = as_csv(found.measurements, [f"modes identified by pkmodes identify from {campaign.name}"])
     rows = len(found.measurements.frequency)
     file = ResultFile(out, lambda path: write_file(path, text), lambda path: (f"wrote {path}: {rows} modes",))
@@ -144,33 +85,6 @@ def _said(found: Identification) -> list[str]:
         lines += [f"left out: {each.file}: {each.reason}" for each in one.left_out]
         lines += [f"note: {message}" for message in one.messages]
     return [*lines, *(f"note: {message}" for message in found.messages)]
-
-
-def _document(found: Identification) -> IdentifyDocument:
-    return IdentifyDocument([_record(one) for one in found.records], found.repeatability)
-
-
-def _record(one: RecordResult) -> RecordDocument:
-    return RecordDocument(
-        pose=one.record.pose,
-        kind=one.record.kind,
-        modes=[_mode(mode) for mode in one.modes],
-        struck=list(one.struck),
-        left_out=[_left_out(each) for each in one.left_out],
-        messages=list(one.messages),
-    )
-
-
-def _left_out(one: LeftOut) -> LeftOutDocument:
-    return LeftOutDocument(one.file, one.reason)
-
-
-def _mode(mode: IdentifiedMode) -> ModeDocument:
-    return ModeDocument.of(
-        mode,
-        sigma_parts=PartsDocument.of(mode.parts),
-        found_in=None if mode.found_in is None else list(mode.found_in),
-    )
 
 
 def _print(found: Identification, campaign: Campaign) -> None:

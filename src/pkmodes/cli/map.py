@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from pkmodes.report.sources import Source
 
 
-class ExtremesDocument(Document):
+class ExtremesDocument(Document, frozen=True):
     """Between which values a frequency lies, and where it is lowest and highest."""
 
     mode: Annotated[int, Meta(description="Number of the mode: 1 is the first vibration mode.")]
@@ -55,7 +55,7 @@ class ExtremesDocument(Document):
     ]
 
 
-class LeftOutDocument(Document):
+class LeftOutDocument(Document, frozen=True):
     """Poses that the numbers of the modes leave out."""
 
     poses: Annotated[int, Meta(description="How many there are.")]
@@ -67,7 +67,7 @@ class LeftOutDocument(Document):
     ]
 
 
-class MapDocument(Document):
+class MapDocument(Document, frozen=True):
     """The summary of a map."""
 
     robot: Annotated[str, Meta(description="Name of the robot.")]

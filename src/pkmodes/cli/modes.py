@@ -39,7 +39,7 @@ SMALLEST_SIGMA = 0.0005
 LARGE = 99_999.9995
 
 
-class _AtPose(Document):
+class _AtPose(Document, frozen=True):
     robot: Annotated[str, Meta(description="Name of the robot.")]
     pose: Annotated[
         list[float],

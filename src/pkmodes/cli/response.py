@@ -48,7 +48,7 @@ OPTIONS = {
 }
 
 
-class ResponseDocument(Document):
+class ResponseDocument(Document, frozen=True):
     """The response of F frequencies at a pose, for exp(+i omega t)."""
 
     robot: Annotated[str, Meta(description="Name of the robot.")]

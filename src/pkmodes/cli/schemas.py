@@ -6,19 +6,19 @@ import json
 import sys
 from pathlib import Path
 
+from pkmodes.campaign.results import IdentifyDocument
 from pkmodes.cli.check import CheckDocument
-from pkmodes.cli.compare import CompareDocument
-from pkmodes.cli.compare_robots import RobotsDocument
 from pkmodes.cli.figures import FiguresDocument
 from pkmodes.cli.generate import GenerateDocument
-from pkmodes.cli.identify import IdentifyDocument
 from pkmodes.cli.map import MapDocument
 from pkmodes.cli.modes import modes_document
 from pkmodes.cli.response import ResponseDocument
 from pkmodes.cli.sensitivities import SensitivitiesDocument
 from pkmodes.cli.shaper import ShaperDocument
 from pkmodes.cli.show import ShowDocument
+from pkmodes.diagnosis.compare import CompareDocument
 from pkmodes.diagnosis.verdict.document import DiagnoseDocument
+from pkmodes.maps.robots_compared import RobotsCompared
 from pkmodes.support.documents import Document, schema_of
 from pkmodes.support.writing import write_files
 
@@ -35,7 +35,7 @@ DOCUMENTS: dict[str, type[Document]] = {
     "shaper": ShaperDocument,
     "identify": IdentifyDocument,
     "compare": CompareDocument,
-    "compare-robots": RobotsDocument,
+    "compare-robots": RobotsCompared,
     "diagnose": DiagnoseDocument,
 }
 

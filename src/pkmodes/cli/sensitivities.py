@@ -35,7 +35,7 @@ EXAMPLE = "--parameters platform.mass,axis.span; or omit the option"
 MOST = 10
 
 
-class SensitivitiesDocument(Document):
+class SensitivitiesDocument(Document, frozen=True):
     """The derivatives at a pose: T quantities, m modes, the rigid-body ones first."""
 
     robot: Annotated[str, Meta(description="Name of the robot.")]

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.cli.terminal import Terminal
-from pkmodes.cli.wide_tables import split
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.sensitivity.changes import CORRELATED, SIGMA, changes_at
 from pkmodes.sensitivity.relative import alike_around, scalable
@@ -156,10 +155,7 @@ def _sigmas(terminal: Terminal, model: Model, modes: Modes, numbers: Sequence[st
 
 def _table(terminal: Terminal, titles: Sequence[str], rows: Rows, fixed: int) -> None:
     """Print a table, as several below each other where it is wider than the terminal."""
-    for i, (some, part) in enumerate(split(titles, rows, fixed, terminal.width)):
-        if i:
-            terminal.line()
-        terminal.table(some, part, left=("mode", "unit"))
+    terminal.table(titles, rows, left=("mode", "unit"), repeated=1, described_by=fixed, even=True)
 
 
 def _named(name: str, cells: Sequence[str] | map[str]) -> list[list[str]]:

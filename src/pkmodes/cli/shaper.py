@@ -48,7 +48,7 @@ OPTIONS = {
 }
 
 
-class UnshapedDocument(Document):
+class UnshapedDocument(Document, frozen=True):
     """Vibration of the platform without a shaper, for a step of its acceleration by 1 m/s^2."""
 
     rms: Annotated[Size, Meta(description="Root mean square over the poses [s^2].")]
@@ -56,7 +56,7 @@ class UnshapedDocument(Document):
     pose: Annotated[list[float], Meta(description="Where it is largest, in SI units.")]
 
 
-class LeftDocument(Document):
+class LeftDocument(Document, frozen=True):
     """Vibration that a shaper leaves, relative to none."""
 
     rms: Annotated[Size, Meta(description="Root mean square over that without a shaper.")]
@@ -70,7 +70,7 @@ class LeftDocument(Document):
     ]
 
 
-class CandidateDocument(Document):
+class CandidateDocument(Document, frozen=True):
     """A shaper."""
 
     kind: Annotated[str, Meta(description="Such as zv, or zv*zv for two modes.")]
@@ -88,7 +88,7 @@ class CandidateDocument(Document):
     left: Annotated[LeftDocument, Meta(description="Vibration that it leaves.")]
 
 
-class ShaperDocument(Document):
+class ShaperDocument(Document, frozen=True):
     """Shapers for the modes of held motors, compared over poses."""
 
     robot: Annotated[str, Meta(description="Name of the robot.")]

@@ -21,7 +21,7 @@ from pkmodes.support.progress import say
 from pkmodes.support.writing import write_file
 
 
-class ShowDocument(Document):
+class ShowDocument(Document, frozen=True):
     """The page of a robot."""
 
     robot: Annotated[str, Meta(description="The robot file, as given.")]

@@ -61,6 +61,8 @@ class Terminal:
         *,
         gap: int = 2,
         repeated: int = 0,
+        described_by: int = 0,
+        even: bool = False,
         above: Sequence[str] = (),
     ) -> None:
         """Print a table.
@@ -78,12 +80,22 @@ class Terminal:
         repeated : int
             Where the table is wider than the terminal, columns that do not fit go below, after this number of its
             first columns once more; 0 keeps it in one piece.
+        described_by : int
+            Columns that describe a row, all of which are in the first part; by default those that are repeated.
+        even : bool
+            Whether the parts have as many columns each, where that takes no further part.
         above : sequence of str
             A line above each row, if any; empty for none.
         """
         cells = [[printable(cell) for cell in row] for row in (titles, *rows)]
         widths = [max(cell_len(row[k]) for row in cells) for k in range(len(titles))]
-        parts = self._parts(widths, gap, repeated) if repeated else [list(range(len(titles)))]
+        parts = [list(range(len(titles)))]
+        if repeated:
+            described_by = max(described_by, repeated)
+            parts = self._parts(widths, gap, repeated, described_by)
+            most = -(-(len(titles) - described_by) // len(parts))
+            same = self._parts(widths, gap, repeated, described_by, most) if even else parts
+            parts = same if len(same) == len(parts) else parts
         for number, part in enumerate(parts):
             if number:
                 self.line()
@@ -98,19 +110,26 @@ class Terminal:
         widths = [max(cell_len(printable(row[k])) for row in (titles, *rows)) for k in range(len(titles))]
         return sum(widths) + gap * (len(widths) - 1) <= self._width
 
-    def _parts(self, widths: Sequence[int], gap: int, repeated: int) -> list[list[int]]:
-        """Return the columns of each part of a table, every part as wide as the terminal at most."""
-        first = list(range(repeated))
-        begin = sum(widths[:repeated]) + gap * (repeated - 1)
-        parts: list[list[int]] = []
-        used = self._width
-        for k in range(repeated, len(widths)):
-            if not parts or used + gap + widths[k] > self._width:
-                parts.append([*first])
-                used = begin
+    def _parts(
+        self, widths: Sequence[int], gap: int, repeated: int, described_by: int, most: int | None = None
+    ) -> list[list[int]]:
+        """Return the columns of each part of a table, every part as wide as the terminal at most.
+
+        Parameters
+        ----------
+        most : int, optional
+            Columns beside those that describe a row, in each part.
+        """
+        parts = [list(range(described_by))]
+        added = 0
+        for k in range(described_by, len(widths)):
+            width = sum(widths[i] for i in parts[-1]) + gap * len(parts[-1]) + widths[k]
+            if added and (width > self._width or added == most):
+                parts.append(list(range(repeated)))
+                added = 0
             parts[-1].append(k)
-            used += gap + widths[k]
-        return parts or [first]
+            added += 1
+        return parts
 
 
 def _aligned(text: str, width: int, left: bool) -> str:

@@ -2,61 +2,95 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Annotated
 
+import msgspec
 import numpy as np
+from msgspec import Meta
 from scipy import stats
 
+from pkmodes.core.base.drives import Drives
 from pkmodes.diagnosis.arguments import checked
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.verdict.mistakes import other_unit
-from pkmodes.diagnosis.verdict.rows import MeasuredMode, drives_of
+from pkmodes.diagnosis.verdict.rows import Place, drives_of
 from pkmodes.diagnosis.verdict.wrong_drives import seemingly_wrong_drives
 from pkmodes.measured.measurements import Measurements
+from pkmodes.support.documents import Count, Document, Number, Probability, Settings, Size
 
 
-@dataclass(frozen=True)
-class ComparedRow(MeasuredMode):
-    """One measured mode and its partner.
+class ComparedRow(Place, frozen=True, omit_defaults=True):
+    """A measured mode and its partner in the model."""
 
-    Attributes
-    ----------
-    predicted : float or None
-        Frequency of its partner [Hz]; None if it is unmatched.
-    partner : int or None
-        Number of the partner among the model's modes, from 1, rigid ones included.
-    residual : float or None
-        predicted / measured - 1.
-    sigmas : float or None
-        Difference of the logarithms in standard deviations of the measurement, including its position error.
-    mac : float or None
-        Modal assurance criterion, if a shape was measured.
-    load : mapping of str to float
-        Values set at its pose, by name.
-    damping, sigma_damping : float or None
-        Measured damping ratio and its standard deviation, where known.
-    predicted_damping : float or None
-        Damping ratio of its partner, beside a measured one, for structures that know it.
-    """
-
-    predicted: float | None
-    partner: int | None
-    residual: float | None
-    sigmas: float | None
-    mac: float | None
-    load: Mapping[str, float] = field(default_factory=dict)
-    damping: float | None = None
-    sigma_damping: float | None = None
-    predicted_damping: float | None = None
+    mode: Annotated[str, Meta(description="The experimenter's mode number; may be empty.")]
+    measured: Annotated[float, Meta(description="Frequency [Hz].")]
+    sigma: Annotated[float, Meta(description="Its standard deviation [Hz].")]
+    drives: Annotated[
+        Drives | None, Meta(description="What the motors did; null for a structure without motors.")
+    ]
+    predicted: Annotated[
+        float | None,
+        Meta(
+            description="Frequency of the paired mode [Hz]; null for an unmatched row, like the next three."
+        ),
+    ]
+    partner: Annotated[
+        Number | None,
+        Meta(description="Number of the paired mode in the model, from 1, counting the rigid ones."),
+    ]
+    residual: Annotated[float | None, Meta(description="predicted / measured - 1.")]
+    sigmas: Annotated[
+        float | None,
+        Meta(
+            description="Difference of the logarithms in standard deviations, including the uncertainty of the "
+            "position."
+        ),
+    ]
+    mac: Annotated[
+        Size | None, Meta(description="Modal assurance criterion; null where no shape was measured.")
+    ]
+    load: Settings = msgspec.field(name="set", default_factory=dict)
+    damping: Annotated[
+        float | None,
+        Meta(description="Measured damping ratio; present only where it was measured, like the next two."),
+    ] = None
+    sigma_damping: Annotated[float | None, Meta(description="Its standard deviation.")] = None
+    predicted_damping: Annotated[float | None, Meta(description="Damping ratio of the paired mode.")] = None
 
     @property
     def no_evidence(self) -> bool:
         """Whether its damping says nothing about its partner, whose shape is another one."""
         return self.damping is not None and self.mac is not None and self.mac < Criteria.strange_mac
+
+
+class CompareDocument(Document, frozen=True):
+    """The residuals of a robot."""
+
+    robot: Annotated[str, Meta(description="Name of the robot.")]
+    rms_relative: Annotated[
+        Size | None,
+        Meta(description="Root mean square of the residuals of the paired rows; null where none is paired."),
+    ]
+    chi2_per_dof: Annotated[
+        Size | None,
+        Meta(
+            description="For the paired rows with their stated errors, nothing fitted; null where none is paired."
+        ),
+    ]
+    p_value: Annotated[
+        Probability | None,
+        Meta(
+            description="Probability of a larger chi-square if the model is right; null where none is paired."
+        ),
+    ]
+    unpaired: Annotated[Count, Meta(description="Number of unmatched measured modes.")]
+    rows: Annotated[
+        tuple[ComparedRow, ...], Meta(description="One for each measured mode, in the order of the file.")
+    ]
 
 
 @dataclass(frozen=True)
@@ -90,6 +124,22 @@ class Comparison:
     def unpaired(self) -> tuple[ComparedRow, ...]:
         """Unmatched measured modes."""
         return tuple(row for row in self.rows if row.predicted is None)
+
+    def as_json(self, robot: str) -> dict[str, object]:
+        """Return the result in the form described in docs/json.md, without NaN.
+
+        Parameters
+        ----------
+        robot : str
+            Name of the robot.
+
+        Returns
+        -------
+        dict of str to object
+            What ``pkmodes compare --json`` writes.
+        """
+        document = CompareDocument.of(self, robot=robot, unpaired=len(self.unpaired))
+        return document.as_json()
 
 
 def compare(structure: Structure, data: Measurements) -> Comparison:

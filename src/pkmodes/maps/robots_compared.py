@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any, cast
 
 import numpy as np
+from msgspec import Meta
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from pkmodes.core.base.drives import FREE
+from pkmodes.core.base.drives import FREE, Drives
 from pkmodes.core.base.errors import PoseError
 from pkmodes.core.model import Model
-from pkmodes.robot_files.differences import check_one_mechanism
+from pkmodes.robot_files.differences import (
+    ChoiceDifference,
+    Differences,
+    ValueDifference,
+    check_one_mechanism,
+    differences,
+)
+from pkmodes.support.documents import Count, Document, Number, Probability
 from pkmodes.support.mac import mass_weighted_mac
 from pkmodes.support.progress import say
 
@@ -65,44 +73,39 @@ class FrequencyChanges:
         return int(self.frequencies.shape[1])
 
     @property
-    def counts(self) -> dict[str, int]:
+    def counts(self) -> PoseCounts:
         """How many poses both robots reach, one of them only, or none."""
-        return {
-            "both": int((self.first & self.second).sum()),
-            "first_only": int((self.first & ~self.second).sum()),
-            "second_only": int((self.second & ~self.first).sum()),
-            "none": int((~self.first & ~self.second).sum()),
-        }
+        return PoseCounts(
+            both=int((self.first & self.second).sum()),
+            first_only=int((self.first & ~self.second).sum()),
+            second_only=int((self.second & ~self.first).sum()),
+            none=int((~self.first & ~self.second).sum()),
+        )
 
 
-@dataclass(frozen=True)
-class ModeChange:
-    """By how much the frequency of one mode differs over the poses.
+class ModeChange(Document, frozen=True):
+    """The relative difference of a frequency over the poses that both robots reach."""
 
-    Attributes
-    ----------
-    mode : int
-        Number by frequency among the vibration modes of the first robot, from 1.
-    poses : int
-        Poses at which it has a partner.
-    median, low, high : float or None
-        Of the relative difference; 2 % of the poses lie below the low end and above the high one.
-    partner : int or None
-        Number of its partner among the vibration modes of the second robot, at most of the poses.
-    exchanged : float or None
-        Share of the poses at which its partner has another number, because frequencies cross or veer.
-    mac : float or None
-        Median MAC of the two shapes.
-    """
-
-    mode: int
-    poses: int
-    median: float | None
-    low: float | None
-    high: float | None
-    partner: int | None
-    exchanged: float | None
-    mac: float | None
+    mode: Annotated[
+        Number, Meta(description="Number by frequency in the first robot: 1 is its first vibration mode.")
+    ]
+    poses: Annotated[Count, Meta(description="Poses at which it has a partner in the second robot.")]
+    median: Annotated[
+        float | None,
+        Meta(description="Median of second / first - 1; null, like the next five, without a partner."),
+    ]
+    low: Annotated[float | None, Meta(description="2 % of the poses lie below it.")]
+    high: Annotated[float | None, Meta(description="2 % of the poses lie above it.")]
+    partner: Annotated[
+        Number | None,
+        Meta(
+            description="Number of its partner among the vibration modes of the second robot, at most of the poses."
+        ),
+    ]
+    exchanged: Annotated[
+        Probability | None, Meta(description="Share of the poses at which the partner has another number.")
+    ]
+    mac: Annotated[float | None, Meta(description="Median modal assurance criterion of the pairs.")]
 
     @property
     def comparable(self) -> bool:
@@ -113,6 +116,71 @@ class ModeChange:
             and self.exchanged <= EXCHANGED
             and self.mac >= LIKE
         )
+
+
+class PoseCounts(Document, frozen=True):
+    """How many of the poses each robot can reach."""
+
+    both: Annotated[Count, Meta(description="Both robots.")]
+    first_only: Annotated[Count, Meta(description="The first robot only.")]
+    second_only: Annotated[Count, Meta(description="The second robot only.")]
+    none: Annotated[Count, Meta(description="None of them, such as corners of a grid.")]
+
+
+class RobotsCompared(Document, frozen=True):
+    """The differences of two robots: the second against the first."""
+
+    first: Annotated[str, Meta(description="Name of the first robot.")]
+    second: Annotated[str, Meta(description="Name of the second robot.")]
+    drives: Drives
+    compared: Annotated[Count, Meta(description="Number of declared values compared.")]
+    values: Annotated[
+        tuple[ValueDifference, ...],
+        Meta(description="Those that differ, also by their standard deviations."),
+    ]
+    choices: Annotated[tuple[ChoiceDifference, ...], Meta(description="Choices that differ.")]
+    effects_added: Annotated[tuple[str, ...], Meta(description="Effects of the second robot only.")]
+    effects_removed: Annotated[tuple[str, ...], Meta(description="Effects of the first robot only.")]
+    poses: Annotated[PoseCounts, Meta(description="Poses considered.")]
+    modes: Annotated[tuple[ModeChange, ...], Meta(description="The vibration modes of the first robot.")]
+    second_modes: Annotated[Count, Meta(description="Number of vibration modes of the second robot.")]
+    notes: Annotated[tuple[str, ...], Meta(description="What the reader should know.")]
+
+
+def compare_robots(first: Model, second: Model, poses: Array, drives: str = FREE) -> RobotsCompared:
+    """Compare two robots by what their files declare, and by their frequencies over poses.
+
+    Parameters, and errors raised, are those of `compare_frequencies`.
+    """
+    found = differences(first.robot, second.robot)
+    changes = compare_frequencies(first, second, poses, drives)
+    modes = mode_changes(changes)
+    return RobotsCompared(
+        first=first.robot.name,
+        second=second.robot.name,
+        drives=cast("Drives", drives),
+        compared=found.compared,
+        values=found.values,
+        choices=found.choices,
+        effects_added=found.added,
+        effects_removed=found.removed,
+        poses=changes.counts,
+        modes=modes,
+        second_modes=changes.second_modes,
+        notes=tuple(_notes(found, changes, modes)),
+    )
+
+
+def _notes(found: Differences, changes: FrequencyChanges, modes: Sequence[ModeChange]) -> Iterator[str]:
+    if sentence := exchanging(modes):
+        yield sentence
+    more = changes.second_modes - changes.modes
+    if more:
+        has = "second" if more > 0 else "first"
+        noun = "mode" if abs(more) == 1 else "modes"
+        yield f"the {has} robot has {abs(more)} {noun} of vibration more, without partners at each pose"
+    if not (found.values or found.choices or found.added or found.removed):
+        yield "the two files declare the same robot"
 
 
 def headline(modes: Sequence[ModeChange]) -> str:
@@ -170,7 +238,7 @@ def compare_frequencies(first: Model, second: Model, poses: Array, drives: str =
     reached, also, *rest = (np.concatenate(each) for each in zip(*parts, strict=True))
     frequencies, relative, partner, mac = rest
     changes = FrequencyChanges(poses, reached, also, frequencies, relative, partner, mac, second_modes=count)
-    if not changes.counts["both"]:
+    if not changes.counts.both:
         what = f"expected poses that both robots can reach, found none among {len(poses):,}"
         raise PoseError(what, "poses", "give poses in the workspaces of both")
     return changes

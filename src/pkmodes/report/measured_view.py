@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -13,9 +14,10 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.model import Model
 from pkmodes.core.robot.reading import robot_from_document
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.compare import Comparison
+from pkmodes.diagnosis.compare import ComparedRow, Comparison
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.diagnosis.verdict.rows import Row
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.ordering import in_order
 from pkmodes.updating import frame
@@ -115,7 +117,8 @@ def _measured(
     result: Diagnosis | Comparison, shown: Shown, data: Measurements, place: dict[int, int], seen: Scene
 ) -> tuple[MeasuredMode, ...]:
     found = []
-    for row, (measured, pose) in enumerate(zip(result.rows, data.pose.tolist(), strict=True)):
+    rows: Sequence[Row | ComparedRow] = result.rows
+    for row, (measured, pose) in enumerate(zip(rows, data.pose.tolist(), strict=True)):
         if pose not in place:
             continue
         partner = 0 if shown.predicted is None else int(shown.predicted.mode[row])

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Annotated
+
+from msgspec import Meta
 
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.covariance import COVARIANCE
@@ -11,44 +14,32 @@ from pkmodes.core.robot.declaration import Declaration
 from pkmodes.core.robot.layout import by_path, takers
 from pkmodes.core.robot.units import Quantity
 from pkmodes.core.robot.usable import numbers_of
+from pkmodes.support.documents import Document
 
 
-@dataclass(frozen=True)
-class ValueDifference:
-    """A quantity that two robots declare differently, or that one of them does not declare.
+class ValueDifference(Document, frozen=True):
+    """A quantity that the two robots declare differently."""
 
-    Attributes
-    ----------
-    path : str
-        Such as ``platform.mass`` or ``effects.payload.mass``.
-    unit : str
-        SI unit; 1 if dimensionless.
-    first, second : float or None
-        Its values in that unit; None where it is not declared.
-    first_sigma, second_sigma : float or None
-        Their standard deviations; None where none is declared.
-    """
-
-    path: str
-    unit: str
-    first: float | None
-    second: float | None
-    first_sigma: float | None
-    second_sigma: float | None
-
-    @property
-    def relative(self) -> float | None:
-        """Second / first - 1; None where one is not declared, or the first is 0."""
-        return self.second / self.first - 1.0 if self.first and self.second is not None else None
+    path: Annotated[str, Meta(description="Its dotted path.")]
+    unit: Annotated[str, Meta(description="Its SI unit; 1 if dimensionless.")]
+    first: Annotated[float | None, Meta(description="Value of the first robot; null where it declares none.")]
+    second: Annotated[
+        float | None, Meta(description="Value of the second robot; null where it declares none.")
+    ]
+    first_sigma: Annotated[float | None, Meta(description="Standard deviation; null where none is declared.")]
+    second_sigma: Annotated[float | None, Meta(description="Likewise of the second robot.")]
+    relative: Annotated[
+        float | None,
+        Meta(description="second / first - 1; null where one is not declared, or the first is 0."),
+    ]
 
 
-@dataclass(frozen=True)
-class ChoiceDifference:
-    """A choice, such as the direction of an axis, that two robots declare differently, or their correlations."""
+class ChoiceDifference(Document, frozen=True):
+    """A choice, such as a direction, or the correlations, that the two robots declare differently."""
 
-    path: str
-    first: str
-    second: str
+    path: Annotated[str, Meta(description="Its dotted path.")]
+    first: Annotated[str, Meta(description="As the first robot has it.")]
+    second: Annotated[str, Meta(description="As the second robot has it.")]
 
 
 @dataclass(frozen=True)
@@ -128,14 +119,13 @@ def _compared(path: str, first: Declaration, second: Declaration) -> bool:
 def _difference(path: str, first: Declaration, second: Declaration) -> ValueDifference:
     ours, theirs = (_quantity(path, robot) for robot in (first, second))
     unit = next(one.unit for one in (ours, theirs) if one is not None)
-    return ValueDifference(
-        path,
-        unit,
-        None if ours is None else ours.value,
-        None if theirs is None else theirs.value,
-        None if ours is None else ours.sigma,
-        None if theirs is None else theirs.sigma,
-    )
+    before, after = (None if one is None else one.value for one in (ours, theirs))
+    known, others = (None if one is None else one.sigma for one in (ours, theirs))
+    return ValueDifference(path, unit, before, after, known, others, _relative(before, after))
+
+
+def _relative(first: float | None, second: float | None) -> float | None:
+    return second / first - 1.0 if first and second is not None else None
 
 
 def _quantity(path: str, robot: Declaration) -> Quantity | None:
@@ -149,7 +139,7 @@ def _usable(first: Declaration, second: Declaration) -> Iterator[ValueDifference
     for path in dict.fromkeys([*ours, *theirs]):
         unit = (ours.get(path) or theirs[path])[1]
         mine, other = (of[path][0] if path in of else None for of in (ours, theirs))
-        yield ValueDifference(path, unit, mine, other, None, None)
+        yield ValueDifference(path, unit, mine, other, None, None, _relative(mine, other))
 
 
 def _correlations(first: Declaration, second: Declaration) -> Iterator[ChoiceDifference]:

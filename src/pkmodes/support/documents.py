@@ -27,7 +27,7 @@ Settings = Annotated[
 ]
 
 
-class Document(Struct):
+class Document(Struct, frozen=True):
     """An object in JSON: the fields are its keys, in their order, and their descriptions those of the schema.
 
     A field with another name in JSON is declared with ``msgspec.field(name=...)``; with ``omit_defaults=True`` a

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
+from msgspec import structs
 
 from pkmodes import diagnosis
 from pkmodes.core.model import Model
@@ -141,7 +142,7 @@ def _with_damping(result: Comparison, measured: MeasuredRobot) -> Comparison:
         ratios, first = modes.damping_ratios, result.rigid - modes.rigid_modes
         for i in mine:
             partner = rows[i].partner
-            rows[i] = replace(
+            rows[i] = structs.replace(
                 rows[i],
                 damping=float(data.damping[i]),
                 sigma_damping=float(data.damping_sigma[i]),

@@ -50,7 +50,7 @@ HAMMER = np.array([0.48, 0.6, 0.64])
 #: Payload of every fourth specimen, which the frequencies have to show [kg].
 PAYLOADS = {"published": 0.3, "tower": 0.08, "asymmetric": 0.25, "rotary_delta": 0.1, "corexy": 0.06}
 #: What the damping adds to a row.
-OF_DAMPING = [name for name in Row.__dataclass_fields__ if "damping" in name]
+OF_DAMPING = [name for name in Row.__struct_fields__ if "damping" in name]
 #: Cases of each kind on each machine.
 EACH = 6
 

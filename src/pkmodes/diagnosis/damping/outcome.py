@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+from msgspec import structs
 from scipy import stats
 
 from pkmodes.diagnosis.damping import words
@@ -100,7 +101,7 @@ def _rows(result: Diagnosis, data: Measurements, stage: Stage) -> tuple[Row, ...
     rows = list(result.rows)
     for i in np.flatnonzero(~np.isnan(data.damping)).tolist():
         measured, sigma = float(data.damping[i]), float(data.damping_sigma[i])
-        rows[i] = replace(
+        rows[i] = structs.replace(
             rows[i],
             damping=measured,
             sigma_damping=sigma,
@@ -113,7 +114,7 @@ def _rows(result: Diagnosis, data: Measurements, stage: Stage) -> tuple[Row, ...
         old, new, width = (
             float(value[k]) if np.isfinite(value[k]) else None for value in (before, after, sigma_used)
         )
-        rows[i] = replace(
+        rows[i] = structs.replace(
             rows[i],
             damping_before=old,
             damping_after=new,

@@ -6,19 +6,21 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from pkmodes.core.base.drives import Drives
+from pkmodes.diagnosis.verdict.findings import Stability
+from pkmodes.diagnosis.verdict.proposal import NextMeasurement
+from pkmodes.diagnosis.verdict.rows import Error, Place, Row
 from pkmodes.diagnosis.verdict.verdicts import DampingWord, Word
-from pkmodes.support.documents import Count, Document, Number, Probability, Settings, Size
+from pkmodes.support.documents import Count, Document, Probability, Size
 
 
-class SizeDocument(Document):
+class SizeDocument(Document, frozen=True):
     """A deviation of a parameter from its declared value: the smallest detectable one, or a limit."""
 
     value: Annotated[float, Meta(description="In SI units.")]
     unit: str
 
 
-class ValueDocument(Document):
+class ValueDocument(Document, frozen=True):
     """A fitted parameter."""
 
     value: float
@@ -26,7 +28,7 @@ class ValueDocument(Document):
     unit: str
 
 
-class FoundDocument(ValueDocument):
+class FoundDocument(ValueDocument, frozen=True):
     """A parameter of a claimed cause."""
 
     saved_sigma: Annotated[
@@ -42,7 +44,7 @@ class FoundDocument(ValueDocument):
 Values = dict[str, ValueDocument]
 
 
-class CauseDocument(Document):
+class CauseDocument(Document, frozen=True):
     """A cause that was found."""
 
     name: Annotated[str, Meta(description="The best of its class.")]
@@ -83,7 +85,7 @@ class CauseDocument(Document):
     ]
 
 
-class RefittedDocument(Document):
+class RefittedDocument(Document, frozen=True):
     """An uncertain value."""
 
     before: Annotated[float, Meta(description="As declared, SI units.")]
@@ -99,61 +101,18 @@ class RefittedDocument(Document):
     unit: str
 
 
-class ErrorDocument(Document):
-    """The errors of one stage."""
-
-    rms_relative: Annotated[
-        Size | None,
-        Meta(
-            description="Root mean square of f_model / f_measured - 1 over the fitted rows; null if there are none."
-        ),
-    ]
-    held_out_rms_relative: Annotated[
-        Size | None, Meta(description="The same over the held-out rows; null if there are none.")
-    ]
-    chi2_per_dof: Annotated[
-        Size, Meta(description="Chi-square per degree of freedom of the fitted rows and the priors.")
-    ]
-
-
-class StagesDocument(Document):
+class StagesDocument(Document, frozen=True):
     """The errors of all stages."""
 
-    before: Annotated[ErrorDocument, Meta(description="For the robot as declared.")]
+    before: Annotated[Error, Meta(description="For the robot as declared.")]
     refit: Annotated[
-        ErrorDocument | None,
+        Error | None,
         Meta(description="With the uncertain values refitted; null where there are too few data."),
     ]
-    after: Annotated[
-        ErrorDocument | None, Meta(description="With the causes; null unless something was added.")
-    ]
+    after: Annotated[Error | None, Meta(description="With the causes; null unless something was added.")]
 
 
-class NextMeasurementDocument(Document, omit_defaults=True):
-    """A pose to be measured."""
-
-    pose: Annotated[list[float], Meta(description="Platform centre [m].")]
-    separates: Annotated[list[str], Meta(description="The two explanations.", min_length=2, max_length=2)]
-    sigmas: Annotated[float, Meta(description="By how many standard deviations they differ there.")]
-    drives: Annotated[
-        Drives | None, Meta(description="What the motors are to do; null for a structure without motors.")
-    ]
-    hidden_by: Annotated[
-        str,
-        Meta(
-            description="The uncertain value that could make up most of that difference within its standard "
-            "deviation, so that several such poses, or a more exact value, are needed; present only where one could."
-        ),
-    ] = ""
-    load: Annotated[
-        dict[str, float],
-        Meta(
-            description="Values to be set for it, by path, in SI units; present only where a payload is proposed."
-        ),
-    ] = field(name="set", default_factory=dict)
-
-
-class CandidateDocument(Document):
+class CandidateDocument(Document, frozen=True):
     """The test of a candidate."""
 
     name: str
@@ -180,81 +139,7 @@ class CandidateDocument(Document):
     ]
 
 
-class StabilityDocument(Document):
-    """The result with other errors or priors."""
-
-    change: Annotated[str, Meta(description="The change, such as sigma x 0.5.")]
-    verdict: Annotated[Word, Meta(description="The resulting verdict.")]
-    effects: Annotated[list[str], Meta(description="The resulting names of the causes.")]
-
-
-class PlaceDocument(Document):
-    """A measured mode by its place in the file."""
-
-    pose: Annotated[str, Meta(description="Label of the pose.")]
-    line: Annotated[Number, Meta(description="Line of the measurement file.")]
-
-
-class RowDocument(PlaceDocument, omit_defaults=True):
-    """A measured mode and its predictions."""
-
-    mode: Annotated[str, Meta(description="The experimenter's mode number; may be empty.")]
-    measured: Annotated[float, Meta(description="Measured value.")] = field(name="frequency_hz")
-    sigma: Annotated[float, Meta(description="Its standard deviation.")] = field(name="sigma_hz")
-    drives: Annotated[
-        Drives | None, Meta(description="What the motors did; null for a structure without motors.")
-    ]
-    before: Annotated[
-        float | None, Meta(description="Predicted as declared; null where the row is unmatched.")
-    ] = field(name="before_hz")
-    refit: Annotated[
-        float | None,
-        Meta(
-            description="With the uncertain values refitted; null where the row is unmatched, or without that "
-            "stage."
-        ),
-    ] = field(name="refit_hz")
-    after: Annotated[
-        float | None,
-        Meta(description="With the causes; null where the row is unmatched, or without that stage."),
-    ] = field(name="after_hz")
-    mac: Annotated[Size | None, Meta(description="MAC in the last stage; null where no shape was measured.")]
-    held_out: Annotated[bool, Meta(description="Whether its pose took no part in any fit.")]
-    outlier: Annotated[bool, Meta(description="Whether it was set aside.")]
-    load: Settings = field(name="set", default_factory=dict)
-    damping: Annotated[
-        float | None,
-        Meta(
-            description="Measured damping ratio; present only where damping was diagnosed, like the next five."
-        ),
-    ] = None
-    sigma_damping: Annotated[float | None, Meta(description="Its standard deviation.")] = None
-    damping_before: Annotated[
-        float | None, Meta(description="Damping ratio of the paired mode with the losses as declared.")
-    ] = None
-    damping_after: Annotated[
-        float | None, Meta(description="Damping ratio of the paired mode with the losses as diagnosed.")
-    ] = None
-    damping_used: Annotated[
-        bool | None,
-        Meta(
-            description="Whether the ratio took part in the fit: not held out, of a shape like that of its mode, "
-            "not set aside."
-        ),
-    ] = None
-    sigma_damping_used: Annotated[
-        float | None,
-        Meta(
-            description="Standard deviation of the ratio with which it is compared: with the errors that no file "
-            "states."
-        ),
-    ] = None
-    damping_remark: Annotated[
-        str | None, Meta(description="Why the ratio took no part; present only where it did not.")
-    ] = None
-
-
-class FactorsDocument(Document):
+class FactorsDocument(Document, frozen=True):
     """Root mean square factors between measured damping ratios and those of the model."""
 
     before: Annotated[
@@ -270,7 +155,7 @@ class FactorsDocument(Document):
     ]
 
 
-class DampingDocument(Document):
+class DampingDocument(Document, frozen=True):
     """What the damping ratios say of losses, beside the verdict on frequencies and shapes."""
 
     verdict: Annotated[
@@ -304,7 +189,7 @@ class DampingDocument(Document):
         list[str], Meta(description="Remarks about the damping that a person should read; may be empty.")
     ]
     stability: Annotated[
-        list[StabilityDocument],
+        list[Stability],
         Meta(description="Results for the damping with other errors and priors."),
     ]
     fitted: Annotated[Count, Meta(description="Number of ratios that took part.")]
@@ -318,7 +203,7 @@ class DampingDocument(Document):
     factor: FactorsDocument
 
 
-class DiagnoseDocument(Document):
+class DiagnoseDocument(Document, frozen=True):
     """The result of a diagnosis."""
 
     verdict: Annotated[Word, Meta(description="The verdict, as defined in docs/diagnosis.md.")]
@@ -354,7 +239,7 @@ class DiagnoseDocument(Document):
         ),
     ]
     next_measurement: Annotated[
-        NextMeasurementDocument | None,
+        NextMeasurement | None,
         Meta(
             description="The pose that best separates the remaining explanations; null where none is proposed."
         ),
@@ -363,10 +248,8 @@ class DiagnoseDocument(Document):
         str | None, Meta(description="Why no next measurement is proposed; null where one is.")
     ]
     candidates: Annotated[list[CandidateDocument], Meta(description="Result for each candidate.")]
-    outliers: Annotated[list[PlaceDocument], Meta(description="Rows that were set aside.")]
-    unpaired: Annotated[
-        list[PlaceDocument], Meta(description="Measured modes that are unmatched in the last stage.")
-    ]
+    outliers: Annotated[list[Place], Meta(description="Rows that were set aside.")]
+    unpaired: Annotated[list[Place], Meta(description="Measured modes that are unmatched in the last stage.")]
     scatter: Annotated[
         Size,
         Meta(description="Relative error common to the modes of a pose, 0 where the data show none."),
@@ -382,8 +265,6 @@ class DiagnoseDocument(Document):
         list[str],
         Meta(description="Remarks about the data and the result that a person should read; may be empty."),
     ]
-    stability: Annotated[list[StabilityDocument], Meta(description="Results with other errors and priors.")]
+    stability: Annotated[list[Stability], Meta(description="Results with other errors and priors.")]
     damping: DampingDocument
-    rows: Annotated[
-        list[RowDocument], Meta(description="One for each measured mode, in the order of the file.")
-    ]
+    rows: Annotated[list[Row], Meta(description="One for each measured mode, in the order of the file.")]

@@ -5,11 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Annotated
+
+from msgspec import Meta
 
 from pkmodes.diagnosis.verdict.members import Member
 from pkmodes.diagnosis.verdict.relative import relative_to_mean
 from pkmodes.diagnosis.verdict.unseen import Unseen
 from pkmodes.diagnosis.verdict.verdicts import Word
+from pkmodes.support.documents import Document
 from pkmodes.support.numbers import rounded
 
 
@@ -192,18 +196,9 @@ class Examined:
     sentence: str = ""
 
 
-@dataclass(frozen=True)
-class Stability:
-    """The verdict with other errors or priors than stated.
+class Stability(Document, frozen=True):
+    """The result with other errors or priors."""
 
-    Attributes
-    ----------
-    change : str
-        ``"sigma x 0.5"``, ``"sigma x 2"`` or ``"priors x 2"``.
-    effects : tuple of str
-        Names of the causes that are best with this change.
-    """
-
-    change: str
-    verdict: Word
-    effects: tuple[str, ...]
+    change: Annotated[str, Meta(description="The change, such as sigma x 0.5.")]
+    verdict: Annotated[Word, Meta(description="The resulting verdict.")]
+    effects: Annotated[tuple[str, ...], Meta(description="The resulting names of the causes.")]

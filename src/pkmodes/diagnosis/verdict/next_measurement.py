@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 
-from pkmodes.core.base.drives import DRIVES, motors, other_drives
+from pkmodes.core.base.drives import DRIVES, Drives, motors, other_drives
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array, Driven, Loadable, Prediction, Structure, Surrounded
@@ -29,7 +30,7 @@ class _Way:
     """
 
     structure: Structure
-    drives: str | None
+    drives: Drives | None
     load: Mapping[str, float]
     unlike: bool = False
 
@@ -78,11 +79,11 @@ def next_measurement(
 
 def _ways(structure: Structure, points: Array) -> Iterator[_Way]:
     """Yield the ways to measure at these poses, the simplest first."""
-    drives = structure.drives if isinstance(structure, Driven) else None
+    drives = cast("Drives", structure.drives) if isinstance(structure, Driven) else None
     yield _Way(structure, drives, {})
     if isinstance(structure, Driven):
         others = structure.with_other_drives(range(len(points)))
-        yield _Way(others, other_drives(structure.drives), {}, unlike=True)
+        yield _Way(others, cast("Drives", other_drives(structure.drives)), {}, unlike=True)
     for load, loaded in structure.loaded() if isinstance(structure, Loadable) else ():
         yield _Way(loaded, drives, load)
 
@@ -118,7 +119,7 @@ def _best(
         if best is None or away[k] > best.sigmas:
             hidden = _hiding(fitter, contested[0][1], way, k, apart[k]) if way.unlike else ""
             names, pose = (contested[0][0], name), tuple(points[k].tolist())
-            best = NextMeasurement(pose, names, float(away[k]), dict(way.load), way.drives, hidden)
+            best = NextMeasurement(pose, names, float(away[k]), way.drives, hidden, dict(way.load))
     return best
 
 

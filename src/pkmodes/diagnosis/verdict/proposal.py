@@ -2,30 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from typing import Annotated
+
+from msgspec import Meta, field
+
+from pkmodes.core.base.drives import Drives
+from pkmodes.support.documents import Document
 
 
-@dataclass(frozen=True)
-class NextMeasurement:
-    """The pose at which two explanations differ most, and how to measure there.
+class NextMeasurement(Document, frozen=True, omit_defaults=True):
+    """The pose at which two explanations differ most, and how to measure there."""
 
-    Attributes
-    ----------
-    load : mapping of str to float
-        Values to set, by name.
-    drives : str or None
-        What the motors are to do; None for a structure without motors.
-    hidden_by : str
-        The uncertain value that could make up most of the difference within its standard deviation; empty for none.
-    """
-
-    pose: tuple[float, ...]
-    separates: tuple[str, str]
-    sigmas: float
-    load: Mapping[str, float] = field(default_factory=dict)
-    drives: str | None = None
-    hidden_by: str = ""
+    pose: Annotated[tuple[float, ...], Meta(description="Platform centre [m].")]
+    separates: Annotated[
+        tuple[str, ...], Meta(description="The two explanations.", min_length=2, max_length=2)
+    ]
+    sigmas: Annotated[float, Meta(description="By how many standard deviations they differ there.")]
+    drives: Annotated[
+        Drives | None, Meta(description="What the motors are to do; null for a structure without motors.")
+    ]
+    hidden_by: Annotated[
+        str,
+        Meta(
+            description="The uncertain value that could make up most of that difference within its standard "
+            "deviation, so that several such poses, or a more exact value, are needed; present only where one could."
+        ),
+    ] = ""
+    load: Annotated[
+        dict[str, float],
+        Meta(
+            description="Values to be set for it, by path, in SI units; present only where a payload is proposed."
+        ),
+    ] = field(name="set", default_factory=dict)
 
     @property
     def caveat(self) -> str:

@@ -11,15 +11,10 @@ from pkmodes.diagnosis.verdict.document import (
     CauseDocument,
     DampingDocument,
     DiagnoseDocument,
-    ErrorDocument,
     FactorsDocument,
     FoundDocument,
-    NextMeasurementDocument,
-    PlaceDocument,
     RefittedDocument,
-    RowDocument,
     SizeDocument,
-    StabilityDocument,
     StagesDocument,
     ValueDocument,
 )
@@ -33,7 +28,7 @@ from pkmodes.diagnosis.verdict.findings import (
     believed,
 )
 from pkmodes.diagnosis.verdict.proposal import NextMeasurement
-from pkmodes.diagnosis.verdict.rows import Error, Row
+from pkmodes.diagnosis.verdict.rows import Error, Place, Row
 from pkmodes.diagnosis.verdict.unseen import Limit
 from pkmodes.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, DampingWord, Word
 from pkmodes.support.documents import Document
@@ -110,7 +105,6 @@ class Damping:
             limits=_limits(self.limits),
             refitted={value.name: RefittedDocument.of(value) for value in self.refitted},
             candidates=_candidates(self.candidates),
-            stability=list(map(StabilityDocument.of, self.stability)),
             factor=FactorsDocument.of(self),
         )
 
@@ -262,18 +256,13 @@ class Diagnosis:
             self,
             effects=[_cause(cause, self.corrected) for cause in self.effects],
             refitted={value.name: RefittedDocument.of(value) for value in self.refitted},
-            error=StagesDocument.of(
-                self, before=_error(self.before), refit=_error(self.refit), after=_error(self.after)
-            ),
-            next_measurement=self.next_measurement and NextMeasurementDocument.of(self.next_measurement),
+            error=StagesDocument.of(self),
             next_measurement_reason=self.next_measurement_reason or None,
             candidates=_candidates(self.candidates),
-            outliers=list(map(PlaceDocument.of, self.outliers)),
-            unpaired=list(map(PlaceDocument.of, self.unpaired)),
-            stability=list(map(StabilityDocument.of, self.stability)),
+            outliers=list(map(Place.of, self.outliers)),
+            unpaired=list(map(Place.of, self.unpaired)),
             limits=_limits(self.limits),
             damping=self.damping.document(),
-            rows=list(map(RowDocument.of, self.rows)),
         )
         return document.as_json()
 
@@ -325,7 +314,3 @@ def _limits(limits: Mapping[str, Limit]) -> dict[str, SizeDocument | None]:
 
 def _by_key(kind: type[Document], values: tuple[Value, ...]) -> dict[str, Document]:
     return {key(value): kind.of(value) for value in values}
-
-
-def _error(error: Error | None) -> ErrorDocument | None:
-    return None if error is None else ErrorDocument.of(error)

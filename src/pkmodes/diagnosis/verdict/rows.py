@@ -2,92 +2,99 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from typing import Annotated, cast
 
+from msgspec import Meta, field
+
+from pkmodes.core.base.drives import Drives
 from pkmodes.diagnosis.problem import Driven, Structure
 from pkmodes.measured.measurements import Measurements
+from pkmodes.support.documents import Document, Number, Settings, Size
 
 
-@dataclass(frozen=True)
-class Error:
-    """Errors of one stage.
+class Error(Document, frozen=True):
+    """The errors of one stage."""
 
-    Attributes
-    ----------
-    rms_relative, held_out_rms_relative : float or None
-        Root mean square of f_model / f_measured - 1 over the fitted and the held-out rows; None if there are none.
-    chi2_per_dof : float
-        Chi-square per degree of freedom of the fitted rows and the priors.
-    """
-
-    rms_relative: float | None
-    held_out_rms_relative: float | None
-    chi2_per_dof: float
-
-
-@dataclass(frozen=True)
-class MeasuredMode:
-    """One measured mode.
-
-    Attributes
-    ----------
-    pose, line, mode : str, int, str
-        Pose, line in the file, and label.
-    measured, sigma : float
-        Frequency and its standard deviation [Hz].
-    drives : str or None
-        What the motors did, "free" or "held"; None for a structure without motors.
-    """
-
-    pose: str
-    line: int
-    mode: str
-    measured: float
-    sigma: float
-    drives: str | None
+    rms_relative: Annotated[
+        Size | None,
+        Meta(
+            description="Root mean square of f_model / f_measured - 1 over the fitted rows; null if there are none."
+        ),
+    ]
+    held_out_rms_relative: Annotated[
+        Size | None, Meta(description="The same over the held-out rows; null if there are none.")
+    ]
+    chi2_per_dof: Annotated[
+        Size, Meta(description="Chi-square per degree of freedom of the fitted rows and the priors.")
+    ]
 
 
-@dataclass(frozen=True)
-class Row(MeasuredMode):
-    """One measured mode and its predictions; None if the model has no partner for it.
+class Place(Document, frozen=True):
+    """A measured mode by its place in the file."""
 
-    Attributes
-    ----------
-    before, refit, after : float or None
-        Predicted frequency of the model as declared, with nuisances refitted, and with the causes [Hz].
-    mac : float or None
-        MAC at the last stage, if a shape was measured.
-    load : mapping of str to float
-        Values set at its pose, by name.
-    damping, sigma_damping : float or None
-        Measured damping ratio and its standard deviation; None if damping was not measured, or not diagnosed.
-    damping_before, damping_after : float or None
-        Ratio of its partner, at the final values of the frequencies: with the losses as declared, and as diagnosed.
-    damping_used : bool or None
-        Whether the ratio took part in the fit: not held out, of a shape like that of its partner, and not set aside.
-    sigma_damping_used : float or None
-        Standard deviation of the ratio with which it is compared: with the errors that no file states.
-    damping_remark : str or None
-        Why the ratio took no part; None if it did.
-    """
-
-    before: float | None
-    refit: float | None
-    after: float | None
-    mac: float | None
-    held_out: bool
-    outlier: bool
-    load: Mapping[str, float] = field(default_factory=dict)
-    damping: float | None = None
-    sigma_damping: float | None = None
-    damping_before: float | None = None
-    damping_after: float | None = None
-    damping_used: bool | None = None
-    sigma_damping_used: float | None = None
-    damping_remark: str | None = None
+    pose: Annotated[str, Meta(description="Label of the pose.")]
+    line: Annotated[Number, Meta(description="Line of the measurement file.")]
 
 
-def drives_of(structure: Structure, data: Measurements, row: int) -> str | None:
+class Row(Place, frozen=True, omit_defaults=True):
+    """A measured mode and its predictions."""
+
+    mode: Annotated[str, Meta(description="The experimenter's mode number; may be empty.")]
+    measured: Annotated[float, Meta(description="Measured value.")] = field(name="frequency_hz")
+    sigma: Annotated[float, Meta(description="Its standard deviation.")] = field(name="sigma_hz")
+    drives: Annotated[
+        Drives | None, Meta(description="What the motors did; null for a structure without motors.")
+    ]
+    before: Annotated[
+        float | None, Meta(description="Predicted as declared; null where the row is unmatched.")
+    ] = field(name="before_hz")
+    refit: Annotated[
+        float | None,
+        Meta(
+            description="With the uncertain values refitted; null where the row is unmatched, or without that "
+            "stage."
+        ),
+    ] = field(name="refit_hz")
+    after: Annotated[
+        float | None,
+        Meta(description="With the causes; null where the row is unmatched, or without that stage."),
+    ] = field(name="after_hz")
+    mac: Annotated[Size | None, Meta(description="MAC in the last stage; null where no shape was measured.")]
+    held_out: Annotated[bool, Meta(description="Whether its pose took no part in any fit.")]
+    outlier: Annotated[bool, Meta(description="Whether it was set aside.")]
+    load: Settings = field(name="set", default_factory=dict)
+    damping: Annotated[
+        float | None,
+        Meta(
+            description="Measured damping ratio; present only where damping was diagnosed, like the next five."
+        ),
+    ] = None
+    sigma_damping: Annotated[float | None, Meta(description="Its standard deviation.")] = None
+    damping_before: Annotated[
+        float | None, Meta(description="Damping ratio of the paired mode with the losses as declared.")
+    ] = None
+    damping_after: Annotated[
+        float | None, Meta(description="Damping ratio of the paired mode with the losses as diagnosed.")
+    ] = None
+    damping_used: Annotated[
+        bool | None,
+        Meta(
+            description="Whether the ratio took part in the fit: not held out, of a shape like that of its mode, "
+            "not set aside."
+        ),
+    ] = None
+    sigma_damping_used: Annotated[
+        float | None,
+        Meta(
+            description="Standard deviation of the ratio with which it is compared: with the errors that no file "
+            "states."
+        ),
+    ] = None
+    damping_remark: Annotated[
+        str | None, Meta(description="Why the ratio took no part; present only where it did not.")
+    ] = None
+
+
+def drives_of(structure: Structure, data: Measurements, row: int) -> Drives | None:
     """Return what the motors did in a row; None for a structure without motors."""
-    return data.drives[data.pose[row]] if isinstance(structure, Driven) else None
+    return cast("Drives", data.drives[data.pose[row]]) if isinstance(structure, Driven) else None
