@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.solve.solutions import modes_of_systems, modes_where_reached, together
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.evaluation import STEP, ExtendedSystem
 from pkmodes.diagnosis.problem import Prediction
@@ -21,6 +20,7 @@ from pkmodes.sensitivity.compiled import derivatives_of
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, geometry_of, locked_joints
 from pkmodes.sensitivity.paths import ParameterPath
 from pkmodes.sensitivity.shapes import shape_derivatives
+from pkmodes.updating.modes_of_systems import modes_of_systems, modes_where_reached, together
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]

@@ -1,23 +1,17 @@
-"""Eigenvalues and shapes of one robot at poses that can be evaluated, or of several robots at once."""
+"""Eigenvalues and shapes of a robot at poses that can be evaluated, from any back end."""
 
 from __future__ import annotations
-
-from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.poses import MAX_CONDITION
 from pkmodes.core.solve.at_poses import RobotAtPoses
-from pkmodes.core.solve.backends import AUTO, chosen, solver_of
-from pkmodes.core.solve.numpy_solver import NumpySolver, checked_modes, modes_of
-from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, UNSOLVED, Solver, UnavailableError
-from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem, number_of_modes
-from pkmodes.core.system.stacked import stacked
+from pkmodes.core.solve.numpy_solver import NumpySolver, checked_modes
+from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, UNSOLVED, Solver
+from pkmodes.core.system.evaluation import Evaluation, number_of_modes
 
 Array = NDArray[np.float64]
-MOTIONS = "platform_shapes"
 
 
 def solved(solver: Solver, system: Evaluation, p: Array, source: str) -> RobotAtPoses:
@@ -52,127 +46,3 @@ def solved(solver: Solver, system: Evaluation, p: Array, source: str) -> RobotAt
             arrays[name][left] = array
     at.known.update(arrays)
     return at
-
-
-class ModesOfSystems(NamedTuple):
-    """Modes of B robots with the same free coordinates at n poses each, robot by robot.
-
-    Attributes
-    ----------
-    system : ExtendedSystem
-        All robots.
-    eigenvalues : ndarray, shape (B n, m)
-        NaN if the matrices are not those of a machine.
-    shapes : ndarray, shape (B n, m, n)
-    motions : ndarray, shape (B n, m, directions)
-        Of the platform.
-    matrices : tuple of ndarray, or None
-        M and K in all coordinates, if they were evaluated.
-    solver : Solver, or None
-        Of all robots together, if there is one.
-    """
-
-    system: ExtendedSystem
-    eigenvalues: Array
-    shapes: Array
-    motions: Array
-    matrices: tuple[Array, Array] | None
-    solver: Solver | None
-
-
-def modes_of_systems(systems: Sequence[ExtendedSystem], points: Array) -> ModesOfSystems:
-    """Evaluate the modes of robots with the same free coordinates, for a diagnosis.
-
-    Parameters
-    ----------
-    systems : sequence of ExtendedSystem, length B
-    points : ndarray, shape (B n, d)
-        n poses of each robot, robot by robot.
-    """
-    system = stacked(systems, len(points) // len(systems))
-    modes = _by_solvers(systems, system, np.ascontiguousarray(points))
-    if modes is not None:
-        return modes
-    at = RobotAtPoses(system, points, "", {})
-    matrices = None
-    try:
-        eigenvalues, shapes = modes_of(at)
-        matrices = at.all_coordinates
-    except np.linalg.LinAlgError:  # a required inertia is missing: these values are not a machine
-        eigenvalues = np.full((len(points), len(system.free)), np.nan)
-        shapes = np.zeros((*eigenvalues.shape, len(system.free)))
-    return ModesOfSystems(system, eigenvalues, shapes, _motions(at, shapes), matrices, None)
-
-
-def modes_where_reached(systems: Sequence[ExtendedSystem], points: Array) -> ModesOfSystems | None:
-    """Evaluate the same at poses that may be out of reach; None if one is, or if no solver checks poses itself."""
-    system = stacked(systems, len(points) // len(systems))
-    return _by_solvers(systems, system, np.ascontiguousarray(points), checked=False)
-
-
-def _by_solvers(
-    systems: Sequence[ExtendedSystem], system: ExtendedSystem, points: Array, *, checked: bool = True
-) -> ModesOfSystems | None:
-    """Evaluate all robots with one solver, or each with its own; None if NumPy has to evaluate them together."""
-    backend = chosen(AUTO)
-    massless = system.massless()
-    if any((one.massless() != massless).any() for one in systems):
-        return None
-    try:
-        solver = solver_of(system, MAX_CONDITION, backend).inner
-        solvers = [] if solver.together else [solver_of(s, MAX_CONDITION, backend).inner for s in systems]
-    except UnavailableError:
-        return None
-    if isinstance(solver, NumpySolver) or not (checked or solver.checks_poses):
-        return None
-    n, m, each = (
-        len(system.coordinates),
-        len(massless) - int(np.count_nonzero(massless)),
-        len(points) // len(systems),
-    )
-    tails = {EIGENVALUES: (m,), SHAPES: (m, n), MOTIONS: (m, len(system.mechanism.directions))}
-    arrays = {name: np.empty((len(points), *tail)) for name, tail in tails.items()}
-    codes = np.empty(len(points), dtype=np.int8)
-    filled = {name: array for name, array in arrays.items() if name in solver.fields}
-    if solver.together:
-        codes[:] = solver.compute(RobotAtPoses(system, points, "", {}), filled)
-    else:
-        for b, (one, own) in enumerate(zip(systems, solvers, strict=True)):
-            part = slice(b * each, (b + 1) * each)
-            some = {name: array[part] for name, array in filled.items()}
-            codes[part] = own.compute(RobotAtPoses(one, points[part], "", {}), some)
-    if (codes > 0).any():
-        return None
-    if MOTIONS not in filled:
-        arrays[MOTIONS] = _motions(RobotAtPoses(system, points, "", {}), arrays[SHAPES])
-    left = np.unique(np.flatnonzero(codes == UNSOLVED) // each)
-    if len(left):  # all poses of these robots
-        rows = (left[:, None] * each + np.arange(each)).ravel()
-        unsolved = RobotAtPoses(stacked([systems[b] for b in left], each), points[rows], "", {})
-        try:
-            eigenvalues, shapes = modes_of(unsolved)
-        except np.linalg.LinAlgError:
-            return None
-        arrays[EIGENVALUES][rows], arrays[SHAPES][rows] = eigenvalues, shapes
-        arrays[MOTIONS][rows] = _motions(unsolved, shapes)
-    return ModesOfSystems(
-        system,
-        arrays[EIGENVALUES],
-        arrays[SHAPES],
-        arrays[MOTIONS],
-        None,
-        solver if solver.together else None,
-    )
-
-
-def together(systems: Sequence[ExtendedSystem]) -> Solver | None:
-    """Return the solver of several robots together, if there is one."""
-    try:
-        solver = solver_of(stacked(systems, 1), MAX_CONDITION, chosen(AUTO)).inner
-    except UnavailableError:
-        return None
-    return solver if solver.together else None
-
-
-def _motions(at: RobotAtPoses, shapes: Array) -> Array:
-    return np.asarray(shapes @ np.swapaxes(at.platform_motion, -1, -2))
