@@ -47,28 +47,20 @@ def read_mode_table(
     """
     source = str(path)
     text = read_text(path, source, "the modes", "give a table of modes")
-    records, notation = read_lines(text, source)[:2]
-    if len(records) < 2:
-        _refuse("expected a header and rows, found none", source, "start with the names of the columns")
-    (number, header), rows = records[0], records[1:]
-    names = notation.cells(header, f"{source}: line {number}")
-    places = _places(names, columns, channels, f"{source}: line {number}")
+    lines = read_lines(text, source)
+    remedy = "start with the names of the columns"
+    where, names = lines.header(source, remedy)
+    if len(lines.records) < 2:
+        _refuse("expected a header and rows, found none", source, remedy)
+    places = _places(names, columns, channels, where)
     found, labels = [], set()
-    for line, record in rows:
-        where = f"{source}: line {line}"
-        cells = notation.cells(record, where)
-        if len(cells) != len(names):
-            _refuse(
-                f"expected {len(names)} cells, found {len(cells)}",
-                where,
-                "give each row as many as the header",
-            )
+    for where, cells in lines.rows(source, len(names)):
         if "pose" in places:
             label = cells[places["pose"][0]]
             labels.add(label)
             if label != pose:
                 continue
-        found.append(_mode(cells, places, names, notation, where))
+        found.append(_mode(cells, places, names, lines.notation, where))
     if not found:
         what = f"expected rows of the pose {shown(pose)}, found {', '.join(sorted(labels)) or 'none'}"
         _refuse(what, source, "correct the label of the record, or leave the column out")

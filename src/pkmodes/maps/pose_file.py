@@ -44,14 +44,8 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
     units = {component.name: component.unit for component in mechanism.pose}
     remedy = f"start with the columns {','.join(units)}"
     lines = read_lines(read_text(Path(path), source, "the poses", "give a CSV file of poses"), source)
-    if not lines.records:
-        raise MeasurementError("expected a header and rows, found none", source, remedy)
-    (number, header), records, notation = lines.records[0], lines.records[1:], lines.notation
-    where = f"{source}: line {number}"
-    columns = [
-        column_of(cell, f"{where}, column {i + 1}", units)
-        for i, cell in enumerate(notation.cells(header, where))
-    ]
+    where, header = lines.header(source, remedy)
+    columns = [column_of(cell, f"{where}, column {i + 1}", units) for i, cell in enumerate(header)]
     places = {}
     for name in units:
         matching = [i for i, (known, _) in enumerate(columns) if known == name]
@@ -63,25 +57,20 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
     labelled = names.count(LABEL) == 1
     table: dict[tuple[str, ...], tuple[float, ...]] = {}
     at_label: dict[str, tuple[float, ...]] = {}
-    for number, line in records:
-        cells = notation.cells(line, f"{source}: line {number}")
-        if len(cells) != len(columns):
-            what = f"expected {len(columns)} cells, found {len(cells)}"
-            raise MeasurementError(
-                what, f"{source}: line {number}", "give each row as many cells as the header"
-            )
+    for where, cells in lines.rows(source, len(columns)):
         point = tuple(
-            _value(cells[i], columns[i][1], notation, f"{source}: line {number}, column {name}")
+            _value(cells[i], columns[i][1], lines.notation, f"{where}, column {name}")
             for name, i in places.items()
         )
         label = cells[names.index(LABEL)] if labelled else ""
         if not label.isprintable():
-            where = f"{source}: line {number}, column {LABEL}"
-            raise MeasurementError(f"expected a label, found {shown(label)}", where, PRINTABLE)
+            raise MeasurementError(
+                f"expected a label, found {shown(label)}", f"{where}, column {LABEL}", PRINTABLE
+            )
         table[(label, *map(repr, point))] = point
         if labelled and at_label.setdefault(label, point) != point:
             what = f"the label {shown(label)} has two positions"
-            raise MeasurementError(what, f"{source}: line {number}", "give each pose a label of its own")
+            raise MeasurementError(what, where, "give each pose a label of its own")
     if not table:
         raise MeasurementError("expected a row for each pose, found only a header", source, "add the rows")
     labels = tuple(key[0] for key in table) if labelled else None

@@ -22,12 +22,7 @@ def read(path: str | PathLike[str], machine: Machine) -> Measurements:
     """Read measurements, or raise an error for the first problem with its line and column."""
     source = fspath(path)
     lines = read_lines(read_text(Path(path), source), source)
-    if not lines.records:
-        remedy = "start with the names of the columns"
-        raise MeasurementError("expected a header and rows, found none", source, remedy)
-    number, line = lines.records[0]
-    where = f"{source}: line {number}"
-    cells = lines.notation.cells(line, where)
+    where, cells = lines.header(source, "start with the names of the columns")
     components = components_of(cells, machine.components, machine.channels)
     given = machine.channels, machine.positions, components, machine.settings, machine.others
     columns = read_header(cells, where, *given)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -40,6 +40,41 @@ class Lines(NamedTuple):
     notation: Notation
     band: tuple[float, float] | None
     drives: str | None
+
+    def header(self, source: str, remedy: str) -> tuple[str, list[str]]:
+        """Return the place and the cells of the header.
+
+        Raises
+        ------
+        MeasurementError
+            If there is none, or it is not CSV.
+        """
+        if not self.records:
+            raise MeasurementError("expected a header and rows, found none", source, remedy)
+        number, line = self.records[0]
+        where = f"{source}: line {number}"
+        return where, self.notation.cells(line, where)
+
+    def rows(self, source: str, count: int) -> Iterator[tuple[str, list[str]]]:
+        """Yield the place and the cells of each row.
+
+        Parameters
+        ----------
+        count : int
+            Cells of the header.
+
+        Raises
+        ------
+        MeasurementError
+            If a row has another number of cells, or is not CSV.
+        """
+        for number, line in self.records[1:]:
+            where = f"{source}: line {number}"
+            cells = self.notation.cells(line, where)
+            if len(cells) != count:
+                what = f"expected {count} cells, found {len(cells)}"
+                raise MeasurementError(what, where, "give each row as many cells as the header")
+            yield where, cells
 
 
 def read_lines(text: str, source: str) -> Lines:
