@@ -10,6 +10,7 @@ import xarray
 from helpers.commands.map_runs import model
 from pkmodes.core.base.errors import OutputError
 from pkmodes.maps.locking import LOCK
+from pkmodes.maps.storage import GROUP
 
 POSE = {"x": 0.6, "y": 0.0, "z": -0.245}
 OTHER = {"x": 0.5, "y": 0.0, "z": -0.245}
@@ -85,17 +86,16 @@ def test_a_folder_of_the_user_with_the_name_of_that_for_interrupted_maps(tmp_pat
     """Nothing in it is touched, whatever its files are called."""
     mine = tmp_path / "map.nc.partial"
     mine.mkdir()
-    for name in ("thesis.tex", "frequency.npy", "lock"):
+    for name in ("thesis.tex", GROUP, "lock"):
         (mine / name).write_text("mine")
     error = refused(tmp_path / "map.nc")
     assert (
-        error.what
-        == 'expected a folder for the map in progress, found one with other files ("frequency.npy")'
+        error.what == 'expected a folder for the map in progress, found one with other files ("fields.zarr")'
     )
     assert error.where == str(mine)
     assert error.remedy == "move or rename it, or choose another output"
     assert {file.name: file.read_text() for file in mine.iterdir()} == dict.fromkeys(
-        ("thesis.tex", "frequency.npy", "lock"), "mine"
+        ("thesis.tex", GROUP, "lock"), "mine"
     )
 
 
@@ -122,13 +122,16 @@ def test_a_link_in_the_place_of_the_folder_for_interrupted_maps(tmp_path: Path) 
     assert not (tmp_path / "nowhere").exists()
 
 
-@pytest.mark.parametrize("name", [LOCK, "frequency.npy", "plan.json", "new.nc"])
+@pytest.mark.parametrize(
+    "name", [LOCK, GROUP, f"{GROUP}/frequency", f"{GROUP}/frequency/zarr.json", "new.nc"]
+)
 def test_links_in_a_received_folder_are_not_followed(tmp_path: Path, name: str) -> None:
     other, folder = tmp_path / "other", tmp_path / "map.nc.partial"
     other.write_text("mine")
     folder.mkdir()
     (folder / LOCK).touch()
     (folder / name).unlink(missing_ok=True)
+    (folder / name).parent.mkdir(parents=True, exist_ok=True)
     (folder / name).symlink_to(other)
     assert "found a link or device" in refused(tmp_path / "map.nc").what
     assert other.read_text() == "mine"

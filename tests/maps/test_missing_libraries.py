@@ -44,6 +44,8 @@ CASES = [
     ("xarray", ["--out", "map.nc"]),
     ("netCDF4", ["--out", "map.nc"]),
     ("zarr", ["--out", "map.zarr"]),
+    ("zarr", ["--out", "map.nc"]),  # every map in progress is a Zarr group
+    ("zarr", ["--out", "map.csv"]),
     ("pyarrow", ["--out", "map.csv"]),
     ("pyarrow", ["--out", "map.parquet"]),
     ("pandas", ["--out", "map.csv"]),

@@ -42,7 +42,7 @@ def dataset_of(
     ----------
     robot : Robot
         As declared.
-    arrays : mapping of str to ndarray or Stored, shape (rows, ...)
+    arrays : mapping of str to ndarray or zarr.Array, shape (rows, ...)
         The fields of `pkmodes.maps.layout.tails`.
     tracked : Tracked, optional
         Modes by shape instead of by rank.

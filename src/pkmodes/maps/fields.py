@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import partial
+from math import prod
 from typing import Any
+from uuid import uuid4
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.solve.fields import EVERY, MODE, of_maps
-from pkmodes.maps.storage import Stored
 from pkmodes.maps.tracking import Tracked
 
 Array = NDArray[Any]
@@ -25,7 +26,7 @@ def fields_of(
 
     Parameters
     ----------
-    arrays : mapping of str to ndarray or Stored, shape (rows, ...)
+    arrays : mapping of str to ndarray or zarr.Array, shape (rows, ...)
         The fields of `pkmodes.maps.layout.tails`; stored ones become Dask arrays, so that a map can be written
         without having it in memory.
     shape : tuple of int
@@ -53,11 +54,27 @@ def chunks_of(shape: tuple[int, ...], leading: int) -> tuple[int, ...]:
 
 def _spaced(values: Any, shape: tuple[int, ...]) -> Any:
     """Return a field with the leading axes of the map."""
-    whole = values.reshape(*shape, *values.shape[1:])
-    return _lazy(whole, shape) if isinstance(whole, Stored) else whole
+    whole = (*shape, *values.shape[1:])
+    if isinstance(values, np.ndarray):
+        return values.reshape(whole)
+    from dask.array import map_blocks
+    from dask.array.core import normalize_chunks
+
+    dtype = np.dtype(values.dtype.str)  # Zarr names the byte order, which netCDF4 takes for another one
+
+    def part(block_info: Any) -> Array:
+        """Read the rows of a part, which are next to each other."""
+        starts, sizes = zip(*[(a, b - a) for a, b in block_info[None]["array-location"]], strict=True)
+        first, count = np.ravel_multi_index(starts[: len(shape)], shape), prod(sizes[: len(shape)])
+        return np.asarray(values[first : first + count], dtype).reshape(sizes)
+
+    chunks = normalize_chunks(chunks_of(whole, len(shape)), whole)
+    meta = np.empty((0,) * len(whole), dtype)
+    return map_blocks(part, name=f"rows-{uuid4()}", chunks=chunks, dtype=dtype, meta=meta)
 
 
-def _lazy(whole: Any, shape: tuple[int, ...]) -> Any:
+def _lazy(whole: Array, shape: tuple[int, ...]) -> Any:
+    """Return an array in parts, for fields that are stored."""
     from dask.array import from_array
 
     return from_array(whole, chunks=chunks_of(whole.shape, len(shape)), name=False)

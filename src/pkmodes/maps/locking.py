@@ -64,7 +64,7 @@ def _check_own(folder: Path) -> None:
     if entries and folder / LOCK not in entries:
         what = f"expected a folder for the map in progress, found one with other files ({shown(entries[0].name)})"
         raise OutputError(what, str(folder), ELSEWHERE)
-    for entry in entries:
+    for entry in folder.rglob("*"):
         if entry.is_symlink() or not (entry.is_file() or entry.is_dir()):
             what = f"expected files for the map in progress, found a link or device, {shown(entry.name)}"
             remedy = "delete this folder to start again, or choose another output"

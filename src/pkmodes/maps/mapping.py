@@ -29,7 +29,7 @@ from pkmodes.maps.locking import locked
 from pkmodes.maps.map_file import MapFile
 from pkmodes.maps.poses import Grid, Places, places_of
 from pkmodes.maps.running import run
-from pkmodes.maps.storage import SUFFIX, InMemory, OnDisk, Tails
+from pkmodes.maps.storage import SUFFIX, Store, Tails, in_memory, on_disk
 from pkmodes.maps.tracking import Tracked, track
 from pkmodes.maps.variants import SAMPLE, Variants, variants_of
 from pkmodes.maps.workspace import bounds_of, reachable
@@ -201,9 +201,9 @@ def map_of(
         _check_trackable(plan)
     sizes = tails(model.robot, layout)
 
-    def computed(store: InMemory | OnDisk) -> xarray.Dataset:
+    def computed(store: Store) -> xarray.Dataset:
         _fill(plan, store, thread_count, scheduler, progress)
-        if not (store.arrays["code"][:] == 0).any():
+        if not (store.codes() == 0).any():
             store.remove()
             _refuse_outside(plan)
         tracked_modes = track_plan(plan, store.arrays) if tracked else None
@@ -214,20 +214,17 @@ def map_of(
         return computed(_in_memory(plan, sizes))
     folder = file.path.with_name(file.path.name + SUFFIX)
     with locked(folder):
-        on_disk = OnDisk(folder, plan.record, plan.rows, plan.task_count, sizes, plan.rows_of)
-        try:
-            dataset = computed(on_disk)
-            file.write(dataset, folder)
-            kept: xarray.Dataset | None = dataset.load() if file.is_table else None
-            on_disk.remove()
-        finally:
-            on_disk.close()
+        store = on_disk(folder, plan.record, plan.rows, ROWS, sizes)
+        dataset = computed(store)
+        file.write(dataset, folder)
+        kept: xarray.Dataset | None = dataset.load() if file.is_table else None
+        store.remove()
     return file.opened() if kept is None else kept
 
 
-def _in_memory(plan: Plan, sizes: Tails) -> InMemory:
+def _in_memory(plan: Plan, sizes: Tails) -> Store:
     try:
-        return InMemory(plan.rows, plan.task_count, sizes)
+        return in_memory(plan.rows, plan.task_count, sizes)
     except (MemoryError, ValueError):  # ValueError: more than an array can have
         what = f"a map of {plan.rows:,} poses does not fit in memory"
         raise PkmodesError(
@@ -235,9 +232,7 @@ def _in_memory(plan: Plan, sizes: Tails) -> InMemory:
         ) from None
 
 
-def _fill(
-    plan: Plan, store: InMemory | OnDisk, threads: int, scheduler: str | None, progress: Progress | None
-) -> None:
+def _fill(plan: Plan, store: Store, threads: int, scheduler: str | None, progress: Progress | None) -> None:
     """Compute the tasks that are not done."""
     done = sum(plan.rows_of(i).stop - plan.rows_of(i).start for i in np.flatnonzero(store.done).tolist())
 
@@ -246,11 +241,10 @@ def _fill(
             yield number, plan.task(number)
 
     def put(number: int, values: Mapping[str, Array]) -> None:
-        store.put(number, plan.rows_of(number), values)
+        store.put(plan.rows_of(number), values)
 
     def finish(number: int) -> None:
         nonlocal done
-        store.finish(number)
         done += plan.rows_of(number).stop - plan.rows_of(number).start
         if progress is not None:
             progress(done, plan.rows)

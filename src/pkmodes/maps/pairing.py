@@ -18,7 +18,7 @@ Index = NDArray[np.intp]
 #: A pair below this MAC is uncertain; a mode that keeps less than this of its shape, but not alone, veers.
 CLEAR, SAME = 0.5, 0.9
 #: Steps compared together.
-CHUNK = 2048
+CHUNK = 8192
 
 Masses = Callable[[Index], Array]
 
@@ -54,7 +54,7 @@ def compared(shapes: Array, first: Index, second: Index, masses: Masses) -> Step
 
     Parameters
     ----------
-    shapes : ndarray, shape (rows, modes, coordinates)
+    shapes : ndarray or zarr.Array, shape (rows, modes, coordinates)
         Mass-normalised.
     first, second : ndarray of int, shape (steps,)
         Rows.
@@ -70,8 +70,10 @@ def compared(shapes: Array, first: Index, second: Index, masses: Masses) -> Step
         quality=np.empty(count),
         marks=np.zeros((count, modes), dtype=np.int8),
     )
+    # Along one axis at a time, from row to row: shapes that are stored are read in blocks of consecutive rows.
+    along_axes = np.lexsort((first, second - first))
     for start in range(0, count, CHUNK):
-        part = slice(start, start + CHUNK)
+        part = along_axes[start : start + CHUNK]
         phi, psi = shapes[first[part]], shapes[second[part]]
         M = masses(first[part])
         product = phi @ M @ np.swapaxes(psi, 1, 2)

@@ -1,146 +1,56 @@
-"""The arrays of a map: in memory, or in a folder from which an interrupted run can be continued.
+"""The fields of a map: in memory, or in a folder from which an interrupted run can be continued.
 
-The folder holds one array per field, a record of the finished tasks, and the plan: what is computed.  A task is
-recorded after its rows are stored, with their checksum, so a killed process loses only tasks in progress, and rows
-that were damaged since are computed again.  Rows are written to and read
-from the files directly: a memory-mapped file would end the process with a signal when the disk is full, and its pages
-would count as memory of the process.
+The folder holds a Zarr group.  Its attributes are the plan: what is computed.  It has an array for each field, and in
+each array a chunk for each task.  Zarr writes a chunk, with its checksum, under another name and then renames it.  So
+a task is done if all of its chunks are there with the right checksum: a killed process loses only tasks in progress,
+and rows that were damaged or removed since are computed again.
 """
 
 from __future__ import annotations
 
-import json
+import errno
 import os
-from collections.abc import Callable, Mapping
-from contextlib import suppress
-from io import BytesIO
+import shutil
+from collections.abc import Mapping
+from dataclasses import dataclass
 from math import prod
 from pathlib import Path
-from threading import Lock
-from typing import Any, BinaryIO
-from zlib import crc32
+from typing import Any
 
 import numpy as np
-from numpy.lib.format import dtype_to_descr, write_array_header_1_0
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import OutputError
-from pkmodes.core.solve.fields import EVERY, of_maps
+from pkmodes.core.solve.fields import missing
 from pkmodes.support.writing import refusal
 
 Array = NDArray[Any]
 #: Shape at one pose, and type, of each field.
 Tails = Mapping[str, tuple[tuple[int, ...], str]]
-#: Type, and shape of the whole array, of each file.
-Kinds = dict[str, tuple[np.dtype[Any], tuple[int, ...]]]
-PLAN, DONE, CHECKS = "plan.json", "done", "checks"
 SUFFIX = ".partial"
+#: Name of the group in the folder.
+GROUP = "fields.zarr"
+REMEDY = "delete this folder to start again, or choose another output"
 
 
-class Stored:
-    """An array in a file, of which parts are read on demand."""
-
-    def __init__(self, file: Path, start: int, dtype: np.dtype[Any], shape: tuple[int, ...]) -> None:
-        self.file, self.start, self.dtype = file, start, dtype
-        self.shape, self.ndim = shape, len(shape)
-
-    def __getitem__(self, key: Any) -> Array:
-        return np.array(np.memmap(self.file, self.dtype, "r", self.start, self.shape)[key])
-
-    def __len__(self) -> int:
-        return self.shape[0]
-
-    def reshape(self, *shape: int) -> Stored:
-        """Return the same array with another shape."""
-        return Stored(self.file, self.start, self.dtype, shape)
-
-
-class InMemory:
-    """Arrays in memory.
+@dataclass(frozen=True, eq=False)
+class Store:
+    """The fields of a map.
 
     Attributes
     ----------
-    arrays : dict of str to ndarray, shape (rows, ...)
+    arrays : dict of str to ndarray or zarr.Array, shape (rows, ...)
     done : ndarray of bool, shape (tasks,)
+        Tasks that an earlier run completed.
+    folder : Path, optional
+        Where the arrays are, if not in memory.
     """
 
-    def __init__(self, rows: int, tasks: int, tails: Tails) -> None:
-        self.arrays: dict[str, Array] = {
-            name: np.empty((rows, *tail), dtype) for name, (tail, dtype) in tails.items()
-        }
-        self.done: Array = np.zeros(tasks, dtype=bool)
+    arrays: dict[str, Any]
+    done: NDArray[np.bool_]
+    folder: Path | None = None
 
-    def put(self, number: int, rows: slice, values: Mapping[str, Array]) -> None:
-        """Store the values of a task, which has these rows; several threads may store different tasks."""
-        for name, array in self.arrays.items():
-            array[rows] = values[name]
-
-    def finish(self, number: int) -> None:
-        """Record that the rows of a task are stored."""
-        self.done[number] = True
-
-    def remove(self) -> None:
-        """Forget the arrays."""
-        self.arrays = {}
-
-
-class OnDisk:
-    """Arrays in a folder.
-
-    Parameters
-    ----------
-    folder : Path
-        Exists; continued if it holds the same plan.
-    plan : dict
-        What is computed, as JSON can hold it.
-    rows_of : callable
-        Returns the rows of a task, given its number.
-
-    Attributes
-    ----------
-    arrays : dict of str to Stored, shape (rows, ...)
-    done : ndarray of bool, shape (tasks,)
-        When it was opened, and since; not those whose rows were damaged.
-
-    Raises
-    ------
-    OutputError
-        If the folder cannot be written, holds another map, or is damaged.
-    """
-
-    def __init__(
-        self,
-        folder: Path,
-        plan: dict[str, Any],
-        rows: int,
-        tasks: int,
-        tails: Tails,
-        rows_of: Callable[[int], slice],
-    ) -> None:
-        self.folder, self._rows_of = folder, rows_of
-        kinds = {name: (np.dtype(dtype), (rows, *tail)) for name, (tail, dtype) in tails.items()}
-        self._kinds: Kinds = {**kinds, DONE: (np.dtype("?"), (tasks,)), CHECKS: (np.dtype("<u4"), (tasks,))}
-        self._starts = {name: len(_header(*kind)) for name, kind in self._kinds.items()}
-        self._handles: dict[str, BinaryIO] = {}
-        self._checks: dict[int, int] = {}
-        self._writing = Lock()
-        try:
-            if (folder / PLAN).exists():
-                self._compare(plan)
-            else:
-                self._begin(plan)
-            for name in self._kinds:
-                self._open(name)
-            self.arrays = {name: self._stored(name) for name in tails}
-            self.done: Array = self._whole()
-        except OSError as error:
-            self.close()
-            raise refusal(error, folder) from None
-        except BaseException:
-            self.close()
-            raise
-
-    def put(self, number: int, rows: slice, values: Mapping[str, Array]) -> None:
+    def put(self, rows: slice, values: Mapping[str, Array]) -> None:
         """Store the values of a task, which has these rows; several threads may store different tasks.
 
         Raises
@@ -148,118 +58,131 @@ class OnDisk:
         OutputError
             If they cannot be written.
         """
-        check = 0
-        for name in self.arrays:
-            data = np.ascontiguousarray(values[name]).reshape(-1).view(np.uint8)
-            check = crc32(data.data, check)
-            self._write(name, rows.start * self._size(name), data)
-        self._checks[number] = check
-
-    def finish(self, number: int) -> None:
-        """Record that the rows of a task are stored."""
-        check = np.array([self._checks.pop(number)], dtype="<u4").view(np.uint8)
-        self._write(CHECKS, number * self._size(CHECKS), check)
-        self._write(DONE, number, np.ones(1, dtype=np.uint8))
-        self.done[number] = True
-
-    def close(self) -> None:
-        """Close the files; what is stored can still be read."""
-        for handle in self._handles.values():
-            with suppress(OSError):  # every write was flushed
-                handle.close()
-        self._handles = {}
-
-    def remove(self) -> None:
-        """Remove the files of the map, which is complete, or has nothing to continue; and the folder, once empty."""
-        self.close()
-        fields = {field.variable for field in of_maps(EVERY)} | {"code", DONE, CHECKS}
-        for name in [PLAN, f"{PLAN}.new", *(f"{field}.npy" for field in fields)]:
-            (self.folder / name).unlink(missing_ok=True)
-
-    def _begin(self, plan: dict[str, Any]) -> None:
-        """Make the arrays, then the plan: a folder without a plan is begun anew."""
         try:
-            for name, kind in self._kinds.items():
-                with self._file(name).open("wb") as file:
-                    file.write(_header(*kind))
-                    file.truncate(self._length(name))
-                    file.flush()
-                    if hasattr(os, "posix_fallocate"):  # not on every system
-                        # A full disk shows before anything is computed.
-                        os.posix_fallocate(file.fileno(), 0, self._length(name))
-        except BaseException:  # a full disk should not stay full
-            for name in self._kinds:
-                self._file(name).unlink(missing_ok=True)
-            raise
-        temporary = self.folder / f"{PLAN}.new"
-        temporary.write_text(json.dumps(plan, indent=1), encoding="utf-8")
-        temporary.replace(self.folder / PLAN)
-
-    def _whole(self) -> Array:
-        """Return which tasks are done, with the rows that were stored."""
-        done = self._stored(DONE)[:].view(np.uint8) == 1  # another byte than 0 and 1 is damage
-        checks = self._stored(CHECKS)[:]
-        for number in np.flatnonzero(done).tolist():
-            rows, check = self._rows_of(number), 0
-            for array in self.arrays.values():
-                check = crc32(np.ascontiguousarray(array[rows]).data, check)
-            done[number] = check == checks[number]
-        return np.asarray(done)
-
-    def _stored(self, name: str) -> Stored:
-        dtype, shape = self._kinds[name]
-        return Stored(self._file(name), self._starts[name], dtype, shape)
-
-    def _size(self, name: str) -> int:
-        """Bytes of a row."""
-        dtype, shape = self._kinds[name]
-        return dtype.itemsize * prod(shape[1:])
-
-    def _length(self, name: str) -> int:
-        """Bytes of a file."""
-        return self._starts[name] + self._size(name) * self._kinds[name][1][0]
-
-    def _file(self, name: str) -> Path:
-        return self.folder / f"{name}.npy"
-
-    def _compare(self, plan: dict[str, Any]) -> None:
-        try:
-            interrupted = json.loads((self.folder / PLAN).read_text(encoding="utf-8"))
-        except (ValueError, RecursionError):
-            interrupted = None
-        if not isinstance(interrupted, dict):
-            self._refuse("the plan of the interrupted map is damaged")
-        other = [key for key in {**plan, **interrupted} if plan.get(key) != interrupted.get(key)]
-        if other:
-            self._refuse(f"this folder holds an interrupted map that differs in: {', '.join(other)}")
-
-    def _open(self, name: str) -> None:
-        file = self._file(name)
-        if not file.is_file() or file.stat().st_size != self._length(name):
-            self._refuse(f"the file {file.name} of the interrupted map is truncated or missing")
-        handle = self._handles[name] = file.open("r+b")
-        if handle.read(self._starts[name]) != _header(*self._kinds[name]):
-            self._refuse(f"the file {file.name} of the interrupted map is damaged")
-
-    def _write(self, name: str, offset: int, data: Array) -> None:
-        handle = self._handles[name]
-        try:
-            with self._writing:
-                handle.seek(self._starts[name] + offset)
-                handle.write(data.data)
-                handle.flush()
+            for name, array in self.arrays.items():
+                array[rows] = values[name]
         except OSError as error:
+            assert self.folder is not None, "memory raises no such error"
             raise refusal(error, self.folder) from None
 
-    def _refuse(self, what: str) -> Any:
-        raise OutputError(
-            what, str(self.folder), "delete this folder to start again, or choose another output"
-        )
+    def codes(self) -> Array:
+        """Return the code of each row, after all of them were stored.
+
+        Raises
+        ------
+        OutputError
+            If someone removed files meanwhile: Zarr would read them as if nothing could be evaluated there.
+        """
+        codes = np.asarray(self.arrays["code"][:])
+        if self.folder is not None and (codes < 0).any():
+            what = "expected the rows of the map in progress, found that some were removed meanwhile"
+            raise OutputError(what, str(self.folder), "the same command computes them again")
+        return codes
+
+    def remove(self) -> None:
+        """Remove the files of the map, which is complete, or has nothing to continue."""
+        if self.folder is not None:
+            shutil.rmtree(self.folder / GROUP)
 
 
-def _header(dtype: np.dtype[Any], shape: tuple[int, ...]) -> bytes:
-    """Return how a file begins; a header that differs is not interpreted."""
-    file = BytesIO()
-    about = {"descr": dtype_to_descr(dtype), "fortran_order": False, "shape": shape}
-    write_array_header_1_0(file, about)
-    return file.getvalue()
+def in_memory(rows: int, tasks: int, tails: Tails) -> Store:
+    """Return fields in memory, of which nothing is done."""
+    arrays = {name: np.empty((rows, *tail), dtype) for name, (tail, dtype) in tails.items()}
+    return Store(arrays, np.zeros(tasks, dtype=bool))
+
+
+def on_disk(folder: Path, plan: dict[str, Any], rows: int, rows_of_a_task: int, tails: Tails) -> Store:
+    """Return fields in a folder, with the tasks that are done there.
+
+    Parameters
+    ----------
+    folder : Path
+        Exists; continued if it holds the same plan.
+    plan : dict
+        What is computed, as JSON can hold it.
+
+    Raises
+    ------
+    OutputError
+        If the folder cannot be written, has no room, or holds another map.
+    """
+    group, tasks = folder / GROUP, range(-(-rows // rows_of_a_task))
+    try:
+        if not _continued(group, plan):
+            _begin(
+                group,
+                plan,
+                rows * sum(prod(tail) * np.dtype(dtype).itemsize for tail, dtype in tails.values()),
+            )
+        arrays = {
+            name: _array(group / name, (rows, *tail), rows_of_a_task, dtype)
+            for name, (tail, dtype) in tails.items()
+        }
+        done = [all(_whole(group / name, array, task) for name, array in arrays.items()) for task in tasks]
+    except OSError as error:
+        raise refusal(error, folder) from None
+    return Store(arrays, np.array(done), folder)
+
+
+def _continued(group: Path, plan: dict[str, Any]) -> bool:
+    """Return whether there is an interrupted map with this plan; refuse another one."""
+    import zarr
+
+    try:
+        interrupted = zarr.open_group(group, mode="r", zarr_format=3).attrs.asdict()
+    except FileNotFoundError:
+        return False
+    except OSError:
+        raise
+    except Exception:  # depends on what Zarr finds wrong with the file
+        what = "the plan of the interrupted map is damaged"
+        raise OutputError(what, str(group.parent), REMEDY) from None
+    other = [key for key in {**plan, **interrupted} if plan.get(key) != interrupted.get(key)]
+    if other:
+        what = f"this folder holds an interrupted map that differs in: {', '.join(other)}"
+        raise OutputError(what, str(group.parent), REMEDY)
+    return True
+
+
+def _begin(group: Path, plan: dict[str, Any], size: int) -> None:
+    """Make the group, if there is room for arrays of that many bytes."""
+    import zarr
+
+    if shutil.disk_usage(group.parent).free < size:  # say so before anything is computed
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    zarr.create_group(group, overwrite=True, zarr_format=3, attributes=plan)
+
+
+def _array(place: Path, shape: tuple[int, ...], rows_of_a_task: int, dtype: str) -> Any:
+    """Return an array of the group, with the chunks that it has."""
+    import zarr
+    from zarr.codecs import Crc32cCodec
+
+    # Whatever is there, the plan says what it has to be.
+    (place / "zarr.json").unlink(missing_ok=True)
+    chunks = (min(rows_of_a_task, shape[0]), *(max(length, 1) for length in shape[1:]))
+    return zarr.create_array(
+        place,
+        shape=shape,
+        chunks=chunks,
+        dtype=dtype,
+        fill_value=missing(dtype),
+        compressors=[Crc32cCodec()],
+        zarr_format=3,
+        config={"write_empty_chunks": True},  # otherwise a task without a valid pose is never done
+    )
+
+
+def _whole(place: Path, array: Any, task: int) -> bool:
+    """Return whether the rows of a task are there as they were stored; remove them if they are damaged."""
+    if not array.size:  # a robot without modes
+        return True
+    chunk = place / array.metadata.encode_chunk_key((task,) + (0,) * (array.ndim - 1))
+    if not chunk.is_file():
+        return False
+    try:
+        array.blocks[task]
+    except ValueError:  # the checksum is another one
+        chunk.unlink()
+        return False
+    return True
