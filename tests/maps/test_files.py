@@ -207,3 +207,24 @@ def test_an_old_store_is_put_back_where_the_new_one_cannot_take_its_place(
     assert "input/output error" in refused(out, overwrite=True).what
     with xarray.open_dataset(out) as kept:
         assert float(kept["x"][0]) == 0.6
+
+
+def test_an_old_store_is_put_back_after_a_kill_between_the_two_renames(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out, folder = tmp_path / "map.zarr", tmp_path / "map.zarr.partial"
+    model().map(POSE, out=out).close()
+    folder.mkdir()
+    (folder / LOCK).touch()
+    out.rename(folder / "replaced.zarr")
+
+    def full(*_: object, **__: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(xarray.Dataset, "to_zarr", full)
+        assert "no space left" in refused(out).what
+    with xarray.open_dataset(out) as kept:
+        assert float(kept["x"][0]) == 0.6
+    model().map(POSE, out=out, overwrite=True).close()
+    assert [one.name for one in tmp_path.iterdir()] == ["map.zarr"]

@@ -6,9 +6,11 @@ the user's: nothing is written into it, nothing removed.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from stat import S_ISDIR, S_ISREG
 
 from pkmodes.core.base.errors import OutputError, shown
 from pkmodes.support.writing import refusal
@@ -64,8 +66,11 @@ def _check_own(folder: Path) -> None:
     if entries and folder / LOCK not in entries:
         what = f"expected a folder for the map in progress, found one with other files ({shown(entries[0].name)})"
         raise OutputError(what, str(folder), ELSEWHERE)
-    for entry in folder.rglob("*"):
-        if entry.is_symlink() or not (entry.is_file() or entry.is_dir()):
-            what = f"expected files for the map in progress, found a link or device, {shown(entry.name)}"
-            remedy = "delete this folder to start again, or choose another output"
-            raise OutputError(what, str(folder), remedy)
+    for place, folders, files in os.walk(folder):
+        for name in (*folders, *files):
+            with suppress(FileNotFoundError):  # another process, which the lock will tell, removes its own
+                kind = (Path(place) / name).lstat().st_mode
+                if not (S_ISREG(kind) or S_ISDIR(kind)):
+                    what = f"expected files for the map in progress, found a link or device, {shown(name)}"
+                    remedy = "delete this folder to start again, or choose another output"
+                    raise OutputError(what, str(folder), remedy)

@@ -92,9 +92,14 @@ class MapFile:
         """
         suffix = self.path.suffix.lower()
         new, replaced = (folder / f"{name}{suffix}" for name in UNDER_WAY)
-        try:
-            if replaced.exists() and not self.path.exists():  # the run before was ended between two renames
+
+        def put_back() -> None:
+            """Undo the first of the two renames that replace a folder, if the second was not made."""
+            if replaced.exists() and not self.path.exists():
                 replaced.rename(self.path)
+
+        try:
+            put_back()  # the run before was killed between the two
             for left in (new, replaced):  # by an interrupted run
                 _remove(left)
             if suffix == NETCDF:
@@ -109,10 +114,8 @@ class MapFile:
                 if self.path.is_dir():
                     self.path.rename(replaced)
                 new.replace(self.path)
-            except BaseException:  # also an interrupt
-                if replaced.exists() and not self.path.exists():
-                    replaced.rename(self.path)
-                raise
+            finally:
+                put_back()
             _remove(replaced)
         except (OSError, RuntimeError) as error:  # the NetCDF library raises RuntimeError
             reason = (error.strerror if isinstance(error, OSError) else None) or str(error)

@@ -107,13 +107,10 @@ def on_disk(folder: Path, plan: dict[str, Any], rows: int, rows_of_a_task: int, 
         If the folder cannot be written, has no room, or holds another map.
     """
     group, tasks = folder / GROUP, range(-(-rows // rows_of_a_task))
+    size = rows * sum(prod(tail) * np.dtype(dtype).itemsize for tail, dtype in tails.values())
     try:
         if not _continued(group, plan):
-            _begin(
-                group,
-                plan,
-                rows * sum(prod(tail) * np.dtype(dtype).itemsize for tail, dtype in tails.values()),
-            )
+            _begin(group, plan, size)
         arrays = {
             name: _array(group / name, (rows, *tail), rows_of_a_task, dtype)
             for name, (tail, dtype) in tails.items()
