@@ -136,73 +136,43 @@ def test_the_order_of_swept_parameters_matters(tmp_path: Path, monkeypatch: pyte
         model().map(GRID, sweep={"link.mass": [0.6, 0.7], "platform.mass": [1.0, 2.0]}, out=out)
 
 
-DAMAGE: dict[str, Callable[[bytes], bytes]] = {
-    "a bit of the first value": lambda content: bytes([content[0] ^ 1]) + content[1:],
-    "a bit of the checksum": lambda content: content[:-1] + bytes([content[-1] ^ 64]),
-    "truncated": lambda content: content[:-5],
-    "empty": lambda content: b"",
-    "longer": lambda content: content + b"0",
-    "of another field": lambda content: content[: len(content) // 2],
+def rewritten(field: str, change: Callable[[bytes], bytes]) -> Callable[[Path], None]:
+    """Return what changes the rows of the second of three tasks that were done."""
+
+    def damage(group: Path) -> None:
+        chunk = chunks_in(group / field)[1]
+        chunk.write_bytes(change(chunk.read_bytes()))
+
+    return damage
+
+
+#: What happens to an interrupted map of three tasks, and how many of them are lost.
+DAMAGE: dict[str, tuple[Callable[[Path], object], int]] = {
+    "a bit of a value": (rewritten("frequency", lambda rows: bytes([rows[0] ^ 1]) + rows[1:]), 1),
+    "a bit of a code": (rewritten("code", lambda rows: bytes([rows[0] ^ 1]) + rows[1:]), 1),
+    "a bit of a checksum": (rewritten("frequency", lambda rows: rows[:-1] + bytes([rows[-1] ^ 64])), 1),
+    "truncated": (rewritten("frequency", lambda rows: rows[:-5]), 1),
+    "empty": (rewritten("code", lambda rows: b""), 1),
+    "missing": (lambda group: chunks_in(group / "frequency")[1].unlink(), 1),
+    "a field is missing": (lambda group: shutil.rmtree(group / "frequency"), 3),
+    "the plan is missing": (lambda group: (group / "zarr.json").unlink(), 3),
+    "what a field is": (lambda group: (group / "frequency" / "zarr.json").write_text("["), 0),
+    "what a field is, missing": (lambda group: (group / "frequency" / "zarr.json").unlink(), 0),
 }
 
 
-@pytest.mark.parametrize("field", ["frequency", "code"])
-@pytest.mark.parametrize("damage", [*DAMAGE, "missing"])
-def test_rows_that_were_damaged_are_computed_again(
-    interrupted: Path, monkeypatch: pytest.MonkeyPatch, field: str, damage: str
+@pytest.mark.parametrize("damage", DAMAGE)
+def test_what_was_damaged_is_computed_again(
+    interrupted: Path, monkeypatch: pytest.MonkeyPatch, damage: str
 ) -> None:
-    """Those of the second of three tasks that were done."""
-    chunk = chunks_in(group_of(interrupted) / field)[1]
-    if damage == "missing":
-        chunk.unlink()
-    else:
-        chunk.write_bytes(DAMAGE[damage](chunk.read_bytes()))
-    assert continued(interrupted, monkeypatch) == TASKS - 3 + 1
-
-
-@pytest.mark.parametrize("text", [None, "", "{", "[]", '{"shape": [3]}', "[" * 100_000])
-def test_what_is_said_of_the_array_of_a_field_is_not_needed(
-    interrupted: Path, monkeypatch: pytest.MonkeyPatch, text: str | None
-) -> None:
-    """It follows from the plan."""
-    about = group_of(interrupted) / "frequency" / "zarr.json"
-    about.unlink()
-    if text is not None:
-        about.write_text(text)
-    assert continued(interrupted, monkeypatch) == TASKS - 3
-
-
-def test_a_field_that_was_removed_is_computed_again(
-    interrupted: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    shutil.rmtree(group_of(interrupted) / "frequency")
-    assert continued(interrupted, monkeypatch) == TASKS
-
-
-def test_the_rows_of_the_last_task_which_are_fewer(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    out = tmp_path / "map.nc"
-    stopped(out, signal.SIGKILL, TASKS - 1)
-    seen = count_tasks(monkeypatch)
-
-    def full(*_: object, **__: object) -> None:
-        raise OSError(28, "No space left on device")
-
-    with monkeypatch.context() as patch:
-        patch.setattr(xarray.Dataset, "to_netcdf", full)
-        with pytest.raises(OutputError, match="no space left on device"):
-            model().map(GRID, out=out)
-    assert len(seen) == 1
-    assert done_in(out) == TASKS
-    chunk = group_of(out) / "frequency" / "c" / str(TASKS - 1) / "0"
-    chunk.write_bytes(chunk.read_bytes()[:-1])
-    seen.clear()
-    with model().map(GRID, out=out) as found:
-        xarray.testing.assert_allclose(found.load(), model().map(GRID), rtol=1e-12)
+    do, lost = DAMAGE[damage]
+    do(group_of(interrupted))
+    assert continued(interrupted, monkeypatch) == TASKS - 3 + lost
 
 
 def test_interrupted_twice(interrupted: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """What the second run stored is kept as well, also tasks in which all poses can be evaluated, or none."""
-    seen = count_tasks(monkeypatch)
+    count_tasks(monkeypatch)
 
     def stop(done: int, _: int) -> None:
         if done >= 9 * ROWS:
@@ -212,11 +182,10 @@ def test_interrupted_twice(interrupted: Path, monkeypatch: pytest.MonkeyPatch) -
         model().map(GRID, out=interrupted, threads=1, progress=stop)
     kept = done_in(interrupted)
     assert 9 <= kept < TASKS
-    seen.clear()
     assert continued(interrupted, monkeypatch) == TASKS - kept
 
 
-@pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"version": 1}', "null", "[" * 100_000])
+@pytest.mark.parametrize("text", ["", "[]", "{}", "null", "[" * 100_000])
 def test_a_damaged_plan_is_refused(interrupted: Path, monkeypatch: pytest.MonkeyPatch, text: str) -> None:
     count_tasks(monkeypatch)
     plan = group_of(interrupted) / "zarr.json"
@@ -233,7 +202,7 @@ def test_files_that_are_removed_while_the_map_is_computed(
 ) -> None:
     """Zarr would read what is missing as fill values."""
     out = tmp_path / "map.nc"
-    seen = count_tasks(monkeypatch)
+    count_tasks(monkeypatch)
 
     def remove(done: int, _: int) -> None:
         if done == 5 * ROWS:
@@ -244,7 +213,6 @@ def test_files_that_are_removed_while_the_map_is_computed(
         model().map(GRID, out=out, threads=1, progress=remove)
     assert error.value.where == str(folder_of(out))
     assert not out.exists()
-    seen.clear()
     assert continued(out, monkeypatch) == TASKS, "its plan is gone as well"
 
 
@@ -270,12 +238,6 @@ def test_a_folder_in_which_nothing_was_begun_is_removed(tmp_path: Path) -> None:
     assert [path.name for path in tmp_path.iterdir()] == ["begun"]
 
 
-def test_a_folder_without_a_plan_is_begun_anew(interrupted: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """What its rows are is not known."""
-    (group_of(interrupted) / "zarr.json").unlink()
-    assert continued(interrupted, monkeypatch) == TASKS
-
-
 def test_killed_while_the_file_is_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The file under way is in the folder of the interrupted map, never under its final name."""
     out = tmp_path / "map.nc"
@@ -291,9 +253,10 @@ def test_killed_while_the_file_is_written(tmp_path: Path, monkeypatch: pytest.Mo
         with pytest.raises(KeyboardInterrupt):
             model().map(GRID, out=out)
     assert [one.name for one in tmp_path.iterdir()] == [folder_of(out).name]
-    seen.clear()
-    model().map(GRID, out=out).close()
-    assert not seen, "everything had been computed"
+    assert done_in(out) == len(seen) == TASKS, "everything had been computed"
+    last = group_of(out) / "frequency" / "c" / str(TASKS - 1) / "0"  # with fewer rows than the others
+    last.write_bytes(last.read_bytes()[:-1])
+    assert continued(out, monkeypatch) == 1
     assert [one.name for one in tmp_path.iterdir()] == ["map.nc"]
 
 

@@ -16,7 +16,7 @@ from pkmodes.core.base.errors import OutputError, shown
 from pkmodes.support.writing import refusal
 
 LOCK = "pkmodes-map.lock"
-ELSEWHERE = "move or rename it, or choose another output"
+START_AGAIN = "delete this folder to start again, or choose another output"
 
 
 @contextmanager
@@ -56,21 +56,21 @@ def locked(folder: Path) -> Iterator[None]:
 
 def _check_own(folder: Path) -> None:
     """Refuse what is not a folder of a map in progress; one that is empty may become one."""
+    entries = sorted(path.name for path in folder.iterdir()) if folder.is_dir() else []
+    found, remedy = "", "move or rename it, or choose another output"
     if folder.is_symlink():
-        what = "expected a folder for the map in progress, found a symbolic link"
-        raise OutputError(what, str(folder), "remove it, or choose another output")
-    if not folder.is_dir():
-        what = "expected a folder for the map in progress, found a file"
-        raise OutputError(what, str(folder), ELSEWHERE)
-    entries = sorted(folder.iterdir())
-    if entries and folder / LOCK not in entries:
-        what = f"expected a folder for the map in progress, found one with other files ({shown(entries[0].name)})"
-        raise OutputError(what, str(folder), ELSEWHERE)
+        found, remedy = "a symbolic link", "remove it, or choose another output"
+    elif not folder.is_dir():
+        found = "a file"
+    elif entries and LOCK not in entries:
+        found = f"one with other files ({shown(entries[0])})"
+    if found:
+        what = f"expected a folder for the map in progress, found {found}"
+        raise OutputError(what, str(folder), remedy)
     for place, folders, files in os.walk(folder):
         for name in (*folders, *files):
             with suppress(FileNotFoundError):  # another process, which the lock will tell, removes its own
                 kind = (Path(place) / name).lstat().st_mode
                 if not (S_ISREG(kind) or S_ISDIR(kind)):
                     what = f"expected files for the map in progress, found a link or device, {shown(name)}"
-                    remedy = "delete this folder to start again, or choose another output"
-                    raise OutputError(what, str(folder), remedy)
+                    raise OutputError(what, str(folder), START_AGAIN)

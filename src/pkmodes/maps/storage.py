@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import OutputError
 from pkmodes.core.solve.fields import missing
+from pkmodes.maps.locking import START_AGAIN
 from pkmodes.support.writing import refusal
 
 Array = NDArray[Any]
@@ -30,7 +31,6 @@ Tails = Mapping[str, tuple[tuple[int, ...], str]]
 SUFFIX = ".partial"
 #: Name of the group in the folder.
 GROUP = "fields.zarr"
-REMEDY = "delete this folder to start again, or choose another output"
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,11 +133,11 @@ def _continued(group: Path, plan: dict[str, Any]) -> bool:
         raise
     except Exception:  # depends on what Zarr finds wrong with the file
         what = "the plan of the interrupted map is damaged"
-        raise OutputError(what, str(group.parent), REMEDY) from None
+        raise OutputError(what, str(group.parent), START_AGAIN) from None
     other = [key for key in {**plan, **interrupted} if plan.get(key) != interrupted.get(key)]
     if other:
         what = f"this folder holds an interrupted map that differs in: {', '.join(other)}"
-        raise OutputError(what, str(group.parent), REMEDY)
+        raise OutputError(what, str(group.parent), START_AGAIN)
     return True
 
 
@@ -171,15 +171,13 @@ def _array(place: Path, shape: tuple[int, ...], rows_of_a_task: int, dtype: str)
 
 
 def _whole(place: Path, array: Any, task: int) -> bool:
-    """Return whether the rows of a task are there as they were stored; remove them if they are damaged."""
+    """Return whether the rows of a task are there as they were stored."""
     if not array.size:  # a robot without modes
         return True
-    chunk = place / array.metadata.encode_chunk_key((task,) + (0,) * (array.ndim - 1))
-    if not chunk.is_file():
+    if not (place / array.metadata.encode_chunk_key((task,) + (0,) * (array.ndim - 1))).is_file():
         return False
     try:
         array.blocks[task]
     except ValueError:  # the checksum is another one
-        chunk.unlink()
         return False
     return True
