@@ -204,10 +204,9 @@ def test_files_that_are_removed_while_the_map_is_computed(
     out = tmp_path / "map.nc"
     count_tasks(monkeypatch)
 
-    def remove(done: int, _: int) -> None:
-        if done == 5 * ROWS:
-            while group_of(out).exists():  # the next task may be stored meanwhile
-                shutil.rmtree(group_of(out), ignore_errors=True)
+    def remove(done: int, total: int) -> None:
+        if done == total:  # before the file is written
+            shutil.rmtree(group_of(out))
 
     with pytest.raises(OutputError, match="some were removed meanwhile") as error:
         model().map(GRID, out=out, threads=1, progress=remove)
