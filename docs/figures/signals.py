@@ -45,9 +45,9 @@ def main(arguments: Sequence[str]) -> None:
     band = result.record.band
     drawn = fits.stabilisation(one, marked, band), fits.functions(one, marked, band, phase=True)
     with styled():
-        for picture, figure in zip(PICTURES, drawn, strict=True):
+        for picture, drawing in zip(PICTURES, drawn, strict=True):
             metadata = {"Date": None, "Creator": None}
-            figure.savefig(folder / f"{picture}.svg", facecolor="white", metadata=metadata)
+            drawing.figure.savefig(folder / f"{picture}.svg", facecolor="white", metadata=metadata)
 
 
 if __name__ == "__main__":

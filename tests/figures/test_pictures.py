@@ -9,12 +9,12 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from matplotlib.figure import Figure
 
 import pkmodes
 from pkmodes.cli import run
 from pkmodes.figures.pictures import PICTURES, PictureKind, RobotPlane, pictures
-from pkmodes.plots.style import figure
+from pkmodes.plots.drawing import Drawing
+from pkmodes.plots.sheet import Sheet
 
 ROOT = Path(__file__).parents[2]
 SVG = {"svg": "http://www.w3.org/2000/svg", "dc": "http://purl.org/dc/elements/1.1/"}
@@ -26,13 +26,15 @@ def test_every_figure_is_in_the_documentation() -> None:
     assert re.findall(r"^\| `(\w+)` \|", table, re.M) == [kind.name for kind in PICTURES]
 
 
-def torques(robot: RobotPlane) -> Figure:
+def torques(robot: RobotPlane) -> Drawing:
     """Draw the largest static torque of each pose."""
-    drawn = figure(2.0)
-    axes = drawn.add_subplot()
-    mesh = robot.plane.draw(axes, np.abs(robot.plane.dataset["static_torque"].values).max(axis=-1))
-    drawn.colorbar(mesh, label="largest static torque [N m]")
-    return drawn
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(2.0)
+        mesh = robot.plane.draw(panel, np.abs(robot.plane.dataset["static_torque"].values).max(axis=-1))
+        sheet.scale(mesh, "largest static torque [N m]")
+
+    return Drawing(draw)
 
 
 def test_another_figure_is_an_entry_and_a_function(
@@ -69,9 +71,10 @@ def test_another_figure_is_an_entry_and_a_function(
 def test_a_robot_that_moves_in_a_plane_has_its_own_description_where_there_is_one(
     monkeypatch: pytest.MonkeyPatch, robot: str, grid: dict[str, object], said: list[str], at: str
 ) -> None:
+    empty = Drawing(lambda sheet: None)
     entries = (
-        PictureKind("one", "One", "In three dimensions.", lambda _: figure(2.0), planar="In a plane."),
-        PictureKind("other", "Other", "Anywhere.", lambda _: figure(2.0)),
+        PictureKind("one", "One", "In three dimensions.", lambda _: empty, planar="In a plane."),
+        PictureKind("other", "Other", "Anywhere.", lambda _: empty),
     )
     monkeypatch.setattr(import_module("pkmodes.figures.pictures"), "PICTURES", entries)
     found = [picture.description for picture in pictures(pkmodes.load(ROOT / f"robots/{robot}.toml"), grid)]

@@ -14,8 +14,8 @@ from matplotlib.figure import Figure
 
 from pkmodes.plots import influence
 from pkmodes.plots.dominant import COLOURS, dominant, middles
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.plane import Plane
-from pkmodes.plots.style import styled
 from pkmodes.plots.svg import inline
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -34,8 +34,7 @@ def contrast(one: str, other: str) -> float:
 
 
 def table_of(values: list[list[float]]) -> Figure:
-    with styled():
-        return influence.table(PATHS[: len(values)], np.array(values)[None, None])
+    return influence.table(PATHS[: len(values)], np.array(values)[None, None]).figure
 
 
 def plane() -> Plane:
@@ -64,8 +63,7 @@ def test_what_is_rounded_to_zero_has_no_sign() -> None:
 
 
 def test_parameters_that_act_as_one_have_a_line_each_in_the_name_of_their_row() -> None:
-    with styled():
-        drawn = influence.table(["belt.specific_stiffness, belt.width"], np.ones((1, 1, 1, 1)))
+    drawn = influence.table(["belt.specific_stiffness, belt.width"], np.ones((1, 1, 1, 1))).figure
     assert [t.get_text() for t in drawn.axes[0].get_yticklabels()] == ["belt.specific_stiffness,\nbelt.width"]
 
 
@@ -73,8 +71,9 @@ def test_the_legend_of_the_largest_influence_has_the_colours_of_the_map() -> Non
     relative = np.zeros((5, 5, 3, 1))
     relative[:, :, 2] = -1.0
     relative[0, 0, 1] = 2.0
-    with styled():
-        drawn = dominant(plane(), PATHS, relative)
+    found = dominant(plane(), PATHS, relative)
+    assert isinstance(found, Drawing)
+    drawn = found.figure
     (legend,) = drawn.legends
     shown = {
         t.get_text(): to_hex(p.get_facecolor())
@@ -107,10 +106,9 @@ def test_each_region_with_room_has_its_number_in_its_middle() -> None:
 def test_one_parameter_everywhere_is_a_sentence() -> None:
     relative = np.zeros((5, 5, 3, 2))
     relative[..., 1, :] = 0.5
-    with styled():
-        same = dominant(plane(), PATHS, relative)
-        relative[..., 2, 1] = -0.7
-        other = dominant(plane(), PATHS, relative)
+    same = dominant(plane(), PATHS, relative)
+    relative[..., 2, 1] = -0.7
+    other = dominant(plane(), PATHS, relative)
     assert same == "At every pose each frequency changes most with belt.width, of 3 parameters."
     assert other == (
         "At every pose the frequencies change most with the same one of 3 parameters: that of mode 1 with "

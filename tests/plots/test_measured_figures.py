@@ -76,7 +76,7 @@ def titles(figure: Any) -> list[str]:
 
 
 def test_the_spectrum_has_the_lines_of_each_stage_and_a_mark_for_each_row() -> None:
-    (axes,) = spectrum.spectrum(EVIDENCE).axes
+    (axes,) = spectrum.spectrum(EVIDENCE).figure.axes
     # Up to 1.12 of the highest measured frequency.
     for label, colour, rows in (
         ("model as declared", GREY, ((0, 102.0), (0, 210.0), (1, 98.0), (1, 190.0), (1, 206.0))),
@@ -98,7 +98,7 @@ def test_the_spectrum_has_the_lines_of_each_stage_and_a_mark_for_each_row() -> N
 def test_bands_are_one_standard_deviation_on_either_side_of_the_declared_model() -> None:
     """The declared model has 102, 210 Hz and 98, 190, 206 Hz; one mode of setup A has no standard deviation."""
     spread = np.array([[2.0, np.nan, np.nan], [1.0, 3.0, 0.5]])
-    (axes,) = spectrum.spectrum(replace(EVIDENCE, spread=spread)).axes
+    (axes,) = spectrum.spectrum(replace(EVIDENCE, spread=spread)).figure.axes
     (bands,) = (one for one in axes.collections if one.get_label() == "\u00b1 \u03c3 as declared")
     boxes = sorted(
         tuple(path.vertices[:4].min(axis=0)) + tuple(path.vertices[:4].max(axis=0))
@@ -114,13 +114,13 @@ def test_bands_are_one_standard_deviation_on_either_side_of_the_declared_model()
 
 
 def test_a_comparison_has_one_kind_of_lines() -> None:
-    (axes,) = spectrum.spectrum(replace(EVIDENCE, stages=EVIDENCE.stages[:1])).axes
+    (axes,) = spectrum.spectrum(replace(EVIDENCE, stages=EVIDENCE.stages[:1])).figure.axes
     assert len(segments(axes, "model as declared")) == 5
     assert "measured mode" in marks(axes)
 
 
 def test_differences_by_mode_are_model_over_measurement_in_per_cent_with_medians() -> None:
-    figure = differences.by_mode(EVIDENCE)
+    figure = differences.by_mode(EVIDENCE).figure
     assert titles(figure) == ["Model as declared", "Model with the cause"]
     # Setup A stands left of the mode's number, setup B right of it.
     for axes, fitted, aside, held, medians in (
@@ -140,8 +140,9 @@ def test_differences_by_mode_are_model_over_measurement_in_per_cent_with_medians
 
 
 def test_differences_by_setup_and_against_the_pose_are_in_standard_deviations() -> None:
-    by_setup, against = differences.by_setup(EVIDENCE), differences.against_pose(EVIDENCE)
-    assert against is not None
+    drawn = differences.against_pose(EVIDENCE)
+    assert drawn is not None
+    by_setup, against = differences.by_setup(EVIDENCE).figure, drawn.figure
     assert titles(against) == titles(by_setup) == ["Model as declared", "Model with the cause"]
     for figure, first, second in ((by_setup, 0.0, 1.0), (against, 0.1, 0.3)):
         for axes, sigmas in zip(figure.axes, (BEFORE.sigmas, AFTER.sigmas), strict=True):
@@ -160,9 +161,11 @@ def test_differences_by_setup_and_against_the_pose_are_in_standard_deviations() 
 
 
 def test_mac_matrices_have_the_measured_modes_in_rows_and_the_setup_with_the_lowest_mac_below() -> None:
-    figure = mac_matrices(EVIDENCE)
-    assert figure is not None
-    panels = [axes for axes in figure.axes if axes.get_title(loc="left") or "lowest" in axes.get_ylabel()]
+    drawn = mac_matrices(EVIDENCE)
+    assert drawn is not None
+    panels = [
+        axes for axes in drawn.figure.axes if axes.get_title(loc="left") or "lowest" in axes.get_ylabel()
+    ]
     assert panels[0].get_ylabel() == "mean of all poses\nmeasured mode"
     assert panels[2].get_ylabel() == "lowest MAC: B\nmeasured mode"
     mean = np.array([[0.8, 0.3, 0.08], [0.3, 0.8, 0.15], [0.12, 0.22, 0.6]])
@@ -220,9 +223,9 @@ def test_candidates_stand_in_the_order_of_their_scores_with_the_colour_of_their_
             ("servo_stiffness", 1.0, True),
         )
     )
-    figure = scores.candidates(replace(result, candidates=tested, survivors=(("belt_mass + other",),)))
-    assert figure is not None
-    (axes,) = figure.axes
+    drawn = scores.candidates(replace(result, candidates=tested, survivors=(("belt_mass + other",),)))
+    assert drawn is not None
+    (axes,) = drawn.figure.axes
     assert [label.get_text() for label in axes.get_yticklabels()] == [
         *("payload", "link_compliance", "belt_mass", "servo_stiffness")
     ]
@@ -250,9 +253,9 @@ def test_values_stand_where_the_fit_moved_them_in_standard_deviations_of_their_p
         Corrected("platform.mass", 1.3, 0.05, "kg", 1.5, 0.1, False),
         Corrected("effects.payload.mass", 0.3, 0.01, "kg", 0.0, None, False),
     )
-    figure = scores.pulls(values)
-    assert figure is not None
-    (axes,) = figure.axes
+    drawn = scores.pulls(values)
+    assert drawn is not None
+    (axes,) = drawn.figure.axes
     assert [label.get_text() for label in axes.get_yticklabels()] == ["platform.mass", "link.length"]
     (points,) = (line for line in axes.lines if line.get_marker() == "o")
     np.testing.assert_allclose(points.get_xydata(), [[-2.0, 0.0], [1.0, 1.0]])

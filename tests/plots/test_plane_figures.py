@@ -15,10 +15,11 @@ from matplotlib.figure import Figure
 
 from pkmodes.plots import influence, maps
 from pkmodes.plots.dominant import dominant
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.mac_map import neighbouring_mac
-from pkmodes.plots.narrow import narrowed
 from pkmodes.plots.panels import arranged
 from pkmodes.plots.plane import Plane, where
+from pkmodes.plots.sheet import NARROW
 from pkmodes.plots.style import styled
 from pkmodes.plots.workspace import Volume, workspace
 
@@ -68,6 +69,12 @@ def varied(plane: Plane) -> Plane:
 LIKE = np.isfinite(PLACE) & (np.arange(15).reshape(5, 3) < 14)
 
 
+def figure_of(drawing: Drawing | str) -> Figure:
+    """Return the figure as wide as a page, with its panels."""
+    assert isinstance(drawing, Drawing)
+    return drawing.figure
+
+
 def title(axes: Any) -> str:
     return str(axes.get_title(loc="left"))
 
@@ -103,8 +110,7 @@ def marks(axes: Any, marker: str) -> list[tuple[float, float]]:
 
 
 def test_each_frequency_is_drawn_at_its_place_on_a_scale_of_its_own(plane: Plane) -> None:
-    with styled():
-        figure = maps.frequencies(plane, np.array([[-500.0, 100.0], [20.0, 900.0], [50.0, 200.0]]))
+    figure = figure_of(maps.frequencies(plane, np.array([[-500.0, 100.0], [20.0, 900.0], [50.0, 200.0]])))
     found = panels(figure)
     assert list(found) == ["mode 1", "mode 2"]
     for number, axes in enumerate(found.values(), start=1):
@@ -131,8 +137,7 @@ def test_each_frequency_is_drawn_at_its_place_on_a_scale_of_its_own(plane: Plane
 
 
 def test_lines_point_along_the_motion_and_colours_are_its_share_along_the_normal(varied: Plane) -> None:
-    with styled():
-        figure = maps.directions(varied)
+    figure = figure_of(maps.directions(varied))
     found = panels(figure)
     assert varied.normal == "z"
     assert "share of the motion along z [1]" in [axes.get_ylabel() for axes in figure.axes]
@@ -157,8 +162,7 @@ def test_lines_point_along_the_motion_and_colours_are_its_share_along_the_normal
 
 
 def test_components_are_drawn_on_one_scale(varied: Plane) -> None:
-    with styled():
-        figure = maps.components(varied)
+    figure = figure_of(maps.components(varied))
     drawn = maps_of(figure)
     assert [axes.get_ylabel() for axes in drawn] == ["in plane\nx [mm]", "", "along z\nx [mm]", ""]
     assert [title(axes) for axes in drawn] == ["mode 1", "mode 2", "", ""]
@@ -169,8 +173,7 @@ def test_components_are_drawn_on_one_scale(varied: Plane) -> None:
 
 def test_each_mode_has_its_mac(plane: Plane) -> None:
     values = np.stack([PLACE / 100.0, 1.0 - PLACE / 100.0], axis=-1)
-    with styled():
-        found = panels(neighbouring_mac(plane, values))
+    found = panels(figure_of(neighbouring_mac(plane, values)))
     for mode, name in enumerate(("mode 1", "mode 2")):
         np.testing.assert_array_equal(shown(found[name]), values[..., mode])
         assert mesh_of(found[name]).get_clim() == (0.0, 1.0)
@@ -191,8 +194,7 @@ def relative() -> np.ndarray:
 
 
 def test_the_table_of_influences_has_medians_the_largest_first(relative: np.ndarray) -> None:
-    with styled():
-        figure = influence.table(PATHS, relative)
+    figure = figure_of(influence.table(PATHS, relative))
     axes = figure.axes[0]
     assert [label.get_text() for label in axes.get_yticklabels()] == [
         "axis.span",
@@ -208,8 +210,7 @@ def test_the_table_of_influences_has_medians_the_largest_first(relative: np.ndar
 
 
 def test_the_dominant_parameter_has_its_colour_at_each_pose(plane: Plane, relative: np.ndarray) -> None:
-    with styled():
-        figure = dominant(plane, PATHS, relative)
+    figure = figure_of(dominant(plane, PATHS, relative))
     (legend,) = figure.legends
     patches = zip(legend.get_texts(), legend.get_patches(), strict=True)
     colours = {text.get_text(): to_rgba(patch.get_facecolor()) for text, patch in patches}
@@ -235,8 +236,7 @@ def test_condition_number_and_outlines_of_the_volume(plane: Plane) -> None:
     )
     inside = (along[:, None] > 0.1) & (along[:, None] < 0.3) & (across > -0.05) & (across < 0.1)
     volume = Volume(heights, along, across, np.stack([inside, np.zeros_like(inside), inside]))
-    with styled():
-        figure = workspace(plane, volume)
+    figure = figure_of(workspace(plane, volume))
     assert where(plane) == "z = \u2212200 mm"
     (flat,) = maps_of(figure)
     np.testing.assert_array_equal(shown(flat), PLACE)
@@ -257,8 +257,7 @@ def test_shards_of_a_volume_are_left_out(plane: Plane) -> None:
     inside = (along[:, None] > 0.1) & (along[:, None] < 0.3) & (across > -0.05) & (across < 0.1)
     shard = (along[:, None] > 0.35) & (along[:, None] < 0.37) & (across > 0.15) & (across < 0.18)
     volume = Volume(np.array([-0.3, -0.1]), along, across, np.stack([inside | shard, shard]))
-    with styled():
-        figure = workspace(plane, volume)
+    figure = figure_of(workspace(plane, volume))
     (solid,) = (axes for axes in figure.axes if axes.name == "3d")
     assert len(solid.lines) == 1
 
@@ -291,8 +290,7 @@ def test_a_small_range_of_frequencies_looks_small_and_is_said(plane: Plane) -> N
     """From 100.1 to 100.3 Hz over 5 % of 100 Hz, instead of over all colours."""
     dataset = plane.dataset.assign(frequency=100.0 + 0.01 * (plane.dataset["frequency"] - 90.0))
     assert float(dataset["frequency"].sel(mode=1).max() - dataset["frequency"].sel(mode=1).min()) < 0.5
-    with styled():
-        found = panels(maps.frequencies(Plane(dataset, "y", "x", "z", -0.2)))
+    found = panels(figure_of(maps.frequencies(Plane(dataset, "y", "x", "z", -0.2))))
     low, high = mesh_of(found["mode 1"]).get_clim()
     assert high - low == pytest.approx(0.05 * (low + high) / 2)
     first, last = 100.1 + 0.01 * np.array(INNER)
@@ -301,8 +299,8 @@ def test_a_small_range_of_frequencies_looks_small_and_is_said(plane: Plane) -> N
 
 @pytest.mark.parametrize("tall", [True, False])
 def test_scales_have_three_ticks_or_more_that_are_apart(plane: Plane, tall: bool) -> None:
+    figure = figure_of(maps.frequencies(of_modes(plane, 6 if tall else 2, tall=tall)))
     with styled():
-        figure = maps.frequencies(of_modes(plane, 6 if tall else 2, tall=tall))
         figure.draw_without_rendering()
     bars = [axes for axes in figure.axes[0].child_axes + figure.axes if "f [Hz]" in labels_of(axes)]
     assert bars
@@ -324,8 +322,8 @@ def place_of(label: Any, axis: Any) -> float:
 
 
 def test_contours_have_their_numbers_apart_from_one_another(plane: Plane) -> None:
+    figure = figure_of(maps.frequencies(of_modes(plane, 2, tall=False)))
     with styled():
-        figure = maps.frequencies(of_modes(plane, 2, tall=False))
         figure.draw_without_rendering()
     for axes in panels(figure).values():
         (lines,) = (one for one in axes.collections if isinstance(one, ContourSet))
@@ -337,8 +335,7 @@ def test_contours_have_their_numbers_apart_from_one_another(plane: Plane) -> Non
 
 
 def test_lines_of_directions_can_be_seen_on_every_colour_also_in_grey(varied: Plane) -> None:
-    with styled():
-        figure = maps.directions(varied)
+    figure = figure_of(maps.directions(varied))
     for axes in panels(figure).values():
         (strokes,) = (one for one in axes.collections if isinstance(one, LineCollection))
         assert to_rgba(strokes.get_colors()[0]) == (0.0, 0.0, 0.0, 1.0)
@@ -355,34 +352,29 @@ def test_what_is_the_same_everywhere_is_a_sentence(plane: Plane) -> None:
     same = plane.dataset.assign(frequency=ones * xarray.DataArray([40.0, 60.0], dims="mode"), condition=ones)
     planar = Plane(same.assign_coords(flat), "y", "x", None, 0.0)
     level = Plane(same.assign_coords(flat), "y", "x", "z", -0.2)
-    with styled():
-        assert maps.frequencies(planar) == (
-            "Every frequency is the same within 0.025 % at every pose: 40.00, 60.00 Hz."
-        )
-        assert (
-            maps.directions(planar)
-            == "In each mode the platform moves in almost the same direction at every pose."
-        )
-        assert (
-            maps.components(planar)
-            == "In each mode the platform moves by almost the same amount at every pose."
-        )
-        assert workspace(planar, None) == (
-            "The condition number of the platform Jacobian is 1 at every pose."
-        )
-        assert neighbouring_mac(planar, np.full((5, 3, 2), 0.9994)) == (
-            "No mode shape changes abruptly: the smallest MAC of a mode with the mode of the same number at a "
-            "neighbouring pose is 0.999."
-        )
-        assert not isinstance(
-            workspace(level, Volume(np.array([-0.3, -0.1]), X, Y, np.zeros((2, 5, 3), bool))), str
-        )
+    assert maps.frequencies(planar) == (
+        "Every frequency is the same within 0.025 % at every pose: 40.00, 60.00 Hz."
+    )
+    assert (
+        maps.directions(planar)
+        == "In each mode the platform moves in almost the same direction at every pose."
+    )
+    assert (
+        maps.components(planar) == "In each mode the platform moves by almost the same amount at every pose."
+    )
+    assert workspace(planar, None) == ("The condition number of the platform Jacobian is 1 at every pose.")
+    assert neighbouring_mac(planar, np.full((5, 3, 2), 0.9994)) == (
+        "No mode shape changes abruptly: the smallest MAC of a mode with the mode of the same number at a "
+        "neighbouring pose is 0.999."
+    )
+    assert not isinstance(
+        workspace(level, Volume(np.array([-0.3, -0.1]), X, Y, np.zeros((2, 5, 3), bool))), str
+    )
 
 
 def test_a_panel_with_none_below_it_has_its_labels(plane: Plane) -> None:
     """Five modes of a wide map stand in rows of three: below mode 3 there is nothing."""
-    with styled():
-        found = panels(maps.frequencies(of_modes(plane, 5, tall=False)))
+    found = panels(figure_of(maps.frequencies(of_modes(plane, 5, tall=False))))
     assert {name: axes.get_xlabel() for name, axes in found.items()} == {
         **dict.fromkeys(("mode 1", "mode 2"), ""),
         **dict.fromkeys(("mode 3", "mode 4", "mode 5"), "y [mm]"),
@@ -399,8 +391,8 @@ def test_numbers_at_the_scales_of_six_panels_in_a_row_do_not_touch(
     place = dataset["frequency"] - 100.0 * (2 - dataset["mode"] % 2)
     share = (place - INNER[0]) / (INNER[1] - INNER[0])
     dataset = dataset.assign(frequency=low + (high - low) * share)
+    figure = figure_of(maps.frequencies(Plane(dataset, "y", "x", "z", -0.2)))
     with styled():
-        figure = maps.frequencies(Plane(dataset, "y", "x", "z", -0.2))
         figure.draw_without_rendering()
         bar = figure.axes[0].child_axes[0]
         low, high = bar.get_xlim()
@@ -417,11 +409,13 @@ def test_on_a_narrow_screen_titles_ranges_labels_and_scales_lie_below_each_other
     """Three columns of a slender plane leave so little width that the numbers of an axis are turned."""
     dataset = of_modes(plane, 6).dataset
     dataset = dataset.assign_coords(x=("x", stretch * X, {"units": "m"}))
+    drawing = maps.frequencies(Plane(dataset, "y", "x", "z", -0.2))
+    assert isinstance(drawing, Drawing)
     with styled():
-        figure = maps.frequencies(Plane(dataset, "y", "x", "z", -0.2))
-        assert narrowed(figure)
-        figure.draw_without_rendering()
-        assert figure.get_tightbbox().width <= figure.get_figwidth()
+        sheet = drawing.sheet(narrow=True)
+        assert sheet.settle() is not None
+        figure = sheet.figure
+        assert figure.get_tightbbox().width <= figure.get_figwidth() == NARROW
         for axes in panels(figure).values():
             (written,) = (text for text in axes.texts if text.get_text().endswith("Hz"))
             (bar,) = axes.child_axes

@@ -13,7 +13,6 @@ from matplotlib.patches import Rectangle
 
 import pkmodes
 from pkmodes.figures import tornado_picture
-from pkmodes.plots.drawn_data import drawn_data
 from pkmodes.plots.style import BLUE, GREY
 from pkmodes.plots.svg import inline
 from pkmodes.plots.tornado import broken
@@ -86,7 +85,9 @@ def test_the_saved_table_says_which_bars_are_for_more_and_which_for_less() -> No
             {"one sigma more", "one sigma less", "all together, lower end", "all together, upper end"},
         ),
     ):
-        table = {column[0]: column[1:] for column in drawn_data(drawn_of(model, by))}
+        drawing = tornado_picture(model, AT, by=by).drawing
+        assert drawing is not None
+        table = {column[0]: column[1:] for column in drawing.table}
         assert {name.strip('"') for name in table["series"]} == expected
 
 

@@ -13,8 +13,9 @@ import pytest
 from helpers.pages.browser import opened
 from helpers.pages.report_examples import HOSTILE
 from pkmodes.cli import run
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import visible
-from pkmodes.plots.style import figure, styled
+from pkmodes.plots.sheet import Sheet
 from pkmodes.report.blocks import Picture, Section, Summary
 from pkmodes.report.page import page
 
@@ -26,15 +27,15 @@ NUMBERS = {name: np.exp(-X) * np.cos(7.0 * X + k) for k, name in enumerate(("mea
 
 def written(folder: Path, title: str, names: dict[str, str]) -> Path:
     """Write a page with one figure of `NUMBERS`, its series renamed."""
-    with styled():
-        drawn = figure(2.5)
-        axes = drawn.subplots()
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(2.5)
         for name, values in NUMBERS.items():
-            axes.plot(X, values, label=visible(names.get(name, name), 60))  # as every figure does
-        axes.set_xlabel("frequency [Hz]")
-        axes.set_ylabel("size [\u03c3]")
-        axes.legend()
-        picture = Picture.of(drawn, visible(title), "two curves", "Two curves.")
+            panel.plot(X, values, label=visible(names.get(name, name), 60))  # as every figure does
+        panel.label(x="frequency [Hz]", y="size [\u03c3]")
+        panel.axes.legend()
+
+    picture = Picture.of(Drawing(draw), visible(title), "two curves", "Two curves.")
     html = page(Summary("robot", "Test", "", "Two curves", "", "plain"), [Section("one", "One", [picture])])
     (folder / "page.html").write_text(html, encoding="utf-8")
     return folder / "page.html"

@@ -30,6 +30,7 @@ from pkmodes.maps.mapping import map_of
 from pkmodes.maps.poses import places_of
 from pkmodes.plots import influence, maps
 from pkmodes.plots.dominant import dominant
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import typeset, visible
 from pkmodes.plots.mac_map import neighbouring_mac
 from pkmodes.plots.plane import Plane, plane_axes, where
@@ -63,6 +64,9 @@ class Picture:
         The robot and what of it is shown, which also stands below the figure in its file.
     instead : str
         What is said instead of a figure that would show the same everywhere; the figure then consists of these words.
+    drawing : Drawing or None
+        What draws the figure, as wide as a page and for a narrow screen, with the table of what it shows; None for
+        words.
     """
 
     name: str
@@ -71,15 +75,15 @@ class Picture:
     figure: Figure
     about: str = ""
     instead: str = ""
+    drawing: Drawing | None = None
 
     def _repr_html_(self) -> str:
         """Return the figure with its caption, for notebooks."""
-        with styled():
-            drawn = (
-                f"<p>{escape(self.instead)}</p>"
-                if self.instead
-                else inline(self.figure, self.title, self.description, cropped=True)
-            )
+        drawn = (
+            f"<p>{escape(self.instead)}</p>"
+            if self.instead
+            else inline(self.figure, self.title, self.description, cropped=True)
+        )
         caption = f"<figcaption><b>{escape(self.title)}.</b> {escape(self.description)}</figcaption>"
         return f'<figure style="max-width:60rem">{drawn}{caption}</figure>'
 
@@ -117,7 +121,7 @@ class PictureKind:
     name: str
     title: str
     description: str
-    draw: Callable[[RobotPlane], Figure | str]
+    draw: Callable[[RobotPlane], Drawing | str]
     planar: str | None = None
     more: Callable[[RobotPlane], str] | None = None
 
@@ -234,8 +238,12 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
         say(f"picture {number} of {len(PICTURES)}: {kind.name}")
         description = kind.description if plane.normal else kind.planar or kind.description
         description += kind.more(robot) if kind.more else ""
+        drawn = kind.draw(robot)
+        if isinstance(drawn, Drawing):
+            yield Picture(
+                kind.name, kind.title, f"{description} {about}.", drawn.figure, about, drawing=drawn
+            )
+            continue
         with styled():
-            drawn = kind.draw(robot)
-            instead = drawn if isinstance(drawn, str) else ""
-            figure = stated(drawn) if isinstance(drawn, str) else drawn
-            yield Picture(kind.name, kind.title, f"{instead or description} {about}.", figure, about, instead)
+            figure = stated(drawn)
+        yield Picture(kind.name, kind.title, f"{drawn} {about}.", figure, about, drawn)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from pkmodes.figures.pictures import Picture
 from pkmodes.figures.response_channels import DrawnChannels
 from pkmodes.plots.responses import MOST, responses
-from pkmodes.plots.style import styled
 from pkmodes.response.channels import Index
 from pkmodes.response.frequency_response import FrequencyResponse
 from pkmodes.response.measured import MeasuredResponse
@@ -44,6 +43,5 @@ def response_picture(
     text = found.text
     if len(found.model) > MOST:
         text += f" The first {MOST} of {len(found.model)} channels: choose others by inputs and outputs."
-    with styled():
-        drawn = responses(found.frequencies, found.model, found.units, found.measured, text)
-    return Picture("response", "Frequency responses", text, drawn)
+    drawn = responses(found.frequencies, found.model, found.units, found.measured, text)
+    return Picture("response", "Frequency responses", text, drawn.figure, drawing=drawn)

@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike
 from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.figures.pictures import Picture
-from pkmodes.plots.style import styled
 from pkmodes.plots.tornado import MOST, tornado
 from pkmodes.sensitivity.changes import PERCENT, Changes, changes_at
 from pkmodes.support.extras import require
@@ -57,8 +56,8 @@ def tornado_picture(model: Model, pose: ArrayLike, *, by: str = PERCENT, drives:
     changes = changes_at(model, point, drives, by)
     at, doing = placed(model.mechanism, point, "g"), motors_in_words(model.robot, drives)
     text = f"{describe(changes)} {model.robot.name} at {at}, {doing}."
-    with styled():
-        return Picture("tornado", TITLES[by], text, tornado(changes))
+    drawn = tornado(changes)
+    return Picture("tornado", TITLES[by], text, drawn.figure, drawing=drawn)
 
 
 def describe(changes: Changes) -> str:

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.plots.panels import mode_panels, panels_of
+from pkmodes.plots.drawing import Drawing
+from pkmodes.plots.panels import mode_panels
 from pkmodes.plots.plane import Plane
+from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLACK
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 Array = NDArray[Any]
 #: Share of the values, by size, that do not determine the colours: those beside singularities.
@@ -21,7 +20,7 @@ OUTLIERS = 0.02
 COLOURS = "RdBu_r"
 
 
-def relative_changes(plane: Plane, relative: Array) -> Figure:
+def relative_changes(plane: Plane, relative: Array) -> Drawing:
     """Draw the relative difference of each mode's frequency in a plane, all on one scale that is symmetric about 0.
 
     A line marks where nothing changes.
@@ -33,21 +32,21 @@ def relative_changes(plane: Plane, relative: Array) -> Figure:
     relative : ndarray, shape (along, across, modes)
         Frequency of the second robot over that of the first, minus 1; NaN where one of them has none.
     """
-    modes = relative.shape[-1]
-    drawn, panels = panels_of(plane, modes, colour_bars=False)
     high = scale_of(relative)
-    mesh = None
-    for mode, axes in mode_panels(plane, panels, modes):
-        values = 100.0 * relative[..., mode]
-        mesh = plane.draw(axes, values, vmin=-high, vmax=high, cmap=COLOURS)
-        finite = values[np.isfinite(values)]
-        if len(finite) and finite.min() < 0.0 < finite.max():
-            x, y = plane.drawn(plane.across), plane.drawn(plane.along)
-            axes.contour(x, y, np.ma.masked_invalid(values), [0.0], colors=BLACK, linewidths=0.6)
-    if mesh is not None:
-        bar = drawn.colorbar(mesh, ax=panels, location="right", shrink=0.9, aspect=35, extend="both")
-        bar.set_label("difference of the frequency [%]")
-    return drawn
+
+    def draw(sheet: Sheet) -> None:
+        mesh: Any = None
+        for mode, panel in mode_panels(sheet, plane, relative.shape[-1], scales="common"):
+            values = 100.0 * relative[..., mode]
+            mesh = plane.draw(panel, values, vmin=-high, vmax=high, cmap=COLOURS)
+            finite = values[np.isfinite(values)]
+            if len(finite) and finite.min() < 0.0 < finite.max():
+                x, y = plane.drawn(plane.across), plane.drawn(plane.along)
+                panel.axes.contour(x, y, np.ma.masked_invalid(values), [0.0], colors=BLACK, linewidths=0.6)
+        label = "difference of the frequency [%]"
+        sheet.scale(mesh, label, location="right", shrink=0.9, aspect=35, extend="both")
+
+    return Drawing(draw)
 
 
 def scale_of(relative: Array) -> float:

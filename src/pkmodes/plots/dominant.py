@@ -3,29 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import broken
-from pkmodes.plots.panels import mode_panels, panels_of
+from pkmodes.plots.panels import mode_panels
 from pkmodes.plots.plane import Plane
+from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import ink_on
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 Array = NDArray[Any]
 #: Colours of the parameters, those of the largest areas first, and that of all others.  No two of them have the same
 #: grey, and none is one that a page redefines: an image keeps its colours on a dark page.
 COLOURS = ("#0072b3", "#e69f01", "#00264d", "#bfe3f8", "#009e74", "#7a2f00", "#f2f2f2")
 FRAME = "#80868c"
+ANOTHER = "another"
 #: Poses around a number in its region: where there are fewer, the region has none.
 ROOM = 2
 
 
-def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Figure | str:
+def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Drawing | str:
     """Draw, for each mode, the parameter with the largest influence at each pose.
 
     Parameters
@@ -37,7 +37,7 @@ def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Figure | st
 
     Returns
     -------
-    Figure or str
+    Drawing or str
         A sentence if each mode has one parameter.
     """
     from matplotlib.colors import ListedColormap, to_rgb
@@ -56,31 +56,39 @@ def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Figure | st
     place[-1] = np.nan
     *palette, other = COLOURS
     used = [*palette[: len(shown)], other]
-    drawn, panels = panels_of(plane, modes, colour_bars=False, below=0.9)
+    meanings = [f"{i + 1}  {paths[path]}" for i, path in enumerate(shown)]
+    names = [f"{i + 1}  {broken(paths[path])}" for i, path in enumerate(shown)]
+    several = counts.sum() > counts[shown].sum()
     x, y = plane.drawn(plane.across), plane.drawn(plane.along)
-    for mode, axes in mode_panels(plane, panels, modes):
-        values = place[first[..., mode]]
-        plane.draw(axes, values, cmap=ListedColormap(used), vmin=-0.5, vmax=len(shown) + 0.5)
-        for i in range(len(shown)):
-            for row, column in middles(values == i):
-                ink = ink_on(to_rgb(used[i]))
-                axes.text(x[column], y[row], str(i + 1), color=ink, ha="center", va="center", weight="bold")
-    legend = [
-        Patch(facecolor=used[i], edgecolor=FRAME, label=f"{i + 1}  {broken(paths[path])}")
-        for i, path in enumerate(shown)
-    ]
-    if counts.sum() > counts[shown].sum():
-        legend.append(Patch(facecolor=other, edgecolor=FRAME, label="another"))
-    drawn.legend(
-        handles=legend,
-        loc="outside lower center",
-        ncols=3,
-        # In parts of the figure, so that it stays where it is when margins are cut off or added.
-        bbox_to_anchor=(0.0, 0.0, 1.0, 1.0),
-        bbox_transform=drawn.transFigure,
-        title=f"largest |d ln f / d ln p| of {len(paths)} parameters",
-    )
-    return drawn
+
+    def draw(sheet: Sheet) -> None:
+        colours = {"cmap": ListedColormap(used), "vmin": -0.5, "vmax": len(shown) + 0.5}
+        for mode, panel in mode_panels(sheet, plane, modes, below=0.9):
+            values = place[first[..., mode]]
+            plane.draw(panel, values, meanings=[*meanings, ANOTHER], **colours)
+            for i in range(len(shown)):
+                style: dict[str, Any] = {
+                    "color": ink_on(to_rgb(used[i])),
+                    "ha": "center",
+                    "va": "center",
+                    "weight": "bold",
+                }
+                for row, column in middles(values == i):
+                    panel.axes.text(x[column], y[row], str(i + 1), **style)
+        shades = [*used[: len(shown)], *([other] if several else [])]
+        sheet.legend(
+            [Patch(facecolor=colour, edgecolor=FRAME) for colour in shades],
+            [*names, *([ANOTHER] if several else [])],
+            below=True,
+            loc="outside lower center",
+            ncols=3,
+            # In parts of the figure, so that it stays where it is when margins are cut off or added.
+            bbox_to_anchor=(0.0, 0.0, 1.0, 1.0),
+            bbox_transform=sheet.figure.transFigure,
+            title=f"largest |d ln f / d ln p| of {len(paths)} parameters",
+        )
+
+    return Drawing(draw)
 
 
 def _one_each(paths: Sequence[str], first: Array) -> str:

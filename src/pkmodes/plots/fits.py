@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.campaign.inspection import Curve, Inspection
 from pkmodes.identification.estimates import Stabilisation
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import decades, short, typeset
-from pkmodes.plots.style import BLUE, GREY, INK, ORANGE, PURPLE, VERMILLION, figure, styled
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+from pkmodes.plots.panel import Panel
+from pkmodes.plots.sheet import Sheet
+from pkmodes.plots.style import BLUE, GREY, INK, ORANGE, PURPLE, VERMILLION
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -49,31 +48,35 @@ class Lines:
     tones: Sequence[float]
 
 
-def stabilisation(one: Inspection, marked: Lines, band: tuple[float, float]) -> Figure:
+def stabilisation(one: Inspection, marked: Lines, band: tuple[float, float]) -> Drawing:
     """Return the poles of all model orders over frequency, above the sum of the measured functions."""
-    with styled():
-        drawn = figure(3.7)
-        axes = drawn.subplots()
-        behind = axes.twinx()
-        axes.set_zorder(behind.get_zorder() + 1)
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(3.7)
+        axes = panel.axes
+        behind = sheet.adopt(axes.twinx())
+        axes.set_zorder(behind.axes.get_zorder() + 1)
         size = np.maximum(one.total, one.total.max() * 10.0**-DECADES)
-        behind.semilogy(one.frequencies, size, color=GREY, linewidth=1.0, alpha=0.8, zorder=0)
-        behind.grid(visible=False)
-        behind.spines["right"].set_visible(True)
-        behind.set_ylabel("sum of the functions [1]")
-        decades(behind.yaxis, lambda value: typeset(f"{value:.0e}"))
+        behind.axes.set_yscale("log")
+        behind.plot(one.frequencies, size, color=GREY, linewidth=1.0, alpha=0.8, zorder=0)
+        behind.axes.grid(visible=False)
+        behind.axes.spines["right"].set_visible(True)
+        behind.label(x="frequency [Hz]", y="sum of the functions [1]", inner="x")
+        decades(behind.axes.yaxis, lambda value: typeset(f"{value:.0e}"))
         orders = one.stabilisation.orders
         for stable, style in ((False, POLE), (True, STABLE)):
-            axes.plot(*_dashes(one.stabilisation, stable), **style)
+            panel.plot(*_dashes(one.stabilisation, stable), **style)
         half = _half(orders)
         axes.set_ylim(orders[0] - 1.5 * half, orders[-1] + 1.5 * half)
         axes.set_xlim(*band)
-        axes.set_ylabel("model order")
-        axes.set_xlabel("frequency [Hz]")
-        _mark(axes, marked, band)
+        panel.label(x="frequency [Hz]", y="model order")
+        _mark(panel, marked, band)
         axes.grid(visible=False, axis="x")
-        axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.13), ncols=6, columnspacing=1.2, fontsize=7.5)
-    return drawn
+        handles, names = axes.get_legend_handles_labels()
+        place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.13)}
+        sheet.legend(handles, names, above=panel, ncols=6, columnspacing=1.2, fontsize=7.5, **place)
+
+    return Drawing(draw)
 
 
 def _half(orders: NDArray[np.int64]) -> float:
@@ -103,25 +106,24 @@ def _stable(poles: Complex, before: Complex) -> NDArray[np.bool_]:
     return np.asarray(near.any(axis=1))
 
 
-def _mark(axes: Axes, marked: Lines, band: tuple[float, float]) -> None:
+def _mark(panel: Panel, marked: Lines, band: tuple[float, float]) -> None:
     """Draw a line for each mode, with its number above, and for each mode struck out and each tone."""
-    kinds: list[tuple[list[float], dict[str, Any]]] = [
-        ([f for f, _, added in marked.modes if not added], {"color": INK, "alpha": 0.45, "label": "mode"}),
-        (
-            [f for f, _, added in marked.modes if added],
-            {"color": PURPLE, "linestyle": "-.", "label": "added"},
-        ),
-        (list(marked.struck), {"color": VERMILLION, "linestyle": "--", "label": "struck out"}),
-        (list(marked.tones), {"color": ORANGE, "linestyle": ":", "linewidth": 1.2, "label": "tone"}),
+    kinds: list[tuple[str, list[float], dict[str, Any]]] = [
+        ("mode", [f for f, _, added in marked.modes if not added], {"color": INK, "alpha": 0.45}),
+        ("added", [f for f, _, added in marked.modes if added], {"color": PURPLE, "linestyle": "-."}),
+        ("struck out", list(marked.struck), {"color": VERMILLION, "linestyle": "--"}),
+        ("tone", list(marked.tones), {"color": ORANGE, "linestyle": ":", "linewidth": 1.2}),
     ]
-    for frequencies, style in kinds:
+    for name, frequencies, style in kinds:
+        label: str | None = name
         for f in frequencies:
-            axes.axvline(f, zorder=2, **{"linewidth": 0.8, "alpha": 0.75, **style})
-            style = {**style, "label": None}
+            panel.line_at(f, name, label=label, zorder=2, **{"linewidth": 0.8, "alpha": 0.75, **style})
+            label = None
     at = [(f - band[0]) / (band[1] - band[0]) for f, _, _ in marked.modes]
     names = [str(number) for _, number, _ in marked.modes]
-    for x, name, row in zip(at, names, rows_of(at, names), strict=True):
-        axes.text(x, 1.01 + 0.035 * row, name, transform=axes.transAxes, ha="center", va="bottom", fontsize=7)
+    across = panel.axes.transAxes
+    for x, number, row in zip(at, names, rows_of(at, names), strict=True):
+        panel.axes.text(x, 1.01 + 0.035 * row, number, transform=across, ha="center", va="bottom", fontsize=7)
 
 
 def rows_of(at: Sequence[float], names: Sequence[str]) -> list[int]:
@@ -135,7 +137,7 @@ def rows_of(at: Sequence[float], names: Sequence[str]) -> list[int]:
     return rows
 
 
-def functions(one: Inspection, marked: Lines, band: tuple[float, float], phase: bool) -> Figure:
+def functions(one: Inspection, marked: Lines, band: tuple[float, float], phase: bool) -> Drawing:
     """Return functions as measured and as synthesised from the modes: magnitude, phase, and coherence if known.
 
     Parameters
@@ -145,60 +147,51 @@ def functions(one: Inspection, marked: Lines, band: tuple[float, float], phase: 
     """
     columns = min(2, len(one.curves))
     rows = -(-len(one.curves) // columns)
+    last = len(one.curves) - columns  # of the curves that have another below them
     coherence = any(curve.coherence is not None for curve in one.curves)
     ratios = [2.2, *([1.1] if phase else []), *([1.1] if coherence else [])]
-    with styled():
-        drawn = figure((0.62 * sum(ratios) + 0.55) * rows + 0.25)
-        panels = drawn.subplots(
-            len(ratios) * rows,
-            columns,
-            squeeze=False,
-            sharex=True,
-            gridspec_kw={"height_ratios": ratios * rows},
-        )
-        for k, curve in enumerate(one.curves):
-            row, column = divmod(k, columns)
-            own = [panels[len(ratios) * row + i, column] for i in range(len(ratios))]
-            _curve(own, curve, phase, coherence, column == 0)
-            own[0].set_title(short(curve.name, 40))
-            for axes in own:
+
+    def draw(sheet: Sheet) -> None:
+        height = (0.62 * sum(ratios) + 0.55) * rows + 0.25
+        groups = sheet.groups(len(one.curves), columns, height, rows=ratios, share_x=True)
+        labels = ["magnitude" if phase else "power"]
+        labels += [*(["phase [\u00b0]"] if phase else []), *(["coherence"] if coherence else [])]
+        for k, (panels, curve) in enumerate(zip(groups, one.curves, strict=True)):
+            _curve(panels, curve, phase, coherence)
+            for i, (panel, label) in enumerate(zip(panels, labels, strict=True)):
                 for f, _, _ in marked.modes:
-                    axes.axvline(f, color=INK, linewidth=0.5, alpha=0.35, zorder=1)
-            if row == rows - 1 or k + columns >= len(one.curves):
-                own[-1].set_xlabel("frequency [Hz]")
-                own[-1].tick_params(labelbottom=True)
-        for k in range(len(one.curves), rows * columns):
-            for i in range(len(ratios)):
-                panels[len(ratios) * (k // columns) + i, k % columns].set_visible(False)
-        panels[0, 0].set_xlim(*band)
-        handles, labels = panels[0, 0].get_legend_handles_labels()
-        drawn.legend(handles, labels, loc="outside upper right", ncols=2)
-    return drawn
+                    panel.axes.axvline(f, color=INK, linewidth=0.5, alpha=0.35, zorder=1)
+                lowest = i == len(panels) - 1 and k >= last
+                inner = [*(["title"] if i else []), *(["y"] if k % columns else [])]
+                inner += [] if lowest else ["x"]
+                panel.label(short(curve.name, 40), x="frequency [Hz]", y=label, inner=" ".join(inner))
+                if lowest:
+                    panel.axes.tick_params(labelbottom=True)
+        groups[0][0].axes.set_xlim(*band)
+        handles, names = groups[0][0].axes.get_legend_handles_labels()
+        sheet.legend(handles, names, loc="outside upper right", ncols=2)
+
+    return Drawing(draw)
 
 
-def _curve(panels: Sequence[Axes], curve: Curve, phase: bool, coherence: bool, first: bool) -> None:
+def _curve(panels: Sequence[Panel], curve: Curve, phase: bool, coherence: bool) -> None:
     """Draw a function in its panels."""
-    f = curve.frequencies
+    f, above = curve.frequencies, panels[0]
+    above.axes.set_yscale("log")
     top = float(np.abs(curve.measured).max())
     for values, style in ((curve.measured, MEASURED), (curve.synthesised, SYNTHESISED)):
         size = np.abs(values)
-        panels[0].semilogy(f, np.where(size > top * 10.0**-DECADES, size, np.nan), **style)
+        above.plot(f, np.where(size > top * 10.0**-DECADES, size, np.nan), **style)
         if phase:
             panels[1].plot(*_unbroken(f, np.degrees(np.angle(values))), **style)
-    decades(panels[0].yaxis, lambda value: typeset(f"{value:.0e}"))
-    if first:
-        panels[0].set_ylabel("magnitude" if phase else "power")
+    decades(above.axes.yaxis, lambda value: typeset(f"{value:.0e}"))
     if phase:
-        panels[1].set_ylim(-190.0, 190.0)
-        panels[1].set_yticks([-180, 0, 180])
-        if first:
-            panels[1].set_ylabel("phase [\u00b0]")
+        panels[1].axes.set_ylim(-190.0, 190.0)
+        panels[1].axes.set_yticks([-180, 0, 180])
     if coherence:
         if curve.coherence is not None:
             panels[-1].plot(f, curve.coherence, color=VERMILLION, linewidth=0.9)
-        panels[-1].set_ylim(0.0, 1.05)
-        if first:
-            panels[-1].set_ylabel("coherence")
+        panels[-1].axes.set_ylim(0.0, 1.05)
 
 
 def _unbroken(f: Array, phase: Array) -> tuple[Array, Array]:

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.campaign.inspection import Repeats
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import short
 from pkmodes.plots.mac_matrices import draw_matrix
-from pkmodes.plots.style import BLUE, GREY, INK, PALETTE, PURPLE, VERMILLION, figure, styled
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from pkmodes.plots.sheet import Sheet
+from pkmodes.plots.style import BLUE, GREY, INK, PALETTE, PURPLE, VERMILLION
 
 Array = NDArray[np.float64]
 #: Panels of complex shapes side by side.
@@ -23,52 +21,54 @@ ACROSS = 6
 NAMED = 30
 
 
-def auto_mac(macs: Array) -> Figure:
+def auto_mac(macs: Array) -> Drawing:
     """Return the matrix of the modal assurance criterion between the modes of a record, NaN where unknown."""
-    with styled():
-        drawn = figure(0.7 + min(2.7, 1.1 + 0.22 * len(macs)))
-        axes = drawn.subplots()
-        image = draw_matrix(axes, macs)
-        axes.set_xlabel("mode")
-        axes.set_ylabel("mode")
-        drawn.colorbar(image, ax=axes, label="MAC [1]", shrink=0.8, aspect=20)
-    return drawn
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(0.7 + min(2.7, 1.1 + 0.22 * len(macs)), shape=1.0, scales="common")
+        image = draw_matrix(panel, macs)
+        panel.label(x="mode", y="mode")
+        sheet.scale(image, "MAC [1]", shrink=0.8, aspect=20)
+
+    return Drawing(draw)
 
 
-def complex_shapes(shapes: Sequence[tuple[str, Mapping[str, complex]]]) -> Figure:
+def complex_shapes(shapes: Sequence[tuple[str, Mapping[str, complex]]]) -> Drawing:
     """Return shapes in the complex plane, each component a line from the origin, by their titles."""
     rows, columns = -(-len(shapes) // ACROSS), min(ACROSS, len(shapes))
-    with styled():
-        drawn = figure(1.25 * rows + 0.15, max(1.02 * columns, 3.0))
-        panels = drawn.subplots(rows, columns, squeeze=False).ravel()
+
+    def draw(sheet: Sheet) -> None:
+        width = max(1.02 * columns, 3.0)
+        sheet.groups(len(shapes), columns, 1.25 * rows + 0.15, width, shape=1.0, frames=False)
         turn = np.exp(1j * np.linspace(0.0, 2.0 * np.pi, 73))
-        for axes, (title, shape) in zip(panels, shapes, strict=False):
+        for panel, (title, shape) in zip(sheet.panels, shapes, strict=True):
+            axes = panel.axes
             values = np.array(list(shape.values()))
             values = values / np.abs(values).max()
             axes.plot(turn.real, turn.imag, color=GREY, linewidth=0.6)
             x = np.stack([0.0 * values.real, values.real, np.full(len(values), np.nan)], axis=1).ravel()
             y = np.stack([0.0 * values.imag, values.imag, np.full(len(values), np.nan)], axis=1).ravel()
-            axes.plot(x, y, color=BLUE, linewidth=1.1)
-            axes.plot(values.real, values.imag, ".", color=BLUE, markersize=4.0)
-            axes.set_title(title, fontsize=7.5, pad=3)
+            panel.plot(x, y, color=BLUE, linewidth=1.1)
+            panel.plot(values.real, values.imag, ".", color=BLUE, markersize=4.0)
+            panel.label(title, fontsize=7.5, pad=3)
             axes.set_aspect("equal")
             axes.set_xlim(-1.1, 1.1)
             axes.set_ylim(-1.1, 1.1)
             axes.set_axis_off()
-        for axes in panels[len(shapes) :]:
-            axes.set_visible(False)
-    return drawn
+
+    return Drawing(draw)
 
 
-def scatter_of_repeats(setups: Sequence[Repeats]) -> Figure:
+def scatter_of_repeats(setups: Sequence[Repeats]) -> Drawing:
     """Return the frequencies in each file, relative to their mean over the repeats of the setup [%]."""
     several = [one for one in setups if len(one.files) > 1]
     means = sorted(float(np.mean(list(mode.values()))) for one in several for mode in one.modes)
     distinct = [f for i, f in enumerate(means) if i == 0 or f / means[i - 1] > 1.0 + 1e-3]
-    with styled():
-        drawn = figure(2.3)
-        axes = drawn.subplots()
-        axes.axhline(0.0, color=INK, linewidth=0.8, zorder=1)
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(2.3)
+        axes = panel.axes
+        panel.axes.axhline(0.0, color=INK, linewidth=0.8, zorder=1)
         for k, one in enumerate(several):
             for file in range(len(one.files)):
                 pairs = [(mode[file], np.mean(list(mode.values()))) for mode in one.modes if file in mode]
@@ -77,28 +77,31 @@ def scatter_of_repeats(setups: Sequence[Repeats]) -> Figure:
                 away = [100.0 * (f / mean - 1.0) for f, mean in pairs]
                 label = short(one.setup) if file == 0 and one.setup else None
                 shift = 0.16 * (k - 0.5 * (len(several) - 1))
-                axes.plot(
+                panel.plot(
                     np.array(x) + shift,
                     away,
                     "_" if len(one.files) > 8 else ".",
+                    name=short(one.setup) if one.setup else "",
                     color=PALETTE[k % len(PALETTE)],
                     label=label,
                     zorder=3,
                 )
         step = -(-len(distinct) // 12)
-        axes.set_xticks(range(0, len(distinct), step), [f"{f:#.4g}".rstrip(".") for f in distinct[::step]])
+        named = [f"{f:#.4g}".rstrip(".") for f in distinct[::step]]
+        panel.name_places("x", range(0, len(distinct), step), named)
         axes.set_xlim(-0.6, len(distinct) - 0.4)
-        axes.set_xlabel("mean frequency [Hz]")
-        axes.set_ylabel("file, above the mean [%]")
+        panel.label(x="mean frequency [Hz]", y="file, above the mean [%]")
         axes.grid(visible=False, axis="x")
         if any(one.setup for one in several):
-            axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4)
-    return drawn
+            handles, names = axes.get_legend_handles_labels()
+            sheet.legend(handles, names, above=panel, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4)
+
+    return Drawing(draw)
 
 
 def by_pose(
     labels: Sequence[str], modes: Sequence[tuple[int, float, bool]], struck: Sequence[tuple[int, float]]
-) -> Figure:
+) -> Drawing:
     """Return the frequencies at all poses.
 
     Parameters
@@ -110,9 +113,10 @@ def by_pose(
     struck : sequence of (int, float)
         Likewise of modes struck out.
     """
-    with styled():
-        drawn = figure(3.4)
-        axes = drawn.subplots()
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(3.4)
+        axes = panel.axes
         kinds = (
             ([(i, f) for i, f, added in modes if not added], "o", BLUE, "mode"),
             ([(i, f) for i, f, added in modes if added], "D", PURPLE, "added"),
@@ -121,18 +125,21 @@ def by_pose(
         for points, marker, colour, label in kinds:
             if points:
                 x, y = zip(*points, strict=True)
-                axes.plot(x, y, marker, color=colour, label=label, markersize=4.0, linestyle="none")
+                panel.plot(x, y, marker, color=colour, label=label, markersize=4.0)
         axes.set_ylim(0.0, None)
         axes.set_xlim(-0.7, len(labels) - 0.3)
-        axes.set_ylabel("frequency [Hz]")
+        across = "pose, in the order of the campaign"
         if len(labels) <= NAMED:
             names = [short(label) for label in labels]
             turned = len(names) * max(map(len, names)) > 80
-            axes.set_xticks(range(len(names)), names, rotation=90 if turned else 0)
+            panel.name_places("x", range(len(names)), names, rotation=90 if turned else 0)
             axes.grid(visible=False, axis="x")
-            axes.set_xlabel("pose")
-        else:
-            axes.set_xlabel("pose, in the order of the campaign")
-        if len(axes.get_legend_handles_labels()[0]) > 1:
-            axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3)
-    return drawn
+            across = "pose"
+        panel.label(x=across, y="frequency [Hz]")
+        handles, kinds_shown = axes.get_legend_handles_labels()
+        if len(handles) > 1:
+            sheet.legend(
+                handles, kinds_shown, above=panel, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3
+            )
+
+    return Drawing(draw)

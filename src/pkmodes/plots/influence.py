@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import broken, typeset
-from pkmodes.plots.style import figure, ink_on
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from pkmodes.plots.sheet import Sheet
+from pkmodes.plots.style import ink_on
 
 Array = NDArray[Any]
 #: Parameters listed at most.
 ROWS = 14
 
 
-def table(paths: Sequence[str], relative: Array) -> Figure:
+def table(paths: Sequence[str], relative: Array) -> Drawing:
     """Draw the median influence of each parameter on each frequency: at the edge of a plane some grow without bound.
 
     Parameters
@@ -32,19 +31,20 @@ def table(paths: Sequence[str], relative: Array) -> Figure:
     reached = relative[np.isfinite(relative).all(axis=(2, 3))]
     middle = np.median(reached, axis=0) if len(reached) else np.zeros(relative.shape[2:])
     order = np.argsort(-np.abs(middle).max(axis=1))[:ROWS]
-    drawn = figure(0.24 * len(order) + 0.9)
-    axes = drawn.add_subplot()
     high = max(float(np.abs(middle).max()), 1e-12)
-    mesh = axes.imshow(middle[order], cmap="PuOr", vmin=-high, vmax=high, aspect="auto")
-    axes.set_xticks(range(middle.shape[1]), [f"mode {i + 1}" for i in range(middle.shape[1])])
-    axes.set_yticks(range(len(order)), [broken(paths[i]) for i in order])
-    axes.grid(visible=False)
-    axes.tick_params(length=0)
-    for row, path in enumerate(order):
-        for mode in range(middle.shape[1]):
-            value = middle[path, mode]
+    modes, names = middle.shape[1], [paths[i] for i in order]
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(0.24 * len(order) + 0.9)
+        mesh = panel.image(middle[order], cmap="PuOr", vmin=-high, vmax=high, aspect="auto")
+        panel.name_places("x", range(modes), [f"mode {i + 1}" for i in range(modes)])
+        panel.name_places("y", range(len(order)), [broken(name) for name in names], names)
+        panel.axes.grid(visible=False)
+        panel.axes.tick_params(length=0)
+        style: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": 7.5}
+        for (row, mode), value in np.ndenumerate(middle[order]):
             ink = ink_on(mesh.to_rgba(value))
-            axes.text(mode, row, typeset(f"{value:+.2f}"), ha="center", va="center", fontsize=7.5, color=ink)
-    bar = drawn.colorbar(mesh, ax=axes, aspect=25)
-    bar.set_label("d ln f / d ln p, median over the plane [1]")
-    return drawn
+            panel.axes.text(mode, row, typeset(f"{value:+.2f}"), color=ink, **style)
+        sheet.scale(mesh, "d ln f / d ln p, median over the plane [1]", aspect=25)
+
+    return Drawing(draw)

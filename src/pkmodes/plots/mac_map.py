@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.plots.panels import mode_panels, panels_of, shared_scale
+from pkmodes.plots.drawing import Drawing
+from pkmodes.plots.panels import mode_panels, shared_scale
 from pkmodes.plots.plane import Plane
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from pkmodes.plots.sheet import Sheet
 
 Array = NDArray[Any]
 #: MAC from which on shapes hardly differ; `pkmodes.maps.tracking` speaks of a veering below 0.9.
 GRADUAL = 0.95
 
 
-def neighbouring_mac(plane: Plane, mac: Array) -> Figure | str:
+def neighbouring_mac(plane: Plane, mac: Array) -> Drawing | str:
     """Draw the smallest MAC of each mode with the mode of the same number at the neighbouring poses.
 
     Parameters
@@ -28,7 +27,7 @@ def neighbouring_mac(plane: Plane, mac: Array) -> Figure | str:
 
     Returns
     -------
-    Figure or str
+    Drawing or str
         A sentence if it is nearly 1 everywhere.
     """
     if np.isfinite(mac).any() and (smallest := float(np.nanmin(mac))) >= GRADUAL:
@@ -36,11 +35,12 @@ def neighbouring_mac(plane: Plane, mac: Array) -> Figure | str:
             "No mode shape changes abruptly: the smallest MAC of a mode with the mode of the same number at a "
             f"neighbouring pose is {np.floor(1e3 * smallest) / 1e3:.3f}."
         )
-    modes = mac.shape[-1]
-    drawn, panels = panels_of(plane, modes, colour_bars=False, below=0.0 if plane.is_tall else 0.5)
-    mesh = None
-    for mode, axes in mode_panels(plane, panels, modes):
-        mesh = plane.draw(axes, mac[..., mode], vmin=0.0, vmax=1.0)
-    if mesh is not None:
-        shared_scale(plane, drawn, panels, mesh, "smallest MAC with a neighbouring pose [1]")
-    return drawn
+    below = 0.0 if plane.is_tall else 0.5
+
+    def draw(sheet: Sheet) -> None:
+        mesh: Any = None
+        for mode, panel in mode_panels(sheet, plane, mac.shape[-1], scales="common", below=below):
+            mesh = plane.draw(panel, mac[..., mode], vmin=0.0, vmax=1.0)
+        shared_scale(sheet, plane, mesh, "smallest MAC with a neighbouring pose [1]")
+
+    return Drawing(draw)

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.evidence import Evidence, Stage
 from pkmodes.plots.labels import short
-from pkmodes.plots.style import figure, styled
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+from pkmodes.plots.panel import Panel
+from pkmodes.plots.sheet import Sheet
 
 Array = NDArray[np.float64]
 #: Most modes for which the numbers are written into the cells.
@@ -30,7 +28,7 @@ def worst_setup(evidence: Evidence) -> int | None:
     return int(evidence.setup[int(np.nanargmin(mac))])
 
 
-def mac_matrices(evidence: Evidence) -> Figure | None:
+def mac_matrices(evidence: Evidence) -> Drawing | None:
     """Return MAC matrices, the mean over all setups and the setup with the lowest MAC; None without shapes.
 
     Rows are the measured modes, numbered as their partners at the last stage.
@@ -43,20 +41,22 @@ def mac_matrices(evidence: Evidence) -> Figure | None:
     everything = np.ones(len(evidence.setup), dtype=bool)
     chosen = [(f"mean of all {evidence.place}s", everything)] if several else []
     chosen.append((f"lowest MAC: {label}", evidence.setup == worst))
-    with styled():
-        drawn = figure(0.6 + min(2.55, 1.0 + 0.3 * evidence.modes) * len(chosen))
-        panels = drawn.subplots(len(chosen), len(stages), squeeze=False)
+
+    def draw(sheet: Sheet) -> None:
+        height = 0.6 + min(2.55, 1.0 + 0.3 * evidence.modes) * len(chosen)
+        rows, count = (1.0,) * len(chosen), len(stages)
+        groups = sheet.groups(count, count, height, rows=rows, shape=1.0, scales="common")
         image: Any = None
-        for row, (name, some) in zip(panels, chosen, strict=True):
-            for axes, stage in zip(row, stages, strict=True):
-                image = draw_matrix(axes, matrix(evidence, stage, some))
-            row[0].set_ylabel(f"{name}\nmeasured mode")
-        for axes, stage in zip(panels[0], stages, strict=True):
-            axes.set_title(f"Model {stage.title}")
-        for axes in panels[-1]:
-            axes.set_xlabel("mode of the model")
-        drawn.colorbar(image, ax=panels, label="MAC [1]", shrink=0.7, aspect=30)
-    return drawn
+        for column, (panels, stage) in enumerate(zip(groups, stages, strict=True)):
+            for row, (panel, (name, some)) in enumerate(zip(panels, chosen, strict=True)):
+                image = draw_matrix(panel, matrix(evidence, stage, some))
+                inner = ("y " if column else "") + ("title " if row else "")
+                inner += "x" if row < len(chosen) - 1 else ""
+                title, modes = f"Model {stage.title}", "mode of the model"
+                panel.label(title, x=modes, y="measured mode", row=name, inner=inner)
+        sheet.scale(image, "MAC [1]", shrink=0.7, aspect=30)
+
+    return Drawing(draw)
 
 
 def matrix(evidence: Evidence, stage: Stage, some: NDArray[np.bool_]) -> Array:
@@ -72,11 +72,11 @@ def matrix(evidence: Evidence, stage: Stage, some: NDArray[np.bool_]) -> Array:
     return mean_mac
 
 
-def draw_matrix(axes: Axes, values: Array) -> Any:
+def draw_matrix(panel: Panel, values: Array) -> Any:
     """Draw a matrix of MACs (M, M), its modes numbered from 1, with the numbers where there are few."""
-    count = len(values)
-    edges = np.arange(count + 1) + 0.5
-    image = axes.pcolormesh(edges, edges, np.ma.masked_invalid(values), vmin=0.0, vmax=1.0)
+    axes, count = panel.axes, len(values)
+    modes = np.arange(1.0, count + 1)
+    image = panel.cells(modes, modes, values, vmin=0.0, vmax=1.0)
     axes.set_aspect("equal")
     axes.invert_yaxis()
     axes.grid(visible=False)

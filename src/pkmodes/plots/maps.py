@@ -9,26 +9,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.maps.left_out import shown, unstable
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import typeset
+from pkmodes.plots.panel import Panel
 from pkmodes.plots.panels import (
     HIGHEST,
     LEAST_SPAN,
     TALL_ROW,
     TALLEST,
-    compressed,
     mode_panels,
-    panels_of,
     scale_beside,
     shared_scale,
     widened,
     width_of,
 )
 from pkmodes.plots.plane import SAME, Plane, limits_of, same_everywhere
+from pkmodes.plots.sheet import Scales, Sheet
 from pkmodes.plots.style import BLACK, WHITE, WIDTH, ink_on
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 Array = NDArray[Any]
 #: Lines along the shorter side of a map.
@@ -46,7 +46,7 @@ STEEP = 60.0
 LIGHT = 0.55
 
 
-def frequencies(plane: Plane, motors: Array | None = None) -> Figure | str:
+def frequencies(plane: Plane, motors: Array | None = None) -> Drawing | str:
     """Draw the frequency of each mode, with its extremes in the plane (figure 8).
 
     Parameters
@@ -56,7 +56,7 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Figure | str:
 
     Returns
     -------
-    Figure or str
+    Drawing or str
         A sentence if no frequency depends on the pose.
     """
     values = plane.dataset["frequency"].values
@@ -72,24 +72,26 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Figure | str:
         return (
             f"Every frequency is the same within {100 * SAME * LEAST_SPAN:.2g} % at every pose: {found} Hz."
         )
-    drawn, panels = panels_of(plane, modes, colour_bars=True, line=True)
-    inch = float(np.ptp(plane.drawn(plane.across))) / width_of(plane, modes, colour_bars=True)
-    for mode, axes in mode_panels(plane, panels, modes, line=True):
-        one, counted = values[..., mode], known[..., mode]
-        limits = limits_of(counted)
-        low, high = widened(*limits)
-        mesh = plane.draw(axes, one, vmin=low, vmax=high)
-        _contours(plane, axes, mesh, one, inch)
-        _extremes(plane, axes, counted)
-        _motors(axes, motors)
-        axes.annotate(
-            _range(*limits), (0, 1), (0, 2), "axes fraction", "offset points", va="bottom", fontsize=7
-        )
-        scale_beside(plane, axes, mesh, "f [Hz]")
-    return drawn
+
+    def draw(sheet: Sheet) -> None:
+        for mode, panel in mode_panels(sheet, plane, modes, scales="own", line=True):
+            width = sheet.panel_width if sheet.narrow else width_of(plane, modes, colour_bars=True)
+            one, counted = values[..., mode], known[..., mode]
+            limits = limits_of(counted)
+            low, high = widened(*limits)
+            mesh = plane.draw(panel, one, vmin=low, vmax=high)
+            _contours(plane, panel.axes, mesh, one, float(np.ptp(plane.drawn(plane.across))) / width)
+            _extremes(plane, panel, counted)
+            _motors(panel, motors)
+            panel.axes.annotate(
+                _range(*limits), (0, 1), (0, 2), "axes fraction", "offset points", va="bottom", fontsize=7
+            )
+            scale_beside(plane, panel, mesh, "f [Hz]")
+
+    return Drawing(draw)
 
 
-def directions(plane: Plane) -> Figure | str:
+def directions(plane: Plane) -> Drawing | str:
     """Draw the direction of the platform's motion in each mode (figures 9 to 14).
 
     Lines show the part in the plane, as long as its share of the motion; colours the share perpendicular to it.  A
@@ -105,27 +107,30 @@ def directions(plane: Plane) -> Figure | str:
     if same_everywhere(unit[..., :, None] * unit[..., None, :], axes=(0, 1), scale=1.0):
         return "In each mode the platform moves in almost the same direction at every pose."
     below = 0.0 if plane.is_tall or plane.normal is None else 0.5
-    drawn, panels = panels_of(plane, modes, colour_bars=False, below=below)
     x, y = plane.drawn(plane.across), plane.drawn(plane.along)
     step = max(1, round(min(len(x), len(y)) / STROKES))
     rows, columns = (slice(step // 2, None, step) for _ in range(2))
-    mesh = None
-    for mode, axes in mode_panels(plane, panels, modes):
-        perpendicular = np.sqrt(
-            np.clip(1.0 - unit[:, :, mode, across] ** 2 - unit[:, :, mode, along] ** 2, 0.0, 1.0)
-        )
-        if plane.normal is None:
-            perpendicular = np.where(np.isfinite(unit[:, :, mode, across]), 0.0, np.nan)
-        mesh = plane.draw(axes, perpendicular, vmin=0.0, vmax=1.0, cmap=_light_blues())
-        part = unit[rows, columns, mode]
-        reach = step * (y[-1] - y[0]) / max(len(y) - 1, 1) * 0.45
-        _strokes(axes, x[columns], y[rows], reach * part[..., across], reach * part[..., along])
-    if mesh is not None and plane.normal is not None:
-        shared_scale(plane, drawn, panels, mesh, f"share of the motion along {plane.normal} [1]")
-    return drawn
+    reach = step * (y[-1] - y[0]) / max(len(y) - 1, 1) * 0.45
+
+    def draw(sheet: Sheet) -> None:
+        mesh: Any = None
+        scales: Scales = "" if plane.normal is None else "common"
+        for mode, panel in mode_panels(sheet, plane, modes, scales=scales, below=below):
+            perpendicular = np.sqrt(
+                np.clip(1.0 - unit[:, :, mode, across] ** 2 - unit[:, :, mode, along] ** 2, 0.0, 1.0)
+            )
+            if plane.normal is None:
+                perpendicular = np.where(np.isfinite(unit[:, :, mode, across]), 0.0, np.nan)
+            mesh = plane.draw(panel, perpendicular, vmin=0.0, vmax=1.0, cmap=_light_blues())
+            part = unit[rows, columns, mode]
+            _strokes(panel, x[columns], y[rows], reach * part[..., across], reach * part[..., along])
+        if plane.normal is not None:
+            shared_scale(sheet, plane, mesh, f"share of the motion along {plane.normal} [1]")
+
+    return Drawing(draw)
 
 
-def components(plane: Plane) -> Figure | str:
+def components(plane: Plane) -> Drawing | str:
     """Draw the in-plane and out-of-plane motion of the platform in each mode, all on one scale (figures 15 to 20).
 
     Mass-normalised shapes are compared: the platform's motion for the same kinetic energy of the whole robot.  A
@@ -142,25 +147,22 @@ def components(plane: Plane) -> Figure | str:
     lines = -(-modes // TALL_ROW)
     columns = -(-modes // lines)
     width = (WIDTH - 1.3) / columns
-    drawn = compressed(
-        lines * len(kinds) * (min(plane.height * width, TALLEST * width, HIGHEST) + 0.25) + 1.0
-    )
-    panels: Any = drawn.subplots(lines * len(kinds), columns, squeeze=False)
-    mesh = None
-    for row, column in np.ndindex(panels.shape):
-        axes, (name, title) = panels[row, column], kinds[row % len(kinds)]
-        mode = row // len(kinds) * columns + column
-        if mode >= modes:
-            axes.set_axis_off()
-            continue
-        mesh = plane.draw(axes, plane.dataset[name].values[..., mode], vmin=0.0, vmax=high)
-        axes.set_title(f"mode {mode + 1}" if row % len(kinds) == 0 else "")
-        plane.label_axes(axes, left=column == 0, bottom=row % len(kinds) == len(kinds) - 1)
-        if column == 0:
-            axes.set_ylabel(f"{title}\n{plane.label(plane.along)}")
-    if mesh is not None:
-        shared_scale(plane, drawn, panels, mesh, "mass-normalised motion [1/\N{SQUARE ROOT}kg]", extend="max")
-    return drawn
+    height = lines * len(kinds) * (min(plane.height * width, TALLEST * width, HIGHEST) + 0.25) + 1.0
+
+    def draw(sheet: Sheet) -> None:
+        sheet.figure.set_layout_engine("compressed")
+        rows = (1.0,) * len(kinds)
+        groups = sheet.groups(modes, columns, height, rows=rows, shape=plane.proportions, scales="common")
+        mesh: Any = None
+        for mode, panels in enumerate(groups):
+            for row, (panel, (name, title)) in enumerate(zip(panels, kinds, strict=True)):
+                mesh = plane.draw(panel, plane.dataset[name].values[..., mode], vmin=0.0, vmax=high)
+                inner = ("y " if mode % columns else "") + ("title " if row else "")
+                inner += "x" if row < len(kinds) - 1 else ""
+                plane.label_panel(panel, f"mode {mode + 1}", row=title, inner=inner)
+        shared_scale(sheet, plane, mesh, "mass-normalised motion [1/\N{SQUARE ROOT}kg]", extend="max")
+
+    return Drawing(draw)
 
 
 def extremes(values: Array) -> dict[str, list[tuple[int, int]]]:
@@ -199,16 +201,14 @@ def _light_blues() -> Any:
     return ListedColormap(colormaps["Blues"](np.linspace(0.0, LIGHT, 256)))
 
 
-def _strokes(axes: Axes, x: Array, y: Array, across: Array, along: Array) -> None:
+def _strokes(panel: Panel, x: Array, y: Array, across: Array, along: Array) -> None:
     """Draw a line through each pose in the direction of a vibration, which has no sign."""
-    from matplotlib.collections import LineCollection
-
-    place = np.stack(np.meshgrid(x, y), axis=-1)
-    half = np.stack([across, along], axis=-1)
-    lines = np.stack([place - half, place + half], axis=-2).reshape(-1, 2, 2)
-    axes.add_collection(
-        LineCollection(lines[np.isfinite(lines).all(axis=(1, 2))], colors=BLACK, linewidths=0.9)
-    )
+    known = np.isfinite(across) & np.isfinite(along)
+    ends = [
+        np.stack([place - half, place + half], axis=-1)[known]
+        for place, half in zip(np.meshgrid(x, y), (across, along), strict=True)
+    ]
+    panel.lines(*ends, colors=BLACK, linewidths=0.9)
 
 
 def _contours(plane: Plane, axes: Axes, mesh: Any, values: Array, inch: float) -> None:
@@ -263,27 +263,26 @@ def _number_places(
     return kept
 
 
-def _extremes(plane: Plane, axes: Axes, values: Array) -> None:
+def _extremes(plane: Plane, panel: Panel, values: Array) -> None:
     """Mark the extremes in the plane: a triangle down for the lowest, up for the highest frequency."""
     x, y = plane.drawn(plane.across), plane.drawn(plane.along)
     for name, places in extremes(values).items():
         for i, j in places:
-            _mark(axes, x[j], y[i], "v" if name == "minimum" else "^", filled=False, size=5.5)
+            _mark(panel, x[j], y[i], "v" if name == "minimum" else "^", filled=False, size=5.5)
 
 
-def _motors(axes: Axes, motors: Array | None) -> None:
+def _motors(panel: Panel, motors: Array | None) -> None:
     """Mark motors as squares; those beyond the map at its edge, hollow."""
     if motors is None:
         return
-    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+    (left, right), (bottom, top) = panel.axes.get_xlim(), panel.axes.get_ylim()
     for x, y in motors:
         at = float(np.clip(x, left, right)), float(np.clip(y, bottom, top))
-        _mark(axes, *at, "s", filled=at == (x, y), size=4.0)
+        _mark(panel, *at, "s", filled=at == (x, y), size=4.0)
 
 
-def _mark(axes: Axes, x: float, y: float, marker: str, *, filled: bool, size: float) -> None:
+def _mark(panel: Panel, x: float, y: float, marker: str, *, filled: bool, size: float) -> None:
     """Draw a mark that can be seen on any colour, black with a white edge or the other way round."""
     face, edge = (BLACK, WHITE) if filled else (WHITE, BLACK)
-    axes.plot(
-        x, y, marker, color=face, markeredgecolor=edge, markeredgewidth=0.7, markersize=size, clip_on=False
-    )
+    style: dict[str, Any] = {"markeredgewidth": 0.7, "markersize": size, "clip_on": False}
+    panel.plot([x], [y], marker, color=face, markeredgecolor=edge, **style)

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.plots.evidence import Evidence
 from pkmodes.plots.labels import short
+from pkmodes.plots.panel import Panel
+from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLUE, GREY, INK, PURPLE, VERMILLION
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 Array = NDArray[np.float64]
 #: From this number of marks on, they become an image inside the figure, which stays small.
@@ -21,6 +20,8 @@ MANY = 1500
 SMALLEST = 2.0
 #: Standard deviations within which a difference may be noise.
 NOISE = 2.0
+#: Setups that are named on an axis at most.
+NAMED = 30
 #: Kinds of rows: fitted, held out, set aside, without a partner.
 FITTED: dict[str, Any] = {"marker": "o", "facecolor": BLUE, "edgecolor": BLUE, "label": "fitted"}
 HELD_OUT: dict[str, Any] = {
@@ -34,7 +35,7 @@ UNMATCHED: dict[str, Any] = {"marker": "x", "facecolor": VERMILLION, "label": "u
 COMPARED: dict[str, Any] = {**FITTED, "label": "measured mode"}
 
 
-def rows(axes: Axes, evidence: Evidence, x: Array, y: Array, size: float = 16.0) -> None:
+def rows(panel: Panel, evidence: Evidence, x: Array, y: Array, size: float = 16.0) -> None:
     """Mark each row at (x, y) by its kind; rows with a NaN are left out."""
     shown = np.isfinite(x) & np.isfinite(y)
     compared = len(evidence.stages) == 1
@@ -47,7 +48,7 @@ def rows(axes: Axes, evidence: Evidence, x: Array, y: Array, size: float = 16.0)
     for some, kind in kinds:
         chosen = shown & some
         if chosen.any():
-            axes.scatter(
+            panel.scatter(
                 x[chosen],
                 y[chosen],
                 s=max(size * min(1.0, MANY / count), SMALLEST),
@@ -58,41 +59,42 @@ def rows(axes: Axes, evidence: Evidence, x: Array, y: Array, size: float = 16.0)
             )
 
 
-def legend(axes: Axes, *, beside: bool = False) -> None:
-    """Show a legend above the axes if there is more than one kind of marks.
+def legend(sheet: Sheet, panel: Panel, *, beside: bool = False) -> None:
+    """Show a legend above a panel if there is more than one kind of marks.
 
     Parameters
     ----------
     beside : bool
-        Whether it may reach over the axes to the left, which has a title of its own at its left end.
+        Whether it may reach over the panel to the left, which has a title of its own at its left end.
     """
-    handles, labels = axes.get_legend_handles_labels()
+    handles, labels = panel.axes.get_legend_handles_labels()
     first = dict(zip(reversed(labels), reversed(handles), strict=True))
     names = list(dict.fromkeys(labels))
     if len(names) > 1:
-        box = axes.legend(
+        box = sheet.legend(
             [first[name] for name in names],
             names,
+            above=panel,
             loc="lower right",
             bbox_to_anchor=(1.0, 1.0),
             ncols=len(names),
             columnspacing=1.2,
             handletextpad=0.4,
         )
-        box.set_in_layout(not beside)
+        box.set_in_layout(sheet.narrow or not beside)
 
 
-def zero(axes: Axes) -> None:
+def zero(panel: Panel) -> None:
     """Draw the line of no difference."""
-    axes.axhline(0.0, color=INK, linewidth=0.8, zorder=1)
+    panel.axes.axhline(0.0, color=INK, linewidth=0.8, zorder=1)
 
 
-def zero_across(axes: Axes) -> None:
+def zero_across(panel: Panel) -> None:
     """Draw the line of no change of a figure with a horizontal scale."""
-    axes.axvline(0.0, color=INK, linewidth=0.8, zorder=1)
+    panel.axes.axvline(0.0, color=INK, linewidth=0.8, zorder=1)
 
 
-def noise(axes: Axes, sigmas: Array) -> None:
+def noise(panel: Panel, sigmas: Array) -> None:
     """Shade the differences that noise explains, and scale the axis for all differences and somewhat more than noise.
 
     Parameters
@@ -100,19 +102,24 @@ def noise(axes: Axes, sigmas: Array) -> None:
     sigmas : ndarray, shape (R,)
         Differences in standard deviations.
     """
-    axes.axhspan(-NOISE, NOISE, color=GREY, alpha=0.16, linewidth=0, zorder=0)
+    panel.axes.axhspan(-NOISE, NOISE, color=GREY, alpha=0.16, linewidth=0, zorder=0)
     known = sigmas[np.isfinite(sigmas)]
     most = 1.08 * max(1.5 * NOISE, float(np.abs(known).max(initial=0.0)))
-    axes.set_ylim(-most, most)
+    panel.axes.set_ylim(-most, most)
 
 
-def setups(axes: Axes, evidence: Evidence, most: int = 30) -> None:
-    """Name the setups on the horizontal axis, or number them if there are many."""
+def setups(panel: Panel, evidence: Evidence, *, grid: bool = False) -> str:
+    """Name the setups on the horizontal axis unless there are many; return its label.
+
+    Parameters
+    ----------
+    grid : bool
+        Whether named setups have lines of the grid.
+    """
     labels = [short(label) for label in evidence.labels]
-    if len(labels) > most:
-        axes.set_xlabel(f"{evidence.place}, in the order of their labels")
-        return
+    if len(labels) > NAMED:
+        return f"{evidence.place}, in the order of their labels"
     turned = len(labels) * max(map(len, labels)) > 90
-    axes.set_xticks(range(len(labels)), labels, rotation=90 if turned else 0)
-    axes.set_xlabel(evidence.place)
-    axes.grid(visible=False, axis="x")
+    panel.name_places("x", range(len(labels)), labels, rotation=90 if turned else 0)
+    panel.axes.grid(visible=grid, axis="x")
+    return evidence.place

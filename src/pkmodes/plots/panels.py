@@ -5,17 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from pkmodes.plots.panel import Panel
 from pkmodes.plots.plane import Plane
-from pkmodes.plots.style import WIDTH, figure
+from pkmodes.plots.sheet import Scales, Sheet
+from pkmodes.plots.style import WIDTH
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
-Array = NDArray[Any]
 #: Space for labels and colour bars beside and below each panel, and for a line below its title [inch].
 BESIDE, BELOW, LINE = 0.62, 1.0, 0.15
 #: Height of a colour bar below a panel, its distance from the labels above it, and of two numbers at it [inch].
@@ -39,25 +36,38 @@ def arranged(modes: int, *, tall: bool) -> tuple[int, int]:
     return rows, -(-modes // rows)
 
 
-def panels_of(
-    plane: Plane, modes: int, *, colour_bars: bool, line: bool = False, below: float = 0.0
-) -> tuple[Figure, NDArray[np.object_]]:
-    """Return a figure with a panel for each mode, and its panels by row and column.
+def mode_panels(
+    sheet: Sheet,
+    plane: Plane,
+    modes: int,
+    *,
+    scales: Scales = "",
+    line: bool = False,
+    below: float = 0.0,
+) -> Iterator[tuple[int, Panel]]:
+    """Yield each mode with its panel, titled, and labelled where no panel is beside or below.
 
     Parameters
     ----------
-    colour_bars : bool
-        Whether each panel has a colour scale of its own.
+    scales : str
+        As for `pkmodes.plots.sheet.Sheet.groups`.
     line : bool
         Whether there is a line between title and panel.
     below : float
         Height of what stands below all panels [inch].
     """
     rows, columns = arranged(modes, tall=plane.is_tall)
-    panel = min(min(plane.height, TALLEST) * width_of(plane, modes, colour_bars=colour_bars), HIGHEST)
-    height = panel + (BELOW if colour_bars and plane.is_tall else 0.25) + (LINE if line else 0.0)
-    drawn = compressed(rows * (height + 0.3) + 0.3 + below)
-    return drawn, drawn.subplots(rows, columns, squeeze=False)
+    colour_bars = scales == "own"
+    high = min(min(plane.height, TALLEST) * width_of(plane, modes, colour_bars=colour_bars), HIGHEST)
+    height = high + (BELOW if colour_bars and plane.is_tall else 0.25) + (LINE if line else 0.0)
+    sheet.figure.set_layout_engine("compressed")  # panels keep their proportions and stand close together
+    height = rows * (height + 0.3) + 0.3 + below
+    sheet.groups(modes, columns, height, shape=plane.proportions, scales=scales)
+    pad = 72 * LINE + 3 if line else None  # [points]
+    for mode, panel in enumerate(sheet.panels):
+        inner = ("y " if mode % columns else "") + ("x" if mode + columns < modes else "")
+        plane.label_panel(panel, f"mode {mode + 1}", inner=inner, pad=pad)
+        yield mode, panel
 
 
 def width_of(plane: Plane, modes: int, *, colour_bars: bool) -> float:
@@ -66,30 +76,11 @@ def width_of(plane: Plane, modes: int, *, colour_bars: bool) -> float:
     return WIDTH / columns - (BESIDE if colour_bars and not plane.is_tall else 0.15)
 
 
-def compressed(height: float) -> Figure:
-    """Return an empty figure whose panels keep their proportions and stand close together."""
-    drawn = figure(height)
-    drawn.set_layout_engine("compressed")
-    return drawn
-
-
-def mode_panels(plane: Plane, panels: Any, modes: int, *, line: bool = False) -> Iterator[tuple[int, Axes]]:
-    """Yield each mode with its panel, titled, and labelled where no panel is beside or below; others stay empty."""
-    columns = panels.shape[1]
-    pad = 72 * LINE + 3 if line else None  # [points]
-    for mode, axes in enumerate(panels.flat):
-        if mode >= modes:
-            axes.set_axis_off()
-            continue
-        yield mode, axes
-        axes.set_title(f"mode {mode + 1}", pad=pad)
-        plane.label_axes(axes, left=mode % columns == 0, bottom=mode + columns >= modes)
-
-
-def scale_beside(plane: Plane, axes: Axes, mesh: Any, label: str) -> None:
+def scale_beside(plane: Plane, panel: Panel, mesh: Any, label: str) -> None:
     """Draw the colour scale of one panel: below a tall map, right of another."""
     from matplotlib.ticker import MaxNLocator
 
+    panel.labels["scale"], axes = label, panel.axes
     inset = axes.inset_axes((0.0, -0.5, 1.0, 0.05) if plane.is_tall else (1.05, 0.0, 0.06, 1.0))
     if plane.is_tall:
         inset.set_axes_locator(_below_labels(axes))
@@ -134,13 +125,10 @@ def _apart(low: float, high: float) -> Any:
     return MaxNLocator(2, steps=[1, 2, 2.5, 5, 10], min_n_ticks=2)
 
 
-def shared_scale(plane: Plane, drawn: Figure, panels: Any, mesh: Any, label: str, **settings: Any) -> None:
+def shared_scale(sheet: Sheet, plane: Plane, mesh: Any, label: str, **settings: Any) -> None:
     """Draw the colour scale of all panels: right of tall maps, below others."""
-    if plane.is_tall:
-        bar = drawn.colorbar(mesh, ax=panels, location="right", shrink=0.9, aspect=35, **settings)
-    else:
-        bar = drawn.colorbar(mesh, ax=panels, location="bottom", shrink=0.6, aspect=35, **settings)
-    bar.set_label(label)
+    location, shrink = ("right", 0.9) if plane.is_tall else ("bottom", 0.6)
+    sheet.scale(mesh, label, location=location, shrink=shrink, aspect=35, **settings)
 
 
 def widened(low: float, high: float) -> tuple[float, float]:

@@ -15,8 +15,9 @@ from pkmodes.plots.labels import typeset
 
 if TYPE_CHECKING:
     import xarray
-    from matplotlib.axes import Axes
     from matplotlib.collections import QuadMesh
+
+    from pkmodes.plots.panel import Panel
 
 Array = NDArray[Any]
 #: Share of the values at each end that do not determine the colours: belts that become very short at the edge of the
@@ -95,6 +96,12 @@ class Plane:
         return float(size[0] / size[1]) if len(units) == 1 and size[1] > 0 else 1.0
 
     @property
+    def proportions(self) -> float:
+        """Height over width that a panel keeps; 0 if the components have different units."""
+        units = {self.dataset[name].attrs["units"] for name in (self.along, self.across)}
+        return self.height if len(units) == 1 else 0.0
+
+    @property
     def area(self) -> float | None:
         """Area that can be reached [m^2]; None unless both components are lengths."""
         if any(self.dataset[name].attrs["units"] != "m" for name in (self.along, self.across)):
@@ -118,21 +125,18 @@ class Plane:
         """Return the label of an axis."""
         return f"{name} [{self.unit(name)[0]}]"
 
-    def draw(self, axes: Axes, values: Array, **settings: Any) -> QuadMesh:
+    def draw(self, panel: Panel, values: Array, **settings: Any) -> QuadMesh:
         """Draw values as colours, with the poses that cannot be reached left blank.
 
         Parameters
         ----------
         values : ndarray, shape (along, across)
         settings
-            For `matplotlib.axes.Axes.pcolormesh`, such as the colour map.
+            For `pkmodes.plots.panel.Panel.cells`, such as the colour map.
         """
-        x, y = self.drawn(self.across), self.drawn(self.along)
-        mesh = axes.pcolormesh(
-            x, y, np.ma.masked_invalid(values), shading="nearest", rasterized=True, **settings
-        )
-        units = {self.dataset[name].attrs["units"] for name in (self.along, self.across)}
-        if len(units) == 1:
+        x, y, axes = self.drawn(self.across), self.drawn(self.along), panel.axes
+        mesh = panel.cells(x, y, values, rasterized=True, **settings)
+        if self.proportions:
             axes.set_aspect("equal")
         axes.set_xlim(*_ends(x))
         axes.set_ylim(*_ends(y))
@@ -142,11 +146,14 @@ class Plane:
         axes.locator_params(axis="y", nbins=6)
         return mesh
 
-    def label_axes(self, axes: Axes, *, left: bool, bottom: bool = True) -> None:
-        """Label the axes of a panel; inner ones have neither labels nor numbers."""
-        axes.set_xlabel(self.label(self.across) if bottom else "")
-        axes.set_ylabel(self.label(self.along) if left else "")
-        axes.tick_params(labelleft=left, labelbottom=bottom)
+    def label_panel(
+        self, panel: Panel, title: str, *, row: str = "", inner: str = "", **settings: Any
+    ) -> None:
+        """Name a panel as `Panel.label` does; an inner one of a wide figure has no numbers on its axes, either."""
+        across, along = self.label(self.across), self.label(self.along)
+        panel.label(title, x=across, y=along, row=row, inner=inner, **settings)
+        if not panel.narrow:
+            panel.axes.tick_params(labelleft="y" not in inner.split(), labelbottom="x" not in inner.split())
 
 
 def plane_axes(sizes: Mapping[str, int], components: Sequence[str], place: str) -> list[str]:

@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import decades, typeset
-from pkmodes.plots.style import BLUE, VERMILLION, WIDTH, figure
+from pkmodes.plots.panel import Panel
+from pkmodes.plots.sheet import Sheet
+from pkmodes.plots.style import BLUE, VERMILLION
 from pkmodes.response.channels import without_response
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 Array = NDArray[Any]
 #: Height of a channel [inch], and channels drawn at most: more cannot be read.
 HEIGHT, MOST = 2.4, 12
 #: Ratio of the last to the first frequency from which on the axis is logarithmic.
 DECADES = 30.0
+FREQUENCY = "frequency [Hz]"
 #: Styles: the line of the model stays visible on a measured one that it fits.
 MODEL = {"color": BLUE, "linewidth": 1.1, "label": "model", "zorder": 3}
 MEASURED = {"color": VERMILLION, "linewidth": 2.4, "alpha": 0.55, "label": "measured", "zorder": 2}
@@ -32,7 +32,7 @@ def responses(
     units: Mapping[str, str],
     measured: tuple[Array, Mapping[str, Array]] | None = None,
     title: str = "",
-) -> Figure:
+) -> Drawing:
     """Draw responses: two channels side by side, magnitude above phase.
 
     Parameters
@@ -51,59 +51,56 @@ def responses(
     names, silent = list(model)[:MOST], without_response(model, units)
     columns = min(2, len(names))
     rows = -(-len(names) // columns)
-    drawn = figure(HEIGHT * rows + 0.3 + (0.25 if title else 0.0), WIDTH)
-    if title:
-        drawn.suptitle(title, fontsize=8.5, x=0.01, ha="left", wrap=True)
-    panels = drawn.subplots(
-        2 * rows, columns, squeeze=False, sharex=True, gridspec_kw={"height_ratios": [2.2, 1.0] * rows}
-    )
-    explained = False
-    for k, name in enumerate(names):
-        row, column = divmod(k, columns)
-        above, below = panels[2 * row, column], panels[2 * row + 1, column]
-        curves: list[tuple[Array, Array, dict[str, Any]]] = [(frequencies, model[name], MODEL)]
-        if measured is not None and name in measured[1]:
-            curves.append((measured[0], measured[1][name], MEASURED))
-        if name in silent:
-            curves = curves[1:]
-            above.annotate("no response in the model", (0.5, 0.5), xycoords="axes fraction", ha="center")
-        _channel(above, below, curves, (float(frequencies[0]), float(frequencies[-1])))
-        above.set_title(name)
-        above.set_ylabel(f"magnitude [{units[name]}]")
-        if len(curves) > 1 and not explained:
-            above.legend()
-            explained = True
-        if row == rows - 1:
-            below.set_xlabel("frequency [Hz]")
-    if len(names) % columns:
-        for panel in panels[2 * rows - 2 :, columns - 1]:
-            panel.set_visible(False)
-    return drawn
+    height = HEIGHT * rows + 0.3 + (0.25 if title else 0.0)
+
+    def draw(sheet: Sheet) -> None:
+        if title:
+            sheet.figure.suptitle(title, fontsize=8.5, x=0.01, ha="left", wrap=True)
+        groups = sheet.groups(len(names), columns, height, rows=(2.2, 1.0), share_x=True)
+        explained = False
+        for k, (name, (above, below)) in enumerate(zip(names, groups, strict=True)):
+            curves: list[tuple[Array, Array, dict[str, Any]]] = [(frequencies, model[name], MODEL)]
+            if measured is not None and name in measured[1]:
+                curves.append((measured[0], measured[1][name], MEASURED))
+            if name in silent:
+                curves = curves[1:]
+                words = "no response in the model"
+                above.axes.annotate(words, (0.5, 0.5), xycoords="axes fraction", ha="center")
+            _channel(above, below, curves, (float(frequencies[0]), float(frequencies[-1])))
+            above.label(name, x=FREQUENCY, y=f"magnitude [{units[name]}]", inner="x")
+            lowest = k // columns == rows - 1
+            below.label(name, x=FREQUENCY, y="phase [\u00b0]", inner="title" if lowest else "title x")
+            if len(curves) > 1 and not explained:
+                above.axes.legend()
+                explained = True
+
+    return Drawing(draw)
 
 
 def _channel(
-    above: Axes, below: Axes, curves: list[tuple[Array, Array, dict[str, Any]]], ends: tuple[float, float]
+    above: Panel, below: Panel, curves: list[tuple[Array, Array, dict[str, Any]]], ends: tuple[float, float]
 ) -> None:
     """Draw one channel: its magnitude and its phase, between two frequencies."""
     single = ends[0] == ends[1]
+    if curves:
+        above.axes.set_yscale("log")
     for f, values, style in curves:
         seen = (f >= ends[0]) & (f <= ends[1])
         size, look = np.abs(values[seen]), {**style, "marker": "." if single else ""}
-        above.semilogy(f[seen], np.where(size > 0.0, size, np.nan), **look)
+        above.plot(f[seen], np.where(size > 0.0, size, np.nan), **look)
         below.plot(*_unbroken(f[seen], np.degrees(np.angle(values[seen]))), **look)
-    below.set_ylim(-190.0, 190.0)
-    below.set_yticks([-180, 0, 180])
-    below.set_ylabel("phase [\u00b0]")
+    below.axes.set_ylim(-190.0, 190.0)
+    below.axes.set_yticks([-180, 0, 180])
     if curves:
-        decades(above.yaxis, lambda value: typeset(f"{value:.0e}"))
+        decades(above.axes.yaxis, lambda value: typeset(f"{value:.0e}"))
     else:
-        above.set_yticks([])
+        above.axes.set_yticks([])
     if single:
         return
-    above.set_xlim(*ends)
+    above.axes.set_xlim(*ends)
     if ends[0] > 0.0 and ends[1] / ends[0] > DECADES:
-        below.set_xscale("log")
-        decades(below.xaxis, lambda value: f"{value:g}")
+        below.axes.set_xscale("log")
+        decades(below.axes.xaxis, lambda value: f"{value:g}")
 
 
 def _unbroken(f: Array, phase: Array) -> tuple[Array, Array]:

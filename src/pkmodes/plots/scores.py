@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pkmodes.diagnosis.verdict.findings import Corrected
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.plots import marks
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import short
-from pkmodes.plots.style import BLUE, GREEN, GREY, PAPER, figure, styled
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+from pkmodes.plots.panel import Panel
+from pkmodes.plots.sheet import Sheet
+from pkmodes.plots.style import BLUE, GREEN, GREY, PAPER
 
 #: Most candidates or values in a figure, and their longest name.
 MOST, LONGEST = 16, 64
@@ -29,7 +27,7 @@ LEFT = 0.012
 LEAST = 1e-300
 
 
-def candidates(result: Diagnosis) -> Figure | None:
+def candidates(result: Diagnosis) -> Drawing | None:
     """Return the scores of the candidates, the most significant first; None if none was tested."""
     tested = sorted(result.candidates, key=lambda one: one.p_value)[:MOST]
     if not tested:
@@ -41,26 +39,28 @@ def candidates(result: Diagnosis) -> Figure | None:
         ("remains", GREEN, [c for c in tested if c.name in left - claimed]),
         ("not claimed", GREY, [c for c in tested if c.name not in claimed | left]),
     ]
-    with styled():
-        drawn = figure(0.85 + ROW * len(tested))
-        axes = drawn.subplots()
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(0.85 + ROW * len(tested))
         for label, colour, group in kinds:
             for seen, face in ((True, colour), (False, PAPER)):
                 some = [c for c in group if c.detectable == seen]
                 if some:
                     y = np.array([tested.index(c) for c in some])
                     x = -np.log10([max(c.p_value, LEAST) for c in some])
-                    axes.hlines(y[x > 0.0], 0.0, x[x > 0.0], color=colour, linewidth=1.6)
+                    ends = np.stack([0.0 * x, x], axis=1)[x > 0.0]
+                    panel.lines(ends, y[x > 0.0, None], color=colour, linewidth=1.6)
                     name = label if seen else f"{label}, not detectable"
-                    axes.scatter(
+                    panel.scatter(
                         x, y, s=22, facecolor=face, edgecolor=colour, linewidth=1.2, zorder=3, label=name
                     )
-        _rows(axes, [_label(one.sentence, one.name) for one in tested])
-        most = axes.get_xlim()[1]
-        axes.set_xlim(-LEFT * most, most)
-        axes.set_xlabel("score: \u2212log\u2081\u2080 of the p-value of this candidate alone [1]")
-        marks.legend(axes)
-    return drawn
+        _rows(panel, [_label(one.sentence, one.name) for one in tested])
+        most = panel.axes.get_xlim()[1]
+        panel.axes.set_xlim(-LEFT * most, most)
+        panel.label(x="score: \u2212log\u2081\u2080 of the p-value of this candidate alone [1]")
+        marks.legend(sheet, panel)
+
+    return Drawing(draw)
 
 
 def _label(words: str, name: str) -> str:
@@ -69,9 +69,10 @@ def _label(words: str, name: str) -> str:
     return f"{short(words, max(WHOLE - len(named), LONGEST))} ({named})" if words else named
 
 
-def _rows(axes: Axes, labels: Sequence[str]) -> None:
+def _rows(panel: Panel, labels: Sequence[str]) -> None:
     """Name the rows, each above its line, so that the lines have the whole width, also on a small screen."""
-    axes.set_yticks([i - ABOVE for i in range(len(labels))], labels)
+    axes = panel.axes
+    panel.name_places("y", [i - ABOVE for i in range(len(labels))], labels)
     axes.set_ylim(len(labels) - 0.5, -0.9)
     axes.tick_params(axis="y", length=0.0, pad=-3.0)
     for text in axes.get_yticklabels():
@@ -79,7 +80,7 @@ def _rows(axes: Axes, labels: Sequence[str]) -> None:
     axes.grid(visible=False, axis="y")
 
 
-def pulls(values: Sequence[Corrected], words: Callable[[str], str] | None = None) -> Figure | None:
+def pulls(values: Sequence[Corrected], words: Callable[[str], str] | None = None) -> Drawing | None:
     """Return how far the fit moved each value, in standard deviations of its prior; None if none has a prior.
 
     Parameters
@@ -92,26 +93,28 @@ def pulls(values: Sequence[Corrected], words: Callable[[str], str] | None = None
     shown = sorted(moved, key=lambda one: -abs(one[0]))[:MOST]
     if not shown:
         return None
-    with styled():
-        labels = [_label(words(name) if words else "", name) for _, _, name in shown]
-        drawn = figure(0.8 + ROW * len(labels))
-        axes = drawn.subplots()
+    labels = [_label(words(name) if words else "", name) for _, _, name in shown]
+    away, width, _ = zip(*shown, strict=True)
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(0.8 + ROW * len(labels))
+        axes = panel.axes
         axes.axvspan(-1.0, 1.0, color=GREY, alpha=0.16, linewidth=0, label="prior, \u00b11 \u03c3")
-        marks.zero_across(axes)
-        away, width, _ = zip(*shown, strict=True)
-        axes.errorbar(
+        marks.zero_across(panel)
+        panel.error_bars(
             away,
             range(len(shown)),
-            xerr=width,
+            width,
             fmt="o",
             color=BLUE,
             capsize=2.5,
             label="after the fit, \u00b11 \u03c3",
         )
-        _rows(axes, labels)
+        _rows(panel, labels)
         most = max(3.0, *(abs(a) + w for a, w, _ in shown)) * 1.05
         axes.set_xlim(-most, most)
         axes.grid(visible=False, axis="y")
-        axes.set_xlabel("value \u2212 declared value [\u03c3 of the prior]")
-        marks.legend(axes)
-    return drawn
+        panel.label(x="value \u2212 declared value [\u03c3 of the prior]")
+        marks.legend(sheet, panel)
+
+    return Drawing(draw)

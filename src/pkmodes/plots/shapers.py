@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.plots.style import GREY, PALETTE, WIDTH, figure
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+from pkmodes.plots.drawing import Drawing
+from pkmodes.plots.panel import Panel
+from pkmodes.plots.sheet import Sheet
+from pkmodes.plots.style import GREY, PALETTE, WIDTH
 
 Array = NDArray[Any]
 #: Share of a grid that poses fill, from which on it is drawn as one.
@@ -25,7 +24,7 @@ ALONE = 1.6
 
 def over_plane(
     points: Array, names: Sequence[str], units: Sequence[tuple[str, float]], left: Mapping[str, Array]
-) -> Figure:
+) -> Drawing:
     """Draw what shapers leave at poses in a plane, one map for each, on a common scale.
 
     Parameters
@@ -39,37 +38,42 @@ def over_plane(
     """
     x, y = (points[:, i] * units[i][1] for i in (0, 1))
     alike = units[0][0] == units[1][0]
-    shape = float(np.clip(np.ptp(y) / np.ptp(x), *SHAPES)) if alike else 0.8
-    drawn = figure(shape * (WIDTH - 1.2) / max(len(left), ALONE) + AROUND)
-    panels = drawn.subplots(1, len(left), squeeze=False, sharey=True)[0]
+    across, along = (f"{names[i]} [{units[i][0]}]" for i in (0, 1))
+    ratio = float(np.ptp(y) / np.ptp(x))
+    shape = float(np.clip(ratio, *SHAPES)) if alike else 0.8
+    equal = alike and SHAPES[0] <= ratio <= SHAPES[1]
     highest = max(1e-9, *(float(values.max()) for values in left.values()))
-    for axes, (title, values) in zip(panels, left.items(), strict=True):
-        mesh = _map(axes, x, y, values, highest, len(left))
-        axes.set_title(title)
-        axes.set_xlabel(f"{names[0]} [{units[0][0]}]")
-        axes.grid(False)
-        if alike and SHAPES[0] <= np.ptp(y) / np.ptp(x) <= SHAPES[1]:
-            axes.set_aspect("equal")
-    panels[0].set_ylabel(f"{names[1]} [{units[1][0]}]")
-    bar = drawn.colorbar(mesh, ax=panels, aspect=15)
-    bar.set_label("left [%]")
-    return drawn
+
+    def draw(sheet: Sheet) -> None:
+        count, kept = len(left), shape if equal else 0.0
+        height = shape * (WIDTH - 1.2) / max(count, ALONE) + AROUND
+        sheet.groups(count, count, height, share_y=True, shape=kept, scales="common")
+        mesh: Any = None
+        for panel, (title, values) in zip(sheet.panels, left.items(), strict=True):
+            mesh = _map(panel, x, y, values, highest, count)
+            panel.label(title, x=across, y=along, inner="" if panel is sheet.panels[0] else "y")
+            panel.axes.grid(False)
+            if equal:
+                panel.axes.set_aspect("equal")
+        sheet.scale(mesh, "left [%]", aspect=15)
+
+    return Drawing(draw)
 
 
-def _map(axes: Axes, x: Array, y: Array, values: Array, highest: float, panels: int) -> Any:
+def _map(panel: Panel, x: Array, y: Array, values: Array, highest: float, panels: int) -> Any:
     """Draw values over a plane: as cells of a grid where the points form one, else as squares."""
     columns, i = np.unique(x.round(9), return_inverse=True)
     rows, k = np.unique(y.round(9), return_inverse=True)
     if len(x) >= FILLED * len(rows) * len(columns):
         cells = np.full((len(rows), len(columns)), np.nan)
         cells[np.ravel(k), np.ravel(i)] = values
-        return axes.pcolormesh(columns, rows, cells, shading="nearest", vmin=0, vmax=highest, rasterized=True)
+        return panel.cells(columns, rows, cells, vmin=0, vmax=highest, rasterized=True)
     size = max(2.0, min(60.0, 9000.0 / len(x) / panels))
     style: dict[str, Any] = {"marker": "s", "linewidths": 0.0, "vmin": 0.0, "vmax": highest}
-    return axes.scatter(x, y, c=values, s=size, rasterized=True, **style)
+    return panel.scatter(x, y, values=values, s=size, rasterized=True, **style)
 
 
-def along_line(at: Array, name: str, unit: tuple[str, float], left: Mapping[str, Array]) -> Figure:
+def along_line(at: Array, name: str, unit: tuple[str, float], left: Mapping[str, Array]) -> Drawing:
     """Draw what shapers leave at poses along a line.
 
     Parameters
@@ -79,16 +83,17 @@ def along_line(at: Array, name: str, unit: tuple[str, float], left: Mapping[str,
     left : mapping of str to ndarray, shape (N,)
         By shaper [%].
     """
-    drawn = figure(2.6)
-    axes = drawn.subplots()
     order = np.argsort(at)
-    _curves(axes, at[order] * unit[1], {title: values[order] for title, values in left.items()})
-    axes.set_xlabel(f"{name} [{unit[0]}]")
-    axes.set_ylabel("left [%]")
-    return drawn
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(2.6)
+        panel.label(x=f"{name} [{unit[0]}]", y="left [%]")
+        _curves(sheet, panel, at[order] * unit[1], {title: values[order] for title, values in left.items()})
+
+    return Drawing(draw)
 
 
-def against_error(errors: Array, left: Mapping[str, Array], spread: float | None) -> Figure:
+def against_error(errors: Array, left: Mapping[str, Array], spread: float | None) -> Drawing:
     """Draw what shapers leave where all frequencies differ from those of the model.
 
     Parameters
@@ -100,20 +105,23 @@ def against_error(errors: Array, left: Mapping[str, Array], spread: float | None
     spread : float or None
         Mean standard deviation of the frequencies, as a band.
     """
-    drawn = figure(2.9)
-    axes = drawn.subplots()
-    if spread is not None:
-        axes.axvspan(-100.0 * spread, 100.0 * spread, color=GREY, alpha=0.2, linewidth=0.0)
-    _curves(axes, 100.0 * errors, left)
-    axes.set_xlabel("frequencies, above those of the model [%]")
-    axes.set_ylabel("left, rms [%]")
-    return drawn
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(2.9)
+        if spread is not None:
+            panel.axes.axvspan(-100.0 * spread, 100.0 * spread, color=GREY, alpha=0.2, linewidth=0.0)
+        panel.label(x="frequencies, above those of the model [%]", y="left, rms [%]")
+        _curves(sheet, panel, 100.0 * errors, left)
+
+    return Drawing(draw)
 
 
-def _curves(axes: Axes, x: Array, left: Mapping[str, Array]) -> None:
+def _curves(sheet: Sheet, panel: Panel, x: Array, left: Mapping[str, Array]) -> None:
     styles = ("-", "--", ":", "-.")
     for i, (name, values) in enumerate(left.items()):
-        axes.plot(x, values, styles[i % len(styles)], color=PALETTE[i % len(PALETTE)], label=name)
-    axes.set_xlim(x[0], x[-1])
-    axes.set_ylim(0.0, None)
-    axes.legend(ncols=2, fontsize=7.5, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+        panel.plot(x, values, styles[i % len(styles)], color=PALETTE[i % len(PALETTE)], label=name)
+    panel.axes.set_xlim(x[0], x[-1])
+    panel.axes.set_ylim(0.0, None)
+    handles, names = panel.axes.get_legend_handles_labels()
+    place: dict[str, Any] = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0)}
+    sheet.legend(handles, names, above=panel, ncols=2, fontsize=7.5, **place)

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.plots import marks
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.evidence import Evidence
-from pkmodes.plots.style import GREEN, GREY, figure, styled
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+from pkmodes.plots.panel import Panel
+from pkmodes.plots.sheet import Sheet
+from pkmodes.plots.style import GREEN, GREY
 
 #: Modes of the model are shown up to this multiple of the highest measured frequency.
 ABOVE = 1.12
@@ -27,42 +26,46 @@ STYLES = (
 SHADE, BAND = 0.25, "\u00b1 \u03c3 as declared"
 
 
-def spectrum(evidence: Evidence) -> Figure:
+def spectrum(evidence: Evidence) -> Drawing:
     """Return the frequencies of all setups: dots are measured, lines are the model.
 
     Bands are one standard deviation of the declared values on either side of the declared model.
     """
-    with styled():
-        drawn = figure(3.9)
-        axes = drawn.subplots()
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(3.9)
+        axes = panel.axes
         most = ABOVE * float(evidence.measured.max())
         for stage, style in zip(evidence.stages, STYLES[-len(evidence.stages) :], strict=True):
-            _lines(axes, stage.predicted.spectrum, most, f"model {stage.title}", style)
+            _lines(panel, stage.predicted.spectrum, most, f"model {stage.title}", style)
         if evidence.spread is not None:
-            _bands(axes, evidence.stages[0].predicted.spectrum, evidence.spread, most)
+            _bands(panel, evidence.stages[0].predicted.spectrum, evidence.spread, most)
         place = evidence.setup.astype(float)
         paired = evidence.mode() > 0
-        marks.rows(axes, evidence, np.where(paired, place, np.nan), evidence.measured)
+        marks.rows(panel, evidence, np.where(paired, place, np.nan), evidence.measured)
         if not paired.all():
-            axes.scatter(
+            panel.scatter(
                 place[~paired], evidence.measured[~paired], s=26, linewidth=1.3, zorder=4, **marks.UNMATCHED
             )
         axes.set_ylim(0.0, most)
         axes.set_xlim(-0.7, len(evidence.labels) - 0.3)
-        axes.set_ylabel("frequency [Hz]")
-        marks.setups(axes, evidence)
-        marks.legend(axes)
-    return drawn
+        panel.label(x=marks.setups(panel, evidence), y="frequency [Hz]")
+        marks.legend(sheet, panel)
+
+    return Drawing(draw)
 
 
-def _lines(axes: Axes, spectrum: NDArray[np.float64], most: float, label: str, style: dict[str, Any]) -> None:
+def _lines(
+    panel: Panel, spectrum: NDArray[np.float64], most: float, label: str, style: dict[str, Any]
+) -> None:
     """Draw a short line for each mode of each setup."""
     setup, mode = np.nonzero(spectrum <= most)
     y = spectrum[setup, mode]
-    axes.hlines(y, setup - HALF, setup + HALF, label=label, zorder=2, rasterized=len(y) > marks.MANY, **style)
+    ends = np.stack([setup - HALF, setup + HALF], axis=1)
+    panel.lines(ends, y[:, None], label=label, zorder=2, rasterized=len(y) > marks.MANY, **style)
 
 
-def _bands(axes: Axes, spectrum: NDArray[np.float64], spread: NDArray[np.float64], most: float) -> None:
+def _bands(panel: Panel, spectrum: NDArray[np.float64], spread: NDArray[np.float64], most: float) -> None:
     """Shade one standard deviation on either side of the lines of the declared model."""
     from matplotlib.collections import PolyCollection
 
@@ -78,4 +81,5 @@ def _bands(axes: Axes, spectrum: NDArray[np.float64], spread: NDArray[np.float64
     bands = PolyCollection(
         list(boxes), facecolor=GREY, alpha=SHADE, linewidth=0, zorder=1, rasterized=many, label=BAND
     )
-    axes.add_collection(bands, autolim=False)
+    panel.axes.add_collection(bands, autolim=False)
+    panel.limits(setup, low, high, BAND)

@@ -10,7 +10,7 @@ from hashlib import sha256
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
-from pkmodes.plots.narrow import NARROW, narrowed
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.style import BLUE, GREEN, GREY, INK, ORANGE, PAPER, PURPLE, SKY, VERMILLION, styled
 
 if TYPE_CHECKING:
@@ -46,8 +46,6 @@ REFERENCE = re.compile(r"url\(#([^)]+)\)")
 FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
 #: Resolution of the images in narrow figures, whose panels are large [1/inch].
 SPARING = 130
-#: Space around narrow figures [inch].
-MARGIN = 0.08
 #: Length of the prefix that makes ids differ between figures.
 DIGITS = 8
 
@@ -71,24 +69,17 @@ def inline(figure: Figure, title: str, description: str, *, cropped: bool = Fals
     )
 
 
-def inline_narrow(figure: Figure, title: str, description: str) -> str:
-    """Return a figure as `inline` does, laid out anew for a narrow screen; nothing if it does not fit one.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        It is changed: everything else is drawn from it before.
-    """
-    from matplotlib.transforms import Bbox
-
+def inline_narrow(drawing: Drawing, title: str, description: str) -> str:
+    """Return a figure as `inline` does, drawn for a narrow screen; nothing if it does not fit one."""
+    if not drawing.narrow:
+        return ""
     with styled(), warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)  # panels that collapse, and characters that a font lacks
-        if not narrowed(figure):
-            return ""
-        box = figure.get_tightbbox()
-        # Text is drawn by the reader's fonts, which may be somewhat wider.
-        crop = Bbox([[min(box.x0, 0.0), box.y0], [max(box.x1, NARROW), box.y1]]).padded(MARGIN)
-    return _element(figure, title, description, {"bbox_inches": crop, "dpi": SPARING})
+        sheet = drawing.sheet(narrow=True)
+        shown = sheet.settle()
+    if shown is None:
+        return ""
+    return _element(sheet.figure, title, description, {"bbox_inches": shown, "dpi": SPARING})
 
 
 def _element(figure: Figure, title: str, description: str, settings: dict[str, Any]) -> str:

@@ -8,12 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.robot.units import SHOWN
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import short
-from pkmodes.plots.style import BLUE, GREY, PALETTE, VERMILLION, figure
+from pkmodes.plots.sheet import Sheet
+from pkmodes.plots.style import BLUE, GREY, PALETTE, VERMILLION
 
 if TYPE_CHECKING:
     import xarray
-    from matplotlib.figure import Figure
 
 Array = NDArray[Any]
 #: Names of poses written at most under an axis.
@@ -24,7 +25,7 @@ FEW = 50
 INNER, ALL = (0.02, 0.5, 0.98), (0.0, 0.5, 1.0)
 
 
-def against(dataset: xarray.Dataset, path: str, spread: Array | None = None) -> Figure:
+def against(dataset: xarray.Dataset, path: str, spread: Array | None = None) -> Drawing:
     """Draw the frequency of each mode against one axis of a map: median and range over everything else.
 
     The band leaves out the lowest and the highest 2 % of many values, as the table of a map does: a few poses at the
@@ -49,27 +50,26 @@ def against(dataset: xarray.Dataset, path: str, spread: Array | None = None) -> 
     shares = ALL if frequency.shape[1] < FEW else INNER
     modes = frequency.shape[-1]
     columns = min(modes, 3)
-    drawn = figure(1.75 * -(-modes // columns) + 0.2)
-    panels = drawn.subplots(-(-modes // columns), columns, squeeze=False, sharex=True)
-    for mode, axes in enumerate(panels.flat):
-        if mode >= modes:
-            axes.set_axis_off()
-            continue
-        low, middle, high = _quantiles(frequency[..., mode], shares)
-        if spread is not None:
-            low, high = middle - spread[order, mode], middle + spread[order, mode]
-        axes.fill_between(values, low, high, color=BLUE, alpha=0.18, linewidth=0)
-        axes.plot(values, middle, color=BLUE, marker="o" if len(values) <= 15 else None)
-        axes.set_title(f"mode {mode + 1}")
-        if mode % columns == 0:
-            axes.set_ylabel("f [Hz]")
-        if mode + columns >= modes:
-            axes.set_xlabel(f"{path} [{unit}]")
-            axes.tick_params(labelbottom=True)
-    return drawn
+    height = 1.75 * -(-modes // columns) + 0.2
+
+    def draw(sheet: Sheet) -> None:
+        sheet.groups(modes, columns, height, share_x=True)
+        for mode, panel in enumerate(sheet.panels):
+            low, middle, high = _quantiles(frequency[..., mode], shares)
+            if spread is not None:
+                low, high = middle - spread[order, mode], middle + spread[order, mode]
+            panel.band(values, low, high, color=BLUE, alpha=0.18, linewidth=0)
+            panel.plot(values, middle, color=BLUE, marker="o" if len(values) <= 15 else None)
+            lowest = mode + columns >= modes
+            inner = ("" if lowest else "x ") + ("y" if mode % columns else "")
+            panel.label(f"mode {mode + 1}", x=f"{path} [{unit}]", y="f [Hz]", inner=inner)
+            if lowest:
+                panel.axes.tick_params(labelbottom=True)
+
+    return Drawing(draw)
 
 
-def along(dataset: xarray.Dataset, spread: Array | None = None) -> Figure:
+def along(dataset: xarray.Dataset, spread: Array | None = None) -> Drawing:
     """Draw the frequencies along a list of poses.
 
     Parameters
@@ -84,25 +84,30 @@ def along(dataset: xarray.Dataset, spread: Array | None = None) -> Figure:
         [_quantiles(every[..., mode], (0.5,))[0] for mode in range(every.shape[-1])], axis=-1
     )
     labels = [short(label) for label in dataset["pose"].values]
-    drawn = figure(3.0)
-    axes = drawn.add_subplot()
-    for mode in range(frequency.shape[-1]):
-        colour = PALETTE[mode % len(PALETTE)]
-        style = "-" if mode < len(PALETTE) else "--"
-        marker = "o" if len(labels) <= 60 else None
-        if spread is not None:
-            low, high = (frequency[:, mode] + side * spread[:, mode] for side in (-1.0, 1.0))
-            axes.fill_between(range(len(labels)), low, high, color=colour, alpha=0.18, linewidth=0)
-        axes.plot(frequency[:, mode], style, color=colour, marker=marker, label=f"mode {mode + 1}")
     step = max(1, -(-len(labels) // LABELS))
-    axes.set_xticks(range(0, len(labels), step), labels[::step], rotation=90 if len(labels) > 10 else 0)
-    axes.set_xlabel("pose")
-    axes.set_ylabel("f [Hz]")
-    drawn.legend(loc="outside right upper")
-    return drawn
+    place = np.arange(len(labels))
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(3.0)
+        for mode in range(frequency.shape[-1]):
+            colour = PALETTE[mode % len(PALETTE)]
+            style = "-" if mode < len(PALETTE) else "--"
+            marker = "o" if len(labels) <= 60 else None
+            if spread is not None:
+                low, high = (frequency[:, mode] + side * spread[:, mode] for side in (-1.0, 1.0))
+                panel.band(place, low, high, color=colour, alpha=0.18, linewidth=0)
+            panel.plot(
+                place, frequency[:, mode], style, color=colour, marker=marker, label=f"mode {mode + 1}"
+            )
+        turned = 90 if len(labels) > 10 else 0
+        panel.name_places("x", range(0, len(labels), step), labels[::step], rotation=turned)
+        panel.label(x="pose", y="f [Hz]")
+        sheet.legend(*panel.axes.get_legend_handles_labels(), loc="outside right upper")
+
+    return Drawing(draw)
 
 
-def scatter(dataset: xarray.Dataset) -> Figure:
+def scatter(dataset: xarray.Dataset) -> Drawing:
     """Draw by how much the frequencies of sampled robots differ from the median robot at the same pose.
 
     Parameters
@@ -114,22 +119,24 @@ def scatter(dataset: xarray.Dataset) -> Figure:
     modes = frequency.shape[-1]
     middle = [_quantiles(frequency[..., mode].T, (0.5,))[0] for mode in range(modes)]
     relative = 100.0 * (frequency / np.stack(middle, axis=-1) - 1.0)
-    drawn = figure(2.6)
-    axes = drawn.add_subplot()
-    axes.axhline(0.0, color=GREY, linewidth=0.8)
-    for mode in range(modes):
-        values = relative[..., mode][np.isfinite(relative[..., mode])]
-        if not len(values):
-            continue
-        ends, quarter, middle, three, top = np.quantile(values, [0.025, 0.25, 0.5, 0.75, 0.975])
-        axes.plot([mode + 1] * 2, [ends, top], color=BLUE, linewidth=1.2)
-        axes.plot([mode + 1] * 2, [quarter, three], color=BLUE, linewidth=7, solid_capstyle="butt")
-        axes.plot(mode + 1, middle, "o", color=VERMILLION)
-    axes.set_xticks(range(1, modes + 1))
-    axes.set_xlim(0.5, modes + 0.5)
-    axes.set_xlabel("mode")
-    axes.set_ylabel("f / median at the pose \u2212 1 [%]")
-    return drawn
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(2.6)
+        panel.axes.axhline(0.0, color=GREY, linewidth=0.8)
+        for mode in range(modes):
+            values = relative[..., mode][np.isfinite(relative[..., mode])]
+            if not len(values):
+                continue
+            place = [mode + 1] * 2
+            low, quarter, middle, three, top = np.quantile(values, [0.025, 0.25, 0.5, 0.75, 0.975])
+            panel.plot(place, [low, top], color=BLUE, linewidth=1.2)
+            panel.plot(place, [quarter, three], color=BLUE, linewidth=7, solid_capstyle="butt")
+            panel.plot([mode + 1], [middle], "o", color=VERMILLION)
+        panel.axes.set_xticks(range(1, modes + 1))
+        panel.axes.set_xlim(0.5, modes + 0.5)
+        panel.label(x="mode", y="f / median at the pose \u2212 1 [%]")
+
+    return Drawing(draw)
 
 
 def _flat(dataset: xarray.Dataset, dim: str) -> Array:

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import typeset, visible
-from pkmodes.plots.style import BLUE, GREY, INK, PAPER, figure
+from pkmodes.plots.panel import Panel
+from pkmodes.plots.sheet import Sheet
+from pkmodes.plots.style import BLUE, GREY, INK, PAPER
 from pkmodes.sensitivity.changes import PERCENT, SIGMA, Changes
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 #: Bars in a panel at most, panels beside each other, and panels in a figure so that it fits a printed page.
 MOST, COLUMNS, PANELS = 10, 2, 6
@@ -32,7 +31,7 @@ ALL = "all together"
 STEPS = {PERCENT: "1 %", SIGMA: "one sigma"}
 
 
-def tornado(changes: Changes, modes: Sequence[int] | None = None) -> Figure:
+def tornado(changes: Changes, modes: Sequence[int] | None = None) -> Drawing:
     """Draw the largest changes of each frequency, one panel for each mode.
 
     Parameters
@@ -41,27 +40,23 @@ def tornado(changes: Changes, modes: Sequence[int] | None = None) -> Figure:
         From `pkmodes.sensitivity.changes.changes_at`.
     modes : sequence of int, optional
         Modes that are drawn, counted from 0; by default all.
-
-    Returns
-    -------
-    Figure
-        Call it inside `pkmodes.plots.style.styled`.
     """
-    from matplotlib.layout_engine import ConstrainedLayoutEngine
-
     shown = range(len(changes.frequencies)) if modes is None else modes
     columns = min(COLUMNS, len(shown))
     rows = -(-len(shown) // columns)
     bars = max(_bars(changes, mode) for mode in shown)
-    drawn = figure(rows * (BAR * bars + AROUND) + 0.3)
-    drawn.set_layout_engine(ConstrainedLayoutEngine(h_pad=0.08))  # a title is near its own panel
-    panels = drawn.subplots(rows, columns, squeeze=False)
-    for mode, axes in zip(shown, panels.flat, strict=False):
-        _panel(axes, changes, mode, bars)
-    for axes in panels.flat[len(shown) :]:
-        axes.set_axis_off()
-    _legend(drawn, changes)
-    return drawn
+    height = rows * (BAR * bars + AROUND) + 0.3
+
+    def draw(sheet: Sheet) -> None:
+        from matplotlib.layout_engine import ConstrainedLayoutEngine
+
+        sheet.figure.set_layout_engine(ConstrainedLayoutEngine(h_pad=0.08))  # a title is near its own panel
+        sheet.groups(len(shown), columns, height)
+        for mode, panel in zip(shown, sheet.panels, strict=True):
+            _panel(panel, changes, mode, bars)
+        _legend(sheet, changes)
+
+    return Drawing(draw)
 
 
 def broken(name: str) -> str:
@@ -82,21 +77,22 @@ def _bars(changes: Changes, mode: int) -> int:
     return len(_visible(changes, mode)) + (changes.together is not None)
 
 
-def _panel(axes: Axes, changes: Changes, mode: int, bars: int) -> None:
-    largest = _visible(changes, mode)
-    names = [",\n".join(map(broken, changes.names[i])) for i in largest]
+def _panel(panel: Panel, changes: Changes, mode: int, bars: int) -> None:
+    axes, largest = panel.axes, _visible(changes, mode)
+    names = [", ".join(map(visible, changes.names[i])) for i in largest]
+    shown = [",\n".join(map(broken, changes.names[i])) for i in largest]
     style: dict[str, Any] = {"height": 0.66, "linewidth": 0.8}
     step = STEPS[changes.by]
     for place, i in enumerate(largest):
         size = float(changes.changes[i, mode])
-        axes.barh(place, size, label=f"{step} more", **style, **RISE)
-        axes.barh(place, -size, label=f"{step} less", **style, **FALL)
+        panel.bar(place, 0.0, size, label=f"{step} more", **style, **RISE)
+        panel.bar(place, 0.0, -size, label=f"{step} less", **style, **FALL)
     if changes.together is not None:
         size = float(changes.together[mode])
-        axes.barh(len(names), 2.0 * size, left=-size, label=ALL, **style, **TOGETHER)
-        names.append(ALL)
-    axes.axvline(0.0, color=INK, linewidth=0.8)
-    axes.set_yticks(range(len(names)), names, fontsize=7, linespacing=0.95)
+        panel.bar(len(names), -size, size, label=ALL, **style, **TOGETHER)
+        names, shown = [*names, ALL], [*shown, ALL]
+    panel.axes.axvline(0.0, color=INK, linewidth=0.8)
+    panel.name_places("y", range(len(names)), shown, names, fontsize=7, linespacing=0.95)
     axes.set_ylim(bars - 0.4, -0.6)  # the largest on top, bars equally wide in all panels
     axes.tick_params(axis="y", length=0)
     axes.grid(visible=False, axis="y")
@@ -107,11 +103,11 @@ def _panel(axes: Axes, changes: Changes, mode: int, bars: int) -> None:
     if longest > 0.0:
         axes.set_xlim(-SPACE * longest, SPACE * longest)
     axes.locator_params(axis="x", nbins=5)
-    axes.set_title(f"mode {mode + 1}, {typeset(f'{changes.frequencies[mode]:.2f}')} Hz")
-    axes.set_xlabel("change of the frequency [Hz]")
+    title = f"mode {mode + 1}, {typeset(f'{changes.frequencies[mode]:.2f}')} Hz"
+    panel.label(title, x="change of the frequency [Hz]")
 
 
-def _legend(drawn: Figure, changes: Changes) -> None:
+def _legend(sheet: Sheet, changes: Changes) -> None:
     from matplotlib.patches import Patch
 
     step = STEPS[changes.by]
@@ -121,4 +117,5 @@ def _legend(drawn: Figure, changes: Changes) -> None:
     ]
     if changes.together is not None:
         handles.append(Patch(label=f"{ALL}: standard deviation", facecolor=GREY, edgecolor=GREY))
-    drawn.legend(handles=handles, loc="outside upper right", ncols=len(handles))
+    names = [str(handle.get_label()) for handle in handles]
+    sheet.legend(handles, names, loc="outside upper right", ncols=len(handles))

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.panels import scale_beside
 from pkmodes.plots.plane import Plane, limits_of, same_everywhere, where
-from pkmodes.plots.style import GREEN, INK, WIDTH, figure
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from pkmodes.plots.sheet import Sheet
+from pkmodes.plots.style import GREEN, INK, WIDTH
 
 Array = NDArray[Any]
 #: Direction from which the volume is seen [deg].
@@ -43,7 +42,7 @@ class Volume:
     valid: Array
 
 
-def workspace(plane: Plane, volume: Volume | None) -> Figure | str:
+def workspace(plane: Plane, volume: Volume | None) -> Drawing | str:
     """Draw the condition number of the platform Jacobian in a plane, and where the plane lies in the workspace.
 
     Parameters
@@ -53,33 +52,36 @@ def workspace(plane: Plane, volume: Volume | None) -> Figure | str:
 
     Returns
     -------
-    Figure or str
+    Drawing or str
         A sentence for a mechanism that moves in a plane with the same condition number everywhere.
     """
     condition = plane.dataset["condition"].values
     low, high = limits_of(condition, NEAR_SINGULAR)
-    if volume is None:
-        if same_everywhere(condition):
-            return f"The condition number of the platform Jacobian is {np.nanmedian(condition):.3g} at every pose."
-        drawn = figure(WIDTH * 0.55, WIDTH * 0.7)
-        flat = drawn.add_subplot()
-    else:
-        drawn = figure(WIDTH * 0.5)
-        parts: Any = drawn.subfigures(1, 2, width_ratios=(1.5, 1.0))
-        left, right = parts
-        solid = left.add_axes((0.02, 0.02, 0.86, 0.96), projection="3d", computed_zorder=False)
-        _volume(solid, plane, volume, low, high)
-        flat = right.add_subplot()
-    mesh = plane.draw(flat, condition, vmin=low, vmax=high)
-    plane.label_axes(flat, left=True)
-    flat.set_title(_median(plane, condition))
-    if plane.is_tall:
-        flat.set_anchor("E")  # next to its scale
-        bar = flat.figure.colorbar(mesh, ax=flat, aspect=30, shrink=0.7, extend="both")
-        bar.set_label("condition number [1]")
-    else:
-        scale_beside(plane, flat, mesh, "condition number [1]")
-    return drawn
+    if volume is None and same_everywhere(condition):
+        return (
+            f"The condition number of the platform Jacobian is {np.nanmedian(condition):.3g} at every pose."
+        )
+
+    def draw(sheet: Sheet) -> None:
+        if volume is None:
+            flat = sheet.panel(WIDTH * 0.55, WIDTH * 0.7, shape=plane.proportions, scales="own")
+        else:
+            sheet.figure.set_size_inches(WIDTH, WIDTH * 0.5)
+            parts: Any = sheet.figure.subfigures(1, 2, width_ratios=(1.5, 1.0))
+            left, right = parts
+            solid = left.add_axes((0.02, 0.02, 0.86, 0.96), projection="3d", computed_zorder=False)
+            _volume(solid, plane, volume, low, high)
+            flat = sheet.adopt(right.add_subplot())
+        mesh = plane.draw(flat, condition, vmin=low, vmax=high)
+        plane.label_panel(flat, _median(plane, condition))
+        label = "condition number [1]"
+        if plane.is_tall:
+            flat.axes.set_anchor("E")  # next to its scale
+            sheet.scale(mesh, label, aspect=30, shrink=0.7, extend="both")
+        else:
+            scale_beside(plane, flat, mesh, label)
+
+    return Drawing(draw, narrow=volume is None)
 
 
 def _median(plane: Plane, condition: Array) -> str:

@@ -11,14 +11,11 @@ import zlib
 from base64 import b64encode
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from pkmodes.diagnosis.verdict.verdicts import Colour
-from pkmodes.plots.drawn_data import drawn_data
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.svg import inline, inline_narrow
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 #: Cells with at most this number of characters are not broken into lines.
 SHORT = 26
@@ -132,8 +129,8 @@ class Picture(Placed):
     Attributes
     ----------
     data : str
-        The numbers, the columns of `drawn_data` one after the other, deflated (RFC 1950) and in base 64; empty if
-        there are none.
+        The numbers, the columns of its table one after the other, deflated (RFC 1950) and in base 64; empty if there
+        are none.
     narrow : str
         The same laid out for narrow screens; empty if it does not fit one.
     """
@@ -154,7 +151,7 @@ class Picture(Placed):
 
     @classmethod
     def of(
-        cls, figure: Figure, title: str, description: str, caption: str, *, cropped: bool = False
+        cls, drawing: Drawing, title: str, description: str, caption: str, *, cropped: bool = False
     ) -> Picture:
         """Return a figure for a page, which can be saved from there as PNG, and its numbers as CSV.
 
@@ -169,9 +166,8 @@ class Picture(Placed):
         cropped : bool
             As for `pkmodes.plots.svg.inline`.
         """
-        data = _packed(drawn_data(figure))
-        wide = inline(figure, title, description, cropped=cropped)
-        return cls(wide, caption, title, data, inline_narrow(figure, title, description))
+        wide = inline(drawing.figure, title, description, cropped=cropped)
+        return cls(wide, caption, title, _packed(drawing.table), inline_narrow(drawing, title, description))
 
 
 def _packed(columns: Sequence[Sequence[str]]) -> str:

@@ -16,7 +16,6 @@ from pkmodes.maps.spread import spread_along
 from pkmodes.maps.summary import FEW, SHARES, quantiles_in_words, summary_of
 from pkmodes.plots import sweeps
 from pkmodes.plots.labels import MINUS, typeset
-from pkmodes.plots.style import styled
 from pkmodes.report.blocks import (
     Block,
     Cell,
@@ -235,9 +234,8 @@ def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) ->
         for path in swept:
             spread = spread_along(model.robot, dataset, path, model.max_condition)
             caption = f"Frequencies against {clean(path)}{_banded(dataset, path, spread)}."
-            with styled():
-                figure = sweeps.against(drawn_of, path, spread)
-                blocks.append(Picture.of(figure, clean(path), caption, caption))
+            figure = sweeps.against(drawn_of, path, spread)
+            blocks.append(Picture.of(figure, clean(path), caption, caption))
         yield Section("sweeps", "Swept parameters", blocks)
     if "sample" in dims:
         drawn = [
@@ -247,8 +245,7 @@ def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) ->
             "Scatter of the frequencies over the sampled robots at each pose, relative to their median: half of the "
             "values are within the bar, 95 % within the line."
         )
-        with styled():
-            picture = Picture.of(sweeps.scatter(drawn_of), "Scatter over sampled robots", caption, caption)
+        picture = Picture.of(sweeps.scatter(drawn_of), "Scatter over sampled robots", caption, caption)
         listing = Listing([clean(path) for path in drawn], names=True)
         yield Section(
             "samples",
@@ -260,17 +257,15 @@ def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) ->
         caption = "Frequencies along the poses, medians over everything else."
         if spread is not None:
             caption = f"Frequencies along the poses: {BAND}."
-        with styled():
-            figure = sweeps.along(drawn_of, spread)
-            picture = Picture.of(figure, "Frequencies along the poses", caption, caption)
+        figure = sweeps.along(drawn_of, spread)
+        picture = Picture.of(figure, "Frequencies along the poses", caption, caption)
         yield Section("poses", "Along the poses", [picture])
     line = [dim for dim in dims if dim in components]
     if len(line) == 1:
         spread = spread_along(model.robot, dataset, line[0], model.max_condition)
         caption = f"Frequencies along {line[0]}{_banded(dataset, line[0], spread)}."
-        with styled():
-            figure = sweeps.against(drawn_of, line[0], spread)
-            picture = Picture.of(figure, f"Along {line[0]}", caption, caption)
+        figure = sweeps.against(drawn_of, line[0], spread)
+        picture = Picture.of(figure, f"Along {line[0]}", caption, caption)
         yield Section("line", f"Along {line[0]}", [picture])
 
 
@@ -310,11 +305,10 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     blocks.append(Paragraph(text))
     for picture in pictures(model, places, drives=drives):
         text = f"{picture.title}. {picture.description}"
-        if picture.instead:
+        if picture.drawing is None:
             blocks.append(Paragraph(f"{picture.title}: {picture.instead}"))
             continue
-        with styled():
-            blocks.append(Picture.of(picture.figure, picture.title, picture.description, text, cropped=True))
+        blocks.append(Picture.of(picture.drawing, picture.title, picture.description, text, cropped=True))
     yield Section("figures", title, blocks)
 
 

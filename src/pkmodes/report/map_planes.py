@@ -13,7 +13,6 @@ from pkmodes.maps.poses import Grid
 from pkmodes.plots import maps
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.plane import Plane, where
-from pkmodes.plots.style import styled
 from pkmodes.report.blocks import Paragraph, Picture
 from pkmodes.report.formatting import clean, unit
 
@@ -119,12 +118,11 @@ def swept_pictures(
             f"{title}, in the plane {where(shown)}: an end of the sweep. The picture has its own colour scales; "
             "triangles mark the lowest (down) and the highest (up) frequency in the plane."
         )
-        with styled():
-            picture = maps.frequencies(shown)
-            if isinstance(picture, str):
-                yield Paragraph(f"{title}: {picture}")
-            else:
-                yield Picture.of(picture, title, description, description, cropped=True)
+        picture = maps.frequencies(shown)
+        if isinstance(picture, str):
+            yield Paragraph(f"{title}: {picture}")
+        else:
+            yield Picture.of(picture, title, description, description, cropped=True)
 
 
 def value(path: str, number: float, units: dict[str, str]) -> str:

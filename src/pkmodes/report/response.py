@@ -14,7 +14,6 @@ from pkmodes.core.robot.report_fields import head_of
 from pkmodes.figures.response_channels import DrawnChannels
 from pkmodes.plots.labels import MINUS
 from pkmodes.plots.responses import responses
-from pkmodes.plots.style import styled
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Picture, Section, Summary
 from pkmodes.report.formatting import (
     clean,
@@ -164,10 +163,9 @@ def _pictures(drawn: DrawnChannels) -> list[Block]:
     names, blocks = list(drawn.model), list[Block]()
     for start in range(0, len(names), TOGETHER):
         chosen = names[start : start + TOGETHER]
-        with styled():
-            figure = responses(
-                drawn.frequencies, {name: drawn.model[name] for name in chosen}, drawn.units, drawn.measured
-            )
+        figure = responses(
+            drawn.frequencies, {name: drawn.model[name] for name in chosen}, drawn.units, drawn.measured
+        )
         shown = ", ".join(clean(name) for name in chosen)
         title = "Responses" if len(names) <= TOGETHER else f"Responses, {start + 1} to {start + len(chosen)}"
         caption = f"Magnitude and phase of {shown}; a phase of \u221290\u00b0 lags behind."

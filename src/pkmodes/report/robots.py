@@ -15,7 +15,6 @@ from pkmodes.maps.robots_compared import NOTHING, ModeChange, compare_frequencie
 from pkmodes.plots.changes import relative_changes, scale_of
 from pkmodes.plots.labels import MINUS
 from pkmodes.plots.plane import Plane, where
-from pkmodes.plots.style import styled
 from pkmodes.report.blocks import (
     Block,
     Cell,
@@ -197,9 +196,8 @@ def _pictures(first: Model, second: Model, drives: str, places: Grid | None) -> 
         "higher, blue where it is lower, a line where they agree. One scale for all modes; 2 % of the values lie "
         "beyond its ends. Blank where one of the robots cannot be evaluated."
     )
-    with styled():
-        drawn = relative_changes(plane, relative)
-        picture = Picture.of(drawn, "Difference of the frequencies", caption, caption, cropped=True)
+    drawn = relative_changes(plane, relative)
+    picture = Picture.of(drawn, "Difference of the frequencies", caption, caption, cropped=True)
     yield Section("maps", "Over the working plane", [picture])
 
 

@@ -13,7 +13,6 @@ from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.figures.tornado_picture import describe
 from pkmodes.plots.labels import MINUS, typeset
-from pkmodes.plots.style import styled
 from pkmodes.plots.tornado import PANELS, tornado
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Paragraph, Picture, Section, Summary, Table
 from pkmodes.report.formatting import NOTHING, clean, number, pointer, unit
@@ -208,8 +207,7 @@ def _pictures(changes: Changes) -> list[Block]:
     count, text = len(changes.frequencies), describe(changes)
     for start in range(0, count, PANELS):
         modes = range(start, min(start + PANELS, count))
-        with styled():
-            drawn = tornado(changes, modes)
+        drawn = tornado(changes, modes)
         title = "Largest changes" if changes.by == PERCENT else "Largest changes by standard deviations"
         if count > PANELS:
             title += f", modes {modes[0] + 1} to {modes[-1] + 1}"

@@ -13,7 +13,6 @@ from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import SHOWN
 from pkmodes.plots import shapers
 from pkmodes.plots.labels import typeset
-from pkmodes.plots.style import styled
 from pkmodes.report.blocks import Cell, Column, Facts, Lines, Paragraph, Picture, Section, Summary, Table
 from pkmodes.report.formatting import clean, number, pointer, thousands
 from pkmodes.report.origin import files_of
@@ -223,22 +222,21 @@ def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
         judged = (
             f". At rest, {' and '.join(clear).replace(',', '')} leaves nothing anywhere; a move adds to it."
         )
-    with styled():
-        if len(varying) == 1:
-            drawn = shapers.along_line(at.poses[:, varying[0]], named[0], units[0], shares)
-        else:
-            plane, layer = _plane(at.poses, choice.candidates[choice.recommended].left.pose, varying[2:])
-            for i, value in layer.items():
-                unit, factor = SHOWN[components[i].unit]
-                caption += f", at {components[i].name} = {typeset(f'{value * factor:.4g}')} {unit}"
-            caption += ", where the recommended shaper leaves most" if layer else ""
-            drawn = shapers.over_plane(
-                at.poses[plane][:, varying[:2]],
-                named,
-                units,
-                {name: share[plane] for name, share in shares.items()},
-            )
-        return Picture.of(drawn, "Left over the workspace", caption + judged, caption + judged)
+    if len(varying) == 1:
+        drawn = shapers.along_line(at.poses[:, varying[0]], named[0], units[0], shares)
+    else:
+        plane, layer = _plane(at.poses, choice.candidates[choice.recommended].left.pose, varying[2:])
+        for i, value in layer.items():
+            unit, factor = SHOWN[components[i].unit]
+            caption += f", at {components[i].name} = {typeset(f'{value * factor:.4g}')} {unit}"
+        caption += ", where the recommended shaper leaves most" if layer else ""
+        drawn = shapers.over_plane(
+            at.poses[plane][:, varying[:2]],
+            named,
+            units,
+            {name: share[plane] for name, share in shares.items()},
+        )
+    return Picture.of(drawn, "Left over the workspace", caption + judged, caption + judged)
 
 
 def _plane(
@@ -272,10 +270,9 @@ def _against_error(choice: Choice) -> Picture:
     spread = None if at.spread is None else float(at.spread.mean())
     if spread is not None:
         caption += " The band is the mean standard deviation of the frequencies."
-    with styled():
-        return Picture.of(
-            shapers.against_error(ERRORS, left, spread), "Against frequency error", caption, caption
-        )
+    return Picture.of(
+        shapers.against_error(ERRORS, left, spread), "Against frequency error", caption, caption
+    )
 
 
 def _firmware(content: dict[str, Any]) -> list[Paragraph | Lines]:
