@@ -65,6 +65,12 @@ def test_cells_are_at_the_places_and_have_the_values_that_were_given() -> None:
     assert found == {(x[k], y[i]): values[i, k] for i, k in np.argwhere(np.isfinite(values)).tolist()}
 
 
+def test_the_places_of_cells_have_no_rounding_of_their_unit() -> None:
+    x = np.array([0.1 + 0.2, 0.4])
+    rows = table(lambda sheet: sheet.panel(3.0).cells(x, x, np.eye(2)))
+    assert {row["x"] for row in rows} == {"0.3", "0.4"}
+
+
 def test_the_cells_of_an_image_are_at_its_rows_and_columns() -> None:
     values = np.array([[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]])
     found = {(r["x"], r["y"]): r["value"] for r in table(lambda sheet: sheet.panel(3.0).image(values))}
