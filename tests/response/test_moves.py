@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import pkmodes
+from helpers.runs.kept_measurements import KeptMeasurements
 from pkmodes.core.base.errors import PkmodesError, PoseError
 from pkmodes.response.moves import shaped_command
 from pkmodes.shaping import Shaper, shaper
@@ -39,35 +41,61 @@ def largest(of: np.ndarray, when: np.ndarray) -> float:
     return float(np.linalg.norm(of[when], axis=1).max())
 
 
-def compared(move: StraightMove, model: pkmodes.Model, friction: float = 0.0) -> tuple[float, float]:
-    """Return the largest deviation after a move, simulated and on the rig."""
-    time = np.arange(0.0, move.duration + 0.08, STEP)
-    found = model.simulate(time, move.poses(time))
+def on_the_rig(move: StraightMove, model: pkmodes.Model, friction: float = 0.0) -> float:
+    """Return the largest deviation after a move."""
+    time = times(move)
     true = deviation(model.robot.parameters, move.poses, time, move.corners, friction)
-    after = time >= move.duration
-    return largest(found.deviation, after), largest(true, after)
+    return largest(true, time >= move.duration)
 
 
-@pytest.mark.parametrize(
-    "seed", [*range(2), *(pytest.param(k, marks=pytest.mark.slow) for k in range(2, 20))]
-)
-def test_the_largest_deviation_after_a_move_is_that_of_the_nonlinear_rig(seed: int) -> None:
+def simulated(move: StraightMove, model: pkmodes.Model) -> float:
+    """Return the largest deviation after a move."""
+    time = times(move)
+    return largest(model.simulate(time, move.poses(time)).deviation, time >= move.duration)
+
+
+def times(move: StraightMove) -> np.ndarray:
+    return np.arange(0.0, move.duration + 0.08, STEP)
+
+
+def of(move: StraightMove, model: pkmodes.Model, friction: float = 0.0) -> list[object]:
+    """What `on_the_rig` depends on."""
+    return [model.robot.parameters, move.start, move.target, move.speed, move.acceleration, friction, STEP]
+
+
+@pytest.fixture(scope="module")
+def kept(pytestconfig: pytest.Config) -> KeptMeasurements:
+    return KeptMeasurements("moves", "pkmodes_rig.moves", pytestconfig)
+
+
+def test_what_is_kept_is_what_the_rig_measures(kept: KeptMeasurements) -> None:
+    model = delta()
+    move = random_move(0, model)
+    measured = on_the_rig(move, model)
+    assert kept.value("move 0", of(move, model), lambda: measured) == pytest.approx(measured, rel=1e-6)
+
+
+def test_the_largest_deviation_after_a_move_is_that_of_the_nonlinear_rig(kept: KeptMeasurements) -> None:
     """Motors prescribed, 1 m/s and 15 m/s^2, no damping; the rig has Coriolis forces and belts of changing length."""
     model = delta()
-    found, true = compared(random_move(seed, model), model)
-    assert found == pytest.approx(true, rel=0.05)
+    moves = [random_move(seed, model) for seed in range(20)]
+    true = [
+        kept.value(f"move {k}", of(move, model), partial(on_the_rig, move, model))
+        for k, move in enumerate(moves)
+    ]
+    np.testing.assert_allclose([simulated(move, model) for move in moves], true, rtol=0.05)
 
 
-def test_friction_on_the_rails_acts_as_on_the_rig() -> None:
+def test_friction_on_the_rails_acts_as_on_the_rig(kept: KeptMeasurements) -> None:
     model = delta(effects__rail_friction__viscous=40.0)
     move = random_move(1, model)
-    found, true = compared(move, model, 40.0)
-    undamped, _ = compared(move, delta())
-    assert found < 0.9 * undamped
+    true = kept.value("friction", of(move, model, 40.0), lambda: on_the_rig(move, model, 40.0))
+    found = simulated(move, model)
+    assert found < 0.9 * simulated(move, delta())
     assert found == pytest.approx(true, rel=0.05)
 
 
-def test_a_vibration_keeps_its_action_where_the_pose_changes_slowly() -> None:
+def test_a_vibration_keeps_its_action_where_the_pose_changes_slowly(kept: KeptMeasurements) -> None:
     """Excited at one pose and carried 0.4 m further: the rig is reached by the canonical transformation alone.
 
     With rates in the place of momenta, the amplitude would differ.
@@ -84,9 +112,14 @@ def test_a_vibration_keeps_its_action_where_the_pose_changes_slowly() -> None:
         return start + np.array([travel, 0.0, 0.0])
 
     found = model.simulate(time, np.array([command(t) for t in time])).deviation
-    true = deviation(model.robot.parameters, command, time, np.array([ramp]))
-    for when in (time < 0.1, time > time[-1] - 0.15):
-        assert largest(found, when) == pytest.approx(largest(true, when), rel=0.05)
+    first_and_last = time < 0.1, time > time[-1] - 0.15
+
+    def measured() -> list[float]:
+        true = deviation(model.robot.parameters, command, time, np.array([ramp]))
+        return [largest(true, when) for when in first_and_last]
+
+    true = kept.value("slow", [model.robot.parameters, start, target, ramp, slow, time], measured)
+    np.testing.assert_allclose([largest(found, when) for when in first_and_last], true, rtol=0.05)
 
 
 def held_matrices(model: pkmodes.Model, pose: np.ndarray) -> tuple[np.ndarray, ...]:
