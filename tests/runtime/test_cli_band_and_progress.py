@@ -4,27 +4,42 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import pkmodes
+from helpers.runs.refusals import assert_refused
 from pkmodes import updating
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError, PkmodesError
+from pkmodes.core.robot.robot import Robot
+from pkmodes.measured.measurements import Measurements
 from pkmodes.updating.measured_robot import MeasuredRobot
 
-pytestmark = pytest.mark.usefixtures("backend")
+#: For tests that evaluate modes; bad input is refused before that.
+both_back_ends = pytest.mark.usefixtures("backend")
 
 LOOP = Path(__file__).resolve().parents[2] / "examples" / "closed_loop"
 FILES = [str(LOOP / "robot.toml"), str(LOOP / "measured.csv")]
 
 
+@pytest.fixture(scope="module")
+def robot() -> Robot:
+    return pkmodes.read_robot(FILES[0])
+
+
+@pytest.fixture(scope="module")
+def data() -> Measurements:
+    return updating.read(FILES[1])
+
+
+@both_back_ends
 def test_a_band_is_taken_where_the_file_has_none(capsys: pytest.CaptureFixture[str]) -> None:
-    for command in ("compare", "diagnose"):
-        assert run([command, *FILES, "--band", "10, 400 Hz", "--json", "-"]) == 0
+    for command in (["compare", *FILES], ["diagnose", *FILES, "--candidates", "payload"]):
+        assert run([*command, "--band", "10, 400 Hz", "--json", "-"]) == 0
         assert json.loads(capsys.readouterr().out)["rows"]
     assert updating.read(FILES[1], (10.0, 400.0)).band == (10.0, 400.0)
 
@@ -58,6 +73,7 @@ def test_a_band_other_than_the_files_is_refused(tmp_path: Path) -> None:
         updating.read(path, (20.0, 400.0))
 
 
+@both_back_ends
 def test_without_a_terminal_a_line_says_every_now_and_then_what_is_done(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -68,8 +84,8 @@ def test_without_a_terminal_a_line_says_every_now_and_then_what_is_done(
     assert any(line.endswith("refitting with gearbox_compliance") for line in lines)
 
 
-def test_a_prior_of_a_candidate_enters_a_diagnosis_of_a_robot() -> None:
-    robot, data = pkmodes.read_robot(FILES[0]), updating.read(FILES[1])
+@both_back_ends
+def test_a_prior_of_a_candidate_enters_a_diagnosis_of_a_robot(robot: Robot, data: Measurements) -> None:
     name = "gearbox_compliance"
     free = updating.diagnose(robot, data, candidates=[name])
     held = updating.diagnose(robot, data, candidates=[name], priors={name: 1e-4})
@@ -81,9 +97,7 @@ def test_a_prior_of_a_candidate_enters_a_diagnosis_of_a_robot() -> None:
     assert "gearbox_" in error.value.remedy
 
 
-def test_priors_may_have_units_as_other_values(tmp_path: Path) -> None:
-    robot = pkmodes.read_robot(FILES[0])
-    data = updating.read(FILES[1])
+def test_priors_may_have_units_as_other_values(robot: Robot, data: Measurements) -> None:
     given = {
         "parameter:link.length": "1 mm",
         "parameter:carriage.mass": "2 %",
@@ -98,30 +112,28 @@ def test_priors_may_have_units_as_other_values(tmp_path: Path) -> None:
         assert found[name] == (pytest.approx(sigma, rel=1e-12),), name
 
 
-@pytest.mark.parametrize(
-    ("priors", "what"),
-    [
-        ({"parameter:link.length": "1"}, "expected a standard deviation in m: .*is not a number with a unit"),
-        ({"parameter:link.length": "1 kg"}, '"1 kg" has the wrong dimension'),
-        ({"parameter:link.length": "far"}, '"far" is not a number with a unit'),
-        ({"parameter:link.length": None}, "expected a standard deviation, found None"),
-        ({"parameter:link.length": "-1 mm"}, "standard deviation above 0"),
-        ({"parameter:link.length": 0.0}, "standard deviation above 0"),
-        ({"gearbox_compliance": "2 %"}, "standard deviation above 0"),  # of nothing
-        ("parameter:link.length", "expected standard deviations by candidate"),
-        ({"parameter:platform.mass": 0.01}, "platform.mass is not a candidate: .* refitted anyway"),
-        ({"platform.mass": 0.01}, "platform.mass is not a candidate: .* refitted anyway"),
-        ({3: 0.01}, "no candidate 3"),
-    ],
-)
-def test_priors_that_are_none_are_refused(priors: object, what: str) -> None:
-    robot, data = pkmodes.read_robot(FILES[0]), updating.read(FILES[1])
-    with pytest.raises(PkmodesError, match=what):
-        updating.diagnose(robot, data, priors=priors)
+PRIORS = [
+    ({"parameter:link.length": "1"}, "expected a standard deviation in m: .*is not a number with a unit"),
+    ({"parameter:link.length": "1 kg"}, '"1 kg" has the wrong dimension'),
+    ({"parameter:link.length": "far"}, '"far" is not a number with a unit'),
+    ({"parameter:link.length": None}, "expected a standard deviation, found None"),
+    ({"parameter:link.length": "-1 mm"}, "standard deviation above 0"),
+    ({"parameter:link.length": 0.0}, "standard deviation above 0"),
+    ({"gearbox_compliance": "2 %"}, "standard deviation above 0"),  # of nothing
+    ("parameter:link.length", "expected standard deviations by candidate"),
+    ({"parameter:platform.mass": 0.01}, "platform.mass is not a candidate: .* refitted anyway"),
+    ({"platform.mass": 0.01}, "platform.mass is not a candidate: .* refitted anyway"),
+    ({3: 0.01}, "no candidate 3"),
+]
 
 
-def test_a_model_may_stand_for_its_robot(tmp_path: Path) -> None:
-    model, robot, data = pkmodes.load(FILES[0]), pkmodes.read_robot(FILES[0]), updating.read(FILES[1])
+def test_priors_that_are_none_are_refused(robot: Robot, data: Measurements) -> None:
+    assert_refused((partial(updating.diagnose, robot, data, priors=priors), what) for priors, what in PRIORS)
+
+
+@both_back_ends
+def test_a_model_may_stand_for_its_robot(tmp_path: Path, robot: Robot, data: Measurements) -> None:
+    model = pkmodes.load(FILES[0])
     assert updating.compare(model, data) == updating.compare(robot, data)
     assert updating.update(model, data).values == updating.update(robot, data).values
     found = updating.diagnose(model, data, candidates=["gearbox_compliance"])
@@ -129,8 +141,8 @@ def test_a_model_may_stand_for_its_robot(tmp_path: Path) -> None:
     assert pkmodes.read_robot(tmp_path / "saved.toml").effects
 
 
-def test_uncertain_values_of_a_robot_are_updated_together() -> None:
-    robot, data = pkmodes.read_robot(FILES[0]), updating.read(FILES[1])
+@both_back_ends
+def test_uncertain_values_of_a_robot_are_updated_together(robot: Robot, data: Measurements) -> None:
     found = updating.update(robot, data)
     assert {p.name for p in found.parameters} == {n for n, q in robot.quantities.items() if q.sigma}
     assert found.before.rms_relative > found.after.rms_relative
@@ -143,40 +155,29 @@ def test_uncertain_values_of_a_robot_are_updated_together() -> None:
     assert not any("something else is missing" in note for note in better.notes)
 
 
-@pytest.mark.parametrize(
-    ("call", "what"),
-    [
-        (lambda robot, data: updating.read(3), "expected a path, found 3"),
-        (
-            lambda robot, data: updating.diagnose(robot, data, holdout="P1"),
-            'list of labels to hold out, found "P1"',
-        ),
-        (
-            lambda robot, data: updating.diagnose(robot, data, candidates="payload"),
-            "expected a list of names",
-        ),
-        (lambda robot, data: updating.update(robot, data, "platform.mass"), "expected a list of names"),
-        *(
-            (
-                lambda robot, data, call=call: call(robot, "mine.csv"),
-                'measurements, found "mine.csv" .*updating.read',
-            )
-            for call in (updating.diagnose, updating.compare, updating.update)
-        ),
-        *(
-            (lambda robot, data, call=call: call("R.toml", data), r'read_robot\("R.toml"\)')
-            for call in (updating.diagnose, updating.compare, updating.update)
-        ),
-        (lambda robot, data: updating.save_robot(None, None, "x"), "expected a robot or a model, found None"),
-    ],
-)
-def test_a_text_where_something_else_is_meant_is_refused(call: Callable[..., object], what: str) -> None:
-    with pytest.raises(PkmodesError, match=what):
-        call(pkmodes.read_robot(FILES[0]), updating.read(FILES[1]))
+def test_a_text_where_something_else_is_meant_is_refused(robot: Robot, data: Measurements) -> None:
+    diagnose, compare, update = updating.diagnose, updating.compare, updating.update
+    assert_refused(
+        [
+            (partial(updating.read, 3), "expected a path, found 3"),
+            (partial(diagnose, robot, data, holdout="P1"), 'list of labels to hold out, found "P1"'),
+            (partial(diagnose, robot, data, candidates="payload"), "expected a list of names"),
+            (partial(update, robot, data, "platform.mass"), "expected a list of names"),
+            (partial(updating.save_robot, None, None, "x"), "expected a robot or a model, found None"),
+        ]
+    )
+    for call in (diagnose, compare, update):
+        assert_refused(
+            [
+                (partial(call, robot, "mine.csv"), 'measurements, found "mine.csv" .*updating.read'),
+                (partial(call, "R.toml", data), r'read_robot\("R.toml"\)'),
+            ]
+        )
 
 
-def test_a_robot_that_no_file_has_is_not_saved_as_a_file(tmp_path: Path) -> None:
-    robot, data = pkmodes.read_robot(FILES[0]), updating.read(FILES[1])
+def test_a_robot_that_no_file_has_is_not_saved_as_a_file(
+    tmp_path: Path, robot: Robot, data: Measurements
+) -> None:
     changed = robot.with_values({"platform.mass": robot.quantities["platform.mass"].value})
     found = updating.diagnose(changed, data, candidates=["gearbox_compliance"])
     with pytest.raises(PkmodesError, match="expected a robot read from a file"):
