@@ -8,16 +8,17 @@ import pint
 import pytest
 from sympy import Abs, Add, Expr, Mul, Number, Pow, Symbol, atan2, cos, sin, sympify
 
+from helpers.runs.cases import every_case
 from pkmodes_derive import mechanisms
 from pkmodes_derive.functions import Function, Model
-from pkmodes_derive.vocabulary import Field, Vocabulary
+from pkmodes_derive.vocabulary import Vocabulary
 
 MODELS = {name: mechanisms.base(name) for name in mechanisms.names()}
-FUNCTIONS = [
-    pytest.param(model, function, id=f"{name}-{function.name}")
+FUNCTIONS = {
+    f"{name} {function.name}": (model, function)
     for name, model in MODELS.items()
     for function in model.functions
-]
+}
 UNITS = pint.UnitRegistry()
 
 
@@ -28,14 +29,16 @@ def symbols_of(function: Function) -> set[Symbol]:
     return used | arguments | set(function.definitions)
 
 
-@pytest.mark.parametrize(("model", "function"), FUNCTIONS)
-def test_every_symbol_has_a_unit_and_a_description(model: Model, function: Function) -> None:
-    for symbol in symbols_of(function):
-        quantity = model.vocabulary[symbol]
-        assert quantity.unit
-        assert len(quantity.description.split()) >= 2
-        assert quantity.latex
-        UNITS.Unit("dimensionless" if quantity.unit == "1" else quantity.unit.replace(" ", "*"))
+def test_every_symbol_has_a_unit_and_a_description() -> None:
+    with every_case() as tried:
+        for model, function in FUNCTIONS.values():
+            for symbol in symbols_of(function):
+                with tried(symbol):
+                    quantity = model.vocabulary[symbol]
+                    assert quantity.unit
+                    assert len(quantity.description.split()) >= 2
+                    assert quantity.latex
+                    unit(quantity.unit)
 
 
 def test_incomplete_or_repeated_declarations_are_refused() -> None:
@@ -120,31 +123,35 @@ def test_every_definition_has_the_dimension_of_its_unit(model: Model) -> None:
         assert clean(dimension(expression, v)) == clean(dimension(symbol, v)), symbol
 
 
-@pytest.mark.parametrize(("model", "function"), FUNCTIONS)
-def test_every_result_has_the_dimension_of_its_unit(model: Model, function: Function) -> None:
-    for output in function.outputs:
-        allowed = [clean(dict(unit(u.strip()).dimensionality)) for u in output.unit.split(",")]
-        for entry in output.entries:
-            if entry != 0:
-                assert clean(dimension(entry, model.vocabulary)) in allowed, (output.name, entry)
+def test_every_result_has_the_dimension_of_its_unit() -> None:
+    with every_case() as tried:
+        for name, (model, function) in FUNCTIONS.items():
+            for output in function.outputs:
+                with tried(f"{name}: {output.name}"):
+                    allowed = [clean(dict(unit(u.strip()).dimensionality)) for u in output.unit.split(",")]
+                    for entry in output.entries:
+                        if entry != 0:
+                            assert clean(dimension(entry, model.vocabulary)) in allowed, entry
 
 
-@pytest.mark.parametrize(("model", "function"), FUNCTIONS)
-def test_arguments_have_the_units_of_their_symbols_and_functions_a_source(
-    model: Model, function: Function
-) -> None:
-    assert len(function.source.split()) >= 2
-    for argument in function.arguments:
-        declared = [u.strip() for u in argument.unit.split(",")]
-        assert {model.vocabulary[s].unit for s in argument.symbols} == set(declared), argument.name
+def test_arguments_have_the_units_of_their_symbols_and_functions_a_source() -> None:
+    with every_case() as tried:
+        for name, (model, function) in FUNCTIONS.items():
+            with tried(name):
+                assert len(function.source.split()) >= 2
+                for argument in function.arguments:
+                    declared = [u.strip() for u in argument.unit.split(",")]
+                    assert {model.vocabulary[s].unit for s in argument.symbols} == set(declared), (
+                        argument.name
+                    )
 
 
-@pytest.mark.parametrize(
-    ("model", "field"),
-    [pytest.param(m, f, id=f"{name}-{f.name}") for name, m in MODELS.items() for f in m.fields],
-)
-def test_fields_have_the_unit_of_their_symbols(model: Model, field: Field) -> None:
-    assert {model.vocabulary[s].unit for s in field.symbols} == {field.unit}
+def test_fields_have_the_unit_of_their_symbols() -> None:
+    with every_case() as tried:
+        for name, model in MODELS.items():
+            for field in model.fields:
+                with tried(f"{name} {field.name}"):
+                    assert {model.vocabulary[s].unit for s in field.symbols} == {field.unit}
 
 
 def test_relations_that_are_shown_use_declared_symbols_of_the_right_dimension() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 import pytest
 
@@ -18,6 +20,7 @@ from helpers.robots.lane_samples import (
     results,
     robot_of,
 )
+from helpers.runs.cases import every_case
 from pkmodes import PkmodesError
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives
@@ -57,18 +60,22 @@ def assert_agrees(given: Case, tolerance: float = EXACT) -> None:
     )
 
 
-@pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize("effects", EFFECTS)
 @pytest.mark.parametrize("name", NAMES)
-def test_derivatives_agree_with_the_forward_route(name: str, effects: str, seed: int) -> None:
-    assert_agrees(case(name, seed, effects))
+def test_derivatives_agree_with_the_forward_route(name: str) -> None:
+    with every_case() as tried:
+        for effects, seed in product(EFFECTS, range(3)):
+            with tried(f"{effects}, {seed}"):
+                assert_agrees(case(name, seed, effects))
 
 
-@pytest.mark.parametrize("effects", ["none", "everything"])
-@pytest.mark.parametrize("extreme", EXTREMES)
 @pytest.mark.parametrize("name", NAMES)
-def test_derivatives_of_hard_eigenproblems(name: str, extreme: str, effects: str) -> None:
-    assert_agrees(case(name, 3, effects, extreme), CANCELLED if extreme == "heavy motors" else EXACT)
+def test_derivatives_of_hard_eigenproblems(name: str) -> None:
+    with every_case() as tried:
+        for extreme, effects in product(EXTREMES, ["none", "everything"]):
+            with tried(f"{extreme}, {effects}"):
+                assert_agrees(
+                    case(name, 3, effects, extreme), CANCELLED if extreme == "heavy motors" else EXACT
+                )
 
 
 @pytest.mark.parametrize("effects", EFFECTS)

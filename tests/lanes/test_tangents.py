@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from pathlib import Path
 from typing import NamedTuple
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 
 from helpers.robots.lane_samples import EFFECTS, NAMES, ROOT, case, chosen, robot_of
+from helpers.runs.cases import every_case
 from pkmodes.core.compiled import build
 from pkmodes.core.compiled.loader import UnavailableError, load
 from pkmodes.core.system.evaluation import STEP, ExtendedSystem
@@ -72,10 +74,7 @@ def assert_near(found: np.ndarray, expected: np.ndarray, *over: int) -> None:
     assert largest.any()
 
 
-@pytest.mark.parametrize("count", [1, 3])
-@pytest.mark.parametrize("effects", EFFECTS)
-@pytest.mark.parametrize("name", NAMES)
-def test_derivatives_are_those_of_the_generated_code(name: str, effects: str, count: int) -> None:
+def assert_derivatives(name: str, effects: str, count: int) -> None:
     given = robots(name, effects, count)
     found, expected = given.derivatives()
     eigenvalues, shapes, rigid = given.modes.eigenvalues, given.modes.shapes, given.systems[0].rigid_modes
@@ -87,6 +86,14 @@ def test_derivatives_are_those_of_the_generated_code(name: str, effects: str, co
     turned, wanted = (shape_derivatives(one, eigenvalues, shapes) for one in (found, expected))
     if eigenvalues.shape[1] > rigid:  # single rigid modes are arbitrary
         assert_near(turned[:, :, rigid:], wanted[:, :, rigid:], 0, 2, 3)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_derivatives_are_those_of_the_generated_code(name: str) -> None:
+    with every_case() as tried:
+        for effects, count in product(EFFECTS, [1, 3]):
+            with tried(f"{effects}, {count}"):
+                assert_derivatives(name, effects, count)
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -7,6 +7,8 @@ term, sign, factor or exchange exceeds it by ten orders of magnitude.
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 import pytest
 
@@ -27,6 +29,7 @@ from helpers.robots.sample_mechanisms import (
     reference,
     sample,
 )
+from helpers.runs.cases import every_case
 
 #: Relative rounding per unit of the condition number of the loops (7 to 11 here): a few units in the last
 #: place in each linkage vector, amplified in solving for the platform's motion, summed over some tens of terms.
@@ -54,9 +57,7 @@ def chosen_effects(label: str) -> tuple[str, ...]:
     return TOGETHER.get(label, (label,))
 
 
-@pytest.mark.parametrize("seed", SEEDS)
-@pytest.mark.parametrize(("name", "label"), CHOICES)
-def test_extended_model_agrees_with_the_oracle(name: str, label: str, seed: int) -> None:
+def assert_extended_model(name: str, label: str, seed: int) -> None:
     robot, chosen = sample(name, seed), effects(name, chosen_effects(label))
     expected: Reference = reference(name, seed, chosen)
     generated, tolerance = extended(name), ROUNDING * condition(name, seed)
@@ -76,9 +77,14 @@ def test_extended_model_agrees_with_the_oracle(name: str, label: str, seed: int)
     assert np.abs(displacements - expected.displacements).max() < tolerance * size
 
 
-@pytest.mark.parametrize("seed", SEEDS)
-@pytest.mark.parametrize("name", NAMES)
-def test_base_model_agrees_with_the_oracle(name: str, seed: int) -> None:
+def test_extended_model_agrees_with_the_oracle() -> None:
+    with every_case() as tried:
+        for (name, label), seed in product(CHOICES, SEEDS):
+            with tried(f"{name}, {label}, {seed}"):
+                assert_extended_model(name, label, seed)
+
+
+def assert_base_model(name: str, seed: int) -> None:
     """The base model has its own functions, separate from those of the extended model."""
     robot, generated = sample(name, seed), model(name)
     expected, tolerance = reference(name, seed, effects(name)), ROUNDING * condition(name, seed)
@@ -95,6 +101,13 @@ def test_base_model_agrees_with_the_oracle(name: str, seed: int) -> None:
         generated.static_equilibrium(*given), (expected.torques, expected.displacements), strict=True
     ):
         assert np.abs(found - other).max() < tolerance * np.abs(other).max()
+
+
+def test_base_model_agrees_with_the_oracle() -> None:
+    with every_case() as tried:
+        for name, seed in product(NAMES, SEEDS):
+            with tried(f"{name}, {seed}"):
+                assert_base_model(name, seed)
 
 
 @pytest.mark.parametrize("seed", SEEDS)

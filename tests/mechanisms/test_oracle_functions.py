@@ -9,6 +9,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable
 from functools import cache
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ import pytest
 from helpers.references.high_precision_mechanisms import STEP, HighPrecision, combine, cross, dot, exact, mp
 from helpers.references.oracle_rotary_delta import RotaryDelta
 from helpers.robots.sample_mechanisms import NAMES, SEEDS, Sample, effects, model, oracle, sample
+from helpers.runs.cases import every_case
 
 #: Per unit of the condition number of D_l, as in `test_oracle`; measured: at most 4e-16.
 ROUNDING = 3e-15
@@ -184,9 +186,7 @@ def test_every_public_function_is_compared(name: str) -> None:
     assert len(functions(name)) > 15, "the inspection itself is wrong"
 
 
-@pytest.mark.parametrize("seed", SEEDS)
-@pytest.mark.parametrize(("name", "function"), CHOICES)
-def test_agrees_with_the_oracle(name: str, function: str, seed: int) -> None:
+def assert_function(name: str, function: str, seed: int) -> None:
     robot = sample(name, seed)
     known = given(name, robot)
     call = functions(name)[function]
@@ -203,6 +203,13 @@ def test_agrees_with_the_oracle(name: str, function: str, seed: int) -> None:
             assert not np.any(one)
         else:
             assert np.abs(one - reference).max() < ROUNDING * condition(name, seed) * size
+
+
+def test_agrees_with_the_oracle() -> None:
+    with every_case() as tried:
+        for (name, function), seed in product(CHOICES, SEEDS):
+            with tried(f"{name}, {function}, {seed}"):
+                assert_function(name, function, seed)
 
 
 @pytest.mark.parametrize("name", NAMES)

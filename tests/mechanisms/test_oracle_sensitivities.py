@@ -15,6 +15,7 @@ import pytest
 from helpers.references.coordinate_blocks import kinds, worst
 from helpers.references.high_precision_mechanisms import STEP, HighPrecision, exact_values, shifted
 from helpers.robots.sample_mechanisms import NAMES, ORACLES, effects, extended, sample
+from helpers.runs.cases import every_case
 
 #: A generated derivative has some hundred terms and needs one more solution than M and K with the matrix of the
 #: loops, whose condition number is 7 to 11 here.  Relative to the largest entry of a block of coordinates.
@@ -91,19 +92,22 @@ def test_every_number_of_the_parameters_is_listed_once(name: str, label: str) ->
     assert len(listed(name)) == len({tuple(entry[:2]) for entry in listed(name)})
 
 
-@pytest.mark.parametrize(
-    ("name", "label", "k"), [(name, label, k) for name, label in CHOICES for k in range(len(listed(name)))]
-)
-def test_derivative_agrees_with_differences_of_the_oracle(name: str, label: str, k: int) -> None:
-    field, index, *_ = listed(name)[k]
-    pairs = zip(found(name, label)[k], expected(name, label, field, index), strict=True)
-    for one, other in pairs:
-        assert worst(one, other, kinds(extended(name).COORDINATES)) < ROUNDING, (field, index)
+@pytest.mark.parametrize(("name", "label"), CHOICES)
+def test_derivatives_agree_with_differences_of_the_oracle(name: str, label: str) -> None:
+    blocks = kinds(extended(name).COORDINATES)
+    with every_case() as tried:
+        for (field, index, *_), derivatives in zip(listed(name), found(name, label), strict=True):
+            with tried((field, index)):
+                for one, other in zip(derivatives, expected(name, label, field, index), strict=True):
+                    assert worst(one, other, blocks) < ROUNDING
 
 
-@pytest.mark.parametrize("index", list(np.ndindex(3, 3)))
-def test_an_origin_counts_as_its_joint_with_opposite_sign(index: tuple[int, ...]) -> None:
+def test_an_origin_counts_as_its_joint_with_opposite_sign() -> None:
     name, label = "rotary_delta", ""
-    k = [tuple(entry[:2]) for entry in listed(name)].index(("joint", index))
-    for one, other in zip(found(name, label)[k], expected(name, label, "origin", index), strict=True):
-        assert worst(-one, other, kinds(extended(name).COORDINATES)) < ROUNDING
+    blocks = kinds(extended(name).COORDINATES)
+    with every_case() as tried:
+        for (field, index, *_), derivatives in zip(listed(name), found(name, label), strict=True):
+            if field == "joint":
+                with tried(index):
+                    for one, other in zip(derivatives, expected(name, label, "origin", index), strict=True):
+                        assert worst(-one, other, blocks) < ROUNDING
