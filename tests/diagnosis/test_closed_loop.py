@@ -12,6 +12,8 @@ import pytest
 
 import pkmodes
 from helpers.diagnoses import closed_loop_example
+from helpers.diagnoses.examples import example
+from helpers.runs.shared import Shared
 from pkmodes import read_robot, updating
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis import Measurements, diagnose
@@ -36,9 +38,9 @@ def test_the_example_is_reproduced_by_the_rig() -> None:
     np.testing.assert_allclose(numbers, again, rtol=1e-6)
 
 
-def test_the_loop_closes(tmp_path: Path) -> None:
+def test_the_loop_closes(tmp_path: Path, shared: Shared) -> None:
     robot, data = read_robot(ROBOT), updating.read(MEASURED)
-    found = updating.diagnose(robot, data)
+    found = example(shared, "closed_loop")
     assert found.verdict == "effect_found", found.reason
     (cause,) = found.effects
     assert cause.name == "gearbox_compliance"

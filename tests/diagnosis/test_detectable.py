@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from scipy import stats
 
+from helpers.diagnoses.examples import example
 from helpers.diagnoses.verdict_examples import VERDICTS
 from helpers.pages.page_reading import read
 from helpers.pages.report_examples import diagnosed
 from helpers.pages.without_drawing import without_drawing
 from helpers.robots.small_structures import log_linear, logs_measured
-from pkmodes import read_robot, updating
+from helpers.runs.shared import Shared
 from pkmodes.diagnosis import Candidate, Diagnosis, Parameter
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.search.score import Score, Scores
@@ -23,20 +23,13 @@ from pkmodes.diagnosis.verdict.detectable import examined
 from pkmodes.diagnosis.verdict.findings import Examined
 from pkmodes.report import report
 
-ROOT = Path(__file__).parents[2]
 #: p-value of a score that no chance explains.
 SIGNIFICANT = 1e-3
 
 
-def example(name: str) -> Diagnosis:
-    robot = read_robot(ROOT / f"examples/{name}/robot.toml")
-    data = updating.read(ROOT / f"examples/{name}/measured.csv", robot=robot)
-    return updating.diagnose(robot, data)
-
-
 @pytest.fixture(scope="module")
-def voron() -> Diagnosis:
-    return example("voron")
+def voron(shared: Shared) -> Diagnosis:
+    return example(shared, "voron")
 
 
 @pytest.fixture(scope="module", params=VERDICTS)
@@ -106,19 +99,18 @@ def test_the_best_explanation_that_is_not_claimed_is_named_with_the_reason_why(v
 
 
 @pytest.mark.parametrize("file", ["measured", "preloads"])
-def test_what_the_reason_points_to_is_never_called_undetectable(file: str) -> None:
+def test_what_the_reason_points_to_is_never_called_undetectable(file: str, shared: Shared) -> None:
     """Of the preloads, the reason names two causes of which the second shows only beside the first."""
-    robot = read_robot(ROOT / "examples/voron/robot.toml")
-    found = updating.diagnose(robot, updating.read(ROOT / f"examples/voron/{file}.csv", robot=robot))
+    found = example(shared, "voron", file)
     named = {name for name in by_name(found) if name in found.reason}
     assert "belt_tension_stiffness" in named
     assert ("frame_compliance" in named) == (file == "preloads")
     assert not named & set(found.undetectable)
 
 
-def test_gravity_does_not_seem_significant_at_a_size_that_no_machine_has() -> None:
+def test_gravity_does_not_seem_significant_at_a_size_that_no_machine_has(shared: Shared) -> None:
     """Its signature is nearly that of a mass: the unbounded score has p = 5e-16, at ten times g."""
-    found = example("closed_loop")
+    found = example(shared, "closed_loop")
     expect_one_value(found)
     gravity = by_name(found)["parameter:gravity.z"]
     assert (gravity.detectable, gravity.visible_from) == (False, ())

@@ -12,7 +12,9 @@ from typing import Any, get_args
 import jsonschema
 import pytest
 
+from helpers.diagnoses.examples import example
 from helpers.pages.report_examples import made_up
+from helpers.runs.shared import Shared
 from pkmodes import updating
 from pkmodes.cli import cli, run
 from pkmodes.diagnosis.verdict import document, verdicts
@@ -28,16 +30,12 @@ HEARSAY = Verdict("hearsay", "Someone said so", True, "open", "ask the others", 
 
 
 @pytest.fixture
-def hearsay(monkeypatch: pytest.MonkeyPatch) -> str:
+def hearsay(monkeypatch: pytest.MonkeyPatch, shared: Shared) -> str:
     """A verdict that the engine does not know, given by it."""
     monkeypatch.setitem(VERDICTS, HEARSAY.word, HEARSAY)
-    diagnose = updating.diagnose
-
-    def said(*arguments: Any, **options: Any) -> Any:
-        result = diagnose(*arguments, **options)
-        return replace(result, verdict=HEARSAY.word, reason="someone said so", effects=(), survivors=())
-
-    monkeypatch.setattr(updating, "diagnose", said)
+    result = example(shared, "closed_loop", candidates=("gearbox_compliance",))
+    said = replace(result, verdict=HEARSAY.word, reason="someone said so", effects=(), survivors=())
+    monkeypatch.setattr(updating, "diagnose", lambda *_, **__: said)
     return HEARSAY.word
 
 

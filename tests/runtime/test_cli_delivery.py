@@ -14,7 +14,9 @@ from typing import get_args, get_type_hints
 import pytest
 
 from helpers.diagnoses.diagnose_command import unwritable
+from helpers.diagnoses.examples import example
 from helpers.robots.robot_text import PUBLISHED, published
+from helpers.runs.shared import Shared
 from pkmodes import read_robot, updating
 from pkmodes.cli import run
 from pkmodes.cli.printing import echo
@@ -47,8 +49,8 @@ def shell(
 
 
 @pytest.fixture(scope="module")
-def found() -> Diagnosis:
-    return updating.diagnose(read_robot(ROBOT), updating.read(MODES), candidates=["gearbox_compliance"])
+def found(shared: Shared) -> Diagnosis:
+    return example(shared, "closed_loop", candidates=("gearbox_compliance",))
 
 
 @pytest.fixture(scope="module")

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import json
 import sys
+from itertools import product
 from pathlib import Path
 
 import pytest
 
 from helpers.diagnoses.diagnose_command import unwritable
+from helpers.diagnoses.examples import example
+from helpers.runs.cases import every_case
+from helpers.runs.shared import Shared
 from pkmodes import read_robot, updating
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Diagnosis
 from pkmodes.report import report
-
-pytestmark = pytest.mark.usefixtures("backend")
 
 ROOT = Path(__file__).parents[2]
 LOOP = [str(ROOT / "examples" / "closed_loop" / name) for name in ("robot.toml", "measured.csv")]
@@ -23,8 +25,8 @@ DIAGNOSE = ["diagnose", *LOOP, "--candidates", "gearbox_compliance"]
 
 
 @pytest.fixture(scope="module")
-def found(backend: str) -> Diagnosis:
-    return updating.diagnose(read_robot(LOOP[0]), updating.read(LOOP[1]), candidates=["gearbox_compliance"])
+def found(shared: Shared) -> Diagnosis:
+    return example(shared, "closed_loop", candidates=("gearbox_compliance",))
 
 
 @pytest.fixture
@@ -90,41 +92,37 @@ def test_a_report_that_cannot_be_written_does_not_take_the_rest_along(
     assert not target.exists()
 
 
+WRONG_TARGETS = [
+    ("absent/report.html", "does not exist"),
+    ("", "expected the name of a file"),
+    ("-", "expected the name of a file"),
+    (".", "expected "),
+    ("report.nc", 'expected a name that ends in .html, found "report.nc"'),
+    ("report", "write report.html"),
+    (LOOP[0], "the report would replace its own input"),
+    (LOOP[1], "the report would replace its own input"),
+    ("result.json", "the result and the report would be the same file"),
+]
+
+
 @pytest.mark.usefixtures("nothing_computed")
-@pytest.mark.parametrize("command", ["diagnose", "compare"])
-@pytest.mark.parametrize(
-    ("target", "message"),
-    [
-        ("absent/report.html", "does not exist"),
-        ("", "expected the name of a file"),
-        ("-", "expected the name of a file"),
-        (".", "expected "),
-        ("report.nc", 'expected a name that ends in .html, found "report.nc"'),
-        ("report", "write report.html"),
-        (LOOP[0], "the report would replace its own input"),
-        (LOOP[1], "the report would replace its own input"),
-        ("result.json", "the result and the report would be the same file"),
-    ],
-)
 def test_a_wrong_target_is_refused_before_anything_is_computed(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-    command: str,
-    target: str,
-    message: str,
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.chdir(tmp_path)
-    before = [Path(name).read_bytes() for name in LOOP]
-    assert run([command, *LOOP, "--json", "result.json", "--report", target]) == 2
-    captured = capsys.readouterr()
-    assert captured.out == ""
-    assert captured.err.startswith("error: ")
-    assert message in captured.err
-    assert "--report" in captured.err
-    assert captured.err.count("\n") == 1
-    assert [Path(name).read_bytes() for name in LOOP] == before
-    assert not list(tmp_path.iterdir())
+    with every_case() as tried:
+        for (target, message), command in product(WRONG_TARGETS, ["diagnose", "compare"]):
+            with tried(f"{target}, {message}, {command}"):
+                monkeypatch.chdir(tmp_path)
+                before = [Path(name).read_bytes() for name in LOOP]
+                assert run([command, *LOOP, "--json", "result.json", "--report", target]) == 2
+                captured = capsys.readouterr()
+                assert captured.out == ""
+                assert captured.err.startswith("error: ")
+                assert message in captured.err
+                assert "--report" in captured.err
+                assert captured.err.count("\n") == 1
+                assert [Path(name).read_bytes() for name in LOOP] == before
+                assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.usefixtures("nothing_computed")
