@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from helpers.runs.cases import every_case
 from pkmodes.core.base.arguments import (
     FILE_NAME,
     NATURAL_NUMBER,
     POSITIVE_INTEGER,
     POSITIVE_NUMBER,
-    Constraint,
     alternatives,
     check_argument,
     one_of,
@@ -22,31 +22,25 @@ from pkmodes.core.base.errors import OutputError, PkmodesError
 SVG_OR_PNG = one_of(["svg", "png"])
 
 
-@pytest.mark.parametrize(
-    ("constraint", "value", "holds"),
-    [
-        *[(POSITIVE_INTEGER, value, True) for value in (1, 10**30, np.int8(3), np.uint64(7))],
-        *[
-            (POSITIVE_INTEGER, value, False)
-            for value in (0, -1, True, np.True_, 1.0, "1", None, np.array([1]))
-        ],
-        *[(NATURAL_NUMBER, value, True) for value in (0, np.int64(0))],
-        *[(NATURAL_NUMBER, value, False) for value in (-1, False, 0.0, [])],
-        *[
-            (POSITIVE_NUMBER, value, True)
-            for value in (1, 1e-300, np.float32(0.5), np.int16(2), float("inf"))
-        ],
-        *[(POSITIVE_NUMBER, value, False) for value in (0, -1.5, True, 1j, "1", float("nan"), None)],
-        *[(FILE_NAME, value, True) for value in ("map.nc", Path("map.nc"))],
-        *[(FILE_NAME, value, False) for value in (b"map.nc", 5, None, ["map.nc"])],
-        *[(SVG_OR_PNG, value, True) for value in ("svg", "png")],
-        *[(SVG_OR_PNG, value, False) for value in ("SVG", "", None, ["svg"], {})],
-    ],
-)
-def test_a_constraint_holds_for_what_its_words_say(
-    constraint: Constraint, value: object, holds: bool
-) -> None:
-    assert bool(constraint.holds(value)) is holds
+CONSTRAINTS = [
+    *[(POSITIVE_INTEGER, value, True) for value in (1, 10**30, np.int8(3), np.uint64(7))],
+    *[(POSITIVE_INTEGER, value, False) for value in (0, -1, True, np.True_, 1.0, "1", None, np.array([1]))],
+    *[(NATURAL_NUMBER, value, True) for value in (0, np.int64(0))],
+    *[(NATURAL_NUMBER, value, False) for value in (-1, False, 0.0, [])],
+    *[(POSITIVE_NUMBER, value, True) for value in (1, 1e-300, np.float32(0.5), np.int16(2), float("inf"))],
+    *[(POSITIVE_NUMBER, value, False) for value in (0, -1.5, True, 1j, "1", float("nan"), None)],
+    *[(FILE_NAME, value, True) for value in ("map.nc", Path("map.nc"))],
+    *[(FILE_NAME, value, False) for value in (b"map.nc", 5, None, ["map.nc"])],
+    *[(SVG_OR_PNG, value, True) for value in ("svg", "png")],
+    *[(SVG_OR_PNG, value, False) for value in ("SVG", "", None, ["svg"], {})],
+]
+
+
+def test_a_constraint_holds_for_what_its_words_say() -> None:
+    with every_case() as tried:
+        for constraint, value, holds in CONSTRAINTS:
+            with tried(f"{constraint}, {value}, {holds}"):
+                assert bool(constraint.holds(value)) is holds
 
 
 def test_the_sentence_says_what_was_expected_what_was_given_and_what_to_do() -> None:

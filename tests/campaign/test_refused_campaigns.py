@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from helpers.runs.cases import every_case
 from pkmodes.campaign.campaign import read_campaign
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError
@@ -18,150 +19,147 @@ RECORD = f'[[record]]\npose = "P1"\nat = {AT}\nkind = "modes"\nfiles = ["p1.csv"
 SENSOR = '[[sensor]]\nname = "a"\nchannel = "p_x"\nunit = "m/s^2"\n'
 
 
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("format = 2\n", "expected 1, found 2 (c.toml: format)"),
-        ("not toml", "not valid TOML"),
-        (HEAD + 'bnd = "x"\n' + RECORD, 'unknown key "bnd" (c.toml); did you mean "band"?'),
-        (HEAD, 'expected the key "record", found none (c.toml)'),
-        (HEAD.replace('"400 Hz"', '"4 m"') + RECORD, '"m" is not a unit of frequency (c.toml: band)'),
-        (
-            HEAD.replace('"400 Hz"', '"400"') + RECORD,
-            'expected a frequency with its unit, found "400" (c.toml: band)',
-        ),
-        (
-            HEAD.replace('"400 Hz"', '"4 Hz"') + RECORD,
-            "expected the lower frequency first, found 10 Hz, 4 Hz",
-        ),
-        (HEAD.replace(', "400 Hz"', "") + RECORD, "expected two frequencies, found 1 (c.toml: band)"),
-        (HEAD + 'repeatability = "2"\n' + RECORD, "expected a share of at least 0 and below 100 %"),
-        (
-            HEAD + RECORD.replace('"-245 mm"', '"-245"'),
-            'found "-245", which has no unit (c.toml: record.1.at.z)',
-        ),
-        (HEAD + RECORD.replace(', z = "-245 mm"', ""), "expected x, y, z, found no z (c.toml: record.1.at)"),
-        (HEAD + RECORD.replace("z =", "w ="), 'unknown component "w" (c.toml: record.1.at)'),
-        (HEAD + RECORD.replace("-245 mm", "-2 m"), "(c.toml: record.1.at)"),
-        (
-            HEAD + RECORD.replace('"P1"', '"P\\u001b[2J1"'),
-            r'expected a label, found "P\x1b[2J1" (c.toml: record.1.pose)',
-        ),
-        (HEAD + RECORD.replace('"P1"', '"P\\n1"'), r'found "P\n1" (c.toml: record.1.pose)'),
-        (HEAD + RECORD + RECORD.replace('"P1"', '" P1 "'), 'the label "P1" is that of record 1, too'),
-        (HEAD + RECORD + RECORD, 'the label "P1" is that of record 1, too (c.toml: record.2.pose)'),
-        (HEAD + RECORD.replace('["p1.csv"]', "[]"), "expected files, found none (c.toml: record.1.files)"),
-        (
-            HEAD + RECORD.replace('["p1.csv"]', '{ x = ["a"], y = ["a"] }'),
-            'the file "a" is given twice (c.toml: record.1.files)',
-        ),
-        (HEAD + RECORD + "hits = 0\n", "expected at least 1, found 0 (c.toml: record.1.hits)"),
-        (HEAD + RECORD + 'exponential = "-1 s"\n', "expected a time above 0"),
-        (HEAD + RECORD + 'set = { "effects.paylod.mass" = "1 kg" }\n', "did you mean"),
-        (HEAD + RECORD + 'set = { "effects.payload.mass" = "1 m" }\n', "which is a length"),
-        (HEAD + RECORD + 'set = { "effects.payload.mass" = "-2 kg" }\n', "(c.toml: record.1.set)"),
-        (HEAD + RECORD + 'drives = "on"\n', 'expected "free" or "held", found'),
-        (HEAD + RECORD.replace('"P1"', '"#P1"'), "expected a label that does not begin with #"),
-        (HEAD + RECORD.replace('["p1.csv"]', "3"), "expected a table or a list, found an integer"),
-        (HEAD + RECORD + SENSOR.replace("m/s^2", "100 mV/g"), "and this as sensitivity"),
-        (HEAD + RECORD + SENSOR.replace("p_x", "p_q"), 'unknown channel "p_q" (c.toml: sensor.1.channel)'),
-        (
-            HEAD + RECORD + SENSOR.replace('channel = "p_x"\n', ""),
-            "expected either a channel or a direction, found neither",
-        ),
-        (HEAD + RECORD + SENSOR + SENSOR, 'the name "a" occurs twice in one setup (c.toml: sensor.2.name)'),
-        (HEAD + RECORD + SENSOR.replace("m/s^2", "kg"), "expected the unit of a motion"),
-        (
-            HEAD + RECORD + SENSOR.replace("m/s^2", "rad/s^2"),
-            "p_x cannot have an angular motion (c.toml: sensor.1.unit)",
-        ),
-        (HEAD + RECORD + SENSOR.replace("p_x", "theta_1_1"), "theta_1_1 cannot have a linear motion"),
-        (HEAD + RECORD + SENSOR.replace("m/s^2", "V"), "expected a sensitivity beside volts"),
-        (HEAD + RECORD + SENSOR + 'setup = "x"\n', 'no record has the setup "x" (c.toml: sensor.1.setup)'),
-        (
-            HEAD + RECORD + SENSOR.replace('channel = "p_x"', "direction = [0, 0, 0]"),
-            "expected a direction along x, y, z, found [0.0, 0.0, 0.0]",
-        ),
-        (HEAD + RECORD + '[[edit]]\npose = "P2"\n', 'no record has the label "P2" (c.toml: edit.1.pose)'),
-        (HEAD.replace("robot", "channels", 1).replace(f'"{ROBOT}"', '["a"]') + RECORD, "has no positions"),
-        (
-            HEAD.replace(f'robot = "{ROBOT}"', 'channels = ["a", "a"]') + RECORD,
-            '"a" is given twice (c.toml: channels)',
-        ),
-        (HEAD + 'channels = ["a"]\n' + RECORD, "expected either a robot or channels, found both"),
-    ],
-)
-def test_the_place_of_a_mistake_is_named(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str, message: str
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path("c.toml").write_text(text, encoding="utf-8")
-    with pytest.raises(MeasurementError) as error:
-        read_campaign("c.toml")
-    assert message in str(error.value)
-    assert "c.toml" in str(error.value)
+MISTAKES = [
+    ("format = 2\n", "expected 1, found 2 (c.toml: format)"),
+    ("not toml", "not valid TOML"),
+    (HEAD + 'bnd = "x"\n' + RECORD, 'unknown key "bnd" (c.toml); did you mean "band"?'),
+    (HEAD, 'expected the key "record", found none (c.toml)'),
+    (HEAD.replace('"400 Hz"', '"4 m"') + RECORD, '"m" is not a unit of frequency (c.toml: band)'),
+    (
+        HEAD.replace('"400 Hz"', '"400"') + RECORD,
+        'expected a frequency with its unit, found "400" (c.toml: band)',
+    ),
+    (
+        HEAD.replace('"400 Hz"', '"4 Hz"') + RECORD,
+        "expected the lower frequency first, found 10 Hz, 4 Hz",
+    ),
+    (HEAD.replace(', "400 Hz"', "") + RECORD, "expected two frequencies, found 1 (c.toml: band)"),
+    (HEAD + 'repeatability = "2"\n' + RECORD, "expected a share of at least 0 and below 100 %"),
+    (
+        HEAD + RECORD.replace('"-245 mm"', '"-245"'),
+        'found "-245", which has no unit (c.toml: record.1.at.z)',
+    ),
+    (HEAD + RECORD.replace(', z = "-245 mm"', ""), "expected x, y, z, found no z (c.toml: record.1.at)"),
+    (HEAD + RECORD.replace("z =", "w ="), 'unknown component "w" (c.toml: record.1.at)'),
+    (HEAD + RECORD.replace("-245 mm", "-2 m"), "(c.toml: record.1.at)"),
+    (
+        HEAD + RECORD.replace('"P1"', '"P\\u001b[2J1"'),
+        r'expected a label, found "P\x1b[2J1" (c.toml: record.1.pose)',
+    ),
+    (HEAD + RECORD.replace('"P1"', '"P\\n1"'), r'found "P\n1" (c.toml: record.1.pose)'),
+    (HEAD + RECORD + RECORD.replace('"P1"', '" P1 "'), 'the label "P1" is that of record 1, too'),
+    (HEAD + RECORD + RECORD, 'the label "P1" is that of record 1, too (c.toml: record.2.pose)'),
+    (HEAD + RECORD.replace('["p1.csv"]', "[]"), "expected files, found none (c.toml: record.1.files)"),
+    (
+        HEAD + RECORD.replace('["p1.csv"]', '{ x = ["a"], y = ["a"] }'),
+        'the file "a" is given twice (c.toml: record.1.files)',
+    ),
+    (HEAD + RECORD + "hits = 0\n", "expected at least 1, found 0 (c.toml: record.1.hits)"),
+    (HEAD + RECORD + 'exponential = "-1 s"\n', "expected a time above 0"),
+    (HEAD + RECORD + 'set = { "effects.paylod.mass" = "1 kg" }\n', "did you mean"),
+    (HEAD + RECORD + 'set = { "effects.payload.mass" = "1 m" }\n', "which is a length"),
+    (HEAD + RECORD + 'set = { "effects.payload.mass" = "-2 kg" }\n', "(c.toml: record.1.set)"),
+    (HEAD + RECORD + 'drives = "on"\n', 'expected "free" or "held", found'),
+    (HEAD + RECORD.replace('"P1"', '"#P1"'), "expected a label that does not begin with #"),
+    (HEAD + RECORD.replace('["p1.csv"]', "3"), "expected a table or a list, found an integer"),
+    (HEAD + RECORD + SENSOR.replace("m/s^2", "100 mV/g"), "and this as sensitivity"),
+    (HEAD + RECORD + SENSOR.replace("p_x", "p_q"), 'unknown channel "p_q" (c.toml: sensor.1.channel)'),
+    (
+        HEAD + RECORD + SENSOR.replace('channel = "p_x"\n', ""),
+        "expected either a channel or a direction, found neither",
+    ),
+    (HEAD + RECORD + SENSOR + SENSOR, 'the name "a" occurs twice in one setup (c.toml: sensor.2.name)'),
+    (HEAD + RECORD + SENSOR.replace("m/s^2", "kg"), "expected the unit of a motion"),
+    (
+        HEAD + RECORD + SENSOR.replace("m/s^2", "rad/s^2"),
+        "p_x cannot have an angular motion (c.toml: sensor.1.unit)",
+    ),
+    (HEAD + RECORD + SENSOR.replace("p_x", "theta_1_1"), "theta_1_1 cannot have a linear motion"),
+    (HEAD + RECORD + SENSOR.replace("m/s^2", "V"), "expected a sensitivity beside volts"),
+    (HEAD + RECORD + SENSOR + 'setup = "x"\n', 'no record has the setup "x" (c.toml: sensor.1.setup)'),
+    (
+        HEAD + RECORD + SENSOR.replace('channel = "p_x"', "direction = [0, 0, 0]"),
+        "expected a direction along x, y, z, found [0.0, 0.0, 0.0]",
+    ),
+    (HEAD + RECORD + '[[edit]]\npose = "P2"\n', 'no record has the label "P2" (c.toml: edit.1.pose)'),
+    (HEAD.replace("robot", "channels", 1).replace(f'"{ROBOT}"', '["a"]') + RECORD, "has no positions"),
+    (
+        HEAD.replace(f'robot = "{ROBOT}"', 'channels = ["a", "a"]') + RECORD,
+        '"a" is given twice (c.toml: channels)',
+    ),
+    (HEAD + 'channels = ["a"]\n' + RECORD, "expected either a robot or channels, found both"),
+]
 
 
-@pytest.mark.parametrize(
-    ("table", "more", "message"),
-    [
-        ("", "", "(p1.csv)"),
-        ("frequency\n", "", "expected a header and rows, found none (p1.csv)"),
-        ("f0\n50\n", "", "expected a column of frequencies, found none (p1.csv: line 1)"),
-        (
-            "frequency\nfifty\n",
-            "",
-            'expected a finite number, found "fifty" (p1.csv: line 2, column frequency)',
-        ),
-        ("frequency,damping\n50\n", "", "expected 2 cells, found 1 (p1.csv: line 2)"),
-        ("frequency,damping\n50,2\n", "", "expected a damping ratio of at least 0 and below 1"),
-        (
-            "frequency,sigma\n50,0\n",
-            "",
-            "expected a standard deviation above 0 (p1.csv: line 2, column sigma)",
-        ),
-        ("frequency [m]\n50\n", "", "is not a unit of frequency (p1.csv: line 1, column 1)"),
-        ("frequency,shape:x_9\n50,1\n", "", 'unknown channel "x_9" (p1.csv: line 1, column 2); did you mean'),
-        ("frequency\n-50\n", "", "expected a frequency above 0"),
-        ("pose,frequency\nP2,50\n", "", 'expected rows of the pose "P1", found P2'),
-        ("frequency\n50\n", 'columns = { frequency = "f0" }\n', 'expected the column "f0", found none'),
-        (
-            "frequency\n50\n",
-            'columns = { frequenzy = "frequency" }\n',
-            'unknown column "frequenzy" in columns',
-        ),
-        ("frequency,re:a,im:a\n50,1,2\n", "", 'the kind of this record is "frf"'),
-        (
-            "frequency,shape:x_1,shape:x_2\n50,0,0\n",
-            "",
-            "expected a mode shape, found components up to 0 (p1.csv: line 2)",
-        ),
-        ("frequency\n50\n", 'columns = { frequency = "f0", damping = "f0" }\n', "name the same column"),
-        ("frequency\n5\n", "", "expected modes, found none in any record"),
-        ("frequency\n" + "50\n" * 201, "", "expected modes, found 201 within 1 % from 50 Hz (p1.csv)"),
-        (
-            "frequency\n50\n",
-            '[[edit]]\npose = "P1"\nstrike = ["60 Hz"]\n',
-            "no mode of P1 lies within 1 % of 60 Hz",
-        ),
-        ("frequency\n50\n", '[[edit]]\npose = "P1"\nadd = ["60 Hz"]\n', "no mode can be added at 60 Hz"),
-    ],
-)
+def test_the_place_of_a_mistake_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with every_case() as tried:
+        for text, message in MISTAKES:
+            with tried(text):
+                monkeypatch.chdir(tmp_path)
+                Path("c.toml").write_text(text, encoding="utf-8")
+                with pytest.raises(MeasurementError) as error:
+                    read_campaign("c.toml")
+                assert message in str(error.value)
+                assert "c.toml" in str(error.value)
+
+
+FAULTY_TABLES = [
+    ("", "", "(p1.csv)"),
+    ("frequency\n", "", "expected a header and rows, found none (p1.csv)"),
+    ("f0\n50\n", "", "expected a column of frequencies, found none (p1.csv: line 1)"),
+    (
+        "frequency\nfifty\n",
+        "",
+        'expected a finite number, found "fifty" (p1.csv: line 2, column frequency)',
+    ),
+    ("frequency,damping\n50\n", "", "expected 2 cells, found 1 (p1.csv: line 2)"),
+    ("frequency,damping\n50,2\n", "", "expected a damping ratio of at least 0 and below 1"),
+    (
+        "frequency,sigma\n50,0\n",
+        "",
+        "expected a standard deviation above 0 (p1.csv: line 2, column sigma)",
+    ),
+    ("frequency [m]\n50\n", "", "is not a unit of frequency (p1.csv: line 1, column 1)"),
+    ("frequency,shape:x_9\n50,1\n", "", 'unknown channel "x_9" (p1.csv: line 1, column 2); did you mean'),
+    ("frequency\n-50\n", "", "expected a frequency above 0"),
+    ("pose,frequency\nP2,50\n", "", 'expected rows of the pose "P1", found P2'),
+    ("frequency\n50\n", 'columns = { frequency = "f0" }\n', 'expected the column "f0", found none'),
+    (
+        "frequency\n50\n",
+        'columns = { frequenzy = "frequency" }\n',
+        'unknown column "frequenzy" in columns',
+    ),
+    ("frequency,re:a,im:a\n50,1,2\n", "", 'the kind of this record is "frf"'),
+    (
+        "frequency,shape:x_1,shape:x_2\n50,0,0\n",
+        "",
+        "expected a mode shape, found components up to 0 (p1.csv: line 2)",
+    ),
+    ("frequency\n50\n", 'columns = { frequency = "f0", damping = "f0" }\n', "name the same column"),
+    ("frequency\n5\n", "", "expected modes, found none in any record"),
+    ("frequency\n" + "50\n" * 201, "", "expected modes, found 201 within 1 % from 50 Hz (p1.csv)"),
+    (
+        "frequency\n50\n",
+        '[[edit]]\npose = "P1"\nstrike = ["60 Hz"]\n',
+        "no mode of P1 lies within 1 % of 60 Hz",
+    ),
+    ("frequency\n50\n", '[[edit]]\npose = "P1"\nadd = ["60 Hz"]\n', "no mode can be added at 60 Hz"),
+]
+
+
 def test_a_faulty_table_writes_nothing(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-    table: str,
-    more: str,
-    message: str,
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path("p1.csv").write_text(table, encoding="utf-8")
-    Path("c.toml").write_text(HEAD + RECORD + more, encoding="utf-8")
-    assert run(["identify", "c.toml", "--out", "modes.csv", "--json", "modes.json"]) == 2
-    assert message in " ".join(capsys.readouterr().err.split())
-    assert not Path("modes.csv").exists()
-    assert not Path("modes.json").exists()
+    with every_case() as tried:
+        for table, more, message in FAULTY_TABLES:
+            with tried(f"{table}, {more}"):
+                monkeypatch.chdir(tmp_path)
+                Path("p1.csv").write_text(table, encoding="utf-8")
+                Path("c.toml").write_text(HEAD + RECORD + more, encoding="utf-8")
+                assert run(["identify", "c.toml", "--out", "modes.csv", "--json", "modes.json"]) == 2
+                assert message in " ".join(capsys.readouterr().err.split())
+                assert not Path("modes.csv").exists()
+                assert not Path("modes.json").exists()
 
 
 def test_faulty_files_are_left_out_if_asked(

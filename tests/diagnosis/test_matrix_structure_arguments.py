@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
 
@@ -27,53 +28,55 @@ def constant(M: Any, K: Any) -> Callable:
     return lambda values, setup: (M, K)
 
 
-@pytest.mark.parametrize(
-    ("changes", "message"),
-    [
-        (
-            {"matrices": constant(np.eye(3), np.eye(3))},
-            r"expected M of shape \(2, 2\) for 2 channels, found \(3, 3\)",
-        ),
-        (
-            {"matrices": constant(np.eye(2), np.ones(2))},
-            r"expected K of shape \(2, 2\) for 2 channels, found \(2,\)",
-        ),
-        ({"channels": ["a"]}, r"expected M of shape \(1, 1\) for 1 channels"),
-        ({"matrices": constant(np.eye(2), [[1.0, 0.1], [0.2, 1.0]])}, "expected K finite and symmetric"),
-        ({"matrices": constant([[1.0, 0.1], [-0.1, 1.0]], np.eye(2))}, "expected M finite and symmetric"),
-        ({"matrices": constant(np.eye(2), [[np.nan, 0.0], [0.0, 1.0]])}, "expected K finite"),
-        ({"matrices": constant([[np.inf, 0.0], [0.0, 1.0]], np.eye(2))}, "expected M finite"),
-        ({"matrices": constant(np.zeros((2, 2)), np.eye(2))}, "expected some mass"),
-        ({"matrices": constant(np.diag([1.0, -1.0]), np.eye(2))}, "expected M positive definite"),
-        ({"matrices": constant([[1.0, 2.0], [2.0, 1.0]], np.eye(2))}, "expected M positive definite"),
-        (
-            {"candidates": [Candidate("c", ("d",))]},
-            r'its parameter "d" does not exist.*parameters are: k, c',
-        ),
-        ({"candidates": [Candidate("c", ())]}, "expected different parameters"),
-        ({"candidates": [Candidate("c", ("c", "c"))]}, "expected different parameters"),
-        ({"candidates": [Candidate("k", ("k",))]}, "refitted under every hypothesis"),
-        ({"candidates": [Candidate("c", ("c",)), Candidate("c", ("c",))]}, 'two candidates are called "c"'),
-        (
-            {"parameters": [Parameter("k", 1.0), Parameter("c", 0.0), Parameter("c", 1.0)]},
-            'two parameters .* "c"',
-        ),
-        ({"channels": ["a", "a"]}, 'two channels are called "a"'),
-        ({"setups": ["A", "A"]}, 'two setups are called "A"'),
-        (
-            {"parameters": [Parameter("c", -1.0, lower=0.0)]},
-            "expected lower <= value <= upper, found 0, -1, inf",
-        ),
-        ({"parameters": [Parameter("c", np.nan)]}, "expected lower <= value <= upper"),
-        ({"parameters": [Parameter("c", 0.0, lower=0.0, upper=0.0)]}, "expected lower <= value <= upper"),
-        ({"parameters": [Parameter("c", 0.0, sigma=-1.0)]}, "expected a standard deviation of at least 0"),
-        ({"parameters": [Parameter("c", 0.0, sigma="1 mm")]}, "expected a number"),
-    ],
-)
-def test_contradictory_arguments_are_refused(changes: dict[str, Any], message: str) -> None:
-    with pytest.raises(PkmodesError, match=message) as error:
-        build(**changes)
-    assert "; " in str(error.value)  # what to do about it
+CONTRADICTORY = [
+    (
+        {"matrices": constant(np.eye(3), np.eye(3))},
+        r"expected M of shape \(2, 2\) for 2 channels, found \(3, 3\)",
+    ),
+    (
+        {"matrices": constant(np.eye(2), np.ones(2))},
+        r"expected K of shape \(2, 2\) for 2 channels, found \(2,\)",
+    ),
+    ({"channels": ["a"]}, r"expected M of shape \(1, 1\) for 1 channels"),
+    ({"matrices": constant(np.eye(2), [[1.0, 0.1], [0.2, 1.0]])}, "expected K finite and symmetric"),
+    ({"matrices": constant([[1.0, 0.1], [-0.1, 1.0]], np.eye(2))}, "expected M finite and symmetric"),
+    ({"matrices": constant(np.eye(2), [[np.nan, 0.0], [0.0, 1.0]])}, "expected K finite"),
+    ({"matrices": constant([[np.inf, 0.0], [0.0, 1.0]], np.eye(2))}, "expected M finite"),
+    ({"matrices": constant(np.zeros((2, 2)), np.eye(2))}, "expected some mass"),
+    ({"matrices": constant(np.diag([1.0, -1.0]), np.eye(2))}, "expected M positive definite"),
+    ({"matrices": constant([[1.0, 2.0], [2.0, 1.0]], np.eye(2))}, "expected M positive definite"),
+    (
+        {"candidates": [Candidate("c", ("d",))]},
+        r'its parameter "d" does not exist.*parameters are: k, c',
+    ),
+    ({"candidates": [Candidate("c", ())]}, "expected different parameters"),
+    ({"candidates": [Candidate("c", ("c", "c"))]}, "expected different parameters"),
+    ({"candidates": [Candidate("k", ("k",))]}, "refitted under every hypothesis"),
+    ({"candidates": [Candidate("c", ("c",)), Candidate("c", ("c",))]}, 'two candidates are called "c"'),
+    (
+        {"parameters": [Parameter("k", 1.0), Parameter("c", 0.0), Parameter("c", 1.0)]},
+        'two parameters .* "c"',
+    ),
+    ({"channels": ["a", "a"]}, 'two channels are called "a"'),
+    ({"setups": ["A", "A"]}, 'two setups are called "A"'),
+    (
+        {"parameters": [Parameter("c", -1.0, lower=0.0)]},
+        "expected lower <= value <= upper, found 0, -1, inf",
+    ),
+    ({"parameters": [Parameter("c", np.nan)]}, "expected lower <= value <= upper"),
+    ({"parameters": [Parameter("c", 0.0, lower=0.0, upper=0.0)]}, "expected lower <= value <= upper"),
+    ({"parameters": [Parameter("c", 0.0, sigma=-1.0)]}, "expected a standard deviation of at least 0"),
+    ({"parameters": [Parameter("c", 0.0, sigma="1 mm")]}, "expected a number"),
+]
+
+
+def test_contradictory_arguments_are_refused() -> None:
+    with every_case() as tried:
+        for changes, message in CONTRADICTORY:
+            with tried(message):
+                with pytest.raises(PkmodesError, match=message) as error:
+                    build(**changes)
+                assert "; " in str(error.value)  # what to do about it
 
 
 def test_a_value_known_exactly_is_not_a_suspect() -> None:

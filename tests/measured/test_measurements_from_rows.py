@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
 
@@ -25,37 +26,43 @@ def test_measurements_are_made_by_hand_and_cannot_be_written_to() -> None:
     assert (placed.points == 0.0).all()
 
 
-@pytest.mark.parametrize(
-    ("changes", "place", "expected"),
-    [
-        ({"sigma": [0.1, 0.0]}, "rig: line 2, column sigma", "above 0 Hz"),
-        ({"sigma": [0.1]}, "rig: sigma", r"shape \(2,\), found \(1,\)"),
-        ({"frequency": ["a", "b"]}, "rig: frequency", "numbers"),
-        ({"frequency": 3.0}, "rig: frequency", "shape"),
-        ({"frequency": [np.nan, 1.0]}, "rig: line 1, column frequency", "above 0 Hz"),
-        ({"mode": ["1"]}, "rig: mode", "expected 2 mode numbers, found 1"),
-        ({"pose": "ab"}, "rig: pose", "one label for each row"),
-        ({"points": [[0, 0, 0]]}, "rig: points", "shape"),
-        ({"points": [[0, 0, 0], [0, 0, 1]]}, "rig: line 2, column z", "two positions"),
-        ({"points": [[0, 0, np.inf], [0, 0, np.inf]]}, "rig: line 1, column z", "finite"),
-        ({"point_sigma": [[0, 0, -1.0], [0, 0, -1.0]]}, "rig: line 1, column sigma_z", "at least 0 m"),
-        ({"shapes": {"m_1": [1.0]}}, "rig: shape:m_1", "shape"),
-        ({"shapes": {"m_1": [1.0, np.inf]}}, "rig: line 2, column shape:m_1", "finite"),
-        ({"lines": [1.5, 2.5]}, "rig: lines", "whole numbers"),
-        ({"shape_sigma": [0.1, 2.0]}, "rig: line 2, argument shape_sigma", "below 1, .* found 2"),
-        ({"shape_sigma": 5}, "rig: line 1, argument shape_sigma, the first of 2 problems", "found 5"),
-        ({"damping_sigma": [0.1, -1.0]}, "rig: line 2, argument damping_sigma", "found -1"),
-        ({"unit": "mm"}, "rig: unit", '"mm" is not a unit of frequency'),
-        ({"sigma_shape": 0.02}, "from_rows", 'unknown argument "sigma_shape"'),
-    ],
-)
-def test_measurements_made_by_hand_obey_the_same_rules(
-    changes: dict[str, object], place: str, expected: str
-) -> None:
-    columns = {"pose": ["a", "a"], "frequency": [1.0, 2.0], "sigma": [0.1, 0.1], "source": "rig", **changes}
-    with pytest.raises(MeasurementError, match=expected) as error:
-        Measurements.from_rows(**columns)
-    assert error.value.where == place
+CHANGES = [
+    ({"sigma": [0.1, 0.0]}, "rig: line 2, column sigma", "above 0 Hz"),
+    ({"sigma": [0.1]}, "rig: sigma", r"shape \(2,\), found \(1,\)"),
+    ({"frequency": ["a", "b"]}, "rig: frequency", "numbers"),
+    ({"frequency": 3.0}, "rig: frequency", "shape"),
+    ({"frequency": [np.nan, 1.0]}, "rig: line 1, column frequency", "above 0 Hz"),
+    ({"mode": ["1"]}, "rig: mode", "expected 2 mode numbers, found 1"),
+    ({"pose": "ab"}, "rig: pose", "one label for each row"),
+    ({"points": [[0, 0, 0]]}, "rig: points", "shape"),
+    ({"points": [[0, 0, 0], [0, 0, 1]]}, "rig: line 2, column z", "two positions"),
+    ({"points": [[0, 0, np.inf], [0, 0, np.inf]]}, "rig: line 1, column z", "finite"),
+    ({"point_sigma": [[0, 0, -1.0], [0, 0, -1.0]]}, "rig: line 1, column sigma_z", "at least 0 m"),
+    ({"shapes": {"m_1": [1.0]}}, "rig: shape:m_1", "shape"),
+    ({"shapes": {"m_1": [1.0, np.inf]}}, "rig: line 2, column shape:m_1", "finite"),
+    ({"lines": [1.5, 2.5]}, "rig: lines", "whole numbers"),
+    ({"shape_sigma": [0.1, 2.0]}, "rig: line 2, argument shape_sigma", "below 1, .* found 2"),
+    ({"shape_sigma": 5}, "rig: line 1, argument shape_sigma, the first of 2 problems", "found 5"),
+    ({"damping_sigma": [0.1, -1.0]}, "rig: line 2, argument damping_sigma", "found -1"),
+    ({"unit": "mm"}, "rig: unit", '"mm" is not a unit of frequency'),
+    ({"sigma_shape": 0.02}, "from_rows", 'unknown argument "sigma_shape"'),
+]
+
+
+def test_measurements_made_by_hand_obey_the_same_rules() -> None:
+    with every_case() as tried:
+        for changes, place, expected in CHANGES:
+            with tried(f"{place}, {expected}"):
+                columns = {
+                    "pose": ["a", "a"],
+                    "frequency": [1.0, 2.0],
+                    "sigma": [0.1, 0.1],
+                    "source": "rig",
+                    **changes,
+                }
+                with pytest.raises(MeasurementError, match=expected) as error:
+                    Measurements.from_rows(**columns)
+                assert error.value.where == place
 
 
 def test_one_number_states_the_deviation_of_all_shapes() -> None:

@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.diagnoses.measurement_files import CHANNELS, FULL, HEADER, ROW, read, refusal
+from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.reading import read_measurements
 
@@ -56,51 +57,51 @@ def test_a_wrong_header_is_refused(
     assert remedy in line.partition("; ")[2], line
 
 
-@pytest.mark.parametrize(
-    ("row", "column", "expected"),
-    [
-        ("A,0.6,0,-0.245,55.5", "sigma", "expected 13 cells, found 5"),
-        ("A,0.6,0,-0.245,55.5,0.05,,,,,,,,", "14", "expected 13 cells, found 14"),
-        (",0.6,0,-0.245,55.5,0.05,,,,,,,", "pose", "expected a label"),
-        ("A\x07,0.6,0,-0.245,55.5,0.05,,,,,,,", "pose", "expected a label"),
-        ("A,0.6 m,0,-0.245,55.5,0.05,,,,,,,", "x", 'finite number, found "0.6 m"'),
-        ("A,0.6,,-0.245,55.5,0.05,,,,,,,", "y", "finite number, found nothing"),
-        ("A,0.6,0,nan,55.5,0.05,,,,,,,", "z", 'finite number, found "nan"'),
-        ("A,0.6,0,1e99,55.5,0.05,,,,,,,", "z", "finite coordinate, found 1e+99"),
-        ("A,0.6,0,-0.245,inf,0.05,,,,,,,", "frequency", 'finite number, found "inf"'),
-        ("A,0.6,0,-0.245,1e999,0.05,,,,,,,", "frequency", 'finite number, found "1e999"'),
-        ("A,0.6,0,-0.245,1_0,0.05,,,,,,,", "frequency", 'finite number, found "1_0"'),
-        ("A,0.6,0,-0.245,\u0665,0.05,,,,,,,", "frequency", "finite number"),
-        ("A,0.6,0,-0.245,0,0.05,,,,,,,", "frequency", "above 0 Hz, found 0"),
-        ("A,0.6,0,-0.245,-3,0.05,,,,,,,", "frequency", "above 0 Hz, found -3"),
-        ("A,0.6,0,-0.245,1e300,0.05,,,,,,,", "frequency", "above 0 Hz (at most 1e+30), found 1e+300"),
-        ("A,0.6,0,-0.245,55.5,0,,,,,,,", "sigma", "above 0 Hz, found 0"),
-        ("A,0.6,0,-0.245,55.5,-1,,,,,,,", "sigma", "above 0 Hz, found -1"),
-        ("A,0.6,0,-0.245,55.5,1e31,,,,,,,", "sigma", "above 0 Hz (at most 1e+30), found 1e+31"),
-        ("A,0.6,0,-0.245,55.5,,,,,,,,", "sigma", "found nothing"),
-        ("A,0.6,0,-0.245,55.5,55.5,,,,,,,", "sigma", "below the frequency, found 55.5"),
-        ("A,0.6,0,-0.245,55.5,0.05,-1e-4,,,,,,", "sigma_x", "at least 0 m, found -0.0001"),
-        ("A,0.6,0,-0.245,55.5,0.05,,,x,,,,", "sigma_z", 'found "x"'),
-        ("A,0.6,0,-0.245,55.5,0.05,,,,1,,,", "damping", "below 1, found 1"),
-        ("A,0.6,0,-0.245,55.5,0.05,,,,-0.1,,,", "damping", "at least 0 and below 1, found -0.1"),
-        ("A,0.6,0,-0.245,55.5,0.05,,,,nan,,,", "damping", 'found "nan"'),
-        ("A,0.6,0,-0.245,55.5,0.05,,,,,a\x07b,,", "mode", "\\x07"),
-        ("A,0.6,0,-0.245,55.5,0.05,,,,,,-,", "shape:x_1", 'found "-"'),
-        ("A,0.6,0,-0.245,55.5,0.05,,,,,,1e99,", "shape:x_1", "finite shape component, found 1e+99"),
-        ("A,0.6,0,-0.245,55.5,0.05,,,,,,0,-0.0", "shape:x_1", "only zeros"),
-        ("A,0.6,0,-0.245,55.5,0.05,,,,,,,0", "shape:p_z", "only zeros"),
-        ("B,0.7,0,-0.245,55.5,0.05,,,,,,,", "x", 'pose "B" has two positions: x is 0.6 in line 3 and 0.7'),
-        ("B,0.6,0,-0.245,55.5,0.05,,1e-4,,,,,", "sigma_y", 'pose "B" has two standard deviations'),
-        ("B,0.6,0,-0.245,50,0.05,,,,,,,", "frequency", "repeats line 3"),
-        ("B,0.6,0,-0.245,50.0,5e-2,0,0,0,,,,", "frequency", "repeats line 3"),
-    ],
-)
-def test_a_bad_row_is_refused_with_line_and_column(
-    tmp_path: Path, row: str, column: str, expected: str
-) -> None:
-    line = refusal(tmp_path, f"{FULL}\n# comment\nB,0.6,0,-0.245,50,0.05,,,,,,,\n\n{row}\n")
-    assert f"modes.csv: line 5, column {column})" in line, line
-    assert expected in line, line
+BAD_ROWS = [
+    ("A,0.6,0,-0.245,55.5", "sigma", "expected 13 cells, found 5"),
+    ("A,0.6,0,-0.245,55.5,0.05,,,,,,,,", "14", "expected 13 cells, found 14"),
+    (",0.6,0,-0.245,55.5,0.05,,,,,,,", "pose", "expected a label"),
+    ("A\x07,0.6,0,-0.245,55.5,0.05,,,,,,,", "pose", "expected a label"),
+    ("A,0.6 m,0,-0.245,55.5,0.05,,,,,,,", "x", 'finite number, found "0.6 m"'),
+    ("A,0.6,,-0.245,55.5,0.05,,,,,,,", "y", "finite number, found nothing"),
+    ("A,0.6,0,nan,55.5,0.05,,,,,,,", "z", 'finite number, found "nan"'),
+    ("A,0.6,0,1e99,55.5,0.05,,,,,,,", "z", "finite coordinate, found 1e+99"),
+    ("A,0.6,0,-0.245,inf,0.05,,,,,,,", "frequency", 'finite number, found "inf"'),
+    ("A,0.6,0,-0.245,1e999,0.05,,,,,,,", "frequency", 'finite number, found "1e999"'),
+    ("A,0.6,0,-0.245,1_0,0.05,,,,,,,", "frequency", 'finite number, found "1_0"'),
+    ("A,0.6,0,-0.245,\u0665,0.05,,,,,,,", "frequency", "finite number"),
+    ("A,0.6,0,-0.245,0,0.05,,,,,,,", "frequency", "above 0 Hz, found 0"),
+    ("A,0.6,0,-0.245,-3,0.05,,,,,,,", "frequency", "above 0 Hz, found -3"),
+    ("A,0.6,0,-0.245,1e300,0.05,,,,,,,", "frequency", "above 0 Hz (at most 1e+30), found 1e+300"),
+    ("A,0.6,0,-0.245,55.5,0,,,,,,,", "sigma", "above 0 Hz, found 0"),
+    ("A,0.6,0,-0.245,55.5,-1,,,,,,,", "sigma", "above 0 Hz, found -1"),
+    ("A,0.6,0,-0.245,55.5,1e31,,,,,,,", "sigma", "above 0 Hz (at most 1e+30), found 1e+31"),
+    ("A,0.6,0,-0.245,55.5,,,,,,,,", "sigma", "found nothing"),
+    ("A,0.6,0,-0.245,55.5,55.5,,,,,,,", "sigma", "below the frequency, found 55.5"),
+    ("A,0.6,0,-0.245,55.5,0.05,-1e-4,,,,,,", "sigma_x", "at least 0 m, found -0.0001"),
+    ("A,0.6,0,-0.245,55.5,0.05,,,x,,,,", "sigma_z", 'found "x"'),
+    ("A,0.6,0,-0.245,55.5,0.05,,,,1,,,", "damping", "below 1, found 1"),
+    ("A,0.6,0,-0.245,55.5,0.05,,,,-0.1,,,", "damping", "at least 0 and below 1, found -0.1"),
+    ("A,0.6,0,-0.245,55.5,0.05,,,,nan,,,", "damping", 'found "nan"'),
+    ("A,0.6,0,-0.245,55.5,0.05,,,,,a\x07b,,", "mode", "\\x07"),
+    ("A,0.6,0,-0.245,55.5,0.05,,,,,,-,", "shape:x_1", 'found "-"'),
+    ("A,0.6,0,-0.245,55.5,0.05,,,,,,1e99,", "shape:x_1", "finite shape component, found 1e+99"),
+    ("A,0.6,0,-0.245,55.5,0.05,,,,,,0,-0.0", "shape:x_1", "only zeros"),
+    ("A,0.6,0,-0.245,55.5,0.05,,,,,,,0", "shape:p_z", "only zeros"),
+    ("B,0.7,0,-0.245,55.5,0.05,,,,,,,", "x", 'pose "B" has two positions: x is 0.6 in line 3 and 0.7'),
+    ("B,0.6,0,-0.245,55.5,0.05,,1e-4,,,,,", "sigma_y", 'pose "B" has two standard deviations'),
+    ("B,0.6,0,-0.245,50,0.05,,,,,,,", "frequency", "repeats line 3"),
+    ("B,0.6,0,-0.245,50.0,5e-2,0,0,0,,,,", "frequency", "repeats line 3"),
+]
+
+
+def test_a_bad_row_is_refused_with_line_and_column(tmp_path: Path) -> None:
+    with every_case() as tried:
+        for row, column, expected in BAD_ROWS:
+            with tried(row):
+                line = refusal(tmp_path, f"{FULL}\n# comment\nB,0.6,0,-0.245,50,0.05,,,,,,,\n\n{row}\n")
+                assert f"modes.csv: line 5, column {column})" in line, line
+                assert expected in line, line
 
 
 def test_a_quote_that_is_not_closed_is_refused_on_its_line(tmp_path: Path) -> None:

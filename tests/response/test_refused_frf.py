@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -10,6 +9,7 @@ import pytest
 
 import pkmodes
 from helpers.robots.one_of_each import FILES, POSES, model_of
+from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import PkmodesError
 
 
@@ -33,43 +33,45 @@ def test_frequencies_that_are_none_are_refused(frequencies: Any) -> None:
         )
 
 
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ({"inputs": ["forcex"]}, r'unknown name "forcex" \(inputs\); did you mean "force_x"'),
-        ({"inputs": ["torque_3"]}, r'unknown name "torque_3" \(inputs\); did you mean "torque_'),
-        ({"inputs": ["p_x"]}, r'unknown name "p_x" \(inputs\)'),
-        ({"inputs": [3]}, r"unknown name 3 \(inputs\); known: torque_1"),
-        ({"inputs": []}, "at least one of the inputs"),
-        ({"inputs": ["force_x", "force_x"]}, '"force_x" is given twice'),
-        (
-            {"inputs": ["motor_1"]},
-            r'prescribed angle, but the motors are free .*use torque_1, or drives="held"',
-        ),
-        (
-            {"inputs": ["torque_1"], "drives": "held"},
-            r'torque of a motor, but the motors are held .*use motor_1, or drives="free"',
-        ),
-        ({"outputs": ["p_z"]}, r'unknown name "p_z" \(outputs\); did you mean "p_[xy]"'),
-        ({"outputs": ["psi_1"]}, r'unknown name "psi_1" \(outputs\)'),
-        ({"outputs": ["force_x"]}, r'unknown name "force_x" \(outputs\)'),
-        ({"outputs": []}, "at least one of the outputs"),
-        ({"outputs": [{}]}, "at least one of the outputs"),
-        ({"outputs": ["p_x", "p_x"]}, '"p_x" is given twice'),
-        ({"outputs": {"oblique": [0.0, 0.0]}}, r"expected a direction along x, y.*\(outputs: oblique\)"),
-        ({"outputs": {"oblique": [1.0, 0.0, 0.0]}}, "expected a direction along x, y"),
-        ({"outputs": {"oblique": [np.nan, 1.0]}}, "expected a direction along x, y"),
-        ({"outputs": {"oblique": "up"}}, 'expected a direction along x, y, found "up"'),
-        ({"quantity": "speed"}, 'expected displacement, velocity or acceleration, found "speed"'),
-        ({"quantity": None}, "expected displacement, velocity or acceleration"),
-        ({"drives": "locked"}, 'expected "free" or "held", found "locked"'),
-        ({"on_error": "skip"}, 'expected on_error "raise" or "nan"'),
-    ],
-)
-def test_wrong_arguments_are_refused_with_what_to_do(arguments: Mapping[str, Any], message: str) -> None:
-    given: dict[str, Any] = {"frequencies": [10.0], "inputs": ["force_x"], "outputs": ["p_x"]}
-    with pytest.raises(PkmodesError, match=message):
-        model_of("corexy", {}, ratio=0.02).frf(POSES["corexy"], **(given | dict(arguments)))
+WRONG = [
+    ({"inputs": ["forcex"]}, r'unknown name "forcex" \(inputs\); did you mean "force_x"'),
+    ({"inputs": ["torque_3"]}, r'unknown name "torque_3" \(inputs\); did you mean "torque_'),
+    ({"inputs": ["p_x"]}, r'unknown name "p_x" \(inputs\)'),
+    ({"inputs": [3]}, r"unknown name 3 \(inputs\); known: torque_1"),
+    ({"inputs": []}, "at least one of the inputs"),
+    ({"inputs": ["force_x", "force_x"]}, '"force_x" is given twice'),
+    (
+        {"inputs": ["motor_1"]},
+        r'prescribed angle, but the motors are free .*use torque_1, or drives="held"',
+    ),
+    (
+        {"inputs": ["torque_1"], "drives": "held"},
+        r'torque of a motor, but the motors are held .*use motor_1, or drives="free"',
+    ),
+    ({"outputs": ["p_z"]}, r'unknown name "p_z" \(outputs\); did you mean "p_[xy]"'),
+    ({"outputs": ["psi_1"]}, r'unknown name "psi_1" \(outputs\)'),
+    ({"outputs": ["force_x"]}, r'unknown name "force_x" \(outputs\)'),
+    ({"outputs": []}, "at least one of the outputs"),
+    ({"outputs": [{}]}, "at least one of the outputs"),
+    ({"outputs": ["p_x", "p_x"]}, '"p_x" is given twice'),
+    ({"outputs": {"oblique": [0.0, 0.0]}}, r"expected a direction along x, y.*\(outputs: oblique\)"),
+    ({"outputs": {"oblique": [1.0, 0.0, 0.0]}}, "expected a direction along x, y"),
+    ({"outputs": {"oblique": [np.nan, 1.0]}}, "expected a direction along x, y"),
+    ({"outputs": {"oblique": "up"}}, 'expected a direction along x, y, found "up"'),
+    ({"quantity": "speed"}, 'expected displacement, velocity or acceleration, found "speed"'),
+    ({"quantity": None}, "expected displacement, velocity or acceleration"),
+    ({"drives": "locked"}, 'expected "free" or "held", found "locked"'),
+    ({"on_error": "skip"}, 'expected on_error "raise" or "nan"'),
+]
+
+
+def test_wrong_arguments_are_refused_with_what_to_do() -> None:
+    with every_case() as tried:
+        for arguments, message in WRONG:
+            with tried(arguments):
+                given: dict[str, Any] = {"frequencies": [10.0], "inputs": ["force_x"], "outputs": ["p_x"]}
+                with pytest.raises(PkmodesError, match=message):
+                    model_of("corexy", {}, ratio=0.02).frf(POSES["corexy"], **(given | dict(arguments)))
 
 
 @pytest.mark.parametrize("names", [None, 5, [["p_x"]]])

@@ -13,6 +13,7 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED, edited
+from helpers.runs.cases import every_case
 from pkmodes.cli import run
 
 pytestmark = pytest.mark.usefixtures("backend")
@@ -115,72 +116,72 @@ def test_a_pose_may_be_given_with_units(capsys: pytest.CaptureFixture[str]) -> N
     assert json.loads(capsys.readouterr().out)["pose"] == [0.6, 0.03, -0.245]
 
 
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (["modes", ROBOT, "--pose", "0.6,0"], "expected 3 components X,Y,Z, found 2 (--pose)"),
-        (
-            ["modes", ROBOT, "--pose", "0.6,0,zero"],
-            'found "zero", which does not begin with a number (--pose)',
-        ),
-        (["modes", ROBOT, "--pose", "0.6,0,1 kg"], "which is a mass (--pose)"),
-        (["modes", ROBOT, "--pose", "nan,0,0"], "expected finite coordinates"),
-        (["modes", ROBOT, "--pose", "9,9,9"], "the pose is out of reach: link"),
-        (["modes", ROBOT, "--pose", "0,1e200,0"], "the pose is out of reach: link 1 is far too short"),
-        (["modes", ROBOT, "--pose", "1e200,0,0"], "the pose is singular"),
-        (
-            ["modes", ROBOT, "--pose", "-1e308,1e308,1e308"],
-            "the pose is out of reach: link 1 is far too short",
-        ),
-        (
-            ["modes", ROBOT, "--pose", "0.6,0,0"],
-            "the condition number of D_l is inf (pose 0 at [0.6, 0, 0] m)",
-        ),
-        (
-            ["modes", ROBOT, "--pose", "600, 0,-2.45e2"],
-            '(--pose); the numbers look like millimetres: write --pose "600 mm,0 mm,-2.45e2 mm"',
-        ),
-        (["sensitivities", ROBOT, "--pose", "600,0,-245"], 'write --pose "600 mm,0 mm,-245 mm"'),
-        (
-            ["modes", str(ROOT / "robots/corexy-printer.toml"), "--pose", "250,200"],
-            'write --pose "250 mm,200 mm"',
-        ),
-        (
-            ["modes", str(ROOT / "robots/corexy-printer.toml"), "--pose", "0.31,0.2"],
-            "beyond the upper end of its travel along x by 0.01 m (pose 0 at [0.31, 0.2] m)",
-        ),
-        (["modes", ROBOT, "--pose", "600 m,0,-245"], "the pose is out of reach: link"),
-        (["modes", ROBOT, "--pose", "0.1,0,-0.245"], "carriage 2 is beyond its limits"),
-        (["modes", "absent.toml", "--pose", POSE], "cannot read the robot file: no such file"),
-        (["modes", ROBOT], "missing option '--pose' (pkmodes modes)"),
-        (["modes", "--pose", POSE], "missing argument 'ROBOT.toml' (pkmodes modes)"),
-        (
-            ["modes", ROBOT, "--pose", POSE, "--pose=9,9,9"],
-            "option '--pose' is given more than once (pkmodes modes)",
-        ),
-        (["modes", "--pose", POSE, ROBOT, "--pose", POSE], "option '--pose' is given more than once"),
-        (["generate", ROBOT, "--out", "a", "--out", "b"], "option '--out' is given more than once"),
-        (["modes", ROBOT, "--pose", POSE, "--zzz"], "no such option"),
-        (["modez"], "no such command 'modez'"),
-        (
-            ["modes", ROBOT, "--pose", POSE, "--json", "/dev/null/x.json"],
-            "/dev/null is not a folder (--json",
-        ),
-        (["generate", ROBOT], "missing option '--out' (pkmodes generate)"),
-        (["generate", "absent.toml", "--out", "x"], "cannot read the robot file"),
-        (["check", "absent"], "no such file or folder (absent)"),
-    ],
-)
-def test_mistakes_are_one_error_line_and_exit_code_2(
-    arguments: list[str], message: str, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert run(arguments) == 2
-    captured = capsys.readouterr()
-    assert captured.out == ""
-    assert captured.err.startswith("error: ")
-    assert captured.err.count("\n") == 1
-    assert message in captured.err
-    assert captured.err.rstrip().rpartition("; ")[2], "what to do is missing"
+MISTAKES = [
+    (["modes", ROBOT, "--pose", "0.6,0"], "expected 3 components X,Y,Z, found 2 (--pose)"),
+    (
+        ["modes", ROBOT, "--pose", "0.6,0,zero"],
+        'found "zero", which does not begin with a number (--pose)',
+    ),
+    (["modes", ROBOT, "--pose", "0.6,0,1 kg"], "which is a mass (--pose)"),
+    (["modes", ROBOT, "--pose", "nan,0,0"], "expected finite coordinates"),
+    (["modes", ROBOT, "--pose", "9,9,9"], "the pose is out of reach: link"),
+    (["modes", ROBOT, "--pose", "0,1e200,0"], "the pose is out of reach: link 1 is far too short"),
+    (["modes", ROBOT, "--pose", "1e200,0,0"], "the pose is singular"),
+    (
+        ["modes", ROBOT, "--pose", "-1e308,1e308,1e308"],
+        "the pose is out of reach: link 1 is far too short",
+    ),
+    (
+        ["modes", ROBOT, "--pose", "0.6,0,0"],
+        "the condition number of D_l is inf (pose 0 at [0.6, 0, 0] m)",
+    ),
+    (
+        ["modes", ROBOT, "--pose", "600, 0,-2.45e2"],
+        '(--pose); the numbers look like millimetres: write --pose "600 mm,0 mm,-2.45e2 mm"',
+    ),
+    (["sensitivities", ROBOT, "--pose", "600,0,-245"], 'write --pose "600 mm,0 mm,-245 mm"'),
+    (
+        ["modes", str(ROOT / "robots/corexy-printer.toml"), "--pose", "250,200"],
+        'write --pose "250 mm,200 mm"',
+    ),
+    (
+        ["modes", str(ROOT / "robots/corexy-printer.toml"), "--pose", "0.31,0.2"],
+        "beyond the upper end of its travel along x by 0.01 m (pose 0 at [0.31, 0.2] m)",
+    ),
+    (["modes", ROBOT, "--pose", "600 m,0,-245"], "the pose is out of reach: link"),
+    (["modes", ROBOT, "--pose", "0.1,0,-0.245"], "carriage 2 is beyond its limits"),
+    (["modes", "absent.toml", "--pose", POSE], "cannot read the robot file: no such file"),
+    (["modes", ROBOT], "missing option '--pose' (pkmodes modes)"),
+    (["modes", "--pose", POSE], "missing argument 'ROBOT.toml' (pkmodes modes)"),
+    (
+        ["modes", ROBOT, "--pose", POSE, "--pose=9,9,9"],
+        "option '--pose' is given more than once (pkmodes modes)",
+    ),
+    (["modes", "--pose", POSE, ROBOT, "--pose", POSE], "option '--pose' is given more than once"),
+    (["generate", ROBOT, "--out", "a", "--out", "b"], "option '--out' is given more than once"),
+    (["modes", ROBOT, "--pose", POSE, "--zzz"], "no such option"),
+    (["modez"], "no such command 'modez'"),
+    (
+        ["modes", ROBOT, "--pose", POSE, "--json", "/dev/null/x.json"],
+        "/dev/null is not a folder (--json",
+    ),
+    (["generate", ROBOT], "missing option '--out' (pkmodes generate)"),
+    (["generate", "absent.toml", "--out", "x"], "cannot read the robot file"),
+    (["check", "absent"], "no such file or folder (absent)"),
+]
+
+
+def test_mistakes_are_one_error_line_and_exit_code_2(capsys: pytest.CaptureFixture[str]) -> None:
+    with every_case() as tried:
+        for arguments, message in MISTAKES:
+            with tried(arguments):
+                assert run(arguments) == 2
+                captured = capsys.readouterr()
+                assert captured.out == ""
+                assert captured.err.startswith("error: ")
+                assert captured.err.count("\n") == 1
+                assert message in captured.err
+                assert captured.err.rstrip().rpartition("; ")[2], "what to do is missing"
 
 
 def test_a_wrong_robot_file_gives_one_error_line_for_each_problem(

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from helpers.robots.robot_text import published
+from helpers.runs.cases import every_case
 from pkmodes.codegen.generation import specification
 from pkmodes.core.base.errors import RobotFileError
 from pkmodes.core.robot.covariance import Covariance, correlations_of, covariance_of
@@ -56,85 +57,87 @@ def test_a_table_may_have_smaller_sigmas_of_its_own(tmp_path: Path) -> None:
     assert rate == pytest.approx(-0.8 * s * t / (0.1 * 1e-3))
 
 
-@pytest.mark.parametrize(
-    ("table", "place", "parts"),
-    [
-        ("", ".paths", ["expected a list of dotted paths, found nothing", "write paths = ["]),
-        ("paths = []", ".paths", ["found an empty list"]),
-        ('paths = "platform.mass"', ".paths", ['found "platform.mass"']),
-        ("paths = [1]", ".paths.1", ["expected the dotted path of a value with a sigma, found 1"]),
-        (
-            'paths = ["platform.mas"]',
-            ".paths.1",
-            ['found "platform.mas", which this file does not declare', 'did you mean "platform.mass"?'],
-        ),
-        ('paths = ["belt.width", "motor.inertia"]', ".paths.2", ["which has no sigma", "give it a sigma"]),
-        ('paths = ["belt.width", "belt.width"]', ".paths.2", ["found belt.width also in covariance.1"]),
-        ('paths = ["belt.width"]', ".correlation", ["matrix of 1 by 1 correlations, found nothing"]),
-        ('paths = ["belt.width"]\ncorrelation = 1', ".correlation", ["found 1"]),
-        ('paths = ["belt.width"]\ncorrelation = [[1, 0], [0, 1]]', ".correlation", ["found a list of 2"]),
-        (
-            'paths = ["belt.width", "platform.mass"]\ncorrelation = [[1, 0.5], [1]]',
-            ".correlation",
-            ["matrix of 2 by 2 correlations, found rows of 2, 1", "write 2 rows of 2"],
-        ),
-        (
-            'paths = ["belt.width", "platform.mass"]\ncorrelation = [[1, "0.5"], [0.5, 1]]',
-            ".correlation.1.2",
-            ['expected a correlation from -1 to 1, found "0.5"'],
-        ),
-        (
-            'paths = ["belt.width", "platform.mass"]\ncorrelation = [[1, nan], [nan, 1]]',
-            ".correlation.1.2",
-            ["expected a correlation from -1 to 1, found nan"],
-        ),
-        (
-            'paths = ["belt.width", "platform.mass"]\ncorrelation = [[1, 1.5], [1.5, 1]]',
-            ".correlation.1.2",
-            ["expected a correlation from -1 to 1, found 1.5"],
-        ),
-        (
-            'paths = ["belt.width", "platform.mass"]\ncorrelation = [[1, 0.5], [0.5, 0.9]]',
-            ".correlation.2.2",
-            ["expected 1 on the diagonal, found 0.9", "write correlations, not covariances"],
-        ),
-        (
-            'paths = ["belt.width", "platform.mass"]\ncorrelation = [[1, 0.5], [-0.5, 1]]',
-            ".correlation.1.2",
-            ["expected a symmetric matrix, found 0.5 here and -0.5 in row 2"],
-        ),
-        (
-            'paths = ["belt.width", "platform.mass", "pulley.radius"]\n'
-            "correlation = [[1, 0.9, 0.9], [0.9, 1, -0.9], [0.9, -0.9, 1]]",
-            ".correlation",
-            ["expected a positive semidefinite matrix, found an eigenvalue of -0.8"],
-        ),
-        (
-            'paths = ["belt.width"]\ncorrelation = [[1]]\nsigma = ["1 kg"]',
-            ".sigma.1",
-            ['expected a length such as "400 mm", found "1 kg"'],
-        ),
-        (
-            'paths = ["belt.width"]\ncorrelation = [[1]]\nsigma = ["2 mm"]',
-            ".sigma.1",
-            ["above 0 and at most that of the value, 0.001 m, found 0.002 m", "enlarge the sigma"],
-        ),
-        ('paths = ["belt.width"]\ncorrelation = [[1]]\nsigma = [0]', ".sigma.1", ["found 0 m"]),
-        ('paths = ["belt.width"]\ncorrelation = [[1]]\nsigma = []', ".sigma", ["expected 1 standard"]),
-        (
-            'paths = ["belt.width"]\ncorrelation = [[1]]\ncorelation = 1',
-            ".corelation",
-            ['unknown key "corelation"', 'did you mean "correlation"?'],
-        ),
-    ],
-)
-def test_what_is_refused(tmp_path: Path, table: str, place: str, parts: list[str]) -> None:
-    with pytest.raises(RobotFileError) as caught:
-        read(tmp_path, f"\n[[covariance]]\n{table}\n")
-    (problem,) = caught.value.problems
-    assert problem.where == f"{tmp_path / 'robot.toml'}: covariance.1{place}"
-    said = f"{problem.what}; {problem.remedy}"
-    assert [part for part in parts if part not in said] == [], said
+REFUSED = [
+    ("", ".paths", ["expected a list of dotted paths, found nothing", "write paths = ["]),
+    ("paths = []", ".paths", ["found an empty list"]),
+    ('paths = "platform.mass"', ".paths", ['found "platform.mass"']),
+    ("paths = [1]", ".paths.1", ["expected the dotted path of a value with a sigma, found 1"]),
+    (
+        'paths = ["platform.mas"]',
+        ".paths.1",
+        ['found "platform.mas", which this file does not declare', 'did you mean "platform.mass"?'],
+    ),
+    ('paths = ["belt.width", "motor.inertia"]', ".paths.2", ["which has no sigma", "give it a sigma"]),
+    ('paths = ["belt.width", "belt.width"]', ".paths.2", ["found belt.width also in covariance.1"]),
+    ('paths = ["belt.width"]', ".correlation", ["matrix of 1 by 1 correlations, found nothing"]),
+    ('paths = ["belt.width"]\ncorrelation = 1', ".correlation", ["found 1"]),
+    ('paths = ["belt.width"]\ncorrelation = [[1, 0], [0, 1]]', ".correlation", ["found a list of 2"]),
+    (
+        'paths = ["belt.width", "platform.mass"]\ncorrelation = [[1, 0.5], [1]]',
+        ".correlation",
+        ["matrix of 2 by 2 correlations, found rows of 2, 1", "write 2 rows of 2"],
+    ),
+    (
+        'paths = ["belt.width", "platform.mass"]\ncorrelation = [[1, "0.5"], [0.5, 1]]',
+        ".correlation.1.2",
+        ['expected a correlation from -1 to 1, found "0.5"'],
+    ),
+    (
+        'paths = ["belt.width", "platform.mass"]\ncorrelation = [[1, nan], [nan, 1]]',
+        ".correlation.1.2",
+        ["expected a correlation from -1 to 1, found nan"],
+    ),
+    (
+        'paths = ["belt.width", "platform.mass"]\ncorrelation = [[1, 1.5], [1.5, 1]]',
+        ".correlation.1.2",
+        ["expected a correlation from -1 to 1, found 1.5"],
+    ),
+    (
+        'paths = ["belt.width", "platform.mass"]\ncorrelation = [[1, 0.5], [0.5, 0.9]]',
+        ".correlation.2.2",
+        ["expected 1 on the diagonal, found 0.9", "write correlations, not covariances"],
+    ),
+    (
+        'paths = ["belt.width", "platform.mass"]\ncorrelation = [[1, 0.5], [-0.5, 1]]',
+        ".correlation.1.2",
+        ["expected a symmetric matrix, found 0.5 here and -0.5 in row 2"],
+    ),
+    (
+        'paths = ["belt.width", "platform.mass", "pulley.radius"]\n'
+        "correlation = [[1, 0.9, 0.9], [0.9, 1, -0.9], [0.9, -0.9, 1]]",
+        ".correlation",
+        ["expected a positive semidefinite matrix, found an eigenvalue of -0.8"],
+    ),
+    (
+        'paths = ["belt.width"]\ncorrelation = [[1]]\nsigma = ["1 kg"]',
+        ".sigma.1",
+        ['expected a length such as "400 mm", found "1 kg"'],
+    ),
+    (
+        'paths = ["belt.width"]\ncorrelation = [[1]]\nsigma = ["2 mm"]',
+        ".sigma.1",
+        ["above 0 and at most that of the value, 0.001 m, found 0.002 m", "enlarge the sigma"],
+    ),
+    ('paths = ["belt.width"]\ncorrelation = [[1]]\nsigma = [0]', ".sigma.1", ["found 0 m"]),
+    ('paths = ["belt.width"]\ncorrelation = [[1]]\nsigma = []', ".sigma", ["expected 1 standard"]),
+    (
+        'paths = ["belt.width"]\ncorrelation = [[1]]\ncorelation = 1',
+        ".corelation",
+        ['unknown key "corelation"', 'did you mean "correlation"?'],
+    ),
+]
+
+
+def test_what_is_refused(tmp_path: Path) -> None:
+    with every_case() as tried:
+        for table, place, parts in REFUSED:
+            with tried(table):
+                with pytest.raises(RobotFileError) as caught:
+                    read(tmp_path, f"\n[[covariance]]\n{table}\n")
+                (problem,) = caught.value.problems
+                assert problem.where == f"{tmp_path / 'robot.toml'}: covariance.1{place}"
+                said = f"{problem.what}; {problem.remedy}"
+                assert [part for part in parts if part not in said] == [], said
 
 
 def test_no_value_is_in_two_tables_and_none_that_is_known_exactly(tmp_path: Path) -> None:

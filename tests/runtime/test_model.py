@@ -8,6 +8,7 @@ from scipy.linalg import eigh
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED
+from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import PoseError
 from pkmodes_generated import linear_delta
 
@@ -90,42 +91,44 @@ def test_torques_balance_the_weight_by_virtual_work(model: pkmodes.Model) -> Non
     assert work == pytest.approx(weight * dz, rel=1e-9)
 
 
-@pytest.mark.parametrize(
-    ("poses", "what"),
-    [
-        ([0.6, 0.0, 0.9], "out of reach: link"),
-        ([0.6, 0.0, 0.0], "singular: the condition number of D_l is inf"),
-        ([0.6, 0.0, -1e-9], "singular: the condition number of D_l is"),
-        (
-            [0.1, 0.0, -0.245],
-            "carriage 2 is beyond its limits: the belt span between its carriage and pulley 2",
-        ),
-        (
-            [1.1, 0.0, -0.245],
-            "carriage 1 is beyond its limits: the belt span between its carriage and pulley 1",
-        ),
-        ([np.nan, 0.0, -0.245], "finite"),
-        ([np.inf, 0.0, -0.245], "finite"),
-        ([], "shape"),
-        (np.empty((0, 3)), "at least one pose"),
-        ([0.6, 0.0], "shape"),
-        (0.6, "shape"),
-        ([[0.6, 0.0], [1.0]], "array of numbers"),
-        (["a", "b", "c"], "array of numbers"),
-        ([1j, 0, 0], "array of numbers"),
-        (None, "array of numbers"),
-    ],
-)
-def test_bad_poses_are_refused(model: pkmodes.Model, poses: object, what: str) -> None:
-    for method in (
-        model.modes,
-        model.matrices,
-        model.statics,
-        model.platform_jacobian,
-        model.inverse_kinematics,
-    ):
-        with pytest.raises(PoseError, match=what):
-            method(poses)
+BAD_POSES = [
+    ([0.6, 0.0, 0.9], "out of reach: link"),
+    ([0.6, 0.0, 0.0], "singular: the condition number of D_l is inf"),
+    ([0.6, 0.0, -1e-9], "singular: the condition number of D_l is"),
+    (
+        [0.1, 0.0, -0.245],
+        "carriage 2 is beyond its limits: the belt span between its carriage and pulley 2",
+    ),
+    (
+        [1.1, 0.0, -0.245],
+        "carriage 1 is beyond its limits: the belt span between its carriage and pulley 1",
+    ),
+    ([np.nan, 0.0, -0.245], "finite"),
+    ([np.inf, 0.0, -0.245], "finite"),
+    ([], "shape"),
+    (np.empty((0, 3)), "at least one pose"),
+    ([0.6, 0.0], "shape"),
+    (0.6, "shape"),
+    ([[0.6, 0.0], [1.0]], "array of numbers"),
+    (["a", "b", "c"], "array of numbers"),
+    ([1j, 0, 0], "array of numbers"),
+    (None, "array of numbers"),
+]
+
+
+def test_bad_poses_are_refused(model: pkmodes.Model) -> None:
+    with every_case() as tried:
+        for poses, what in BAD_POSES:
+            with tried(poses):
+                for method in (
+                    model.modes,
+                    model.matrices,
+                    model.statics,
+                    model.platform_jacobian,
+                    model.inverse_kinematics,
+                ):
+                    with pytest.raises(PoseError, match=what):
+                        method(poses)
 
 
 def test_the_message_names_the_first_bad_pose_and_counts_them(model: pkmodes.Model) -> None:

@@ -14,6 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.robots.robot_text import PUBLISHED, edited, published
+from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import RobotFileError
 from pkmodes.core.robot.reading import read_robot
 
@@ -104,114 +105,114 @@ def test_parameters_cannot_be_changed_by_accident() -> None:
         robot.parameters.link_length[0] = 1.0
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "path", "expected", "found"),
-    [
-        (
-            'length = "400 mm"',
-            'length = "400 kg"',
-            "link.length",
-            "expected a length",
-            '"400 kg", which is a mass',
-        ),
-        ('length = "400 mm"', 'length = "400"', "link.length", "expected a length", "no unit"),
-        ('length = "400 mm"', 'length = "-4 mm"', "link.length", "greater than 0 m", '"-4 mm"'),
-        ('length = "400 mm"', 'length = "0 mm"', "link.length", "greater than 0 m", '"0 mm"'),
-        ('length = "400 mm"', "length = nan", "link.length", "finite length", "nan"),
-        ('length = "400 mm"', "length = inf", "link.length", "finite length", "inf"),
-        ('length = "400 mm"', "length = true", "link.length", "expected a length", "true"),
-        ('length = "400 mm"', 'length = ["400 mm"]', "link.length", "expected a length", "a list"),
-        (
-            'length = "400 mm"',
-            "length = {value = 1, sgima = 2}",
-            "link.length",
-            '"value"',
-            '"value", "sgima"',
-        ),
-        ('length = "400 mm"', "length = {value = 1, sigma = -2}", "link.length", "sigma", "-2"),
-        (
-            'length = "400 mm"',
-            'length = {value = 1, sigma = "2 kg"}',
-            "link.length",
-            "sigma",
-            "which is a mass",
-        ),
-        ('mass = "1.5 kg"', 'mass = "-1.5 kg"', "platform.mass", "greater than 0 kg", '"-1.5 kg"'),
-        ('mass = "0.7 kg"', 'mass = "-0.7 kg"', "link.mass", "at least 0 kg", '"-0.7 kg"'),
-        (
-            "direction = [1, 0, 0]",
-            "direction = [0, 0, 0]",
-            "axis.1.direction",
-            "unit vector",
-            "zero direction",
-        ),
-        ("direction = [1, 0, 0]", "direction = [2, 0, 0]", "axis.1.direction", "unit vector", "length 2"),
-        ("direction = [1, 0, 0]", "direction = [1, 0]", "axis.1.direction", "list of 3", "2 elements"),
-        ("direction = [1, 0, 0]", "direction = [nan, 0, 0]", "axis.1.direction.x", "finite", "nan"),
-        ('"0 m", "1.2 m"', '"1.2 m", "0 m"', "axis.1.limits", "lower limit first", "1.2 m before 0 m"),
-        ('"0 m", "1.2 m"', '"1 m", "1 m"', "axis.1.limits", "lower limit first", "1 m before 1 m"),
-        ("driven_pulley = 1", "driven_pulley = 3", "axis.1.driven_pulley", "1 or 2", "3"),
-        ("branch = 1\n", "branch = 0\n", "axis.1.branch", "1 or -1", "0"),
-        ("format = 1", "format = 2", "format", "1", "2"),
-        ('mechanism = "linear_delta"', 'mechanism = "hexapod"', "mechanism", "linear_delta", '"hexapod"'),
-        ('name = "linear-delta-2022"', "name = 7", "name", "plain text", "found 7"),
-        ("gear_ratio = 10", "gear_ratio = 0", "motor.gear_ratio", "greater than 0", "0"),
-        (
-            "[platform]\n",
-            "[platform]\nmas = 1\n",
-            "platform.mas",
-            'unknown key "mas"',
-            'did you mean "mass"?',
-        ),
-        ("[belt]\n", "[belts]\n", "belts", 'unknown key "belts"', 'did you mean "belt"?'),
-        ("branch = 1\n", "branch = 1\nlimit = 3\n", "axis.1.limit", 'unknown key "limit"', 'mean "limits"?'),
-        ("branch = 1\n", "branch = 1\n[axis.bolt]\nwidth = 1\n", "axis.1.bolt", 'key "bolt"', 'mean "belt"?'),
-        ("branch = 1\n", "", "axis.1.branch", "axis.1.branch is missing", "add it"),
-        ('mass = "1.5 kg"', "", "platform.mass", "platform.mass is missing", "add it"),
-        ('length = "0 mm"', 'length = "1.2 m"', "axis.1.limits", "shorter than the travel", "1.2 m"),
-        ("format = 1", "format = true", "format", "1", "true"),
-        ("format = 1", "format = 1.0", "format", "1", "1.0"),
-        ("branch = 1\n", "branch = 1.0\n", "axis.1.branch", "1 or -1", "1.0"),
-        ('"linear-delta-2022"', '"   "', "name", "plain text", '"   "'),
-        ('"linear-delta-2022"', '"a*/ int x; /*"', "name", "plain text", "int x"),
-        ('"linear-delta-2022"', '\'"""; import os\'', "name", "plain text", "import os"),
-        ('"linear-delta-2022"', '"a\\nimport os"', "name", "plain text", "a\\nimport os"),
-        ('length = "400 mm"', f"length = {10**400}", "link.length", "finite length", "1000"),
-        (
-            'length = "400 mm"',
-            f"length = 0x{'f' * 5000}",
-            "link.length",
-            "finite length",
-            "very large number",
-        ),
-        ('length = "400 mm"', 'length = """400\n\nkg"""', "link.length", "expected a length", "400\\n\\nkg"),
-        ('"0 m", "1.2 m"', '{value = 0, sigma = "1 %"}, 1.2', "axis.1.limits.min", "sigma", "is undefined"),
-        (
-            "direction = [1, 0, 0]",
-            "direction = [{value = 1, sigma = 0.1}, 0, 0]",
-            "axis.1.direction",
-            "no standard",
-            "a table",
-        ),
-        (
-            "gear_ratio = 10",
-            'gear_ratio = "10 deg"',
-            "motor.gear_ratio",
-            "expected a number",
-            "does not belong",
-        ),
-        ("gear_ratio = 10", "gear_ratio = 1e200", "motor.gear_ratio", "magnitude between", "1e+200"),
-        ('width = "15 mm"', "", "belt.width", "expected a length", "found nothing"),
-    ],
-)
-def test_mistakes_name_path_expected_and_found(
-    tmp_path: Path, old: str, new: str, path: str, expected: str, found: str
-) -> None:
-    line = problems(tmp_path, edited(old, new))[0]
-    assert f"robot.toml: {path})" in line, line
-    assert expected in line, line
-    assert found in line, line
-    assert "; " in line, "what to do is missing"
+MISTAKES = [
+    (
+        'length = "400 mm"',
+        'length = "400 kg"',
+        "link.length",
+        "expected a length",
+        '"400 kg", which is a mass',
+    ),
+    ('length = "400 mm"', 'length = "400"', "link.length", "expected a length", "no unit"),
+    ('length = "400 mm"', 'length = "-4 mm"', "link.length", "greater than 0 m", '"-4 mm"'),
+    ('length = "400 mm"', 'length = "0 mm"', "link.length", "greater than 0 m", '"0 mm"'),
+    ('length = "400 mm"', "length = nan", "link.length", "finite length", "nan"),
+    ('length = "400 mm"', "length = inf", "link.length", "finite length", "inf"),
+    ('length = "400 mm"', "length = true", "link.length", "expected a length", "true"),
+    ('length = "400 mm"', 'length = ["400 mm"]', "link.length", "expected a length", "a list"),
+    (
+        'length = "400 mm"',
+        "length = {value = 1, sgima = 2}",
+        "link.length",
+        '"value"',
+        '"value", "sgima"',
+    ),
+    ('length = "400 mm"', "length = {value = 1, sigma = -2}", "link.length", "sigma", "-2"),
+    (
+        'length = "400 mm"',
+        'length = {value = 1, sigma = "2 kg"}',
+        "link.length",
+        "sigma",
+        "which is a mass",
+    ),
+    ('mass = "1.5 kg"', 'mass = "-1.5 kg"', "platform.mass", "greater than 0 kg", '"-1.5 kg"'),
+    ('mass = "0.7 kg"', 'mass = "-0.7 kg"', "link.mass", "at least 0 kg", '"-0.7 kg"'),
+    (
+        "direction = [1, 0, 0]",
+        "direction = [0, 0, 0]",
+        "axis.1.direction",
+        "unit vector",
+        "zero direction",
+    ),
+    ("direction = [1, 0, 0]", "direction = [2, 0, 0]", "axis.1.direction", "unit vector", "length 2"),
+    ("direction = [1, 0, 0]", "direction = [1, 0]", "axis.1.direction", "list of 3", "2 elements"),
+    ("direction = [1, 0, 0]", "direction = [nan, 0, 0]", "axis.1.direction.x", "finite", "nan"),
+    ('"0 m", "1.2 m"', '"1.2 m", "0 m"', "axis.1.limits", "lower limit first", "1.2 m before 0 m"),
+    ('"0 m", "1.2 m"', '"1 m", "1 m"', "axis.1.limits", "lower limit first", "1 m before 1 m"),
+    ("driven_pulley = 1", "driven_pulley = 3", "axis.1.driven_pulley", "1 or 2", "3"),
+    ("branch = 1\n", "branch = 0\n", "axis.1.branch", "1 or -1", "0"),
+    ("format = 1", "format = 2", "format", "1", "2"),
+    ('mechanism = "linear_delta"', 'mechanism = "hexapod"', "mechanism", "linear_delta", '"hexapod"'),
+    ('name = "linear-delta-2022"', "name = 7", "name", "plain text", "found 7"),
+    ("gear_ratio = 10", "gear_ratio = 0", "motor.gear_ratio", "greater than 0", "0"),
+    (
+        "[platform]\n",
+        "[platform]\nmas = 1\n",
+        "platform.mas",
+        'unknown key "mas"',
+        'did you mean "mass"?',
+    ),
+    ("[belt]\n", "[belts]\n", "belts", 'unknown key "belts"', 'did you mean "belt"?'),
+    ("branch = 1\n", "branch = 1\nlimit = 3\n", "axis.1.limit", 'unknown key "limit"', 'mean "limits"?'),
+    ("branch = 1\n", "branch = 1\n[axis.bolt]\nwidth = 1\n", "axis.1.bolt", 'key "bolt"', 'mean "belt"?'),
+    ("branch = 1\n", "", "axis.1.branch", "axis.1.branch is missing", "add it"),
+    ('mass = "1.5 kg"', "", "platform.mass", "platform.mass is missing", "add it"),
+    ('length = "0 mm"', 'length = "1.2 m"', "axis.1.limits", "shorter than the travel", "1.2 m"),
+    ("format = 1", "format = true", "format", "1", "true"),
+    ("format = 1", "format = 1.0", "format", "1", "1.0"),
+    ("branch = 1\n", "branch = 1.0\n", "axis.1.branch", "1 or -1", "1.0"),
+    ('"linear-delta-2022"', '"   "', "name", "plain text", '"   "'),
+    ('"linear-delta-2022"', '"a*/ int x; /*"', "name", "plain text", "int x"),
+    ('"linear-delta-2022"', '\'"""; import os\'', "name", "plain text", "import os"),
+    ('"linear-delta-2022"', '"a\\nimport os"', "name", "plain text", "a\\nimport os"),
+    ('length = "400 mm"', f"length = {10**400}", "link.length", "finite length", "1000"),
+    (
+        'length = "400 mm"',
+        f"length = 0x{'f' * 5000}",
+        "link.length",
+        "finite length",
+        "very large number",
+    ),
+    ('length = "400 mm"', 'length = """400\n\nkg"""', "link.length", "expected a length", "400\\n\\nkg"),
+    ('"0 m", "1.2 m"', '{value = 0, sigma = "1 %"}, 1.2', "axis.1.limits.min", "sigma", "is undefined"),
+    (
+        "direction = [1, 0, 0]",
+        "direction = [{value = 1, sigma = 0.1}, 0, 0]",
+        "axis.1.direction",
+        "no standard",
+        "a table",
+    ),
+    (
+        "gear_ratio = 10",
+        'gear_ratio = "10 deg"',
+        "motor.gear_ratio",
+        "expected a number",
+        "does not belong",
+    ),
+    ("gear_ratio = 10", "gear_ratio = 1e200", "motor.gear_ratio", "magnitude between", "1e+200"),
+    ('width = "15 mm"', "", "belt.width", "expected a length", "found nothing"),
+]
+
+
+def test_mistakes_name_path_expected_and_found(tmp_path: Path) -> None:
+    with every_case() as tried:
+        for old, new, path, expected, found in MISTAKES:
+            with tried(f"{old} -> {new}"):
+                line = problems(tmp_path, edited(old, new))[0]
+                assert f"robot.toml: {path})" in line, line
+                assert expected in line, line
+                assert found in line, line
+                assert "; " in line, "what to do is missing"
 
 
 def test_every_problem_is_reported_at_once(tmp_path: Path) -> None:

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 import pkmodes
 from helpers.robots.corrected_files import changed_lines, correct
 from helpers.robots.robot_text import published
+from helpers.runs.cases import every_case
 from pkmodes.codegen.generation import specification
 from pkmodes.core.base.errors import PkmodesError, RobotFileError
 from pkmodes.core.robot.reading import read_robot, robot_from_document
@@ -41,64 +42,66 @@ def test_limits_are_in_si_units_and_in_the_order_of_the_pose(tmp_path: Path) -> 
     assert read(tmp_path, '\n[usable]\ny = ["0 mm", "20 cm"]\n', "corexy-printer").usable == {"y": (0.0, 0.2)}
 
 
-@pytest.mark.parametrize(
-    ("table", "place", "parts"),
-    [
-        (
-            "w = [0, 1]",
-            "usable.w",
-            [
-                'expected a component of the pose, radius or singular_angle, found "w"',
-                "known: x, y, z, radius, singular_angle",
-            ],
-        ),
-        ("Z = [0, 1]", "usable.Z", ['did you mean "z"?']),
-        ('z = ["1 kg", 2]', "usable.z.min", ['expected a length such as "400 mm", found "1 kg"']),
-        ('z = [0, "2"]', "usable.z.max", ['found "2", which has no unit']),
-        ("z = [0, true]", "usable.z.max", ["found true"]),
-        ("z = [0, inf]", "usable.z.max", ["expected a finite length"]),
-        ('z = ["-200 mm", "-300 mm"]', "usable.z", ["found -0.2 m before -0.3 m", "exchange them"]),
-        ("z = [1, 1]", "usable.z", ["found 1 m twice", "write two limits"]),
-        ("z = -0.3", "usable.z", ["expected the lower and the upper limit, found -0.3", "write two limits"]),
-        ("z = [-0.3]", "usable.z", ["expected the lower and the upper limit, found a list of 1"]),
-        ("z = { min = 1 }", "usable.z", ["expected the lower and the upper limit, found a table"]),
-        (
-            'z = [{ value = 0, sigma = "1 mm" }, 1]',
-            "usable.z.min",
-            ["found a table: a limit has no standard deviation"],
-        ),
-        ("radius = 0", "usable.radius", ["expected a length greater than 0 m, found 0"]),
-        ('radius = "12 deg"', "usable.radius", ['expected a length such as "400 mm", found "12 deg"']),
-        ("radius = [0, 1]", "usable.radius", ["found a list"]),
-        (
-            'radius = { about = ["0 mm", "0 mm"] }',
-            "usable.radius",
-            ['found "about" (', 'write radius = "120 mm"'],
-        ),
-        (
-            'radius = { value = 0.1, sigma = "1 mm" }',
-            "usable.radius",
-            ['found "value", "sigma": a limit has no standard deviation'],
-        ),
-        ("radius = { value = 0.1, about = [0] }", "usable.radius.about", ["found a list of 1"]),
-        ('radius = { value = 0.1, about = [0, "1 s"] }', "usable.radius.about.y", ['found "1 s"']),
-        ("singular_angle = 0", "usable.singular_angle", ["expected an angle greater than 0 rad, found 0"]),
-        ("singular_angle = 15", "usable.singular_angle", ["below 90 deg, found 15, which is 859.4 deg"]),
-        (
-            'singular_angle = { value = "15 deg", sigma = "1 deg" }',
-            "usable.singular_angle",
-            ["found a table: a limit has no standard deviation", 'write singular_angle = "15 deg"'],
-        ),
-        ('"z\\u001b[2J" = [0, 1]', 'usable."z\\x1b[2J"', ["expected a component of the pose"]),
-    ],
-)
-def test_what_is_refused(tmp_path: Path, table: str, place: str, parts: list[str]) -> None:
-    with pytest.raises(RobotFileError) as error:
-        read(tmp_path, f"\n[usable]\n{table}\n")
-    (line,) = error.value.lines
-    assert f"({tmp_path / 'robot.toml'}: {place}); " in line
-    for part in parts:
-        assert part in line
+REFUSED = [
+    (
+        "w = [0, 1]",
+        "usable.w",
+        [
+            'expected a component of the pose, radius or singular_angle, found "w"',
+            "known: x, y, z, radius, singular_angle",
+        ],
+    ),
+    ("Z = [0, 1]", "usable.Z", ['did you mean "z"?']),
+    ('z = ["1 kg", 2]', "usable.z.min", ['expected a length such as "400 mm", found "1 kg"']),
+    ('z = [0, "2"]', "usable.z.max", ['found "2", which has no unit']),
+    ("z = [0, true]", "usable.z.max", ["found true"]),
+    ("z = [0, inf]", "usable.z.max", ["expected a finite length"]),
+    ('z = ["-200 mm", "-300 mm"]', "usable.z", ["found -0.2 m before -0.3 m", "exchange them"]),
+    ("z = [1, 1]", "usable.z", ["found 1 m twice", "write two limits"]),
+    ("z = -0.3", "usable.z", ["expected the lower and the upper limit, found -0.3", "write two limits"]),
+    ("z = [-0.3]", "usable.z", ["expected the lower and the upper limit, found a list of 1"]),
+    ("z = { min = 1 }", "usable.z", ["expected the lower and the upper limit, found a table"]),
+    (
+        'z = [{ value = 0, sigma = "1 mm" }, 1]',
+        "usable.z.min",
+        ["found a table: a limit has no standard deviation"],
+    ),
+    ("radius = 0", "usable.radius", ["expected a length greater than 0 m, found 0"]),
+    ('radius = "12 deg"', "usable.radius", ['expected a length such as "400 mm", found "12 deg"']),
+    ("radius = [0, 1]", "usable.radius", ["found a list"]),
+    (
+        'radius = { about = ["0 mm", "0 mm"] }',
+        "usable.radius",
+        ['found "about" (', 'write radius = "120 mm"'],
+    ),
+    (
+        'radius = { value = 0.1, sigma = "1 mm" }',
+        "usable.radius",
+        ['found "value", "sigma": a limit has no standard deviation'],
+    ),
+    ("radius = { value = 0.1, about = [0] }", "usable.radius.about", ["found a list of 1"]),
+    ('radius = { value = 0.1, about = [0, "1 s"] }', "usable.radius.about.y", ['found "1 s"']),
+    ("singular_angle = 0", "usable.singular_angle", ["expected an angle greater than 0 rad, found 0"]),
+    ("singular_angle = 15", "usable.singular_angle", ["below 90 deg, found 15, which is 859.4 deg"]),
+    (
+        'singular_angle = { value = "15 deg", sigma = "1 deg" }',
+        "usable.singular_angle",
+        ["found a table: a limit has no standard deviation", 'write singular_angle = "15 deg"'],
+    ),
+    ('"z\\u001b[2J" = [0, 1]', 'usable."z\\x1b[2J"', ["expected a component of the pose"]),
+]
+
+
+def test_what_is_refused(tmp_path: Path) -> None:
+    with every_case() as tried:
+        for table, place, parts in REFUSED:
+            with tried(table):
+                with pytest.raises(RobotFileError) as error:
+                    read(tmp_path, f"\n[usable]\n{table}\n")
+                (line,) = error.value.lines
+                assert f"({tmp_path / 'robot.toml'}: {place}); " in line
+                for part in parts:
+                    assert part in line
 
 
 def test_all_problems_are_told_together_and_the_table_must_be_one(tmp_path: Path) -> None:

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Kind, SignalFile
@@ -194,14 +195,16 @@ FAULTS = {
 }
 
 
-@pytest.mark.parametrize("fault", FAULTS)
-def test_faults_are_refused_with_line_and_column(path: Path, fault: str) -> None:
-    text, what, place = FAULTS[fault]
-    with pytest.raises(MeasurementError) as caught:
-        read(path, text)
-    assert what in caught.value.what
-    assert str(path) in caught.value.where
-    assert place in caught.value.where
+def test_faults_are_refused_with_line_and_column(path: Path) -> None:
+    with every_case() as tried:
+        for fault in FAULTS:
+            with tried(fault):
+                text, what, place = FAULTS[fault]
+                with pytest.raises(MeasurementError) as caught:
+                    read(path, text)
+                assert what in caught.value.what
+                assert str(path) in caught.value.where
+                assert place in caught.value.where
 
 
 @given(

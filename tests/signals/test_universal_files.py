@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.functions import Kind
 from pkmodes.signals.reading import read_signals
@@ -167,14 +169,17 @@ def test_random_bytes_are_refused(tmp_path: Path) -> None:
             read_signals(path)
 
 
-@pytest.mark.parametrize("content", [b"", b"\n\n", b"    -1\n", b"    -1\n    -1\n", b"text"])
-@pytest.mark.parametrize("suffix", [".uff", ".csv", ".mat", ".bin"])
-def test_files_without_content_are_refused(tmp_path: Path, content: bytes, suffix: str) -> None:
-    path = tmp_path / f"empty{suffix}"
-    path.write_bytes(content)
-    with pytest.raises(MeasurementError, match=r"expected|cannot read") as caught:
-        read_signals(path)
-    assert str(path) in caught.value.where
+def test_files_without_content_are_refused(tmp_path: Path) -> None:
+    with every_case() as tried:
+        for suffix, content in product(
+            [".uff", ".csv", ".mat", ".bin"], [b"", b"\n\n", b"    -1\n", b"    -1\n    -1\n", b"text"]
+        ):
+            with tried(f"{suffix}, {content}"):
+                path = tmp_path / f"empty{suffix}"
+                path.write_bytes(content)
+                with pytest.raises(MeasurementError, match=r"expected|cannot read") as caught:
+                    read_signals(path)
+                assert str(path) in caught.value.where
 
 
 def test_folders_and_missing_files_are_refused(tmp_path: Path) -> None:
