@@ -173,9 +173,7 @@ def test_the_page_works_in_a_browser(page: Path) -> None:
         for width in (320, 360, 768, 1200):
             browser.page.set_viewport_size({"width": width, "height": 800})
             assert not browser.sideways
-        assert browser.findings() == []
-        browser.page.emulate_media(color_scheme="dark")
-        assert browser.findings() == []
+        assert browser.findings_in_light_and_dark() == []
 
 
 def test_labels_of_a_figure_do_not_leave_it(page: Path) -> None:

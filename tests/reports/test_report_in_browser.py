@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from helpers.diagnoses.examples import example
 from helpers.diagnoses.verdict_examples import VERDICTS
-from helpers.pages.browser import opened
+from helpers.pages.browser import Opened, opened
 from helpers.pages.page_reading import read
 from helpers.pages.report_examples import HOSTILE, hostile_page, made_up, many_modes, page_of
 from helpers.runs.shared import Shared
@@ -59,6 +61,20 @@ def page(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactor
     return target
 
 
+@pytest.fixture(scope="module")
+def shown(page: Path) -> Iterator[Opened]:
+    with opened(page) as browser:
+        yield browser
+
+
+@pytest.fixture
+def seen(shown: Opened) -> Opened:
+    """Each report, opened once for the tests that change only the size of the window and the colours."""
+    shown.page.set_viewport_size({"width": 1280, "height": 900})
+    shown.page.emulate_media(color_scheme="light", media="screen")
+    return shown
+
+
 def structure() -> Any:
     """The diagnosis of the example that is no robot."""
     names: dict[str, Any] = {"__name__": "example"}
@@ -89,10 +105,10 @@ def test_nothing_is_loaded_executed_or_complained_about(page: Path) -> None:
 
 
 @pytest.mark.parametrize(("width", "least"), [(1280, 400), (360, 300)])
-def test_every_figure_is_drawn(page: Path, width: int, least: int) -> None:
-    with opened(page, width=width) as browser:
-        figures = browser.page.evaluate(DRAWN)
-        count = browser.page.locator(".plot").count()
+def test_every_figure_is_drawn(seen: Opened, width: int, least: int) -> None:
+    seen.page.set_viewport_size({"width": width, "height": 900})
+    figures = seen.page.evaluate(DRAWN)
+    count = seen.page.locator(".plot").count()
     assert len(figures) == count > 0
     for figure in figures:
         assert figure["width"] > least, figure
@@ -139,53 +155,48 @@ def test_the_fitted_values_fit_beside_the_contents(tmp_path: Path, shared: Share
         assert box.evaluate("box => box.scrollWidth - box.clientWidth") <= 0
 
 
-def test_a_page_has_no_horizontal_scroll_at_any_width(page: Path) -> None:
-    with opened(page) as browser:
-        for width in (320, 390, 768, 1200, 1920):
-            browser.page.set_viewport_size({"width": width, "height": 800})
-            assert browser.page.evaluate("document.documentElement.scrollWidth") <= width
+def test_a_page_has_no_horizontal_scroll_at_any_width(seen: Opened) -> None:
+    for width in (320, 390, 768, 1200, 1920):
+        seen.page.set_viewport_size({"width": width, "height": 800})
+        assert seen.page.evaluate("document.documentElement.scrollWidth") <= width
 
 
-def test_axe_has_no_grave_findings_in_light_and_dark(page: Path) -> None:
-    with opened(page) as browser:
-        assert browser.findings() == []
-        browser.page.emulate_media(color_scheme="dark")
-        assert browser.findings() == []
+def test_axe_has_no_grave_findings_in_light_and_dark(seen: Opened) -> None:
+    assert seen.findings_in_light_and_dark() == []
 
 
-def test_a_page_is_dark_where_that_is_preferred(page: Path) -> None:
+def test_a_page_is_dark_where_that_is_preferred(seen: Opened) -> None:
     shade = """() => ["body", "figure svg text"].map(name => {
         const style = getComputedStyle(document.querySelector(name));
         const colour = name === "body" ? style.backgroundColor : style.fill;
         return colour.match(/[0-9]+/g).slice(0, 3).reduce((a, b) => a + Number(b), 0) / 3;
     })"""
-    with opened(page) as browser:
-        light, text = browser.page.evaluate(shade)
-        browser.page.emulate_media(color_scheme="dark")
-        dark, bright = browser.page.evaluate(shade)
+    light, text = seen.page.evaluate(shade)
+    seen.page.emulate_media(color_scheme="dark")
+    dark, bright = seen.page.evaluate(shade)
     assert light > 240
     assert text < 60
     assert dark < 60
     assert bright > 200
 
 
-def test_a_page_prints_on_paper_without_cutting_figures_and_rows(page: Path) -> None:
-    with opened(page, scheme="dark") as browser:
-        pdf = browser.page.pdf(prefer_css_page_size=True)
-        browser.page.emulate_media(media="print")
-        paper = browser.page.evaluate("getComputedStyle(document.body).backgroundColor")
-        hidden = browser.page.evaluate("getComputedStyle(document.querySelector('nav')).display")
-        # Two figures fit on a page of A4, so that none leaves half a page blank; tall ones are still read.
-        heights = browser.page.evaluate(
-            "[...document.querySelectorAll('.plot:not(.tall) svg')].map(one => one.getBoundingClientRect().height)"
-        )
-        heads = browser.page.evaluate(
-            "[...document.querySelectorAll('thead')].map(one => getComputedStyle(one).display)"
-        )
-        breaks = browser.page.evaluate(
-            """[...document.querySelectorAll("figure:has(svg), tbody tr, .summary")]
-               .map(one => getComputedStyle(one).breakInside)"""
-        )
+def test_a_page_prints_on_paper_without_cutting_figures_and_rows(seen: Opened) -> None:
+    seen.page.emulate_media(color_scheme="dark")
+    pdf = seen.page.pdf(prefer_css_page_size=True)
+    seen.page.emulate_media(media="print")
+    paper = seen.page.evaluate("getComputedStyle(document.body).backgroundColor")
+    hidden = seen.page.evaluate("getComputedStyle(document.querySelector('nav')).display")
+    # Two figures fit on a page of A4, so that none leaves half a page blank; tall ones are still read.
+    heights = seen.page.evaluate(
+        "[...document.querySelectorAll('.plot:not(.tall) svg')].map(one => one.getBoundingClientRect().height)"
+    )
+    heads = seen.page.evaluate(
+        "[...document.querySelectorAll('thead')].map(one => getComputedStyle(one).display)"
+    )
+    breaks = seen.page.evaluate(
+        """[...document.querySelectorAll("figure:has(svg), tbody tr, .summary")]
+           .map(one => getComputedStyle(one).breakInside)"""
+    )
     assert pdf.startswith(b"%PDF")
     assert 2 <= pdf.count(b"/Type /Page\n") + pdf.count(b"/Type /Page ") <= 60
     assert b"[0 0 594.95996 841.91998]" in pdf or b"[0 0 595" in pdf  # A4
@@ -245,8 +256,11 @@ def test_hostile_text_is_only_text(shared: Shared) -> None:
     assert len(html.encode("utf-8")) < 600_000
 
 
-def test_the_closed_loop_report_is_small(tmp_path: Path) -> None:
-    target = tmp_path / "report.html"
+def test_the_closed_loop_report_is_small(
+    tmp_path: Path, shared: Shared, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target, found = tmp_path / "report.html", example(shared, "closed_loop")
+    monkeypatch.setattr(updating, "diagnose", lambda *_, **__: found)
     assert run(["diagnose", *LOOP, "--report", str(target)]) == 0
     assert 100_000 < target.stat().st_size < 1_500_000  # 0.6 MB of them are three.js
 

@@ -3,11 +3,7 @@
 from __future__ import annotations
 
 import json
-import os
 import re
-import subprocess
-import sys
-from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -26,7 +22,7 @@ from helpers.diagnoses.diagnose_command import (
     rows_of,
 )
 from helpers.pages.page_reading import read
-from helpers.runs.processes import without_progress
+from helpers.runs.processes import printed_by_a_process, without_progress
 
 pytestmark = pytest.mark.usefixtures("backend")
 
@@ -167,11 +163,12 @@ def test_every_terminal_gets_whole_numbers(
     modes = csv_of([{**row, "pose": row["pose"].replace("P1", "Größe")} for row in rows_of(measured())])
     given = [*files(tmp_path, PUBLISHED, modes), "--candidates", "payload", "--holdout", "Größe"]
     if "PYTHONIOENCODING" in environment:  # Python reads it where it starts
-        out, err = printed_by_a_process(given, environment)
+        out, err = printed_by_a_process(["diagnose", *given], environment)
     else:
         for name, value in environment.items():
             monkeypatch.setenv(name, value)
-        _, out, err = call(*given)
+        code, out, err = call(*given)
+        assert code == 0
     assert re.search(r"\x1b\[[0-9;]*[34][0-7]", out + err) is None  # no colours
     if "FORCE_COLOR" not in environment:  # which would show the progress too
         assert without_progress(err) == ""
@@ -182,15 +179,6 @@ def test_every_terminal_gets_whole_numbers(
     if "COLUMNS" in environment:
         text = [line for line in out.splitlines() if "  " not in line.strip()]
         assert max(map(len, text)) <= 40
-
-
-def printed_by_a_process(arguments: Sequence[object], environment: Mapping[str, str]) -> tuple[str, str]:
-    command = [sys.executable, "-m", "pkmodes", "diagnose", *map(str, arguments)]
-    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
-    found = subprocess.run(
-        command, env={**os.environ, "PYTHONPATH": path, **environment}, capture_output=True, check=True
-    )
-    return found.stdout.decode("ascii"), found.stderr.decode()
 
 
 def test_help_shows_an_example_that_works(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

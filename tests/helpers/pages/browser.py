@@ -64,6 +64,14 @@ class Opened:
             for node in one["nodes"]
         ]
 
+    def findings_in_light_and_dark(self) -> list[str]:
+        """Return the grave findings of axe-core where light colours are preferred, and where dark ones are."""
+        found = []
+        for scheme in ("light", "dark"):
+            self.page.emulate_media(color_scheme=scheme)
+            found += [f"{scheme}: {one}" for one in self.findings()]
+        return found
+
 
 @contextmanager
 def opened(
@@ -129,12 +137,13 @@ def _playing() -> Iterator[None]:
 
     Playwright runs it in a greenlet of this thread, where asyncio takes it for running until Playwright stops.
     """
+    before = asyncio._get_running_loop()  # that of Playwright where another page is open already
     _, loop = _playwright()
     asyncio._set_running_loop(loop)
     try:
         yield
     finally:
-        asyncio._set_running_loop(None)
+        asyncio._set_running_loop(before)
 
 
 def close_browsers() -> None:

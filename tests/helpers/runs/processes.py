@@ -2,8 +2,28 @@
 
 from __future__ import annotations
 
+import os
 import re
 import signal
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+ROOT = Path(__file__).parents[3]
+
+
+def printed_by_a_process(arguments: Sequence[object], environment: Mapping[str, str]) -> tuple[str, str]:
+    """Return what a command prints in a process of its own, for what Python reads of the environment as it starts."""
+    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
+    found = subprocess.run(
+        [sys.executable, "-m", "pkmodes", *map(str, arguments)],
+        env={**os.environ, "PYTHONPATH": path, **environment},
+        capture_output=True,
+        check=True,
+    )
+    encoding = environment.get("PYTHONIOENCODING", "utf-8")
+    return found.stdout.decode(encoding), found.stderr.decode()
 
 
 def interruptible() -> None:
