@@ -301,6 +301,7 @@ def test_names_cannot_control_the_terminal(
     assert harmless(printed.out)
 
 
+@pytest.mark.usefixtures("no_drawing")
 @pytest.mark.parametrize(
     "arguments",
     [
