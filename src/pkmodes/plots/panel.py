@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 Array = NDArray[Any]
 Side = Literal["x", "y"]
 #: Characters of a title or label in one line on a narrow sheet.
-LINE = 40
+LINE = 44
 
 
 @dataclass(frozen=True)

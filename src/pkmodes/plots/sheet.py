@@ -207,7 +207,7 @@ class Sheet:
         return made
 
     def settle(self) -> Bbox | None:
-        """Lay a narrow figure out; return the part of it that is shown, None if it does not fit."""
+        """Lay a narrow figure out, to be saved once; return the part of it that is shown, None if it does not fit."""
         from matplotlib import rc_context
         from matplotlib.transforms import Bbox
 
