@@ -108,9 +108,9 @@ def test_what_the_campaign_says_prevails_over_the_robot(tmp_path: Path) -> None:
     folder = tmp_path / "campaign"
     shutil.copytree(CAMPAIGN, folder)
     robot_with(folder, TABLE, folder / "robot.toml")
-    text = (folder / "campaign.toml").read_text("utf-8")
+    sensors, first, *_ = (folder / "campaign.toml").read_text("utf-8").split("[[record]]")
     own = '\n[report]\noperator = "C. Diaz"\nmachine = "Cell 4"\n'
-    (folder / "campaign.toml").write_text(text + own, encoding="utf-8")
+    (folder / "campaign.toml").write_text(f"{sensors}[[record]]{first}{own}", encoding="utf-8")
     target = tmp_path / "page.html"
     command = ["identify", str(folder / "campaign.toml"), "--out", str(tmp_path / "modes.csv"), "--report"]
     assert run([*command, str(target)]) == 0

@@ -170,17 +170,6 @@ def test_it_fits_a_phone_and_axe_has_no_grave_findings(page: Path) -> None:
         assert found.findings_in_light_and_dark() == []
 
 
-def test_sweeps_samples_and_poses_have_their_sections() -> None:
-    model = pkmodes.load("examples/closed_loop/robot.toml")
-    poses = np.array([[0.6, 0.0, -0.245], [0.5, 0.02, -0.245], [0.7, 0.0, -0.24]])
-    dataset = model.map(poses, sweep={"carriage.mass": [1.0, 1.5]}, samples=4)
-    text = map_report(model, dataset)
-    for section in ("Swept parameters", "Sampled robots", "Along the poses", "Over the working plane"):
-        assert f">{section}</h2>" in text, section
-    assert "platform.mass" in text
-    assert text == map_report(model, dataset)
-
-
 @pytest.fixture
 def drawn(monkeypatch: pytest.MonkeyPatch) -> list[Grid]:
     """The planes in which the figures of the robot are drawn, instead of the figures."""
@@ -192,6 +181,19 @@ def drawn(monkeypatch: pytest.MonkeyPatch) -> list[Grid]:
 
     monkeypatch.setattr("pkmodes.report.map.pictures", remember)
     return planes
+
+
+@pytest.mark.usefixtures("drawn")
+def test_sweeps_samples_and_poses_have_their_sections() -> None:
+    """The same at every run; the figures of the robot are those of the page of a map without a sweep."""
+    model = pkmodes.load("examples/closed_loop/robot.toml")
+    poses = np.array([[0.6, 0.0, -0.245], [0.5, 0.02, -0.245], [0.7, 0.0, -0.24]])
+    dataset = model.map(poses, sweep={"carriage.mass": [1.0, 1.5]}, samples=4)
+    text = map_report(model, dataset)
+    for section in ("Swept parameters", "Sampled robots", "Along the poses", "Over the working plane"):
+        assert f">{section}</h2>" in text, section
+    assert "platform.mass" in text
+    assert text == map_report(model, dataset)
 
 
 @pytest.mark.usefixtures("no_drawing")
