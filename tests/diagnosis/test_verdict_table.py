@@ -17,7 +17,7 @@ from helpers.pages.report_examples import made_up
 from helpers.runs.shared import Shared
 from pkmodes import updating
 from pkmodes.cli import cli, run
-from pkmodes.diagnosis.verdict import document, verdicts
+from pkmodes.diagnosis.verdict import document, findings, verdicts
 from pkmodes.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, Colour, Verdict, Word
 from pkmodes.support.documents import schema_of
 
@@ -92,7 +92,8 @@ def test_a_made_up_entry_reaches_the_schema(monkeypatch: pytest.MonkeyPatch) -> 
     entry = "VERDICTS['hearsay'] = ADEQUATE\n"
     table: dict[str, Any] = {"__name__": verdicts.__name__}
     exec(source.replace("\nif TYPE_CHECKING:", f"\n{entry}if TYPE_CHECKING:"), table)
-    monkeypatch.setattr(document, "Word", table["Word"])
+    for module in (document, findings):
+        monkeypatch.setattr(module, "Word", table["Word"])
     monkeypatch.setattr(document, "DampingWord", table["DampingWord"])
     described = schema_of(document.DiagnoseDocument, "pkmodes diagnose --json")
     words = [*VERDICTS, HEARSAY.word]

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+from msgspec import structs
 
 from pkmodes import updating
 from pkmodes.core.robot.robot import Robot
@@ -199,7 +200,7 @@ def run(case: Case) -> Outcome:
 
 def _of_frequencies(found: Diagnosis) -> dict[str, object]:
     """Return all that is said of frequencies and shapes."""
-    rows = [{**vars(row), **dict.fromkeys(OF_DAMPING)} for row in found.rows]
+    rows = [{**structs.asdict(row), **dict.fromkeys(OF_DAMPING)} for row in found.rows]
     return {**found.as_json(), "damping": None, "rows": rows}
 
 
