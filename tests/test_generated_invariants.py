@@ -45,6 +45,13 @@ def linkages(p: np.ndarray, x: np.ndarray, q: Parameters) -> np.ndarray:
     return p + q.joint - (q.origin + x[:, None] * q.direction)
 
 
+def assembled(name: str) -> tuple[np.ndarray, Parameters, np.ndarray, np.float64]:
+    """Return pose, parameters and carriages of a sample robot, and the sign of the volume that its linkages span."""
+    p, q = sample(name).pose, sample(name).parameters
+    x = model.inverse_kinematics(p, q)
+    return p, q, x, np.sign(np.linalg.det(linkages(p, x, q)))
+
+
 # Kinematics
 
 
@@ -52,9 +59,7 @@ def test_direct_kinematics_undoes_inverse_in_the_same_assembly() -> None:
     with every_case() as tried:
         for name in SAMPLES:
             with tried(name):
-                p, q = sample(name).pose, sample(name).parameters
-                x = model.inverse_kinematics(p, q)
-                assembly = np.sign(np.linalg.det(linkages(p, x, q)))
+                p, q, x, assembly = assembled(name)
                 # 1e-12 m: a picometre, for poses within a metre of the origin
                 np.testing.assert_allclose(model.direct_kinematics(x, assembly, q), p, rtol=0, atol=1e-12)
 
@@ -63,9 +68,7 @@ def test_other_assembly_closes_too_and_has_the_other_sign() -> None:
     with every_case() as tried:
         for name in SAMPLES:
             with tried(name):
-                p, q = sample(name).pose, sample(name).parameters
-                x = model.inverse_kinematics(p, q)
-                assembly = np.sign(np.linalg.det(linkages(p, x, q)))
+                _, q, x, assembly = assembled(name)
                 other = model.direct_kinematics(x, -assembly, q)
                 s = linkages(other, x, q)
                 np.testing.assert_allclose(np.linalg.norm(s, axis=-1), q.link_length, rtol=1e-12)

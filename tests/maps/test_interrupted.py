@@ -215,6 +215,24 @@ def test_files_that_are_removed_while_the_map_is_computed(
     assert continued(out, monkeypatch) == TASKS, "its plan is gone as well"
 
 
+@pytest.mark.parametrize("tracked", [False, True])
+def test_rows_that_are_damaged_while_the_map_is_computed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, tracked: bool
+) -> None:
+    out = tmp_path / "map.nc"
+    count_tasks(monkeypatch)
+
+    def damage(done: int, total: int) -> None:
+        if done == total:  # before the modes are tracked and the file is written
+            last = chunks_in(group_of(out) / ("shape" if tracked else "frequency"))[-1]
+            last.write_bytes(bytes(len(last.read_bytes())))
+
+    with pytest.raises(OutputError, match="were damaged meanwhile") as error:
+        model().map(GRID, out=out, threads=1, progress=damage, tracked=tracked)
+    assert error.value.remedy == "the same command computes them again"
+    assert not out.exists()
+
+
 def test_a_field_that_is_empty_at_each_pose_does_not_keep_a_task_from_being_done(tmp_path: Path) -> None:
     """As the frequencies of a robot without modes."""
     tails = {"frequency": ((0,), "f8"), "condition": ((), "f8"), "code": ((), "i1")}

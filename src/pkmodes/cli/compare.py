@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from pkmodes.cli.compare_robots import compare_two
+from pkmodes.cli.compare_robots import compare_robot_files
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import (
     band_of,
@@ -66,7 +66,7 @@ def compare(
     check_targets(json_file, [robot, modes, *([poses] if poses else [])], report_target(report_to))
     if modes.suffix.lower() == ".toml":
         _refuse(band, "--band", "is of measurements, and two robots are compared")
-        compare_two((robot, modes), grid, poses, drives, everything, report_to, json_file)
+        compare_robot_files((robot, modes), grid, poses, drives, everything, report_to, json_file)
         return
     _refuse(grid, "--grid", "is for two robots; measurements have their own poses")
     _refuse(poses, "--poses", "is for two robots; measurements have their own poses")

@@ -33,7 +33,7 @@ POSES, MOST = 20_000, 1_000_000
 LARGEST = 10
 
 
-def compare_two(
+def compare_robot_files(
     files: tuple[Path, Path],
     grid: str | None,
     poses: Path | None,

@@ -83,7 +83,7 @@ class Terminal:
         described_by : int
             Columns that describe a row, all of which are in the first part; by default those that are repeated.
         even : bool
-            Whether the parts have as many columns each, where that takes no further part.
+            Whether all parts have about as many columns, if that takes no further part.
         above : sequence of str
             A line above each row, if any; empty for none.
         """
@@ -91,11 +91,7 @@ class Terminal:
         widths = [max(cell_len(row[k]) for row in cells) for k in range(len(titles))]
         parts = [list(range(len(titles)))]
         if repeated:
-            described_by = max(described_by, repeated)
-            parts = self._parts(widths, gap, repeated, described_by)
-            most = -(-(len(titles) - described_by) // len(parts))
-            same = self._parts(widths, gap, repeated, described_by, most) if even else parts
-            parts = same if len(same) == len(parts) else parts
+            parts = self._parts(widths, gap, repeated, max(described_by, repeated), even)
         for number, part in enumerate(parts):
             if number:
                 self.line()
@@ -111,15 +107,20 @@ class Terminal:
         return sum(widths) + gap * (len(widths) - 1) <= self._width
 
     def _parts(
-        self, widths: Sequence[int], gap: int, repeated: int, described_by: int, most: int | None = None
+        self, widths: Sequence[int], gap: int, repeated: int, described_by: int, even: bool
     ) -> list[list[int]]:
-        """Return the columns of each part of a table, every part as wide as the terminal at most.
+        """Return the columns of each part of a table, every part as wide as the terminal at most."""
+        count = len(widths) - described_by
+        parts = self._filled(widths, gap, repeated, described_by, count)
+        if not even:
+            return parts
+        alike = self._filled(widths, gap, repeated, described_by, -(-count // len(parts)))
+        return alike if len(alike) == len(parts) else parts
 
-        Parameters
-        ----------
-        most : int, optional
-            Columns beside those that describe a row, in each part.
-        """
+    def _filled(
+        self, widths: Sequence[int], gap: int, repeated: int, described_by: int, most: int
+    ) -> list[list[int]]:
+        """Fill one part after the other with at most so many columns beside those that describe a row."""
         parts = [list(range(described_by))]
         added = 0
         for k in range(described_by, len(widths)):

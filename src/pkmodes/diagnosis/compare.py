@@ -10,14 +10,13 @@ import numpy as np
 from msgspec import Meta
 from scipy import stats
 
-from pkmodes.core.base.drives import Drives
 from pkmodes.diagnosis.arguments import checked
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.verdict.mistakes import other_unit
-from pkmodes.diagnosis.verdict.rows import Place, drives_of
+from pkmodes.diagnosis.verdict.rows import ModeName, MotorsDid, Place, drives_of
 from pkmodes.diagnosis.verdict.wrong_drives import seemingly_wrong_drives
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.documents import Count, Document, Number, Probability, Settings, Size
@@ -26,12 +25,10 @@ from pkmodes.support.documents import Count, Document, Number, Probability, Sett
 class ComparedRow(Place, frozen=True, omit_defaults=True):
     """A measured mode and its partner in the model."""
 
-    mode: Annotated[str, Meta(description="The experimenter's mode number; may be empty.")]
+    mode: ModeName
     measured: Annotated[float, Meta(description="Frequency [Hz].")]
     sigma: Annotated[float, Meta(description="Its standard deviation [Hz].")]
-    drives: Annotated[
-        Drives | None, Meta(description="What the motors did; null for a structure without motors.")
-    ]
+    drives: MotorsDid
     predicted: Annotated[
         float | None,
         Meta(

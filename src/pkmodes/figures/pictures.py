@@ -59,23 +59,29 @@ class Picture:
     name : str
         Of its file, without a suffix.
     title, description : str
-    figure : matplotlib.figure.Figure
+    drawing : Drawing or None
+        What draws the figure, as wide as a page and for a narrow screen, with the table of what it shows; None for
+        words.
     about : str
         The robot and what of it is shown, which also stands below the figure in its file.
     instead : str
         What is said instead of a figure that would show the same everywhere; the figure then consists of these words.
-    drawing : Drawing or None
-        What draws the figure, as wide as a page and for a narrow screen, with the table of what it shows; None for
-        words.
     """
 
     name: str
     title: str
     description: str
-    figure: Figure
+    drawing: Drawing | None
     about: str = ""
     instead: str = ""
-    drawing: Drawing | None = None
+
+    @cached_property
+    def figure(self) -> Figure:
+        """The figure of matplotlib, as wide as a page."""
+        if self.drawing is not None:
+            return self.drawing.figure
+        with styled():
+            return stated(self.instead)
 
     def _repr_html_(self) -> str:
         """Return the figure with its caption, for notebooks."""
@@ -239,11 +245,7 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
         description = kind.description if plane.normal else kind.planar or kind.description
         description += kind.more(robot) if kind.more else ""
         drawn = kind.draw(robot)
-        if isinstance(drawn, Drawing):
-            yield Picture(
-                kind.name, kind.title, f"{description} {about}.", drawn.figure, about, drawing=drawn
-            )
-            continue
-        with styled():
-            figure = stated(drawn)
-        yield Picture(kind.name, kind.title, f"{drawn} {about}.", figure, about, drawn)
+        if isinstance(drawn, str):
+            yield Picture(kind.name, kind.title, f"{drawn} {about}.", None, about, drawn)
+        else:
+            yield Picture(kind.name, kind.title, f"{description} {about}.", drawn, about)

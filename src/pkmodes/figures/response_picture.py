@@ -44,4 +44,4 @@ def response_picture(
     if len(found.model) > MOST:
         text += f" The first {MOST} of {len(found.model)} channels: choose others by inputs and outputs."
     drawn = responses(found.frequencies, found.model, found.units, found.measured, text)
-    return Picture("response", "Frequency responses", text, drawn.figure, drawing=drawn)
+    return Picture("response", "Frequency responses", text, drawn)

@@ -56,8 +56,7 @@ def tornado_picture(model: Model, pose: ArrayLike, *, by: str = PERCENT, drives:
     changes = changes_at(model, point, drives, by)
     at, doing = placed(model.mechanism, point, "g"), motors_in_words(model.robot, drives)
     text = f"{describe(changes)} {model.robot.name} at {at}, {doing}."
-    drawn = tornado(changes)
-    return Picture("tornado", TITLES[by], text, drawn.figure, drawing=drawn)
+    return Picture("tornado", TITLES[by], text, tornado(changes))
 
 
 def describe(changes: Changes) -> str:

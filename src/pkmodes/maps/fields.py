@@ -70,6 +70,7 @@ def _spaced(values: Any, shape: tuple[int, ...]) -> Any:
 
     chunks = normalize_chunks(chunks_of(whole, len(shape)), whole)
     meta = np.empty((0,) * len(whole), dtype)
+    # A name of its own: by default Dask would make one of the rows themselves.
     return map_blocks(part, name=f"rows-{uuid4()}", chunks=chunks, dtype=dtype, meta=meta)
 
 

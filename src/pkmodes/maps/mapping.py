@@ -29,7 +29,7 @@ from pkmodes.maps.locking import locked
 from pkmodes.maps.map_file import MapFile
 from pkmodes.maps.poses import Grid, Places, places_of
 from pkmodes.maps.running import run
-from pkmodes.maps.storage import SUFFIX, Store, Tails, in_memory, on_disk
+from pkmodes.maps.storage import SUFFIX, Store, Tails, damage_refused, in_memory, on_disk
 from pkmodes.maps.tracking import Tracked, track
 from pkmodes.maps.variants import SAMPLE, Variants, variants_of
 from pkmodes.maps.workspace import bounds_of, reachable
@@ -215,9 +215,10 @@ def map_of(
     folder = file.path.with_name(file.path.name + SUFFIX)
     with locked(folder):
         store = on_disk(folder, plan.record, plan.rows, ROWS, sizes)
-        dataset = computed(store)
-        file.write(dataset, folder)
-        kept: xarray.Dataset | None = dataset.load() if file.is_table else None
+        with damage_refused(folder):
+            dataset = computed(store)
+            file.write(dataset, folder)
+            kept: xarray.Dataset | None = dataset.load() if file.is_table else None
         store.remove()
     return file.opened() if kept is None else kept
 

@@ -11,7 +11,8 @@ from __future__ import annotations
 import errno
 import os
 import shutil
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from math import prod
 from pathlib import Path
@@ -83,6 +84,23 @@ class Store:
         """Remove the files of the map, which is complete, or has nothing to continue."""
         if self.folder is not None:
             shutil.rmtree(self.folder / GROUP)
+
+
+@contextmanager
+def damage_refused(folder: Path) -> Iterator[None]:
+    """Say what to do where rows that are read were damaged after they had been stored.
+
+    Raises
+    ------
+    OutputError
+    """
+    try:
+        yield
+    except ValueError as error:
+        if "checksum" not in str(error):  # of Zarr's codec
+            raise
+        what = "rows of the map in progress were damaged meanwhile"
+        raise OutputError(what, str(folder), "the same command computes them again") from None
 
 
 def in_memory(rows: int, tasks: int, tails: Tails) -> Store:

@@ -22,6 +22,8 @@ Array = NDArray[Any]
 Side = Literal["x", "y"]
 #: Characters of a title or label in one line on a narrow sheet.
 LINE = 44
+#: Characters by which equal parts of a text are exceeded, since lines end between words.
+WORD = 5
 
 
 @dataclass(frozen=True)
@@ -250,7 +252,7 @@ def _edges(places: Array) -> Array:
 
 def _filled(text: str) -> str:
     """Return text in lines that are short enough for a narrow sheet, about equally long."""
-    lines = text.split("\n")
     return "\n".join(
-        line if len(line) <= LINE else fill(line, len(line) // (len(line) // LINE + 1) + 5) for line in lines
+        line if len(line) <= LINE else fill(line, len(line) // (len(line) // LINE + 1) + WORD)
+        for line in text.split("\n")
     )

@@ -25,7 +25,7 @@ TITLE, BELOW = 0.25, 0.6
 LABELLED = 0.55
 #: Height of a panel over its width from which on two and three stand side by side.
 TALL = (1.3, 2.2)
-#: How far a figure may reach over its width until it is taken for one that does not fit.
+#: Width of a drawn figure over that of the sheet up to which it fits.
 SLACK = 1.03
 #: Width of a panel at least [inch].
 LEAST = 0.5
@@ -220,7 +220,8 @@ class Sheet:
         engine.execute(drawn)
         with rc_context({"figure.constrained_layout.use": False}):
             drawn.set_layout_engine(None)  # it stays as it is, and is saved without another draft
-        for legend in drawn.legends:  # in parts of the figure, so that they do, too, when margins are cut off
+        # Placed relative to the figure, a legend stays where it is when margins are cut off.
+        for legend in drawn.legends:
             legend.set_bbox_to_anchor((0.0, 0.0, 1.0, 1.0), drawn.transFigure)
         box = drawn.get_tightbbox()
         thin = any(panel.axes.bbox.width < LEAST * drawn.dpi for panel in self.panels)

@@ -234,8 +234,8 @@ def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) ->
         for path in swept:
             spread = spread_along(model.robot, dataset, path, model.max_condition)
             caption = f"Frequencies against {clean(path)}{_banded(dataset, path, spread)}."
-            figure = sweeps.against(drawn_of, path, spread)
-            blocks.append(Picture.of(figure, clean(path), caption, caption))
+            drawing = sweeps.against(drawn_of, path, spread)
+            blocks.append(Picture.of(drawing, clean(path), caption, caption))
         yield Section("sweeps", "Swept parameters", blocks)
     if "sample" in dims:
         drawn = [
@@ -257,15 +257,15 @@ def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) ->
         caption = "Frequencies along the poses, medians over everything else."
         if spread is not None:
             caption = f"Frequencies along the poses: {BAND}."
-        figure = sweeps.along(drawn_of, spread)
-        picture = Picture.of(figure, "Frequencies along the poses", caption, caption)
+        drawing = sweeps.along(drawn_of, spread)
+        picture = Picture.of(drawing, "Frequencies along the poses", caption, caption)
         yield Section("poses", "Along the poses", [picture])
     line = [dim for dim in dims if dim in components]
     if len(line) == 1:
         spread = spread_along(model.robot, dataset, line[0], model.max_condition)
         caption = f"Frequencies along {line[0]}{_banded(dataset, line[0], spread)}."
-        figure = sweeps.against(drawn_of, line[0], spread)
-        picture = Picture.of(figure, f"Along {line[0]}", caption, caption)
+        drawing = sweeps.against(drawn_of, line[0], spread)
+        picture = Picture.of(drawing, f"Along {line[0]}", caption, caption)
         yield Section("line", f"Along {line[0]}", [picture])
 
 

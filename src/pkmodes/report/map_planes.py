@@ -118,11 +118,11 @@ def swept_pictures(
             f"{title}, in the plane {where(shown)}: an end of the sweep. The picture has its own colour scales; "
             "triangles mark the lowest (down) and the highest (up) frequency in the plane."
         )
-        picture = maps.frequencies(shown)
-        if isinstance(picture, str):
-            yield Paragraph(f"{title}: {picture}")
+        drawing = maps.frequencies(shown)
+        if isinstance(drawing, str):
+            yield Paragraph(f"{title}: {drawing}")
         else:
-            yield Picture.of(picture, title, description, description, cropped=True)
+            yield Picture.of(drawing, title, description, description, cropped=True)
 
 
 def value(path: str, number: float, units: dict[str, str]) -> str:

@@ -163,7 +163,7 @@ def _pictures(drawn: DrawnChannels) -> list[Block]:
     names, blocks = list(drawn.model), list[Block]()
     for start in range(0, len(names), TOGETHER):
         chosen = names[start : start + TOGETHER]
-        figure = responses(
+        drawing = responses(
             drawn.frequencies, {name: drawn.model[name] for name in chosen}, drawn.units, drawn.measured
         )
         shown = ", ".join(clean(name) for name in chosen)
@@ -171,7 +171,7 @@ def _pictures(drawn: DrawnChannels) -> list[Block]:
         caption = f"Magnitude and phase of {shown}; a phase of \u221290\u00b0 lags behind."
         if drawn.measured is not None and not drawn.measured[1].keys().isdisjoint(chosen):
             caption += " Broad lines are measured, thin ones the model."
-        blocks.append(Picture.of(figure, title, f"Magnitude and phase of {shown}.", caption))
+        blocks.append(Picture.of(drawing, title, f"Magnitude and phase of {shown}.", caption))
     return blocks
 
 

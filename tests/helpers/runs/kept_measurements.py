@@ -35,7 +35,8 @@ class KeptMeasurements:
 
     def __init__(self, name: str, source: str, config: pytest.Config) -> None:
         self._file, self._update = FOLDER / f"{name}.json", config.getoption("update_golden")
-        texts = {path.name: path.read_text(encoding="utf-8") for path in sorted(set(_sources(source)))}
+        files = sorted(_sources(source))
+        texts = {path.relative_to(TESTS).as_posix(): path.read_text(encoding="utf-8") for path in files}
         self._rig = [mujoco.__version__, texts]
         self._kept = json.loads(self._file.read_text(encoding="utf-8")) if self._file.exists() else {}
 
@@ -58,12 +59,12 @@ def _sources(module: str) -> Iterator[Path]:
     waiting, seen = [module], set()
     while waiting:
         name = waiting.pop()
-        path = TESTS.joinpath(*name.split(".")).with_suffix(".py")
-        if name in seen or not path.is_file():
+        place = TESTS.joinpath(*name.split("."))
+        path = next((one for one in (place.with_suffix(".py"), place / "__init__.py") if one.is_file()), None)
+        if name in seen or path is None:
             continue
         seen.add(name)
         yield path
-        tree = ast.parse(path.read_text(encoding="utf-8"))
-        waiting += [
-            node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) and node.module
-        ]
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and node.module:
+                waiting += [node.module, *(f"{node.module}.{one.name}" for one in node.names)]

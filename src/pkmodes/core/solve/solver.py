@@ -45,7 +45,7 @@ class Solver(ABC):
     differentiates : bool
         Whether it has `rates`.
     together : bool
-        Whether `init` also takes several robots (`pkmodes.updating.stacked`) with the same coordinates without
+        Whether `init` also takes several robots, stacked into one system, with the same coordinates without
         inertia.
     """
 

@@ -11,6 +11,12 @@ from pkmodes.diagnosis.problem import Driven, Structure
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.documents import Document, Number, Settings, Size
 
+#: Of a measured mode, in a comparison and in a diagnosis.
+ModeName = Annotated[str, Meta(description="The experimenter's mode number; may be empty.")]
+MotorsDid = Annotated[
+    Drives | None, Meta(description="What the motors did; null for a structure without motors.")
+]
+
 
 class Error(Document, frozen=True):
     """The errors of one stage."""
@@ -39,12 +45,10 @@ class Place(Document, frozen=True):
 class Row(Place, frozen=True, omit_defaults=True):
     """A measured mode and its predictions."""
 
-    mode: Annotated[str, Meta(description="The experimenter's mode number; may be empty.")]
+    mode: ModeName
     measured: Annotated[float, Meta(description="Measured value.")] = field(name="frequency_hz")
     sigma: Annotated[float, Meta(description="Its standard deviation.")] = field(name="sigma_hz")
-    drives: Annotated[
-        Drives | None, Meta(description="What the motors did; null for a structure without motors.")
-    ]
+    drives: MotorsDid
     before: Annotated[
         float | None, Meta(description="Predicted as declared; null where the row is unmatched.")
     ] = field(name="before_hz")
