@@ -19,7 +19,6 @@ import pkmodes
 from helpers.generated.compiled import COMPILER
 from helpers.pages.documentation import ELSEWHERE, HINT, PAGES, ROOT, Block, blocks, same
 from helpers.robots.robot_text import published
-from helpers.runs.cases import every_case
 from helpers.runs.processes import without_progress
 from pkmodes import updating
 from pkmodes.campaign.campaign import read_campaign
@@ -163,17 +162,16 @@ def test_the_blocks_of_a_page_run_and_print_what_it_shows(
                 raise
 
 
-def test_every_block_says_what_it_is() -> None:
+def test_every_block_says_what_it_is(subtests: pytest.Subtests) -> None:
     """A block without a language would be skipped, and a misspelt comment would be overlooked."""
-    with every_case() as tried:
-        for page in PAGES:
-            with tried(page):
-                for block in blocks(page):
-                    place = f"{page}:{block.line}"
-                    if page.startswith("docs/") or block.elsewhere is None:
-                        assert block.language in LANGUAGES, f"{place}: {block.language!r}"
-                    for hint in block.hints:
-                        assert HINT.fullmatch(hint), f"{place}: {hint!r}"
+    for page in PAGES:
+        with subtests.test(page=page):
+            for block in blocks(page):
+                place = f"{page}:{block.line}"
+                if page.startswith("docs/") or block.elsewhere is None:
+                    assert block.language in LANGUAGES, f"{place}: {block.language!r}"
+                for hint in block.hints:
+                    assert HINT.fullmatch(hint), f"{place}: {hint!r}"
 
 
 def test_the_list_of_blocks_that_are_not_run_is_current() -> None:

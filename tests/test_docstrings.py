@@ -14,7 +14,6 @@ import pytest
 from numpydoc.validate import validate
 
 import pkmodes
-from helpers.runs.cases import every_case
 from pkmodes.api import APPLICATIONS
 
 ROOT = Path(__file__).parents[1]
@@ -68,16 +67,15 @@ def documented() -> Iterator[str]:
                 yield f"{name}.{attribute}"
 
 
-def test_a_docstring_is_complete() -> None:
-    with every_case() as tried:
-        for name in sorted({*documented()}):
-            with tried(name):
-                found = validate(name)
-                problems = [f"{code}: {text}" for code, text in found["errors"] if CHECKS.fullmatch(code)]
-                if found["type"] in ("type", "class") and "\n    Parameters\n" not in found["docstring"]:
-                    # Only pkmodes creates it: the docstring has its attributes.
-                    problems = [text for text in problems if not text.startswith("PR01")]
-                assert name.startswith(ENGINE) or not problems, "\n".join(problems)
+def test_a_docstring_is_complete(subtests: pytest.Subtests) -> None:
+    for name in sorted({*documented()}):
+        with subtests.test(name=name):
+            found = validate(name)
+            problems = [f"{code}: {text}" for code, text in found["errors"] if CHECKS.fullmatch(code)]
+            if found["type"] in ("type", "class") and "\n    Parameters\n" not in found["docstring"]:
+                # Only pkmodes creates it: the docstring has its attributes.
+                problems = [text for text in problems if not text.startswith("PR01")]
+            assert name.startswith(ENGINE) or not problems, "\n".join(problems)
 
 
 def test_the_examples_print_what_they_say(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -15,7 +15,6 @@ import scipy.linalg
 from scipy.spatial.transform import Rotation
 
 from helpers.robots.sample_robots import RANDOM, SAMPLES, Sample, published, sample, tower_printer
-from helpers.runs.cases import every_case
 from pkmodes_generated.linear_delta import Parameters, model
 
 # Each side of an identity errs by at most 1e-14 for each unit of the condition number of D_l, below 12 here
@@ -55,121 +54,113 @@ def assembled(name: str) -> tuple[np.ndarray, Parameters, np.ndarray, np.float64
 # Kinematics
 
 
-def test_direct_kinematics_undoes_inverse_in_the_same_assembly() -> None:
-    with every_case() as tried:
-        for name in SAMPLES:
-            with tried(name):
-                p, q, x, assembly = assembled(name)
-                # 1e-12 m: a picometre, for poses within a metre of the origin
-                np.testing.assert_allclose(model.direct_kinematics(x, assembly, q), p, rtol=0, atol=1e-12)
+def test_direct_kinematics_undoes_inverse_in_the_same_assembly(subtests: pytest.Subtests) -> None:
+    for name in SAMPLES:
+        with subtests.test(name=name):
+            p, q, x, assembly = assembled(name)
+            # 1e-12 m: a picometre, for poses within a metre of the origin
+            np.testing.assert_allclose(model.direct_kinematics(x, assembly, q), p, rtol=0, atol=1e-12)
 
 
-def test_other_assembly_closes_too_and_has_the_other_sign() -> None:
-    with every_case() as tried:
-        for name in SAMPLES:
-            with tried(name):
-                _, q, x, assembly = assembled(name)
-                other = model.direct_kinematics(x, -assembly, q)
-                s = linkages(other, x, q)
+def test_other_assembly_closes_too_and_has_the_other_sign(subtests: pytest.Subtests) -> None:
+    for name in SAMPLES:
+        with subtests.test(name=name):
+            _, q, x, assembly = assembled(name)
+            other = model.direct_kinematics(x, -assembly, q)
+            s = linkages(other, x, q)
+            np.testing.assert_allclose(np.linalg.norm(s, axis=-1), q.link_length, rtol=1e-12)
+            assert np.sign(np.linalg.det(s)) == -assembly
+            # and back, on the branches that this assembly has
+            branch = -np.sign(np.sum(s * q.direction, axis=-1))
+            back = model.inverse_kinematics(other, q._replace(branch=branch))
+            np.testing.assert_allclose(
+                back, x, rtol=0, atol=1e-11
+            )  # x(p) is steep where a linkage is square to its rail
+
+
+def test_each_branch_puts_the_carriage_on_its_side(subtests: pytest.Subtests) -> None:
+    for name in SAMPLES:
+        with subtests.test(name=name):
+            p, q = sample(name).pose, sample(name).parameters
+            for branch in (q.branch, -q.branch):
+                x = model.inverse_kinematics(p, q._replace(branch=branch))
+                s = linkages(p, x, q)
                 np.testing.assert_allclose(np.linalg.norm(s, axis=-1), q.link_length, rtol=1e-12)
-                assert np.sign(np.linalg.det(s)) == -assembly
-                # and back, on the branches that this assembly has
-                branch = -np.sign(np.sum(s * q.direction, axis=-1))
-                back = model.inverse_kinematics(other, q._replace(branch=branch))
-                np.testing.assert_allclose(
-                    back, x, rtol=0, atol=1e-11
-                )  # x(p) is steep where a linkage is square to its rail
-
-
-def test_each_branch_puts_the_carriage_on_its_side() -> None:
-    with every_case() as tried:
-        for name in SAMPLES:
-            with tried(name):
-                p, q = sample(name).pose, sample(name).parameters
-                for branch in (q.branch, -q.branch):
-                    x = model.inverse_kinematics(p, q._replace(branch=branch))
-                    s = linkages(p, x, q)
-                    np.testing.assert_allclose(np.linalg.norm(s, axis=-1), q.link_length, rtol=1e-12)
-                    np.testing.assert_array_equal(np.sign(-np.sum(s * q.direction, axis=-1)), branch)
+                np.testing.assert_array_equal(np.sign(-np.sum(s * q.direction, axis=-1)), branch)
 
 
 # Changes of frame and of names
 
 
-def test_turning_and_moving_the_base_frame_changes_no_matrix() -> None:
-    with every_case() as tried:
-        for name in SAMPLES:
-            with tried(name):
-                robot = sample(name)
-                q = robot.parameters
-                turn = Rotation.random(rng=np.random.default_rng(2)).as_matrix()
-                shift = np.array([0.3, -0.2, 0.4])
-                moved = q._replace(
-                    gravity=turn @ q.gravity,
-                    origin=q.origin @ turn.T + shift,
-                    direction=q.direction @ turn.T,
-                    joint=q.joint @ turn.T,
-                )
-                p = turn @ robot.pose + shift
-                for found, expected in zip(
-                    model.modal_matrices(p, moved), model.modal_matrices(robot.pose, q), strict=True
-                ):
-                    assert_same(found, expected)
-                assert_same(model.platform_jacobian(p, moved), turn @ model.platform_jacobian(robot.pose, q))
-                x_dot = np.array([0.7, -0.4, 0.9])
-                assert_same(
-                    model.velocity_forces(p, x_dot, moved), model.velocity_forces(robot.pose, x_dot, q)
-                )
-                for found, expected in zip(
-                    model.static_equilibrium(p, moved), model.static_equilibrium(robot.pose, q), strict=True
-                ):
-                    assert_same(found, expected)
+def test_turning_and_moving_the_base_frame_changes_no_matrix(subtests: pytest.Subtests) -> None:
+    for name in SAMPLES:
+        with subtests.test(name=name):
+            robot = sample(name)
+            q = robot.parameters
+            turn = Rotation.random(rng=np.random.default_rng(2)).as_matrix()
+            shift = np.array([0.3, -0.2, 0.4])
+            moved = q._replace(
+                gravity=turn @ q.gravity,
+                origin=q.origin @ turn.T + shift,
+                direction=q.direction @ turn.T,
+                joint=q.joint @ turn.T,
+            )
+            p = turn @ robot.pose + shift
+            for found, expected in zip(
+                model.modal_matrices(p, moved), model.modal_matrices(robot.pose, q), strict=True
+            ):
+                assert_same(found, expected)
+            assert_same(model.platform_jacobian(p, moved), turn @ model.platform_jacobian(robot.pose, q))
+            x_dot = np.array([0.7, -0.4, 0.9])
+            assert_same(model.velocity_forces(p, x_dot, moved), model.velocity_forces(robot.pose, x_dot, q))
+            for found, expected in zip(
+                model.static_equilibrium(p, moved), model.static_equilibrium(robot.pose, q), strict=True
+            ):
+                assert_same(found, expected)
 
 
-def test_counting_a_rail_from_its_other_end_only_renames() -> None:
+def test_counting_a_rail_from_its_other_end_only_renames(subtests: pytest.Subtests) -> None:
     """Direction, coordinate, branch and limits change sign, and with them the pulleys exchange names."""
-    with every_case() as tried:
-        for name in SAMPLES:
-            with tried(name):
-                robot = sample(name)
-                q = robot.parameters
-                turned = q._replace(
-                    direction=-q.direction,
-                    branch=-q.branch,
-                    limits=-q.limits[:, ::-1],
-                    drive=q.drive[:, ::-1],
-                )
-                order = [0, 1, 2, 6, 7, 8, 3, 4, 5]
-                for found, expected in zip(
-                    model.modal_matrices(robot.pose, turned), model.modal_matrices(robot.pose, q), strict=True
-                ):
-                    # every coordinate changes sign, which cancels in a quadratic form
-                    assert_same(found, expected[np.ix_(order, order)])
-                torques, theta = model.static_equilibrium(robot.pose, q)
-                torques_turned, theta_turned = model.static_equilibrium(robot.pose, turned)
-                assert_same(torques_turned, -torques)
-                assert_same(theta_turned, -theta[[3, 4, 5, 0, 1, 2]])
+    for name in SAMPLES:
+        with subtests.test(name=name):
+            robot = sample(name)
+            q = robot.parameters
+            turned = q._replace(
+                direction=-q.direction,
+                branch=-q.branch,
+                limits=-q.limits[:, ::-1],
+                drive=q.drive[:, ::-1],
+            )
+            order = [0, 1, 2, 6, 7, 8, 3, 4, 5]
+            for found, expected in zip(
+                model.modal_matrices(robot.pose, turned), model.modal_matrices(robot.pose, q), strict=True
+            ):
+                # every coordinate changes sign, which cancels in a quadratic form
+                assert_same(found, expected[np.ix_(order, order)])
+            torques, theta = model.static_equilibrium(robot.pose, q)
+            torques_turned, theta_turned = model.static_equilibrium(robot.pose, turned)
+            assert_same(torques_turned, -torques)
+            assert_same(theta_turned, -theta[[3, 4, 5, 0, 1, 2]])
 
 
-def test_order_of_the_axes_does_not_matter() -> None:
-    with every_case() as tried:
-        for name in RANDOM:
-            with tried(name):
-                robot = sample(name)
-                order = np.array([2, 0, 1])
-                per_axis = {
-                    field: value[order]
-                    for field, value in robot.parameters._asdict().items()
-                    if field not in ("platform_mass", "gravity")
-                }
-                renamed = robot.parameters._replace(**per_axis)
-                nine = np.concatenate([order, order + 3, order + 6])
-                for found, expected in zip(
-                    model.modal_matrices(robot.pose, renamed),
-                    model.modal_matrices(robot.pose, robot.parameters),
-                    strict=True,
-                ):
-                    assert_same(found, expected[np.ix_(nine, nine)])
+def test_order_of_the_axes_does_not_matter(subtests: pytest.Subtests) -> None:
+    for name in RANDOM:
+        with subtests.test(name=name):
+            robot = sample(name)
+            order = np.array([2, 0, 1])
+            per_axis = {
+                field: value[order]
+                for field, value in robot.parameters._asdict().items()
+                if field not in ("platform_mass", "gravity")
+            }
+            renamed = robot.parameters._replace(**per_axis)
+            nine = np.concatenate([order, order + 3, order + 6])
+            for found, expected in zip(
+                model.modal_matrices(robot.pose, renamed),
+                model.modal_matrices(robot.pose, robot.parameters),
+                strict=True,
+            ):
+                assert_same(found, expected[np.ix_(nine, nine)])
 
 
 # Symmetries
@@ -243,54 +234,51 @@ def test_symmetric_poses_have_symmetric_matrices() -> None:
 # Matrices
 
 
-def test_belts_leave_three_rigid_body_motions() -> None:
+def test_belts_leave_three_rigid_body_motions(subtests: pytest.Subtests) -> None:
     """Without gravity: each axis can run freely, its pulleys rolling on the belt."""
-    with every_case() as tried:
-        for name in SAMPLES:
-            with tried(name):
-                robot = sample(name)
-                q = robot.parameters._replace(gravity=np.zeros(3))
-                K = model.stiffness_matrix(robot.pose, q)
-                # a carriage by R_p, its pulleys by one radian
-                free = np.concatenate([np.diag(q.pulley_radius), np.eye(3), np.eye(3)])
-                size = np.sqrt(np.outer(np.diag(K), np.diag(K)))
-                scaled = K / size
-                weighted = free * np.sqrt(np.diag(K))[:, None]
-                assert np.max(np.abs(scaled @ weighted)) < SAME * np.max(np.abs(weighted))
-                eigenvalues = np.linalg.eigvalsh(scaled)
-                assert np.all(np.abs(eigenvalues[:3]) < SAME)
-                # the other six strain a belt; scaled to a unit diagonal: at least the ratio of two spans
-                assert np.all(eigenvalues[3:] > 0.01)
+    for name in SAMPLES:
+        with subtests.test(name=name):
+            robot = sample(name)
+            q = robot.parameters._replace(gravity=np.zeros(3))
+            K = model.stiffness_matrix(robot.pose, q)
+            # a carriage by R_p, its pulleys by one radian
+            free = np.concatenate([np.diag(q.pulley_radius), np.eye(3), np.eye(3)])
+            size = np.sqrt(np.outer(np.diag(K), np.diag(K)))
+            scaled = K / size
+            weighted = free * np.sqrt(np.diag(K))[:, None]
+            assert np.max(np.abs(scaled @ weighted)) < SAME * np.max(np.abs(weighted))
+            eigenvalues = np.linalg.eigvalsh(scaled)
+            assert np.all(np.abs(eigenvalues[:3]) < SAME)
+            # the other six strain a belt; scaled to a unit diagonal: at least the ratio of two spans
+            assert np.all(eigenvalues[3:] > 0.01)
 
 
-def test_mass_matrix_is_positive_definite() -> None:
-    with every_case() as tried:
-        for name in SAMPLES:
-            with tried(name):
-                robot = sample(name)
-                M = model.mass_matrix(robot.pose, robot.parameters)
-                np.testing.assert_array_equal(M, M.T)
-                diagonal = np.sqrt(np.diag(M))
-                # scaled to a unit diagonal; a carriage keeps its own mass whatever the others do
-                assert np.linalg.eigvalsh(M / np.outer(diagonal, diagonal))[0] > 0.01
-                assert np.all(np.linalg.eigvalsh(M[:3, :3]) > np.min(robot.parameters.carriage_mass))
+def test_mass_matrix_is_positive_definite(subtests: pytest.Subtests) -> None:
+    for name in SAMPLES:
+        with subtests.test(name=name):
+            robot = sample(name)
+            M = model.mass_matrix(robot.pose, robot.parameters)
+            np.testing.assert_array_equal(M, M.T)
+            diagonal = np.sqrt(np.diag(M))
+            # scaled to a unit diagonal; a carriage keeps its own mass whatever the others do
+            assert np.linalg.eigvalsh(M / np.outer(diagonal, diagonal))[0] > 0.01
+            assert np.all(np.linalg.eigvalsh(M[:3, :3]) > np.min(robot.parameters.carriage_mass))
 
 
-def test_static_equilibrium_balances_every_coordinate() -> None:
+def test_static_equilibrium_balances_every_coordinate(subtests: pytest.Subtests) -> None:
     """With the stiffness matrix itself: K_el delta_q + grad V_g = Q."""
-    with every_case() as tried:
-        for name in SAMPLES:
-            with tried(name):
-                robot = sample(name)
-                q = robot.parameters
-                torques, theta = model.static_equilibrium(robot.pose, q)
-                weights = np.concatenate([model.gravity_gradient(robot.pose, q), np.zeros(6)])
-                restoring = model.elastic_hessian(robot.pose, q) @ np.concatenate([np.zeros(3), theta])
-                motors = np.concatenate([np.zeros(3), (torques[:, None] * q.drive).T.ravel()])
-                size = np.max(np.abs(weights)) * np.repeat([1.0, np.max(q.pulley_radius)], [3, 6])
-                assert np.max(np.abs(restoring + weights - motors) / size) < SAME
-                # the free pulley of a closed belt carries no torque: the weight goes through the driven one
-                assert_same(torques, weights[:3] * q.pulley_radius)
+    for name in SAMPLES:
+        with subtests.test(name=name):
+            robot = sample(name)
+            q = robot.parameters
+            torques, theta = model.static_equilibrium(robot.pose, q)
+            weights = np.concatenate([model.gravity_gradient(robot.pose, q), np.zeros(6)])
+            restoring = model.elastic_hessian(robot.pose, q) @ np.concatenate([np.zeros(3), theta])
+            motors = np.concatenate([np.zeros(3), (torques[:, None] * q.drive).T.ravel()])
+            size = np.max(np.abs(weights)) * np.repeat([1.0, np.max(q.pulley_radius)], [3, 6])
+            assert np.max(np.abs(restoring + weights - motors) / size) < SAME
+            # the free pulley of a closed belt carries no torque: the weight goes through the driven one
+            assert_same(torques, weights[:3] * q.pulley_radius)
 
 
 # Closed forms

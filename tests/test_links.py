@@ -7,10 +7,10 @@ from functools import cache
 from itertools import pairwise
 from urllib.parse import unquote, urlsplit
 
+import pytest
 from markdown_it import MarkdownIt
 
 from helpers.pages.documentation import PAGES, ROOT
-from helpers.runs.cases import every_case
 
 DOI = "https://doi.org/10.3390/robotics10040132"
 PAPER = re.compile(r"\bthe\s+paper\b", re.IGNORECASE)
@@ -42,35 +42,33 @@ def links(page: str) -> list[str]:
     ]
 
 
-def test_the_links_of_a_page_lead_somewhere() -> None:
-    with every_case() as tried:
-        for page in PAGES:
-            with tried(page):
-                for link in links(page):
-                    parts = urlsplit(link)
-                    if parts.scheme or parts.netloc:
-                        assert (parts.scheme, bool(parts.netloc)) == ("https", True), link
-                        continue
-                    target = (ROOT / page).parent / unquote(parts.path) if parts.path else ROOT / page
-                    assert target.exists(), link
-                    name = target.resolve().relative_to(ROOT).as_posix()
-                    if parts.fragment:
-                        assert unquote(parts.fragment) in anchors(name), link
-
-
-def test_the_first_mention_of_the_paper_leads_to_its_reference() -> None:
-    with every_case() as tried:
-        for page in PAGES:
-            with tried(page):
-                text = (ROOT / page).read_text(encoding="utf-8")
-                prose = re.sub(r"```.*?```|<!--.*?-->", "", text, flags=re.DOTALL)
-                if DOI in text or not (first := PAPER.search(prose)):
+def test_the_links_of_a_page_lead_somewhere(subtests: pytest.Subtests) -> None:
+    for page in PAGES:
+        with subtests.test(page=page):
+            for link in links(page):
+                parts = urlsplit(link)
+                if parts.scheme or parts.netloc:
+                    assert (parts.scheme, bool(parts.netloc)) == ("https", True), link
                     continue
-                linked = re.compile(
-                    r"\[[^]]*\bthe\s+paper\b[^]]*\]\((?:[\w./-]*paper\.md|[\w./]*#references)\)",
-                    re.IGNORECASE,
-                )
-                found = linked.search(prose)
-                assert found is not None
-                assert found.start() <= first.start() < found.end()
-                assert DOI in (ROOT / "docs/paper.md").read_text(encoding="utf-8")
+                target = (ROOT / page).parent / unquote(parts.path) if parts.path else ROOT / page
+                assert target.exists(), link
+                name = target.resolve().relative_to(ROOT).as_posix()
+                if parts.fragment:
+                    assert unquote(parts.fragment) in anchors(name), link
+
+
+def test_the_first_mention_of_the_paper_leads_to_its_reference(subtests: pytest.Subtests) -> None:
+    for page in PAGES:
+        with subtests.test(page=page):
+            text = (ROOT / page).read_text(encoding="utf-8")
+            prose = re.sub(r"```.*?```|<!--.*?-->", "", text, flags=re.DOTALL)
+            if DOI in text or not (first := PAPER.search(prose)):
+                continue
+            linked = re.compile(
+                r"\[[^]]*\bthe\s+paper\b[^]]*\]\((?:[\w./-]*paper\.md|[\w./]*#references)\)",
+                re.IGNORECASE,
+            )
+            found = linked.search(prose)
+            assert found is not None
+            assert found.start() <= first.start() < found.end()
+            assert DOI in (ROOT / "docs/paper.md").read_text(encoding="utf-8")

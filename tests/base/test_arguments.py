@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from helpers.runs.cases import every_case
 from pkmodes.core.base.arguments import (
     FILE_NAME,
     NATURAL_NUMBER,
@@ -36,11 +35,10 @@ CONSTRAINTS = [
 ]
 
 
-def test_a_constraint_holds_for_what_its_words_say() -> None:
-    with every_case() as tried:
-        for constraint, value, holds in CONSTRAINTS:
-            with tried(f"{constraint}, {value}, {holds}"):
-                assert bool(constraint.holds(value)) is holds
+def test_a_constraint_holds_for_what_its_words_say(subtests: pytest.Subtests) -> None:
+    for constraint, value, holds in CONSTRAINTS:
+        with subtests.test(f"{constraint}, {value}, {holds}"):
+            assert bool(constraint.holds(value)) is holds
 
 
 def test_the_sentence_says_what_was_expected_what_was_given_and_what_to_do() -> None:

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from helpers.runs.cases import every_case
 from pkmodes.campaign.campaign import read_campaign
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError
@@ -91,16 +90,17 @@ MISTAKES = [
 ]
 
 
-def test_the_place_of_a_mistake_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    with every_case() as tried:
-        for text, message in MISTAKES:
-            with tried(text):
-                monkeypatch.chdir(tmp_path)
-                Path("c.toml").write_text(text, encoding="utf-8")
-                with pytest.raises(MeasurementError) as error:
-                    read_campaign("c.toml")
-                assert message in str(error.value)
-                assert "c.toml" in str(error.value)
+def test_the_place_of_a_mistake_is_named(
+    subtests: pytest.Subtests, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for text, message in MISTAKES:
+        with subtests.test(text=text):
+            monkeypatch.chdir(tmp_path)
+            Path("c.toml").write_text(text, encoding="utf-8")
+            with pytest.raises(MeasurementError) as error:
+                read_campaign("c.toml")
+            assert message in str(error.value)
+            assert "c.toml" in str(error.value)
 
 
 FAULTY_TABLES = [
@@ -148,18 +148,20 @@ FAULTY_TABLES = [
 
 
 def test_a_faulty_table_writes_nothing(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    subtests: pytest.Subtests,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
-    with every_case() as tried:
-        for table, more, message in FAULTY_TABLES:
-            with tried(f"{table}, {more}"):
-                monkeypatch.chdir(tmp_path)
-                Path("p1.csv").write_text(table, encoding="utf-8")
-                Path("c.toml").write_text(HEAD + RECORD + more, encoding="utf-8")
-                assert run(["identify", "c.toml", "--out", "modes.csv", "--json", "modes.json"]) == 2
-                assert message in " ".join(capsys.readouterr().err.split())
-                assert not Path("modes.csv").exists()
-                assert not Path("modes.json").exists()
+    for table, more, message in FAULTY_TABLES:
+        with subtests.test(f"{table}, {more}"):
+            monkeypatch.chdir(tmp_path)
+            Path("p1.csv").write_text(table, encoding="utf-8")
+            Path("c.toml").write_text(HEAD + RECORD + more, encoding="utf-8")
+            assert run(["identify", "c.toml", "--out", "modes.csv", "--json", "modes.json"]) == 2
+            assert message in " ".join(capsys.readouterr().err.split())
+            assert not Path("modes.csv").exists()
+            assert not Path("modes.json").exists()
 
 
 def test_faulty_files_are_left_out_if_asked(

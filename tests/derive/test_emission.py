@@ -14,7 +14,6 @@ from pathlib import Path
 import pytest
 
 from helpers.generated.emission import Emission
-from helpers.runs.cases import every_case
 from pkmodes.codegen.generation import specification
 from pkmodes.core.robot.reading import read_robot
 from pkmodes_derive import kept, mechanisms
@@ -95,37 +94,35 @@ def test_generated_files_hold_no_date_host_path_or_carriage_return(texts: dict[s
         assert name.endswith(".json") or max(map(len, text.splitlines())) <= layout.WIDTH
 
 
-def test_programs_define_before_use_and_use_what_they_define() -> None:
-    with every_case() as tried:
-        for function in MODEL.functions:
-            with tried(function.name):
-                program = arrange(function)
-                known = set(program.inputs)
-                used = set()
-                for symbol, expression in program.steps:
-                    assert expression.free_symbols <= known, symbol
-                    assert symbol not in known, f"{symbol} is assigned twice"
-                    known.add(symbol)
-                    used |= expression.free_symbols
-                for result in program.results:
-                    for entry in result.entries:
-                        assert entry.value.free_symbols <= known
-                        used |= entry.value.free_symbols
-                assert {symbol for symbol, _ in program.steps} <= used, "a value is computed and not used"
+def test_programs_define_before_use_and_use_what_they_define(subtests: pytest.Subtests) -> None:
+    for function in MODEL.functions:
+        with subtests.test(function.name):
+            program = arrange(function)
+            known = set(program.inputs)
+            used = set()
+            for symbol, expression in program.steps:
+                assert expression.free_symbols <= known, symbol
+                assert symbol not in known, f"{symbol} is assigned twice"
+                known.add(symbol)
+                used |= expression.free_symbols
+            for result in program.results:
+                for entry in result.entries:
+                    assert entry.value.free_symbols <= known
+                    used |= entry.value.free_symbols
+            assert {symbol for symbol, _ in program.steps} <= used, "a value is computed and not used"
 
 
-def test_names_in_c_do_not_shadow_each_other() -> None:
-    with every_case() as tried:
-        for function in MODEL.functions:
-            with tried(function.name):
-                arguments = (
-                    [a.name for a in function.arguments] + [o.name for o in function.outputs] + ["parameters"]
-                )
-                assert len(set(arguments)) == len(arguments)
-                program = arrange(function)
-                symbols = {s.name for s, _ in program.steps} | {s.name for s in program.inputs}
-                scalars = {a.name for a in function.arguments if a.scalar}
-                assert not symbols & (set(arguments) - scalars)
+def test_names_in_c_do_not_shadow_each_other(subtests: pytest.Subtests) -> None:
+    for function in MODEL.functions:
+        with subtests.test(function.name):
+            arguments = (
+                [a.name for a in function.arguments] + [o.name for o in function.outputs] + ["parameters"]
+            )
+            assert len(set(arguments)) == len(arguments)
+            program = arrange(function)
+            symbols = {s.name for s, _ in program.steps} | {s.name for s in program.inputs}
+            scalars = {a.name for a in function.arguments if a.scalar}
+            assert not symbols & (set(arguments) - scalars)
 
 
 def test_operation_counts_have_not_grown(texts: dict[str, str]) -> None:
@@ -162,13 +159,12 @@ def test_every_generated_function_documents_shapes_units_and_source(texts: dict[
         assert "operations" in text
 
 
-def test_no_step_is_another_name_for_a_value() -> None:
-    with every_case() as tried:
-        for function in MODEL.functions:
-            with tried(function.name):
-                for symbol, expression in arrange(function).steps:
-                    assert not expression.is_Symbol, symbol
-                    assert not expression.is_number, symbol
+def test_no_step_is_another_name_for_a_value(subtests: pytest.Subtests) -> None:
+    for function in MODEL.functions:
+        with subtests.test(function.name):
+            for symbol, expression in arrange(function).steps:
+                assert not expression.is_Symbol, symbol
+                assert not expression.is_number, symbol
 
 
 def test_of_a_symmetric_matrix_each_value_is_evaluated_once(texts: dict[str, str]) -> None:

@@ -8,7 +8,6 @@ import pint
 import pytest
 from sympy import Abs, Add, Expr, Mul, Number, Pow, Symbol, atan2, cos, sin, sympify
 
-from helpers.runs.cases import every_case
 from pkmodes_derive import mechanisms
 from pkmodes_derive.functions import Function, Model
 from pkmodes_derive.vocabulary import Vocabulary
@@ -29,16 +28,15 @@ def symbols_of(function: Function) -> set[Symbol]:
     return used | arguments | set(function.definitions)
 
 
-def test_every_symbol_has_a_unit_and_a_description() -> None:
-    with every_case() as tried:
-        for model, function in FUNCTIONS.values():
-            for symbol in symbols_of(function):
-                with tried(symbol):
-                    quantity = model.vocabulary[symbol]
-                    assert quantity.unit
-                    assert len(quantity.description.split()) >= 2
-                    assert quantity.latex
-                    unit(quantity.unit)
+def test_every_symbol_has_a_unit_and_a_description(subtests: pytest.Subtests) -> None:
+    for model, function in FUNCTIONS.values():
+        for symbol in symbols_of(function):
+            with subtests.test(symbol=symbol):
+                quantity = model.vocabulary[symbol]
+                assert quantity.unit
+                assert len(quantity.description.split()) >= 2
+                assert quantity.latex
+                unit(quantity.unit)
 
 
 def test_incomplete_or_repeated_declarations_are_refused() -> None:
@@ -123,35 +121,30 @@ def test_every_definition_has_the_dimension_of_its_unit(model: Model) -> None:
         assert clean(dimension(expression, v)) == clean(dimension(symbol, v)), symbol
 
 
-def test_every_result_has_the_dimension_of_its_unit() -> None:
-    with every_case() as tried:
-        for name, (model, function) in FUNCTIONS.items():
-            for output in function.outputs:
-                with tried(f"{name}: {output.name}"):
-                    allowed = [clean(dict(unit(u.strip()).dimensionality)) for u in output.unit.split(",")]
-                    for entry in output.entries:
-                        if entry != 0:
-                            assert clean(dimension(entry, model.vocabulary)) in allowed, entry
+def test_every_result_has_the_dimension_of_its_unit(subtests: pytest.Subtests) -> None:
+    for name, (model, function) in FUNCTIONS.items():
+        for output in function.outputs:
+            with subtests.test(f"{name}: {output.name}"):
+                allowed = [clean(dict(unit(u.strip()).dimensionality)) for u in output.unit.split(",")]
+                for entry in output.entries:
+                    if entry != 0:
+                        assert clean(dimension(entry, model.vocabulary)) in allowed, entry
 
 
-def test_arguments_have_the_units_of_their_symbols_and_functions_a_source() -> None:
-    with every_case() as tried:
-        for name, (model, function) in FUNCTIONS.items():
-            with tried(name):
-                assert len(function.source.split()) >= 2
-                for argument in function.arguments:
-                    declared = [u.strip() for u in argument.unit.split(",")]
-                    assert {model.vocabulary[s].unit for s in argument.symbols} == set(declared), (
-                        argument.name
-                    )
+def test_arguments_have_the_units_of_their_symbols_and_functions_a_source(subtests: pytest.Subtests) -> None:
+    for name, (model, function) in FUNCTIONS.items():
+        with subtests.test(name=name):
+            assert len(function.source.split()) >= 2
+            for argument in function.arguments:
+                declared = [u.strip() for u in argument.unit.split(",")]
+                assert {model.vocabulary[s].unit for s in argument.symbols} == set(declared), argument.name
 
 
-def test_fields_have_the_unit_of_their_symbols() -> None:
-    with every_case() as tried:
-        for name, model in MODELS.items():
-            for field in model.fields:
-                with tried(f"{name} {field.name}"):
-                    assert {model.vocabulary[s].unit for s in field.symbols} == {field.unit}
+def test_fields_have_the_unit_of_their_symbols(subtests: pytest.Subtests) -> None:
+    for name, model in MODELS.items():
+        for field in model.fields:
+            with subtests.test(f"{name} {field.name}"):
+                assert {model.vocabulary[s].unit for s in field.symbols} == {field.unit}
 
 
 def test_relations_that_are_shown_use_declared_symbols_of_the_right_dimension() -> None:

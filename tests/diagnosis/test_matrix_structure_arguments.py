@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
 
@@ -70,13 +69,12 @@ CONTRADICTORY = [
 ]
 
 
-def test_contradictory_arguments_are_refused() -> None:
-    with every_case() as tried:
-        for changes, message in CONTRADICTORY:
-            with tried(message):
-                with pytest.raises(PkmodesError, match=message) as error:
-                    build(**changes)
-                assert "; " in str(error.value)  # what to do about it
+def test_contradictory_arguments_are_refused(subtests: pytest.Subtests) -> None:
+    for changes, message in CONTRADICTORY:
+        with subtests.test(message=message):
+            with pytest.raises(PkmodesError, match=message) as error:
+                build(**changes)
+            assert "; " in str(error.value)  # what to do about it
 
 
 def test_a_value_known_exactly_is_not_a_suspect() -> None:

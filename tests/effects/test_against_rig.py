@@ -17,7 +17,6 @@ import pytest
 
 import pkmodes
 from helpers.robots.dissipating import dissipating
-from helpers.runs.cases import every_case
 from pkmodes.core.mechanism.registry import mechanism
 from pkmodes_rig.engine import EFFECTS, OUTSIDE, Rig, TrueModes, true_modes
 from pkmodes_rig.mujoco_engine import Engine
@@ -138,43 +137,40 @@ def test_every_effect_that_moves_frequencies_has_a_strength_here() -> None:
 # The software ------------------------------------------------------------------------------------------------
 
 
-def test_each_effect_alone() -> None:
-    with every_case() as tried:
-        for name, (robot, pose) in product([None, *STRENGTHS], CASES):
-            with tried(f"{name}, {robot}, {pose}"):
-                found, expected = both(robot, pose, (name,) if name else ())
-                assert found.coordinates == expected.coordinates
-                assert_equal(found.mass_matrix, expected.mass_matrix)
-                assert_equal(found.stiffness_matrix, expected.stiffness_matrix)
-                assert_same_modes(found, expected)
-                if name:  # at a strength that changes the result noticeably
-                    without = both(robot, pose, ())[1]
-                    assert np.abs(expected.frequencies[3:9] / without.frequencies[3:9] - 1).max() > 5e-3
+def test_each_effect_alone(subtests: pytest.Subtests) -> None:
+    for name, (robot, pose) in product([None, *STRENGTHS], CASES):
+        with subtests.test(f"{name}, {robot}, {pose}"):
+            found, expected = both(robot, pose, (name,) if name else ())
+            assert found.coordinates == expected.coordinates
+            assert_equal(found.mass_matrix, expected.mass_matrix)
+            assert_equal(found.stiffness_matrix, expected.stiffness_matrix)
+            assert_same_modes(found, expected)
+            if name:  # at a strength that changes the result noticeably
+                without = both(robot, pose, ())[1]
+                assert np.abs(expected.frequencies[3:9] / without.frequencies[3:9] - 1).max() > 5e-3
 
 
-def test_all_effects_together() -> None:
-    with every_case() as tried:
-        for robot, pose in CASES:
-            with tried(f"{robot}, {pose}"):
-                found, expected = both(robot, pose, tuple(STRENGTHS))
-                assert found.coordinates == expected.coordinates
-                assert len(expected.coordinates) == 21
-                assert_equal(found.mass_matrix, expected.mass_matrix)
-                assert_equal(found.stiffness_matrix, expected.stiffness_matrix)
-                assert_same_modes(found, expected)
+def test_all_effects_together(subtests: pytest.Subtests) -> None:
+    for robot, pose in CASES:
+        with subtests.test(f"{robot}, {pose}"):
+            found, expected = both(robot, pose, tuple(STRENGTHS))
+            assert found.coordinates == expected.coordinates
+            assert len(expected.coordinates) == 21
+            assert_equal(found.mass_matrix, expected.mass_matrix)
+            assert_equal(found.stiffness_matrix, expected.stiffness_matrix)
+            assert_same_modes(found, expected)
 
 
-def test_some_effects_together() -> None:
-    with every_case() as tried:
-        for seed in range(12):
-            with tried(seed):
-                rng = np.random.default_rng(seed)
-                names = tuple(name for name in STRENGTHS if rng.random() < (0.7 if name in RELEASED else 0.4))
-                found, expected = both(list(ROBOTS)[seed % 3], int(rng.integers(12)), names)
-                assert found.coordinates == expected.coordinates
-                assert_equal(found.mass_matrix, expected.mass_matrix)
-                assert_equal(found.stiffness_matrix, expected.stiffness_matrix)
-                assert_same_modes(found, expected)
+def test_some_effects_together(subtests: pytest.Subtests) -> None:
+    for seed in range(12):
+        with subtests.test(seed=seed):
+            rng = np.random.default_rng(seed)
+            names = tuple(name for name in STRENGTHS if rng.random() < (0.7 if name in RELEASED else 0.4))
+            found, expected = both(list(ROBOTS)[seed % 3], int(rng.integers(12)), names)
+            assert found.coordinates == expected.coordinates
+            assert_equal(found.mass_matrix, expected.mass_matrix)
+            assert_equal(found.stiffness_matrix, expected.stiffness_matrix)
+            assert_same_modes(found, expected)
 
 
 @robots_and_poses
@@ -195,22 +191,19 @@ def test_weight_takes_part_in_what_is_released(robot: str, pose: int, names: tup
 # The rig -----------------------------------------------------------------------------------------------------
 
 
-def test_without_effects_the_rig_is_the_engine_of_the_base_model() -> None:
-    with every_case() as tried:
-        for robot, pose in CASES:
-            with tried(f"{robot}, {pose}"):
-                parameters, p = read(robot).parameters, place(robot, pose)
-                engine, rig = Engine(parameters, p), true_modes(parameters, p)
-                belt = np.concatenate([np.ones(3), np.tile(1 / parameters.pulley_radius, 2)])
-                assert_equal(rig.mass_matrix, engine.mass_matrix())
-                K = engine.hessian(0.007 * engine.length_scale() * belt)
-                assert_equal(rig.stiffness_matrix, K, 1e-11)
-                gravity = rig.stiffness_matrix - Rig(parameters, p).elastic_stiffness()
-                with engine.without_belts():
-                    expected = engine.hessian(0.007 * engine.length_scale() * belt)
-                assert (
-                    np.abs(gravity - expected).max() < 1e-10 * np.abs(expected).max()
-                )  # differences of forces
+def test_without_effects_the_rig_is_the_engine_of_the_base_model(subtests: pytest.Subtests) -> None:
+    for robot, pose in CASES:
+        with subtests.test(f"{robot}, {pose}"):
+            parameters, p = read(robot).parameters, place(robot, pose)
+            engine, rig = Engine(parameters, p), true_modes(parameters, p)
+            belt = np.concatenate([np.ones(3), np.tile(1 / parameters.pulley_radius, 2)])
+            assert_equal(rig.mass_matrix, engine.mass_matrix())
+            K = engine.hessian(0.007 * engine.length_scale() * belt)
+            assert_equal(rig.stiffness_matrix, K, 1e-11)
+            gravity = rig.stiffness_matrix - Rig(parameters, p).elastic_stiffness()
+            with engine.without_belts():
+                expected = engine.hessian(0.007 * engine.length_scale() * belt)
+            assert np.abs(gravity - expected).max() < 1e-10 * np.abs(expected).max()  # differences of forces
 
 
 @robots_and_poses

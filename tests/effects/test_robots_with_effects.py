@@ -16,7 +16,6 @@ import pytest
 import pkmodes
 from helpers.robots.dissipating import dissipating
 from helpers.robots.robot_text import PUBLISHED, published
-from helpers.runs.cases import every_case
 from pkmodes.cli import run
 from pkmodes.core.base.errors import RobotFileError
 from pkmodes.core.mechanism.registry import mechanism
@@ -99,11 +98,10 @@ def assert_pair(tmp_path: Path, pair: tuple[str, str]) -> None:
     assert (np.abs(residual) <= bound * np.maximum(np.abs(shapes).max(), 1.0)).all()
 
 
-def test_any_two_effects_solve_their_eigenproblem(tmp_path: Path) -> None:
-    with every_case() as tried:
-        for pair in list(combinations(VALUES, 2)):
-            with tried(" and ".join(pair)):
-                assert_pair(tmp_path, pair)
+def test_any_two_effects_solve_their_eigenproblem(subtests: pytest.Subtests, tmp_path: Path) -> None:
+    for pair in list(combinations(VALUES, 2)):
+        with subtests.test(" and ".join(pair)):
+            assert_pair(tmp_path, pair)
 
 
 def test_the_rigid_modes_are_those_that_strain_nothing(tmp_path: Path) -> None:

@@ -15,7 +15,6 @@ import pkmodes
 from helpers.references.high_precision import Exact, exact_derivatives, exact_modes, mp
 from helpers.references.sensitivity_references import robot_of
 from helpers.robots.sample_robots import Sample, published, random_robot
-from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import PoseError
 from pkmodes.core.linalg.eigen import condensed_eigh, generalised_eigh
 from pkmodes.core.mechanism.registry import mechanism
@@ -118,12 +117,11 @@ def assert_equal_modes(name: str, effects: dict[str, float]) -> None:
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_modes_equal_eighty_digits_at_every_compliance(name: str) -> None:
-    with every_case() as tried:
-        for case in list(CASES):
-            with tried(case):
-                for compliance in COMPLIANCES:
-                    assert_equal_modes(name, effects_of(case, compliance))
+def test_modes_equal_eighty_digits_at_every_compliance(subtests: pytest.Subtests, name: str) -> None:
+    for case in list(CASES):
+        with subtests.test(case=case):
+            for compliance in COMPLIANCES:
+                assert_equal_modes(name, effects_of(case, compliance))
 
 
 @pytest.mark.parametrize("effects", MIXED, ids=range(len(MIXED)))

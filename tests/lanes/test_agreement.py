@@ -10,26 +10,23 @@ import pytest
 from helpers.references.lane_agreement import assert_agrees
 from helpers.references.numpy_modes import solve
 from helpers.robots.lane_samples import EFFECTS, EXTREMES, NAMES, case, results
-from helpers.runs.cases import every_case
 
 pytestmark = pytest.mark.compiler
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_modes_agree_with_numpy(name: str) -> None:
-    with every_case() as tried:
-        for effects, seed in product(EFFECTS, range(4)):
-            with tried(f"{effects}, {seed}"):
-                assert_agrees(case(name, seed, effects))
+def test_modes_agree_with_numpy(subtests: pytest.Subtests, name: str) -> None:
+    for effects, seed in product(EFFECTS, range(4)):
+        with subtests.test(f"{effects}, {seed}"):
+            assert_agrees(case(name, seed, effects))
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_hard_eigenproblems_agree_with_numpy(name: str) -> None:
-    with every_case() as tried:
-        for extreme, effects in product(EXTREMES, ["none", "everything"]):
-            with tried(f"{extreme}, {effects}"):
-                for seed in range(4):
-                    assert_agrees(case(name, seed, effects, extreme))
+def test_hard_eigenproblems_agree_with_numpy(subtests: pytest.Subtests, name: str) -> None:
+    for extreme, effects in product(EXTREMES, ["none", "everything"]):
+        with subtests.test(f"{extreme}, {effects}"):
+            for seed in range(4):
+                assert_agrees(case(name, seed, effects, extreme))
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -20,7 +20,6 @@ from helpers.robots.lane_samples import (
     results,
     robot_of,
 )
-from helpers.runs.cases import every_case
 from pkmodes import PkmodesError
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives
@@ -61,21 +60,17 @@ def assert_agrees(given: Case, tolerance: float = EXACT) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_derivatives_agree_with_the_forward_route(name: str) -> None:
-    with every_case() as tried:
-        for effects, seed in product(EFFECTS, range(3)):
-            with tried(f"{effects}, {seed}"):
-                assert_agrees(case(name, seed, effects))
+def test_derivatives_agree_with_the_forward_route(subtests: pytest.Subtests, name: str) -> None:
+    for effects, seed in product(EFFECTS, range(3)):
+        with subtests.test(f"{effects}, {seed}"):
+            assert_agrees(case(name, seed, effects))
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_derivatives_of_hard_eigenproblems(name: str) -> None:
-    with every_case() as tried:
-        for extreme, effects in product(EXTREMES, ["none", "everything"]):
-            with tried(f"{extreme}, {effects}"):
-                assert_agrees(
-                    case(name, 3, effects, extreme), CANCELLED if extreme == "heavy motors" else EXACT
-                )
+def test_derivatives_of_hard_eigenproblems(subtests: pytest.Subtests, name: str) -> None:
+    for extreme, effects in product(EXTREMES, ["none", "everything"]):
+        with subtests.test(f"{extreme}, {effects}"):
+            assert_agrees(case(name, 3, effects, extreme), CANCELLED if extreme == "heavy motors" else EXACT)
 
 
 @pytest.mark.parametrize("effects", EFFECTS)

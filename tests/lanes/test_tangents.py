@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from helpers.robots.lane_samples import EFFECTS, NAMES, ROOT, case, chosen, robot_of
-from helpers.runs.cases import every_case
 from pkmodes.core.compiled import build
 from pkmodes.core.compiled.loader import UnavailableError, load
 from pkmodes.core.system.evaluation import STEP, ExtendedSystem
@@ -89,11 +88,10 @@ def assert_derivatives(name: str, effects: str, count: int) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_derivatives_are_those_of_the_generated_code(name: str) -> None:
-    with every_case() as tried:
-        for effects, count in product(EFFECTS, [1, 3]):
-            with tried(f"{effects}, {count}"):
-                assert_derivatives(name, effects, count)
+def test_derivatives_are_those_of_the_generated_code(subtests: pytest.Subtests, name: str) -> None:
+    for effects, count in product(EFFECTS, [1, 3]):
+        with subtests.test(f"{effects}, {count}"):
+            assert_derivatives(name, effects, count)
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
 
@@ -49,20 +48,19 @@ CHANGES = [
 ]
 
 
-def test_measurements_made_by_hand_obey_the_same_rules() -> None:
-    with every_case() as tried:
-        for changes, place, expected in CHANGES:
-            with tried(f"{place}, {expected}"):
-                columns = {
-                    "pose": ["a", "a"],
-                    "frequency": [1.0, 2.0],
-                    "sigma": [0.1, 0.1],
-                    "source": "rig",
-                    **changes,
-                }
-                with pytest.raises(MeasurementError, match=expected) as error:
-                    Measurements.from_rows(**columns)
-                assert error.value.where == place
+def test_measurements_made_by_hand_obey_the_same_rules(subtests: pytest.Subtests) -> None:
+    for changes, place, expected in CHANGES:
+        with subtests.test(f"{place}, {expected}"):
+            columns = {
+                "pose": ["a", "a"],
+                "frequency": [1.0, 2.0],
+                "sigma": [0.1, 0.1],
+                "source": "rig",
+                **changes,
+            }
+            with pytest.raises(MeasurementError, match=expected) as error:
+                Measurements.from_rows(**columns)
+            assert error.value.where == place
 
 
 def test_one_number_states_the_deviation_of_all_shapes() -> None:

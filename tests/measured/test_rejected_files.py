@@ -11,7 +11,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.diagnoses.measurement_files import CHANNELS, FULL, HEADER, ROW, read, refusal
-from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.reading import read_measurements
 
@@ -95,13 +94,12 @@ BAD_ROWS = [
 ]
 
 
-def test_a_bad_row_is_refused_with_line_and_column(tmp_path: Path) -> None:
-    with every_case() as tried:
-        for row, column, expected in BAD_ROWS:
-            with tried(row):
-                line = refusal(tmp_path, f"{FULL}\n# comment\nB,0.6,0,-0.245,50,0.05,,,,,,,\n\n{row}\n")
-                assert f"modes.csv: line 5, column {column})" in line, line
-                assert expected in line, line
+def test_a_bad_row_is_refused_with_line_and_column(subtests: pytest.Subtests, tmp_path: Path) -> None:
+    for row, column, expected in BAD_ROWS:
+        with subtests.test(row=row):
+            line = refusal(tmp_path, f"{FULL}\n# comment\nB,0.6,0,-0.245,50,0.05,,,,,,,\n\n{row}\n")
+            assert f"modes.csv: line 5, column {column})" in line, line
+            assert expected in line, line
 
 
 def test_a_quote_that_is_not_closed_is_refused_on_its_line(tmp_path: Path) -> None:

@@ -29,7 +29,6 @@ from helpers.robots.sample_mechanisms import (
     reference,
     sample,
 )
-from helpers.runs.cases import every_case
 
 #: Relative rounding per unit of the condition number of the loops (7 to 11 here): a few units in the last
 #: place in each linkage vector, amplified in solving for the platform's motion, summed over some tens of terms.
@@ -77,11 +76,10 @@ def assert_extended_model(name: str, label: str, seed: int) -> None:
     assert np.abs(displacements - expected.displacements).max() < tolerance * size
 
 
-def test_extended_model_agrees_with_the_oracle() -> None:
-    with every_case() as tried:
-        for (name, label), seed in product(CHOICES, SEEDS):
-            with tried(f"{name}, {label}, {seed}"):
-                assert_extended_model(name, label, seed)
+def test_extended_model_agrees_with_the_oracle(subtests: pytest.Subtests) -> None:
+    for (name, label), seed in product(CHOICES, SEEDS):
+        with subtests.test(f"{name}, {label}, {seed}"):
+            assert_extended_model(name, label, seed)
 
 
 def assert_base_model(name: str, seed: int) -> None:
@@ -103,11 +101,10 @@ def assert_base_model(name: str, seed: int) -> None:
         assert np.abs(found - other).max() < tolerance * np.abs(other).max()
 
 
-def test_base_model_agrees_with_the_oracle() -> None:
-    with every_case() as tried:
-        for name, seed in product(NAMES, SEEDS):
-            with tried(f"{name}, {seed}"):
-                assert_base_model(name, seed)
+def test_base_model_agrees_with_the_oracle(subtests: pytest.Subtests) -> None:
+    for name, seed in product(NAMES, SEEDS):
+        with subtests.test(f"{name}, {seed}"):
+            assert_base_model(name, seed)
 
 
 @pytest.mark.parametrize("seed", SEEDS)

@@ -18,7 +18,6 @@ import pytest
 from helpers.references.high_precision_mechanisms import STEP, HighPrecision, combine, cross, dot, exact, mp
 from helpers.references.oracle_rotary_delta import RotaryDelta
 from helpers.robots.sample_mechanisms import NAMES, SEEDS, Sample, effects, model, oracle, sample
-from helpers.runs.cases import every_case
 
 #: Per unit of the condition number of D_l, as in `test_oracle`; measured: at most 4e-16.
 ROUNDING = 3e-15
@@ -205,11 +204,10 @@ def assert_function(name: str, function: str, seed: int) -> None:
             assert np.abs(one - reference).max() < ROUNDING * condition(name, seed) * size
 
 
-def test_agrees_with_the_oracle() -> None:
-    with every_case() as tried:
-        for (name, function), seed in product(CHOICES, SEEDS):
-            with tried(f"{name}, {function}, {seed}"):
-                assert_function(name, function, seed)
+def test_agrees_with_the_oracle(subtests: pytest.Subtests) -> None:
+    for (name, function), seed in product(CHOICES, SEEDS):
+        with subtests.test(f"{name}, {function}, {seed}"):
+            assert_function(name, function, seed)
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -15,7 +15,6 @@ import pytest
 from helpers.references.coordinate_blocks import kinds, worst
 from helpers.references.high_precision_mechanisms import STEP, HighPrecision, exact_values, shifted
 from helpers.robots.sample_mechanisms import NAMES, ORACLES, effects, extended, sample
-from helpers.runs.cases import every_case
 
 #: A generated derivative has some hundred terms and needs one more solution than M and K with the matrix of the
 #: loops, whose condition number is 7 to 11 here.  Relative to the largest entry of a block of coordinates.
@@ -93,21 +92,21 @@ def test_every_number_of_the_parameters_is_listed_once(name: str, label: str) ->
 
 
 @pytest.mark.parametrize(("name", "label"), CHOICES)
-def test_derivatives_agree_with_differences_of_the_oracle(name: str, label: str) -> None:
+def test_derivatives_agree_with_differences_of_the_oracle(
+    subtests: pytest.Subtests, name: str, label: str
+) -> None:
     blocks = kinds(extended(name).COORDINATES)
-    with every_case() as tried:
-        for (field, index, *_), derivatives in zip(listed(name), found(name, label), strict=True):
-            with tried((field, index)):
-                for one, other in zip(derivatives, expected(name, label, field, index), strict=True):
-                    assert worst(one, other, blocks) < ROUNDING
+    for (field, index, *_), derivatives in zip(listed(name), found(name, label), strict=True):
+        with subtests.test((field, index)):
+            for one, other in zip(derivatives, expected(name, label, field, index), strict=True):
+                assert worst(one, other, blocks) < ROUNDING
 
 
-def test_an_origin_counts_as_its_joint_with_opposite_sign() -> None:
+def test_an_origin_counts_as_its_joint_with_opposite_sign(subtests: pytest.Subtests) -> None:
     name, label = "rotary_delta", ""
     blocks = kinds(extended(name).COORDINATES)
-    with every_case() as tried:
-        for (field, index, *_), derivatives in zip(listed(name), found(name, label), strict=True):
-            if field == "joint":
-                with tried(index):
-                    for one, other in zip(derivatives, expected(name, label, "origin", index), strict=True):
-                        assert worst(-one, other, blocks) < ROUNDING
+    for (field, index, *_), derivatives in zip(listed(name), found(name, label), strict=True):
+        if field == "joint":
+            with subtests.test(index=index):
+                for one, other in zip(derivatives, expected(name, label, "origin", index), strict=True):
+                    assert worst(-one, other, blocks) < ROUNDING

@@ -16,7 +16,6 @@ from msgspec.structs import asdict
 
 import pkmodes
 from helpers.robots.sample_robots import ROBOTS
-from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.described import Mechanism
@@ -289,19 +288,14 @@ def test_a_known_mistake_is_refused(place: Place, other: Any, tmp_path: Path) ->
     assert folder.use(("title",), "another title") == ""
 
 
-def test_a_reference_to_nothing_is_named() -> None:
-    with every_case() as tried:
-        for name, place, other, what in REFERENCES:
-            with tried(f"{name}, {place}"):
-                text = (
-                    files(f"pkmodes_generated.{name}")
-                    .joinpath("description.json")
-                    .read_text(encoding="utf-8")
-                )
-                decode(text.encode())
-                with pytest.raises(DescriptionError) as error:
-                    decode(mutated(json.loads(text), place, other).encode())
-                assert str(error.value).startswith(what)
+def test_a_reference_to_nothing_is_named(subtests: pytest.Subtests) -> None:
+    for name, place, other, what in REFERENCES:
+        with subtests.test(f"{name}, {place}"):
+            text = files(f"pkmodes_generated.{name}").joinpath("description.json").read_text(encoding="utf-8")
+            decode(text.encode())
+            with pytest.raises(DescriptionError) as error:
+                decode(mutated(json.loads(text), place, other).encode())
+            assert str(error.value).startswith(what)
 
 
 @pytest.mark.parametrize("place", [("scales", 0, "coordinate"), ("drawing", "elements", 0, "turns")])
@@ -310,17 +304,16 @@ def test_coordinates_of_effects_may_be_scaled_and_drawn(place: Place) -> None:
     decode(mutated(json.loads(text), place, "psi_2").encode())
 
 
-def test_code_that_is_not_the_described_is_named() -> None:
-    with every_case() as tried:
-        for name, place, other, what in CODE:
-            with tried(f"{name}, {place}"):
-                package = f"pkmodes_generated.{name}"
-                data = json.loads(files(package).joinpath("description.json").read_text(encoding="utf-8"))
-                check_code(Mechanism(package=package, **asdict(decode(json.dumps(data).encode()))))
-                wrong = Mechanism(package=package, **asdict(decode(mutated(data, place, other).encode())))
-                with pytest.raises(PkmodesError, match="does not fit its code") as error:
-                    check_code(wrong)
-                assert f"does not fit its code: {what}" in error.value.what
+def test_code_that_is_not_the_described_is_named(subtests: pytest.Subtests) -> None:
+    for name, place, other, what in CODE:
+        with subtests.test(f"{name}, {place}"):
+            package = f"pkmodes_generated.{name}"
+            data = json.loads(files(package).joinpath("description.json").read_text(encoding="utf-8"))
+            check_code(Mechanism(package=package, **asdict(decode(json.dumps(data).encode()))))
+            wrong = Mechanism(package=package, **asdict(decode(mutated(data, place, other).encode())))
+            with pytest.raises(PkmodesError, match="does not fit its code") as error:
+                check_code(wrong)
+            assert f"does not fit its code: {what}" in error.value.what
 
 
 def test_a_sample_of_mistakes(folder: Folder) -> None:

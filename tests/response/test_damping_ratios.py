@@ -13,7 +13,6 @@ from helpers.references.motors_by_hand import followers
 from helpers.references.whole_system import whole_modes
 from helpers.robots.damped_robots import BACKENDS, CASES, DRIVES, EFFECTS, FRICTION, LOSSES, repeated
 from helpers.robots.one_of_each import FILES, POSES, model_of
-from helpers.runs.cases import every_case
 from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.poles import notes_on_damping
 
@@ -66,11 +65,10 @@ def assert_light_ratios(mechanism: str, case: str, drives: str) -> None:
     np.testing.assert_allclose(ratios, -upper.real / np.abs(upper), rtol=1e-4)
 
 
-def test_light_ratios_are_those_of_the_complex_eigenproblem() -> None:
-    with every_case() as tried:
-        for (mechanism, case), drives in product(CASES, DRIVES):
-            with tried(f"{mechanism}, {case}, {drives}"):
-                assert_light_ratios(mechanism, case, drives)
+def test_light_ratios_are_those_of_the_complex_eigenproblem(subtests: pytest.Subtests) -> None:
+    for (mechanism, case), drives in product(CASES, DRIVES):
+        with subtests.test(f"{mechanism}, {case}, {drives}"):
+            assert_light_ratios(mechanism, case, drives)
 
 
 @pytest.mark.parametrize("backend", BACKENDS)

@@ -11,27 +11,25 @@ import pytest
 from helpers.references.response_in_40_digits import frequencies_of, ports, size_of
 from helpers.robots.damped_robots import DAMPED, DAMPING, DRIVES
 from helpers.robots.one_of_each import FILES, POSES, model_of
-from helpers.runs.cases import every_case
 
 
 @pytest.mark.parametrize("mechanism", FILES)
-def test_forces_and_displacements_may_be_exchanged(mechanism: str) -> None:
+def test_forces_and_displacements_may_be_exchanged(subtests: pytest.Subtests, mechanism: str) -> None:
     """Motion a per force b is motion b per force a, of platform and free motors, to 1e-12 of the largest."""
-    with every_case() as tried:
-        for case, drives in product(DAMPED, DRIVES):
-            with tried(f"{case}, {drives}"):
-                effects, ratio = DAMPED[case]
-                model, p = model_of(mechanism, effects, ratio=ratio), POSES[mechanism]
-                directions = model.mechanism.directions
-                inputs, outputs = [f"force_{d}" for d in directions], [f"p_{d}" for d in directions]
-                if drives == "free":
-                    for drive in model.mechanism.drives:
-                        inputs.append(f"torque_{drive.name}")
-                        outputs.append(f"motor_{drive.name}")
-                H = model.frf(p, frequencies_of(model, p, drives), inputs, outputs, drives=drives).values
-                own = np.sqrt(np.abs(np.einsum("fii->fi", H)))
-                size = (own[:, :, None] * own[:, None, :]).max(axis=0)
-                assert (np.abs(H - np.swapaxes(H, 1, 2)).max(axis=0) / size).max() < 1e-12
+    for case, drives in product(DAMPED, DRIVES):
+        with subtests.test(f"{case}, {drives}"):
+            effects, ratio = DAMPED[case]
+            model, p = model_of(mechanism, effects, ratio=ratio), POSES[mechanism]
+            directions = model.mechanism.directions
+            inputs, outputs = [f"force_{d}" for d in directions], [f"p_{d}" for d in directions]
+            if drives == "free":
+                for drive in model.mechanism.drives:
+                    inputs.append(f"torque_{drive.name}")
+                    outputs.append(f"motor_{drive.name}")
+            H = model.frf(p, frequencies_of(model, p, drives), inputs, outputs, drives=drives).values
+            own = np.sqrt(np.abs(np.einsum("fii->fi", H)))
+            size = (own[:, :, None] * own[:, None, :]).max(axis=0)
+            assert (np.abs(H - np.swapaxes(H, 1, 2)).max(axis=0) / size).max() < 1e-12
 
 
 @pytest.mark.parametrize(

@@ -11,23 +11,21 @@ import pkmodes
 from helpers.references.whole_system import companion_poles, full_damping
 from helpers.robots.damped_robots import BACKENDS, CASES, DRIVES, EFFECTS, FRICTION, LOSSES, repeated
 from helpers.robots.one_of_each import POSES, model_of
-from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import PkmodesError
 
 
-def test_poles_are_those_of_the_whole_first_order_system() -> None:
+def test_poles_are_those_of_the_whole_first_order_system(subtests: pytest.Subtests) -> None:
     """With all coordinates at once; the stronger damping has ratios up to 60 % and poles without oscillation."""
-    with every_case() as tried:
-        for (mechanism, case), strength, drives in product(CASES, [1.0, 30.0], DRIVES):
-            with tried(f"{mechanism}, {case}, {strength}, {drives}"):
-                friction = {path: strength * value for path, value in FRICTION.items()}
-                losses = {path: min(strength * value, 0.9) for path, value in LOSSES.items()}
-                ratio = min(0.02 * strength, 0.6)
-                model, p = model_of(mechanism, EFFECTS[case], friction, losses, ratio=ratio), POSES[mechanism]
-                found = model.poles(p, drives=drives)
-                expected = companion_poles(*full_damping(model, p, drives))
-                assert len(found) == len(expected)
-                assert_same_poles(found, expected)
+    for (mechanism, case), strength, drives in product(CASES, [1.0, 30.0], DRIVES):
+        with subtests.test(f"{mechanism}, {case}, {strength}, {drives}"):
+            friction = {path: strength * value for path, value in FRICTION.items()}
+            losses = {path: min(strength * value, 0.9) for path, value in LOSSES.items()}
+            ratio = min(0.02 * strength, 0.6)
+            model, p = model_of(mechanism, EFFECTS[case], friction, losses, ratio=ratio), POSES[mechanism]
+            found = model.poles(p, drives=drives)
+            expected = companion_poles(*full_damping(model, p, drives))
+            assert len(found) == len(expected)
+            assert_same_poles(found, expected)
 
 
 def assert_same_poles(found: np.ndarray, expected: np.ndarray, tolerance: float = 1e-11) -> None:
@@ -76,19 +74,18 @@ def test_rigid_modes_have_poles_of_friction_alone(mechanism: str) -> None:
     np.testing.assert_allclose(np.sort(found[2:4].real), np.sort(-friction / mass), rtol=1e-4)
 
 
-def test_poles_of_stiff_joints_are_those_of_locked_ones() -> None:
+def test_poles_of_stiff_joints_are_those_of_locked_ones(subtests: pytest.Subtests) -> None:
     """Soft motions keep nine digits, like frequencies: what the joint gives way is a part of 1e-11."""
-    with every_case() as tried:
-        for joint, compliance in product(["gearbox", "link", "clamp", "frame"], [1e-16, 1e-20, 1e-30]):
-            with tried(f"{joint}, {compliance}"):
-                locked, p = model_of("linear_delta", LOSSES, FRICTION, ratio=0.01), POSES["linear_delta"]
-                effects = {f"{joint}_compliance.compliance": compliance}
-                stiff = model_of("linear_delta", LOSSES, FRICTION, effects, ratio=0.01)
-                expected = locked.poles(p, drives="held")
-                found = stiff.poles(p, drives="held")
-                assert len(found) == len(expected) + (0 if joint == "clamp" else 6)
-                for pole in expected:
-                    assert np.abs(found - pole).min() < 1e-9 * abs(pole)
+    for joint, compliance in product(["gearbox", "link", "clamp", "frame"], [1e-16, 1e-20, 1e-30]):
+        with subtests.test(f"{joint}, {compliance}"):
+            locked, p = model_of("linear_delta", LOSSES, FRICTION, ratio=0.01), POSES["linear_delta"]
+            effects = {f"{joint}_compliance.compliance": compliance}
+            stiff = model_of("linear_delta", LOSSES, FRICTION, effects, ratio=0.01)
+            expected = locked.poles(p, drives="held")
+            found = stiff.poles(p, drives="held")
+            assert len(found) == len(expected) + (0 if joint == "clamp" else 6)
+            for pole in expected:
+                assert np.abs(found - pole).min() < 1e-9 * abs(pole)
 
 
 def test_poles_of_poses_that_cannot_be_evaluated() -> None:

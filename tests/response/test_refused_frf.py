@@ -9,7 +9,6 @@ import pytest
 
 import pkmodes
 from helpers.robots.one_of_each import FILES, POSES, model_of
-from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import PkmodesError
 
 
@@ -65,13 +64,12 @@ WRONG = [
 ]
 
 
-def test_wrong_arguments_are_refused_with_what_to_do() -> None:
-    with every_case() as tried:
-        for arguments, message in WRONG:
-            with tried(arguments):
-                given: dict[str, Any] = {"frequencies": [10.0], "inputs": ["force_x"], "outputs": ["p_x"]}
-                with pytest.raises(PkmodesError, match=message):
-                    model_of("corexy", {}, ratio=0.02).frf(POSES["corexy"], **(given | dict(arguments)))
+def test_wrong_arguments_are_refused_with_what_to_do(subtests: pytest.Subtests) -> None:
+    for arguments, message in WRONG:
+        with subtests.test(arguments=arguments):
+            given: dict[str, Any] = {"frequencies": [10.0], "inputs": ["force_x"], "outputs": ["p_x"]}
+            with pytest.raises(PkmodesError, match=message):
+                model_of("corexy", {}, ratio=0.02).frf(POSES["corexy"], **(given | dict(arguments)))
 
 
 @pytest.mark.parametrize("names", [None, 5, [["p_x"]]])

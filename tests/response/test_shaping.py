@@ -15,7 +15,6 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 from scipy.signal.windows import chebwin
 
-from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.shaping import KINDS, Shaper, residual, shaper
 
@@ -87,14 +86,13 @@ ONE_IMPULSE = Shaper(np.ones(1), np.zeros(1))
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_residual_is_that_of_a_simulated_oscillator(kind: str) -> None:
-    with every_case() as tried:
-        for f, zeta in [(32.3, 0.02), (25.0, 0.0), (41.0, 0.15), (90.0, 0.4)]:
-            with tried(f"{f}, {zeta}"):
-                designed = shaper(kind, 31.0, 0.05)
-                simulated = vibration(designed, f, zeta) / vibration(ONE_IMPULSE, f, zeta)
-                assert simulated > 1e-4
-                assert residual(designed, f, zeta) == pytest.approx(simulated, abs=1e-8)
+def test_the_residual_is_that_of_a_simulated_oscillator(subtests: pytest.Subtests, kind: str) -> None:
+    for f, zeta in [(32.3, 0.02), (25.0, 0.0), (41.0, 0.15), (90.0, 0.4)]:
+        with subtests.test(f"{f}, {zeta}"):
+            designed = shaper(kind, 31.0, 0.05)
+            simulated = vibration(designed, f, zeta) / vibration(ONE_IMPULSE, f, zeta)
+            assert simulated > 1e-4
+            assert residual(designed, f, zeta) == pytest.approx(simulated, abs=1e-8)
 
 
 def test_a_product_cancels_the_vibration_of_several_simulated_oscillators() -> None:
@@ -104,25 +102,23 @@ def test_a_product_cancels_the_vibration_of_several_simulated_oscillators() -> N
         assert vibration(designed, f, zeta) < 1e-8 * vibration(ONE_IMPULSE, f, zeta)
 
 
-def test_nothing_is_left_of_the_mode_itself() -> None:
-    with every_case() as tried:
-        for zeta, kind in product([0.0, 0.01, 0.1, 0.5, 0.9], ZEROS):
-            with tried(f"{zeta}, {kind}"):
-                assert residual(shaper(kind, 31.2, zeta), 31.2, zeta) < 1e-12
+def test_nothing_is_left_of_the_mode_itself(subtests: pytest.Subtests) -> None:
+    for zeta, kind in product([0.0, 0.01, 0.1, 0.5, 0.9], ZEROS):
+        with subtests.test(f"{zeta}, {kind}"):
+            assert residual(shaper(kind, 31.2, zeta), 31.2, zeta) < 1e-12
 
 
 DIRECTIONS = [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (-1.0, 1.0)]
 
 
 @pytest.mark.parametrize("kind", ZEROS)
-def test_the_derivatives_vanish_up_to_the_order_of_the_kind(kind: str) -> None:
+def test_the_derivatives_vanish_up_to_the_order_of_the_kind(subtests: pytest.Subtests, kind: str) -> None:
     """Twice as far from the mode, in frequency or damping, 2^p is left: p - 1 derivatives vanish, and no more."""
-    with every_case() as tried:
-        for df, dzeta in DIRECTIONS:
-            with tried(f"{df}, {dzeta}"):
-                h = np.array([1e-4, 2e-4])
-                left = residual(shaper(kind, 31.2, 0.1), 31.2 * (1.0 + df * h), 0.1 + dzeta * h)
-                assert np.log2(left[1] / left[0]) == pytest.approx(ZEROS[kind], abs=0.01)
+    for df, dzeta in DIRECTIONS:
+        with subtests.test(f"{df}, {dzeta}"):
+            h = np.array([1e-4, 2e-4])
+            left = residual(shaper(kind, 31.2, 0.1), 31.2 * (1.0 + df * h), 0.1 + dzeta * h)
+            assert np.log2(left[1] / left[0]) == pytest.approx(ZEROS[kind], abs=0.01)
 
 
 def test_amplitudes_with_damping_are_the_published_ones() -> None:

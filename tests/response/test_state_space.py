@@ -12,7 +12,6 @@ from scipy.signal import dlsim, lsim
 
 import pkmodes
 from helpers.robots.one_of_each import ROBOTS
-from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.response.state_space import StateSpace
 
@@ -67,15 +66,14 @@ def assert_channels(found: np.ndarray, expected: np.ndarray, tolerance: float) -
 
 
 @pytest.mark.parametrize("mechanism", MECHANISMS)
-def test_all_modes_give_the_frequency_responses(mechanism: str) -> None:
-    with every_case() as tried:
-        for case, drives in product(CASES, ["free", "held"]):
-            with tried(f"{case}, {drives}"):
-                model, pose = model_of(mechanism, case)
-                inputs, outputs = ports(model, drives)
-                system = model.state_space(pose, inputs, outputs, drives=drives)
-                expected = model.frf(pose, FREQUENCIES, inputs, outputs, drives=drives).values
-                assert_channels(at_frequencies(system, FREQUENCIES), expected, 1e-10)
+def test_all_modes_give_the_frequency_responses(subtests: pytest.Subtests, mechanism: str) -> None:
+    for case, drives in product(CASES, ["free", "held"]):
+        with subtests.test(f"{case}, {drives}"):
+            model, pose = model_of(mechanism, case)
+            inputs, outputs = ports(model, drives)
+            system = model.state_space(pose, inputs, outputs, drives=drives)
+            expected = model.frf(pose, FREQUENCIES, inputs, outputs, drives=drives).values
+            assert_channels(at_frequencies(system, FREQUENCIES), expected, 1e-10)
 
 
 @pytest.mark.parametrize("mechanism", MECHANISMS)

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 import pkmodes
-from helpers.runs.cases import every_case
 from pkmodes import updating
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError, PkmodesError
@@ -127,11 +126,12 @@ PRIORS = [
 ]
 
 
-def test_priors_that_are_none_are_refused(robot: Robot, data: Measurements) -> None:
-    with every_case() as tried:
-        for priors, what in PRIORS:
-            with tried(priors), pytest.raises(PkmodesError, match=what):
-                updating.diagnose(robot, data, priors=priors)
+def test_priors_that_are_none_are_refused(
+    subtests: pytest.Subtests, robot: Robot, data: Measurements
+) -> None:
+    for priors, what in PRIORS:
+        with subtests.test(priors), pytest.raises(PkmodesError, match=what):
+            updating.diagnose(robot, data, priors=priors)
 
 
 @both_back_ends
@@ -158,7 +158,9 @@ def test_uncertain_values_of_a_robot_are_updated_together(robot: Robot, data: Me
     assert not any("something else is missing" in note for note in better.notes)
 
 
-def test_a_text_where_something_else_is_meant_is_refused(robot: Robot, data: Measurements) -> None:
+def test_a_text_where_something_else_is_meant_is_refused(
+    subtests: pytest.Subtests, robot: Robot, data: Measurements
+) -> None:
     diagnose, compare, update = updating.diagnose, updating.compare, updating.update
     table = [
         (partial(updating.read, 3), "expected a path, found 3"),
@@ -170,10 +172,9 @@ def test_a_text_where_something_else_is_meant_is_refused(robot: Robot, data: Mea
     for call in (diagnose, compare, update):
         table.append((partial(call, robot, "mine.csv"), 'measurements, found "mine.csv" .*updating.read'))
         table.append((partial(call, "R.toml", data), r'read_robot\("R.toml"\)'))
-    with every_case() as tried:
-        for call, what in table:
-            with tried(what), pytest.raises(PkmodesError, match=what):
-                call()
+    for call, what in table:
+        with subtests.test(what), pytest.raises(PkmodesError, match=what):
+            call()
 
 
 def test_a_robot_that_no_file_has_is_not_saved_as_a_file(

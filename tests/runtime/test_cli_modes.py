@@ -13,7 +13,6 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED, edited
-from helpers.runs.cases import every_case
 from pkmodes.cli import run
 
 pytestmark = pytest.mark.usefixtures("backend")
@@ -171,17 +170,18 @@ MISTAKES = [
 ]
 
 
-def test_mistakes_are_one_error_line_and_exit_code_2(capsys: pytest.CaptureFixture[str]) -> None:
-    with every_case() as tried:
-        for arguments, message in MISTAKES:
-            with tried(arguments):
-                assert run(arguments) == 2
-                captured = capsys.readouterr()
-                assert captured.out == ""
-                assert captured.err.startswith("error: ")
-                assert captured.err.count("\n") == 1
-                assert message in captured.err
-                assert captured.err.rstrip().rpartition("; ")[2], "what to do is missing"
+def test_mistakes_are_one_error_line_and_exit_code_2(
+    subtests: pytest.Subtests, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for arguments, message in MISTAKES:
+        with subtests.test(arguments=arguments):
+            assert run(arguments) == 2
+            captured = capsys.readouterr()
+            assert captured.out == ""
+            assert captured.err.startswith("error: ")
+            assert captured.err.count("\n") == 1
+            assert message in captured.err
+            assert captured.err.rstrip().rpartition("; ")[2], "what to do is missing"
 
 
 def test_a_wrong_robot_file_gives_one_error_line_for_each_problem(

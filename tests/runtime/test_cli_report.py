@@ -11,7 +11,6 @@ import pytest
 
 from helpers.diagnoses.diagnose_command import unwritable
 from helpers.diagnoses.examples import example
-from helpers.runs.cases import every_case
 from helpers.runs.shared import Shared
 from pkmodes import read_robot, updating
 from pkmodes.cli import run
@@ -107,22 +106,24 @@ WRONG_TARGETS = [
 
 @pytest.mark.usefixtures("nothing_computed")
 def test_a_wrong_target_is_refused_before_anything_is_computed(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    subtests: pytest.Subtests,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
-    with every_case() as tried:
-        for (target, message), command in product(WRONG_TARGETS, ["diagnose", "compare"]):
-            with tried(f"{target}, {message}, {command}"):
-                monkeypatch.chdir(tmp_path)
-                before = [Path(name).read_bytes() for name in LOOP]
-                assert run([command, *LOOP, "--json", "result.json", "--report", target]) == 2
-                captured = capsys.readouterr()
-                assert captured.out == ""
-                assert captured.err.startswith("error: ")
-                assert message in captured.err
-                assert "--report" in captured.err
-                assert captured.err.count("\n") == 1
-                assert [Path(name).read_bytes() for name in LOOP] == before
-                assert not list(tmp_path.iterdir())
+    for (target, message), command in product(WRONG_TARGETS, ["diagnose", "compare"]):
+        with subtests.test(f"{target}, {message}, {command}"):
+            monkeypatch.chdir(tmp_path)
+            before = [Path(name).read_bytes() for name in LOOP]
+            assert run([command, *LOOP, "--json", "result.json", "--report", target]) == 2
+            captured = capsys.readouterr()
+            assert captured.out == ""
+            assert captured.err.startswith("error: ")
+            assert message in captured.err
+            assert "--report" in captured.err
+            assert captured.err.count("\n") == 1
+            assert [Path(name).read_bytes() for name in LOOP] == before
+            assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.usefixtures("nothing_computed")

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from helpers.robots.robot_text import published
-from helpers.runs.cases import every_case
 from pkmodes.codegen.generation import specification
 from pkmodes.core.base.errors import RobotFileError
 from pkmodes.core.robot.covariance import Covariance, correlations_of, covariance_of
@@ -128,16 +127,15 @@ REFUSED = [
 ]
 
 
-def test_what_is_refused(tmp_path: Path) -> None:
-    with every_case() as tried:
-        for table, place, parts in REFUSED:
-            with tried(table):
-                with pytest.raises(RobotFileError) as caught:
-                    read(tmp_path, f"\n[[covariance]]\n{table}\n")
-                (problem,) = caught.value.problems
-                assert problem.where == f"{tmp_path / 'robot.toml'}: covariance.1{place}"
-                said = f"{problem.what}; {problem.remedy}"
-                assert [part for part in parts if part not in said] == [], said
+def test_what_is_refused(subtests: pytest.Subtests, tmp_path: Path) -> None:
+    for table, place, parts in REFUSED:
+        with subtests.test(table=table):
+            with pytest.raises(RobotFileError) as caught:
+                read(tmp_path, f"\n[[covariance]]\n{table}\n")
+            (problem,) = caught.value.problems
+            assert problem.where == f"{tmp_path / 'robot.toml'}: covariance.1{place}"
+            said = f"{problem.what}; {problem.remedy}"
+            assert [part for part in parts if part not in said] == [], said
 
 
 def test_no_value_is_in_two_tables_and_none_that_is_known_exactly(tmp_path: Path) -> None:

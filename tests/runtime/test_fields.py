@@ -13,7 +13,6 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED
-from helpers.runs.cases import every_case
 from pkmodes.core import model as model_module
 from pkmodes.core.base.errors import NotComputedError
 from pkmodes.core.solve import batch, mode_fields
@@ -217,11 +216,10 @@ UNFIT = [
 ]
 
 
-def test_arrays_that_cannot_be_filled_are_refused(model: pkmodes.Model) -> None:
-    with every_case() as tried:
-        for out, what in UNFIT:
-            with tried(what), pytest.raises(pkmodes.PkmodesError, match=what):
-                model.modes(POSE, out=out)
+def test_arrays_that_cannot_be_filled_are_refused(subtests: pytest.Subtests, model: pkmodes.Model) -> None:
+    for out, what in UNFIT:
+        with subtests.test(what), pytest.raises(pkmodes.PkmodesError, match=what):
+            model.modes(POSE, out=out)
 
 
 def test_out_is_for_fields_that_are_asked_for(model: pkmodes.Model) -> None:

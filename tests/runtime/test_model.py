@@ -8,7 +8,6 @@ from scipy.linalg import eigh
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED
-from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import PoseError
 from pkmodes_generated import linear_delta
 
@@ -116,19 +115,18 @@ BAD_POSES = [
 ]
 
 
-def test_bad_poses_are_refused(model: pkmodes.Model) -> None:
-    with every_case() as tried:
-        for poses, what in BAD_POSES:
-            with tried(poses):
-                for method in (
-                    model.modes,
-                    model.matrices,
-                    model.statics,
-                    model.platform_jacobian,
-                    model.inverse_kinematics,
-                ):
-                    with pytest.raises(PoseError, match=what):
-                        method(poses)
+def test_bad_poses_are_refused(subtests: pytest.Subtests, model: pkmodes.Model) -> None:
+    for poses, what in BAD_POSES:
+        with subtests.test(poses=poses):
+            for method in (
+                model.modes,
+                model.matrices,
+                model.statics,
+                model.platform_jacobian,
+                model.inverse_kinematics,
+            ):
+                with pytest.raises(PoseError, match=what):
+                    method(poses)
 
 
 def test_the_message_names_the_first_bad_pose_and_counts_them(model: pkmodes.Model) -> None:

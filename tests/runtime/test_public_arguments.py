@@ -14,7 +14,6 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED
-from helpers.runs.cases import every_case
 from pkmodes import diagnosis
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
 
@@ -108,19 +107,18 @@ TEXTS = {"measured pose", "measured mode"}
 
 
 @pytest.mark.usefixtures("backend")
-def test_every_mistake_is_an_error_of_the_package() -> None:
-    with every_case() as tried:
-        for name in CALLS:
-            with tried(name):
-                for given in NEVER:
-                    if given is None and name.rpartition(" ")[2] in DEFAULTS:
-                        continue
-                    if name in TEXTS and isinstance(given, list | np.ndarray):
-                        continue
-                    with pytest.raises(pkmodes.PkmodesError) as error:
-                        CALLS[name](given)
-                    assert all((error.value.what, error.value.where, error.value.remedy)), given
-                    assert "\n" not in str(error.value)
+def test_every_mistake_is_an_error_of_the_package(subtests: pytest.Subtests) -> None:
+    for name in CALLS:
+        with subtests.test(name=name):
+            for given in NEVER:
+                if given is None and name.rpartition(" ")[2] in DEFAULTS:
+                    continue
+                if name in TEXTS and isinstance(given, list | np.ndarray):
+                    continue
+                with pytest.raises(pkmodes.PkmodesError) as error:
+                    CALLS[name](given)
+                assert all((error.value.what, error.value.where, error.value.remedy)), given
+                assert "\n" not in str(error.value)
 
 
 TWO = Measurements.from_rows(["a", "b"], [0.1, 0.2], [0.01, 0.01])

@@ -14,7 +14,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.robots.robot_text import PUBLISHED, edited, published
-from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import RobotFileError
 from pkmodes.core.robot.reading import read_robot
 
@@ -204,15 +203,14 @@ MISTAKES = [
 ]
 
 
-def test_mistakes_name_path_expected_and_found(tmp_path: Path) -> None:
-    with every_case() as tried:
-        for old, new, path, expected, found in MISTAKES:
-            with tried(f"{old} -> {new}"):
-                line = problems(tmp_path, edited(old, new))[0]
-                assert f"robot.toml: {path})" in line, line
-                assert expected in line, line
-                assert found in line, line
-                assert "; " in line, "what to do is missing"
+def test_mistakes_name_path_expected_and_found(subtests: pytest.Subtests, tmp_path: Path) -> None:
+    for old, new, path, expected, found in MISTAKES:
+        with subtests.test(f"{old} -> {new}"):
+            line = problems(tmp_path, edited(old, new))[0]
+            assert f"robot.toml: {path})" in line, line
+            assert expected in line, line
+            assert found in line, line
+            assert "; " in line, "what to do is missing"
 
 
 def test_every_problem_is_reported_at_once(tmp_path: Path) -> None:

@@ -16,7 +16,6 @@ from hypothesis import strategies as st
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED, edited, published
-from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import PoseError, RobotFileError
 from pkmodes.core.robot.units import Quantity
 from pkmodes.sensitivity.paths import moved, paths, resolve
@@ -283,14 +282,13 @@ REFUSED = [
 ]
 
 
-def test_what_a_file_would_be_refused_for_is_refused(robot: pkmodes.Robot) -> None:
-    with every_case() as tried:
-        for values, what, remedy in REFUSED:
-            with tried(values):
-                for call in (robot.with_values, pkmodes.Model(robot).with_values):
-                    with pytest.raises(pkmodes.PkmodesError, match=what.replace("(", r"\(")) as error:
-                        call(values)
-                    assert error.match(remedy.replace("{", r"\{"))
+def test_what_a_file_would_be_refused_for_is_refused(subtests: pytest.Subtests, robot: pkmodes.Robot) -> None:
+    for values, what, remedy in REFUSED:
+        with subtests.test(values=values):
+            for call in (robot.with_values, pkmodes.Model(robot).with_values):
+                with pytest.raises(pkmodes.PkmodesError, match=what.replace("(", r"\(")) as error:
+                    call(values)
+                assert error.match(remedy.replace("{", r"\{"))
 
 
 def test_a_shared_value_that_no_axis_takes_cannot_be_changed(rich: pkmodes.Robot) -> None:
@@ -365,8 +363,9 @@ def assert_changed(rich: pkmodes.Robot, path: str) -> None:
         np.testing.assert_allclose(a, b, rtol=1e-14, atol=1e-15)
 
 
-def test_every_path_that_has_derivatives_can_be_changed(rich: pkmodes.Robot) -> None:
-    with every_case() as tried:
-        for path in paths(pkmodes.read_robot(PUBLISHED)):
-            with tried(path):
-                assert_changed(rich, path)
+def test_every_path_that_has_derivatives_can_be_changed(
+    subtests: pytest.Subtests, rich: pkmodes.Robot
+) -> None:
+    for path in paths(pkmodes.read_robot(PUBLISHED)):
+        with subtests.test(path=path):
+            assert_changed(rich, path)

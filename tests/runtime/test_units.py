@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from helpers.runs.cases import every_case
 from pkmodes.core.robot.units import DIMENSIONS, QuantityError, parse
 
 CONVERSIONS = [
@@ -38,11 +37,10 @@ CONVERSIONS = [
 ]
 
 
-def test_conversion_gives_the_nearest_double() -> None:
-    with every_case() as tried:
-        for text, dimension, value in CONVERSIONS:
-            with tried(text):
-                assert parse(text, dimension) == value
+def test_conversion_gives_the_nearest_double(subtests: pytest.Subtests) -> None:
+    for text, dimension, value in CONVERSIONS:
+        with subtests.test(text=text):
+            assert parse(text, dimension) == value
 
 
 WRONG = [
@@ -78,17 +76,16 @@ WRONG = [
 ]
 
 
-def test_wrong_quantities_are_refused() -> None:
-    with every_case() as tried:
-        for text, dimension, found in WRONG:
-            with tried(text):
-                with pytest.raises(QuantityError) as error:
-                    parse(text, dimension)
-                assert str(error.value).startswith(
-                    (f"expected a {dimension} such", f"expected an {dimension} such")
-                )
-                assert found in str(error.value)
-                assert len(str(error.value)) < 250
+def test_wrong_quantities_are_refused(subtests: pytest.Subtests) -> None:
+    for text, dimension, found in WRONG:
+        with subtests.test(text=text):
+            with pytest.raises(QuantityError) as error:
+                parse(text, dimension)
+            assert str(error.value).startswith(
+                (f"expected a {dimension} such", f"expected an {dimension} such")
+            )
+            assert found in str(error.value)
+            assert len(str(error.value)) < 250
 
 
 @given(st.floats(min_value=1e-9, max_value=1e9), st.sampled_from(["length", "mass", "specific stiffness"]))

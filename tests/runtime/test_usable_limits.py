@@ -13,7 +13,6 @@ from hypothesis import strategies as st
 import pkmodes
 from helpers.robots.corrected_files import changed_lines, correct
 from helpers.robots.robot_text import published
-from helpers.runs.cases import every_case
 from pkmodes.codegen.generation import specification
 from pkmodes.core.base.errors import PkmodesError, RobotFileError
 from pkmodes.core.robot.reading import read_robot, robot_from_document
@@ -92,16 +91,15 @@ REFUSED = [
 ]
 
 
-def test_what_is_refused(tmp_path: Path) -> None:
-    with every_case() as tried:
-        for table, place, parts in REFUSED:
-            with tried(table):
-                with pytest.raises(RobotFileError) as error:
-                    read(tmp_path, f"\n[usable]\n{table}\n")
-                (line,) = error.value.lines
-                assert f"({tmp_path / 'robot.toml'}: {place}); " in line
-                for part in parts:
-                    assert part in line
+def test_what_is_refused(subtests: pytest.Subtests, tmp_path: Path) -> None:
+    for table, place, parts in REFUSED:
+        with subtests.test(table=table):
+            with pytest.raises(RobotFileError) as error:
+                read(tmp_path, f"\n[usable]\n{table}\n")
+            (line,) = error.value.lines
+            assert f"({tmp_path / 'robot.toml'}: {place}); " in line
+            for part in parts:
+                assert part in line
 
 
 def test_all_problems_are_told_together_and_the_table_must_be_one(tmp_path: Path) -> None:

@@ -9,7 +9,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Kind, SignalFile
@@ -195,16 +194,15 @@ FAULTS = {
 }
 
 
-def test_faults_are_refused_with_line_and_column(path: Path) -> None:
-    with every_case() as tried:
-        for fault in FAULTS:
-            with tried(fault):
-                text, what, place = FAULTS[fault]
-                with pytest.raises(MeasurementError) as caught:
-                    read(path, text)
-                assert what in caught.value.what
-                assert str(path) in caught.value.where
-                assert place in caught.value.where
+def test_faults_are_refused_with_line_and_column(subtests: pytest.Subtests, path: Path) -> None:
+    for fault in FAULTS:
+        with subtests.test(fault=fault):
+            text, what, place = FAULTS[fault]
+            with pytest.raises(MeasurementError) as caught:
+                read(path, text)
+            assert what in caught.value.what
+            assert str(path) in caught.value.where
+            assert place in caught.value.where
 
 
 @given(

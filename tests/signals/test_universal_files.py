@@ -11,7 +11,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.functions import Kind
 from pkmodes.signals.reading import read_signals
@@ -169,17 +168,16 @@ def test_random_bytes_are_refused(tmp_path: Path) -> None:
             read_signals(path)
 
 
-def test_files_without_content_are_refused(tmp_path: Path) -> None:
-    with every_case() as tried:
-        for suffix, content in product(
-            [".uff", ".csv", ".mat", ".bin"], [b"", b"\n\n", b"    -1\n", b"    -1\n    -1\n", b"text"]
-        ):
-            with tried(f"{suffix}, {content}"):
-                path = tmp_path / f"empty{suffix}"
-                path.write_bytes(content)
-                with pytest.raises(MeasurementError, match=r"expected|cannot read") as caught:
-                    read_signals(path)
-                assert str(path) in caught.value.where
+def test_files_without_content_are_refused(subtests: pytest.Subtests, tmp_path: Path) -> None:
+    for suffix, content in product(
+        [".uff", ".csv", ".mat", ".bin"], [b"", b"\n\n", b"    -1\n", b"    -1\n    -1\n", b"text"]
+    ):
+        with subtests.test(f"{suffix}, {content}"):
+            path = tmp_path / f"empty{suffix}"
+            path.write_bytes(content)
+            with pytest.raises(MeasurementError, match=r"expected|cannot read") as caught:
+                read_signals(path)
+            assert str(path) in caught.value.where
 
 
 def test_folders_and_missing_files_are_refused(tmp_path: Path) -> None:

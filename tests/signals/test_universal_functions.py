@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from helpers.runs.cases import every_case
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Function, Kind
@@ -295,16 +294,15 @@ FAULTS = {
 }
 
 
-def test_faults_are_refused_with_the_dataset(path: Path) -> None:
-    with every_case() as tried:
-        for fault in FAULTS:
-            with tried(fault):
-                content, what = FAULTS[fault]
-                path.write_bytes(dataset(151, b"\n") + content)
-                with pytest.raises(MeasurementError, match=what) as caught:
-                    read_signals(path)
-                assert f"{path}: dataset " in caught.value.where
-                assert caught.value.remedy
+def test_faults_are_refused_with_the_dataset(subtests: pytest.Subtests, path: Path) -> None:
+    for fault in FAULTS:
+        with subtests.test(fault=fault):
+            content, what = FAULTS[fault]
+            path.write_bytes(dataset(151, b"\n") + content)
+            with pytest.raises(MeasurementError, match=what) as caught:
+                read_signals(path)
+            assert f"{path}: dataset " in caught.value.where
+            assert caught.value.remedy
 
 
 def test_a_file_that_changes_after_reading_is_noticed(path: Path) -> None:

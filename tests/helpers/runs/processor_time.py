@@ -14,7 +14,7 @@ import csv
 import math
 import os
 import sys
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -58,20 +58,19 @@ class Table:
 
     def __init__(self, file: Path) -> None:
         self._file = file
-        self._times: defaultdict[str, dict[str, float]] = defaultdict(dict)
+        self._times: defaultdict[str, Counter[str]] = defaultdict(Counter)
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-        self._times[report.nodeid][report.when] = report.processor_time
+        # The cases of a test, its subtests, are reported as calls of their own.
+        self._times[report.nodeid][report.when] += report.processor_time
 
     def pytest_sessionfinish(self) -> None:
-        rows = sorted(self._times.items(), key=lambda row: -sum(row[1].values()))
+        rows = sorted(self._times.items(), key=lambda row: -row[1].total())
         self._file.parent.mkdir(parents=True, exist_ok=True)
         self._file.write_text(
             "total\tsetup\tcall\tteardown\ttest\n"
             + "".join(
-                "\t".join(
-                    f"{seconds:.2f}" for seconds in (sum(times.values()), *(times.get(w, 0) for w in _PHASES))
-                )
+                "\t".join(f"{seconds:.2f}" for seconds in (times.total(), *(times[w] for w in _PHASES)))
                 + f"\t{test}\n"
                 for test, times in rows
             ),
