@@ -12,8 +12,7 @@ from helpers.pages.report_examples import made_up
 from helpers.robots.small_structures import LogLinear, logs_measured
 from pkmodes.diagnosis import Candidate, Diagnosis, Parameter, diagnose
 from pkmodes.diagnosis.verdict import caveats
-from pkmodes.diagnosis.verdict.findings import Corrected, believed, why_larger
-from pkmodes.diagnosis.verdict.unseen import Unseen
+from pkmodes.diagnosis.verdict.findings import Corrected, Unseen, believed, why_larger
 from pkmodes.report import report
 
 SIGMA = 0.002

@@ -12,8 +12,7 @@ from helpers.robots.small_structures import LogLinear, logs_measured
 from pkmodes.core.mechanism import registry
 from pkmodes.diagnosis import Candidate, Diagnosis, Parameter, diagnose
 from pkmodes.diagnosis.verdict import naming
-from pkmodes.diagnosis.verdict.findings import Finding
-from pkmodes.diagnosis.verdict.members import Member
+from pkmodes.diagnosis.verdict.findings import Finding, Member
 from pkmodes.diagnosis.verdict.possible import member, possible
 from pkmodes.updating.kinds import KINDS, with_kinds
 

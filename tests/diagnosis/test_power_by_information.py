@@ -18,8 +18,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.search import Search
-from pkmodes.diagnosis.verdict.plausible import Plausible
-from pkmodes.diagnosis.verdict.specificity import DRAWS, p_coincidence
+from pkmodes.diagnosis.verdict.specificity import DRAWS, Plausible, p_coincidence
 
 SETUPS, MODES = 10, 5
 DIRECTIONS = np.linalg.qr(np.random.default_rng(11).standard_normal((SETUPS * MODES, 12)))[0].T

@@ -18,9 +18,8 @@ from pkmodes import updating
 from pkmodes.diagnosis.diagnose import diagnose, split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.match.wirings import Wiring
 from pkmodes.diagnosis.verdict.mistakes import certain_wiring, other_wiring
-from pkmodes.diagnosis.verdict.rewired import Misfit
+from pkmodes.diagnosis.verdict.rewired import Misfit, Wiring
 from pkmodes.diagnosis.verdict.wiring import rewired
 from pkmodes.measured.measurements import Measurements
 from pkmodes.updating.measured_robot import MeasuredRobot

@@ -17,8 +17,7 @@ from helpers.pages.page_reading import Element, read
 from helpers.pages.report_examples import diagnosed, made_up
 from helpers.pages.without_drawing import without_drawing
 from pkmodes import Model, read_robot, updating
-from pkmodes.diagnosis.verdict.findings import Examined, Stability
-from pkmodes.diagnosis.verdict.proposal import NextMeasurement
+from pkmodes.diagnosis.verdict.findings import Examined, NextMeasurement, Stability
 from pkmodes.report import report
 from pkmodes.report.model_view import view_of_result
 

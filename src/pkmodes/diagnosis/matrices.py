@@ -18,11 +18,22 @@ from pkmodes.diagnosis.problem import (
     Structure,
     one_by_one,
 )
-from pkmodes.diagnosis.structure.checks import check_callables, check_candidate, check_names, check_parameter
+from pkmodes.diagnosis.structure.checks import (
+    check_callables,
+    check_candidate,
+    check_names,
+    check_parameter,
+    sensor_map,
+)
 from pkmodes.diagnosis.structure.kept import Kept
-from pkmodes.diagnosis.structure.massless import UnstableError, UnusableError
-from pkmodes.diagnosis.structure.modes import Modes, changes_of, modes_of, shape_rates_of
-from pkmodes.diagnosis.structure.sensors import sensor_map
+from pkmodes.diagnosis.structure.modes import (
+    Modes,
+    UnstableError,
+    UnusableError,
+    changes_of,
+    modes_of,
+    shape_rates_of,
+)
 from pkmodes.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Supplied
 
 #: The time of a diagnosis is dominated by calls of the callable that take longer than this [s].

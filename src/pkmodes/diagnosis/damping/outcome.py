@@ -12,21 +12,20 @@ from dataclasses import replace
 import numpy as np
 from msgspec import structs
 from scipy import stats
+from scipy.optimize import brentq
 
 from pkmodes.diagnosis.damping import words
-from pkmodes.diagnosis.damping.fit import NEARLY
-from pkmodes.diagnosis.damping.found import findings as findings_of
-from pkmodes.diagnosis.damping.found import survivors, tested, value_of
-from pkmodes.diagnosis.damping.judgement import DampingJudgement, names_of
+from pkmodes.diagnosis.damping.fit import NEARLY, LossFit, LossFitter
+from pkmodes.diagnosis.damping.judgement import DampingJudgement, names_of, p_of_loss
 from pkmodes.diagnosis.damping.rows import usable
 from pkmodes.diagnosis.damping.stage import Stage
 from pkmodes.diagnosis.fit.solver import correlation
 from pkmodes.diagnosis.problem import Loss
-from pkmodes.diagnosis.verdict.findings import Corrected, Refitted, Stability
+from pkmodes.diagnosis.search.limits import ONE_SIDED
+from pkmodes.diagnosis.verdict.findings import Corrected, Examined, Finding, Limit, Refitted, Stability, Value
 from pkmodes.diagnosis.verdict.limits import name_of
 from pkmodes.diagnosis.verdict.result import Damping, Diagnosis
 from pkmodes.diagnosis.verdict.rows import Row
-from pkmodes.diagnosis.verdict.unseen import Limit
 from pkmodes.diagnosis.verdict.verdicts import (
     ADEQUATE,
     AMBIGUOUS,
@@ -59,7 +58,7 @@ def with_outcome(result: Diagnosis, data: Measurements, stage: Stage) -> Diagnos
 
 def _outcome(stage: Stage) -> Damping:
     fitter, judged = stage.fitter, stage.judged
-    found = findings_of(fitter, judged)
+    found = findings(fitter, judged)
     above, used, held = stage.every.above, stage.used, stage.held
     with np.errstate(divide="ignore", invalid="ignore"):
         before, after = (np.log(stage.every.ratio) - np.log(predicted) for predicted in stage.predicted)
@@ -179,3 +178,163 @@ def _corrected(stage: Stage) -> tuple[Corrected, ...]:
         at_bound = value.value >= NEARLY * p.upper
         corrected.append(Corrected(value.name, value.value, value.sigma, p.unit, p.value, p.sigma, at_bound))
     return tuple(corrected)
+
+
+#: Explanations beside which limits are found.
+MOST = 4
+#: Steps of a factor of two in which the end of a profile is bracketed.
+DOUBLINGS = 60
+
+
+def findings(fitter: LossFitter, judged: DampingJudgement) -> tuple[Finding, ...]:
+    """Return the claimed losses with their classes."""
+    if judged.verdict is not EFFECT_FOUND:
+        return ()
+    findings = []
+    for cause, place, p_value in zip(judged.final.causes, judged.places, judged.p_values, strict=True):
+        rest = set(judged.final.causes) - {cause}
+        fits = {j: fit for fit in place for j in fit.causes if j not in rest}
+        name, members = fitter.losses[cause].candidate, {fitter.losses[j].candidate: j for j in fits}
+        values: dict[str, tuple[Value, ...]] = {
+            member: (value_of(fitter, fits[j], j),) for member, j in members.items()
+        }
+        spread = {member: ((fits[j].sigma_of(j) ** 2,),) for member, j in members.items()}
+        sentence = fitter.losses[cause].sentence
+        findings.append(Finding(name, tuple(members), values[name], values, p_value, sentence, spread))
+    return tuple(findings)
+
+
+def value_of(fitter: LossFitter, fit: LossFit, loss: int) -> Value:
+    """Return a fitted loss with its standard deviation."""
+    p = fitter.losses[loss].parameter
+    return Value(p.name, float(fit.values[loss]), fit.sigma_of(loss), p.unit)
+
+
+def survivors(fitter: LossFitter, judged: DampingJudgement) -> tuple[tuple[str, ...], ...]:
+    """Return the classes that remain, the best first."""
+    groups: list[list[LossFit]] = []
+    own = [fit for place in judged.places for fit in place] if len(judged.places) == 1 else []
+    for fit in (*own, *(fit for fit in judged.rivals if not any(fit is one for one in own))):
+        near = fitter.criteria.told_apart
+        home = next((g for g in groups if any(fitter.difference(fit, one) < near for one in g)), None)
+        if home is None:
+            groups.append([fit])
+        else:
+            home.append(fit)
+    return tuple(tuple(names_of(fitter, fit) for fit in group) for group in groups)
+
+
+def members(findings: Sequence[Finding]) -> set[str]:
+    """Return the names of all members of the classes of findings."""
+    return {member for finding in findings for member in finding.members}
+
+
+def tested(stage: Stage, findings: Sequence[Finding]) -> tuple[list[Examined], dict[str, Limit]]:
+    """Return the tests and limits of the candidates that are not claimed."""
+    fitter, judged, claimed = stage.fitter, stage.judged, members(findings)
+    tests, limits = [], {}
+    beside = judged.rivals[:MOST] or (judged.final,)
+    remain = {fitter.losses[j].candidate for fit in judged.rivals for j in fit.causes}
+    remain = remain if judged.verdict is AMBIGUOUS else set()
+    for j, loss in enumerate(fitter.losses):
+        if not loss.candidate or not loss.claimable:
+            continue
+        shown = j in fitter.candidates and judged.verdict is not INSUFFICIENT_DATA
+        p_value = p_of_loss(fitter, j) if shown else 1.0
+        limit = (
+            _limit_of(fitter, beside, j)
+            if j in fitter.candidates
+            else Limit(loss.candidate, None, loss.parameter.unit)
+        )
+        seen = loss.candidate in claimed | remain
+        bounded = limit.value is not None
+        tests.append(_examined(fitter, judged.final, j, p_value, bounded=bounded, shown=seen))
+        if loss.candidate not in claimed:
+            limits[name_of(loss.parameter)] = limit
+    return tests, limits
+
+
+def _limit_of(fitter: LossFitter, fits: Sequence[LossFit], loss: int) -> Limit:
+    """Return how far a loss may be from its declared value at 95 %: the largest beside any of some fits.
+
+    It is the one-sided end of the profile likelihood.  None bounds it if every mode could be damped critically.
+    """
+    parameter, candidate = fitter.losses[loss].parameter, fitter.losses[loss].candidate
+    if not np.isfinite(fitter.typical[loss]):
+        return Limit(candidate, None, parameter.unit)
+    sizes = [_size(fitter, fit, loss) for fit in fits]
+    if any(size is None for size in sizes):
+        return Limit(candidate, None, parameter.unit)
+    return Limit(candidate, max(size for size in sizes if size is not None), parameter.unit)
+
+
+def _size(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
+    fitter = _as_large_as_left(fitter, fit)
+    rest = tuple(j for j in fit.causes if j != loss)
+    declared = float(fitter.declared[loss])
+    best = fitter.fit((*rest, loss))
+    start, least = best.values[loss], min(best.squares, fitter.fit(rest).squares)
+    most = min(fitter.losses[loss].parameter.upper, 1.0 / float(fitter.rows.rates[:, loss].max()))
+
+    def excess(value: float) -> float:
+        return fitter.fit(rest, {loss: value}).squares - least - ONE_SIDED**2
+
+    upper = max(start, 1e-3 * fitter.typical[loss])
+    for _ in range(DOUBLINGS):
+        if upper >= most:
+            break
+        if excess(upper) > 0.0:
+            break
+        upper *= 2.0
+    upper = min(upper, most)
+    if excess(upper) <= 0.0:
+        return None
+    highest = (
+        float(brentq(excess, min(start, upper), upper, rtol=1e-4)) if excess(min(start, upper)) < 0 else upper
+    )
+    if not declared:
+        return highest
+    lowest = 0.0 if excess(0.0) <= 0.0 else float(brentq(excess, 0.0, start, rtol=1e-4))
+    return max(highest - declared, declared - lowest)
+
+
+def _as_large_as_left(fitter: LossFitter, fit: LossFit) -> LossFitter:
+    """Return a fitter whose errors are as large as what a fit leaves, where that is more than noise."""
+    ratio = fit.squares / max(fit.degrees, 1)
+    if fit.p_value > fitter.criteria.surely or ratio <= 1.0:
+        return fitter
+    scale = float(np.sqrt(ratio))
+    rows = replace(fitter.rows, stated=scale * fitter.rows.stated, other=scale * fitter.rows.other)
+    return replace(fitter, rows=rows, _fits={})
+
+
+def _examined(
+    fitter: LossFitter, final: LossFit, loss: int, p_value: float, *, bounded: bool, shown: bool
+) -> Examined:
+    """Return the test of a loss, the smallest one that would show beside a fit, and whether it is detectable.
+
+    Parameters
+    ----------
+    bounded : bool
+        Whether the data bound it.
+    shown : bool
+        Whether it is claimed, in the class of a claim, or remains as an explanation.
+    """
+    c, one = fitter.criteria, fitter.losses[loss]
+    sigma = _sigma(fitter, final, loss)
+    size = c.seen * sigma
+    seen = shown or bounded or p_value <= c.surely
+    if not (bounded or shown) or not np.isfinite(size) or size > one.parameter.upper:
+        return Examined(one.candidate, p_value, (), seen, one.sentence)
+    visible = Value(one.parameter.name, float(size), float(sigma), one.parameter.unit)
+    return Examined(one.candidate, p_value, (visible,), seen, one.sentence)
+
+
+def _sigma(fitter: LossFitter, fit: LossFit, loss: int) -> float:
+    """Return the standard deviation that a loss would have beside a fit, in the linear model; inf if invisible."""
+    ratio = fitter.predicted(fit.values) + fitter.least
+    weighted = fitter.rows.rates / (ratio * fitter.rows.sigma)[:, None]
+    own, others = weighted[:, loss], weighted[:, [j for j in fit.free if j != loss]]
+    left = own - others @ np.linalg.lstsq(others, own)[0] if others.shape[1] else own
+    size = float(np.linalg.norm(left))
+    return 1.0 / size if size > 1e-6 * float(np.linalg.norm(own)) > 0.0 else np.inf

@@ -15,9 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis, Misfit
 from pkmodes.diagnosis.fit.lockstep import Descent, Lockstep
-from pkmodes.diagnosis.fit.misfit import Misfit
 from pkmodes.diagnosis.fit.noise import Noise, Whitening
 from pkmodes.diagnosis.fit.priors import Priors
 from pkmodes.diagnosis.fit.rows import Rows

@@ -1,16 +1,35 @@
-"""A hypothesis about what the declared model lacks, and a fit of it."""
+"""A hypothesis about what the declared model lacks, a fit of it, and how good it is."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
+from scipy import stats
 
 from pkmodes.diagnosis.fit.solver import correlation, inverse_of_square
 from pkmodes.diagnosis.match.pairing import Pairing
 from pkmodes.diagnosis.problem import Array, Candidate, Prediction
+
+
+class Misfit(NamedTuple):
+    """Sum of squares of a part of the data, and its degrees of freedom."""
+
+    squares: float
+    degrees: float
+
+    @property
+    def ratio(self) -> float:
+        """Squares per degree of freedom: about 1 for noise."""
+        return self.squares / max(self.degrees, 1.0)
+
+    @property
+    def p_value(self) -> float:
+        """Probability of a sum at least as large for noise."""
+        return float(stats.chi2.sf(self.squares, max(self.degrees, 1.0))) if self.degrees > 0.0 else 1.0
 
 
 @dataclass(frozen=True)

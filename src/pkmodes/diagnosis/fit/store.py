@@ -10,8 +10,7 @@ from scipy import stats
 
 from pkmodes.diagnosis.fit.cross_validation import left_out
 from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
-from pkmodes.diagnosis.fit.misfit import Misfit
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis, Misfit
 from pkmodes.diagnosis.problem import Array, Candidate
 
 Key = tuple[frozenset[str], frozenset[int], bool]

@@ -1,7 +1,11 @@
 r"""The modes of K phi = lambda M phi, where M may be singular, and their derivatives.
 
-The derivative of a shape is its modal expansion (`core.linalg.expansion`) and that of the motions N without inertia,
-which follow statically: :math:`-N (N^T K N)^{-1} N^T (dK - \lambda_i dM) \phi_i`.
+If M is singular, M N = 0, the motions N follow the others statically: :math:`N^T K (T q + N r) = 0`, which holds for
+every q if :math:`N^T K T = 0`.  They add no modes, but appear in the shapes.  Coordinates with zero rows in M are
+such motions, and so is every combination of coordinates without kinetic energy.
+
+The derivative of a shape is its modal expansion (`core.linalg.expansion`) and that of the motions N without inertia:
+:math:`-N (N^T K N)^{-1} N^T (dK - \lambda_i dM) \phi_i`.
 """
 
 from __future__ import annotations
@@ -10,12 +14,105 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
+from scipy import linalg
 
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.linalg.eigen import generalised_eigh
 from pkmodes.core.linalg.expansion import modal_expansion
 from pkmodes.diagnosis.problem import Array
-from pkmodes.diagnosis.structure.massless import UnstableError, UnusableError, condense
 from pkmodes.diagnosis.structure.supplied import Pair
+
+#: Smaller pivots of a matrix scaled to a unit diagonal are zero up to rounding.
+SINGULAR = 1e-13
+
+
+class UnusableError(PkmodesError):
+    """Matrices without modes: an error at the declared values; a fit avoids such values."""
+
+
+class UnstableError(UnusableError):
+    """A structure that is statically unstable."""
+
+
+class Condensed(NamedTuple):
+    """Coordinates x = T q with inertia, and motions N without, K-orthogonal to each other.
+
+    Attributes
+    ----------
+    M, K : ndarray, shape (p, p)
+        T^T M T, positive definite, and T^T K T.
+    T : ndarray, shape (n, p), or None
+        None if every motion has inertia.
+    N : ndarray, shape (n, n - p), or None
+    """
+
+    M: Array
+    K: Array
+    T: Array | None
+    N: Array | None
+
+
+def condense(M: Array, K: Array) -> Condensed:
+    """Separate the motions with inertia from those without.
+
+    Parameters
+    ----------
+    M, K : ndarray, shape (n, n)
+        Symmetric; M positive semidefinite, K positive definite for the motions without inertia.
+
+    Raises
+    ------
+    UnusableError
+        If they are not.
+    """
+    diagonal = np.diagonal(M)
+    bare = ~M.any(axis=1)
+    if (diagonal < 0.0).any() or (bare != (diagonal == 0.0)).any():
+        raise _indefinite()
+    q, r = np.flatnonzero(~bare), np.flatnonzero(bare)
+    scale = 1.0 / np.sqrt(diagonal[q])
+    inner = M if not r.size else M[np.ix_(q, q)]
+    scaled = inner * (scale[:, None] * scale)
+    T = N = None
+    if not definite(scaled):
+        energies, directions = np.linalg.eigh(scaled)
+        still = energies < SINGULAR * max(len(q), 10)
+        if (energies < -SINGULAR * max(len(q), 10)).any():
+            raise _indefinite()
+        directions *= scale[:, None]
+        T, N = np.zeros((len(M), (~still).sum())), np.zeros((len(M), still.sum() + r.size))
+        T[q], N[q, : still.sum()] = directions[:, ~still], directions[:, still]
+        N[r, np.arange(still.sum(), N.shape[1])] = 1.0
+    elif r.size:
+        T, N = np.eye(len(M))[:, q], np.eye(len(M))[:, r]
+    if T is None or N is None:
+        return Condensed(M, K, None, None)
+    if not T.shape[1]:
+        raise UnusableError("expected some mass, found none", "M", "give the structure masses")
+    KN = K @ N
+    held = N.T @ KN
+    size = np.diagonal(held).copy()
+    if (size <= 0.0).any() or not definite(held / np.sqrt(size[:, None] * size)):
+        what = "expected stiffness for every coordinate without mass, found a motion that has neither"
+        raise UnusableError(what, "K", "give it a mass or a stiffness, or remove it")
+    T = T - N @ linalg.solve(held, KN.T @ T, assume_a="pos")
+    mass, stiffness = T.T @ M @ T, T.T @ K @ T
+    return Condensed(0.5 * (mass + mass.T), 0.5 * (stiffness + stiffness.T), T, N)
+
+
+def _indefinite() -> UnusableError:
+    what = "expected M positive definite except for motions without mass, found a negative kinetic energy"
+    return UnusableError(what, "M", "check the signs of the masses")
+
+
+def definite(scaled: Array) -> bool:
+    """Return whether a matrix with a unit diagonal is positive definite by more than rounding."""
+    try:
+        factor = np.linalg.cholesky(scaled)
+    except np.linalg.LinAlgError:
+        return False
+    return bool((np.diagonal(factor) ** 2 > SINGULAR).all())
+
 
 #: Eigenvalues below zero by less than this fraction of the largest are zero up to rounding.
 STABLE = 1e-9

@@ -6,8 +6,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.diagnosis.fit.hypothesis import Fit
-from pkmodes.diagnosis.fit.misfit import Misfit
+from pkmodes.diagnosis.fit.hypothesis import Fit, Misfit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.gate import Gate

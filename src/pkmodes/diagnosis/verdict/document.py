@@ -6,8 +6,7 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from pkmodes.diagnosis.verdict.findings import Stability
-from pkmodes.diagnosis.verdict.proposal import NextMeasurement
+from pkmodes.diagnosis.verdict.findings import NextMeasurement, Stability
 from pkmodes.diagnosis.verdict.rows import Error, Place, Row
 from pkmodes.diagnosis.verdict.verdicts import DampingWord, Word
 from pkmodes.support.documents import Count, Document, Probability, Size

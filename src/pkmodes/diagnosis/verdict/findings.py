@@ -1,4 +1,8 @@
-"""The parts of a result of a diagnosis: fitted values, causes, tests of candidates, and changes of the errors."""
+"""The parts of a result of a diagnosis: plain data.
+
+Fitted values, causes with the members of their classes, tests of candidates and how large they may still be,
+changes of the errors, and the measurement that is proposed.
+"""
 
 from __future__ import annotations
 
@@ -7,14 +11,80 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated
 
+import msgspec
 from msgspec import Meta
 
-from pkmodes.diagnosis.verdict.members import Member
+from pkmodes.core.base.drives import Drives
 from pkmodes.diagnosis.verdict.relative import relative_to_mean
-from pkmodes.diagnosis.verdict.unseen import Unseen
 from pkmodes.diagnosis.verdict.verdicts import Word
 from pkmodes.support.documents import Document
 from pkmodes.support.numbers import rounded
+
+
+@dataclass(frozen=True)
+class Limit:
+    """How large a parameter of a candidate that is not claimed may still be.
+
+    Attributes
+    ----------
+    candidate : str
+        Its name.
+    value : float or None
+        Largest deviation from the declared value at 95 %, for an absent effect its largest size; None if the data
+        do not bound it within its plausible range.
+    change : float
+        Relative change of some frequency of the model at the limit; 0 without a limit.
+    """
+
+    candidate: str
+    value: float | None
+    unit: str
+    change: float = 0.0
+
+
+@dataclass(frozen=True)
+class Unseen:
+    """What a candidate that is not claimed could have done to a fitted value.
+
+    Attributes
+    ----------
+    sigma : float
+        As a standard deviation of the value.
+    candidate : str
+        The one that could have done most.
+    """
+
+    sigma: float
+    candidate: str
+
+
+@dataclass(frozen=True)
+class Member:
+    """A candidate of a class.
+
+    Attributes
+    ----------
+    sentence, kind, part : str
+        As of its candidate.
+    implausible : str
+        Why its value is not one that such a part can have; empty if it is.
+    """
+
+    name: str
+    sentence: str = ""
+    kind: str = ""
+    part: str = ""
+    implausible: str = ""
+
+    @property
+    def words(self) -> str:
+        """What it means, or its name where nobody said."""
+        return self.sentence or self.name
+
+    @property
+    def with_name(self) -> str:
+        """What it means, with its name."""
+        return f"{self.sentence} ({self.name})" if self.sentence else self.name
 
 
 @dataclass(frozen=True)
@@ -202,3 +272,39 @@ class Stability(Document, frozen=True):
     change: Annotated[str, Meta(description="The change, such as sigma x 0.5.")]
     verdict: Annotated[Word, Meta(description="The resulting verdict.")]
     effects: Annotated[tuple[str, ...], Meta(description="The resulting names of the causes.")]
+
+
+class NextMeasurement(Document, frozen=True, omit_defaults=True):
+    """The pose at which two explanations differ most, and how to measure there."""
+
+    pose: Annotated[tuple[float, ...], Meta(description="Platform centre [m].")]
+    separates: Annotated[
+        tuple[str, ...], Meta(description="The two explanations.", min_length=2, max_length=2)
+    ]
+    sigmas: Annotated[float, Meta(description="By how many standard deviations they differ there.")]
+    drives: Annotated[
+        Drives | None, Meta(description="What the motors are to do; null for a structure without motors.")
+    ]
+    hidden_by: Annotated[
+        str,
+        Meta(
+            description="The uncertain value that could make up most of that difference within its standard "
+            "deviation, so that several such poses, or a more exact value, are needed; present only where one could."
+        ),
+    ] = ""
+    load: Annotated[
+        dict[str, float],
+        Meta(
+            description="Values to be set for it, by path, in SI units; present only where a payload is proposed."
+        ),
+    ] = msgspec.field(name="set", default_factory=dict)
+
+    @property
+    def caveat(self) -> str:
+        """What to do about a value that could hide the difference; empty if there is none."""
+        if not self.hidden_by:
+            return ""
+        return (
+            f"{self.hidden_by} could make up for most of that within its sigma: measure several poses in this way, "
+            "or state it more exactly"
+        )

@@ -18,15 +18,13 @@ from math import comb
 import numpy as np
 from scipy import stats
 
-from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.search.gate import Gate
 from pkmodes.diagnosis.search.ranges import plausible_sizes
 from pkmodes.diagnosis.search.score import one_sided
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
-from pkmodes.diagnosis.verdict.classes import classes, other_pairs, survivors
-from pkmodes.diagnosis.verdict.measurement_errors import explained_by_errors
-from pkmodes.diagnosis.verdict.nested import more_general
+from pkmodes.diagnosis.verdict.classes import classes, more_general, other_pairs, survivors
 from pkmodes.diagnosis.verdict.notes import drift
 from pkmodes.diagnosis.verdict.possible import possible
 from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
@@ -265,3 +263,31 @@ def _p_value(search: Search, final: Fit, place: int) -> float:
         p *= 0.5
     # The two causes of a pair were chosen together, from all pairs.
     return min(1.0, p * comb(len(search.candidates), len(final.causes)))
+
+
+def explained_by_errors(search: Search, final: Fit) -> str:
+    """Name the errors that explain the residual nearly as well as the causes of a fit; empty if none do.
+
+    These are outliers and a shared error as found by the search, or frequency errors larger than stated by their
+    most likely factor, with the outliers and the shared error of the final fit.
+    """
+    store, c = search.store, search.criteria
+    worst = store.criterion(final) + c.survives
+    noise = [fit for fit in search.additions.errors(worst) if store.p_value(fit) > c.surely]
+    best = min(noise, key=store.criterion, default=None)
+    if best is not None and store.criterion(best) <= worst:
+        what = reasons.noise(best, store.fitter.data.lines)
+        plain = store.fit(Hypothesis())
+        pattern = reasons.uneven(store.fitter, plain) if plain is not None and best.hypothesis.scatter else ""
+        return f"{what}; {pattern}" if pattern else what
+    h = final.hypothesis
+    base = store.fit(Hypothesis(excluded=h.excluded, scatter=h.scatter))
+    if base is None:
+        return ""
+    rows = len(store.fitter.log)
+    squares, count = store.frequency_misfit(base)[0], rows - len(h.excluded)
+    ratio = max(squares / count, 1.0)
+    inflated = store.criterion(base) - squares + count * (1.0 + np.log(ratio))
+    if inflated + np.log(rows) > worst:
+        return ""
+    return f"errors {reasons.larger(ratio**0.5)} the stated ones"

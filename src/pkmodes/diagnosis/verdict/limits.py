@@ -24,7 +24,7 @@ from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.matrices import slowness
 from pkmodes.diagnosis.problem import Candidate, Parameter
 from pkmodes.diagnosis.search.limits import ONE_SIDED, Bound, bounds
-from pkmodes.diagnosis.verdict.unseen import Limit, Unseen
+from pkmodes.diagnosis.verdict.findings import Limit, Unseen
 
 #: Largest number of remaining explanations beside which limits are found.
 MOST = 4

@@ -7,8 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy import stats
 
-from pkmodes.diagnosis.fit.hypothesis import Fit
-from pkmodes.diagnosis.fit.misfit import Misfit
+from pkmodes.diagnosis.fit.hypothesis import Fit, Misfit
 from pkmodes.diagnosis.fit.store import FitStore
 
 

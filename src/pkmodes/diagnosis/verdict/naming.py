@@ -8,8 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from pkmodes.diagnosis.verdict.findings import Finding
-from pkmodes.diagnosis.verdict.members import Member
+from pkmodes.diagnosis.verdict.findings import Finding, Member
 
 #: Numbers as words; larger ones are written in digits.
 NUMBERS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")

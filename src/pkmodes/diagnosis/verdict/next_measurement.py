@@ -12,7 +12,7 @@ from pkmodes.core.base.drives import DRIVES, Drives, motors, other_drives
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array, Driven, Loadable, Prediction, Structure, Surrounded
-from pkmodes.diagnosis.verdict.proposal import NextMeasurement
+from pkmodes.diagnosis.verdict.findings import NextMeasurement
 
 #: Number of poses to choose from.
 POSES = 80

@@ -22,14 +22,14 @@ from pkmodes.diagnosis.verdict.findings import (
     Corrected,
     Examined,
     Finding,
+    Limit,
+    NextMeasurement,
     Refitted,
     Stability,
     Value,
     believed,
 )
-from pkmodes.diagnosis.verdict.proposal import NextMeasurement
 from pkmodes.diagnosis.verdict.rows import Error, Place, Row
-from pkmodes.diagnosis.verdict.unseen import Limit
 from pkmodes.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, DampingWord, Word
 from pkmodes.support.documents import Document
 from pkmodes.support.numbers import p_in_words, rounded

@@ -3,23 +3,86 @@
 The residual of a cause outside the candidates may look like a candidate by chance, especially with few data.  The
 probability is estimated by simulation: residuals as large as the measured one, drawn from changes of the structure
 that are not candidates, are compared with the linear signature of every candidate.  There are two kinds of draws:
-`arbitrary` changes, independent in all setups, and `plausible` ones, combinations of the candidates.  A draw has the
+arbitrary changes, independent in all setups, and plausible ones, combinations of the candidates.  A draw has the
 size of what the claim explains and leaves, and of what noise would hide; it looks like a candidate that explains as
 much of it as the claim does of the residual.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
 
+from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis, orthonormal
-from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.diagnosis.search.score import Directions, score
 from pkmodes.diagnosis.search.search import Search
-from pkmodes.diagnosis.verdict import arbitrary
-from pkmodes.diagnosis.verdict.plausible import Plausible
+
+#: Relative singular value below which signatures differ by their numerical errors only.
+SAME = 1e-3
+
+
+@dataclass(frozen=True)
+class Plausible:
+    r"""Directions of plausible changes.
+
+    A plausible change affects the data as candidates do, remote ones included, smoothly over the setups, but in any
+    combination.  With the unit signatures :math:`g_1 \dots g_n`, one of them at random with the size :math:`a` has
+    the covariance :math:`\frac{a^2}{n} \sum g_k g_k^T`, with eigenvalues :math:`v_i` in units of the noise.  A change
+    is drawn with the variance
+
+    .. math:: w_i = \frac{v_i}{1 + v_i}
+
+    along the i-th eigenvector.  Directions that stand out from the noise count equally, however many candidates are
+    nearly parallel to them, and those that vanish in the noise do not count: :math:`\sum w_i` is the number of
+    directions that the data resolve at this size.  It depends on the information in the data and not on the number of
+    rows: the same rows twice, with errors :math:`\sqrt 2` times as large, change nothing.
+
+    Attributes
+    ----------
+    axes : ndarray, shape (D, k)
+        Orthonormal directions in the whitened data.
+    weights : ndarray, shape (k,)
+        Their variances in the draws, between 0 and 1.
+    different : int
+        Number of directions in which the candidates differ, whatever the errors of the data.
+    """
+
+    axes: Array
+    weights: Array
+    different: int
+
+    @classmethod
+    def of(cls, directions: Directions, size: float) -> Plausible:
+        """Return the directions in which changes like some candidates differ.
+
+        Parameters
+        ----------
+        size : float
+            Norm of their effect on the whitened data.
+        """
+        signatures = np.hstack([axes for axes, _ in directions])
+        axes, s, _ = np.linalg.svd(signatures, full_matrices=False)
+        variance = (size * s) ** 2 / signatures.shape[1]
+        return cls(axes, variance / (1.0 + variance), int((s > SAME * s.max(initial=0.0)).sum()))
+
+    @property
+    def resolved(self) -> float:
+        """Number of directions that the data resolve."""
+        return float(self.weights.sum())
+
+    def draws(self, count: int, rng: np.random.Generator) -> Array:
+        """Draw changes, as coordinates along the axes, (k, count)."""
+        drawn: Array = np.sqrt(self.weights)[:, None] * rng.standard_normal((len(self.weights), count))
+        return drawn
+
+    def squares(self, white: Array) -> float:
+        """Return the squares of a residual in the resolved directions."""
+        return float(self.weights @ (self.axes.T @ white) ** 2)
+
 
 #: Number of draws of each kind, and their seed.
 DRAWS, SEED = 2_000, 20_221_107
@@ -35,7 +98,7 @@ def p_coincidence(search: Search, final: Fit) -> float:
     gain, directions = plain.chi2 - final.chi2, search.gate(plain).scores.directions
     used, data = fitter.used(h), slice(0, fitter.prior_rows.start)
     degrees = float(used.sum() + fitter.shapes.count[used].sum() - plain.leverage[data].sum())
-    drawn = arbitrary.draws(fitter, plain, DRAWS, rng)
+    drawn = arbitrary_draws(fitter, plain, DRAWS, rng)
     p_value = _coincidence(search, final, gain, drawn, directions, degrees, final.chi2)
     # A few candidates do not represent what else may be wrong: a combination of them says nothing.
     every = (*directions, *score(fitter, plain, search.remote).directions)
@@ -95,3 +158,61 @@ def _gain(residuals: Array, causes: Directions) -> Array:
     basis = axes if not others else orthonormal(np.hstack([axes for axes, _ in causes]))
     gain: Array = ((basis.T @ residuals) ** 2).sum(axis=0)
     return gain
+
+
+#: Modes beyond the highest measured one whose shapes are mixed into it.
+ABOVE = 3
+
+
+def arbitrary_draws(fitter: Fitter, plain: Fit, count: int, rng: np.random.Generator) -> Array:
+    r"""Draw the effects of arbitrary changes on the whitened data beside a fit, (D, count).
+
+    Independent relative changes :math:`\xi_{ij} = \xi_{ji}` of the modal stiffnesses and
+    :math:`\eta_{ij} = \eta_{ji}` of the modal masses give
+
+    .. math:: d \ln f_i = \tfrac12 (\xi_{ii} - \eta_{ii}), \qquad
+        d\phi_i = \sum_{j \ne i} \phi_j \frac{\sqrt{\lambda_i \lambda_j} \, \xi_{ij} - \lambda_i \eta_{ij}}
+        {\lambda_i - \lambda_j} :
+
+    each shape changes mostly by the shapes of neighbouring modes, and the shapes of two neighbours change together,
+    so twelve shape values carry less information than twelve independent ones.  The changes in different setups are
+    independent, as if the structure differed between them.
+    """
+    used, data = fitter.used(plain.hypothesis), fitter.prior_rows.start
+    # Modes far above the measured ones do not contribute to their shapes.
+    modes = int(plain.pairing.partner.max(initial=0)) + 1 + ABOVE
+    changed = _changed(plain.prediction, modes, fitter.criteria.mixed)
+    changes = fitter.rows.rates(changed, plain.pairing, used) / fitter.noise.stated[:, None]
+    drawn = np.zeros((len(plain.white), count))
+    for place in fitter.places():
+        drawn[place] = changes[place] @ rng.standard_normal((changes.shape[1], count))
+    drawn -= plain.basis @ (plain.basis[:data].T @ drawn[:data])
+    return drawn
+
+
+def _changed(prediction: Prediction, modes: int, least: float) -> Prediction:
+    """Return the lowest modes with their derivatives with respect to relative changes of modal stiffness and mass."""
+    eigenvalues, shapes = prediction.eigenvalues[:, :modes], prediction.shapes[:, :modes]
+    m = eigenvalues.shape[1]
+    i, j = np.triu_indices(m)
+    size = np.abs(eigenvalues)
+    gap = eigenvalues[:, i] - eigenvalues[:, j]
+    # Nearly coincident modes rotate into each other under any change; they are compared as one subspace.
+    smallest = 2.0 * least * np.maximum(size[:, i], size[:, j])
+    gap = np.where(gap >= 0.0, 1.0, -1.0) * np.maximum(np.abs(gap), np.maximum(smallest, 1e-300))
+    mean = np.sqrt(size[:, i] * size[:, j])
+    rates = np.zeros((len(eigenvalues), m, 2, len(i)))
+    along = np.zeros((*shapes.shape, 2, len(i)))
+    for t in np.flatnonzero(i == j):
+        rates[:, i[t], 0, t], rates[:, i[t], 1, t] = eigenvalues[:, i[t]], -eigenvalues[:, i[t]]
+    for t in np.flatnonzero(i != j):
+        for a, b, sign in ((i[t], j[t], 1.0), (j[t], i[t], -1.0)):
+            along[:, a, :, 0, t] = sign * (mean / gap)[:, t, None] * shapes[:, b]
+            along[:, a, :, 1, t] = -sign * (size[:, a] / gap[:, t])[:, None] * shapes[:, b]
+    return Prediction(
+        eigenvalues,
+        rates.reshape(len(eigenvalues), m, -1),
+        shapes,
+        prediction.rigid,
+        along.reshape(*shapes.shape, -1),
+    )

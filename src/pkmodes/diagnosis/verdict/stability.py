@@ -15,8 +15,8 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.search import Search
+from pkmodes.diagnosis.verdict.classes import nested
 from pkmodes.diagnosis.verdict.findings import Stability
-from pkmodes.diagnosis.verdict.nested import nested
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED, Verdict
 from pkmodes.measured.scaling import with_errors
 
