@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -27,25 +26,19 @@ from pkmodes.diagnosis.matrices import slowness
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.search.search import Outcome, Search
-from pkmodes.diagnosis.verdict import limits, reasons
+from pkmodes.diagnosis.verdict import limits
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
-from pkmodes.diagnosis.verdict.chosen_reason import Reason, reason_of
-from pkmodes.diagnosis.verdict.held_out import HeldOut, predicted
-from pkmodes.diagnosis.verdict.judgement import Judgement, judge
-from pkmodes.diagnosis.verdict.mistakes import certain_wiring, other_unit, other_wiring
+from pkmodes.diagnosis.verdict.evidence import Evidence
+from pkmodes.diagnosis.verdict.mistakes import certain_wiring, other_unit
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.diagnosis.verdict.stability import Trial, trials, unchanged
-from pkmodes.diagnosis.verdict.verdicts import (
-    ADEQUATE,
-    AMBIGUOUS,
-    EFFECT_FOUND,
-    INSUFFICIENT_DATA,
-    UNEXPLAINED,
-)
+from pkmodes.diagnosis.verdict.rules import decide
+from pkmodes.diagnosis.verdict.stability import unchanged
+from pkmodes.diagnosis.verdict.verdicts import INSUFFICIENT_DATA, UNEXPLAINED
 from pkmodes.diagnosis.verdict.whole_data import remarks
 from pkmodes.diagnosis.verdict.wrong_drives import seemingly_wrong_drives, wrong_drives
 from pkmodes.measured.measurements import Measurements
+from pkmodes.support.numbers import p_in_words
 
 #: By default, one in this many poses is held out.
 HELD_OUT = 6
@@ -118,7 +111,8 @@ def _of_frequencies(
     if outcome is None:
         what = "the model cannot be evaluated with its declared values"
         raise PkmodesError(what, data.source, "check the poses and the robot file")
-    return _judged(builder, search, outcome)
+    evidence = Evidence(builder.setups, search, outcome)
+    return builder.after_search(evidence, decide(evidence))
 
 
 def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int], list[int]]:
@@ -184,43 +178,6 @@ def _searched(
         scatter = best
 
 
-def _judged(builder: DiagnosisBuilder, search: Search, outcome: Outcome) -> Diagnosis:
-    """Judge the outcome of a search, with the reason."""
-    judged, store = judge(search, outcome), search.store
-    changes = trials(search, judged.final, [groups[0] for groups in judged.grouped if groups])
-    if judged.verdict is EFFECT_FOUND:
-        judged = _stable(judged, changes)
-    held = HeldOut()
-    if judged.verdict in (ADEQUATE, EFFECT_FOUND):
-        held = predicted(builder.setups, search, judged.final)
-        if held.doubt:
-            judged = replace(judged, verdict=UNEXPLAINED, doubt=held.doubt)
-    wiring = other_wiring(store.fitter, judged.final)
-    if wiring:
-        judged = replace(judged, verdict=UNEXPLAINED, doubt=wiring)
-    reason = Reason(wiring) if wiring else reason_of(builder, search, outcome, judged)
-    return builder.after_search(
-        search,
-        outcome,
-        judged,
-        reason.text,
-        reason.named,
-        (*((wiring,) if wiring else ()), *remarks(builder.setups, judged.final), *held.notes),
-        tuple(trial.entry for trial in changes),
-    )
-
-
-def _stable(judged: Judgement, changes: Sequence[Trial]) -> Judgement:
-    """Withdraw a claim that other errors or priors would change."""
-    for trial in changes:
-        if trial.instead is not None:
-            doubt = reasons.unstable(judged.final.causes, trial.entry.change, trial.instead.causes)
-            return replace(judged, verdict=AMBIGUOUS, doubt=doubt, instead=trial.instead)
-    if any(trial.moved for trial in changes):
-        return replace(judged, verdict=UNEXPLAINED, doubt=reasons.held_by_priors(judged.final.causes))
-    return judged
-
-
 def _insufficient(builder: DiagnosisBuilder) -> Diagnosis:
     """Return the result for too few data: no search, only whether they contradict the model and its priors."""
     fitter, store = builder.fitter, FitStore(builder.fitter)
@@ -234,14 +191,7 @@ def _insufficient(builder: DiagnosisBuilder) -> Diagnosis:
             search = Search(store, candidates)
             singles = search.additions.would_do()
             hints = [single.causes[0].name for single in singles[:HINTS]]
-    reason = reasons.insufficient_data(
-        len(fitter.log),
-        int(fitter.shapes.count.sum()),
-        [fitter.parameters[i].name for i in fitter.nuisances],
-        p_value,
-        hints,
-        contradicts,
-    )
+    reason = _too_few(fitter, p_value, hints, contradicts)
     drives = seemingly_wrong_drives(fitter)
     about = (*((drives,) if drives else ()), *(() if fit is None else remarks(builder.setups, fit)))
     if fit is None:
@@ -252,3 +202,24 @@ def _insufficient(builder: DiagnosisBuilder) -> Diagnosis:
     unseen = tuple(candidate.name for candidate in candidates if candidate.name not in known)
     same = unchanged(INSUFFICIENT_DATA)
     return builder.without_search(INSUFFICIENT_DATA, reason, store, fit, unseen, about, same, bounded)
+
+
+def _too_few(fitter: Fitter, p_value: float | None, hints: Sequence[str], contradicts: bool) -> str:
+    """Return the reason if there are too few data, and whether they nevertheless contradict the model."""
+    rows, shapes = len(fitter.log), int(fitter.shapes.count.sum())
+    uncertain = [fitter.parameters[i].name for i in fitter.nuisances]
+    modes = "1 measured mode" if rows == 1 else f"{rows} measured modes"
+    modes += f" with {shapes} shape values" if shapes else ""
+    modes += " is" if rows == 1 else " are"
+    names = f"the uncertain {', '.join(uncertain)} and " if uncertain else ""
+    text = f"{modes} too few to fit {names}a cause, with one value left to test it"
+    if p_value is None:
+        return text
+    one = rows == 1
+    if not contradicts:
+        them = "it" if one else "them"
+        p = p_in_words(p_value)
+        return f"{text}; the declared model with its uncertain values does not contradict {them} ({p})"
+    they, verb = ("it", "contradicts") if one else ("they", "contradict")
+    would = f"; {they} would not with {' or '.join(hints)}" if hints else ""
+    return f"{text}; yet {they} {verb} the declared model and its uncertain values ({p_in_words(p_value)}){would}"

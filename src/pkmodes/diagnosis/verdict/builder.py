@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -11,18 +11,19 @@ from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import reached_bounds
 from pkmodes.diagnosis.search.ranges import plausible_sizes
-from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import caveats, held_out, limits, misfit
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
+from pkmodes.diagnosis.verdict.claim import name_of, values
 from pkmodes.diagnosis.verdict.detectable import examined
-from pkmodes.diagnosis.verdict.findings import Corrected, Finding, Refitted, Stability, Value
-from pkmodes.diagnosis.verdict.judgement import Judgement
+from pkmodes.diagnosis.verdict.evidence import Decision, Evidence
+from pkmodes.diagnosis.verdict.findings import Corrected, Refitted, Stability
 from pkmodes.diagnosis.verdict.limits import Limits
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.notes import notes
-from pkmodes.diagnosis.verdict.possible import member
 from pkmodes.diagnosis.verdict.result import Diagnosis, Stages
+from pkmodes.diagnosis.verdict.rules import READINGS
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, Verdict
+from pkmodes.diagnosis.verdict.whole_data import remarks
 
 
 class DiagnosisBuilder:
@@ -31,31 +32,17 @@ class DiagnosisBuilder:
     def __init__(self, setups: AllSetups) -> None:
         self.setups, self.fitter = setups, setups.fitter
 
-    def after_search(
-        self,
-        search: Search,
-        outcome: Outcome,
-        judged: Judgement,
-        reason: str,
-        pointed: Collection[str],
-        remarks: Sequence[str],
-        stability: tuple[Stability, ...],
-    ) -> Diagnosis:
-        """Return the result of a search and its judgement.
-
-        Parameters
-        ----------
-        pointed : collection of str
-            Candidates to which the reason says that the data point.
-        """
-        verdict, final, grouped = judged.verdict, judged.final, judged.grouped
-        findings = self.findings(judged) if verdict is EFFECT_FOUND else ()
-        remaining = remains(judged) if verdict is AMBIGUOUS else []
+    def after_search(self, evidence: Evidence, decision: Decision) -> Diagnosis:
+        """Return the result of a search and its verdict."""
+        search, outcome, claim = evidence.search, evidence.outcome, evidence.claim
+        verdict, final = decision.verdict, claim.final
+        findings = claim.findings(self.fitter) if verdict is EFFECT_FOUND else ()
+        remaining = claim.remains(decision.says.instead) if verdict is AMBIGUOUS else []
         contested = [named[0] for named in remaining] if len(remaining) != 1 else remaining[0]
         if verdict is EFFECT_FOUND:
             # The class of the first cause that the data cannot tell from others.
-            own = [groups[0] for groups in grouped]
-            contested = [(_name(fit), fit) for fit in next((fits for fits in own if len(fits) > 1), own[0])]
+            own = next((fits for fits in claim.own if len(fits) > 1), claim.own[0])
+            contested = [(name_of(fit), fit) for fit in own]
         # Beside a claimed cause, the other members of its class are not detectable; they are listed with it.
         claimed = {name for finding in findings for name in finding.members}
         unclaimed = [candidate for candidate in search.candidates if candidate.name not in claimed]
@@ -64,9 +51,10 @@ class DiagnosisBuilder:
         else:
             open_fits = [fit for named in remaining for _, fit in named] or [outcome.nuisances]
             bounded = limits.beside(search.store, open_fits, unclaimed, noise=False)
-        last = judged.last.scores if verdict.settled else outcome.first.scores
+        last = claim.last.scores if verdict.settled else outcome.first.scores
         shown = claimed | {cause.name for named in remaining for _, fit in named for cause in fit.causes}
-        shown |= {*pointed, *(name for entry in stability for name in entry.effects)}
+        stability = tuple(trial.entry for trial in evidence.trials)
+        shown |= {*decision.says.named, *(name for entry in stability for name in entry.effects)}
         apart = [candidate for candidate in search.candidates if candidate.name not in bounded.candidates]
         tested = examined(
             self.fitter,
@@ -80,11 +68,11 @@ class DiagnosisBuilder:
         undetectable = tuple(one.name for one in tested if not one.detectable)
         diagnosis = self.without_search(
             verdict,
-            reason,
+            decision.says.text,
             search.store,
             final if verdict is ADEQUATE else outcome.nuisances,
             undetectable,
-            remarks,
+            self._remarks(evidence, decision),
             stability,
             bounded,
             causes=final if verdict is EFFECT_FOUND else None,
@@ -101,7 +89,7 @@ class DiagnosisBuilder:
             self.fitter.criteria.worse,
         )
         proposed, not_separated = next_measurement(self.fitter, contested)
-        reason, headline = self._with_caveats(search.store, judged, diagnosis)
+        reason, headline = self._with_caveats(evidence, decision, diagnosis)
         return replace(
             diagnosis,
             reason=reason,
@@ -111,22 +99,28 @@ class DiagnosisBuilder:
             next_measurement=proposed,
             not_separated=not_separated,
             candidates=tested,
-            notes=(*diagnosis.notes, *judged.left_out, *contradictions),
+            notes=(*diagnosis.notes, *claim.left_out, *contradictions),
         )
 
-    def _with_caveats(self, store: FitStore, judged: Judgement, diagnosis: Diagnosis) -> tuple[str, str]:
+    def _remarks(self, evidence: Evidence, decision: Decision) -> tuple[str, ...]:
+        """Return notes on the data: another reading that decided, mistakes seen in all setups, held-out rows."""
+        reading = (decision.says.text,) if decision.rule in (rule.name for rule in READINGS) else ()
+        held_out = evidence.held_out.notes if decision.verdict.settled else ()
+        return (*reading, *remarks(self.setups, evidence.final), *held_out)
+
+    def _with_caveats(self, evidence: Evidence, decision: Decision, diagnosis: Diagnosis) -> tuple[str, str]:
         """Return the reason with what belongs beside a settled verdict, and what of this is in the headline."""
-        if not judged.verdict.settled:
+        if not decision.verdict.settled:
             return diagnosis.reason, ""
-        values = [value for value in diagnosis.corrected if value.prior_sigma is not None]
-        if judged.verdict is not ADEQUATE:
-            headline = caveats.conspicuous(values, needed=False)
+        moved = [value for value in diagnosis.corrected if value.prior_sigma is not None]
+        if decision.verdict is not ADEQUATE:
+            headline = caveats.conspicuous(moved, needed=False)
             return "; ".join(part for part in (diagnosis.reason, headline) if part), headline
-        needed = misfit.p_declared(store, judged.final) <= judged.last.level
-        headline = caveats.conspicuous(values, needed=needed)
+        needed = misfit.p_declared(evidence.store, evidence.final) <= evidence.claim.last.level
+        headline = caveats.conspicuous(moved, needed=needed)
         limited = any(limit.value is not None for limit in diagnosis.limits.values())
         parts = (
-            f"{diagnosis.reason}: {caveats.refitted(values)}" if needed else diagnosis.reason,
+            f"{diagnosis.reason}: {caveats.refitted(moved)}" if needed else diagnosis.reason,
             headline if not needed else "",
             caveats.unseen(diagnosis.undetectable, limited),
         )
@@ -198,42 +192,10 @@ class DiagnosisBuilder:
             ),
         )
 
-    def findings(self, judged: Judgement) -> tuple[Finding, ...]:
-        """Return all claimed causes with their classes."""
-        return tuple(self._finding(judged, place, groups[0]) for place, groups in enumerate(judged.grouped))
-
-    def _finding(self, judged: Judgement, place: int, members: list[Fit]) -> Finding:
-        """Return one cause with its class."""
-        cause = judged.final.causes[place]
-        index = {_name(fit): self.fitter.indices(fit.causes[-1]) for fit in members}
-        alternatives = {_name(fit): self.values(fit, index[_name(fit)]) for fit in members}
-        covariances = {
-            _name(fit): tuple(map(tuple, fit.covariance_of(index[_name(fit)]).tolist())) for fit in members
-        }
-        names = [cause.name, *(name for name in alternatives if name != cause.name)]
-        return Finding(
-            name=cause.name,
-            members=tuple(names),
-            parameters=alternatives[cause.name],
-            alternatives={name: alternatives[name] for name in names},
-            p_value=judged.p_values[place],
-            sentence=cause.sentence,
-            covariances={name: covariances[name] for name in names},
-            about={_name(fit): member(self.fitter, fit, judged.plausible) for fit in members},
-        )
-
-    def values(self, fit: Fit, index: Sequence[int]) -> tuple[Value, ...]:
-        """Return fitted parameters with their standard deviations."""
-        values = []
-        for i in index:
-            p = self.fitter.parameters[i]
-            values.append(Value(p.name, float(fit.values[i]), fit.sigma_of(i), p.unit))
-        return tuple(values)
-
     def corrected(self, fit: Fit, bounded: Limits) -> tuple[Corrected, ...]:
         """Return all fitted parameters with their declared values, priors, and what was not seen."""
         width, corrected = self.fitter.priors.width(fit.values), []
-        for i, v in zip(fit.free, self.values(fit, fit.free), strict=True):
+        for i, v in zip(fit.free, values(self.fitter, fit, fit.free), strict=True):
             p, row = self.fitter.parameters[i], self.fitter.priors.of(i)
             corrected.append(
                 Corrected(
@@ -257,22 +219,3 @@ class DiagnosisBuilder:
             for v in self.corrected(fit, bounded)
             if v.name in names
         )
-
-
-def remains(judged: Judgement) -> list[list[tuple[str, Fit]]]:
-    """Return the remaining explanations with their names: classes of one cause, or else pairs of causes."""
-    if judged.instead is not None:
-        return [[(_names(fit), fit)] for fit in (judged.final, judged.instead)]
-    for groups in judged.grouped:
-        if len(groups) > 1 or len(judged.final.causes) == 1:
-            return [[(_name(fit), fit) for fit in fits] for fits in groups]
-    pairs = (judged.final, *judged.others)
-    return [[(_names(fit), fit)] for fit in pairs]
-
-
-def _names(fit: Fit) -> str:
-    return " + ".join(cause.name for cause in fit.causes)
-
-
-def _name(fit: Fit) -> str:
-    return fit.causes[-1].name

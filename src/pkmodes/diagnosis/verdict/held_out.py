@@ -23,10 +23,11 @@ from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.search.search import Search
-from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
+from pkmodes.diagnosis.verdict.reasons import names
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.measured.measurements import Measurements
+from pkmodes.support.numbers import p_in_words
 
 
 @dataclass(frozen=True)
@@ -60,18 +61,27 @@ def predicted(setups: AllSetups, search: Search, final: Fit) -> HeldOut:
     c = search.criteria
     every, again = _fitted_to_all(setups, search, final)
     if again is None:
-        return HeldOut(reasons.not_everywhere(final.causes))
+        return HeldOut(f"{_explains(final)}, but with these values the held-out ones cannot be evaluated")
     p_value = p_held_out(setups, every.store.fitter, again.hypothesis, final)
     if p_value <= c.surely:
         again, p_value = _without_one_row(setups, every.store, again, final, p_value)
     better = _better(every, again)
     if p_value > c.surely:
         if better is not None:
-            return HeldOut(reasons.together(final.causes, better.causes))
+            return HeldOut(
+                f"{names(final.causes)} would explain all poses, but {names(better.causes)} explains them better: "
+                "look there"
+            )
         aside = (row for row in sorted(again.hypothesis.excluded) if setups.is_held[row])
         return HeldOut(notes=tuple(_check(setups.data, row) for row in aside))
     instead = better or _explaining(every, again)
-    return HeldOut(reasons.held_out(final.causes, p_value, instead.causes if instead else ()))
+    other = f"; {names(instead.causes)} would explain all poses: look there" if instead else ""
+    return HeldOut(f"{_explains(final)}, but not the held-out ones ({p_in_words(p_value)}){other}")
+
+
+def _explains(final: Fit) -> str:
+    who = f"{names(final.causes)} would explain" if final.causes else "the declared model explains"
+    return f"{who} the fitted poses"
 
 
 def p_held_out(setups: AllSetups, every: Fitter, hypothesis: Hypothesis, final: Fit) -> float:

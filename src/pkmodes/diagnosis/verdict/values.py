@@ -10,22 +10,27 @@ from scipy import stats
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.search import Search
-from pkmodes.diagnosis.verdict import reasons
+from pkmodes.support.numbers import plain, rounded
 
 
-def doubt_of_values(search: Search, final: Fit) -> str:
-    """Return why the value of some cause does not support a claim; empty if all values do."""
+def no_value(search: Search, final: Fit) -> str:
+    """Return which cause has a value at a bound, or the declared value; empty if none has."""
     fitter, c = search.store.fitter, search.criteria
     for cause in final.causes:
-        index = fitter.indices(cause)
-        for i in index:
+        for i in fitter.indices(cause):
             p, value, sigma = fitter.parameters[i], float(final.values[i]), final.sigma_of(i)
             for bound in (p.lower, p.upper):
                 if bound != p.value and np.isfinite(bound) and abs(value - bound) < c.bounded * sigma:
-                    return reasons.at_bound(cause, value, sigma, bound)
+                    return (
+                        f"{cause.name} would explain the residual, but its value, {rounded(value, sigma)}, is at its "
+                        f"bound {plain(bound, 4)}: something else may be the cause"
+                    )
         if p_absent(search, final, cause) > c.absent:
-            return reasons.near_absence(cause)
-    return next((text for cause in final.causes if (text := _rests_on(search, final, cause))), "")
+            return (
+                f"{cause.name} would explain the residual, but its value is not significantly different from the "
+                "declared one: something else must be the cause"
+            )
+    return ""
 
 
 def p_absent(search: Search, final: Fit, cause: Candidate) -> float:
@@ -40,8 +45,12 @@ def p_absent(search: Search, final: Fit, cause: Candidate) -> float:
     return float(stats.chi2.sf(squares, len(index)))
 
 
+def rests_on_one_row(search: Search, final: Fit) -> str:
+    """Return which row alone determines a cause or its value; empty if none does."""
+    return next((text for cause in final.causes if (text := _rests_on(search, final, cause))), "")
+
+
 def _rests_on(search: Search, final: Fit, cause: Candidate) -> str:
-    """Return a reason if a single row determines a cause or its value; else empty."""
     store, c = search.store, search.criteria
     fitter, h = store.fitter, final.hypothesis
     used, index = fitter.used(h), list(fitter.indices(cause))
@@ -60,8 +69,11 @@ def _rests_on(search: Search, final: Fit, cause: Candidate) -> str:
         moved = np.abs(here.values[index] - final.values[index]) > c.moved * both
         if gone or moved.any():
             data = fitter.data
-            value = None if gone else float(here.values[index[int(np.argmax(moved))]])
-            return reasons.rests_on(
-                cause, int(data.lines[row]), data.labels[data.pose[row]], float(data.frequency[row]), value
+            there = float(here.values[index[int(np.argmax(moved))]])
+            so = "it would not be detected" if gone else f"its value would be {plain(there, 4)}"
+            return (
+                f"{cause.name} would explain the residual, but depends on line {data.lines[row]} "
+                f"({data.labels[data.pose[row]]}, {data.frequency[row]:g} Hz) alone: without that row, {so}; "
+                "check the row"
             )
     return ""

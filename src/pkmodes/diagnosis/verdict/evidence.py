@@ -1,0 +1,144 @@
+"""What the rules of a verdict ask about, and what a rule and its answer are."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.problem import Candidate
+from pkmodes.diagnosis.search.search import Outcome, Search
+from pkmodes.diagnosis.verdict import reasons
+from pkmodes.diagnosis.verdict.all_setups import AllSetups
+from pkmodes.diagnosis.verdict.claim import claim_of
+from pkmodes.diagnosis.verdict.held_out import HeldOut, predicted
+from pkmodes.diagnosis.verdict.stability import Trial, trials
+from pkmodes.diagnosis.verdict.verdicts import Verdict
+
+
+class Evidence:
+    """What a search found, and what else decides; what takes time is computed when a rule first asks for it.
+
+    Attributes
+    ----------
+    claim : Claim
+        What would be claimed, and its final fit.
+    """
+
+    def __init__(self, setups: AllSetups, search: Search, outcome: Outcome) -> None:
+        self.setups, self.search, self.outcome = setups, search, outcome
+        self.store, self.fitter, self.criteria = search.store, search.store.fitter, search.criteria
+        self.claim = claim_of(search, outcome)
+        self.final = self.claim.final
+
+    @cached_property
+    def trials(self) -> list[Trial]:
+        """What becomes of the explanations with other errors and priors."""
+        return trials(self.search, self.final, self.claim.own)
+
+    @cached_property
+    def held_out(self) -> HeldOut:
+        """What the held-out setups say about the final fit."""
+        return predicted(self.setups, self.search, self.final)
+
+    @cached_property
+    def errors(self) -> str:
+        """The measurement errors that explain the residual nearly as well as the causes; empty if none do.
+
+        These are outliers and a shared error as found by the search, or frequency errors larger than stated by their
+        most likely factor, with the outliers and the shared error of the final fit.
+        """
+        store, c, final = self.store, self.criteria, self.final
+        worst = store.criterion(final) + c.survives
+        noise = [fit for fit in self.search.additions.errors(worst) if store.p_value(fit) > c.surely]
+        best = min(noise, key=store.criterion, default=None)
+        if best is not None and store.criterion(best) <= worst:
+            what = reasons.noise(best, store.fitter.data.lines)
+            plain = store.fit(Hypothesis())
+            pattern = (
+                reasons.uneven(store.fitter, plain) if plain is not None and best.hypothesis.scatter else ""
+            )
+            return f"{what}; {pattern}" if pattern else what
+        h = final.hypothesis
+        base = store.fit(Hypothesis(excluded=h.excluded, scatter=h.scatter))
+        if base is None:
+            return ""
+        rows = len(store.fitter.log)
+        squares, count = store.frequency_misfit(base)[0], rows - len(h.excluded)
+        ratio = max(squares / count, 1.0)
+        inflated = store.criterion(base) - squares + count * (1.0 + np.log(ratio))
+        if inflated + np.log(rows) > worst:
+            return ""
+        return f"errors {reasons.larger(ratio**0.5)} the stated ones"
+
+
+@dataclass(frozen=True)
+class Says:
+    """The answer of a rule that applies.
+
+    Attributes
+    ----------
+    text : str
+        The reason of the verdict.
+    named : frozenset of str
+        Candidates to which it says that the data point, without a claim: what they show cannot be undetectable.
+    instead : Fit or None
+        An explanation that is better with other errors or priors.
+    """
+
+    text: str
+    named: frozenset[str] = field(default=frozenset())
+    instead: Fit | None = None
+
+    @classmethod
+    def naming(cls, text: str, causes: Iterable[Candidate], instead: Fit | None = None) -> Says:
+        """Return an answer that names some candidates."""
+        return cls(text, frozenset(cause.name for cause in causes), instead)
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A rule of the verdict.
+
+    Attributes
+    ----------
+    ask : callable
+        Its question: the answer to it, or None or an empty text if it does not apply.  A text names the causes that
+        would be claimed.
+    """
+
+    name: str
+    verdict: Verdict
+    ask: Callable[[Evidence], Says | str | None]
+
+    @property
+    def about(self) -> str:
+        """When it applies."""
+        return (self.ask.__doc__ or "").partition("\n")[0].removesuffix(".")
+
+    def of(self, evidence: Evidence) -> Says | None:
+        """Return the answer; None if the rule does not apply."""
+        answer = self.ask(evidence)
+        if isinstance(answer, str):
+            return Says.naming(answer, evidence.final.causes) if answer else None
+        return answer
+
+
+@dataclass(frozen=True)
+class Decision:
+    """The verdict, the rule that gave it, and its answer."""
+
+    verdict: Verdict
+    rule: str
+    says: Says
+
+
+def first(rules: Sequence[Rule], evidence: Evidence) -> Decision:
+    """Return the decision of the first rule that applies; the last rule of a table always does."""
+    for rule in rules:
+        if (says := rule.of(evidence)) is not None:
+            return Decision(rule.verdict, rule.name, says)
+    raise AssertionError("the last rule applies to everything")

@@ -1,0 +1,316 @@
+"""The rules of the verdict, in tables: of those that are asked, the first that applies decides.
+
+A rule has a name, the verdict that it gives, and a question of the evidence.  The docstring of the question says when
+the rule applies, and its answer is the reason of the verdict, for a person.  `READINGS` are asked first; then
+`ADEQUACY` where the declared model leaves noise, `CLAIMS` where causes do, and `OPEN` (`unexplained`) where nothing
+does.  docs/diagnosis.md has the tables.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pkmodes.diagnosis.verdict import misfit
+from pkmodes.diagnosis.verdict.classes import more_general
+from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Rule, Says, first
+from pkmodes.diagnosis.verdict.mistakes import other_wiring
+from pkmodes.diagnosis.verdict.naming import explained
+from pkmodes.diagnosis.verdict.notes import drift
+from pkmodes.diagnosis.verdict.reasons import names, noise
+from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
+from pkmodes.diagnosis.verdict.specificity import p_coincidence
+from pkmodes.diagnosis.verdict.unexplained import OPEN
+from pkmodes.diagnosis.verdict.values import no_value, rests_on_one_row
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED
+from pkmodes.support.numbers import p_in_words, p_text
+
+#: Largest number of other causes that a reason mentions.
+MENTIONED = 4
+
+
+def decide(evidence: Evidence) -> Decision:
+    """Return the verdict, and why it is given."""
+    of_noise = CLAIMS if evidence.final.causes else ADEQUACY
+    return first((*READINGS, *(of_noise if evidence.outcome.last.passed else OPEN)), evidence)
+
+
+# Readings ------------------------------------------------------------------------------------------------------
+
+
+def wired_otherwise(e: Evidence) -> Says | None:
+    """The shapes fit far better with another wiring of the sensors, or a channel is dead."""
+    text = other_wiring(e.fitter, e.final)
+    return Says(text) if text else None
+
+
+# The declared model leaves noise -------------------------------------------------------------------------------
+
+
+def modes_of_other_shapes(e: Evidence) -> str:
+    """The measured shapes are not those of the modes with their frequencies."""
+    if not shapes_disagree(e.store, e.final):
+        return ""
+    return f"{_explains(e)} the frequencies, but not the shapes of some of these modes (MAC)"
+
+
+def extra_modes(e: Evidence) -> str:
+    """A row could only be set aside as a mode that the model lacks: it has none left near it."""
+    lines = _extra_lines(e)
+    if not lines:
+        return ""
+    one = len(lines) == 1
+    which = f"line {lines[0]} is a mode" if one else f"lines {', '.join(map(str, lines))} are modes"
+    return (
+        f"the declared model explains all other rows, but {which} that it does not have: all its modes near there "
+        "were measured as well"
+    )
+
+
+def _extra_lines(e: Evidence) -> list[int]:
+    """Return the lines of rows set aside where the model has no mode left near them: no error moved one there."""
+    fitter, final, lines = e.fitter, e.final, []
+    for row in sorted(final.hypothesis.excluded):
+        setup = fitter.data.pose[row]
+        near = np.abs(final.prediction.log_frequencies[setup] - fitter.log[row]) < e.criteria.reach
+        near[: final.prediction.rigid] = False
+        partner = final.pairing.partner[fitter.noise.rows[setup]]
+        near[partner[partner >= 0]] = False
+        if not near.any():
+            lines.append(int(fitter.data.lines[row]))
+    return lines
+
+
+def unstated_error(e: Evidence) -> str:
+    """Only with an error that the modes of a pose share and the file does not state: it may as well be an effect."""
+    if not e.final.hypothesis.scatter:
+        return ""
+    pattern = drift(e.fitter, e.final)
+    also = f"; {pattern}" if pattern else ""
+    return (
+        f"the declared model explains the residual only with an error of {100 * e.final.scatter:.2g} % that the "
+        f"modes of a pose share and the file does not state{also}: something changed between the poses, or an effect "
+        "is missing"
+    )
+
+
+def not_predicted(e: Evidence) -> str:
+    """The held-out poses contradict the result, or another cause explains all poses better."""
+    return e.held_out.doubt
+
+
+def nothing_missing(e: Evidence) -> Says:
+    """The residual is noise, as declared or with the uncertain values refitted."""
+    gate = e.outcome.last
+    setting_aside = noise(e.final, e.fitter.data.lines)
+    aside = f", with {setting_aside}" if setting_aside else ""
+    p = f"({p_in_words(gate.p_value)}, and {p_text(gate.p_candidates)} for the best candidate)"
+    declared = misfit.p_declared(e.store, e.final)
+    if declared > gate.level:
+        return Says(f"the residual of the declared model is noise {p}{aside}")
+    refit = "the residual is noise once the uncertain values are refitted"
+    return Says(f"{refit} {p}, not as declared ({p_in_words(declared)}){aside}")
+
+
+# Causes leave noise --------------------------------------------------------------------------------------------
+
+
+def remote_cause(e: Evidence) -> str:
+    """A remote cause, which is never claimed, is needed, survives, or explains far more."""
+    final, others = e.final, e.claim.others
+    doubtful = len(final.causes) == 1 and not e.claim.last.above(e.criteria.plainly)
+    better = e.search.better_alone(final) if doubtful else []
+    remote = [cause for fit in (final, *others, *better) for cause in fit.causes if cause.remote]
+    if not remote:
+        return ""
+    also = ", or add it to the candidates" if remote[0].nameable else ""
+    return f"no candidate explains the residual alone, but {remote[0].name} would: look there{also}"
+
+
+def in_one_joint(e: Evidence) -> str:
+    """The cause in one of its joints alone explains as much: all joints need the same evidence as another class."""
+    store, c, final = e.store, e.criteria, e.final
+    if len(final.causes) != 1:
+        return ""
+    fits, limit = e.search.in_one_joint(final), final.deviance + c.told_apart
+    single = next((fit for fit in fits if fit.deviance < limit and store.p_value(fit) > c.surely), None)
+    if single is None:
+        return ""
+    return f"{_explains(e)} the residual, and so would {names(single.causes)}: look there, and measure more"
+
+
+def better_shapes(e: Evidence) -> str:
+    """Another explanation fits the measured shapes significantly better."""
+    rival = better_by_shape(e.store, e.final)
+    if rival is None:
+        return ""
+    other = names(rival.causes) if rival.causes else "the declared model"
+    verb = "fit" if len(rival.causes) > 1 else "fits"
+    return f"{_explains(e)} the frequencies, but {other} {verb} the shapes significantly better"
+
+
+def general_cause(e: Evidence) -> str:
+    """The residual points to a more general form of a cause, with a value of its own for each joint (score test)."""
+    found = more_general(e.search, e.final)
+    if found is None:
+        return ""
+    cause, general = found
+    return f"{cause.name} would explain the residual, but {general.name} would do so significantly better: look there"
+
+
+def not_significant(e: Evidence) -> str:
+    """The improvement may be chance: its p-value, corrected for the number of candidates, is above 0.1 %."""
+    if all(p <= e.criteria.claimed for p in e.claim.p_values):
+        return ""
+    perhaps = f"; measurement errors would explain it too: {e.errors}" if e.errors else ""
+    return (
+        f"the residual points to {names(e.final.causes)}, but not clearly enough for a claim "
+        f"({p_in_words(max(e.claim.p_values))} among all candidates): measure more{perhaps}"
+    )
+
+
+def two_of_few(e: Evidence) -> str:
+    """Two causes would be claimed from fewer than ten measured modes."""
+    rows, needed = len(e.fitter.log), e.criteria.rows_for_two
+    if len(e.final.causes) < 2 or rows >= needed:
+        return ""
+    return (
+        f"{names(e.final.causes)} together would explain the residual, but two causes are not claimed from {rows} "
+        f"measured modes: measure {needed} or more"
+    )
+
+
+def measurement_errors(e: Evidence) -> str:
+    """Errors of the measurement explain the residual nearly as well."""
+    if not e.errors:
+        return ""
+    return f"{_explains(e)} the residual, but measurement errors would do so nearly as well: {e.errors}"
+
+
+def not_specific(e: Evidence) -> str:
+    """The data are too few: a residual that no candidate caused would look like one in more than 1 % of draws."""
+    p_value = p_coincidence(e.search, e.final)
+    if p_value <= e.criteria.specific:
+        return ""
+    others = _also(e)
+    also = f" (and so would {', '.join(others)})" if others else ""
+    return (
+        f"{_explains(e)} the residual{also}, but the data are too few to rule out a cause outside the candidates: "
+        f"{100 * p_value:.2g} % of such causes would look like a candidate; measure more"
+    )
+
+
+def _also(e: Evidence) -> list[str]:
+    """Return the names of other single causes that would explain the residual, best first."""
+    store = e.store
+    fits = [
+        fit
+        for fit in store.tried()
+        if len(fit.causes) == 1
+        and not (fit.hypothesis.remote or fit.at_bound)
+        and fit.causes != e.final.causes
+    ]
+    passing = [fit for fit in fits if store.p_value(fit) > e.criteria.surely]
+    return [fit.causes[0].name for fit in sorted(passing, key=store.criterion)[:MENTIONED]]
+
+
+def value_without_support(e: Evidence) -> str:
+    """A value is within a standard deviation of a bound, or does not differ significantly from the declared one."""
+    return no_value(e.search, e.final)
+
+
+def one_row(e: Evidence) -> str:
+    """A cause is not detected without one row, or its value moves by five standard deviations."""
+    return rests_on_one_row(e.search, e.final)
+
+
+def not_settled(e: Evidence) -> Says | None:
+    """The preferred causes do not pass the gate, or do not survive in their places."""
+    if e.claim.last.passed and e.claim.kept:
+        return None
+    return first(OPEN, e).says
+
+
+def several_explanations(e: Evidence) -> Says | None:
+    """Several classes or pairs survive, or one class with more than five members."""
+    claim, most = e.claim, e.criteria.most_members
+    many = any(len(groups) > 1 for groups in claim.grouped) or any(len(own) > most for own in claim.own)
+    if not claim.others and not many:
+        return None
+    remaining = [[name for name, _ in group] for group in claim.remains()]
+    listed = "; ".join(" or ".join(group) for group in remaining)
+    if len(remaining) == 1:
+        return Says(f"these data cannot tell {len(remaining[0])} explanations apart: {listed}")
+    return Says(f"{len(remaining)} different explanations remain: {listed}")
+
+
+def another_with_other_errors(e: Evidence) -> Says | None:
+    """With errors halved or doubled, or wider priors, another cause takes the place of a cause."""
+    for trial in e.trials:
+        if trial.instead is not None:
+            text = (
+                f"{_explains(e)} the residual, but with {trial.entry.change}, {names(trial.instead.causes)} would do "
+                "so better"
+            )
+            return Says.naming(text, e.final.causes, trial.instead)
+    return None
+
+
+def held_by_priors(e: Evidence) -> str:
+    """With priors twice as wide the value of a cause changes."""
+    if not any(trial.moved for trial in e.trials):
+        return ""
+    value = "its value changes" if len(e.final.causes) == 1 else "their values change"
+    return (
+        f"{_explains(e)} the residual, but {value} with priors twice as wide: some uncertain parameter is far from "
+        "its declared value and compensates for something else"
+    )
+
+
+def causes_found(e: Evidence) -> Says:
+    """One class for each cause is left."""
+    gate, setting_aside = e.outcome.first, noise(e.final, e.fitter.data.lines)
+    smallest = min(gate.p_value, gate.p_candidates)
+    aside = f"; {setting_aside}" if setting_aside else ""
+    found = explained(e.claim.findings(e.fitter))
+    return Says(f"the residual of the declared model is not noise ({p_in_words(smallest)}); {found}{aside}")
+
+
+def _explains(e: Evidence) -> str:
+    causes = e.final.causes
+    return f"{names(causes)} would explain" if causes else "the declared model explains"
+
+
+# The tables ----------------------------------------------------------------------------------------------------
+
+#: Asked whatever the search found: other readings of the data.
+READINGS = (Rule("wiring", UNEXPLAINED, wired_otherwise),)
+
+#: Asked if the declared model leaves noise.
+ADEQUACY = (
+    Rule("shapes", UNEXPLAINED, modes_of_other_shapes),
+    Rule("extra_modes", UNEXPLAINED, extra_modes),
+    Rule("unstated_error", UNEXPLAINED, unstated_error),
+    Rule("held_out", UNEXPLAINED, not_predicted),
+    Rule("adequate", ADEQUATE, nothing_missing),
+)
+
+#: Asked if causes leave noise.
+CLAIMS = (
+    Rule("remote", UNEXPLAINED, remote_cause),
+    Rule("one_joint", UNEXPLAINED, in_one_joint),
+    Rule("shapes", UNEXPLAINED, modes_of_other_shapes),
+    Rule("better_shapes", UNEXPLAINED, better_shapes),
+    Rule("more_general", UNEXPLAINED, general_cause),
+    Rule("not_significant", UNEXPLAINED, not_significant),
+    Rule("two_of_few", UNEXPLAINED, two_of_few),
+    Rule("errors", UNEXPLAINED, measurement_errors),
+    Rule("not_specific", UNEXPLAINED, not_specific),
+    Rule("no_value", UNEXPLAINED, value_without_support),
+    Rule("one_row", UNEXPLAINED, one_row),
+    Rule("not_settled", UNEXPLAINED, not_settled),
+    Rule("several", AMBIGUOUS, several_explanations),
+    Rule("other_errors", AMBIGUOUS, another_with_other_errors),
+    Rule("priors", UNEXPLAINED, held_by_priors),
+    Rule("held_out", UNEXPLAINED, not_predicted),
+    Rule("found", EFFECT_FOUND, causes_found),
+)

@@ -1,0 +1,235 @@
+"""What is said of a residual that nothing explains: `OPEN`, a table of rules (`rules`)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from pkmodes.diagnosis.fit.hypothesis import Fit, Misfit
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.problem import Candidate
+from pkmodes.diagnosis.search.gate import Gate
+from pkmodes.diagnosis.verdict import misfit
+from pkmodes.diagnosis.verdict.evidence import Evidence, Rule, Says
+from pkmodes.diagnosis.verdict.reasons import larger, names, uneven
+from pkmodes.diagnosis.verdict.verdicts import UNEXPLAINED
+from pkmodes.support.numbers import p_in_words, plain
+
+
+def added_modes(e: Evidence) -> str:
+    """The best causes leave noise, but add modes between the measured ones that were not measured."""
+    last = e.outcome.last
+    if not last.p_unmeasured <= last.level < min(last.p_value, last.p_candidates):
+        return ""
+    causes = e.final.causes
+    verb = "add" if len(causes) > 1 else "adds"
+    return f"{names(causes)} would explain the measured modes, but {verb} modes between them that were not measured"
+
+
+def unmatched_modes(e: Evidence) -> Says | None:
+    """Measured modes are unmatched, and no candidate adds one there."""
+    count = e.outcome.last.unpaired
+    if not count:
+        return None
+    which = "1 measured mode is" if count == 1 else f"{count} measured modes are"
+    return _beside_best(e, f"{which} unmatched: the model has no mode there, and no candidate adds one")
+
+
+def value_far_away(e: Evidence) -> Says | None:
+    """Frequencies and shapes agree, but an uncertain value is more than three sigma from its declared value."""
+    store, fit, first, c = e.store, e.outcome.nuisances, e.outcome.first, e.criteria
+    if min(part.p_value for part in _misfits(store, fit)) <= c.surely:
+        return None
+    name, away = misfit.far_away(store, fit, e.fitter.nuisances)
+    if first.p_value > c.gate or away <= c.far:
+        return None
+    text = (
+        f"the data agree with the model, but only with {name} {away:.1f} sigma from its declared value: that value "
+        "or its sigma is wrong, or something outside the candidates has the same effect"
+    )
+    return _beside_best(e, text)
+
+
+def shapes_differ(e: Evidence) -> Says | None:
+    """The frequencies agree with the model, and nothing explains the shapes too."""
+    frequencies, shapes = _misfits(e.store, e.outcome.nuisances)
+    if min(frequencies.p_value, shapes.p_value) > e.criteria.surely or frequencies.p_value <= e.criteria.gate:
+        return None
+    line = misfit.worst_shape(e.store, e.outcome.nuisances)
+    text = (
+        f"the frequencies agree with the model, but the shapes do not (chi2 per degree of freedom {shapes.ratio:.3g}"
+        f", worst in line {line}), and no candidate or pair of candidates explains both"
+    )
+    return _beside_best(e, text)
+
+
+def beyond_prior(e: Evidence) -> Says | None:
+    """A single candidate would explain the data, but only with a value beyond its prior."""
+    store, c = e.store, e.criteria
+    explanations = []
+    for fit in _without_errors(store):
+        if len(fit.causes) != 1:
+            continue
+        index = e.fitter.indices(fit.causes[0])
+        _, away = misfit.far_away(store, fit, index)
+        explained = min(part.p_value for part in _misfits(store, fit))
+        if away > c.far and explained > c.gate:
+            explanations.append((store.criterion(fit), fit.causes[0].name, float(fit.values[index[0]]), away))
+    if not explanations:
+        return None
+    _, name, value, away = min(explanations)
+    text = (
+        f"{name} = {plain(value, 4)} would explain the data, but this is {away:.1f} sigma outside the range declared "
+        "plausible for it, and nothing else explains them"
+    )
+    return Says(text, frozenset({name}))
+
+
+def nearly_all(e: Evidence) -> Says | None:
+    """One cause, or two if the data clearly ask for a second, would explain nearly all of the residual."""
+    store, (part, most) = e.store, e.criteria.nearly_all
+    before = _larger(store, e.outcome.nuisances)
+    explanations = []
+    for fit in _without_errors(store):
+        if fit.at_bound:
+            continue
+        after = _larger(store, fit)
+        if after <= min(part * before, most) and e.search.gate(fit).p_unmeasured > e.criteria.surely:
+            explanations.append((fit, after))
+    if not explanations:
+        return None
+    order = _priced(e)
+    best, after = min(explanations, key=lambda one: order(one[0]))
+    # Two causes were found in both orders, which fit alike but for rounding: name them as the candidates stand.
+    places = {candidate.name: k for k, candidate in enumerate(e.search.candidates)}
+    causes = sorted(best.causes, key=lambda cause: places.get(cause.name, len(places)))
+    verb = "explain" if len(causes) > 1 else "explains"
+    text = (
+        f"{names(causes)} {verb} nearly all of the residual (chi2 per degree of freedom from {before:.3g} to "
+        f"{after:.3g}), but the rest exceeds the stated errors ({p_in_words(store.p_value(best))}): it is "
+        f"{larger(after**0.5)} these, or something else is missing as well"
+    )
+    return Says.naming(text, causes)
+
+
+def no_direction(e: Evidence) -> Says | None:
+    """The residual, scaled to the size of noise, points to no candidate: perhaps the stated errors are too small."""
+    frequencies, _ = _misfits(e.store, e.outcome.nuisances)
+    scale, (least, most), c = frequencies.ratio, e.criteria.dispersed, e.criteria
+    gains = (s.gain / scale / max(len(s.candidate.parameters), 1) for s in e.outcome.first.scores.each)
+    if not (least < scale < most and max(gains, default=0.0) < c.no_direction):
+        return None
+    best = _best_of_all(e)
+    perhaps = "perhaps the stated sigma is too small"
+    if len(e.fitter.log) < c.rows_to_set_aside:
+        perhaps = "something outside the candidates, or stated errors that are too small"
+    nowhere = "" if best is not None else " and points to no candidate"
+    what = uneven(e.fitter, e.outcome.nuisances) or perhaps
+    return _beside_best(e, f"the residual is {larger(scale**0.5)} the stated errors{nowhere}: {what}")
+
+
+def small(e: Evidence) -> Says | None:
+    """The residual is hardly more than noise, but points to a candidate."""
+    first = e.outcome.first
+    if first.p_value <= e.criteria.gate:
+        return None
+    pointed = _pointed(first)
+    text = (
+        f"the residual is small but points to a candidate, {pointed.name} ({p_in_words(first.p_candidates)}), and no "
+        "candidate explains it well enough for a claim: measure more"
+    )
+    return _beside_best(e, text, pointed)
+
+
+def real(e: Evidence) -> Says:
+    """No candidate or pair of candidates reduces the residual to noise."""
+    frequencies, _ = _misfits(e.store, e.outcome.nuisances)
+    pattern = uneven(e.fitter, e.outcome.nuisances)
+    seen = f"; {pattern}" if pattern else ""
+    text = (
+        f"the residual is real, {larger(frequencies.ratio**0.5)} the stated errors, and no candidate or pair of "
+        f"candidates reduces it to noise{seen}"
+    )
+    return _beside_best(e, text)
+
+
+#: Asked if nothing leaves noise.
+OPEN = (
+    Rule("added_modes", UNEXPLAINED, added_modes),
+    Rule("unmatched", UNEXPLAINED, unmatched_modes),
+    Rule("value_far_away", UNEXPLAINED, value_far_away),
+    Rule("shapes_differ", UNEXPLAINED, shapes_differ),
+    Rule("beyond_prior", UNEXPLAINED, beyond_prior),
+    Rule("nearly_all", UNEXPLAINED, nearly_all),
+    Rule("no_direction", UNEXPLAINED, no_direction),
+    Rule("small", UNEXPLAINED, small),
+    Rule("real", UNEXPLAINED, real),
+)
+
+
+def _beside_best(e: Evidence, text: str, *pointed: Candidate) -> Says:
+    """Return what the residual is, and which explanation reduces it most and why that is not claimed."""
+    best = _best_of_all(e)
+    if best is None:
+        return Says.naming(text, pointed)
+    clause, named = best
+    return Says.naming(f"{text}; {clause}", [*pointed, *named])
+
+
+def _best_of_all(e: Evidence) -> tuple[str, list[Candidate]] | None:
+    """Return which explanation reduces the residual most, why it is not claimed, and whom that names.
+
+    None if none reduces it clearly.  A second cause is named if the data clearly ask for it.
+    """
+    store = e.store
+    better = store.criterion(e.outcome.nuisances) - e.criteria.survives
+    some = [fit for fit in _without_errors(store) if not fit.at_bound and store.criterion(fit) < better]
+    best = min(some, key=_priced(e), default=None)
+    if best is None:
+        return None
+    named, gate = list(best.causes), e.search.gate(best)
+    if gate.unpaired:
+        why = f"it leaves {gate.unpaired} measured mode{'' if gate.unpaired == 1 else 's'} unmatched"
+    elif gate.p_value <= gate.level:
+        left = larger(_larger(store, best) ** 0.5)
+        why = f"it leaves a residual {left} the stated errors ({p_in_words(gate.p_value)})"
+    elif gate.p_unmeasured <= gate.level:
+        why = "it adds modes between the measured ones that were not measured"
+    elif gate.p_candidates <= gate.level:
+        named.append(_pointed(gate))
+        why = (
+            f"what it leaves still points to a candidate, {named[-1].name} ({p_in_words(gate.p_candidates)})"
+        )
+    else:
+        return None
+    sentences = " and ".join(
+        f"{cause.sentence} ({cause.name})" if cause.sentence else cause.name for cause in best.causes
+    )
+    that = "that " if best.causes[0].sentence else ""
+    return f"the best explanation, {that}{sentences}, is not claimed: {why}", named
+
+
+def _pointed(gate: Gate) -> Candidate:
+    """Return the candidate to which a residual points most clearly."""
+    return min(gate.scores.each, key=lambda one: one.p_value).candidate
+
+
+def _without_errors(store: FitStore) -> list[Fit]:
+    """Return the explanations tried without errors of the measurement and without remote causes."""
+    fits = store.tried()
+    return [fit for fit in fits if (h := fit.hypothesis).causes and not (h.remote or h.excluded or h.scatter)]
+
+
+def _priced(e: Evidence) -> Callable[[Fit], float]:
+    """Return the order of explanations: by their criterion, a second cause only where the data ask for it."""
+    store, price = e.store, e.criteria.told_apart
+    return lambda fit: store.criterion(fit) + price * len(fit.causes)
+
+
+def _larger(store: FitStore, fit: Fit) -> float:
+    """Return the larger of chi2 per degree of freedom of the frequencies and of the shapes."""
+    return max(part.ratio for part in _misfits(store, fit))
+
+
+def _misfits(store: FitStore, fit: Fit) -> tuple[Misfit, Misfit]:
+    """Return the misfit of the frequencies, without the priors, and of the shapes with stated errors."""
+    return misfit.of_frequencies(store, fit), store.fitter.shape_misfit(fit, stated=True)
