@@ -51,14 +51,14 @@ def test_the_squares_of_true_shapes_are_chi_square_with_one_degree_less_for_each
     squares = []
     for _ in range(400):
         measured = modes.copy()
-        if gap < CRITERIA.mixed:  # any mixture of the two
+        if gap < CRITERIA.pairing.mixed:  # any mixture of the two
             measured = rng.standard_normal((2, 2)) @ modes
         measured /= np.abs(measured).max(axis=1, keepdims=True)
         measured = (measured + 0.01 * rng.standard_normal(measured.shape)) * rng.normal(0.0, 50.0, (2, 1))
         data = rows(measured, frequency, 0.01)
         left = data.residual(*paired(modes, frequency)) / data.sigma
         squares += list((left**2).sum(axis=1))
-    count = 5 - (1 if gap > CRITERIA.mixed else 2)
+    count = 5 - (1 if gap > CRITERIA.pairing.mixed else 2)
     assert data.count.tolist() == [count, count]
     assert stats.kstest(squares, "chi2", (count,)).pvalue > 1e-3
     assert np.mean(squares) == pytest.approx(count, rel=0.1)
@@ -281,5 +281,5 @@ def test_a_machine_that_settles_anew_turns_shapes_as_far_as_is_allowed_for() -> 
     )
     found = ShapeRows(data, np.arange(3), ["m"] * 3, np.ones((1, 3)), 0.05, CRITERIA)
     pair = np.argsort(turned)[1:]  # the third mass is on its own
-    assert turned[pair].min() > 2.0 * CRITERIA.least_shape_sigma
+    assert turned[pair].min() > 2.0 * CRITERIA.shapes.least_sigma
     np.testing.assert_allclose(np.log(found.sigma[pair, 0] / turned[pair]), 0.0, atol=np.log(2.0))

@@ -61,7 +61,7 @@ class ComparedRow(Place, frozen=True, omit_defaults=True):
     @property
     def no_evidence(self) -> bool:
         """Whether its damping says nothing about its partner, whose shape is another one."""
-        return self.damping is not None and self.mac is not None and self.mac < Criteria.strange_mac
+        return self.damping is not None and self.mac is not None and self.mac < Criteria.shapes.strange_mac
 
 
 class CompareDocument(Document, frozen=True):

@@ -100,7 +100,10 @@ def _of_frequencies(
     unit = other_unit(fitter)
     if unit:
         return _mistaken(builder, unit)
-    if len(fitter.log) + int(fitter.shapes.count.sum()) < len(fitter.nuisances) + fitter.criteria.redundancy:
+    if (
+        len(fitter.log) + int(fitter.shapes.count.sum())
+        < len(fitter.nuisances) + fitter.criteria.claim.redundancy
+    ):
         return _insufficient(builder)
     plain = FitStore(fitter)
     first = plain.fit(Hypothesis())
@@ -164,7 +167,7 @@ def _searched(
     store = plain
     while True:
         if scatter is not None:
-            bounded = float(np.clip(scatter, c.least_shape_scatter, c.most_shape_scatter))
+            bounded = float(np.clip(scatter, c.shapes.least_scatter, c.shapes.most_scatter))
             fitter = Fitter(fitter.structure, fitter.data, c, bounded)
             store = FitStore(fitter, store)
         search = Search(store, structure.candidates, progress)
@@ -172,8 +175,12 @@ def _searched(
         scatters = [search.store.shape_scatter(fit) for fit in search.store.tried()]
         best = min((each for each in scatters if each is not None), default=None)
         # If nothing explains even the frequencies, a smaller shape scatter changes nothing.
-        hopeless = all(search.store.frequency_p_value(fit) <= c.surely for fit in search.store.tried())
-        if hopeless or best is None or max(best, c.least_shape_scatter) >= c.sharper * fitter.shape_scatter:
+        hopeless = all(search.store.frequency_p_value(fit) <= c.gate.surely for fit in search.store.tried())
+        if (
+            hopeless
+            or best is None
+            or max(best, c.shapes.least_scatter) >= c.shapes.sharper * fitter.shape_scatter
+        ):
             return search, outcome
         scatter = best
 
@@ -186,7 +193,7 @@ def _insufficient(builder: DiagnosisBuilder) -> Diagnosis:
     p_value, hints, contradicts = None, [], False
     if fit is not None:
         p_value = store.p_value(fit)
-        contradicts = p_value <= fitter.criteria.surely
+        contradicts = p_value <= fitter.criteria.gate.surely
         if contradicts:
             search = Search(store, candidates)
             singles = search.additions.would_do()

@@ -152,7 +152,7 @@ def update(
     if held_by_prior:
         priors = "only its prior does" if len(held_by_prior) == 1 else "only their priors do"
         remarks.append(f"these data do not determine {', '.join(held_by_prior)}: {priors}")
-    if stats.chi2.sf(squares, max(degrees, 1.0)) < fitter.criteria.surely:
+    if stats.chi2.sf(squares, max(degrees, 1.0)) < fitter.criteria.gate.surely:
         remarks.append("the residual still exceeds the stated errors: something else is missing")
     return Update(
         parameters=updated,
@@ -206,7 +206,7 @@ def _fitted(fitter: Fitter, chosen: Sequence[int]) -> tuple[Fitter, Fit]:
         left, start, rounds = FitStore(fitter).shape_scatter(fit), fit.values, rounds - 1
         if left is None or not rounds:
             return fitter, fit
-        scatter = float(np.clip(left, c.least_shape_scatter, c.most_shape_scatter))
+        scatter = float(np.clip(left, c.shapes.least_scatter, c.shapes.most_scatter))
         if abs(scatter / fitter.shape_scatter - 1.0) < SETTLED:
             return fitter, fit
 

@@ -68,7 +68,7 @@ def _judged(result: Comparison) -> tuple[str, str, Tone]:
         if result.unpaired
         else ""
     )
-    if p > Criteria().gate:
+    if p > Criteria().gate.level:
         headline = "The differences are within the measurement errors"
         reason = "Nothing was fitted: the declared model predicts the measured modes as well as they were measured."
         return headline, reason + unmatched, "open" if result.unpaired else "good"

@@ -9,7 +9,7 @@ from functools import cache, partial
 import pytest
 
 from helpers.diagnoses.diagnose_command import UNEQUAL, WIND_UP, bare, csv_of, measured, rows_of
-from pkmodes.diagnosis import Criteria
+from pkmodes.diagnosis.criteria import Claims, Criteria
 
 VERDICTS = ("adequate", "effect_found", "ambiguous", "unexplained", "insufficient_data")
 
@@ -34,5 +34,7 @@ def judged(verdict: str) -> Iterator[None]:
     """Let nothing be one class where the verdict is to be ambiguous: whatever survives is a rival."""
     with pytest.MonkeyPatch.context() as patch:
         if verdict == "ambiguous":
-            patch.setattr("pkmodes.diagnosis.fit.fitter.Criteria", partial(Criteria, told_apart=0.0))
+            patch.setattr(
+                "pkmodes.diagnosis.fit.fitter.Criteria", partial(Criteria, claim=Claims(told_apart=0.0))
+            )
         yield

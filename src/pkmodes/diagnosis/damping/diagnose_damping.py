@@ -52,7 +52,7 @@ def with_damping(
     predicted = result.stages.after or result.stages.refit
     assert predicted is not None
     every = damping_rows(structure, data, predicted.mode, _states(structure, result), c)
-    strange = predicted.mac[every.index] < c.strange_mac  # not where no shape was measured: NaN
+    strange = predicted.mac[every.index] < c.shapes.strange_mac  # not where no shape was measured: NaN
     held = np.array([row.held_out for row in result.rows])[every.index]
     aside = np.array([row.outlier for row in result.rows])[every.index]
     known = usable(every)
@@ -63,9 +63,9 @@ def with_damping(
     if not known.all():
         notes.append(words.unresolved(data.lines[every.index[~known]].tolist()))
     if strange.any():
-        notes.append(words.other_shape(data.lines[every.index[strange]].tolist(), c.strange_mac))
+        notes.append(words.other_shape(data.lines[every.index[strange]].tolist(), c.shapes.strange_mac))
     median = float(np.median(rows.ratio[rows.above])) if rows.above.any() else 0.0
-    if median > c.damping_most:
+    if median > c.damping.most:
         return replace(result, damping=undiagnosed(structure.losses, words.per_cent(median), notes))
     judged = _of_repeated_tests(fitter, judge_damping(fitter))
     trials = {}
@@ -133,13 +133,13 @@ def _of_repeated_tests(fitter: LossFitter, judged: DampingJudgement) -> DampingJ
     if any(loss.declared for loss in fitter.losses):
         if judged.verdict is EFFECT_FOUND and (fit := _only_common(judged, common)) is not None:
             ratio, declared = words.ratio_of(fit, fit.causes[0]), float(fitter.declared[fit.causes[0]])
-            if not declared or abs(math.log(ratio[0] / declared)) > fitter.criteria.damping_scatter:
+            if not declared or abs(math.log(ratio[0] / declared)) > fitter.criteria.damping.scatter:
                 return judged
             return replace(
                 enough, why=words.nearly_declared(*ratio, declared), scatter=_scatter(fitter, judged.base)
             )
         scatter = _scatter(fitter, judged.base)
-        if judged.verdict not in OPEN or scatter > fitter.criteria.damping_scatter:
+        if judged.verdict not in OPEN or scatter > fitter.criteria.damping.scatter:
             return judged
         return replace(enough, why=words.scattered(None, scatter), scatter=scatter)
     if common is None or (judged.verdict is EFFECT_FOUND and judged.final.causes != (common,)):
@@ -148,9 +148,9 @@ def _of_repeated_tests(fitter: LossFitter, judged: DampingJudgement) -> DampingJ
     value, scatter = words.ratio_of(fit, common), _scatter(fitter, fit)
     if judged.verdict is EFFECT_FOUND:
         return judged if fitter.losses[common].claimable else replace(enough, why=words.common_ratio(*value))
-    if judged.verdict in OPEN and fit.p_value > fitter.criteria.gate:
+    if judged.verdict in OPEN and fit.p_value > fitter.criteria.gate.level:
         return replace(enough, why=words.common_ratio(*value))
-    if judged.verdict in OPEN and scatter <= fitter.criteria.damping_scatter:
+    if judged.verdict in OPEN and scatter <= fitter.criteria.damping.scatter:
         return replace(enough, why=words.scattered(value[0], scatter), scatter=scatter)
     return judged
 

@@ -130,7 +130,7 @@ class LossFitter:
     @cached_property
     def least(self) -> Array:
         """What a prediction of no damping counts as, (R,)."""
-        return self.criteria.damping_least * self.rows.ratio
+        return self.criteria.damping.least * self.rows.ratio
 
     @cached_property
     def measured(self) -> Array:
@@ -188,12 +188,12 @@ class LossFitter:
     def _robust(self, causes: tuple[int, ...], fixed: dict[int, float]) -> LossFit:
         c = self.criteria
         fit = self._fitted(causes, fixed, None)
-        if fit.p_value > c.gate or len(fit.white) < c.rows_to_set_aside:
+        if fit.p_value > c.gate.level or len(fit.white) < c.search.rows_to_set_aside:
             return fit
         worst = int(np.abs(fit.white).argmax())
         without = self._fitted(causes, fixed, worst)
-        gross = abs(self.whitened(without.values)[worst]) > c.damping_outlier
-        return without if gross and without.p_value > c.gate else fit
+        gross = abs(self.whitened(without.values)[worst]) > c.damping.outlier
+        return without if gross and without.p_value > c.gate.level else fit
 
     def _fitted(self, causes: tuple[int, ...], fixed: dict[int, float], outlier: int | None) -> LossFit:
         nuisances = self.nuisances

@@ -83,12 +83,12 @@ def judge_damping(fitter: LossFitter, *, roughly: bool = False) -> DampingJudgem
         return DampingJudgement(INSUFFICIENT_DATA, base, base, why=f"{what} too few")
     singles = [fitter.fit((j,)) for j in fitter.candidates]
     chance = min((_p_value(fitter, base, fit, 1) for fit in singles), default=1.0)
-    if base.p_value > c.gate and chance > c.gate:
+    if base.p_value > c.gate.level and chance > c.gate.level:
         return DampingJudgement(ADEQUATE, base, base)
-    sizes = (1, 2) if count >= c.rows_for_two else (1,)
+    sizes = (1, 2) if count >= c.claim.rows_for_two else (1,)
     for size in sizes:
         fits = singles if size == 1 else _pairs(fitter)
-        passing = [fit for fit in fits if _explains(fitter, fit, c.gate)]
+        passing = [fit for fit in fits if _explains(fitter, fit, c.gate.level)]
         if passing:
             return _claimed(fitter, base, fits, min(passing, key=lambda fit: fit.criterion), roughly)
     return DampingJudgement(UNEXPLAINED, base, base, why=nearest(fitter))
@@ -96,7 +96,7 @@ def judge_damping(fitter: LossFitter, *, roughly: bool = False) -> DampingJudgem
 
 def too_few(fitter: LossFitter) -> bool:
     """Return whether the resolved ratios are too few for the uncertain losses, a cause, and a test of it."""
-    return int(fitter.rows.above.sum()) < len(fitter.nuisances) + 1 + fitter.criteria.redundancy
+    return int(fitter.rows.above.sum()) < len(fitter.nuisances) + 1 + fitter.criteria.claim.redundancy
 
 
 def _claimed(
@@ -104,9 +104,9 @@ def _claimed(
 ) -> DampingJudgement:
     """Judge the best explanation among its rivals of the same size."""
     c = fitter.criteria
-    near = [fit for fit in fits if fit.criterion < best.criterion + c.survives]
-    survivors = [fit for fit in near if fit is best or _explains(fitter, fit, c.surely)]
-    alike = [fit for fit in survivors if fitter.difference(best, fit) < c.told_apart]
+    near = [fit for fit in fits if fit.criterion < best.criterion + c.search.survives]
+    survivors = [fit for fit in near if fit is best or _explains(fitter, fit, c.gate.surely)]
+    alike = [fit for fit in survivors if fitter.difference(best, fit) < c.claim.told_apart]
     alike.sort(key=lambda fit: (not _is_effect(fitter, fit), fit.criterion))
     # Of explanations that are the same to any measurement, an effect names the class; and of any class in which the
     # best is not a cause.
@@ -146,7 +146,7 @@ def _pairs(fitter: LossFitter) -> list[LossFit]:
     return [
         fit
         for fit in pairs
-        if all(_p_value(fitter, fitter.fit((j,)), fit, number) <= c.claimed for j in fit.causes)
+        if all(_p_value(fitter, fitter.fit((j,)), fit, number) <= c.claim.claimed for j in fit.causes)
     ]
 
 
@@ -184,15 +184,15 @@ def _tells_nothing(fitter: LossFitter, alike: Sequence[LossFit]) -> bool:
 def _doubt(fitter: LossFitter, fit: LossFit, p_values: Sequence[float]) -> str:
     """Return why an explanation is not claimed; empty if nothing contradicts it."""
     c = fitter.criteria
-    if max(p_values) > c.claimed:
+    if max(p_values) > c.claim.claimed:
         return f"would explain it, but the improvement may be chance (p = {max(p_values):.2g})"
-    if p_of_trend(fitter, fit) <= c.gate:
+    if p_of_trend(fitter, fit) <= c.gate.level:
         return (
             "would explain it, but what it leaves follows the frequency: friction that depends on the amplitude, "
             "or something outside the candidates"
         )
     coincidence = p_coincidence(fitter, fit)
-    if coincidence > c.damping_specific[len(fit.causes) - 1]:
+    if coincidence > c.damping.specific[len(fit.causes) - 1]:
         return (
             "would explain it, but the damping ratios are too few or too uncertain to rule out something outside "
             f"the candidates: {100 * coincidence:.2g} % of such laws would look like a candidate"
@@ -247,7 +247,7 @@ def p_coincidence(fitter: LossFitter, fit: LossFit) -> float:
     rows = fitter.rows
     rng = np.random.default_rng(SEED)
     numbers, mode = np.unique(rows.mode, return_inverse=True)
-    levels = c.damping_spread * rng.standard_normal((DRAWS, len(numbers)))
+    levels = c.damping.spread * rng.standard_normal((DRAWS, len(numbers)))
     noise = rows.sigma * rng.standard_normal((DRAWS, len(mode)))
     drawn = fitter.logarithms(fit.values) + levels[:, mode] + noise
     least = np.min(
@@ -258,7 +258,7 @@ def p_coincidence(fitter: LossFitter, fit: LossFit) -> float:
         ],
         axis=0,
     )
-    return float(np.mean(least < stats.chi2.isf(c.gate, max(len(mode) - len(fit.causes), 1))))
+    return float(np.mean(least < stats.chi2.isf(c.gate.level, max(len(mode) - len(fit.causes), 1))))
 
 
 def _squares(fitter: LossFitter, fit: LossFit, causes: tuple[int, ...], drawn: Array, largest: int) -> Array:

@@ -155,7 +155,7 @@ def _contradicted(stage: Stage) -> bool:
     held = replace(held, other=np.hypot(held.other, judged.scatter))
     there = replace(stage.fitter, rows=held)
     white = there.whitened(stage.final.values)
-    return bool(stats.chi2.sf(float(white @ white), len(white)) <= stage.fitter.criteria.surely)
+    return bool(stats.chi2.sf(float(white @ white), len(white)) <= stage.fitter.criteria.gate.surely)
 
 
 def _stability(stage: Stage) -> tuple[Stability, ...]:
@@ -215,7 +215,7 @@ def survivors(fitter: LossFitter, judged: DampingJudgement) -> tuple[tuple[str, 
     groups: list[list[LossFit]] = []
     own = [fit for place in judged.places for fit in place] if len(judged.places) == 1 else []
     for fit in (*own, *(fit for fit in judged.rivals if not any(fit is one for one in own))):
-        near = fitter.criteria.told_apart
+        near = fitter.criteria.claim.told_apart
         home = next((g for g in groups if any(fitter.difference(fit, one) < near for one in g)), None)
         if home is None:
             groups.append([fit])
@@ -301,7 +301,7 @@ def _size(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
 def _as_large_as_left(fitter: LossFitter, fit: LossFit) -> LossFitter:
     """Return a fitter whose errors are as large as what a fit leaves, where that is more than noise."""
     ratio = fit.squares / max(fit.degrees, 1)
-    if fit.p_value > fitter.criteria.surely or ratio <= 1.0:
+    if fit.p_value > fitter.criteria.gate.surely or ratio <= 1.0:
         return fitter
     scale = float(np.sqrt(ratio))
     rows = replace(fitter.rows, stated=scale * fitter.rows.stated, other=scale * fitter.rows.other)
@@ -322,8 +322,8 @@ def _examined(
     """
     c, one = fitter.criteria, fitter.losses[loss]
     sigma = _sigma(fitter, final, loss)
-    size = c.seen * sigma
-    seen = shown or bounded or p_value <= c.surely
+    size = c.claim.seen * sigma
+    seen = shown or bounded or p_value <= c.gate.surely
     if not (bounded or shown) or not np.isfinite(size) or size > one.parameter.upper:
         return Examined(one.candidate, p_value, (), seen, one.sentence)
     visible = Value(one.parameter.name, float(size), float(sigma), one.parameter.unit)

@@ -4,7 +4,7 @@ Errors of damping are factors, so ratios are compared by their logarithms.  The 
 
 .. math:: (\sigma_\zeta / \zeta)^2 + s^2 + c^2
 
-with the stated error, a floor s (`Criteria.damping_floor`), and the error c of the coefficients: how they change with
+with the stated error, a floor s (`Criteria.damping.floor`), and the error c of the coefficients: how they change with
 the fitted values of the model within their covariance, and how far they differ from those of a mode so close that
 their shapes mix.
 """
@@ -100,7 +100,7 @@ def damping_rows(
     every = [structure.damping_rates(values) for values in states]
     at = every[0][setup, number]
     ratio = data.damping[index]
-    stated = np.hypot(data.damping_sigma[index], criteria.damping_resolution)
+    stated = np.hypot(data.damping_sigma[index], criteria.damping.resolution)
     # A ratio of 0 with a standard deviation is known to be small; its logarithm is not used.
     ratio = np.where((ratio <= 0.0) & (data.damping_sigma[index] > 0.0), SMALLEST * stated, ratio)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -108,8 +108,8 @@ def damping_rows(
     logs = _logarithms(at)
     moved = [np.abs(_logarithms(rates[setup, number]) - logs).max(axis=1, initial=0.0) for rates in every[1:]]
     mixed = _mixed(structure, states[0], every[0], setup, number, criteria)
-    other = np.sqrt(criteria.damping_floor**2 + sum((d**2 for d in moved), mixed**2))
-    above = stated < 1.0 / criteria.damping_resolved
+    other = np.sqrt(criteria.damping.floor**2 + sum((d**2 for d in moved), mixed**2))
+    above = stated < 1.0 / criteria.damping.resolved
     return DampingRows(index, number, setup, ratio, stated, other, above, data.frequency[index], at)
 
 
@@ -138,8 +138,8 @@ def _mixed(
 ) -> Array:
     """Return how far the shapes of close modes, which mix, leave the coefficients open, (R,).
 
-    Between modes closer than `Criteria.close` nothing is known: half the difference of the coefficients counts.  With
-    the distance of the frequencies, the angle by which a small error turns the shapes falls inversely.
+    Between modes closer than `Criteria.pairing.close` nothing is known: half the difference of the coefficients
+    counts.  With the distance of the frequencies, the angle by which a small error turns the shapes falls inversely.
     """
     prediction = structure.predict(values, ())
     logs = prediction.log_frequencies[:, prediction.rigid :]
@@ -148,7 +148,9 @@ def _mixed(
         apart = np.abs(logs[s] - logs[s, k])
         apart[k] = np.inf
         part = np.where(
-            apart < criteria.mixed, np.minimum(1.0, 0.5 * criteria.close / np.maximum(apart, 1e-12)), 0.0
+            apart < criteria.pairing.mixed,
+            np.minimum(1.0, 0.5 * criteria.pairing.close / np.maximum(apart, 1e-12)),
+            0.0,
         )
         mixed[i] = (0.5 * part[:, None] * np.abs(sizes[s] - sizes[s, k])).max(initial=0.0)
     return mixed

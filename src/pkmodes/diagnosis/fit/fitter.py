@@ -55,7 +55,7 @@ class Fitter:
     ) -> None:
         self.structure, self.data = structure, data
         self.criteria = criteria or Criteria()
-        self.shape_scatter = self.criteria.shape_scatter if scatter is None else scatter
+        self.shape_scatter = self.criteria.shapes.scatter if scatter is None else scatter
         self.parameters = tuple(structure.parameters if parameters is None else parameters)
         self._index = {p.name: i for i, p in enumerate(self.parameters)}
         self.declared = np.array([p.value for p in self.parameters])
@@ -68,7 +68,7 @@ class Fitter:
         self.pairer = Pairer(data, structure.channels, reference, self.criteria)
         self.shapes = self.shape_rows_of(data)
         self.rows = Rows(self.pairer, self.shapes)
-        self.noise = Noise(data, self.shapes, self.criteria.most_shared)
+        self.noise = Noise(data, self.shapes, self.criteria.fits.most_shared)
         self.sigma = self.noise.sigma
         rows, size = len(self.log), self.shapes.size
         self.frequency_rows = slice(0, rows)
@@ -103,7 +103,7 @@ class Fitter:
     @cached_property
     def scout(self) -> Fitter:
         """The same fitter at some of the setups if there are many: enough to find start values."""
-        count, most = len(self.data.labels), self.criteria.setups_to_scout
+        count, most = len(self.data.labels), self.criteria.fits.setups_to_scout
         if count <= 2 * most:
             return self
         some = [int((k + 0.5) * count / most) for k in range(most)]
@@ -164,7 +164,7 @@ class Fitter:
         values = np.array(self.declared if start is None else start)
         free = self._free(hypothesis)
         used, tau, pairing, converged = self.used(hypothesis), 0.0, None, True
-        for _ in range(self.criteria.rounds):
+        for _ in range(self.criteria.fits.rounds):
             prediction = self.structure.predict(values, ())
             if not np.isfinite(prediction.eigenvalues).all():
                 return None
@@ -192,7 +192,7 @@ class Fitter:
             self.structure, (self.lower, self.upper), self.rows, self.noise.stated, self.priors
         )
         return lockstep.descended(
-            [(values, self._free(h), self.used(h)) for h, values in starts], self.criteria.rough_steps
+            [(values, self._free(h), self.used(h)) for h, values in starts], self.criteria.fits.rough_steps
         )
 
     def rough_fit(self, hypothesis: Hypothesis, descent: Descent) -> Fit | None:
@@ -333,7 +333,7 @@ class Fitter:
             return np.vstack([-whitening.whitened(unwhitened), self.priors.rates(full, free)])
 
         bounds = self.lower[list(free)], self.upper[list(free)]
-        return bounded_least_squares(residual, rates, values, free, bounds, self.criteria.steps)
+        return bounded_least_squares(residual, rates, values, free, bounds, self.criteria.fits.steps)
 
     def _at_bound(self, hypothesis: Hypothesis, values: Array) -> tuple[str, ...]:
         parameters = [(i, self.parameters[i]) for cause in hypothesis.causes for i in self.indices(cause)]

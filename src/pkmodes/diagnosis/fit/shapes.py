@@ -84,7 +84,7 @@ class ShapeRows:
         self.count = np.where(self.known, components - 1, 0)
         each = np.where(self.stated, _not_better_than_possible(data, criteria), scatter)
         self.sigma = np.broadcast_to(each[:, None], data.shapes.shape)
-        self._close = criteria.close
+        self._close = criteria.pairing.close
         self._crowd(neighbours(data, criteria))
 
     def _crowd(self, mates: NDArray[np.intp]) -> None:
@@ -193,7 +193,7 @@ def _not_better_than_possible(data: Measurements, criteria: Criteria) -> Array:
     angles = np.zeros(len(logs))
     for i in range(len(logs)):
         apart = np.abs(logs - logs[i])
-        others = (data.pose == data.pose[i]) & (apart > criteria.mixed)
+        others = (data.pose == data.pose[i]) & (apart > criteria.pairing.mixed)
         angles[i] = np.sqrt(((errors**2 + errors[i] ** 2) / np.where(others, apart, np.inf) ** 2).sum())
-    least = np.clip(angles, criteria.least_shape_sigma, criteria.most_shape_scatter)
-    return np.where(data.shape_sigma < criteria.least_shape_sigma, least, data.shape_sigma)
+    least = np.clip(angles, criteria.shapes.least_sigma, criteria.shapes.most_scatter)
+    return np.where(data.shape_sigma < criteria.shapes.least_sigma, least, data.shape_sigma)

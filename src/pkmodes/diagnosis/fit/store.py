@@ -94,13 +94,13 @@ class FitStore:
             fits = sorted(fits, key=self.criterion)
             best = self.criterion(fits[0])
             # A converged fit is completed only if it may survive, or be in the class of a survivor.
-            near = {True: best + c.survives + c.told_apart, False: best + c.nearly}
+            near = {True: best + c.search.survives + c.claim.told_apart, False: best + c.search.nearly}
             rough = next(
                 (
                     i
                     for i, fit in enumerate(fits)
                     if key(fit.hypothesis) in self._rough
-                    and (i < c.best_few or self.criterion(fit) <= near[fit.converged])
+                    and (i < c.search.best_few or self.criterion(fit) <= near[fit.converged])
                 ),
                 None,
             )
@@ -180,7 +180,7 @@ class FitStore:
                 k = fit.free.index(i)
                 width = fitter.priors.width(fit.values)[row]
                 price += max(float(np.log(width**2 / max(fit.covariance[k, k], 1e-300))), 0.0)
-        count = int(h.scatter) + fitter.criteria.price_of_row * len(h.excluded)
+        count = int(h.scatter) + fitter.criteria.search.price_of_row * len(h.excluded)
         return fit.deviance + price + each * count
 
     def price(self, candidate: Candidate) -> float:
@@ -195,7 +195,7 @@ class FitStore:
             return True
         places, priors = self.fitter.places(), self.fitter.prior_rows
         squares, leverage = left_out(fit, places)
-        tells = leverage < self.fitter.criteria.alone
+        tells = leverage < self.fitter.criteria.claim.alone
         others = left_out(less, places)[0]
         # A cause that lets the nuisances stay near their declared values is credited for that.
         saved = float((less.white[priors] ** 2).sum() - (fit.white[priors] ** 2).sum())

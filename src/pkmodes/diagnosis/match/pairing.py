@@ -126,19 +126,19 @@ class Pairer:
         shapes = self._shapes(prediction) if len(self.columns) else None
         with np.errstate(invalid="ignore"):
             distance = np.abs(self._log[row][..., None] - logs[:, None])
-            close = np.diff(logs, axis=1) < c.close
+            close = np.diff(logs, axis=1) < c.pairing.close
         cost = distance**2
         if shapes is not None:
             alone = mac(*shapes)
             likeness = self._grouped(alone, shapes, logs, close)
-            cost = cost + c.shape_weight**2 * np.where(np.isnan(likeness), 0.0, 1.0 - likeness)
+            cost = cost + c.pairing.shape_weight**2 * np.where(np.isnan(likeness), 0.0, 1.0 - likeness)
         # The assignment may take a mode that is too far away; it is then not a partner.  The cost of this is
         # constant: otherwise a mode that the model lacks would shift the others.
-        cost = np.where(distance <= c.reach, cost, c.reach**2 + c.shape_weight**2)
+        cost = np.where(distance <= c.pairing.reach, cost, c.pairing.reach**2 + c.pairing.shape_weight**2)
         partner = _assigned(cost, present, np.isfinite(logs))
         at = np.arange(len(row))[:, None], np.arange(row.shape[1]), np.maximum(partner, 0)
         with np.errstate(invalid="ignore"):
-            partner = np.where(distance[at] <= c.reach, partner, -1)
+            partner = np.where(distance[at] <= c.pairing.reach, partner, -1)
         if close.any():
             partner = _in_order(partner, self._log[row], close)
         partners = np.full(len(self._log), -1, dtype=np.intp)
@@ -146,7 +146,7 @@ class Pairer:
         partners[row[taken]] = partner[taken] + rigid
         values = np.full(len(self._log), np.nan)
         if compare and shapes is not None:
-            beside = unmeasured_neighbours(prediction, partners, self.pose, c.close)
+            beside = unmeasured_neighbours(prediction, partners, self.pose, c.pairing.close)
             beside = np.where(beside >= 0, beside - rigid, -1)
             values = self._compared(partners - rigid, beside, alone, shapes)
         return Pairing(partners, values)
@@ -159,7 +159,7 @@ class Pairer:
 
     def differences(self, prediction: Prediction, pairing: Pairing) -> Array:
         """Return measured minus model in ln f, (R,); an unmatched mode counts as the reach of the pairing."""
-        reach = self._criteria.reach
+        reach = self._criteria.pairing.reach
         logs = prediction.log_frequencies[self.pose, np.maximum(pairing.partner, 0)]
         apart = np.clip(FREQUENCY.residual(self._log, logs), -reach, reach)
         return np.asarray(np.where(pairing.partner >= 0, apart, reach))
@@ -175,7 +175,7 @@ class Pairer:
         if not len(setups):
             return alone
         with np.errstate(invalid="ignore"):
-            near = np.abs(logs[setups][:, :, None] - logs[setups][:, None, :]) < self._criteria.close
+            near = np.abs(logs[setups][:, :, None] - logs[setups][:, None, :]) < self._criteria.pairing.close
         which, k = np.nonzero(near.sum(axis=-1) > 1)
         # Every row of a setup with a known shape, with every mode that has close neighbours.
         entry, place = np.nonzero(np.isfinite(alone[setups[which], :, k]))
@@ -227,9 +227,9 @@ def neighbours(data: Measurements, criteria: Criteria) -> Index:
     log, sigma = FREQUENCY.transformed(data), FREQUENCY.transformed_sigma(data)
 
     def near(a: Index | int, b: Index) -> NDArray[np.bool_]:
-        errors = criteria.mixed_sigmas * np.hypot(sigma[a], sigma[b])
+        errors = criteria.pairing.mixed_sigmas * np.hypot(sigma[a], sigma[b])
         apart = np.abs(log[a] - log[b])
-        within = apart < np.clip(errors, criteria.mixed, criteria.most_mixed)
+        within = apart < np.clip(errors, criteria.pairing.mixed, criteria.pairing.most_mixed)
         return np.asarray((data.pose[a] == data.pose[b]) & within)
 
     order = np.lexsort((log, data.pose))

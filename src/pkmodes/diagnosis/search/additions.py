@@ -30,12 +30,12 @@ class Additions:
         self.candidates = tuple(candidates)
         self._progress = progress
         self._rows, self._setups = len(self.fitter.log), len(self.fitter.data.labels)
-        self._most_outliers = max(1, self._rows // self.criteria.rows_per_outlier)
+        self._most_outliers = max(1, self._rows // self.criteria.search.rows_per_outlier)
 
     def room(self, fit: Fit) -> bool:
         """Return whether another kind of addition is allowed."""
         kinds = len(fit.causes) + bool(fit.hypothesis.excluded) + fit.hypothesis.scatter
-        return kinds < self.criteria.most_additions
+        return kinds < self.criteria.search.most_additions
 
     def noise(self, fit: Fit, *, rival: bool = False) -> list[Fit]:
         """Return fits with a shared error in each setup, and with one of the worst rows excluded.
@@ -47,7 +47,7 @@ class Additions:
             it is wrong.
         """
         h, c, fits = fit.hypothesis, self.criteria, []
-        enough = self._rows >= c.rows_to_set_aside
+        enough = self._rows >= c.search.rows_to_set_aside
         if enough and self._hopeless(fit):
             return []
         room = self.room(fit) and not h.remote
@@ -58,7 +58,7 @@ class Additions:
             worst, sigmas = self.fitter.worst_rows(fit)
             for row in worst[:3]:
                 # A row that the others do not predict is not set aside: there is no evidence that it is wrong.
-                if sigmas[row] > 3.0 and (rival or fit.leverage[row] < c.redundant):
+                if sigmas[row] > 3.0 and (rival or fit.leverage[row] < c.search.redundant):
                     fits.append(self.store.fit(replace(h, excluded=h.excluded | {int(row)}), fit.values))
         return [option for option in fits if option is not None]
 
@@ -69,11 +69,11 @@ class Additions:
         and distort all fits: no cause helps until it is gone.  A cause that helps alone needs none of these.
         """
         c, found = self.criteria, list[Fit]()
-        if self._rows < c.rows_to_set_aside or fit.causes or fit.hypothesis.excluded:
+        if self._rows < c.search.rows_to_set_aside or fit.causes or fit.hypothesis.excluded:
             return found
         for _ in range(self._most_outliers):
             worst, sigmas = self.fitter.worst_rows(fit)
-            if sigmas[worst[0]] < c.strange:
+            if sigmas[worst[0]] < c.search.strange:
                 break
             h = fit.hypothesis
             less = self.store.fit(replace(h, excluded=h.excluded | {int(worst[0])}), fit.values)
@@ -81,7 +81,7 @@ class Additions:
                 break
             fit = less
             found += self.causes(fit, score(self.fitter, fit, self.candidates))
-        return [one for one in found if self.store.p_value(one) > c.surely]
+        return [one for one in found if self.store.p_value(one) > c.gate.surely]
 
     def _hopeless(self, fit: Fit) -> bool:
         """Return whether far too much is left with a shared error in each setup and without the worst rows.
@@ -102,7 +102,7 @@ class Additions:
         left /= self.fitter.sigma
         kept = np.sort(left**2)[: max(self._rows - self._most_outliers, 0)]
         degrees = max(self._rows - self._most_outliers - self._setups, 1)
-        return bool(kept.sum() > self.criteria.hopeless * degrees)
+        return bool(kept.sum() > self.criteria.search.hopeless * degrees)
 
     def errors(self, enough: float) -> list[Fit]:
         """Return fits with measurement errors and no cause, added one by one while they help.
@@ -131,7 +131,7 @@ class Additions:
         if not gains:
             return []
         c = self.criteria
-        enough = min(c.promising * gains[0], gains[min(c.at_least, len(gains)) - 1])
+        enough = min(c.search.promising * gains[0], gains[min(c.search.at_least, len(gains)) - 1])
         # The score is inaccurate for large causes: an absent cause, which may be large, is always tried.
         promising = [
             (fit, one)
@@ -153,7 +153,7 @@ class Additions:
         if plain is None:
             return []
         refitted = self._refitted([(plain, one) for one in score(self.fitter, plain, self.candidates).each])
-        fits = [fit for fit in refitted if self.store.p_value(fit) > self.criteria.gate]
+        fits = [fit for fit in refitted if self.store.p_value(fit) > self.criteria.gate.level]
         return sorted(fits, key=self.store.criterion)
 
     def pairs(self) -> list[Fit]:
@@ -176,7 +176,7 @@ class Additions:
                         promised[pair] = min(promised.get(pair, promise), promise, key=_first)
                     if single is singles[0] and one_sided(self.fitter, one.candidate):
                         absent[pair] = promise
-        most = len(promised) if self.few else c.pairs
+        most = len(promised) if self.few else c.search.pairs
         best = {pair: promised[pair] for pair in sorted(promised, key=lambda pair: promised[pair][0])[:most]}
         return store.finished(self._refitted([(fit, one) for _, fit, one in {**absent, **best}.values()]))
 
@@ -184,7 +184,10 @@ class Additions:
     def few(self) -> bool:
         """Whether data and candidates are few enough to try all pairs."""
         count = len(self.candidates)
-        return self._rows <= self.criteria.few_rows and count * (count - 1) // 2 <= self.criteria.few_pairs
+        return (
+            self._rows <= self.criteria.search.few_rows
+            and count * (count - 1) // 2 <= self.criteria.search.few_pairs
+        )
 
     def _testable(self, fit: Fit, candidate: Candidate) -> bool:
         """Return whether data are left to test the fit: otherwise a cause would fit anything."""

@@ -59,9 +59,9 @@ def gate(store: FitStore, fit: Fit, candidates: Sequence[Candidate]) -> Gate:
     scores = score(fitter, fit, [candidate for candidate in candidates if candidate not in fit.causes])
     unpaired = int((fit.pairing.partner[fitter.used(fit.hypothesis)] < 0).sum())
     one_cause = len(fit.causes) == 1 and not fit.causes[0].remote
-    level = criteria.surely if one_cause else criteria.gate
+    level = criteria.gate.surely if one_cause else criteria.gate.level
     unmeasured = p_unmeasured(fitter, store.fit(Hypothesis()) or fit, fit)
     p_value = store.p_value(fit)
     # If the residual is already too large for noise, the bound suffices and no draws are needed.
-    candidate = scores.p_value if p_value > criteria.surely else scores.bound
+    candidate = scores.p_value if p_value > criteria.gate.surely else scores.bound
     return Gate(p_value, candidate, unpaired, unmeasured, scores, level)

@@ -43,7 +43,7 @@ def plausible_size(fitter: Fitter, candidate: Candidate, i: int, sign: int, rate
     room = p.upper - p.value if sign > 0 else p.value - p.lower
     if candidate.sigma is not None:
         sigma = candidate.sigma[candidate.parameters.index(p.name)]
-        plausible = fitter.criteria.far * sigma * (abs(p.value) if p.log else 1.0)
+        plausible = fitter.criteria.reasons.far * sigma * (abs(p.value) if p.log else 1.0)
     elif np.isfinite(p.lower) and np.isfinite(p.upper):
         plausible = np.inf  # the bounds are the plausible range
     else:

@@ -100,7 +100,7 @@ class Search:
 
     def better_alone(self, fit: Fit) -> list[Fit]:
         """Return fits with one remote cause that explain significantly more than a fit, down to noise; best first."""
-        limit = self.store.criterion(fit) - self.criteria.survives
+        limit = self.store.criterion(fit) - self.criteria.search.survives
         return [one for one in self.alone() if self.store.criterion(one) < limit and self.gate(one).passed]
 
     def in_one_joint(self, beside: Fit) -> list[Fit]:
@@ -139,14 +139,14 @@ class Search:
             options += additions.causes(fit, at.scores) if additions.room(fit) else additions.singles()
             improves = any(criterion(option) < criterion(fit) for option in options)
             options += [] if improves else self.alone()
-            if all(self.store.p_value(option) <= self.criteria.surely for option in options):
+            if all(self.store.p_value(option) <= self.criteria.gate.surely for option in options):
                 without = additions.without_distant_rows(fit)
                 if without:
                     return min(without, key=criterion)
         elif (again := self._again(fit, options)) is not None:
             return again  # no addition is needed
-        elif len(fit.causes) < self.criteria.most_causes and not fit.causes[0].remote:
-            best_few = self.alone()[: self.criteria.best_few]
+        elif len(fit.causes) < self.criteria.search.most_causes and not fit.causes[0].remote:
+            best_few = self.alone()[: self.criteria.search.best_few]
             remote = next((one for one in best_few if self.gate(one).passed), None)
             if remote is not None:
                 return remote  # one cause, although it will not be claimed, is preferred to two
@@ -164,14 +164,14 @@ class Search:
         starts = [option.values for option in options if store.criterion(option) < store.criterion(fit)]
         fits = [store.again(fit.hypothesis, values) for values in (*starts, *self._without_worst(fit))]
         best = min((f for f in fits if f is not None), key=lambda f: f.deviance, default=fit)
-        better = best.deviance < fit.deviance - c.worth and store.p_value(best) > c.surely
+        better = best.deviance < fit.deviance - c.search.worth and store.p_value(best) > c.gate.surely
         return best if better else None
 
     def _without_worst(self, fit: Fit) -> list[Array]:
         """Return the values of fits without the worst rows, for several numbers of rows."""
         fitter, h = self.store.fitter, fit.hypothesis
         rows = fitter.worst_rows(fit)[0].tolist()
-        most = int(self.criteria.misled * len(rows))
+        most = int(self.criteria.search.misled * len(rows))
         counts = [count for count in (1, 2, 4, 8) if count <= most]
         fewer = [replace(h, excluded=h.excluded | set(rows[:count])) for count in counts]
         return [descent.values for descent in fitter.roughly([(one, fit.values) for one in fewer])]
@@ -179,12 +179,16 @@ class Search:
     def _hopeful(self, fit: Fit) -> bool:
         """Return whether a second cause may suffice: the first explains much, or little is left."""
         base, c = self.store.without(fit, 0), self.criteria
-        return base is None or fit.chi2 < c.much * base.chi2 or fit.chi2 < c.little * self.store.degrees(fit)
+        return (
+            base is None
+            or fit.chi2 < c.search.much * base.chi2
+            or fit.chi2 < c.search.little * self.store.degrees(fit)
+        )
 
     def _settled(self, fit: Fit) -> Fit:
         """Exchange one of several causes for another while that lowers the criterion."""
-        near = fit.chi2 < self.criteria.little * self.store.degrees(fit)
-        for _ in range(self.criteria.most_causes if len(fit.causes) > 1 and near else 0):
+        near = fit.chi2 < self.criteria.search.little * self.store.degrees(fit)
+        for _ in range(self.criteria.search.most_causes if len(fit.causes) > 1 and near else 0):
             best = fit
             for place in range(len(fit.causes)):
                 best = min([best, *self.rivals(fit, place)], key=self.store.criterion)
@@ -203,7 +207,7 @@ class Search:
             less = store.fit(hypothesis, store.undone(fit, hypothesis))
             if (
                 less is not None
-                and store.criterion(less) < store.criterion(fit) + self.criteria.worth
+                and store.criterion(less) < store.criterion(fit) + self.criteria.search.worth
                 and self.gate(less).passed
             ):
                 return self._needed(less)

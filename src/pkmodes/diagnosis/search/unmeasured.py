@@ -27,7 +27,7 @@ class Seen(NamedTuple):
 
 def seen(fitter: Fitter, fit: Fit) -> Seen:
     """Count the modes of a fit between the lowest and highest measured ones of each setup."""
-    margin, logs = fitter.criteria.margin, fit.prediction.log_frequencies
+    margin, logs = fitter.criteria.gate.margin, fit.prediction.log_frequencies
     used, visible = fitter.used(fit.hypothesis), _visible(fitter, fit)
     paired, unmeasured = int((fit.pairing.partner >= 0).sum()), 0
     for setup, rows in enumerate(fitter.noise.rows):
@@ -50,7 +50,7 @@ def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
         return np.ones(shapes.shape[:2], dtype=bool)
     peaks = np.sqrt(np.mean((shapes / np.where(moves > 0.0, moves, np.inf)[:, None]) ** 2, axis=-1))
     usual = np.median(peaks[:, fit.prediction.rigid :], axis=1)
-    return np.asarray(peaks >= fitter.criteria.visible * usual[:, None])
+    return np.asarray(peaks >= fitter.criteria.gate.visible * usual[:, None])
 
 
 def p_unmeasured(fitter: Fitter, declared: Fit, fit: Fit) -> float:
@@ -83,7 +83,7 @@ def never_measured(fitter: Fitter, fit: Fit) -> list[NeverMeasured]:
 
     Modes with free motors are others than those with held ones, whatever their number.
     """
-    margin, logs = fitter.criteria.margin, fit.prediction.log_frequencies
+    margin, logs = fitter.criteria.gate.margin, fit.prediction.log_frequencies
     visible, ranges = _visible(fitter, fit), []
     measured = np.zeros(logs.shape, dtype=bool)
     paired = fit.pairing.partner >= 0

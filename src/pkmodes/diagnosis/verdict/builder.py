@@ -86,7 +86,7 @@ class DiagnosisBuilder:
             (stages.after or stages.refit or stages.before).frequency,
             diagnosis.refit,
             diagnosis.after,
-            self.fitter.criteria.worse,
+            self.fitter.criteria.claim.worse,
         )
         proposed, not_separated = next_measurement(self.fitter, contested)
         reason, headline = self._with_caveats(evidence, decision, diagnosis)

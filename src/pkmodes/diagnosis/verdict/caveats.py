@@ -10,7 +10,7 @@ from pkmodes.diagnosis.verdict.findings import Corrected
 from pkmodes.support.numbers import plain
 
 #: Standard deviations from the declared value, or by the fit alone, from which on a refitted value is conspicuous.
-FAR = Criteria.far
+FAR = Criteria.reasons.far
 #: Most values and candidates that a sentence names.
 MOST_VALUES, MOST_NAMES = 3, 4
 

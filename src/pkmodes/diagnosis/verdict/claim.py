@@ -198,7 +198,7 @@ def _pairs_like(search: Search, final: Fit) -> list[Fit]:
     return [
         fit
         for fit in search.store.tried()
-        if len(fit.causes) == len(final.causes) == search.criteria.most_causes
+        if len(fit.causes) == len(final.causes) == search.criteria.search.most_causes
         and (fit.hypothesis.excluded, fit.hypothesis.scatter) == (h.excluded, h.scatter)
     ]
 

@@ -26,23 +26,27 @@ def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
     """Return the rivals that these data do not exclude, best first."""
     store, c = search.store, search.criteria
     fitting = [
-        fit for fit in rivals if not fit.at_bound and store.p_value(fit) > c.surely and measured(search, fit)
+        fit
+        for fit in rivals
+        if not fit.at_bound and store.p_value(fit) > c.gate.surely and measured(search, fit)
     ]
     if not fitting:
         return []
     total = np.array([store.criterion(fit) for fit in fitting])
     order = np.argsort(total, kind="stable")
     surviving = [
-        fitting[i] for i in order if total[i] <= total.min() + c.survives and store.predicts(fitting[i])
+        fitting[i]
+        for i in order
+        if total[i] <= total.min() + c.search.survives and store.predicts(fitting[i])
     ]
     # If predictions are equal, additional parameters are not penalised: they must not exclude a general rival.
     alike = {
         i: fitting[i].deviance
         for i in order
-        if surviving and store.fitter.difference(surviving[0], fitting[i]) < c.told_apart
+        if surviving and store.fitter.difference(surviving[0], fitting[i]) < c.claim.told_apart
     }
     least = min(alike.values(), default=0.0)
-    also = [fitting[i] for i, deviance in alike.items() if deviance <= least + c.survives]
+    also = [fitting[i] for i, deviance in alike.items() if deviance <= least + c.search.survives]
     return surviving + [fit for fit in also if all(fit is not other for other in surviving)]
 
 
@@ -50,7 +54,7 @@ def measured(search: Search, fit: Fit) -> bool:
     """Return whether unmeasured modes that the causes of a fit add may have been missed by chance."""
     store = search.store
     declared = store.fit(Hypothesis()) or fit
-    return p_unmeasured(store.fitter, declared, fit) > search.criteria.surely
+    return p_unmeasured(store.fitter, declared, fit) > search.criteria.gate.surely
 
 
 def other_pairs(
@@ -65,7 +69,7 @@ def other_pairs(
         return []
     store, c = search.store, search.criteria
     members = [{fit.causes[-1].name for fit in groups[0]} for groups in grouped if groups]
-    many = int(np.prod([len(names) for names in members])) > c.most_pairs
+    many = int(np.prod([len(names) for names in members])) > c.claim.most_pairs
     others = []
     for pair in survivors(search, sorted(pairs, key=store.criterion)):
         a, b = (cause.name for cause in pair.causes)
@@ -75,8 +79,10 @@ def other_pairs(
         # A pair of other causes is another explanation, even if its predictions are the same.
         if {a, b} != {cause.name for cause in final.causes} and (many or not known):
             others.append(pair)
-    alone = [fit for fit in search.alone() if store.criterion(fit) <= store.criterion(final) + c.survives]
-    return others + [fit for fit in alone if store.p_value(fit) > c.surely and not fit.at_bound]
+    alone = [
+        fit for fit in search.alone() if store.criterion(fit) <= store.criterion(final) + c.search.survives
+    ]
+    return others + [fit for fit in alone if store.p_value(fit) > c.gate.surely and not fit.at_bound]
 
 
 def classes(fitter: Fitter, fits: Sequence[Fit]) -> list[list[Fit]]:
@@ -87,7 +93,7 @@ def classes(fitter: Fitter, fits: Sequence[Fit]) -> list[list[Fit]]:
             (
                 group
                 for group in groups
-                if any(fitter.difference(fit, g) < fitter.criteria.told_apart for g in group)
+                if any(fitter.difference(fit, g) < fitter.criteria.claim.told_apart for g in group)
             ),
             None,
         )
@@ -121,7 +127,7 @@ def more_general(search: Search, final: Fit) -> tuple[Candidate, Candidate] | No
             if general.general_of != cause.name:
                 continue
             scores = score(search.store.fitter, final, [general])
-            if scores.each[0].p_value < search.criteria.surely:
+            if scores.each[0].p_value < search.criteria.gate.surely:
                 return cause, general
     return None
 
@@ -130,11 +136,11 @@ def _is_special(fitter: Fitter, fit: Fit, special: Candidate, general: Candidate
     """Return whether the signature of one cause lies in the span of another's, and the data can resolve this."""
     used = fitter.used(fit.hypothesis)
     count = int(used.sum()) + int(fitter.shapes.count[used].sum())
-    if count < len(general.parameters) + fitter.criteria.redundancy:
+    if count < len(general.parameters) + fitter.criteria.claim.redundancy:
         return False
     rates, basis = _rates(fitter, fit, special), orthonormal(_rates(fitter, fit, general))
     left = np.linalg.norm(rates - basis @ (basis.T @ rates), axis=0)
-    return bool((left <= fitter.criteria.nested * np.linalg.norm(rates, axis=0)).all())
+    return bool((left <= fitter.criteria.claim.nested * np.linalg.norm(rates, axis=0)).all())
 
 
 def _rates(fitter: Fitter, fit: Fit, cause: Candidate) -> Array:

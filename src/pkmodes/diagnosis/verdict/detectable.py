@@ -57,14 +57,14 @@ def examined(
         one = tested if name in shown else beside.get(name, tested)
         most = np.array([plausible.get(i, np.inf) for i in index])
         p_value = p_of_plausible(fitter, tested, most)
-        sizes = c.seen * one.sigma
+        sizes = c.claim.seen * one.sigma
         visible = one.visible and name not in unbounded and bool((np.isfinite(sizes) & (sizes <= most)).all())
         parameters = [fitter.parameters[i] for i in index] if visible else []
         values = tuple(
-            Value(p.name, float(size), float(size / c.seen), p.unit)
+            Value(p.name, float(size), float(size / c.claim.seen), p.unit)
             for p, size in zip(parameters, sizes, strict=bool(parameters))
         )
-        detectable = name in shown or name in limited or p_value <= c.surely
+        detectable = name in shown or name in limited or p_value <= c.gate.surely
         found.append(Examined(name, p_value, values, detectable, tested.candidate.sentence))
     return tuple(found)
 

@@ -52,8 +52,8 @@ class Evidence:
         most likely factor, with the outliers and the shared error of the final fit.
         """
         store, c, final = self.store, self.criteria, self.final
-        worst = store.criterion(final) + c.survives
-        noise = [fit for fit in self.search.additions.errors(worst) if store.p_value(fit) > c.surely]
+        worst = store.criterion(final) + c.search.survives
+        noise = [fit for fit in self.search.additions.errors(worst) if store.p_value(fit) > c.gate.surely]
         best = min(noise, key=store.criterion, default=None)
         if best is not None and store.criterion(best) <= worst:
             what = reasons.noise(best, store.fitter.data.lines)

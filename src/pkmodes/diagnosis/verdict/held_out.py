@@ -63,10 +63,10 @@ def predicted(setups: AllSetups, search: Search, final: Fit) -> HeldOut:
     if again is None:
         return HeldOut(f"{_explains(final)}, but with these values the held-out ones cannot be evaluated")
     p_value = p_held_out(setups, every.store.fitter, again.hypothesis, final)
-    if p_value <= c.surely:
+    if p_value <= c.gate.surely:
         again, p_value = _without_one_row(setups, every.store, again, final, p_value)
     better = _better(every, again)
-    if p_value > c.surely:
+    if p_value > c.gate.surely:
         if better is not None:
             return HeldOut(
                 f"{names(final.causes)} would explain all poses, but {names(better.causes)} explains them better: "
@@ -147,12 +147,12 @@ def _without_one_row(
     fitter, c, h = store.fitter, store.fitter.criteria, again.hypothesis
     worst, sigmas = fitter.worst_rows(again)
     row = next(int(r) for r in worst if setups.is_held[r])
-    enough = len(fitter.log) >= c.rows_to_set_aside
-    if not enough or sigmas[row] <= c.far or again.leverage[row] >= c.redundant:
+    enough = len(fitter.log) >= c.search.rows_to_set_aside
+    if not enough or sigmas[row] <= c.reasons.far or again.leverage[row] >= c.search.redundant:
         return again, p_value
     without = store.fit(replace(h, excluded=h.excluded | {row}), again.values)
     left = 0.0 if without is None else p_held_out(setups, fitter, without.hypothesis, final)
-    return (without, left) if without is not None and left > c.surely else (again, p_value)
+    return (without, left) if without is not None and left > c.gate.surely else (again, p_value)
 
 
 def _check(data: Measurements, row: int) -> str:
@@ -163,11 +163,13 @@ def _better(every: Search, again: Fit) -> Fit | None:
     """Return the remote cause that explains all setups better than the claimed causes do; None if none does."""
     c = every.criteria
     plain = len(again.causes) == 1 and not again.hypothesis.excluded
-    if not again.causes or (plain and every.gate(again).above(c.plainly)):
+    if not again.causes or (plain and every.gate(again).above(c.gate.plainly)):
         return None
     # One with the same predictions is listed in the class of the cause.
     difference = every.store.fitter.difference
-    return next((fit for fit in every.better_alone(again) if difference(again, fit) >= c.told_apart), None)
+    return next(
+        (fit for fit in every.better_alone(again) if difference(again, fit) >= c.claim.told_apart), None
+    )
 
 
 def _explaining(every: Search, again: Fit) -> Fit | None:

@@ -72,7 +72,11 @@ def other_unit(fitter: Fitter) -> str:
     here, _ = _usual(fitter, declared, data)
     others = [(*_usual(fitter, declared, reading.of(data)), reading) for reading in readings(data.unit)]
     least, paired, reading = min(others, key=lambda other: other[0])
-    if least > c.unit_difference or least * c.unit_gain > here or paired < c.unit_paired:
+    if (
+        least > c.readings.unit_difference
+        or least * c.readings.unit_gain > here
+        or paired < c.readings.unit_paired
+    ):
         return ""
     claim = f"the header says {data.unit}, but the numbers" if data.unit else "the frequencies"
     return f"{claim} fit the declared model as {reading.what} ({100 * least:.2g} %): {reading.remedy}"
@@ -128,7 +132,7 @@ def dead_channels(fitter: Fitter, fit: Fit) -> list[str]:
     measured = np.isfinite(data.shapes) & shaped[:, None]
     model = np.abs(fit.prediction.shapes[data.pose, np.maximum(pairing.partner, 0)][:, fitter.pairer.columns])
     units = np.array([fitter.structure.channel_units[i] for i in fitter.pairer.columns])
-    moved, some = fitter.criteria.dead
+    moved, some = fitter.criteria.readings.dead
     dead = []
     for k, name in enumerate(data.channels):
         rows = measured[:, k]

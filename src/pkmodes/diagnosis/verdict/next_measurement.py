@@ -67,9 +67,9 @@ def next_measurement(
     if not len(points):
         return None, f"there are no {where}"
     found = list(_proposals(fitter, contested, points, structure))
-    least, best = fitter.criteria.worth_measuring, None
+    least, best = fitter.criteria.claim.worth_measuring, None
     for way, proposed in found:
-        gain = 1.0 if best is None or way.effort == best[0].effort else fitter.criteria.worth_loading
+        gain = 1.0 if best is None or way.effort == best[0].effort else fitter.criteria.claim.worth_loading
         if proposed.sigmas >= least and (best is None or proposed.sigmas > gain * best[1].sigmas):
             best = way, proposed
     if best is not None:
@@ -148,7 +148,7 @@ def _hiding(fitter: Fitter, fit: Fit, way: _Way, pose: int, apart: Array) -> str
         return float(np.sqrt(apart @ np.linalg.solve(V, apart)))
 
     C = fit.covariance
-    if left(C) >= fitter.criteria.worth_measuring:
+    if left(C) >= fitter.criteria.claim.worth_measuring:
         return ""
     known = {
         fitter.parameters[i].name: left(C - np.outer(C[k], C[k]) / C[k, k])

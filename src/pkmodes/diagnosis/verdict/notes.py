@@ -42,11 +42,11 @@ def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
 
 def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
     data, c = store.fitter.data, store.fitter.criteria
-    alike = all_alike(data, c.same_shape)
+    alike = all_alike(data, c.readings.same_shape)
     if alike:
         yield f"all shapes of {_poses(alike)} are the same: shapes of different modes must differ"
     scatter = store.shape_scatter(fit)
-    if scatter is not None and scatter > c.most_shape_scatter:
+    if scatter is not None and scatter > c.shapes.most_scatter:
         yield (
             f"no explanation fits the shapes: they scatter by {100 * scatter:.0f} % of their largest component "
             "(sensors exchanged or miswired, or shapes of other modes)"
@@ -72,10 +72,10 @@ def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
     if degrees < 1.0:
         return
     ratio = (squares / degrees) ** 0.5
-    if ratio < 1.0 / c.misstated and stats.chi2.cdf(squares, degrees) < c.too_small:
+    if ratio < 1.0 / c.reasons.misstated and stats.chi2.cdf(squares, degrees) < c.reasons.too_small:
         factor = f"{1.0 / ratio:.2g} times" if ratio > 1e-6 else "far"
         yield f"the stated errors of the frequencies are {factor} too large: the residual scatters much less"
-    elif adequate and ratio > c.misstated:
+    elif adequate and ratio > c.reasons.misstated:
         yield f"the stated errors of the frequencies are {ratio:.2g} times too small"
 
 
@@ -85,7 +85,7 @@ def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
         p = fitter.parameters[i]
         free = i in fit.free
         unit = "" if p.unit == "1" else f" {p.unit}"
-        if free and abs(far) > fitter.criteria.far:
+        if free and abs(far) > fitter.criteria.reasons.far:
             yield (
                 f"{p.name} = {plain(float(fit.values[i]), 4)}{unit} is {abs(far):.1f} sigma from its declared value, "
                 f"{plain(p.value, 4)}{unit}: the declared value or its sigma is wrong, or it compensates for a cause"
@@ -118,7 +118,7 @@ def drift(fitter: Fitter, fit: Fit) -> str:
     if len(means) < 5:
         return ""
     order = np.arange(len(means))
-    if stats.spearmanr(order, means).pvalue > fitter.criteria.gate:
+    if stats.spearmanr(order, means).pvalue > fitter.criteria.gate.level:
         return ""
     slope = float(np.polyfit(order, means, 1)[0])
     return f"it drifts with the order of the poses, by {100 * slope * (len(means) - 1):+.2g} % from first to last"

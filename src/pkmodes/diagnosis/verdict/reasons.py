@@ -53,7 +53,7 @@ def uneven(fitter: Fitter, fit: Fit) -> str:
     within = sum(float(((left[r] - m) ** 2).sum()) for r, m in zip(rows, means, strict=True))
     count = sum(map(len, rows))
     ratio = (between / (len(rows) - 1)) / max(within / (count - len(rows)), 1e-300)
-    if stats.f.sf(ratio, len(rows) - 1, count - len(rows)) > fitter.criteria.uneven:
+    if stats.f.sf(ratio, len(rows) - 1, count - len(rows)) > fitter.criteria.reasons.uneven:
         return ""
     labels = [fitter.data.labels[fitter.data.pose[r[0]]] for r in rows]
     high, low = int(means.argmax()), int(means.argmin())

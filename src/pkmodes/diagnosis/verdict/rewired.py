@@ -164,7 +164,7 @@ class Scale:
         self.masks = known & shapes.stated, known & ~shapes.stated
         counts = [int(self.used.sum()), *(int(shapes.count[mask].sum()) for mask in self.masks)]
         self.count = np.array(counts, dtype=float)
-        smallest = fitter.criteria.least_shape_scatter / fitter.shape_scatter
+        smallest = fitter.criteria.shapes.least_scatter / fitter.shape_scatter
         self.least = np.maximum(self.count * [1.0, 1.0, smallest**2], 1e-300)
 
     def misfit(self, residual: Array) -> Misfit:

@@ -71,7 +71,7 @@ def _extra_lines(e: Evidence) -> list[int]:
     fitter, final, lines = e.fitter, e.final, []
     for row in sorted(final.hypothesis.excluded):
         setup = fitter.data.pose[row]
-        near = np.abs(final.prediction.log_frequencies[setup] - fitter.log[row]) < e.criteria.reach
+        near = np.abs(final.prediction.log_frequencies[setup] - fitter.log[row]) < e.criteria.pairing.reach
         near[: final.prediction.rigid] = False
         partner = final.pairing.partner[fitter.noise.rows[setup]]
         near[partner[partner >= 0]] = False
@@ -117,7 +117,7 @@ def nothing_missing(e: Evidence) -> Says:
 def remote_cause(e: Evidence) -> str:
     """A remote cause, which is never claimed, is needed, survives, or explains far more."""
     final, others = e.final, e.claim.others
-    doubtful = len(final.causes) == 1 and not e.claim.last.above(e.criteria.plainly)
+    doubtful = len(final.causes) == 1 and not e.claim.last.above(e.criteria.gate.plainly)
     better = e.search.better_alone(final) if doubtful else []
     remote = [cause for fit in (final, *others, *better) for cause in fit.causes if cause.remote]
     if not remote:
@@ -131,8 +131,8 @@ def in_one_joint(e: Evidence) -> str:
     store, c, final = e.store, e.criteria, e.final
     if len(final.causes) != 1:
         return ""
-    fits, limit = e.search.in_one_joint(final), final.deviance + c.told_apart
-    single = next((fit for fit in fits if fit.deviance < limit and store.p_value(fit) > c.surely), None)
+    fits, limit = e.search.in_one_joint(final), final.deviance + c.claim.told_apart
+    single = next((fit for fit in fits if fit.deviance < limit and store.p_value(fit) > c.gate.surely), None)
     if single is None:
         return ""
     return f"{_explains(e)} the residual, and so would {names(single.causes)}: look there, and measure more"
@@ -159,7 +159,7 @@ def general_cause(e: Evidence) -> str:
 
 def not_significant(e: Evidence) -> str:
     """The improvement may be chance: its p-value, corrected for the number of candidates, is above 0.1 %."""
-    if all(p <= e.criteria.claimed for p in e.claim.p_values):
+    if all(p <= e.criteria.claim.claimed for p in e.claim.p_values):
         return ""
     perhaps = f"; measurement errors would explain it too: {e.errors}" if e.errors else ""
     return (
@@ -170,7 +170,7 @@ def not_significant(e: Evidence) -> str:
 
 def two_of_few(e: Evidence) -> str:
     """Two causes would be claimed from fewer than ten measured modes."""
-    rows, needed = len(e.fitter.log), e.criteria.rows_for_two
+    rows, needed = len(e.fitter.log), e.criteria.claim.rows_for_two
     if len(e.final.causes) < 2 or rows >= needed:
         return ""
     return (
@@ -189,7 +189,7 @@ def measurement_errors(e: Evidence) -> str:
 def not_specific(e: Evidence) -> str:
     """The data are too few: a residual that no candidate caused would look like one in more than 1 % of draws."""
     p_value = p_coincidence(e.search, e.final)
-    if p_value <= e.criteria.specific:
+    if p_value <= e.criteria.claim.specific:
         return ""
     others = _also(e)
     also = f" (and so would {', '.join(others)})" if others else ""
@@ -209,7 +209,7 @@ def _also(e: Evidence) -> list[str]:
         and not (fit.hypothesis.remote or fit.at_bound)
         and fit.causes != e.final.causes
     ]
-    passing = [fit for fit in fits if store.p_value(fit) > e.criteria.surely]
+    passing = [fit for fit in fits if store.p_value(fit) > e.criteria.gate.surely]
     return [fit.causes[0].name for fit in sorted(passing, key=store.criterion)[:MENTIONED]]
 
 
@@ -232,7 +232,7 @@ def not_settled(e: Evidence) -> Says | None:
 
 def several_explanations(e: Evidence) -> Says | None:
     """Several classes or pairs survive, or one class with more than five members."""
-    claim, most = e.claim, e.criteria.most_members
+    claim, most = e.claim, e.criteria.claim.most_members
     many = any(len(groups) > 1 for groups in claim.grouped) or any(len(own) > most for own in claim.own)
     if not claim.others and not many:
         return None

@@ -18,8 +18,8 @@ def shapes_disagree(store: FitStore, fit: Fit) -> bool:
     fitter, c = store.fitter, store.fitter.criteria
     compared = np.isfinite(fit.pairing.mac) & fitter.used(fit.hypothesis)
     scatter = store.shape_scatter(fit)
-    return len(strange_shapes(store, fit)) > int(compared.sum()) // c.strange_allowed or (
-        scatter is not None and scatter > c.most_shape_scatter
+    return len(strange_shapes(store, fit)) > int(compared.sum()) // c.shapes.strange_allowed or (
+        scatter is not None and scatter > c.shapes.most_scatter
     )
 
 
@@ -39,8 +39,8 @@ def strange_shapes(store: FitStore, fit: Fit) -> NDArray[np.intp]:
     ratio = (squares / np.maximum(degrees, 1e-9)) / np.maximum((squares.sum() - squares) / others, 1e-300)
     known = (degrees > 0.5) & (others > 0.5)
     p_value = np.where(known, stats.f.sf(ratio, np.maximum(degrees, 0.5), np.maximum(others, 0.5)), 1.0)
-    alone = p_value * max(int(known.sum()), 1) < c.surely
-    return np.flatnonzero((mac < c.strange_mac) | (alone & (mac < c.good_mac)))
+    alone = p_value * max(int(known.sum()), 1) < c.gate.surely
+    return np.flatnonzero((mac < c.shapes.strange_mac) | (alone & (mac < c.shapes.good_mac)))
 
 
 def better_by_shape(store: FitStore, fit: Fit) -> Fit | None:
@@ -68,5 +68,5 @@ def better_by_shape(store: FitStore, fit: Fit) -> Fit | None:
     # A scatter larger than assumed applies to both; a smaller one is not credible.
     variance = max(squares(best) / degrees, 1.0)
     gain = (squares(fit) - squares(best)) / variance
-    needed = c.told_apart + stats.chi2.isf(c.surely, c.most_causes)
+    needed = c.claim.told_apart + stats.chi2.isf(c.gate.surely, c.search.most_causes)
     return best if gain > needed else None

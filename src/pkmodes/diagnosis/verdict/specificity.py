@@ -102,7 +102,7 @@ def p_coincidence(search: Search, final: Fit) -> float:
     p_value = _coincidence(search, final, gain, drawn, directions, degrees, final.chi2)
     # A few candidates do not represent what else may be wrong: a combination of them says nothing.
     every = (*directions, *score(fitter, plain, search.remote).directions)
-    many = search.criteria.many * len(final.causes)
+    many = search.criteria.claim.many * len(final.causes)
     if gain <= 0.0 or len(every) < many:
         return p_value
     plausible = Plausible.of(every, float(np.sqrt(gain)))
@@ -141,7 +141,7 @@ def _coincidence(
     if left <= 0.0:
         return 1.0
     # What the claim leaves beyond noise, another cause may leave too, and noise hides as much again.
-    size = gain + max(squares - left, 0.0) + search.criteria.spread * float(np.sqrt(2.0 * left))
+    size = gain + max(squares - left, 0.0) + search.criteria.claim.spread * float(np.sqrt(2.0 * left))
     sized = drawn * (np.sqrt(size) / np.maximum(np.linalg.norm(drawn, axis=0), 1e-300))
     reached = np.zeros(drawn.shape[1], dtype=bool)
     for some in combinations(directions, len(final.causes)):
@@ -181,7 +181,7 @@ def arbitrary_draws(fitter: Fitter, plain: Fit, count: int, rng: np.random.Gener
     used, data = fitter.used(plain.hypothesis), fitter.prior_rows.start
     # Modes far above the measured ones do not contribute to their shapes.
     modes = int(plain.pairing.partner.max(initial=0)) + 1 + ABOVE
-    changed = _changed(plain.prediction, modes, fitter.criteria.mixed)
+    changed = _changed(plain.prediction, modes, fitter.criteria.pairing.mixed)
     changes = fitter.rows.rates(changed, plain.pairing, used) / fitter.noise.stated[:, None]
     drawn = np.zeros((len(plain.white), count))
     for place in fitter.places():

@@ -70,9 +70,9 @@ def _contenders(search: Search, final: Fit) -> list[Fit]:
         and len(fit.causes) <= max(len(final.causes), 1)
         and not (fit.hypothesis.remote or fit.at_bound)
         and {c.name for c in fit.causes} != {c.name for c in final.causes}
-        and store.criterion(fit) < store.criterion(final) + search.criteria.near
+        and store.criterion(fit) < store.criterion(final) + search.criteria.claim.near
     ]
-    best = sorted(rest, key=store.criterion)[: search.criteria.contenders]
+    best = sorted(rest, key=store.criterion)[: search.criteria.claim.contenders]
     return [final, *best] if final.causes else best
 
 
@@ -93,8 +93,8 @@ def _trial(
     if claimed is not None and best is not None:
         others = sorted(same, key=store.criterion)
         for fit in others[: [one is claimed for one in others].index(True)]:
-            alike = fitter.difference(claimed, fit) < c.told_apart
-            if alike and store.criterion(claimed) <= store.criterion(fit) + c.survives:
+            alike = fitter.difference(claimed, fit) < c.claim.told_apart
+            if alike and store.criterion(claimed) <= store.criterion(fit) + c.search.survives:
                 best = claimed if fit is best else best  # one class, named after the claimed cause
                 break
             was = contenders[[fit is one for one in refitted].index(True)]
@@ -102,16 +102,16 @@ def _trial(
                 instead = was
                 break
     moved = claimed is not None and errors == 1.0 and _moved(fitter, final, claimed)
-    if plain is not None and store.p_value(plain) > c.gate:
+    if plain is not None and store.p_value(plain) > c.gate.level:
         return Trial(Stability(change, ADEQUATE.word, ()), instead, moved)
-    if best is None or store.p_value(best) <= c.surely:
+    if best is None or store.p_value(best) <= c.gate.surely:
         return Trial(Stability(change, UNEXPLAINED.word, ()), instead, moved)
     near = [
         fit
         for fit in same
-        if store.criterion(fit) <= store.criterion(best) + c.survives
-        and store.p_value(fit) > c.surely
-        and fitter.difference(best, fit) >= c.told_apart
+        if store.criterion(fit) <= store.criterion(best) + c.search.survives
+        and store.p_value(fit) > c.gate.surely
+        and fitter.difference(best, fit) >= c.claim.told_apart
     ]
     names = tuple(cause.name for cause in best.causes)
     verdict = AMBIGUOUS if near else EFFECT_FOUND
@@ -122,7 +122,10 @@ def _moved(fitter: Fitter, final: Fit, again: Fit) -> bool:
     """Return whether the value of a claimed cause changes by far more than its standard deviation."""
     for i in (i for cause in final.causes for i in fitter.indices(cause)):
         k = final.free.index(i)
-        if abs(again.values[i] - final.values[i]) > fitter.criteria.far * final.covariance[k, k] ** 0.5:
+        if (
+            abs(again.values[i] - final.values[i])
+            > fitter.criteria.reasons.far * final.covariance[k, k] ** 0.5
+        ):
             return True
     return False
 

@@ -25,7 +25,7 @@ def unevaluated(store: FitStore, reported: Fit) -> Iterator[str]:
     for fit in _tried(store, reported):
         _, promised = _onward(fitter, fit)
         # Only if the linear model promises a fit about as good as the reported one.
-        if promised <= fitter.criteria.survives or store.criterion(fit) - promised > least:
+        if promised <= fitter.criteria.search.survives or store.criterion(fit) - promised > least:
             continue
         text = _stopped(fitter, fit)
         if text and text not in said:
@@ -83,7 +83,7 @@ def _stopped(fitter: Fitter, fit: Fit) -> str:
         good, bad = (middle, bad) if _known(fitter, at(middle)) else (good, middle)
     # It may converge before that: a long step of a linear model is inaccurate.
     there = fitter.rough_fit(fit.hypothesis, fitter.roughly([(fit.hypothesis, at(good))])[0])
-    if there is None or _onward(fitter, there)[1] <= fitter.criteria.survives:
+    if there is None or _onward(fitter, there)[1] <= fitter.criteria.search.survives:
         return ""
     before, after = at(good), at(bad)
     alone = [i for i in fit.free if not _known(fitter, np.where(np.arange(len(after)) == i, after, before))]

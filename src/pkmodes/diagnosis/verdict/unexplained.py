@@ -37,10 +37,10 @@ def unmatched_modes(e: Evidence) -> Says | None:
 def value_far_away(e: Evidence) -> Says | None:
     """Frequencies and shapes agree, but an uncertain value is more than three sigma from its declared value."""
     store, fit, first, c = e.store, e.outcome.nuisances, e.outcome.first, e.criteria
-    if min(part.p_value for part in _misfits(store, fit)) <= c.surely:
+    if min(part.p_value for part in _misfits(store, fit)) <= c.gate.surely:
         return None
     name, away = misfit.far_away(store, fit, e.fitter.nuisances)
-    if first.p_value > c.gate or away <= c.far:
+    if first.p_value > c.gate.level or away <= c.reasons.far:
         return None
     text = (
         f"the data agree with the model, but only with {name} {away:.1f} sigma from its declared value: that value "
@@ -52,7 +52,10 @@ def value_far_away(e: Evidence) -> Says | None:
 def shapes_differ(e: Evidence) -> Says | None:
     """The frequencies agree with the model, and nothing explains the shapes too."""
     frequencies, shapes = _misfits(e.store, e.outcome.nuisances)
-    if min(frequencies.p_value, shapes.p_value) > e.criteria.surely or frequencies.p_value <= e.criteria.gate:
+    if (
+        min(frequencies.p_value, shapes.p_value) > e.criteria.gate.surely
+        or frequencies.p_value <= e.criteria.gate.level
+    ):
         return None
     line = misfit.worst_shape(e.store, e.outcome.nuisances)
     text = (
@@ -72,7 +75,7 @@ def beyond_prior(e: Evidence) -> Says | None:
         index = e.fitter.indices(fit.causes[0])
         _, away = misfit.far_away(store, fit, index)
         explained = min(part.p_value for part in _misfits(store, fit))
-        if away > c.far and explained > c.gate:
+        if away > c.reasons.far and explained > c.gate.level:
             explanations.append((store.criterion(fit), fit.causes[0].name, float(fit.values[index[0]]), away))
     if not explanations:
         return None
@@ -86,14 +89,14 @@ def beyond_prior(e: Evidence) -> Says | None:
 
 def nearly_all(e: Evidence) -> Says | None:
     """One cause, or two if the data clearly ask for a second, would explain nearly all of the residual."""
-    store, (part, most) = e.store, e.criteria.nearly_all
+    store, (part, most) = e.store, e.criteria.reasons.nearly_all
     before = _larger(store, e.outcome.nuisances)
     explanations = []
     for fit in _without_errors(store):
         if fit.at_bound:
             continue
         after = _larger(store, fit)
-        if after <= min(part * before, most) and e.search.gate(fit).p_unmeasured > e.criteria.surely:
+        if after <= min(part * before, most) and e.search.gate(fit).p_unmeasured > e.criteria.gate.surely:
             explanations.append((fit, after))
     if not explanations:
         return None
@@ -114,13 +117,13 @@ def nearly_all(e: Evidence) -> Says | None:
 def no_direction(e: Evidence) -> Says | None:
     """The residual, scaled to the size of noise, points to no candidate: perhaps the stated errors are too small."""
     frequencies, _ = _misfits(e.store, e.outcome.nuisances)
-    scale, (least, most), c = frequencies.ratio, e.criteria.dispersed, e.criteria
+    scale, (least, most), c = frequencies.ratio, e.criteria.reasons.dispersed, e.criteria
     gains = (s.gain / scale / max(len(s.candidate.parameters), 1) for s in e.outcome.first.scores.each)
-    if not (least < scale < most and max(gains, default=0.0) < c.no_direction):
+    if not (least < scale < most and max(gains, default=0.0) < c.reasons.no_direction):
         return None
     best = _best_of_all(e)
     perhaps = "perhaps the stated sigma is too small"
-    if len(e.fitter.log) < c.rows_to_set_aside:
+    if len(e.fitter.log) < c.search.rows_to_set_aside:
         perhaps = "something outside the candidates, or stated errors that are too small"
     nowhere = "" if best is not None else " and points to no candidate"
     what = uneven(e.fitter, e.outcome.nuisances) or perhaps
@@ -130,7 +133,7 @@ def no_direction(e: Evidence) -> Says | None:
 def small(e: Evidence) -> Says | None:
     """The residual is hardly more than noise, but points to a candidate."""
     first = e.outcome.first
-    if first.p_value <= e.criteria.gate:
+    if first.p_value <= e.criteria.gate.level:
         return None
     pointed = _pointed(first)
     text = (
@@ -181,7 +184,7 @@ def _best_of_all(e: Evidence) -> tuple[str, list[Candidate]] | None:
     None if none reduces it clearly.  A second cause is named if the data clearly ask for it.
     """
     store = e.store
-    better = store.criterion(e.outcome.nuisances) - e.criteria.survives
+    better = store.criterion(e.outcome.nuisances) - e.criteria.search.survives
     some = [fit for fit in _without_errors(store) if not fit.at_bound and store.criterion(fit) < better]
     best = min(some, key=_priced(e), default=None)
     if best is None:
@@ -221,7 +224,7 @@ def _without_errors(store: FitStore) -> list[Fit]:
 
 def _priced(e: Evidence) -> Callable[[Fit], float]:
     """Return the order of explanations: by their criterion, a second cause only where the data ask for it."""
-    store, price = e.store, e.criteria.told_apart
+    store, price = e.store, e.criteria.claim.told_apart
     return lambda fit: store.criterion(fit) + price * len(fit.causes)
 
 

@@ -20,12 +20,12 @@ def no_value(search: Search, final: Fit) -> str:
         for i in fitter.indices(cause):
             p, value, sigma = fitter.parameters[i], float(final.values[i]), final.sigma_of(i)
             for bound in (p.lower, p.upper):
-                if bound != p.value and np.isfinite(bound) and abs(value - bound) < c.bounded * sigma:
+                if bound != p.value and np.isfinite(bound) and abs(value - bound) < c.claim.bounded * sigma:
                     return (
                         f"{cause.name} would explain the residual, but its value, {rounded(value, sigma)}, is at its "
                         f"bound {plain(bound, 4)}: something else may be the cause"
                     )
-        if p_absent(search, final, cause) > c.absent:
+        if p_absent(search, final, cause) > c.claim.absent:
             return (
                 f"{cause.name} would explain the residual, but its value is not significantly different from the "
                 "declared one: something else must be the cause"
@@ -57,16 +57,16 @@ def _rests_on(search: Search, final: Fit, cause: Candidate) -> str:
     leverage = np.where(used, final.leverage[fitter.frequency_rows], 0.0)
     sigma = [final.sigma_of(i) for i in index]
     for row in np.argsort(leverage)[::-1]:
-        if leverage[row] <= c.redundant:
+        if leverage[row] <= c.search.redundant:
             break
         with_cause = replace(h, excluded=h.excluded | {int(row)})
         without = replace(with_cause, causes=tuple(other for other in h.causes if other != cause))
         here, less = store.fit(with_cause, final.values), store.fit(without, store.undone(final, without))
         if here is None or less is None:
             continue
-        gone = float(stats.chi2.sf(max(less.deviance - here.deviance, 0.0), len(index))) > c.claimed
+        gone = float(stats.chi2.sf(max(less.deviance - here.deviance, 0.0), len(index))) > c.claim.claimed
         both = np.hypot(sigma, [here.sigma_of(i) for i in index])
-        moved = np.abs(here.values[index] - final.values[index]) > c.moved * both
+        moved = np.abs(here.values[index] - final.values[index]) > c.claim.moved * both
         if gone or moved.any():
             data = fitter.data
             there = float(here.values[index[int(np.argmax(moved))]])

@@ -26,12 +26,12 @@ def remarks(setups: AllSetups, fit: Fit) -> tuple[str, ...]:
         Its values determine which rows are the same mode.
     """
     copies, criteria = [], setups.fitter.criteria
-    if not all_alike(setups.data, criteria.same_shape):  # reported separately
+    if not all_alike(setups.data, criteria.readings.same_shape):  # reported separately
         copies = [
             f"the shapes in lines {one} and {other} are identical: was one copied?"
             for one, other in copied(setups.data)
         ]
-    displaced = list(_same_place(setups.stage(fit.values), criteria.same_place))
+    displaced = list(_same_place(setups.stage(fit.values), criteria.readings.same_place))
     return *displaced[:MOST], *copies[:MOST]
 
 

@@ -91,20 +91,20 @@ def rewired(fitter: Fitter, fit: Fit) -> Rewired | None:
     c, columns = fitter.criteria, fitter.data.channels
     sensors = tuple(fitter.structure.sensors) if isinstance(fitter.structure, Instrumented) else ()
     tried = wirings(columns, sensors)
-    if not tried or not promising(fitter, fit, tuple(tried), c.rewired_perhaps):
+    if not tried or not promising(fitter, fit, tuple(tried), c.readings.rewired_perhaps):
         return None
-    found = misfits(fitter, fit, tuple(tried), c.rewired_refits, c.rewired_near)
+    found = misfits(fitter, fit, tuple(tried), c.readings.rewired_refits, c.readings.rewired_near)
     here = found.pop(as_in_file(columns))
-    complete = min(misfit.per_value[0] for misfit in (here, *found.values())) < c.rewired_noise
+    complete = min(misfit.per_value[0] for misfit in (here, *found.values())) < c.readings.rewired_noise
     evidence = {wiring: misfit.evidence(complete) for wiring, misfit in found.items()}
     order = sorted(evidence, key=evidence.__getitem__)
     best = found[order[0]]
     gain = here.evidence(complete) - evidence[order[0]]
-    if here.shapes < c.rewired * best.shapes or gain < c.rewired_certain:
+    if here.shapes < c.readings.rewired * best.shapes or gain < c.readings.rewired_certain:
         return None
-    remaining = [w for w in order if evidence[w] - evidence[order[0]] < c.rewired_told_apart]
+    remaining = [w for w in order if evidence[w] - evidence[order[0]] < c.readings.rewired_told_apart]
     mistakes = tuple(_mistakes(tried[wiring], columns, sensors) for wiring in remaining)
-    certain = best.per_value[1] < c.rewired_noise and best.difference < c.most_shape_scatter / 2.0
+    certain = best.per_value[1] < c.readings.rewired_noise and best.difference < c.shapes.most_scatter / 2.0
     simplest = min(tried[order[0]], key=lambda wiring: simplicity(wiring, columns))
     return Rewired(
         tuple(remaining),
@@ -113,7 +113,7 @@ def rewired(fitter: Fitter, fit: Fit) -> Rewired | None:
         here,
         best,
         certain,
-        certain and best.per_value[0] < c.rewired_noise,
+        certain and best.per_value[0] < c.readings.rewired_noise,
         _hint(simplest, columns, sensors) if len(remaining) == 1 else "",
     )
 
@@ -128,12 +128,12 @@ def _mistakes(same: Sequence[Wiring], columns: Sequence[str], sensors: Sequence[
 
 def _doubtful(fitter: Fitter, fit: Fit) -> bool:
     """Return whether the shapes differ from the model by more than their stated errors, or visibly."""
-    for stated, most in ((True, fitter.criteria.rewired_misfit), (False, None)):
+    for stated, most in ((True, fitter.criteria.readings.rewired_misfit), (False, None)):
         squares, degrees = fitter.shape_misfit(fit, stated=stated)
         if degrees < 1.0:
             continue
         ratio = squares / degrees
-        visible = (fitter.criteria.rewired_scatter / fitter.shape_scatter) ** 2
+        visible = (fitter.criteria.readings.rewired_scatter / fitter.shape_scatter) ** 2
         if ratio > (visible if most is None else most):
             return True
     return False

@@ -37,7 +37,7 @@ class _Apart(NamedTuple):
 
     def clearly(self, c: Criteria) -> bool:
         """Return whether the other drives are far better."""
-        return self.there <= c.drives_difference and self.there * c.drives_gain <= self.here
+        return self.there <= c.readings.drives_difference and self.there * c.readings.drives_gain <= self.here
 
     @property
     def nearer(self) -> bool:
@@ -70,21 +70,23 @@ def wrong_drives(plain: FitStore) -> str:
     """
     fitter, c = plain.fitter, plain.fitter.criteria
     first = plain.fit(Hypothesis())
-    if not isinstance(fitter.structure, Driven) or (first is not None and plain.p_value(first) > c.surely):
+    if not isinstance(fitter.structure, Driven) or (
+        first is not None and plain.p_value(first) > c.gate.surely
+    ):
         return ""
     for setups in _suspected(fitter):
         other = FitStore(Fitter(_other(fitter, setups), fitter.data, c, fitter.shape_scatter))
         fit = other.fit(Hypothesis())
         if fit is None:
             continue
-        explains, rows = other.p_value(fit) > c.gate, np.isin(fitter.data.pose, setups)
+        explains, rows = other.p_value(fit) > c.gate.level, np.isin(fitter.data.pose, setups)
         here = _declared(fitter, fitter.structure) if first is None else first.residual[fitter.frequency_rows]
         apart = _Apart.of(here, fit.residual[fitter.frequency_rows], rows)
         if explains or apart.clearly(c):
             # What holds the motors a little, or makes them heavy, is a cause, and nearly the same.
             singles = Search(plain, fitter.structure.candidates).additions.would_do()
             least = min((plain.criterion(single) for single in singles), default=np.inf)
-            if other.criterion(fit) <= least + (c.survives if explains else 0.0):
+            if other.criterion(fit) <= least + (c.search.survives if explains else 0.0):
                 return _sentence(fitter, setups, None if explains else apart)
     return ""
 
@@ -94,7 +96,7 @@ def _suspected(fitter: Fitter) -> list[list[int]]:
     data, every = fitter.data, list(range(len(fitter.data.labels)))
     here, there = (_declared(fitter, one) for one in (fitter.structure, _other(fitter, every)))
     some = [k for k in every if _Apart.of(here, there, data.pose == k).nearer]
-    enough = np.isin(data.pose, some).sum() >= fitter.criteria.drives_rows
+    enough = np.isin(data.pose, some).sum() >= fitter.criteria.readings.drives_rows
     return [every, some] if enough and some != every else [every]
 
 
