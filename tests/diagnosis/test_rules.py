@@ -15,7 +15,8 @@ from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS
 PAGE = Path(__file__).parents[2] / "docs/diagnosis.md"
 #: What the page calls the tables, in its order.
 TABLES = {
-    "Whatever the search found": rules.READINGS,
+    "Before a search": rules.BEFORE,
+    "Whatever a search found": rules.READINGS,
     "The declared model leaves noise": rules.ADEQUACY,
     "Causes leave noise": rules.CLAIMS,
     "Nothing leaves noise": unexplained.OPEN,

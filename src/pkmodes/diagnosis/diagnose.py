@@ -3,8 +3,8 @@
 1. `match` pairs measured modes with modes of the model.
 2. `fit` refits the nuisance parameters within their priors, to frequencies and shapes.
 3. `search` tests in the gate whether the residual is noise, and if not, looks for a cause or pair that explains it.
-4. `verdict` judges the result of the search: measurement mistakes, rivals, classes, errors instead of causes, shapes,
-   stability.
+4. `verdict` asks its rules, some before the search, of measurement mistakes, rivals, classes, errors instead of
+   causes, shapes, stability and held-out setups, and assembles the result.
 5. `damping` asks, at the final model, which joint dissipates, where damping was measured.
 """
 
@@ -26,24 +26,15 @@ from pkmodes.diagnosis.matrices import slowness
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.search.search import Outcome, Search
-from pkmodes.diagnosis.verdict import limits
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
-from pkmodes.diagnosis.verdict.evidence import Evidence
-from pkmodes.diagnosis.verdict.mistakes import certain_wiring, other_unit
+from pkmodes.diagnosis.verdict.evidence import Evidence, Start
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.diagnosis.verdict.rules import decide
-from pkmodes.diagnosis.verdict.stability import unchanged
-from pkmodes.diagnosis.verdict.verdicts import INSUFFICIENT_DATA, UNEXPLAINED
-from pkmodes.diagnosis.verdict.whole_data import remarks
-from pkmodes.diagnosis.verdict.wrong_drives import seemingly_wrong_drives, wrong_drives
+from pkmodes.diagnosis.verdict.rules import decide, without_search
 from pkmodes.measured.measurements import Measurements
-from pkmodes.support.numbers import p_in_words
 
 #: By default, one in this many poses is held out.
 HELD_OUT = 6
-#: Largest number of causes named that would remove a contradiction of too few data.
-HINTS = 4
 
 
 def diagnose(
@@ -96,25 +87,15 @@ def _of_frequencies(
         progress(remark)
     fitted, held = split(data, holdout)
     fitter = Fitter(structure.subset(fitted), data.at(fitted), criteria)
-    builder = DiagnosisBuilder(AllSetups(structure, data, fitter, held))
-    unit = other_unit(fitter)
-    if unit:
-        return _mistaken(builder, unit)
-    if (
-        len(fitter.log) + int(fitter.shapes.count.sum())
-        < len(fitter.nuisances) + fitter.criteria.claim.redundancy
-    ):
-        return _insufficient(builder)
-    plain = FitStore(fitter)
-    first = plain.fit(Hypothesis())
-    mistake = wrong_drives(plain) or ("" if first is None else certain_wiring(fitter, first))
-    if mistake:
-        return _mistaken(builder, mistake)
-    search, outcome = _searched(plain, structure, progress)
+    start = Start(AllSetups(structure, data, fitter, held))
+    builder, early = DiagnosisBuilder(start.setups), without_search(start)
+    if early is not None:
+        return builder.before_search(start, early)
+    search, outcome = _searched(start.plain, structure, progress)
     if outcome is None:
         what = "the model cannot be evaluated with its declared values"
         raise PkmodesError(what, data.source, "check the poses and the robot file")
-    evidence = Evidence(builder.setups, search, outcome)
+    evidence = Evidence(start.setups, search, outcome)
     return builder.after_search(evidence, decide(evidence))
 
 
@@ -140,15 +121,6 @@ def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int],
     if not fitted:
         raise PkmodesError("every pose is held out", "holdout", "leave some poses to fit")
     return fitted, held
-
-
-def _mistaken(builder: DiagnosisBuilder, mistake: str) -> Diagnosis:
-    """Return the result for measurements with an obvious mistake: nothing is fitted or searched for."""
-    store = FitStore(builder.fitter)
-    suspected = [candidate for candidate in builder.fitter.structure.candidates if candidate.claimable]
-    names = tuple(candidate.name for candidate in suspected)
-    same, nothing = unchanged(UNEXPLAINED), limits.unknown(store, suspected)
-    return builder.without_search(UNEXPLAINED, mistake, store, None, names, (mistake,), same, nothing)
 
 
 def _searched(
@@ -183,50 +155,3 @@ def _searched(
         ):
             return search, outcome
         scatter = best
-
-
-def _insufficient(builder: DiagnosisBuilder) -> Diagnosis:
-    """Return the result for too few data: no search, only whether they contradict the model and its priors."""
-    fitter, store = builder.fitter, FitStore(builder.fitter)
-    fit = store.fit(Hypothesis())  # the priors determine it, however few the data
-    candidates = [candidate for candidate in fitter.structure.candidates if candidate.claimable]
-    p_value, hints, contradicts = None, [], False
-    if fit is not None:
-        p_value = store.p_value(fit)
-        contradicts = p_value <= fitter.criteria.gate.surely
-        if contradicts:
-            search = Search(store, candidates)
-            singles = search.additions.would_do()
-            hints = [single.causes[0].name for single in singles[:HINTS]]
-    reason = _too_few(fitter, p_value, hints, contradicts)
-    drives = seemingly_wrong_drives(fitter)
-    about = (*((drives,) if drives else ()), *(() if fit is None else remarks(builder.setups, fit)))
-    if fit is None:
-        bounded = limits.unknown(store, candidates)
-    else:
-        bounded = limits.beside(store, [fit], candidates, noise=not contradicts)
-    known = {*bounded.limited, *hints}
-    unseen = tuple(candidate.name for candidate in candidates if candidate.name not in known)
-    same = unchanged(INSUFFICIENT_DATA)
-    return builder.without_search(INSUFFICIENT_DATA, reason, store, fit, unseen, about, same, bounded)
-
-
-def _too_few(fitter: Fitter, p_value: float | None, hints: Sequence[str], contradicts: bool) -> str:
-    """Return the reason if there are too few data, and whether they nevertheless contradict the model."""
-    rows, shapes = len(fitter.log), int(fitter.shapes.count.sum())
-    uncertain = [fitter.parameters[i].name for i in fitter.nuisances]
-    modes = "1 measured mode" if rows == 1 else f"{rows} measured modes"
-    modes += f" with {shapes} shape values" if shapes else ""
-    modes += " is" if rows == 1 else " are"
-    names = f"the uncertain {', '.join(uncertain)} and " if uncertain else ""
-    text = f"{modes} too few to fit {names}a cause, with one value left to test it"
-    if p_value is None:
-        return text
-    one = rows == 1
-    if not contradicts:
-        them = "it" if one else "them"
-        p = p_in_words(p_value)
-        return f"{text}; the declared model with its uncertain values does not contradict {them} ({p})"
-    they, verb = ("it", "contradicts") if one else ("they", "contradict")
-    would = f"; {they} would not with {' or '.join(hints)}" if hints else ""
-    return f"{text}; yet {they} {verb} the declared model and its uncertain values ({p_in_words(p_value)}){would}"

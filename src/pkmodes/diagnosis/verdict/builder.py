@@ -15,15 +15,17 @@ from pkmodes.diagnosis.verdict import caveats, held_out, limits, misfit
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.claim import name_of, values
 from pkmodes.diagnosis.verdict.detectable import examined
-from pkmodes.diagnosis.verdict.evidence import Decision, Evidence
+from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Start
 from pkmodes.diagnosis.verdict.findings import Corrected, Refitted, Stability
 from pkmodes.diagnosis.verdict.limits import Limits
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.result import Diagnosis, Stages
 from pkmodes.diagnosis.verdict.rules import READINGS
-from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, Verdict
+from pkmodes.diagnosis.verdict.stability import unchanged
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA, Verdict
 from pkmodes.diagnosis.verdict.whole_data import remarks
+from pkmodes.diagnosis.verdict.wrong_drives import seemingly_wrong_drives
 
 
 class DiagnosisBuilder:
@@ -31,6 +33,27 @@ class DiagnosisBuilder:
 
     def __init__(self, setups: AllSetups) -> None:
         self.setups, self.fitter = setups, setups.fitter
+
+    def before_search(self, start: Start, decision: Decision) -> Diagnosis:
+        """Return the result for too few data, or for an obvious mistake in these: nothing is searched for."""
+        text, verdict, store = decision.says.text, decision.verdict, start.plain
+        if verdict is not INSUFFICIENT_DATA:
+            names, bounded = (
+                tuple(one.name for one in start.suspected),
+                limits.unknown(store, start.suspected),
+            )
+            return self.without_search(
+                verdict, text, store, None, names, (text,), unchanged(verdict), bounded
+            )
+        fit, drives = start.first, seemingly_wrong_drives(self.fitter)
+        about = (*((drives,) if drives else ()), *(() if fit is None else remarks(self.setups, fit)))
+        if fit is None:
+            bounded = limits.unknown(store, start.suspected)
+        else:
+            bounded = limits.beside(store, [fit], start.suspected, noise=not start.contradicted)
+        known = {*bounded.limited, *start.hints}
+        unseen = tuple(one.name for one in start.suspected if one.name not in known)
+        return self.without_search(verdict, text, store, fit, unseen, about, unchanged(verdict), bounded)
 
     def after_search(self, evidence: Evidence, decision: Decision) -> Diagnosis:
         """Return the result of a search and its verdict."""

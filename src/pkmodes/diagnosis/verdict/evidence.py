@@ -1,14 +1,16 @@
-"""What the rules of a verdict ask about, and what a rule and its answer are."""
+"""What the rules of a verdict ask about, before a search and after it, and what a rule and its answer are."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Generic, TypeVar
 
 import numpy as np
 
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
@@ -17,6 +19,44 @@ from pkmodes.diagnosis.verdict.claim import claim_of
 from pkmodes.diagnosis.verdict.held_out import HeldOut, predicted
 from pkmodes.diagnosis.verdict.stability import Trial, trials
 from pkmodes.diagnosis.verdict.verdicts import Verdict
+
+#: Largest number of causes named that would remove a contradiction of too few data.
+HINTS = 4
+
+
+class Start:
+    """The declared model beside the fitted setups, before any search.
+
+    Attributes
+    ----------
+    plain : FitStore
+        Of the declared model.
+    suspected : list of Candidate
+        Those that may be claimed.
+    """
+
+    def __init__(self, setups: AllSetups) -> None:
+        self.setups, self.fitter, self.criteria = setups, setups.fitter, setups.fitter.criteria
+        self.plain = FitStore(setups.fitter)
+        self.suspected = [one for one in setups.fitter.structure.candidates if one.claimable]
+
+    @cached_property
+    def first(self) -> Fit | None:
+        """The refit of the uncertain values; None if the model cannot be evaluated."""
+        return self.plain.fit(Hypothesis())
+
+    @cached_property
+    def contradicted(self) -> bool:
+        """Whether the data contradict the model and its priors, however few they are."""
+        return self.first is not None and self.plain.p_value(self.first) <= self.criteria.gate.surely
+
+    @cached_property
+    def hints(self) -> list[str]:
+        """Causes that would remove the contradiction, best first."""
+        if not self.contradicted:
+            return []
+        singles = Search(self.plain, self.suspected).additions.would_do()
+        return [single.causes[0].name for single in singles[:HINTS]]
 
 
 class Evidence:
@@ -99,9 +139,12 @@ class Says:
         return cls(text, frozenset(cause.name for cause in causes), instead)
 
 
+T = TypeVar("T", Start, Evidence)
+
+
 @dataclass(frozen=True)
-class Rule:
-    """A rule of the verdict.
+class Rule(Generic[T]):
+    """A rule of the verdict, before a search (T = Start) or after it.
 
     Attributes
     ----------
@@ -112,19 +155,20 @@ class Rule:
 
     name: str
     verdict: Verdict
-    ask: Callable[[Evidence], Says | str | None]
+    ask: Callable[[T], Says | str | None]
 
     @property
     def about(self) -> str:
         """When it applies."""
         return (self.ask.__doc__ or "").partition("\n")[0].removesuffix(".")
 
-    def of(self, evidence: Evidence) -> Says | None:
+    def of(self, evidence: T) -> Says | None:
         """Return the answer; None if the rule does not apply."""
         answer = self.ask(evidence)
-        if isinstance(answer, str):
-            return Says.naming(answer, evidence.final.causes) if answer else None
-        return answer
+        if not isinstance(answer, str):
+            return answer
+        causes = evidence.final.causes if isinstance(evidence, Evidence) else ()
+        return Says.naming(answer, causes) if answer else None
 
 
 @dataclass(frozen=True)
@@ -136,9 +180,7 @@ class Decision:
     says: Says
 
 
-def first(rules: Sequence[Rule], evidence: Evidence) -> Decision:
-    """Return the decision of the first rule that applies; the last rule of a table always does."""
-    for rule in rules:
-        if (says := rule.of(evidence)) is not None:
-            return Decision(rule.verdict, rule.name, says)
-    raise AssertionError("the last rule applies to everything")
+def first(rules: Sequence[Rule[T]], evidence: T) -> Decision | None:
+    """Return the decision of the first rule that applies; None if none does."""
+    answers = ((rule, rule.of(evidence)) for rule in rules)
+    return next((Decision(rule.verdict, rule.name, says) for rule, says in answers if says is not None), None)

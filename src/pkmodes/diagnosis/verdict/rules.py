@@ -1,9 +1,9 @@
 """The rules of the verdict, in tables: of those that are asked, the first that applies decides.
 
 A rule has a name, the verdict that it gives, and a question of the evidence.  The docstring of the question says when
-the rule applies, and its answer is the reason of the verdict, for a person.  `READINGS` are asked first; then
-`ADEQUACY` where the declared model leaves noise, `CLAIMS` where causes do, and `OPEN` (`unexplained`) where nothing
-does.  docs/diagnosis.md has the tables.
+the rule applies, and its answer is the reason of the verdict, for a person.  `BEFORE` is asked before any search, and
+may be all; after it `READINGS`, then `ADEQUACY` where the declared model leaves noise, `CLAIMS` where causes do, and
+`OPEN` (`unexplained`) where nothing does.  docs/diagnosis.md has the tables.
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ import numpy as np
 
 from pkmodes.diagnosis.verdict import misfit
 from pkmodes.diagnosis.verdict.classes import more_general
-from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Rule, Says, first
-from pkmodes.diagnosis.verdict.mistakes import other_wiring
+from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Rule, Says, Start, first
+from pkmodes.diagnosis.verdict.mistakes import certain_wiring, other_unit, other_wiring
 from pkmodes.diagnosis.verdict.naming import explained
 from pkmodes.diagnosis.verdict.notes import drift
 from pkmodes.diagnosis.verdict.reasons import names, noise
@@ -21,20 +21,75 @@ from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.diagnosis.verdict.specificity import p_coincidence
 from pkmodes.diagnosis.verdict.unexplained import OPEN
 from pkmodes.diagnosis.verdict.values import no_value, rests_on_one_row
-from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED
+from pkmodes.diagnosis.verdict.verdicts import (
+    ADEQUATE,
+    AMBIGUOUS,
+    EFFECT_FOUND,
+    INSUFFICIENT_DATA,
+    UNEXPLAINED,
+)
+from pkmodes.diagnosis.verdict.wrong_drives import wrong_drives
 from pkmodes.support.numbers import p_in_words, p_text
 
 #: Largest number of other causes that a reason mentions.
 MENTIONED = 4
 
 
+def without_search(start: Start) -> Decision | None:
+    """Return the verdict that needs no search; None if one is needed."""
+    return first(BEFORE, start)
+
+
 def decide(evidence: Evidence) -> Decision:
-    """Return the verdict, and why it is given."""
+    """Return the verdict after a search, and why it is given."""
     of_noise = CLAIMS if evidence.final.causes else ADEQUACY
-    return first((*READINGS, *(of_noise if evidence.outcome.last.passed else OPEN)), evidence)
+    decision = first((*READINGS, *(of_noise if evidence.outcome.last.passed else OPEN)), evidence)
+    assert decision is not None  # the last rule of each table always applies
+    return decision
 
 
-# Readings ------------------------------------------------------------------------------------------------------
+# Before a search -----------------------------------------------------------------------------------------------
+
+
+def another_unit(start: Start) -> str:
+    """The frequencies fit the declared model far better in another unit, or as periods."""
+    return other_unit(start.fitter)
+
+
+def too_few(start: Start) -> str:
+    """Fewer values are measured than the uncertain parameters and a cause need, with one more to test it."""
+    fitter = start.fitter
+    rows, shapes = len(fitter.log), int(fitter.shapes.count.sum())
+    if rows + shapes >= len(fitter.nuisances) + start.criteria.claim.redundancy:
+        return ""
+    uncertain = [fitter.parameters[i].name for i in fitter.nuisances]
+    modes = "1 measured mode" if rows == 1 else f"{rows} measured modes"
+    modes += f" with {shapes} shape values" if shapes else ""
+    modes += " is" if rows == 1 else " are"
+    values = f"the uncertain {', '.join(uncertain)} and " if uncertain else ""
+    text = f"{modes} too few to fit {values}a cause, with one value left to test it"
+    if start.first is None:
+        return text
+    one, p = rows == 1, p_in_words(start.plain.p_value(start.first))
+    if not start.contradicted:
+        them = "it" if one else "them"
+        return f"{text}; the declared model with its uncertain values does not contradict {them} ({p})"
+    they, verb = ("it", "contradicts") if one else ("they", "contradict")
+    would = f"; {they} would not with {' or '.join(start.hints)}" if start.hints else ""
+    return f"{text}; yet {they} {verb} the declared model and its uncertain values ({p}){would}"
+
+
+def other_drives(start: Start) -> str:
+    """The frequencies fit far better, or only then, with motors held instead of free, or free instead of held."""
+    return wrong_drives(start.plain)
+
+
+def certainly_wired_otherwise(start: Start) -> str:
+    """Another wiring of the sensors brings the shapes near to their errors."""
+    return "" if start.first is None else certain_wiring(start.fitter, start.first)
+
+
+# After a search: other readings --------------------------------------------------------------------------------
 
 
 def wired_otherwise(e: Evidence) -> Says | None:
@@ -227,7 +282,8 @@ def not_settled(e: Evidence) -> Says | None:
     """The preferred causes do not pass the gate, or do not survive in their places."""
     if e.claim.last.passed and e.claim.kept:
         return None
-    return first(OPEN, e).says
+    decision = first(OPEN, e)
+    return None if decision is None else decision.says
 
 
 def several_explanations(e: Evidence) -> Says | None:
@@ -281,6 +337,14 @@ def _explains(e: Evidence) -> str:
 
 
 # The tables ----------------------------------------------------------------------------------------------------
+
+#: Asked before a search.
+BEFORE = (
+    Rule("unit", UNEXPLAINED, another_unit),
+    Rule("too_few", INSUFFICIENT_DATA, too_few),
+    Rule("drives", UNEXPLAINED, other_drives),
+    Rule("wiring", UNEXPLAINED, certainly_wired_otherwise),
+)
 
 #: Asked whatever the search found: other readings of the data.
 READINGS = (Rule("wiring", UNEXPLAINED, wired_otherwise),)
