@@ -45,7 +45,7 @@ def test_panels_follow_each_other_group_by_group_and_no_text_lies_on_another(col
         for k, panels in enumerate(groups):
             for i, panel in enumerate(panels):
                 panel.plot([0.0, 1.0], [0.0, 1.0], label=f"curve {k}")
-                panel.label(f"{k}{i}", x="across [mm]", y="up [Hz]", inner="x y title")
+                panel.label(f"{k}{i}", x="across [mm]", y="up [Hz]")
 
     sheet = settled(Drawing(draw))
     panels = from_the_top(sheet)
@@ -68,8 +68,7 @@ def test_a_legend_stands_above_the_title_and_the_names_that_stand_above_a_panel(
         for x, name in ((0.1, "1"), (0.5, "2"), (0.7, "3")):
             panel.axes.text(x, 1.02, name, transform=panel.axes.transAxes, va="bottom")
         panel.label("a title", x="x", y="y", pad=20.0)
-        handles, names = panel.axes.get_legend_handles_labels()
-        sheet.legend(handles, names, above=panel, loc="lower left", bbox_to_anchor=(0.0, 1.13), ncols=5)
+        sheet.legend(panel, loc="lower left", bbox_to_anchor=(0.0, 1.13), ncols=5)
 
     sheet = settled(Drawing(draw))
     (legend,) = sheet.figure.legends
@@ -104,7 +103,7 @@ def test_panels_side_by_side_share_the_label_beside_them() -> None:
         for panel in sheet.panels:
             panel.plot([0.0, 1.0], [0.0, 1.5], "o")
             panel.axes.set_aspect("equal")
-            panel.label("a map", x="x [mm]", y="y [mm]", inner="y")
+            panel.label("a map", x="x [mm]", y="y [mm]")
 
     sheet = settled(Drawing(draw))
     assert [panel.axes.get_ylabel() for panel in sheet.panels] == ["y [mm]", ""] * 2

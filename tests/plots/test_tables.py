@@ -124,8 +124,8 @@ def test_inner_panels_have_the_labels_that_they_share_and_the_title_above_them()
         for k, (title, (above, below)) in enumerate(zip(("first", "second"), groups, strict=True)):
             above.plot([1.0], [10.0 * k], "o")
             below.plot([1.0], [10.0 * k + 20.0], "o")
-            above.label(title, x="f [Hz]", y="size [m]", inner="x" if k == 0 else "x y")
-            below.label(title, x="f [Hz]", y="phase [deg]", inner="title" if k == 0 else "title y")
+            above.label(title, x="f [Hz]", y="size [m]")
+            below.label(title, x="f [Hz]", y="phase [deg]")
 
     rows = table(draw)
     assert [r["f [Hz]"] for r in rows] == ["1"] * 4

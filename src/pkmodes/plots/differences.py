@@ -40,7 +40,6 @@ def by_mode(evidence: Evidence) -> Drawing:
                 f"Model {stage.title}",
                 x="mode of the model, with the median of its measured frequencies",
                 y="difference [%]",
-                inner="" if panel is sheet.panels[-1] else "x",
             )
             panel.name_places("x", range(1, evidence.modes + 1), _names(evidence))
             panel.axes.grid(visible=False, axis="x")
@@ -73,10 +72,8 @@ def by_setup(evidence: Evidence) -> Drawing:
             marks.noise(panel, stage.predicted.sigmas)
             marks.zero(panel)
             marks.rows(panel, evidence, evidence.setup.astype(float), stage.predicted.sigmas)
-            lowest = panel is sheet.panels[-1]
-            setups = marks.setups(panel, evidence, grid=not lowest)
-            inner = "" if lowest else "x"
-            panel.label(f"Model {stage.title}", x=setups, y=SIGMAS, inner=inner)
+            setups = marks.setups(panel, evidence, grid=panel is not sheet.panels[-1])
+            panel.label(f"Model {stage.title}", x=setups, y=SIGMAS)
         panel.axes.set_xlim(-0.7, len(evidence.labels) - 0.3)
         marks.legend(sheet, sheet.panels[0])
 
@@ -106,11 +103,12 @@ def against_pose(evidence: Evidence) -> Drawing | None:
             place = evidence.points[evidence.setup, k]
             marks.rows(panel, evidence, place, stage.predicted.sigmas, size=12.0)
             panel.axes.locator_params(axis="x", nbins=3)
+            if column:  # the panels of a stage stand side by side
+                panel.inner.add("title")
             panel.label(
                 f"Model {stage.title}",
                 x=short(f"{evidence.components[k]} [{evidence.units[k]}]"),
                 y=SIGMAS,
-                inner=("title y " if column else "") + ("x" if row < len(stages) - 1 else ""),
             )
         marks.legend(sheet, sheet.panels[count - 1], beside=count > 1)
 

@@ -76,7 +76,7 @@ def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Drawing | s
                 for row, column in middles(values == i):
                     panel.axes.text(x[column], y[row], str(i + 1), **style)
         shades = [*used[: len(shown)], *([other] if several else [])]
-        sheet.legend(
+        sheet.legend_of(
             [Patch(facecolor=colour, edgecolor=FRAME) for colour in shades],
             [*names, *([ANOTHER] if several else [])],
             below=True,

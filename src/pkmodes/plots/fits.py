@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from pkmodes.campaign.inspection import Curve, Inspection
 from pkmodes.identification.estimates import Stabilisation
 from pkmodes.plots.drawing import Drawing
-from pkmodes.plots.labels import decades, short, typeset
+from pkmodes.plots.labels import decades, short
 from pkmodes.plots.panel import Panel
+from pkmodes.plots.responses import draw_phases
 from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLUE, GREY, INK, ORANGE, PURPLE, VERMILLION
 
@@ -54,15 +55,15 @@ def stabilisation(one: Inspection, marked: Lines, band: tuple[float, float]) -> 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.7)
         axes = panel.axes
-        behind = sheet.adopt(axes.twinx())
+        behind = sheet.adopt(axes.twinx(), inner={"x"})
         axes.set_zorder(behind.axes.get_zorder() + 1)
         size = np.maximum(one.total, one.total.max() * 10.0**-DECADES)
         behind.axes.set_yscale("log")
         behind.plot(one.frequencies, size, color=GREY, linewidth=1.0, alpha=0.8, zorder=0)
         behind.axes.grid(visible=False)
         behind.axes.spines["right"].set_visible(True)
-        behind.label(x="frequency [Hz]", y="sum of the functions [1]", inner="x")
-        decades(behind.axes.yaxis, lambda value: typeset(f"{value:.0e}"))
+        behind.label(x="frequency [Hz]", y="sum of the functions [1]")
+        decades(behind.axes.yaxis)
         orders = one.stabilisation.orders
         for stable, style in ((False, POLE), (True, STABLE)):
             panel.plot(*_dashes(one.stabilisation, stable), **style)
@@ -72,9 +73,8 @@ def stabilisation(one: Inspection, marked: Lines, band: tuple[float, float]) -> 
         panel.label(x="frequency [Hz]", y="model order")
         _mark(panel, marked, band)
         axes.grid(visible=False, axis="x")
-        handles, names = axes.get_legend_handles_labels()
         place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.13)}
-        sheet.legend(handles, names, above=panel, ncols=6, columnspacing=1.2, fontsize=7.5, **place)
+        sheet.legend(panel, ncols=6, columnspacing=1.2, fontsize=7.5, **place)
 
     return Drawing(draw)
 
@@ -147,7 +147,6 @@ def functions(one: Inspection, marked: Lines, band: tuple[float, float], phase: 
     """
     columns = min(2, len(one.curves))
     rows = -(-len(one.curves) // columns)
-    last = len(one.curves) - columns  # of the curves that have another below them
     coherence = any(curve.coherence is not None for curve in one.curves)
     ratios = [2.2, *([1.1] if phase else []), *([1.1] if coherence else [])]
 
@@ -156,20 +155,16 @@ def functions(one: Inspection, marked: Lines, band: tuple[float, float], phase: 
         groups = sheet.groups(len(one.curves), columns, height, rows=ratios, share_x=True)
         labels = ["magnitude" if phase else "power"]
         labels += [*(["phase [\u00b0]"] if phase else []), *(["coherence"] if coherence else [])]
-        for k, (panels, curve) in enumerate(zip(groups, one.curves, strict=True)):
+        for panels, curve in zip(groups, one.curves, strict=True):
             _curve(panels, curve, phase, coherence)
-            for i, (panel, label) in enumerate(zip(panels, labels, strict=True)):
+            for panel, label in zip(panels, labels, strict=True):
                 for f, _, _ in marked.modes:
                     panel.axes.axvline(f, color=INK, linewidth=0.5, alpha=0.35, zorder=1)
-                lowest = i == len(panels) - 1 and k >= last
-                inner = [*(["title"] if i else []), *(["y"] if k % columns else [])]
-                inner += [] if lowest else ["x"]
-                panel.label(short(curve.name, 40), x="frequency [Hz]", y=label, inner=" ".join(inner))
-                if lowest:
+                panel.label(short(curve.name, 40), x="frequency [Hz]", y=label)
+                if "x" not in panel.inner:
                     panel.axes.tick_params(labelbottom=True)
         groups[0][0].axes.set_xlim(*band)
-        handles, names = groups[0][0].axes.get_legend_handles_labels()
-        sheet.legend(handles, names, loc="outside upper right", ncols=2)
+        sheet.legend(groups[0][0], above=False, loc="outside upper right", ncols=2)
 
     return Drawing(draw)
 
@@ -179,22 +174,14 @@ def _curve(panels: Sequence[Panel], curve: Curve, phase: bool, coherence: bool) 
     f, above = curve.frequencies, panels[0]
     above.axes.set_yscale("log")
     top = float(np.abs(curve.measured).max())
-    for values, style in ((curve.measured, MEASURED), (curve.synthesised, SYNTHESISED)):
+    curves = ((f, curve.measured, MEASURED), (f, curve.synthesised, SYNTHESISED))
+    for _, values, style in curves:
         size = np.abs(values)
         above.plot(f, np.where(size > top * 10.0**-DECADES, size, np.nan), **style)
-        if phase:
-            panels[1].plot(*_unbroken(f, np.degrees(np.angle(values))), **style)
-    decades(above.axes.yaxis, lambda value: typeset(f"{value:.0e}"))
+    decades(above.axes.yaxis)
     if phase:
-        panels[1].axes.set_ylim(-190.0, 190.0)
-        panels[1].axes.set_yticks([-180, 0, 180])
+        draw_phases(panels[1], curves)
     if coherence:
         if curve.coherence is not None:
             panels[-1].plot(f, curve.coherence, color=VERMILLION, linewidth=0.9)
         panels[-1].axes.set_ylim(0.0, 1.05)
-
-
-def _unbroken(f: Array, phase: Array) -> tuple[Array, Array]:
-    """Return a phase without the lines that would join +180 and -180 degrees."""
-    jumps = np.flatnonzero(np.abs(np.diff(phase)) > 180.0) + 1
-    return np.insert(f, jumps, f[jumps]), np.insert(phase, jumps, np.nan)

@@ -93,8 +93,7 @@ def scatter_of_repeats(setups: Sequence[Repeats]) -> Drawing:
         panel.label(x="mean frequency [Hz]", y="file, above the mean [%]")
         axes.grid(visible=False, axis="x")
         if any(one.setup for one in several):
-            handles, names = axes.get_legend_handles_labels()
-            sheet.legend(handles, names, above=panel, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4)
+            sheet.legend(panel, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4)
 
     return Drawing(draw)
 
@@ -136,10 +135,7 @@ def by_pose(
             axes.grid(visible=False, axis="x")
             across = "pose"
         panel.label(x=across, y="frequency [Hz]")
-        handles, kinds_shown = axes.get_legend_handles_labels()
-        if len(handles) > 1:
-            sheet.legend(
-                handles, kinds_shown, above=panel, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3
-            )
+        if sum(bool(points) for points, *_ in kinds) > 1:
+            sheet.legend(panel, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3)
 
     return Drawing(draw)

@@ -52,10 +52,15 @@ def broken(name: str) -> str:
     return name.replace(", ", ",\n")
 
 
-def decades(axis: Axis, write: Callable[[float], str]) -> None:
+def decades(axis: Axis, write: Callable[[float], str] = lambda value: typeset(f"{value:.0e}")) -> None:
     """Label a logarithmic axis: at its decades, and where it has few of them at others too.
 
     Matplotlib's own labels of such axes are formulas, which figures of pkmodes do not parse.
+
+    Parameters
+    ----------
+    write : callable
+        Returns the label of a value; by default as a power of ten.
     """
     from matplotlib.ticker import LogLocator, NullFormatter
 

@@ -47,13 +47,11 @@ def mac_matrices(evidence: Evidence) -> Drawing | None:
         rows, count = (1.0,) * len(chosen), len(stages)
         groups = sheet.groups(count, count, height, rows=rows, shape=1.0, scales="common")
         image: Any = None
-        for column, (panels, stage) in enumerate(zip(groups, stages, strict=True)):
-            for row, (panel, (name, some)) in enumerate(zip(panels, chosen, strict=True)):
+        for panels, stage in zip(groups, stages, strict=True):
+            for panel, (name, some) in zip(panels, chosen, strict=True):
                 image = draw_matrix(panel, matrix(evidence, stage, some))
-                inner = ("y " if column else "") + ("title " if row else "")
-                inner += "x" if row < len(chosen) - 1 else ""
                 title, modes = f"Model {stage.title}", "mode of the model"
-                panel.label(title, x=modes, y="measured mode", row=name, inner=inner)
+                panel.label(title, x=modes, y="measured mode", row=name)
         sheet.scale(image, "MAC [1]", shrink=0.7, aspect=30)
 
     return Drawing(draw)

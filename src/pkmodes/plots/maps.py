@@ -155,11 +155,11 @@ def components(plane: Plane) -> Drawing | str:
         groups = sheet.groups(modes, columns, height, rows=rows, shape=plane.proportions, scales="common")
         mesh: Any = None
         for mode, panels in enumerate(groups):
-            for row, (panel, (name, title)) in enumerate(zip(panels, kinds, strict=True)):
+            for panel, (name, title) in zip(panels, kinds, strict=True):
                 mesh = plane.draw(panel, plane.dataset[name].values[..., mode], vmin=0.0, vmax=high)
-                inner = ("y " if mode % columns else "") + ("title " if row else "")
-                inner += "x" if row < len(kinds) - 1 else ""
-                plane.label_panel(panel, f"mode {mode + 1}", row=title, inner=inner)
+                if panel is panels[-1]:
+                    panel.inner.discard("x")
+                plane.label_panel(panel, f"mode {mode + 1}", row=title)
         shared_scale(sheet, plane, mesh, "mass-normalised motion [1/\N{SQUARE ROOT}kg]", extend="max")
 
     return Drawing(draw)

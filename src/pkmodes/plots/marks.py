@@ -71,7 +71,7 @@ def legend(sheet: Sheet, panel: Panel, *, beside: bool = False) -> None:
     first = dict(zip(reversed(labels), reversed(handles), strict=True))
     names = list(dict.fromkeys(labels))
     if len(names) > 1:
-        box = sheet.legend(
+        box = sheet.legend_of(
             [first[name] for name in names],
             names,
             above=panel,

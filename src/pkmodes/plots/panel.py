@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from textwrap import fill
 from typing import TYPE_CHECKING, Any, Literal
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[Any]
 Side = Literal["x", "y"]
+Part = Literal["title", "x", "y"]
 #: Characters of a title or label in one line on a narrow sheet.
 LINE = 44
 #: Characters by which equal parts of a text are exceeded, since lines end between words.
@@ -64,6 +65,8 @@ class Panel:
         Whether the figure is for a narrow screen.
     before : Panel or None
         Beside it on a narrow sheet, at the left.
+    inner : set of str
+        What a wide figure leaves to the panels above, beside and below: ``title``, ``x`` and ``y``.
     title : str
         In one line, with the name of a row of panels.
     labels : dict of str
@@ -73,8 +76,11 @@ class Panel:
     series : list of Series
     """
 
-    def __init__(self, axes: Axes, *, narrow: bool = False, before: Panel | None = None) -> None:
+    def __init__(
+        self, axes: Axes, *, narrow: bool = False, before: Panel | None = None, inner: Iterable[Part] = ()
+    ) -> None:
         self.axes, self.narrow, self.before = axes, narrow, before
+        self.inner: set[Part] = set(inner)
         self.title = ""
         self.labels = {"x": "", "y": "", "row": "", "scale": ""}
         self.names: dict[str, Mapping[float, str]] = {"x": {}, "y": {}}
@@ -88,33 +94,30 @@ class Panel:
         x: str = "",
         y: str = "",
         row: str = "",
-        inner: str = "",
         **settings: Any,
     ) -> None:
-        """Name the panel and its axes.
+        """Name the panel and its axes, as far as it does not leave that to others: see `inner`.
 
         Parameters
         ----------
         row : str
             Name of a row of panels, above the label of their vertical axes.
-        inner : str
-            What a wide figure leaves to the panels above, beside and below: ``title``, ``x`` and ``y``, in one text.
         settings
             For the title.
         """
         self.title = ", ".join(" ".join(part.split("\n")) for part in (title, row) if part)
         self.labels |= {"x": x, "y": y, "row": row}
+        inner = self.inner
         if self.narrow:
-            title, x, inner = _filled(title), _filled(x), ""
+            title, x, inner = _filled(title), _filled(x), set()
             if self.before is not None and (self.before.labels["y"], self.before.labels["row"]) == (y, row):
-                inner = "y"
+                inner = {"y"}
                 self.axes.tick_params(labelleft=False)
-        left_out = inner.split()
-        if "title" not in left_out:
+        if "title" not in inner:
             self.axes.set_title(title, **settings)
-        if "x" not in left_out:
+        if "x" not in inner:
             self.axes.set_xlabel(x)
-        if "y" not in left_out:
+        if "y" not in inner:
             self.axes.set_ylabel(f"{row}\n{y}" if row else y)
 
     def name_places(

@@ -65,8 +65,7 @@ def mode_panels(
     sheet.groups(modes, columns, height, shape=plane.proportions, scales=scales)
     pad = 72 * LINE + 3 if line else None  # [points]
     for mode, panel in enumerate(sheet.panels):
-        inner = ("y " if mode % columns else "") + ("x" if mode + columns < modes else "")
-        plane.label_panel(panel, f"mode {mode + 1}", inner=inner, pad=pad)
+        plane.label_panel(panel, f"mode {mode + 1}", pad=pad)
         yield mode, panel
 
 

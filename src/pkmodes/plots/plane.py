@@ -146,14 +146,12 @@ class Plane:
         axes.locator_params(axis="y", nbins=6)
         return mesh
 
-    def label_panel(
-        self, panel: Panel, title: str, *, row: str = "", inner: str = "", **settings: Any
-    ) -> None:
+    def label_panel(self, panel: Panel, title: str, *, row: str = "", **settings: Any) -> None:
         """Name a panel as `Panel.label` does; an inner one of a wide figure has no numbers on its axes, either."""
         across, along = self.label(self.across), self.label(self.along)
-        panel.label(title, x=across, y=along, row=row, inner=inner, **settings)
+        panel.label(title, x=across, y=along, row=row, **settings)
         if not panel.narrow:
-            panel.axes.tick_params(labelleft="y" not in inner.split(), labelbottom="x" not in inner.split())
+            panel.axes.tick_params(labelleft="y" not in panel.inner, labelbottom="x" not in panel.inner)
 
 
 def plane_axes(sizes: Mapping[str, int], components: Sequence[str], place: str) -> list[str]:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.plots.drawing import Drawing
-from pkmodes.plots.labels import decades, typeset
+from pkmodes.plots.labels import decades
 from pkmodes.plots.panel import Panel
 from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLUE, VERMILLION
@@ -67,9 +67,10 @@ def responses(
                 words = "no response in the model"
                 above.axes.annotate(words, (0.5, 0.5), xycoords="axes fraction", ha="center")
             _channel(above, below, curves, (float(frequencies[0]), float(frequencies[-1])))
-            above.label(name, x=FREQUENCY, y=f"magnitude [{units[name]}]", inner="x")
-            lowest = k // columns == rows - 1
-            below.label(name, x=FREQUENCY, y="phase [\u00b0]", inner="title" if lowest else "title x")
+            # Magnitudes have units of their own.
+            above.inner, below.inner = {"x"}, {"title"} if k // columns == rows - 1 else {"title", "x"}
+            above.label(name, x=FREQUENCY, y=f"magnitude [{units[name]}]")
+            below.label(name, x=FREQUENCY, y="phase [\u00b0]")
             if len(curves) > 1 and not explained:
                 above.axes.legend()
                 explained = True
@@ -84,15 +85,16 @@ def _channel(
     single = ends[0] == ends[1]
     if curves:
         above.axes.set_yscale("log")
+    seen = []
     for f, values, style in curves:
-        seen = (f >= ends[0]) & (f <= ends[1])
-        size, look = np.abs(values[seen]), {**style, "marker": "." if single else ""}
-        above.plot(f[seen], np.where(size > 0.0, size, np.nan), **look)
-        below.plot(*_unbroken(f[seen], np.degrees(np.angle(values[seen]))), **look)
-    below.axes.set_ylim(-190.0, 190.0)
-    below.axes.set_yticks([-180, 0, 180])
+        inside = (f >= ends[0]) & (f <= ends[1])
+        seen.append((f[inside], values[inside], {**style, "marker": "." if single else ""}))
+    for f, values, style in seen:
+        size = np.abs(values)
+        above.plot(f, np.where(size > 0.0, size, np.nan), **style)
+    draw_phases(below, seen)
     if curves:
-        decades(above.axes.yaxis, lambda value: typeset(f"{value:.0e}"))
+        decades(above.axes.yaxis)
     else:
         above.axes.set_yticks([])
     if single:
@@ -101,6 +103,14 @@ def _channel(
     if ends[0] > 0.0 and ends[1] / ends[0] > DECADES:
         below.axes.set_xscale("log")
         decades(below.axes.xaxis, lambda value: f"{value:g}")
+
+
+def draw_phases(panel: Panel, curves: Iterable[tuple[Array, Array, dict[str, Any]]]) -> None:
+    """Draw the phases of complex values over frequency, each with its style."""
+    for f, values, style in curves:
+        panel.plot(*_unbroken(f, np.degrees(np.angle(values))), **style)
+    panel.axes.set_ylim(-190.0, 190.0)
+    panel.axes.set_yticks([-180, 0, 180])
 
 
 def _unbroken(f: Array, phase: Array) -> tuple[Array, Array]:

@@ -51,7 +51,7 @@ def over_plane(
         mesh: Any = None
         for panel, (title, values) in zip(sheet.panels, left.items(), strict=True):
             mesh = _map(panel, x, y, values, highest, count)
-            panel.label(title, x=across, y=along, inner="" if panel is sheet.panels[0] else "y")
+            panel.label(title, x=across, y=along)
             panel.axes.grid(False)
             if equal:
                 panel.axes.set_aspect("equal")
@@ -122,6 +122,4 @@ def _curves(sheet: Sheet, panel: Panel, x: Array, left: Mapping[str, Array]) -> 
         panel.plot(x, values, styles[i % len(styles)], color=PALETTE[i % len(PALETTE)], label=name)
     panel.axes.set_xlim(x[0], x[-1])
     panel.axes.set_ylim(0.0, None)
-    handles, names = panel.axes.get_legend_handles_labels()
-    place: dict[str, Any] = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0)}
-    sheet.legend(handles, names, above=panel, ncols=2, fontsize=7.5, **place)
+    sheet.legend(panel, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, fontsize=7.5)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
-from pkmodes.plots.panel import Panel
+from pkmodes.plots.panel import Panel, Part
 from pkmodes.plots.style import WIDTH, figure
 
 if TYPE_CHECKING:
@@ -74,7 +74,9 @@ class Sheet:
     ) -> list[list[Panel]]:
         """Return groups of panels, in each of which the panels stand below one another and are read together.
 
-        On a narrow sheet the groups follow each other; panels that are slender enough stand side by side there.
+        On a wide sheet a panel leaves its title to the first of its group, and the labels of its axes to the panels
+        at the left and below.  On a narrow sheet the groups follow each other; panels that are slender enough stand
+        side by side there.
 
         Parameters
         ----------
@@ -118,7 +120,10 @@ class Sheet:
             )
             for axes in every.flat:
                 axes.set_visible(False)
-            found = {one: Panel(every[place]) for one, place in places.items()}
+            taken = set(places.values())
+            found = {
+                one: Panel(every[place], inner=_inner(one[1], place, taken)) for one, place in places.items()
+            }
             for panel in found.values():
                 panel.axes.set_visible(True)
         self.panels = [found[one] for one in sorted(places, key=places.__getitem__)]
@@ -161,9 +166,9 @@ class Sheet:
             found[one] = Panel(axes, narrow=True, before=found[order[k - 1]] if k % across else None)
         return found
 
-    def adopt(self, axes: Axes) -> Panel:
+    def adopt(self, axes: Axes, inner: Iterable[Part] = ()) -> Panel:
         """Return axes that were drawn elsewhere on the figure as a panel."""
-        self.panels.append(Panel(axes))
+        self.panels.append(Panel(axes, inner=inner))
         return self.panels[-1]
 
     def scale(self, mesh: Any, label: str, **settings: Any) -> None:
@@ -172,7 +177,19 @@ class Sheet:
             panel.labels["scale"] = label
         self.figure.colorbar(mesh, ax=[panel.axes for panel in self.panels], **settings).set_label(label)
 
-    def legend(
+    def legend(self, panel: Panel, *, above: bool = True, **wide: Any) -> None:
+        """Draw the legend of what is drawn in a panel.
+
+        Parameters
+        ----------
+        above : bool
+            Whether it stands above this panel on a wide sheet, or else outside all.
+        wide
+            For the legend on a wide sheet.
+        """
+        self.legend_of(*panel.axes.get_legend_handles_labels(), above=panel if above else None, **wide)
+
+    def legend_of(
         self,
         handles: Sequence[Any],
         names: Sequence[str],
@@ -229,6 +246,16 @@ class Sheet:
             return None
         # Text is drawn by the reader's fonts, which may be somewhat wider.
         return Bbox([[min(box.x0, 0.0), box.y0], [max(box.x1, NARROW), box.y1]]).padded(MARGIN)
+
+
+def _inner(row: int, place: tuple[int, int], taken: Container[tuple[int, int]]) -> Iterator[Part]:
+    """Yield what a panel leaves to others, from its row in its group and its place among those that are taken."""
+    if row:
+        yield "title"
+    if place[1]:
+        yield "y"
+    if (place[0] + 1, place[1]) in taken:
+        yield "x"
 
 
 def _turn(axes: Axes, gap: float) -> None:

@@ -60,10 +60,8 @@ def against(dataset: xarray.Dataset, path: str, spread: Array | None = None) -> 
                 low, high = middle - spread[order, mode], middle + spread[order, mode]
             panel.band(values, low, high, color=BLUE, alpha=0.18, linewidth=0)
             panel.plot(values, middle, color=BLUE, marker="o" if len(values) <= 15 else None)
-            lowest = mode + columns >= modes
-            inner = ("" if lowest else "x ") + ("y" if mode % columns else "")
-            panel.label(f"mode {mode + 1}", x=f"{path} [{unit}]", y="f [Hz]", inner=inner)
-            if lowest:
+            panel.label(f"mode {mode + 1}", x=f"{path} [{unit}]", y="f [Hz]")
+            if "x" not in panel.inner:
                 panel.axes.tick_params(labelbottom=True)
 
     return Drawing(draw)
@@ -102,7 +100,7 @@ def along(dataset: xarray.Dataset, spread: Array | None = None) -> Drawing:
         turned = 90 if len(labels) > 10 else 0
         panel.name_places("x", range(0, len(labels), step), labels[::step], rotation=turned)
         panel.label(x="pose", y="f [Hz]")
-        sheet.legend(*panel.axes.get_legend_handles_labels(), loc="outside right upper")
+        sheet.legend(panel, above=False, loc="outside right upper")
 
     return Drawing(draw)
 

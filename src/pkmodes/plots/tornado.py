@@ -118,4 +118,4 @@ def _legend(sheet: Sheet, changes: Changes) -> None:
     if changes.together is not None:
         handles.append(Patch(label=f"{ALL}: standard deviation", facecolor=GREY, edgecolor=GREY))
     names = [str(handle.get_label()) for handle in handles]
-    sheet.legend(handles, names, loc="outside upper right", ncols=len(handles))
+    sheet.legend_of(handles, names, loc="outside upper right", ncols=len(handles))
