@@ -94,12 +94,21 @@ class Column:
 
 
 class Placed:
-    """What every block of a section has: the programs that it needs in the browser, files of ``browser/``.
+    """What every block of a section has.
 
-    A program of several files names them in their order, joined by ``+``.
+    Attributes
+    ----------
+    programs : sequence of str
+        Those that it needs in the browser, files of ``browser/``.  A program of several files names them in their
+        order, joined by ``+``.
     """
 
     programs: ClassVar[Sequence[str]] = ()
+
+    @property
+    def kind(self) -> str:
+        """How the templates place it."""
+        return type(self).__name__.lower()
 
 
 @dataclass(frozen=True)
@@ -119,7 +128,6 @@ class Table(Placed):
     rows: Sequence[Sequence[Cell]]
     groups: Sequence[tuple[str, int]] = ()
     note: str = ""
-    kind: str = "table"
 
 
 @dataclass(frozen=True)
@@ -140,7 +148,6 @@ class Picture(Placed):
     title: str = "Figure"
     data: str = ""
     narrow: str = ""
-    kind: str = "picture"
     programs: ClassVar[Sequence[str]] = ("download",)
 
     @property
@@ -184,7 +191,6 @@ class Paragraph(Placed):
     """A sentence or more."""
 
     text: str
-    kind: str = "paragraph"
 
 
 @dataclass(frozen=True)
@@ -193,7 +199,6 @@ class Listing(Placed):
 
     entries: Sequence[str]
     names: bool = False
-    kind: str = "listing"
 
 
 @dataclass(frozen=True)
@@ -201,7 +206,6 @@ class Facts(Placed):
     """Names with values."""
 
     entries: Sequence[tuple[str, Sequence[Cell]]]
-    kind: str = "facts"
 
 
 @dataclass(frozen=True)
@@ -210,7 +214,6 @@ class Difference(Placed):
 
     name: str
     lines: Sequence[str]
-    kind: str = "difference"
 
     @staticmethod
     def sort(line: str) -> str:
@@ -226,7 +229,6 @@ class Lines(Placed):
 
     name: str
     lines: Sequence[str]
-    kind: str = "lines"
 
 
 @dataclass(frozen=True)
@@ -234,7 +236,6 @@ class Foreign(Placed):
     """Finished HTML from another module of pkmodes, which is placed as it is: the view in three dimensions."""
 
     html: str
-    kind: str = "foreign"
 
 
 @dataclass(frozen=True)
@@ -277,7 +278,6 @@ class Explorer(Placed):
     machine: bool
     varied: bool
     programs = ("map_values+map_chart+map_picture+map_table+map_explorer",)
-    kind: str = "explorer"
 
 
 Block = Table | Picture | Paragraph | Listing | Facts | Difference | Lines | Foreign | Explorer
@@ -310,6 +310,8 @@ class Summary:
         What was done, such as "Diagnosis".
     verdict : str
         The verdict as in the JSON; empty if there is none.
+    headline, reason : str
+        What was found, and why or where.
     facts : sequence of (str, Cell)
         The most important numbers.
     head : sequence of (str, str)
@@ -318,10 +320,10 @@ class Summary:
 
     subject: str
     kind: str
-    verdict: str
-    headline: str
-    reason: str
-    tone: Tone
+    verdict: str = ""
+    headline: str = ""
+    reason: str = ""
+    tone: Tone = "plain"
     notes: Sequence[str] = ()
     facts: Sequence[tuple[str, Cell]] = ()
     head: Sequence[tuple[str, str]] = ()

@@ -11,7 +11,7 @@ from pkmodes.report.formatting import p_value, plural, pointer, prose, three_dig
 from pkmodes.report.glossary import glossary
 from pkmodes.report.mode_table import mode_table
 from pkmodes.report.numbers import percent
-from pkmodes.report.origin import origin, view_section
+from pkmodes.report.origin import view_section
 from pkmodes.report.page import page
 from pkmodes.report.setting import Setting
 
@@ -26,7 +26,7 @@ def comparison_page(result: Comparison, evidence: Evidence, setting: Setting) ->
         *view_section(setting.view),
         Section("rows", "All measured modes", [mode_table(result, evidence, setting)]),
         glossary(diagnosed=False),
-        origin(evidence, setting),
+        setting.origin(evidence),
     ]
     return page(_summary(result, setting), sections)
 
@@ -44,7 +44,6 @@ def _summary(result: Comparison, setting: Setting) -> Summary:
     return Summary(
         subject=setting.title(row.drives for row in result.rows),
         kind="Comparison",
-        verdict="",
         headline=headline,
         reason=reason,
         tone=tone,

@@ -14,7 +14,7 @@ from pkmodes.report.damping import damping
 from pkmodes.report.formatting import SENTENCE, clean, number, pointer, prose, three_digits, uncertain, unit
 from pkmodes.report.glossary import glossary
 from pkmodes.report.mode_table import mode_table
-from pkmodes.report.origin import origin, view_section
+from pkmodes.report.origin import view_section
 from pkmodes.report.page import page
 from pkmodes.report.setting import Setting
 
@@ -164,4 +164,4 @@ def _origin(result: Diagnosis, evidence: Evidence, setting: Setting) -> Section:
     if result.shape_scatter is not None:
         scatter = number(result.shape_scatter, ".2g", pointer("shape_scatter"), scale=100.0)
         more.append(("estimated scatter of the shapes [%]", [scatter]))
-    return origin(evidence, setting, more)
+    return setting.origin(evidence, more)

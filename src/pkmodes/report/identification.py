@@ -10,13 +10,12 @@ import numpy as np
 from pkmodes.campaign.campaign import Campaign
 from pkmodes.campaign.identify import COMPLEX
 from pkmodes.campaign.results import Identification, IdentifiedMode, RecordResult
-from pkmodes.core.base.version import VERSION
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.plots import identified_modes
-from pkmodes.report.blocks import Block, Cell, Column, Facts, Picture, Section, Summary
+from pkmodes.report.blocks import Block, Cell, Column, Picture, Section, Summary
 from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer
 from pkmodes.report.identified_record import SHOWN, auto_macs, record_section
-from pkmodes.report.origin import files_of
+from pkmodes.report.origin import origin
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source
 from pkmodes.report.tables import table
@@ -58,7 +57,8 @@ def identification_report(
     sections += [
         record_section(i, result, campaign, content["records"][i]) for i, result in enumerate(found.records)
     ]
-    sections.append(Section("origin", "Data and versions", [Facts(_origin(found, sources))]))
+    repeatability = number(found.repeatability, ".2g", pointer("repeatability"), scale=100.0)
+    sections.append(origin(sources, None, [("repeatability [%]", [repeatability])]))
     return page(_summary(found, campaign, content), sections)
 
 
@@ -91,7 +91,6 @@ def _summary(found: Identification, campaign: Campaign, content: Mapping[str, An
     return Summary(
         subject=clean(subject),
         kind="Identification",
-        verdict="",
         headline=f"{count} at {poses}" + (f", {plural(points, 'point')} to check" if points else ""),
         reason=_reason(found, modes, messages),
         tone="open" if notes else "good",
@@ -238,11 +237,3 @@ def _frequency(index: int, result: RecordResult, k: int) -> Cell:
     if not result.modes:
         return number(None)
     return hertz(result.modes[k].frequency, pointer("records", index, "modes", k, "frequency"))
-
-
-def _origin(found: Identification, sources: Sequence[Source]) -> list[tuple[str, Sequence[Cell]]]:
-    entries = files_of(sources)
-    at = pointer("repeatability")
-    entries.append(("repeatability [%]", [number(found.repeatability, ".2g", at, scale=100.0)]))
-    entries.append(("pkmodes", [Cell(VERSION)]))
-    return entries

@@ -20,7 +20,6 @@ from pkmodes.report.blocks import (
     Block,
     Cell,
     Column,
-    Facts,
     Listing,
     Paragraph,
     Picture,
@@ -31,7 +30,7 @@ from pkmodes.report.blocks import (
 from pkmodes.report.explorer import explorer_of
 from pkmodes.report.formatting import clean, hertz, number, plural, pointer, thousands, unit
 from pkmodes.report.map_planes import declared_values, plane_of, swept_paths, swept_pictures
-from pkmodes.report.origin import files_of, view_section
+from pkmodes.report.origin import origin, view_section
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.support import numbers
@@ -90,7 +89,7 @@ def map_report(
         *view_section(view),
         *_changes(model, dataset, shown(dataset)),
         *_figures(model, dataset),
-        Section("origin", "Data and versions", [_origin(model, dataset, content, sources)]),
+        origin(sources, model.mechanism, _about(content), str(dataset.attrs["version"])),
     ]
     return page(_summary(model, content), sections)
 
@@ -123,10 +122,8 @@ def _summary(model: Model, content: dict[str, Any]) -> Summary:
     return Summary(
         subject=clean(content["robot"]),
         kind="Map",
-        verdict="",
         headline=headline,
         reason=_extent(model, content),
-        tone="plain",
         notes=notes,
         facts=facts,
         head=head_of(model.robot.report),
@@ -312,13 +309,8 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     yield Section("figures", title, blocks)
 
 
-def _origin(
-    model: Model, dataset: xarray.Dataset, content: dict[str, Any], sources: Sequence[Source]
-) -> Facts:
-    entries = files_of(sources)
-    entries.append(("mechanism", [Cell(clean(model.mechanism.title))]))
-    entries.append(("rigid-body modes", [Cell(str(content["rigid_modes"]))]))
+def _about(content: dict[str, Any]) -> list[tuple[str, list[Cell]]]:
+    facts = [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]
     if content["file"]:
-        entries.append(("map", [Cell(clean(content["file"].replace("\\", "/").rpartition("/")[2]))]))
-    entries.append(("pkmodes", [Cell(str(dataset.attrs["version"]))]))
-    return Facts(entries)
+        facts.append(("map", [Cell(clean(content["file"].replace("\\", "/").rpartition("/")[2]))]))
+    return facts

@@ -1,47 +1,39 @@
-"""The last section of a report: which data and which version it comes from."""
+"""Sections that several reports have: the view in three dimensions, and which data and version it all comes from."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 from pkmodes.core.base.version import VERSION
-from pkmodes.plots.evidence import Evidence
+from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.report.blocks import Block, Cell, Facts, Foreign, Paragraph, Section
-from pkmodes.report.formatting import clean, plural
-from pkmodes.report.setting import Setting
+from pkmodes.report.formatting import clean
 from pkmodes.report.sources import Source
 
 
-def origin(evidence: Evidence, setting: Setting, more: Sequence[tuple[str, Sequence[Cell]]] = ()) -> Section:
-    """Return data and versions.
+def origin(
+    sources: Sequence[Source],
+    mechanism: Mechanism | None,
+    more: Sequence[tuple[str, Sequence[Cell]]] = (),
+    version: str = VERSION,
+) -> Section:
+    """Return the last section of a report: its input files with their digests, and the version that made the numbers.
 
     Parameters
     ----------
+    mechanism : Mechanism or None
+        Of the robot; None where the report does not name it.
     more : sequence of (str, sequence of Cell)
         Further facts.
     """
-    entries = files_of(setting.sources)
-    if setting.robot is not None:
-        entries.append(("mechanism", [Cell(clean(setting.robot.mechanism.title))]))
-    rows = (
-        f"{plural(len(evidence.measured), 'measured mode')} at {plural(len(evidence.labels), evidence.place)}"
-    )
-    entries.append(("measurements", [Cell(rows)]))
-    if setting.data is not None and setting.data.band is not None:
-        low, high = setting.data.band
-        entries.append(("band", [Cell(f"{low:g} Hz to {high:g} Hz")]))
-    entries += more
-    entries.append(("pkmodes", [Cell(VERSION)]))
-    return Section("origin", "Data and versions", [Facts(entries)])
-
-
-def files_of(sources: Sequence[Source]) -> list[tuple[str, Sequence[Cell]]]:
-    """Return the facts about the input files: names and digests."""
     facts: list[tuple[str, Sequence[Cell]]] = []
     for source in sources:
         facts.append((source.role, [Cell(clean(source.name))]))
         facts.append((f"SHA-256 of the {source.role}", [Cell(source.digest)]))
-    return facts
+    if mechanism is not None:
+        facts.append(("mechanism", [Cell(clean(mechanism.title))]))
+    facts += [*more, ("pkmodes", [Cell(version)])]
+    return Section("origin", "Data and versions", [Facts(facts)])
 
 
 def view_section(view: str | None) -> list[Section]:

@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.base.version import VERSION
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.figures.response_channels import DrawnChannels
 from pkmodes.plots.labels import MINUS
 from pkmodes.plots.responses import responses
-from pkmodes.report.blocks import Block, Cell, Column, Facts, Picture, Section, Summary
+from pkmodes.report.blocks import Block, Cell, Column, Picture, Section, Summary
 from pkmodes.report.formatting import (
     clean,
     hertz,
@@ -25,7 +24,7 @@ from pkmodes.report.formatting import (
     uncertain,
     unit,
 )
-from pkmodes.report.origin import files_of
+from pkmodes.report.origin import origin
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.report.tables import table
@@ -81,12 +80,10 @@ def response_report(
     need_report()
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     drawn = DrawnChannels.of(response, measured)
-    entries = [*files_of(sources), ("mechanism", [Cell(clean(model.mechanism.title))])]
-    entries.append(("pkmodes", [Cell(VERSION)]))
     sections = [
         Section("responses", "Frequency responses", [*_pictures(drawn), _largest(drawn)]),
         Section("modes", "Modes of the model", [_modes(model, response)]),
-        Section("origin", "Data and versions", [Facts(entries)]),
+        origin(sources, model.mechanism),
     ]
     return page(_summary(model, response, drawn), sections)
 
@@ -127,10 +124,8 @@ def _summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) ->
     return Summary(
         subject=clean(model.robot.name),
         kind="Frequency responses",
-        verdict="",
         headline=headline,
         reason=reason,
-        tone="plain",
         notes=notes,
         facts=facts,
         head=head_of(model.robot.report),

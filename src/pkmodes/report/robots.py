@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from pkmodes.core.base.version import VERSION
 from pkmodes.core.robot.report_fields import common_head
 from pkmodes.figures.quantities import points_of
 from pkmodes.figures.working_plane import working_plane
@@ -19,7 +18,6 @@ from pkmodes.report.blocks import (
     Block,
     Cell,
     Column,
-    Facts,
     Listing,
     Paragraph,
     Picture,
@@ -28,7 +26,7 @@ from pkmodes.report.blocks import (
     Table,
 )
 from pkmodes.report.formatting import clean, number, plural, pointer, thousands, unit
-from pkmodes.report.origin import files_of
+from pkmodes.report.origin import origin
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source
 from pkmodes.support.motors import motors_of_both
@@ -65,11 +63,12 @@ def robots_report(
         If the libraries of the extra ``report`` are not installed.
     """
     need_report()
+    considered = sum(content["poses"].values())
     sections = [
         Section("values", "What the files declare differently", list(_values(first, content))),
         Section("frequencies", "Frequencies over the poses that both reach", list(_frequencies(content))),
         *_pictures(first, second, content["drives"], places),
-        Section("origin", "Data and versions", [_origin(first, content, sources)]),
+        origin(sources, first.mechanism, [("poses", [Cell(f"{plural(considered, 'pose')} considered")])]),
     ]
     head = common_head(first.robot.report, second.robot.report)
     doing = motors_of_both(first.robot, second.robot, content["drives"])
@@ -97,10 +96,8 @@ def _summary(content: dict[str, Any], head: Sequence[tuple[str, str]], doing: st
     return Summary(
         subject=f"{names}, {doing}",
         kind="Comparison of robots",
-        verdict="",
         headline=headline([ModeChange(**mode) for mode in content["modes"]]).replace("-", MINUS),
         reason="Differences are second minus first, relative to the first.",
-        tone="plain",
         notes=[clean(note, None) for note in content["notes"]],
         facts=facts,
         head=head,
@@ -199,12 +196,3 @@ def _pictures(first: Model, second: Model, drives: str, places: Grid | None) -> 
     drawn = relative_changes(plane, relative)
     picture = Picture.of(drawn, "Difference of the frequencies", caption, caption, cropped=True)
     yield Section("maps", "Over the working plane", [picture])
-
-
-def _origin(first: Model, content: dict[str, Any], sources: Sequence[Source]) -> Facts:
-    considered = sum(content["poses"].values())
-    entries = files_of(sources)
-    entries.append(("mechanism", [Cell(clean(first.mechanism.title))]))
-    entries.append(("poses", [Cell(f"{plural(considered, 'pose')} considered")]))
-    entries.append(("pkmodes", [Cell(VERSION)]))
-    return Facts(entries)

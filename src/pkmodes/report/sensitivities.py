@@ -8,15 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pkmodes.core.base.version import VERSION
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.figures.tornado_picture import describe
 from pkmodes.plots.labels import MINUS, typeset
 from pkmodes.plots.tornado import PANELS, tornado
-from pkmodes.report.blocks import Block, Cell, Column, Facts, Paragraph, Picture, Section, Summary, Table
+from pkmodes.report.blocks import Block, Cell, Column, Paragraph, Picture, Section, Summary, Table
 from pkmodes.report.formatting import NOTHING, clean, number, pointer, unit
-from pkmodes.report.origin import files_of
+from pkmodes.report.origin import origin
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.sensitivity.changes import CORRELATED, PERCENT, SIGMA, Changes, changes_at
@@ -66,7 +65,7 @@ def sensitivities_report(
     sections = [
         Section("percent", "One per cent of each quantity", _per_cent(model, percent, content)),
         Section("sigma", "Standard deviations of the robot file", _per_sigma(model, sigma, content)),
-        Section("origin", "Data and versions", [_origin(model, content, sources)]),
+        origin(sources, model.mechanism, [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]),
     ]
     return page(_summary(model, percent, sigma, content), sections)
 
@@ -92,10 +91,8 @@ def _summary(model: Model, percent: Changes, sigma: Changes | None, content: dic
     return Summary(
         subject=clean(content["robot"]),
         kind="Sensitivities",
-        verdict="",
         headline=headline,
         reason=f"{reason}At {at}, {doing}; the pose and all other quantities are held constant.",
-        tone="plain",
         notes=_notes(content),
         facts=facts,
         head=head_of(model.robot.report),
@@ -227,11 +224,3 @@ def _tables(
         last = chosen[-1] == modes - 1
         blocks.append(Table(caption, columns, part, note=note if last else ""))
     return blocks
-
-
-def _origin(model: Model, content: dict[str, Any], sources: Sequence[Source]) -> Facts:
-    entries = files_of(sources)
-    entries.append(("mechanism", [Cell(clean(model.mechanism.title))]))
-    entries.append(("rigid-body modes", [Cell(str(content["rigid_modes"]))]))
-    entries.append(("pkmodes", [Cell(VERSION)]))
-    return Facts(entries)

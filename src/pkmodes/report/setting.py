@@ -9,8 +9,11 @@ from functools import cached_property
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.robot import Robot
 from pkmodes.measured.measurements import Measurements
+from pkmodes.plots.evidence import Evidence
 from pkmodes.plots.labels import typeset
-from pkmodes.report.formatting import clean, unit
+from pkmodes.report.blocks import Cell, Section
+from pkmodes.report.formatting import clean, plural, unit
+from pkmodes.report.origin import origin
 from pkmodes.report.sources import Source
 from pkmodes.support.motors import motors_in_words
 from pkmodes.support.numbers import plain
@@ -63,6 +66,22 @@ class Setting:
             f"{clean(path)} = {typeset(plain(value))} {unit(self._units.get(path, '1'))}".rstrip()
             for path, value in load.items()
         )
+
+    def origin(self, evidence: Evidence, more: Sequence[tuple[str, Sequence[Cell]]] = ()) -> Section:
+        """Return the section of data and versions.
+
+        Parameters
+        ----------
+        more : sequence of (str, sequence of Cell)
+            Further facts.
+        """
+        places = plural(len(evidence.labels), evidence.place)
+        facts = [("measurements", [Cell(f"{plural(len(evidence.measured), 'measured mode')} at {places}")])]
+        if self.data is not None and self.data.band is not None:
+            low, high = self.data.band
+            facts.append(("band", [Cell(f"{low:g} Hz to {high:g} Hz")]))
+        mechanism = None if self.robot is None else self.robot.mechanism
+        return origin(self.sources, mechanism, [*facts, *more])
 
     def components(self, count: int) -> Sequence[tuple[str, str]]:
         """Return the names and units of the components of a pose with so many of them."""

@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.base.version import VERSION
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import SHOWN
 from pkmodes.plots import shapers
 from pkmodes.plots.labels import typeset
 from pkmodes.report.blocks import Cell, Column, Facts, Lines, Paragraph, Picture, Section, Summary, Table
 from pkmodes.report.formatting import clean, number, pointer, thousands
-from pkmodes.report.origin import files_of
+from pkmodes.report.origin import origin
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.shaping.firmware import NAMES
@@ -67,14 +66,9 @@ def shaper_report(
         Section("workspace", "Over the workspace", [_over_workspace(model, choice)]),
         Section("errors", "Where frequencies differ from the model's", [_against_error(choice)]),
         Section("firmware", "Lines for firmware", _firmware(content)),
-        Section("origin", "Data and versions", [Facts(_origin(model, sources))]),
+        origin(sources, model.mechanism),
     ]
     return page(_summary(model, choice, content), sections)
-
-
-def _origin(model: Model, sources: Sequence[Source]) -> list[tuple[str, Sequence[Cell]]]:
-    more = [("mechanism", model.mechanism.title), ("pkmodes", VERSION)]
-    return [*files_of(sources), *((name, [Cell(clean(value))]) for name, value in more)]
 
 
 def _summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
@@ -84,13 +78,11 @@ def _summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
     return Summary(
         subject=clean(content["robot"]),
         kind="Shaper",
-        verdict="",
         headline=f"{best.kind} leaves {100.0 * best.left.worst:.2g} % of the largest vibration",
         reason=(
             f"The recommended fixed shaper, for {_design(best)}; motors held. Where it leaves most, the vibration is "
             f"{100.0 * best.left.worst:.2g} % of the largest one without a shaper. {_why(choice)}"
         ),
-        tone="plain",
         notes=[_sentence(clean(note, None)) for note in content["notes"]],
         facts=[
             ("lasts", Cell(f"{1e3 * best.duration:.3g} ms", best.duration)),
