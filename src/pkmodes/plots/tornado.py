@@ -104,6 +104,7 @@ def _panel(panel: Panel, changes: Changes, mode: int, bars: int) -> None:
         axes.set_xlim(-SPACE * longest, SPACE * longest)
     axes.locator_params(axis="x", nbins=5)
     title = f"mode {mode + 1}, {typeset(f'{changes.frequencies[mode]:.2f}')} Hz"
+    panel.inner.clear()  # it has a scale of its own
     panel.label(title, x="change of the frequency [Hz]")
 
 
