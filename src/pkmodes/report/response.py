@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.robot.report_fields import head_of
-from pkmodes.figures.response_channels import DrawnChannels
+from pkmodes.figures.response_picture import DrawnChannels
 from pkmodes.plots.labels import MINUS
 from pkmodes.plots.responses import responses
 from pkmodes.report.blocks import Block, Cell, Column, Picture, Section, Summary
