@@ -1,15 +1,19 @@
-"""The report of a diagnosis."""
+"""The report of a diagnosis, with the correction of the robot as a difference of its file."""
 
 from __future__ import annotations
 
+import difflib
+from pathlib import Path
+
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.verdict import naming
 from pkmodes.diagnosis.verdict.findings import Finding, believed, why_larger
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report import explanations, figures, numbers
-from pkmodes.report.blocks import Cell, Section, Summary
-from pkmodes.report.correction import correction
+from pkmodes.report.blocks import Block, Cell, Difference, Paragraph, Section, Summary
 from pkmodes.report.damping import damping
 from pkmodes.report.formatting import SENTENCE, clean, number, pointer, prose, three_digits, uncertain, unit
 from pkmodes.report.glossary import glossary
@@ -17,9 +21,12 @@ from pkmodes.report.mode_table import mode_table
 from pkmodes.report.origin import view_section
 from pkmodes.report.page import page
 from pkmodes.report.setting import Setting
+from pkmodes.updating.corrected_robot import corrected_robot
 
 #: Most values of causes in the head.
 MOST = 5
+#: As in `diff`.
+NO_END = "\\ No newline at end of file"
 
 
 def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> str:
@@ -40,7 +47,7 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
         Section("values", "Values before and after", numbers.values(result, setting)),
         *([Section("stability", "Stability", trials)] if (trials := numbers.stability(result)) else []),
         Section("next", "Next measurement", numbers.next_measurement(result, setting)),
-        Section("correction", "Correction", correction(result, setting.robot)),
+        Section("correction", "Correction", _correction(result, setting.robot)),
         *view_section(setting.view),
         Section("rows", "All measured modes", [mode_table(result, evidence, setting)]),
         glossary(diagnosed=True),
@@ -153,6 +160,60 @@ def _class_sizes(effect: Finding, i: int, setting: Setting) -> list[tuple[str, C
             ("possible causes, with their values below", Cell(str(len(effect.members)), len(effect.members)))
         ]
     return facts
+
+
+def _correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
+    """Return the difference that ``--save-robot`` makes, or why there is none."""
+    if robot is None:
+        return [Paragraph("The model is not a robot file, so there is no file to correct.")]
+    if not result.settled:
+        return [Paragraph(f"No correction: the verdict is {result.verdict}.")]
+    try:
+        after = corrected_robot(robot, result)
+    except PkmodesError as error:
+        return [Paragraph(f"There is no corrected robot file: {clean(error.what, SENTENCE)}.")]
+    source = Path(robot.source)
+    lines = _difference(source.read_bytes().decode("utf-8"), after, source.name)
+    if not lines:
+        return [Paragraph("The robot file needs no correction.")]
+    losses = "the losses that the damping shows, " if result.damping.effects else ""
+    several = [effect for effect in result.every_cause if len(effect.members) > 1]
+    chosen = "".join(
+        f" It has {clean(effect.name)}; the data cannot tell it from {' or '.join(map(clean, effect.members[1:]))}."
+        for effect in several
+    )
+    return [
+        Paragraph(
+            "What the corrected robot file has instead of the given one, as written by --save-robot: the cause where "
+            f"one was found, {losses}and the refitted values with their new standard deviations. "
+            f"Comments and order are kept.{chosen}"
+        ),
+        Difference("Difference of the robot file", lines),
+    ]
+
+
+def _difference(before: str, after: str, name: str) -> list[str]:
+    """Return a unified difference, without line ends; `patch` applies it to the file.
+
+    Parameters
+    ----------
+    before, after : str
+        Two texts.
+    name : str
+        Name of the file.
+    """
+    lines = difflib.unified_diff(_lines(before), _lines(after), clean(name), clean(name), lineterm="")
+    return [part for line in lines for part in line.split("\n")]
+
+
+def _lines(text: str) -> list[str]:
+    """Return the lines of a text without their ends; the last one says if it has none, as in `diff`."""
+    *lines, rest = text.replace("\r\n", "\n").split("\n")
+    visible = [
+        "\t".join(clean(part, None) for part in line.split("\t"))
+        for line in [*lines, *([rest] if rest else [])]
+    ]
+    return [*visible[:-1], f"{visible[-1]}\n{NO_END}"] if rest else visible
 
 
 def _origin(result: Diagnosis, evidence: Evidence, setting: Setting) -> Section:
