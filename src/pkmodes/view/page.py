@@ -14,7 +14,7 @@ import numpy as np
 from pkmodes.core.robot.units import SHOWN
 from pkmodes.support.page_policy import with_policy
 from pkmodes.view.interpolation import FINE
-from pkmodes.view.measured_table import measured_table, observed
+from pkmodes.view.measured_data import measured_table, observed
 from pkmodes.view.page_data import as_data, embedded, platform_directions
 from pkmodes.view.scene import AMPLITUDE, Scene
 from pkmodes.view.still import still
