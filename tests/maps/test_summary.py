@@ -9,7 +9,7 @@ import pytest
 from scipy.linalg import eigvalsh
 
 import pkmodes
-from pkmodes.cli.map_tables import _hertz
+from pkmodes.cli.map import _hertz
 from pkmodes.maps import fields
 from pkmodes.maps.left_out import sentences
 from pkmodes.maps.quantiles import quantiles

@@ -12,7 +12,7 @@ import pytest
 import pkmodes
 from helpers.pages.browser import opened
 from pkmodes.cli import run
-from pkmodes.cli.varying import parse_vary
+from pkmodes.cli.show import parse_vary
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.view import varied
 

@@ -1,12 +1,17 @@
-"""``pkmodes show``: a page with the robot in three dimensions, moving in its modes."""
+"""``pkmodes show``: a page with the robot in three dimensions, moving in its modes.
+
+``--vary`` takes ranges, such as ``platform.mass=0.5:3,effects.payload.mass=0:2 kg:9``.
+"""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import click
+import numpy as np
 from msgspec import Meta
+from numpy.typing import NDArray
 
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
@@ -14,11 +19,16 @@ from pkmodes.cli.options import drives_option, json_option, mechanism_option, na
 from pkmodes.cli.poses import check_metres, parse_pose
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import Target, check_targets
-from pkmodes.cli.varying import OPTION, parse_vary, vary_option
-from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError, nearest, shown
 from pkmodes.support.documents import Document
 from pkmodes.support.progress import say
 from pkmodes.support.writing import write_file
+
+if TYPE_CHECKING:
+    from pkmodes.core.robot.robot import Robot
+
+VARY = "--vary"
+EXAMPLE = f"for example: {VARY} platform.mass=0.5:3,effects.payload.mass=0:2"
 
 
 class ShowDocument(Document, frozen=True):
@@ -53,7 +63,14 @@ class ShowDocument(Document, frozen=True):
     default=None,
     help="Vibration mode of FILE.gif, by default 1.",
 )
-@vary_option
+@click.option(
+    VARY,
+    "vary",
+    metavar="PATH=START:STOP,...",
+    default=None,
+    help="Sliders for up to three parameters or effects instead of the pose, which is then that of --pose: "
+    "start:stop, or start:stop:count, in SI units or with units.",
+)
 @drives_option
 @mechanism_option
 @json_option
@@ -82,7 +99,7 @@ def show(
         remedy = "choose the mode on the page, or name FILE.gif"
         raise PkmodesError("only a moving picture has one mode", f"--mode {mode}", remedy)
     if vary is not None and moving:
-        raise PkmodesError("a moving picture has no sliders", OPTION, "name FILE.html")
+        raise PkmodesError("a moving picture has no sliders", VARY, "name FILE.html")
     model = load(robot)
     ranges = None if vary is None else parse_vary(vary, model.robot)
     if pose is None:
@@ -102,9 +119,59 @@ def show(
             )
         write_file(Path(target), animation(one, one.rigid_modes + mode - 1))
     elif ranges is not None:
-        with named_as_options({"values": OPTION}):
+        with named_as_options({"values": VARY}):
             write_file(Path(target), page(varied(model, point, ranges, drives=drives)))
     else:
         write_file(Path(target), page(poses_around(model, point, drives=drives)))
     document = ShowDocument(robot=str(robot), out=target, pose=point)
     deliver(json_file, document.as_json(), lambda: echo(target))
+
+
+def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:
+    """Read the ranges of the option.
+
+    Parameters
+    ----------
+    robot : Robot
+        It says which paths there are, and their units.
+
+    Returns
+    -------
+    dict of str to ndarray
+        Values in SI units by path, in the order given.
+
+    Raises
+    ------
+    PkmodesError
+        If a path is unknown or repeated, a range is invalid, or there are too many.
+    """
+    from pkmodes.core.robot.declaration import changeable
+    from pkmodes.maps.ranges import parse_range
+    from pkmodes.view.varying import COUNTS, PARAMETERS
+
+    parts = [part.strip() for part in text.split(",")]
+    if len(parts) > PARAMETERS:
+        what = f"expected at most {PARAMETERS} parameters, found {len(parts)}"
+        raise PkmodesError(what, VARY, "vary the others on another page")
+    units, found = changeable(robot), dict[str, NDArray[np.float64]]()
+    for part in parts:
+        path, equals, span = (piece.strip() for piece in part.partition("="))
+        if not equals or not path or not span:
+            raise PkmodesError(f"expected PATH=START:STOP, found {shown(part)}", VARY, EXAMPLE)
+        if path not in units:
+            remedy = nearest(path, units, "see docs/sensitivities.md for the paths")
+            raise PkmodesError(f"unknown parameter path {shown(path)}", VARY, remedy)
+        if path in found:
+            raise PkmodesError(f"{path} is given twice", VARY, "give its range once")
+        if span.count(":") not in (1, 2):
+            what = f"expected start:stop or start:stop:count, found {shown(span)}"
+            raise PkmodesError(what, f"{VARY} {path}", EXAMPLE)
+        start, stop, *count = (piece.strip() for piece in span.split(":"))
+        if start == stop or count == ["1"]:
+            what = f"a slider needs several values, found {shown(span)}"
+            raise PkmodesError(
+                what, f"{VARY} {path}", "give two different ends and a count of at least 2, or none"
+            )
+        whole = span if span.count(":") == 2 else f"{span}:{COUNTS[len(parts)]}"
+        found[path] = parse_range(whole, units[path], f"{VARY} {path}")
+    return found
