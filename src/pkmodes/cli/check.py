@@ -10,7 +10,7 @@ import click
 from msgspec import Meta
 
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import json_option
+from pkmodes.cli.options import FILE, checked_mechanism_option, json_option
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.base.errors import PkmodesError
@@ -98,13 +98,8 @@ class CheckDocument(Document, frozen=True):
     epilog="\b\nExamples:\n  pkmodes check\n  pkmodes check build/linear-delta-2022\n"
     "  pkmodes check robots/linear-delta-2022.toml"
 )
-@click.argument("targets", metavar="[DIR or ROBOT.toml ...]", nargs=-1, type=click.Path(path_type=Path))
-@click.option(
-    "--mechanism",
-    metavar="FOLDER",
-    type=click.Path(path_type=Path),
-    help="A mechanism of your own: the folder that generate --mechanism FILE.py wrote.",
-)
+@click.argument("targets", metavar="[DIR or ROBOT.toml ...]", nargs=-1, type=FILE)
+@checked_mechanism_option
 @json_option
 def check(targets: tuple[Path, ...], mechanism: Path | None, json_file: str | None) -> int:
     """Check that generated code is up to date and agrees with finite differences.

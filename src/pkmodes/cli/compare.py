@@ -9,6 +9,7 @@ import click
 from pkmodes.cli.compare_robots import compare_robot_files
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import (
+    FILE,
     band_of,
     band_option,
     check_order,
@@ -16,6 +17,7 @@ from pkmodes.cli.options import (
     measured_drives_option,
     mechanism_option,
     report_option,
+    robot_argument,
 )
 from pkmodes.cli.poses import grid_option, poses_option
 from pkmodes.cli.reporting import page_of, report_file, sources_of
@@ -28,8 +30,8 @@ from pkmodes.core.robot.reading import read_robot
     "  pkmodes compare examples/closed_loop/robot.toml \\\n    examples/closed_loop/measured.csv\n"
     "  pkmodes compare robots/linear-delta-2022.toml \\\n    robots/linear-delta-2022-identified.toml"
 )
-@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
-@click.argument("modes", metavar="MODES.csv|ROBOT.toml", type=click.Path(path_type=Path))
+@robot_argument
+@click.argument("modes", metavar="MODES.csv|ROBOT.toml", type=FILE)
 @grid_option
 @poses_option
 @band_option
@@ -63,7 +65,7 @@ def compare(
     --grid or --poses, by default of their workspaces.  Modes are paired by their shapes.
     """
     check_order(robot, modes, "pkmodes compare")
-    check_targets(json_file, [robot, modes, *([poses] if poses else [])], report_target(report_to))
+    check_targets(json_file, [robot, modes, poses], report_target(report_to))
     if modes.suffix.lower() == ".toml":
         _refuse(band, "--band", "is of measurements, and two robots are compared")
         compare_robot_files((robot, modes), grid, poses, drives, everything, report_to, json_file)

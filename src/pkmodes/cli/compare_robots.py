@@ -50,7 +50,7 @@ def compare_robot_files(
     first, second = map(load, files)
     check_one_mechanism(first.robot, second.robot)
     places = places_given(first, grid, poses)
-    with named_as_options({"poses": "--poses" if poses else "--grid", "grid": "--grid"}):
+    with named_as_options("grid", poses="--poses" if poses else "--grid"):
         document = compare_robots(first, second, _points(first, second, places), drives or FREE)
     doing = motors_of_both(first.robot, second.robot, document.drives)
     report = report_file(report_to, lambda: _page(first, second, document, sources, _plane(places)))

@@ -13,6 +13,7 @@ import click
 
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.options import (
+    FILE,
     band_of,
     band_option,
     check_order,
@@ -21,6 +22,7 @@ from pkmodes.cli.options import (
     named_as_options,
     repeated_mechanism_option,
     report_option,
+    robot_argument,
 )
 from pkmodes.cli.progress import on_terminal
 from pkmodes.cli.reporting import page_of, report_file, sources_of
@@ -51,8 +53,8 @@ SECONDS = 5.0
     "  pkmodes diagnose examples/closed_loop/robot.toml \\\n    examples/closed_loop/measured.csv \\\n"
     "    --candidates effects,parameter:axis.span --holdout P3,P7 \\\n    --save-robot corrected.toml"
 )
-@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
-@click.argument("modes", metavar="MODES.csv", type=click.Path(path_type=Path))
+@robot_argument
+@click.argument("modes", metavar="MODES.csv", type=FILE)
 @click.option(
     "--candidates",
     metavar="NAMES",
@@ -69,7 +71,7 @@ SECONDS = 5.0
     "--save-robot",
     "save_to",
     metavar="FILE.toml",
-    type=click.Path(path_type=Path),
+    type=FILE,
     help="Write the robot file with the causes found and the refitted values.",
 )
 @report_option
@@ -117,7 +119,7 @@ def diagnose(
     declared = read_robot(robot)
     data = updating.read(modes, band_of(band), declared, drives=drives)
     sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
-    with _progress() as progress, named_as_options({"candidates": "--candidates", "holdout": "--holdout"}):
+    with _progress() as progress, named_as_options("candidates", "holdout"):
         result = updating.diagnose(
             declared,
             data,

@@ -10,7 +10,7 @@ from msgspec import Meta
 
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options
+from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options, robot_argument
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.cli.terminal import Terminal
@@ -35,12 +35,11 @@ class FiguresDocument(Document, frozen=True):
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes figures robots/linear-delta-2022.toml --out figures")
-@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@robot_argument
 @click.option("--out", metavar="DIR", required=True, help="Folder to write to; created if it does not exist.")
 @click.option(
     "--grid",
     metavar="X=START:STOP:COUNT,...",
-    default=None,
     help="The plane: two components of the pose as start:stop:count, the others as one value.  By default the plane "
     "of the workspace with the lowest mean condition number.",
 )
@@ -70,7 +69,7 @@ def figures(
     from pkmodes.maps.ranges import parse_grid
 
     places = None if grid is None else parse_grid(grid, model.mechanism, "--grid")
-    with named_as_options({"grid": "--grid"}):
+    with named_as_options("grid"):
         written, said = written_pictures(model, folder, places, tuple(dict.fromkeys(formats)), drives=drives)
     document = FiguresDocument(
         robot=str(robot), out=out, files=[path.name for path in written], same_everywhere=said

@@ -9,7 +9,7 @@ import click
 from msgspec import Meta
 
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import json_option
+from pkmodes.cli.options import FILE, json_option, robot_argument
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.base.errors import OutputError
@@ -33,7 +33,7 @@ class GenerateDocument(Document, frozen=True):
 @click.command(
     epilog="\b\nExample:\n  pkmodes generate robots/linear-delta-2022.toml --out build/linear-delta-2022"
 )
-@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@robot_argument
 @click.option(
     "--out",
     metavar="DIR",
@@ -43,7 +43,7 @@ class GenerateDocument(Document, frozen=True):
 @click.option(
     "--mechanism",
     metavar="FILE.py",
-    type=click.Path(path_type=Path),
+    type=FILE,
     help="A mechanism of your own: the Python file that defines it, or the folder that was generated from it.",
 )
 @json_option
@@ -59,7 +59,7 @@ def generate(robot: Path, out: str, mechanism: Path | None, json_file: str | Non
     """
     from pkmodes.codegen.generation import generate as generate_model
 
-    check_targets(json_file, [robot, *([mechanism] if mechanism else [])])
+    check_targets(json_file, [robot, mechanism])
     if not out.strip():
         raise OutputError("expected a folder, found an empty name", "--out", "name a folder for the model")
     say("deriving the model")

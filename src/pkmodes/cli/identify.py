@@ -9,7 +9,7 @@ import click
 import numpy as np
 
 from pkmodes.cli.delivery import ResultFile, deliver
-from pkmodes.cli.options import json_option, mechanism_option, report_option
+from pkmodes.cli.options import FILE, json_option, mechanism_option, report_option
 from pkmodes.cli.printing import echo
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
@@ -26,11 +26,11 @@ if TYPE_CHECKING:
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes identify examples/campaign/campaign.toml --out modes.csv")
-@click.argument("campaign", metavar="CAMPAIGN.toml", type=click.Path(path_type=Path))
+@click.argument("campaign", metavar="CAMPAIGN.toml", type=FILE)
 @click.option(
     "--out",
     metavar="MODES.csv",
-    type=click.Path(path_type=Path),
+    type=FILE,
     required=True,
     help="Measurement file to write, which compare and diagnose take; an existing one is replaced.",
 )
@@ -58,7 +58,7 @@ def identify(
     declared = read_campaign(campaign)
     inputs = [file for record in declared.records for files in record.setups.values() for file in files]
     robot = None if declared.model is None else Path(declared.model.robot.source)
-    check_targets(json_file, [campaign, *inputs, *([robot] if robot else [])], *targets)
+    check_targets(json_file, [campaign, *inputs, robot], *targets)
     sources = sources_of(report_to, {"campaign file": campaign, **({"robot file": robot} if robot else {})})
     found = identified(declared, keep_going=keep_going, inspect=report_to is not None)
     for message in _said(found):

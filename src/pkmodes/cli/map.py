@@ -13,7 +13,15 @@ from msgspec import Meta
 
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options, report_option
+from pkmodes.cli.options import (
+    FILE,
+    drives_option,
+    json_option,
+    mechanism_option,
+    named_as_options,
+    report_option,
+    robot_argument,
+)
 from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.progress import duration
 from pkmodes.cli.reporting import report_file, sources_of
@@ -30,6 +38,10 @@ if TYPE_CHECKING:
 
     from pkmodes.core.model import Model
     from pkmodes.report.sources import Source
+
+
+#: Arguments of `pkmodes.Model.map` that have the names of their options.
+ARGUMENTS = ("out", "samples", "tracked", "seed", "threads", "grid", "poses")
 
 
 class ExtremesDocument(Document, frozen=True):
@@ -121,7 +133,7 @@ class MapDocument(Document, frozen=True):
     epilog="\b\nExample:\n  pkmodes map robots/linear-delta-2022.toml \\\n"
     "    --grid x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245 --out map.nc",
 )
-@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@robot_argument
 @grid_option
 @poses_option
 @click.option(
@@ -136,7 +148,6 @@ class MapDocument(Document, frozen=True):
     "--samples",
     metavar="N",
     type=click.IntRange(1),
-    default=None,
     help="Evaluate N robots whose values with a standard deviation are drawn from normal distributions, with the "
     "correlations of the robot file.",
 )
@@ -148,16 +159,13 @@ class MapDocument(Document, frozen=True):
 @click.option(
     "--out",
     metavar="FILE",
-    type=click.Path(path_type=Path),
-    default=None,
+    type=FILE,
     help="File to write: .nc (NetCDF), .zarr, or a table in .csv or .parquet.  After an interruption the same "
     "command continues.",
 )
 @click.option("--overwrite", is_flag=True, help="Replace an existing file.")
-@click.option("--threads", metavar="N", type=click.IntRange(1), default=None, help="By default one per core.")
-@click.option(
-    "--scheduler", metavar="ADDRESS", default=None, help="A Dask scheduler whose workers evaluate the map."
-)
+@click.option("--threads", metavar="N", type=click.IntRange(1), help="By default one per core.")
+@click.option("--scheduler", metavar="ADDRESS", help="A Dask scheduler whose workers evaluate the map.")
 @drives_option
 @mechanism_option
 @report_option
@@ -180,12 +188,11 @@ def map_(
     json_file: str | None,
 ) -> None:
     """Compute the modes over the workspace, print their ranges, and write them to a file."""
-    inputs = [robot, *([poses] if poses else [])]
     map_target = Target("--out", out, "the map", anywhere=True)
-    check_targets(json_file, inputs, map_target, report_target(report_to))
+    check_targets(json_file, [robot, poses], map_target, report_target(report_to))
     sources = sources_of(report_to, {"robot file": robot})
     model = load(robot)
-    with named_as_options(OPTIONS), _continued(out):
+    with named_as_options(*ARGUMENTS, sweep="--set"), _continued(out):
         dataset = model.map(
             places_given(model, grid, poses),
             sweep=_sweep(model, settings),
@@ -226,19 +233,6 @@ def _sweep(model: Model, settings: tuple[str, ...]) -> dict[str, Any] | None:
     from pkmodes.maps.ranges import parse_settings
 
     return parse_settings(settings, changeable(model.robot), "--set")
-
-
-#: Arguments of `pkmodes.Model.map` and the options that give them.
-OPTIONS = {
-    "out": "--out",
-    "samples": "--samples",
-    "tracked": "--tracked",
-    "seed": "--seed",
-    "threads": "--threads",
-    "grid": "--grid",
-    "poses": "--poses",
-    "sweep": "--set",
-}
 
 
 @contextmanager

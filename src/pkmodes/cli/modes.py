@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import drives_option, json_option, mechanism_option
-from pkmodes.cli.poses import check_metres, parse_pose, pose_option
+from pkmodes.cli.options import drives_option, json_option, mechanism_option, robot_argument
+from pkmodes.cli.poses import pose_of, pose_option
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.base.drives import DRIVES, HELD
 from pkmodes.core.linalg.damping import poles
@@ -102,7 +102,7 @@ def _type_of(field: Field) -> Any:
 
 
 @click.command(epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245")
-@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@robot_argument
 @pose_option
 @drives_option
 @mechanism_option
@@ -115,8 +115,7 @@ def modes(robot: Path, pose: str, drives: str, json_file: str | None) -> None:
     """
     check_targets(json_file, [robot])
     model = load(robot)
-    point = parse_pose(pose, model.mechanism)
-    check_metres(model, pose, point)
+    point = pose_of(model, pose)
     result, statics = model.modes(point, drives=drives), model.statics(point)
     content = as_json(model, result, statics)
     document = modes_document()(**content)

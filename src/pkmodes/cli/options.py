@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -14,11 +14,15 @@ from pkmodes.core.base.drives import DRIVES, FREE
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.support.pasting import pasted
 
+#: The type of arguments and options that name a file or a folder.
+FILE = click.Path(path_type=Path)
+
+robot_argument = click.argument("robot", metavar="ROBOT.toml", type=FILE)
+
 json_option = click.option(
     "--json",
     "json_file",
     metavar="FILE",
-    default=None,
     help="Write the machine-readable result to FILE; - for standard output.",
 )
 
@@ -26,7 +30,7 @@ report_option = click.option(
     "--report",
     "report_to",
     metavar="FILE.html",
-    type=click.Path(path_type=Path),
+    type=FILE,
     help="Write a report, one page that needs no other file and no network.",
 )
 
@@ -41,13 +45,13 @@ def _add_mechanism(_: click.Context, __: click.Parameter, folder: Path | None) -
 
 _MECHANISM: dict[str, Any] = {
     "metavar": "FOLDER",
-    "type": click.Path(path_type=Path),
-    "callback": _add_mechanism,
+    "type": FILE,
     "help": "A mechanism of your own: the folder that generate --mechanism FILE.py wrote.",
 }
-mechanism_option = click.option("--mechanism", expose_value=False, **_MECHANISM)
-#: The same for a command that prints other commands for the mechanism.
-repeated_mechanism_option = click.option("--mechanism", **_MECHANISM)
+mechanism_option = click.option("--mechanism", expose_value=False, callback=_add_mechanism, **_MECHANISM)
+#: The same for a command that prints other commands for the mechanism, and for one that checks the folder.
+repeated_mechanism_option = click.option("--mechanism", callback=_add_mechanism, **_MECHANISM)
+checked_mechanism_option = click.option("--mechanism", **_MECHANISM)
 
 drives_option = click.option(
     "--drives",
@@ -61,14 +65,12 @@ drives_option = click.option(
 measured_drives_option = click.option(
     "--drives",
     type=click.Choice(DRIVES),
-    default=None,
     help="What the motors did in the test, if the file does not say it: turn freely, or be held; default free.",
 )
 
 band_option = click.option(
     "--band",
     metavar="LOW,HIGH",
-    default=None,
     help="Frequency band of the measurement, such as 10,400 in Hz, if the file does not give it.",
 )
 
@@ -145,15 +147,20 @@ def check_order(robot: Path, modes: Path, command: str) -> None:
 
 
 @contextmanager
-def named_as_options(options: Mapping[str, str]) -> Iterator[None]:
+def named_as_options(*same: str, **others: str) -> Iterator[None]:
     """Replace the name of a function argument in an error by that of the option.
+
+    The place of an error is an argument, alone or before a colon: ``sweep: platform.mass``.  A remedy may give an
+    argument a value: ``drives="held"``.
 
     Parameters
     ----------
-    options : mapping of str to str
-        Options by argument.  The place of an error is an argument, alone or before a colon: ``sweep: platform.mass``.
-        A remedy may give an argument a value: ``drives="held"``.
+    same : str
+        Arguments that have the names of their options.
+    others : str
+        Options by argument.
     """
+    options = {name: f"--{name}" for name in same} | others
     try:
         yield
     except PkmodesError as error:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from pkmodes.cli.options import FILE
 from pkmodes.core.base.errors import PoseError
 
 if TYPE_CHECKING:
@@ -26,7 +27,6 @@ pose_option = click.option(
 grid_option = click.option(
     "--grid",
     metavar="X=START:STOP:COUNT,...",
-    default=None,
     help="For each component of the pose start:stop:count, both ends included, or one value; in SI units or with "
     "units.  By default the reachable workspace, within the [usable] limits of the robot file.",
 )
@@ -34,8 +34,7 @@ grid_option = click.option(
 poses_option = click.option(
     "--poses",
     metavar="FILE.csv",
-    type=click.Path(path_type=Path),
-    default=None,
+    type=FILE,
     help="Poses instead of a grid: one row each, with the components of the pose as columns, such as x,y,z.",
 )
 
@@ -64,7 +63,20 @@ def parse_pose(text: str, mechanism: Mechanism) -> list[float]:
     return point
 
 
-def check_metres(model: Model, text: str, point: list[float]) -> None:
+def pose_of(model: Model, text: str) -> list[float]:
+    """Read the pose of ``--pose``.
+
+    Raises
+    ------
+    PoseError
+        As `parse_pose`, and if the robot could reach it if its bare lengths, some of them large, were in millimetres.
+    """
+    point = parse_pose(text, model.mechanism)
+    _check_metres(model, text, point)
+    return point
+
+
+def _check_metres(model: Model, text: str, point: list[float]) -> None:
     """Reject a pose that could be reached if its bare lengths, some of them large, were in millimetres.
 
     Raises

@@ -14,14 +14,16 @@ from numpy.typing import NDArray
 from pkmodes.api import load
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.options import (
+    FILE,
     comma_list,
     drives_option,
     json_option,
     mechanism_option,
     named_as_options,
     report_option,
+    robot_argument,
 )
-from pkmodes.cli.poses import check_metres, parse_pose, pose_option
+from pkmodes.cli.poses import pose_of, pose_option
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.drives import Drives
@@ -37,15 +39,6 @@ if TYPE_CHECKING:
     from pkmodes.core.mechanism.registry import Mechanism
     from pkmodes.response.frequency_response import FrequencyResponse
     from pkmodes.response.measured import MeasuredResponse
-
-OPTIONS = {
-    "inputs": "--inputs",
-    "outputs": "--outputs",
-    "frequencies": "--frequencies",
-    "quantity": "--quantity",
-    "modes": "--modes",
-    "drives": "--drives",
-}
 
 
 class ResponseDocument(Document, frozen=True):
@@ -69,7 +62,7 @@ class ResponseDocument(Document, frozen=True):
     epilog="\b\nExample:\n  pkmodes response robots/linear-delta-2022.toml --pose 0.6,0,-0.245 \\\n"
     "    --drives held --inputs motor_1,force_x --outputs p_x,p_z \\\n    --frequencies 5:400:1000"
 )
-@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@robot_argument
 @pose_option
 @click.option(
     "--inputs",
@@ -100,37 +93,32 @@ class ResponseDocument(Document, frozen=True):
 @click.option(
     "--out",
     metavar="FILE.csv",
-    type=click.Path(path_type=Path),
-    default=None,
+    type=FILE,
     help="Table to write: frequency, and the real and the imaginary part of each channel.",
 )
 @click.option(
     "--state-space",
     "model_file",
     metavar="FILE.mat",
-    type=click.Path(path_type=Path),
-    default=None,
+    type=FILE,
     help="MATLAB file to write: A, B, C, D of the same inputs and outputs.",
 )
 @click.option(
     "--modes",
     metavar="N",
     type=int,
-    default=None,
     help="Modes kept in the state space model; by default all.",
 )
 @click.option(
     "--figure",
     metavar="FILE.svg",
-    type=click.Path(path_type=Path),
-    default=None,
+    type=FILE,
     help="Picture to write: magnitude and phase of each channel; .svg, .png or .pdf.",
 )
 @click.option(
     "--measured",
     metavar="FILE",
-    type=click.Path(path_type=Path),
-    default=None,
+    type=FILE,
     help="Measured responses to draw over those of the model: a table like that of --out, a universal or a MATLAB "
     "file.",
 )
@@ -165,7 +153,7 @@ def response(
         Target("--figure", figure, "the picture", (".svg", ".png", ".pdf")),
         report_target(report_to),
     )
-    check_targets(json_file, [robot, *([measured] if measured else [])], *targets)
+    check_targets(json_file, [robot, measured], *targets)
     given = _frequencies(frequencies, log)
     if modes is not None and model_file is None:
         what = "--modes is for the state space model, which is not written"
@@ -178,12 +166,11 @@ def response(
     inputs_of_report = {"robot file": robot, **({"measured responses": measured} if measured else {})}
     sources = sources_of(report_to, inputs_of_report)
     model = load(robot)
-    point = parse_pose(pose, model.mechanism)
-    check_metres(model, pose, point)
+    point = pose_of(model, pose)
     into = comma_list(inputs, "--inputs", "--inputs torque_1,force_x")
     shown_by = [_output(name) for name in comma_list(outputs, "--outputs", "--outputs p_x,nozzle=1:1:0")]
     say("computing the responses")
-    with named_as_options(OPTIONS):
+    with named_as_options("inputs", "outputs", "frequencies", "quantity", "modes", "drives"):
         found = model.frf(point, given, into, shown_by, drives=drives, quantity=quantity)
         system = None
         if model_file is not None:

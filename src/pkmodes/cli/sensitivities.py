@@ -13,8 +13,15 @@ from numpy.typing import NDArray
 
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import comma_list, drives_option, json_option, mechanism_option, report_option
-from pkmodes.cli.poses import check_metres, parse_pose, pose_option
+from pkmodes.cli.options import (
+    comma_list,
+    drives_option,
+    json_option,
+    mechanism_option,
+    report_option,
+    robot_argument,
+)
+from pkmodes.cli.poses import pose_of, pose_option
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import check_targets, report_target
 from pkmodes.core.base.drives import Drives
@@ -88,7 +95,7 @@ class SensitivitiesDocument(Document, frozen=True):
     epilog="\b\nExample:\n  pkmodes sensitivities robots/linear-delta-2022.toml --pose 0.6,0,-0.245 \\\n"
     "    --parameters platform.mass,axis.span,effects.gearbox_compliance.compliance"
 )
-@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@robot_argument
 @pose_option
 @click.option(
     "--parameters",
@@ -127,8 +134,7 @@ def sensitivities(
     sources = sources_of(report_to, {"robot file": robot})
     paths = None if parameters is None else comma_list(parameters, "--parameters", EXAMPLE, "parameter paths")
     model = load(robot)
-    point = parse_pose(pose, model.mechanism)
-    check_metres(model, pose, point)
+    point = pose_of(model, pose)
     modes = model.modes(point, drives=drives)
     say("differentiating the modes")
     derivatives = model.sensitivities(point, paths, drives=drives)

@@ -19,6 +19,7 @@ from pkmodes.cli.options import (
     named_as_options,
     quantity_option,
     report_option,
+    robot_argument,
 )
 from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.reporting import report_file, sources_of
@@ -35,17 +36,8 @@ if TYPE_CHECKING:
 
 #: Poses that are compared at most: all of them are held at once.
 POSES = 1_000_000
-OPTIONS = {
-    "kind": "--shapers",
-    "kinds": "--shapers",
-    "modes": "--modes",
-    "left": "--left",
-    "length": "--length",
-    "tick": "--tick",
-    "firmware": "--firmware",
-    "grid": "--grid",
-    "poses": "--grid",
-}
+#: Arguments of `pkmodes.Model.shapers` that have the names of their options.
+ARGUMENTS = ("modes", "left", "length", "tick", "firmware", "grid")
 
 
 class UnshapedDocument(Document, frozen=True):
@@ -112,14 +104,13 @@ class ShaperDocument(Document, frozen=True):
     epilog="\b\nExample:\n  pkmodes shaper robots/linear-delta-2022-identified.toml \\\n"
     "    --grid x=0.32:0.82:26,y=-0.1:0.1:11,z=-0.24:-0.16:9"
 )
-@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@robot_argument
 @grid_option
 @poses_option
 @click.option(
     "--shapers",
     "kinds",
     metavar="KIND,...",
-    default=None,
     help="zv, zvd, zvdd, mzv, ei, 2hump_ei, 3hump_ei, or products such as zv*zv for as many modes; by default all "
     "of these.",
 )
@@ -127,7 +118,6 @@ class ShaperDocument(Document, frozen=True):
     "--modes",
     metavar="N",
     type=click.IntRange(1),
-    default=None,
     help="How many modes count, the lowest ones; by default 3.",
 )
 @quantity_option(
@@ -158,7 +148,6 @@ class ShaperDocument(Document, frozen=True):
 @click.option(
     "--firmware",
     metavar="NAME",
-    default=None,
     help="klipper, marlin or reprapfirmware: recommend only a shaper that it has.",
 )
 @mechanism_option
@@ -181,10 +170,12 @@ def shaper(
 
     Motors are held.  Prints what each leaves of the vibration, and lines for the firmware of printers.
     """
-    check_targets(json_file, [robot, *([poses] if poses else [])], report_target(report_to))
+    check_targets(json_file, [robot, poses], report_target(report_to))
     sources = sources_of(report_to, {"robot file": robot})
     model = load(robot)
-    with named_as_options({**OPTIONS, **({"poses": "--poses"} if poses else {})}):
+    with named_as_options(
+        *ARGUMENTS, kind="--shapers", kinds="--shapers", poses="--poses" if poses else "--grid"
+    ):
         points = _points(model, grid, poses)
         names = None if kinds is None else comma_list(kinds, "--shapers", "--shapers zv,mzv,zv*zv")
         choice = model.shapers(

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options
-from pkmodes.cli.poses import check_metres, parse_pose
+from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options, robot_argument
+from pkmodes.cli.poses import pose_of
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import Target, check_targets
 from pkmodes.core.base.errors import PkmodesError, nearest, shown
@@ -43,31 +43,27 @@ class ShowDocument(Document, frozen=True):
     epilog="\b\nExample:\n  pkmodes show robots/linear-delta-2022.toml \\\n"
     "    --pose 0.6,0,-0.245 --out delta.html"
 )
-@click.argument("robot", metavar="ROBOT.toml", type=click.Path(path_type=Path))
+@robot_argument
 @click.option(
     "--pose",
     metavar="X,Y,...",
-    default=None,
     help="The pose to show first, as for modes; by default one in the middle of the workspace.",
 )
 @click.option(
     "--out",
     metavar="FILE.html",
-    default=None,
     help="The page, by default the robot file's name with .html; or FILE.gif, a moving picture of one mode.",
 )
 @click.option(
     "--mode",
     metavar="N",
     type=click.IntRange(1),
-    default=None,
     help="Vibration mode of FILE.gif, by default 1.",
 )
 @click.option(
     VARY,
     "vary",
     metavar="PATH=START:STOP,...",
-    default=None,
     help="Sliders for up to three parameters or effects instead of the pose, which is then that of --pose: "
     "start:stop, or start:stop:count, in SI units or with units.",
 )
@@ -102,11 +98,7 @@ def show(
         raise PkmodesError("a moving picture has no sliders", VARY, "name FILE.html")
     model = load(robot)
     ranges = None if vary is None else parse_vary(vary, model.robot)
-    if pose is None:
-        point = typical_pose(model).tolist()
-    else:
-        point = parse_pose(pose, model.mechanism)
-        check_metres(model, pose, point)
+    point = typical_pose(model).tolist() if pose is None else pose_of(model, pose)
     say("drawing the moving picture" if moving else "computing the modes over the workspace")
     if moving:
         from pkmodes.plots.animation import animation
@@ -119,7 +111,7 @@ def show(
             )
         write_file(Path(target), animation(one, one.rigid_modes + mode - 1))
     elif ranges is not None:
-        with named_as_options({"values": VARY}):
+        with named_as_options(values=VARY):
             write_file(Path(target), page(varied(model, point, ranges, drives=drives)))
     else:
         write_file(Path(target), page(poses_around(model, point, drives=drives)))

@@ -41,8 +41,13 @@ def report_target(file: Path | None) -> Target:
     return Target("--report", file, "the report", (".html",))
 
 
-def check_targets(json_file: str | None, inputs: Sequence[Path], *others: Target) -> None:
+def check_targets(json_file: str | None, inputs: Sequence[Path | None], *others: Target) -> None:
     """Check the target of ``--json`` and those of other options.
+
+    Parameters
+    ----------
+    inputs : sequence of Path or None
+        Files that the command reads; None for an option that is not given.
 
     Raises
     ------
@@ -63,7 +68,7 @@ def check_targets(json_file: str | None, inputs: Sequence[Path], *others: Target
             _check_ending(target, Path(target.file))
 
 
-def _check_distinct(target: Target, inputs: Sequence[Path], taken: dict[Path, str]) -> None:
+def _check_distinct(target: Target, inputs: Sequence[Path | None], taken: dict[Path, str]) -> None:
     """Reject a target that is an input or one of those taken, and take it."""
     path = Path(str(target.file))
     real = resolved(path, target.option)
@@ -71,7 +76,7 @@ def _check_distinct(target: Target, inputs: Sequence[Path], taken: dict[Path, st
     if real in taken:
         what = f"{taken[real]} and {target.what} would be the same file"
         raise OutputError(what, where, "choose another file")
-    if any(given.exists() and path.exists() and given.samefile(path) for given in inputs):
+    if any(given and given.exists() and path.exists() and given.samefile(path) for given in inputs):
         raise OutputError(f"{target.what} would replace its own input", where, "choose another file")
     taken[real] = target.what
 
