@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from pkmodes.support.ordering import in_order, sorted_labels
+from pkmodes.support.ordering import in_order, listed, sorted_labels
 
 
 @pytest.mark.parametrize(
@@ -26,3 +26,13 @@ def test_the_order(given: list[str], expected: list[str]) -> None:
 
 def test_equal_labels_keep_their_order() -> None:
     assert in_order(["1.0 mm", "1 mm", "0 mm"]) == [2, 0, 1]
+
+
+def test_a_list_in_a_sentence_says_how_many_it_leaves_out() -> None:
+    assert [listed(["a", "b", "c"], most) for most in (1, 2, 3)] == [
+        "a and 2 more",
+        "a, b and 1 more",
+        "a, b, c",
+    ]
+    assert listed(["a", "b", "c"], 2, "; ", "; and ") == "a; b; and 1 more"
+    assert listed([], 2) == ""

@@ -18,6 +18,7 @@ from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.support.motors import motors_of_both
+from pkmodes.support.ordering import listed
 from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
@@ -123,9 +124,8 @@ def _print(
         terminal.line(f"and {len(values) - len(shown)} more: --all, --json or --report")
     spread = [value.path for value in values if _other_sigma(value)]
     if spread:
-        more = f" and {len(spread) - LARGEST} more" if len(spread) > LARGEST and not everything else ""
-        named = spread if everything else spread[:LARGEST]
-        terminal.line(f"other standard deviations: {', '.join(named)}{more}")
+        most = len(spread) if everything else LARGEST
+        terminal.line(f"other standard deviations: {listed(spread, most)}")
     for choice in document.choices:
         terminal.line(f"{choice.path}: {choice.first}, then {choice.second}")
     for what, names in (("added", document.effects_added), ("removed", document.effects_removed)):

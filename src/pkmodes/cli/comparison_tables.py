@@ -12,7 +12,7 @@ from pkmodes.cli.printing import signed
 from pkmodes.cli.terminal import Terminal
 from pkmodes.support.motors import motors_in_words
 from pkmodes.support.numbers import hertz, p_in_words
-from pkmodes.support.ordering import sorted_labels
+from pkmodes.support.ordering import listed, sorted_labels
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -199,8 +199,7 @@ def _settings(terminal: Terminal, robot: Robot, rows: Sequence[ComparedRow], mos
 
 
 def _named(labels: Sequence[str], what: str) -> str:
-    more = f" and {len(labels) - MOST_NAMED} more" if len(labels) > MOST_NAMED else ""
-    return f"{what} {', '.join(labels[:MOST_NAMED])}{more}"
+    return f"{what} {listed(labels, MOST_NAMED)}"
 
 
 def _numbers(row: ComparedRow, rigid: int) -> list[str]:

@@ -34,12 +34,12 @@ class ResultFile:
     write : callable
         Writes it, completely or not at all.
     lines : callable
-        What to say when it was written.
+        What to say when it was written; by default that it was.
     """
 
     file: Path | None
     write: Callable[[Path], object]
-    lines: Callable[[Path], Sequence[str]]
+    lines: Callable[[Path], Sequence[str]] = lambda file: (f"wrote {file}",)
 
 
 def deliver(

@@ -26,7 +26,7 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.support.motors import motors_in_words
 from pkmodes.support.numbers import p_in_words, plain, rounded
-from pkmodes.support.ordering import sorted_labels
+from pkmodes.support.ordering import listed, sorted_labels
 from pkmodes.updating.load_cases import settable
 
 #: Largest number of measurement lines listed; the JSON has all of them.
@@ -184,13 +184,11 @@ def _counts(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
         loads.setdefault(at[label], []).append(label)
     if loads:
         cases = [f"{load} ({_poses(labels)})" for load, labels in loads.items()]
-        more = f"; and {len(cases) - MOST_LISTED} more" if len(cases) > MOST_LISTED else ""
-        terminal.line(f"set by the measurements: {'; '.join(cases[:MOST_LISTED])}{more}")
+        terminal.line(f"set by the measurements: {listed(cases, MOST_LISTED, '; ', '; and ')}")
 
 
 def _poses(labels: Sequence[str]) -> str:
-    more = f" and {len(labels) - MOST_LISTED} more" if len(labels) > MOST_LISTED else ""
-    return f"pose{'' if len(labels) == 1 else 's'} {', '.join(labels[:MOST_LISTED])}{more}"
+    return f"pose{'' if len(labels) == 1 else 's'} {listed(labels, MOST_LISTED)}"
 
 
 def _refitted(terminal: Terminal, values: Sequence[Refitted]) -> None:
@@ -265,9 +263,8 @@ def setting(mechanism: Mechanism, load: Mapping[str, float]) -> str:
 
 
 def _listed(rows: Sequence[Row]) -> str:
-    shown = [f"line {row.line}, pose {row.pose}, {row.measured:g} Hz" for row in rows[:MOST_LISTED]]
-    more = [f"and {len(rows) - MOST_LISTED} more"] if len(rows) > MOST_LISTED else []
-    return "; ".join([*shown, *more])
+    named = [f"line {row.line}, pose {row.pose}, {row.measured:g} Hz" for row in rows]
+    return listed(named, MOST_LISTED, "; ", "; and ")
 
 
 def _short(value: Value) -> str:

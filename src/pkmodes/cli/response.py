@@ -185,11 +185,11 @@ def response(
     )
     over = _measured(measured)
     files = [
-        ResultFile(out, found.to_csv, lambda path: (f"wrote {path}",)),
-        ResultFile(figure, _picture(found, figure, over), lambda path: (f"wrote {path}",)),
+        ResultFile(out, found.to_csv),
+        ResultFile(figure, _picture(found, figure, over)),
     ]
     if system is not None:
-        files.append(ResultFile(model_file, system.to_mat, lambda path: (f"wrote {path}",)))
+        files.append(ResultFile(model_file, system.to_mat))
     if report_to is not None:
         from pkmodes.report.response import response_report
 

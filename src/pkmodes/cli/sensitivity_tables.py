@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pkmodes.cli.terminal import Terminal
 from pkmodes.core.mechanism.poses import placed
-from pkmodes.sensitivity.changes import CORRELATED, SIGMA, changes_at
+from pkmodes.sensitivity.changes import CORRELATED, SIGMA, changes_at, coinciding
 from pkmodes.sensitivity.relative import alike_around, scalable
 from pkmodes.sensitivity.spread import stated_sigmas
 from pkmodes.support.motors import motors_in_words
@@ -96,12 +96,9 @@ def print_tables(
     if still and most is None:
         terminal.line()
         terminal.line(f"no frequency depends on: {', '.join(still)}")
-    for members in _repeated(derivatives.groups.tolist(), rigid):
+    for sentence in coinciding(derivatives.groups.tolist(), rigid, "derivatives"):
         terminal.line()
-        terminal.line(
-            f"modes {', '.join(map(str, members))} coincide: the derivatives are those of the branches into which "
-            "they split, in ascending order"
-        )
+        terminal.line(sentence)
 
 
 def _how_many(shown: Sequence[_Line], present: Sequence[_Line], most: int | None) -> str:
@@ -166,14 +163,6 @@ def _named(name: str, cells: Sequence[str] | map[str]) -> list[list[str]]:
         return [[first, *numbers]]
     names = [f"{one}," for one in (first, *others[:-1])] + [others[-1]]
     return [[names[0], *numbers], *([one, *[""] * len(numbers)] for one in names[1:])]
-
-
-def _repeated(groups: list[int], rigid: int) -> list[list[int]]:
-    """Return the groups of coincident vibration modes, counted from 1."""
-    together: dict[int, list[int]] = {}
-    for number, group in enumerate(groups[rigid:], start=1):
-        together.setdefault(group, []).append(number)
-    return [members for members in together.values() if len(members) > 1]
 
 
 def _share(value: float) -> str:

@@ -12,6 +12,8 @@ from pkmodes.maps.poses import Grid
 from pkmodes.maps.workspace import reachable
 
 if TYPE_CHECKING:
+    import xarray
+
     from pkmodes.core.model import Model
 
 #: Poses of the plane and of the volume in which it is chosen, about.
@@ -48,9 +50,7 @@ def working_plane(model: Model) -> Grid:
     normal = model.mechanism.directions[2]
     coarse = map_of(model, volume)
     others = [name for name in names if name != normal]
-    area = coarse["valid"].sum(others)
-    mean = coarse["condition"].mean(others).where(area >= WIDE * area.max())
-    best = float(coarse[normal].values[np.nanargmin(mean.values)])
+    best = best_conditioned(coarse, normal)
     inside = coarse["valid"].sel({normal: best})
     ends = {}
     for name in others:
@@ -65,3 +65,13 @@ def working_plane(model: Model) -> Grid:
     # An odd number of values: one of them lies on the centre line.
     axes = {name: np.linspace(*ends[name], 2 * round(size[name] / step / 2) + 1) for name in others}
     return Grid({name: axes.get(name, np.array([best])) for name in names}, volume.used)
+
+
+def best_conditioned(dataset: xarray.Dataset, normal: str) -> float:
+    """Return where along an axis a map has the lowest mean condition number, among planes of at least `WIDE` area."""
+    others = [dim for dim in dataset["condition"].dims if dim != normal]
+    area = dataset["valid"].sum(others)
+    mean = dataset["condition"].mean(others).where(area >= WIDE * area.max())
+    values = mean.values
+    place = np.nanargmin(values) if np.isfinite(values).any() else len(values) // 2
+    return float(dataset[normal].values[place])

@@ -15,6 +15,7 @@ from pkmodes.report.formatting import (
     plural,
     pointer,
     prose,
+    sentence,
     three_digits,
     uncertain,
     unit,
@@ -37,19 +38,12 @@ def damping(result: Diagnosis, setting: Setting) -> list[Block]:
     if not found.measured:
         return []
     blocks: list[Block] = [
-        Paragraph(
-            f"Verdict on the damping: {found.verdict}. "
-            f"{prose(f'{found.reason[:1].upper()}{found.reason[1:]}.')}"
-        ),
+        Paragraph(f"Verdict on the damping: {found.verdict}. {prose(sentence(found.reason))}"),
         *explanations.causes(found, setting, TOP),
         *_refitted(found, setting),
         *_stability(found),
         *_factors(found),
-        *(
-            [Listing([prose(f"{note[:1].upper()}{note[1:]}.") for note in found.notes])]
-            if found.notes
-            else []
-        ),
+        *([Listing([prose(sentence(note)) for note in found.notes])] if found.notes else []),
     ]
     rows = [(i, row) for i, row in enumerate(result.rows) if row.damping is not None]
     if rows:

@@ -15,7 +15,17 @@ from pkmodes.plots.evidence import Evidence
 from pkmodes.report import explanations, figures, numbers
 from pkmodes.report.blocks import Block, Cell, Difference, Paragraph, Section, Summary
 from pkmodes.report.damping import damping
-from pkmodes.report.formatting import SENTENCE, clean, number, pointer, prose, three_digits, uncertain, unit
+from pkmodes.report.formatting import (
+    SENTENCE,
+    clean,
+    number,
+    pointer,
+    prose,
+    sentence,
+    three_digits,
+    uncertain,
+    unit,
+)
 from pkmodes.report.glossary import glossary
 from pkmodes.report.mode_table import mode_table
 from pkmodes.report.origin import view_section
@@ -63,9 +73,9 @@ def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary
         kind="Diagnosis",
         verdict=result.verdict,
         headline=_headline(result),
-        reason=prose(_sentence(result.reason) + _larger(result)),
+        reason=prose(sentence(result.reason) + _larger(result)),
         tone=VERDICTS[result.verdict].colour,
-        notes=[prose(_sentence(note)) for note in (*result.notes, *_of_damping(result))],
+        notes=[prose(sentence(note)) for note in (*result.notes, *_of_damping(result))],
         facts=facts,
         head=setting.head,
     )
@@ -94,11 +104,6 @@ def _headline(result: Diagnosis) -> str:
         causes=causes, s="s" if len(result.effects) > 1 else ""
     )
     return f"{verdict}; {clean(result.headline, SENTENCE)}" if result.headline else verdict
-
-
-def _sentence(text: str) -> str:
-    """Begin with a capital and end with a full stop."""
-    return f"{text[:1].upper()}{text[1:]}" + ("" if text.endswith((".", "?", "!")) else ".")
 
 
 def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:

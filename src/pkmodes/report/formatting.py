@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from pkmodes.plots.labels import RAISED, TIMES, typeset, visible
 from pkmodes.report.blocks import Cell, Spread
@@ -37,11 +37,14 @@ def prose(text: object) -> str:
     return POWER.sub(lambda found: typeset(found[0]), clean(text, SENTENCE))
 
 
+def sentence(text: str) -> str:
+    """Begin with a capital and end with a full stop."""
+    return f"{text[:1].upper()}{text[1:]}" + ("" if text.endswith((".", "?", "!")) else ".")
+
+
 def figures(value: float | None, digits: int = 6, at: str = "") -> Cell:
     """Return a number with at most some significant digits as a cell; without one, `NOTHING`."""
-    if value is None or math.isnan(value):
-        return Cell(NOTHING, None, at)
-    return Cell(typeset(plain(value, digits)), float(value), at)
+    return _cell(value, lambda known: plain(known, digits), at)
 
 
 def number(
@@ -62,9 +65,7 @@ def number(
     strong : bool
         Whether it is emphasised.
     """
-    if value is None or math.isnan(value):
-        return Cell(NOTHING, None, at)
-    return Cell(typeset(format(scale * value, form)), float(value), at, strong)
+    return _cell(value, lambda known: format(scale * known, form), at, strong)
 
 
 def three_digits(value: float | None, at: str = "", *, scale: float = 1.0, strong: bool = False) -> Cell:
@@ -75,16 +76,18 @@ def three_digits(value: float | None, at: str = "", *, scale: float = 1.0, stron
 
 def hertz(value: float | None, at: str = "") -> Cell:
     """Return a frequency as a cell."""
-    if value is None or math.isnan(value):
-        return Cell(NOTHING, None, at)
-    return Cell(typeset(numbers.hertz(value)), float(value), at)
+    return _cell(value, numbers.hertz, at)
 
 
 def p_value(value: float | None, at: str = "") -> Cell:
     """Return a p-value, which is never zero."""
+    return _cell(value, p_text, at)
+
+
+def _cell(value: float | None, write: Callable[[float], str], at: str, strong: bool = False) -> Cell:
     if value is None or math.isnan(value):
         return Cell(NOTHING, None, at)
-    return Cell(typeset(p_text(value)), float(value), at)
+    return Cell(typeset(write(value)), float(value), at, strong)
 
 
 def uncertain(value: float, sigma: float, at: str = "", at_sigma: str = "", *, scale: float = 1.0) -> Cell:

@@ -19,6 +19,7 @@ from pkmodes.report.origin import origin
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source
 from pkmodes.report.tables import table
+from pkmodes.support.ordering import listed
 
 #: Places that a note of the head names at most.
 PLACES = 8
@@ -66,7 +67,7 @@ def _summary(found: Identification, campaign: Campaign, content: Mapping[str, An
     modes = [mode for result in found.records for mode in result.modes]
     count, poses = plural(len(modes), "mode"), plural(len(found.records), "pose")
     attention = _attention(found)
-    said = [f"{what} {_places(places)}." for what, places in attention]
+    said = [f"{what} {listed(places, PLACES)}." for what, places in attention]
     notes = [clean(note, SENTENCE) for note in (*said, *found.messages)]
     # A sentence that lists several modes or poses is as many points.
     points = sum(len(places) for _, places in attention) + len(found.messages)
@@ -182,11 +183,6 @@ def _alike(result: RecordResult) -> list[str]:
         f"{result.record.pose} ({result.modes[i].frequency:.4g} and {result.modes[k].frequency:.4g} Hz)"
         for i, k in np.argwhere(np.triu(np.nan_to_num(macs) > ALIKE, 1))
     ]
-
-
-def _places(names: Sequence[str]) -> str:
-    more = f" and {len(names) - PLACES} more" if len(names) > PLACES else ""
-    return ", ".join(names[:PLACES]) + more
 
 
 def _overview(found: Identification, content: Mapping[str, Any]) -> list[Block]:

@@ -13,9 +13,10 @@ from pkmodes.campaign.inspection import Inspection
 from pkmodes.campaign.results import IdentifiedMode, RecordResult
 from pkmodes.plots import fits, identified_modes
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Section, Table
-from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer, uncertain
+from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer, sentence, uncertain
 from pkmodes.report.tables import table
 from pkmodes.support.motors import motors_in_words
+from pkmodes.support.ordering import listed
 
 #: Complex shapes drawn of a record at most: the least collinear.
 MOST_SHAPES = 18
@@ -79,9 +80,8 @@ def _facts(index: int, result: RecordResult, campaign: Campaign) -> list[tuple[s
     low, high = record.band
     facts.append(("band", [Cell(f"{low:g} Hz to {high:g} Hz")]))
     for name, paths in record.setups.items():
-        listed = ", ".join(clean(path.name) for path in paths[:12])
-        more = f" and {len(paths) - 12} more" if len(paths) > 12 else ""
-        facts.append((f"files of setup {clean(name)}" if name else "files", [Cell(listed + more)]))
+        files = listed([clean(path.name) for path in paths], 12)
+        facts.append((f"files of setup {clean(name)}" if name else "files", [Cell(files)]))
     if result.struck:
         cells = [hertz(f, pointer(*at, "struck", k)) for k, f in enumerate(result.struck)]
         facts.append(("struck out by the campaign [Hz]", cells))
@@ -171,7 +171,7 @@ def _fit(one: Inspection, result: RecordResult, campaign: Campaign) -> list[Bloc
         caption = (
             f"{which}: stabilisation diagram. Each short line is a pole at a model order; a stable one has nearly "
             "the same frequency and damping as a pole of the order before. Behind them is the sum of the magnitudes "
-            f"of all measured functions, each relative to its rms. {_sentence('; '.join(lines))}{rest}"
+            f"of all measured functions, each relative to its rms. {sentence('; '.join(lines))}{rest}"
         )
         blocks.append(
             Picture.of(
@@ -195,10 +195,6 @@ def _fit(one: Inspection, result: RecordResult, campaign: Campaign) -> list[Bloc
             )
         )
     return blocks
-
-
-def _sentence(text: str) -> str:
-    return f"{text[:1].upper()}{text[1:]}."
 
 
 def _which(one: Inspection) -> str:

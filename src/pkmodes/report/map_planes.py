@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pkmodes.core.robot.usable import USABLE
-from pkmodes.figures.working_plane import WIDE, working_plane
+from pkmodes.figures.working_plane import best_conditioned, working_plane
 from pkmodes.maps.poses import Grid
 from pkmodes.plots import maps
 from pkmodes.plots.labels import typeset
@@ -61,7 +61,7 @@ def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str, s
         found = None if varied else working_plane(model)
         values = dataset[normal].values
         if found is None or not values[0] <= found.axes[normal][0] <= values[-1]:
-            at = _best(dataset, normal)
+            at = best_conditioned(dataset, normal)
             axes = {name: np.array([at]) if name == normal else dataset[name].values for name in names}
             return _thinned(axes, dataset), f"the plane of the map {CHOSEN}", OF_MAP
         return found, f"the plane {CHOSEN} of the workspace", WORKING
@@ -78,16 +78,6 @@ def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str, s
 def _thinned(axes: dict[str, np.ndarray], dataset: xarray.Dataset) -> Grid:
     used = bool((dataset["reason"] == USABLE).any())
     return Grid({name: values[:: -(-len(values) // FINEST)] for name, values in axes.items()}, used)
-
-
-def _best(dataset: xarray.Dataset, normal: str) -> float:
-    """Return where a map is best conditioned, as `working_plane` chooses."""
-    others = [dim for dim in dataset["condition"].dims if dim != normal]
-    area = dataset["valid"].sum(others)
-    mean = dataset["condition"].mean(others).where(area >= WIDE * area.max())
-    values = mean.values
-    place = np.nanargmin(values) if np.isfinite(values).any() else len(values) // 2
-    return float(dataset[normal].values[place])
 
 
 def swept_pictures(

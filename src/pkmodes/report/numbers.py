@@ -21,7 +21,7 @@ from pkmodes.report.formatting import (
 )
 from pkmodes.report.setting import Setting
 from pkmodes.report.tables import table
-from pkmodes.support.ordering import sorted_labels
+from pkmodes.support.ordering import listed, sorted_labels
 
 CHANGES = {HALVED: "\u03c3 halved", DOUBLED: "\u03c3 doubled", WIDENED: "priors twice as wide"}
 SAME = "no change"
@@ -48,11 +48,10 @@ def errors(result: Diagnosis) -> list[Block]:
     caption = "Errors of the model: rms of model / measurement \u2212 1, and chi\u00b2 per degree of freedom."
     blocks: list[Block] = [Table(caption, columns, rows)]
     if result.held_out_poses:
-        shown = ", ".join(map(clean, sorted_labels(result.held_out_poses)[:20]))
-        more = f" and {len(result.held_out_poses) - 20} more" if len(result.held_out_poses) > 20 else ""
+        poses = listed([clean(label) for label in sorted_labels(result.held_out_poses)], 20)
         blocks.append(
             Paragraph(
-                f"Held out, so that no choice and no fit has seen them: {shown}{more}. The error there is that "
+                f"Held out, so that no choice and no fit has seen them: {poses}. The error there is that "
                 "of a prediction."
             )
         )

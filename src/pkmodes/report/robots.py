@@ -35,6 +35,8 @@ from pkmodes.support.words import in_words
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
+#: Titles of numbers of poses by their keys.
+REACHED = {"both": "poses that both reach", "first_only": "the first only", "second_only": "the second only"}
 #: Titles of standard deviations by their keys.
 SIGMAS = {"first_sigma": "\u03c3, first", "second_sigma": "\u03c3, second"}
 
@@ -79,17 +81,9 @@ def _summary(content: dict[str, Any], head: Sequence[tuple[str, str]], doing: st
     poses = content["poses"]
     facts = [
         ("values that differ", Cell(str(len(content["values"])), len(content["values"]))),
-        (
-            "poses that both reach",
-            Cell(thousands(poses["both"]), poses["both"], pointer("poses", "both")),
-        ),
-        (
-            "the first only",
-            Cell(thousands(poses["first_only"]), poses["first_only"], pointer("poses", "first_only")),
-        ),
-        (
-            "the second only",
-            Cell(thousands(poses["second_only"]), poses["second_only"], pointer("poses", "second_only")),
+        *(
+            (title, Cell(thousands(poses[key]), poses[key], pointer("poses", key)))
+            for key, title in REACHED.items()
         ),
     ]
     names = f"{clean(content['first'])} (first) and {clean(content['second'])} (second)"

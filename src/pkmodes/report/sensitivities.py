@@ -14,11 +14,11 @@ from pkmodes.figures.tornado_picture import describe
 from pkmodes.plots.labels import MINUS, typeset
 from pkmodes.plots.tornado import PANELS, tornado
 from pkmodes.report.blocks import Block, Cell, Column, Paragraph, Picture, Section, Summary, Table
-from pkmodes.report.formatting import NOTHING, clean, number, pointer, unit
+from pkmodes.report.formatting import NOTHING, clean, number, pointer, sentence, unit
 from pkmodes.report.origin import origin
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sources import Source, known_sources
-from pkmodes.sensitivity.changes import CORRELATED, PERCENT, SIGMA, Changes, changes_at
+from pkmodes.sensitivity.changes import CORRELATED, PERCENT, SIGMA, Changes, changes_at, coinciding
 from pkmodes.sensitivity.spread import stated_sigmas
 from pkmodes.support.motors import motors_in_words
 from pkmodes.support.numbers import hertz, plain
@@ -81,19 +81,19 @@ def _summary(model: Model, percent: Changes, sigma: Changes | None, content: dic
         headline = f"Mode {mode + 1} depends most on {name}: {change} % for 1 %"
         reason = "The largest change of any frequency for one per cent of a quantity. "
     at = placed(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
-    doing, facts = motors_in_words(model.robot, content["drives"]), []
+    doing, facts, rigid = motors_in_words(model.robot, content["drives"]), [], content["rigid_modes"]
     for mode, frequency in enumerate(percent.frequencies.tolist()):
         text = f"{hertz(frequency)} Hz"
         if sigma is not None and sigma.together is not None:
             text = _with_sigma(frequency, float(sigma.together[mode]))
-        place = pointer("frequencies_hz", content["rigid_modes"] + mode)
+        place = pointer("frequencies_hz", rigid + mode)
         facts.append((f"mode {mode + 1}", Cell(typeset(text), frequency, place)))
     return Summary(
         subject=clean(content["robot"]),
         kind="Sensitivities",
         headline=headline,
         reason=f"{reason}At {at}, {doing}; the pose and all other quantities are held constant.",
-        notes=_notes(content),
+        notes=[sentence(text) for text in coinciding(content["groups"], rigid, "changes")],
         facts=facts,
         head=head_of(model.robot.report),
     )
@@ -117,19 +117,6 @@ def _with_sigma(frequency: float, sigma: float) -> str:
         return f"{hertz(frequency)} Hz"
     decimals = max(0, 1 - math.floor(math.log10(sigma)))
     return f"{frequency:.{decimals}f} \u00b1 {sigma:.{decimals}f} Hz"
-
-
-def _notes(content: dict[str, Any]) -> list[str]:
-    """Return what to know where modes coincide."""
-    rigid, together = content["rigid_modes"], dict[int, list[str]]()
-    for number_, group in enumerate(content["groups"][rigid:], start=1):
-        together.setdefault(group, []).append(str(number_))
-    return [
-        f"Modes {', '.join(members)} coincide: the changes are those of the branches into which they split, in "
-        "ascending order."
-        for members in together.values()
-        if len(members) > 1
-    ]
 
 
 def _per_cent(model: Model, changes: Changes, content: dict[str, Any]) -> list[Block]:

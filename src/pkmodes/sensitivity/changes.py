@@ -6,6 +6,7 @@ rise, the other way.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,6 +27,29 @@ CORRELATED = (
 )
 #: Changes below this fraction of a frequency are rounding.
 ROUNDING = 1e-11
+
+
+def coinciding(groups: Sequence[int], rigid: int, what: str) -> list[str]:
+    """Say which modes of vibration coincide, and what their numbers then are.
+
+    Parameters
+    ----------
+    groups : sequence of int
+        A number for each mode, the same for the members of a group.
+    rigid : int
+        Number of rigid-body modes, which come first.
+    what : str
+        The numbers: derivatives, or changes.
+    """
+    together = dict[int, list[str]]()
+    for number, group in enumerate(groups[rigid:], start=1):
+        together.setdefault(group, []).append(str(number))
+    return [
+        f"modes {', '.join(members)} coincide: the {what} are those of the branches into which they split, in "
+        "ascending order"
+        for members in together.values()
+        if len(members) > 1
+    ]
 
 
 @dataclass(frozen=True, eq=False)

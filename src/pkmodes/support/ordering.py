@@ -1,4 +1,7 @@
-"""The order of labels in tables and figures: as people count, P2 before P10, and -0.5 mm before +0.0 mm."""
+"""The order of labels in tables and figures, and lists of them in sentences.
+
+Labels are in the order in which people count: P2 before P10, and -0.5 mm before +0.0 mm.
+"""
 
 from __future__ import annotations
 
@@ -31,6 +34,18 @@ def sorted_labels(labels: Iterable[str]) -> list[str]:
     """Return labels in their natural order."""
     given = list(labels)
     return [given[i] for i in in_order(given)]
+
+
+def listed(names: Sequence[str], most: int, between: str = ", ", last: str = " and ") -> str:
+    """Return the first names in a sentence, and how many more there are.
+
+    Parameters
+    ----------
+    between, last : str
+        What stands between two names, and before the number of the others.
+    """
+    more = len(names) - most
+    return between.join(names[:most]) + (f"{last}{more} more" if more > 0 else "")
 
 
 def _key(label: str) -> list[tuple[float, str]]:
