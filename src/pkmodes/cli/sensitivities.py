@@ -145,8 +145,6 @@ def sensitivities(
         pose=modes.poses.tolist(),
         frequencies_hz=modes.frequencies.tolist(),
         rigid_modes=modes.rigid_modes,
-        groups=derivatives.groups.tolist(),
-        values=derivatives.values.tolist(),
         frequency_derivatives=derivatives.frequencies.tolist(),
         relative_derivatives=relative.tolist(),
         eigenvalue_derivatives=derivatives.eigenvalues.tolist(),

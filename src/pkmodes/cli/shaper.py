@@ -210,13 +210,12 @@ def _document(model: Model, choice: Choice) -> ShaperDocument:
     from pkmodes.shaping.remarks import remarks
 
     best = choice.candidates[choice.recommended]
-    unshaped = choice.unshaped
     return ShaperDocument(
         robot=model.robot.name,
         drives="held",
         poses=len(choice.ringing.poses),
         modes=choice.ringing.frequencies.shape[1],
-        unshaped=UnshapedDocument(unshaped.rms, unshaped.worst, unshaped.pose.tolist()),
+        unshaped=UnshapedDocument.of(choice.unshaped),
         shapers=[_candidate(one) for one in choice.candidates],
         recommended=choice.recommended,
         firmware=lines_of(best),
@@ -226,15 +225,14 @@ def _document(model: Model, choice: Choice) -> ShaperDocument:
 
 def _candidate(one: Candidate) -> CandidateDocument:
     fixed = not one.follows_pose
-    return CandidateDocument(
-        kind=one.kind,
-        follows_pose=one.follows_pose,
+    return CandidateDocument.of(
+        one,
         frequencies_hz=list(one.frequencies) if fixed else None,
         damping_ratios=[one.damping_ratio] * len(one.frequencies) if fixed else None,
         amplitudes=one.shaper.amplitudes.tolist() if fixed else None,
         delays_s=one.shaper.delays.tolist() if fixed else None,
         duration_s=one.duration,
-        left=LeftDocument(one.left.rms, one.left.worst, one.left.pose.tolist(), one.left.rms_uncertain),
+        left=LeftDocument.of(one.left),
     )
 
 

@@ -8,11 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.campaign.inspection import Repeats
+from pkmodes.plots import marks
 from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import short
 from pkmodes.plots.mac_matrices import draw_matrix
 from pkmodes.plots.sheet import Sheet
-from pkmodes.plots.style import BLUE, GREY, INK, PALETTE, PURPLE, VERMILLION
+from pkmodes.plots.style import BLUE, GREY, PALETTE, PURPLE, VERMILLION
 
 Array = NDArray[np.float64]
 #: Panels of complex shapes side by side.
@@ -68,7 +69,7 @@ def scatter_of_repeats(setups: Sequence[Repeats]) -> Drawing:
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(2.3)
         axes = panel.axes
-        panel.axes.axhline(0.0, color=INK, linewidth=0.8, zorder=1)
+        marks.zero(panel)
         for k, one in enumerate(several):
             for file in range(len(one.files)):
                 pairs = [(mode[file], np.mean(list(mode.values()))) for mode in one.modes if file in mode]

@@ -26,10 +26,9 @@ from pkmodes.report.formatting import (
     uncertain,
     unit,
 )
-from pkmodes.report.glossary import glossary
 from pkmodes.report.mode_table import mode_table
-from pkmodes.report.origin import view_section
 from pkmodes.report.page import page
+from pkmodes.report.sections import glossary, view_section
 from pkmodes.report.setting import Setting
 from pkmodes.updating.corrected_robot import corrected_robot
 

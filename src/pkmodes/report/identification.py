@@ -15,8 +15,8 @@ from pkmodes.plots import identified_modes
 from pkmodes.report.blocks import Block, Cell, Column, Picture, Section, Summary
 from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer
 from pkmodes.report.identified_record import SHOWN, auto_macs, record_section
-from pkmodes.report.origin import origin
 from pkmodes.report.page import need_report, page
+from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source
 from pkmodes.report.tables import table
 from pkmodes.support.ordering import listed

@@ -30,8 +30,8 @@ from pkmodes.report.blocks import (
 from pkmodes.report.explorer import explorer_of
 from pkmodes.report.formatting import clean, hertz, number, plural, pointer, thousands, unit
 from pkmodes.report.map_planes import declared_values, plane_of, swept_paths, swept_pictures
-from pkmodes.report.origin import origin, view_section
 from pkmodes.report.page import need_report, page
+from pkmodes.report.sections import origin, view_section
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.support import numbers
 from pkmodes.support.motors import motors_in_words

@@ -32,7 +32,7 @@ class MapValues:
     dataset : xarray.Dataset
         The map, thinned.
     steps : mapping of str to int
-        Every how manieth value along each axis was kept.
+        For each axis n, where every n-th of its values was kept.
     packed : str
         Base64 of a zlib stream, from `pack`.
     """
@@ -72,7 +72,7 @@ def values_of(dataset: xarray.Dataset, most: int = MOST, longest: int = LONGEST)
 
 
 def _steps(sizes: Mapping[str, int], most: int) -> dict[str, int]:
-    """Return every how manieth value along each axis to keep, so that at most this many poses are left."""
+    """Return for each axis n, where every n-th of its values is kept, so that at most this many poses are left."""
     steps = dict.fromkeys(sizes, 1)
 
     def left() -> dict[str, int]:

@@ -19,11 +19,10 @@ from pkmodes.report import figures
 from pkmodes.report.blocks import Cell, Section, Summary, Tone
 from pkmodes.report.diagnosis import diagnosis_page
 from pkmodes.report.formatting import p_value, plural, pointer, prose, three_digits
-from pkmodes.report.glossary import glossary
 from pkmodes.report.mode_table import mode_table
 from pkmodes.report.numbers import percent
-from pkmodes.report.origin import view_section
 from pkmodes.report.page import need_report, page
+from pkmodes.report.sections import glossary, view_section
 from pkmodes.report.setting import Setting
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.updating.declared_spread import declared_spread

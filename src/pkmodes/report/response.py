@@ -24,8 +24,8 @@ from pkmodes.report.formatting import (
     uncertain,
     unit,
 )
-from pkmodes.report.origin import origin
 from pkmodes.report.page import need_report, page
+from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.report.tables import table
 from pkmodes.response.channels import most_responsive

@@ -26,8 +26,8 @@ from pkmodes.report.blocks import (
     Table,
 )
 from pkmodes.report.formatting import clean, number, plural, pointer, thousands, unit
-from pkmodes.report.origin import origin
 from pkmodes.report.page import need_report, page
+from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source
 from pkmodes.support.motors import motors_of_both
 from pkmodes.support.words import in_words

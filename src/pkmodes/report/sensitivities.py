@@ -15,8 +15,8 @@ from pkmodes.plots.labels import MINUS, typeset
 from pkmodes.plots.tornado import PANELS, tornado
 from pkmodes.report.blocks import Block, Cell, Column, Paragraph, Picture, Section, Summary, Table
 from pkmodes.report.formatting import NOTHING, clean, number, pointer, sentence, unit
-from pkmodes.report.origin import origin
 from pkmodes.report.page import need_report, page
+from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.sensitivity.changes import CORRELATED, PERCENT, SIGMA, Changes, changes_at, coinciding
 from pkmodes.sensitivity.spread import stated_sigmas

@@ -13,7 +13,7 @@ from pkmodes.plots.evidence import Evidence
 from pkmodes.plots.labels import typeset
 from pkmodes.report.blocks import Cell, Section
 from pkmodes.report.formatting import clean, plural, unit
-from pkmodes.report.origin import origin
+from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source
 from pkmodes.support.motors import motors_in_words
 from pkmodes.support.numbers import plain

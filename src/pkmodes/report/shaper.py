@@ -14,8 +14,8 @@ from pkmodes.plots import shapers
 from pkmodes.plots.labels import typeset
 from pkmodes.report.blocks import Cell, Column, Facts, Lines, Paragraph, Picture, Section, Summary, Table
 from pkmodes.report.formatting import clean, number, pointer, thousands
-from pkmodes.report.origin import origin
 from pkmodes.report.page import need_report, page
+from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.shaping.firmware import NAMES
 from pkmodes.shaping.residual_vibration import residual
