@@ -135,6 +135,18 @@ def test_inner_panels_have_the_labels_that_they_share_and_the_title_above_them()
     assert [r["panel"] for r in rows] == ["first", "second"] * 2, "row by row, as a wide figure is read"
 
 
+def test_a_wide_figure_leaves_titles_and_labels_to_the_panels_above_beside_and_below() -> None:
+    def draw(sheet: Sheet) -> None:
+        for k, panels in enumerate(sheet.groups(3, 2, 4.0, rows=(1.0, 1.0))):
+            for panel in panels:
+                panel.label(f"group {k}", x="across", y="up")
+
+    axes = [panel.axes for panel in Drawing(draw).wide.panels]
+    assert [one.get_title(loc="left") for one in axes] == ["group 0", "group 1", "", "", "group 2", ""]
+    assert [one.get_ylabel() for one in axes] == ["up", "", "up", "", "up", "up"]
+    assert [one.get_xlabel() for one in axes] == ["", "", "", "across", "", "across"]
+
+
 def test_a_row_of_panels_has_its_name_in_the_name_of_each_panel() -> None:
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.0)
