@@ -143,10 +143,10 @@ def _damping(mode: Mapping[str, Any], at: Sequence[object]) -> Cell:
 def _fit(one: Inspection, result: RecordResult, campaign: Campaign) -> list[Block]:
     """Return the figures of the fit of a file."""
     record = result.record
-    setup = f"Setup {clean(one.setup)}, " if one.setup else ""
-    others = len(record.setups[one.setup]) - 1
+    setup = f"setup {clean(one.setup)}, " if one.setup else ""
     which = f"{setup}file {clean(one.file)}"
-    which = which[:1].upper() + which[1:]
+    begin = which[:1].upper() + which[1:]
+    others = len(record.setups[one.setup]) - 1
     low, high = record.band
     multiples = [
         tone * k for tone in campaign.tones for k in range(1, int(high / tone) + 1) if tone * k >= low
@@ -157,11 +157,10 @@ def _fit(one: Inspection, result: RecordResult, campaign: Campaign) -> list[Bloc
         sorted({*one.tones, *multiples}),
     )
     blocks: list[Block] = []
-    of = "setup" if one.setup else "record"
-    rest = "" if not others else f" The {plural(others, 'other file')} of the {of} are not drawn."
-    rest = (
-        rest.replace("The 1 other file of", "The other file of").replace("are", "is") if others == 1 else rest
-    )
+    rest = ""
+    if others:
+        files, are = ("other file", "is") if others == 1 else (plural(others, "other file"), "are")
+        rest = f" The {files} of the {'setup' if one.setup else 'record'} {are} not drawn."
     if len(one.stabilisation.orders):
         count = sum(map(len, one.stabilisation.poles))
         lines = ["lines with a number are the modes of the record, as in the table"]
@@ -169,14 +168,14 @@ def _fit(one: Inspection, result: RecordResult, campaign: Campaign) -> list[Bloc
         lines += ["dashed ones those struck out"] if result.struck else []
         lines += ["dotted ones tones"] if marked.tones else []
         caption = (
-            f"{which}: stabilisation diagram. Each short line is a pole at a model order; a stable one has nearly "
+            f"{begin}: stabilisation diagram. Each short line is a pole at a model order; a stable one has nearly "
             "the same frequency and damping as a pole of the order before. Behind them is the sum of the magnitudes "
             f"of all measured functions, each relative to its rms. {sentence('; '.join(lines))}{rest}"
         )
         blocks.append(
             Picture.of(
                 fits.stabilisation(one, marked, record.band),
-                f"Stabilisation diagram of {which[:1].lower()}{which[1:]}",
+                f"Stabilisation diagram of {which}",
                 f"{plural(count, 'pole')} over {plural(len(one.stabilisation.orders), 'model order')}, and "
                 f"{plural(len(result.modes), 'mode')}.",
                 caption,
@@ -187,10 +186,10 @@ def _fit(one: Inspection, result: RecordResult, campaign: Campaign) -> list[Bloc
         blocks.append(
             Picture.of(
                 fits.functions(one, marked, record.band, phase),
-                f"Measured and synthesised functions of {which[:1].lower()}{which[1:]}",
+                f"Measured and synthesised functions of {which}",
                 f"{', '.join(clean(curve.name, 40) for curve in one.curves)}: measured, and synthesised from the "
                 "modes.",
-                f"{which}: {_which(one)}, measured and synthesised from the modes of this file. Each is a "
+                f"{begin}: {_which(one)}, measured and synthesised from the modes of this file. Each is a "
                 f"{FUNCTIONS[record.kind]}{_panels(phase, one)}. Faint lines are the modes of the record.",
             )
         )

@@ -81,21 +81,15 @@ def _numbers(result: Diagnosis | Comparison, evidence: Evidence, i: int) -> list
         hertz(row.measured, pointer("rows", i, frequency)),
         hertz(row.sigma, pointer("rows", i, sigma)),
     ]
-    compared = isinstance(row, ComparedRow)
     for stage in evidence.stages:
-        predicted = row.predicted if isinstance(row, ComparedRow) else getattr(row, stage.key)
-        relative = float(evidence.difference(stage)[i])
-        sigmas = float(stage.predicted.sigmas[i])
-        key = "predicted" if compared else f"{stage.key}_hz"
-        cells += [
-            hertz(predicted, pointer("rows", i, key)),
-            number(row.residual, "+.2f", pointer("rows", i, "residual"), scale=100.0)
-            if isinstance(row, ComparedRow)
-            else number(relative, "+.2f", scale=100.0),
-            number(row.sigmas, "+.1f", pointer("rows", i, "sigmas"))
-            if isinstance(row, ComparedRow)
-            else number(sigmas, "+.1f"),
-        ]
+        if isinstance(row, ComparedRow):
+            cells.append(hertz(row.predicted, pointer("rows", i, "predicted")))
+            cells.append(number(row.residual, "+.2f", pointer("rows", i, "residual"), scale=100.0))
+            cells.append(number(row.sigmas, "+.1f", pointer("rows", i, "sigmas")))
+        else:
+            cells.append(hertz(getattr(row, stage.key), pointer("rows", i, f"{stage.key}_hz")))
+            cells.append(number(float(evidence.difference(stage)[i]), "+.2f", scale=100.0))
+            cells.append(number(float(stage.predicted.sigmas[i]), "+.1f"))
     return cells
 
 
