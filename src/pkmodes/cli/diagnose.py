@@ -185,9 +185,10 @@ def _widened(result: Diagnosis) -> list[str]:
 
 def _chosen(result: Diagnosis) -> list[str]:
     """Say which of several indistinguishable causes the saved robot has, and how to save it with another."""
+    from pkmodes.diagnosis.verdict import naming
+
     return [
-        f"it has {effect.name}; the data cannot tell it from {' or '.join(effect.members[1:])}: "
-        f"to save that instead, add --candidates {effect.members[1]}"
+        f"{naming.chosen(effect)}: to save that instead, add --candidates {effect.members[1]}"
         for effect in result.every_cause
         if len(effect.members) > 1
     ]

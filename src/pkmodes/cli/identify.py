@@ -59,7 +59,7 @@ def identify(
     inputs = [file for record in declared.records for files in record.setups.values() for file in files]
     robot = None if declared.model is None else Path(declared.model.robot.source)
     check_targets(json_file, [campaign, *inputs, robot], *targets)
-    sources = sources_of(report_to, {"campaign file": campaign, **({"robot file": robot} if robot else {})})
+    sources = sources_of(report_to, {"campaign file": campaign, "robot file": robot})
     found = identified(declared, keep_going=keep_going, inspect=report_to is not None)
     for message in _said(found):
         echo(message, err=True)

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from pkmodes.report.sources import Source
 
 
-def sources_of(report: Path | None, inputs: Mapping[str, Path]) -> Sequence[Source]:
+def sources_of(report: Path | None, inputs: Mapping[str, Path | None]) -> Sequence[Source]:
     """Return the input files of a report by their roles, such as "robot file"; none if no report is wanted.
 
     They are taken when the files were read, but before anything is computed: missing libraries are reported at once,
@@ -33,7 +33,7 @@ def sources_of(report: Path | None, inputs: Mapping[str, Path]) -> Sequence[Sour
     from pkmodes.report.sources import known_sources
 
     need_report()
-    return known_sources([(role, str(path)) for role, path in inputs.items()])
+    return known_sources([(role, str(path)) for role, path in inputs.items() if path is not None])
 
 
 def report_file(report: Path | None, page: Callable[[], str]) -> ResultFile:

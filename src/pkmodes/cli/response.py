@@ -163,8 +163,7 @@ def response(
         raise PkmodesError(
             what, "--measured", "add --report FILE.html or --figure FILE.svg, or leave --measured out"
         )
-    inputs_of_report = {"robot file": robot, **({"measured responses": measured} if measured else {})}
-    sources = sources_of(report_to, inputs_of_report)
+    sources = sources_of(report_to, {"robot file": robot, "measured responses": measured})
     model = load(robot)
     point = pose_of(model, pose)
     into = comma_list(inputs, "--inputs", "--inputs torque_1,force_x")

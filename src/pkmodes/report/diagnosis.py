@@ -44,13 +44,10 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
     title = (
         "Remaining explanations" if result.survivors else "Cause" + ("s" if len(result.effects) > 1 else "")
     )
-    where = figures.pose_figures(evidence)
     sections = [
         Section("errors", "Error before and after", numbers.errors(result)),
         *([Section("causes", title, causes)] if causes else []),
-        Section("modes", "Measurement and model", figures.mode_figures(evidence)),
-        *([Section("poses", "Differences against the pose", where)] if where else []),
-        Section("shapes", "Mode shapes", figures.shape_figures(evidence)),
+        *figures.sections(evidence),
         *([Section("damping", "Damping", ratios)] if (ratios := damping(result, setting)) else []),
         Section("candidates", "Candidates", explanations.candidates(result)),
         Section("values", "Values before and after", numbers.values(result, setting)),
@@ -182,10 +179,7 @@ def _correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
         return [Paragraph("The robot file needs no correction.")]
     losses = "the losses that the damping shows, " if result.damping.effects else ""
     several = [effect for effect in result.every_cause if len(effect.members) > 1]
-    chosen = "".join(
-        f" It has {clean(effect.name)}; the data cannot tell it from {' or '.join(map(clean, effect.members[1:]))}."
-        for effect in several
-    )
+    chosen = "".join(f" {sentence(clean(naming.chosen(effect), SENTENCE))}" for effect in several)
     return [
         Paragraph(
             "What the corrected robot file has instead of the given one, as written by --save-robot: the cause where "

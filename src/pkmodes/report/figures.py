@@ -8,8 +8,18 @@ from pkmodes.plots import differences, spectrum
 from pkmodes.plots.evidence import Evidence
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.mac_matrices import mac_matrices, worst_setup
-from pkmodes.report.blocks import Block, Paragraph, Picture
+from pkmodes.report.blocks import Block, Paragraph, Picture, Section
 from pkmodes.report.formatting import clean, plural
+
+
+def sections(evidence: Evidence) -> list[Section]:
+    """Return the sections of the figures; none of the differences against the pose where the poses are unknown."""
+    where = pose_figures(evidence)
+    return [
+        Section("modes", "Measurement and model", mode_figures(evidence)),
+        *([Section("poses", "Differences against the pose", where)] if where else []),
+        Section("shapes", "Mode shapes", shape_figures(evidence)),
+    ]
 
 
 def mode_figures(evidence: Evidence) -> list[Block]:

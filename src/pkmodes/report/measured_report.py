@@ -89,11 +89,8 @@ def report(
 
 def _comparison_page(result: Comparison, evidence: Evidence, setting: Setting) -> str:
     """Return the report of a comparison as HTML."""
-    where = figures.pose_figures(evidence)
     sections = [
-        Section("modes", "Measurement and model", figures.mode_figures(evidence)),
-        *([Section("poses", "Differences against the pose", where)] if where else []),
-        Section("shapes", "Mode shapes", figures.shape_figures(evidence)),
+        *figures.sections(evidence),
         *view_section(setting.view),
         Section("rows", "All measured modes", [mode_table(result, evidence, setting)]),
         glossary(diagnosed=False),

@@ -7,6 +7,7 @@ stand in the table only, which has all measured components of a mode beside thos
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from html import escape
 from typing import Any
 
@@ -132,14 +133,23 @@ def measured_table(scene: Scene, key: str) -> str:
             f'<tr data-part="component"><th scope="row">{escape(channel.name)} [{unit}]</th>{cells}</tr>'
         )
     number = mode - scene.rigid_modes + 1
+    caption = (
+        f'<b>Measured against model:</b> components of <span data-part="compared">mode {number}</span>, for a largest'
+        " displacement of the model of 1 mm.  The measured shape is scaled to the model&#8217;s by least squares, and"
+        " drawn where its sensors are; nothing else was measured: all other motion in the picture is the"
+        " model&#8217;s."
+    )
+    heads = '<th scope="col">measured</th><th scope="col">model</th>'
+    return numbers_table(f"{key}-measured", caption, heads, rows)
+
+
+def numbers_table(name: str, caption: str, heads: str, rows: Sequence[str]) -> str:
+    """Return a table of the viewer from its parts in HTML, with its caption under an identifier."""
     return (
-        f'<div class="pkview-numbers"><p id="{key}-measured"><b>Measured against model:</b> components of'
-        f' <span data-part="compared">mode {number}</span>, for a largest displacement of the model of 1 mm.  The'
-        " measured shape is scaled to the model&#8217;s by least squares, and drawn where its sensors are; nothing"
-        " else was measured: all other motion in the picture is the model&#8217;s.</p>"
-        f'<div class="pkview-table" role="region" aria-labelledby="{key}-measured" tabindex="0">'
-        f'<table aria-labelledby="{key}-measured"><thead><tr><td></td><th scope="col">measured</th>'
-        f'<th scope="col">model</th></tr></thead><tbody>{"".join(rows)}</tbody></table></div></div>'
+        f'<div class="pkview-numbers"><p id="{name}">{caption}</p>'
+        f'<div class="pkview-table" role="region" aria-labelledby="{name}" tabindex="0">'
+        f'<table aria-labelledby="{name}"><thead><tr><td></td>{heads}</tr></thead>'
+        f"<tbody>{''.join(rows)}</tbody></table></div></div>"
     )
 
 

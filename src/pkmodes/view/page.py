@@ -14,7 +14,7 @@ import numpy as np
 from pkmodes.core.robot.units import SHOWN
 from pkmodes.support.page_policy import with_policy
 from pkmodes.view.interpolation import FINE
-from pkmodes.view.measured_data import measured_table, observed
+from pkmodes.view.measured_data import measured_table, numbers_table, observed
 from pkmodes.view.page_data import as_data, embedded, platform_directions
 from pkmodes.view.scene import AMPLITUDE, Scene
 from pkmodes.view.still import still
@@ -285,14 +285,12 @@ def _table(scene: Scene, key: str) -> str:
             f'<tr data-part="spring" data-spring="{k}"><th scope="row" title="{escape(spring.description)}">'
             f"{title}</th>{cells}</tr>"
         )
-    return (
-        f'<div class="pkview-numbers"><p id="{key}-caption"><b>What rings with {scene.doing}:</b>'
-        " share of every spring in the strain energy of each mode, and the direction of the platform&#8217;s motion,"
-        f' at <span data-part="place">{_place(scene, i)}</span></p>'
-        f'<div class="pkview-table" role="region" aria-labelledby="{key}-caption" tabindex="0">'
-        f'<table aria-labelledby="{key}-caption"><thead><tr><td></td>{heads}</tr></thead>'
-        f"<tbody>{''.join(rows)}</tbody></table></div></div>"
+    caption = (
+        f"<b>What rings with {scene.doing}:</b> share of every spring in the strain energy of each mode, and the"
+        " direction of the platform&#8217;s motion,"
+        f' at <span data-part="place">{_place(scene, i)}</span>'
     )
+    return numbers_table(f"{key}-caption", caption, heads, rows)
 
 
 def _percent(share: float) -> str:

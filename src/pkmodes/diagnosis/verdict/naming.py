@@ -77,6 +77,11 @@ def of_class(effect: Finding, longest: int | None = None) -> str:
     return ", or ".join(parts)
 
 
+def chosen(effect: Finding) -> str:
+    """Return which member of a class the corrected robot has, within a sentence."""
+    return f"it has {effect.name}; the data cannot tell it from {' or '.join(effect.members[1:])}"
+
+
 def _alternatives(members: Sequence[Member]) -> Iterator[tuple[str, int]]:
     """Yield the alternatives that a class offers, each with the number of its members."""
     done: set[str] = set()
