@@ -20,10 +20,9 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.threads import one_blas_thread
-from pkmodes_rig import read
 from pkmodes_rig.suites import mechanism_cases, mechanism_suites
 from pkmodes_rig.suites.cases import measured
-from pkmodes_rig.suites.strengths import measurements
+from pkmodes_rig.suites.specimens import measurements, measurements_of, robot_of
 from pkmodes_rig.suites.suites import SUITES
 from timing import PROCESS, seconds
 
@@ -64,13 +63,13 @@ def cases() -> Iterator[Diagnosed]:
     for suite, numbers in NUMBERS["linear_delta"].items():
         for n, case in enumerate(SUITES[suite]()):
             if n in numbers:
-                robot = read(case.truth.robot)
+                robot = robot_of(case.truth.machine)
                 yield Diagnosed("linear_delta", suite, case.kind, robot, measurements(measured(case)))
     for one in mechanism_suites.cases():
-        name = one.specimen.mechanism
+        name = one.specimen.machine
         if one.number in NUMBERS[name].get(one.suite, ()):
-            robot = mechanism_cases.robot_of(name)
-            data = mechanism_cases.measurements_of(mechanism_cases.measured(one)[1], robot)
+            robot = robot_of(name)
+            data = measurements_of(mechanism_cases.measured(one)[1], robot)
             yield Diagnosed(name, one.suite, one.kind, robot, data)
 
 

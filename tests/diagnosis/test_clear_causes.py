@@ -11,7 +11,8 @@ from pkmodes_rig.robots import ROBOTS
 from pkmodes_rig.suites import clear_cases, clear_suites
 from pkmodes_rig.suites.clear_cases import ClearCase, ClearOutcome, measured
 from pkmodes_rig.suites.clear_suites import cases, split_cases
-from pkmodes_rig.suites.mechanism_cases import signal
+from pkmodes_rig.suites.specimens import MACHINES
+from pkmodes_rig.suites.strengths import signal
 
 PLAIN = ClearCase("one effect", 0, "corexy", ("payload",), (9.0, 14.0))
 
@@ -45,7 +46,7 @@ def test_a_cause_is_as_clear_as_was_asked_for(kind: str, least: int) -> None:
     specimen, rows, text = measured(case)
     assert len(text.splitlines()) > len(rows) >= 12
     some = [row for row in rows if row.mode >= least]
-    assert 9.0 / 1.05 <= signal(specimen, rows=some) <= 14.0 * 1.05
+    assert 9.0 / 1.05 <= signal(specimen, MACHINES["corexy"].points, rows=some) <= 14.0 * 1.05
 
 
 def test_a_laboratory_that_cannot_see_a_cause_is_left_for_another_one(

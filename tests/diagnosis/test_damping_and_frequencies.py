@@ -12,7 +12,7 @@ from helpers.diagnoses.damped_cases import columns, made, measured
 from pkmodes import updating
 from pkmodes.diagnosis.damping.words import NO_LOSSES, UNSETTLED
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes_rig.suites.mechanism_cases import robot_of
+from pkmodes_rig.suites.specimens import robot_of
 
 ROBOT = robot_of("published")
 DECLARED = ROBOT.with_values({"damping.ratio": 0.01})

@@ -22,7 +22,7 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.writing import as_csv
 from pkmodes.report import report
-from pkmodes_rig.suites.mechanism_cases import robot_of
+from pkmodes_rig.suites.specimens import robot_of
 
 MACHINES = ["published", "rotary_delta", "corexy"]
 #: Candidates that keep a diagnosis short.

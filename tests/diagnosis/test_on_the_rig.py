@@ -19,11 +19,12 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig.laboratory import Laboratory
 from pkmodes_rig.measurements import Identified
 from pkmodes_rig.robots import read
-from pkmodes_rig.suites.cases import tried
-from pkmodes_rig.suites.judging import MENTIONS, physical, set_aside_blindly
+from pkmodes_rig.suites.cases import Case, measured, tried
+from pkmodes_rig.suites.judging import MENTIONS, CaseOutcome, judged, physical, run, set_aside_blindly
 from pkmodes_rig.suites.requirements import CLEAR, MAC_CLAIMED, MAC_OTHER
-from pkmodes_rig.suites.strengths import measurements, signal, with_wrong
-from pkmodes_rig.suites.suites import SUITES, Case, Outcome, judged, measured, run
+from pkmodes_rig.suites.specimens import measurements, with_wrong
+from pkmodes_rig.suites.strengths import signal
+from pkmodes_rig.suites.suites import SUITES
 
 #: Standard deviations within which a value is right.
 RIGHT = 3.0
@@ -54,7 +55,7 @@ def _frozen(monkeypatch: pytest.MonkeyPatch, pytestconfig: pytest.Config) -> Non
 
 def case(suite: str, kind: str, robot: str = "", place: int = -1) -> Case:
     """One of the cases of a kind; if there are several strengths, the last is the largest."""
-    found = [c for c in SUITES[suite]() if c.kind == kind and robot in ("", c.truth.robot)]
+    found = [c for c in SUITES[suite]() if c.kind == kind and robot in ("", c.truth.machine)]
     return found[place]
 
 
@@ -62,7 +63,7 @@ def numbered(suite: str, number: int) -> Case:
     return next(c for c in SUITES[suite]() if c.number == number)
 
 
-def assert_named(outcome: Outcome) -> None:
+def assert_named(outcome: CaseOutcome) -> None:
     assert outcome.state == "named", outcome.reason
     assert outcome.values
     for name, found, sigma, true in outcome.values:
@@ -165,7 +166,7 @@ def test_an_outlier_is_set_aside_and_named() -> None:
         for number, (a, b) in enumerate(zip(before.splitlines(), after.splitlines(), strict=True), start=1)
         if a != b
     )
-    found = diagnosed(after, disturbed.truth.robot)
+    found = diagnosed(after, disturbed.truth.machine)
     assert found.verdict == "adequate", found.reason
     assert [row.line for row in found.outliers] == [line]
     assert f"line {line}" in found.reason
@@ -173,7 +174,7 @@ def test_an_outlier_is_set_aside_and_named() -> None:
 
 def test_the_experimenters_numbers_of_modes_do_not_matter() -> None:
     numbered = case("special", "modes numbered anew", place=0)
-    one, other = (diagnosed(text, numbered.truth.robot).as_json() for text in both(numbered))
+    one, other = (diagnosed(text, numbered.truth.machine).as_json() for text in both(numbered))
     for result in (one, other):
         result["rows"] = [{k: v for k, v in row.items() if k != "mode"} for row in result["rows"]]
     assert one == other
@@ -312,7 +313,7 @@ def test_the_predicted_signal_is_that_of_the_modes_that_were_found() -> None:
     trial = tried(replace(plain, laboratory=Laboratory()))
 
     def given(rows: list[Identified] | None) -> float:
-        return signal(plain.truth, plain.plan, holdout=["P3", "P9"], rows=rows)
+        return signal(plain.truth, plain.points, holdout=["P3", "P9"], rows=rows)
 
     everything = given(None)
     assert given(trial.rows) == pytest.approx(everything, rel=1e-6)

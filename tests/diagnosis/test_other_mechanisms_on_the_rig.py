@@ -9,9 +9,10 @@ import pytest
 
 from helpers.golden.case_book import frozen
 from pkmodes.updating.candidates import suspects
-from pkmodes_rig.suites.mechanism_cases import KINDS, MechanismCase, MechanismOutcome, robot_of, run
+from pkmodes_rig.suites.mechanism_cases import MechanismCase, MechanismOutcome, run
 from pkmodes_rig.suites.mechanism_sizes import SIZES
 from pkmodes_rig.suites.mechanism_suites import OUTSIDE, SUITES, WRONG, cases
+from pkmodes_rig.suites.specimens import KINDS, robot_of
 
 RIGHT = 3.0
 
@@ -25,7 +26,7 @@ def _frozen(monkeypatch: pytest.MonkeyPatch, pytestconfig: pytest.Config) -> Non
 def case(mechanism: str, suite: str, kind: str, place: int = -1) -> MechanismCase:
     """One of the cases of a kind, with free motors; if there are several strengths, the last is the largest."""
     kinds = (mechanism, "free", suite, kind)
-    return [c for c in cases() if (c.specimen.mechanism, c.specimen.drives, c.suite, c.kind) == kinds][place]
+    return [c for c in cases() if (c.specimen.machine, c.specimen.drives, c.suite, c.kind) == kinds][place]
 
 
 def assert_named(outcome: MechanismOutcome) -> None:
@@ -76,7 +77,7 @@ def test_the_suites_have_every_effect_that_is_suspected(mechanism: str) -> None:
     names = {c.name for c in suspects(robot_of(mechanism))[1]}
     effects = {e for e in robot_of(mechanism).mechanism.effects if e in names}
     assert {
-        c.names[0] for c in cases() if c.specimen.mechanism == mechanism and c.suite == SUITES[1]
+        c.names[0] for c in cases() if c.specimen.machine == mechanism and c.suite == SUITES[1]
     } == effects
     assert {f"parameter:{path}" for path in WRONG[mechanism]} <= names
     assert list(SIZES[mechanism][SUITES[2]]) == list(WRONG[mechanism])

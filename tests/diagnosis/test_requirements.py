@@ -5,18 +5,18 @@ from __future__ import annotations
 from dataclasses import replace
 
 from pkmodes_rig.suites.cases import Case
-from pkmodes_rig.suites.judging import Outcome
+from pkmodes_rig.suites.judging import CaseOutcome
 from pkmodes_rig.suites.requirements import requirements
-from pkmodes_rig.suites.strengths import Truth
+from pkmodes_rig.suites.specimens import Specimen
 from pkmodes_rig.suites.suites import SUITES
 
 
-def outcomes(suite: str, *states: str, **changes: object) -> list[Outcome]:
-    case = Case(suite, 0, "grid", Truth("published"))
-    return [replace(Outcome(case, state, "", ()), **changes) for state in states]
+def outcomes(suite: str, *states: str, **changes: object) -> list[CaseOutcome]:
+    case = Case(suite, 0, "grid", Specimen("published"))
+    return [replace(CaseOutcome(case, state, "", ()), **changes) for state in states]
 
 
-def lines(*groups: list[Outcome]) -> list[str]:
+def lines(*groups: list[CaseOutcome]) -> list[str]:
     by_suite = {suite: [o for group in groups for o in group if o.case.suite == suite] for suite in SUITES}
     return requirements(by_suite)
 

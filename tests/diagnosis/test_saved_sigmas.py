@@ -16,7 +16,7 @@ from pkmodes import updating
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig import POSES, ROBOTS, identified, written
-from pkmodes_rig.suites.strengths import Truth
+from pkmodes_rig.suites.specimens import Specimen
 
 #: True stiffness of the motors [N m/rad], and compliances of the clamps that the three modes do not show [m/N].
 MOTORS, CLAMPS = 16.5, (5e-7, 1e-6, 2e-6)
@@ -28,7 +28,7 @@ def files(folder: Path, clamp: float) -> tuple[Path, Path]:
     robot, modes = folder / "tower.toml", folder / "modes.csv"
     robot.write_text(ROBOTS["tower"] + DECLARED, encoding="utf-8")
     points = list(POSES["tower"]["scattered"])
-    truth = Truth("tower", {"servo_stiffness.stiffness": MOTORS, "clamp_compliance.compliance": clamp})
+    truth = Specimen("tower", {"servo_stiffness.stiffness": MOTORS, "clamp_compliance.compliance": clamp})
     rows = identified(
         truth.modes(points), rng=np.random.default_rng(1), sigma=0.002, modes=3, band=(5.0, 100.0)
     )

@@ -26,8 +26,8 @@ from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes_rig import ORDERS, POSES, SENSORS, followed, measure_modes, read
 from pkmodes_rig.suites.cases import tried
 from pkmodes_rig.suites.hard_suites import UNDECIDED
-from pkmodes_rig.suites.mechanism_cases import MechanismCase, Specimen, measured, robot_of
-from pkmodes_rig.suites.strengths import Truth, measurements
+from pkmodes_rig.suites.mechanism_cases import MechanismCase, measured
+from pkmodes_rig.suites.specimens import Specimen, measurements, robot_of
 from pkmodes_rig.suites.suites import SUITES
 
 PLATFORM = ("p_x", "p_y", "p_z")
@@ -40,7 +40,7 @@ def tower(plan: str, channels: tuple[str, ...] = SENSORS, **options: object) -> 
     points = POSES["tower"][plan][:8]
     options = {"shape_noise": 0.02, "sigma_shape": "stated", "modes": 6} | options
     rng = np.random.default_rng(7003)
-    text = measure_modes(Truth("tower").modes(points), points, rng=rng, shapes=channels, **options)
+    text = measure_modes(Specimen("tower").modes(points), points, rng=rng, shapes=channels, **options)
     return measurements(text)
 
 
@@ -139,7 +139,7 @@ def test_wirings_that_these_data_do_not_tell_apart_are_all_listed() -> None:
     """In the plane of symmetry y = 0, modes move either p_y alone or p_x and p_z: the sign of p_y is unknown."""
     points = [np.array([x, 0.0, z]) for x, z in itertools.product((-0.05, 0.03, 0.06), (0.12, 0.25))]
     text = measure_modes(
-        Truth("tower").modes(points),
+        Specimen("tower").modes(points),
         points,
         rng=np.random.default_rng(7004),
         shapes=("x_1", *PLATFORM),
@@ -174,8 +174,8 @@ def test_a_reversed_joint_channel_is_named() -> None:
 def test_right_wirings_are_not_called_wrong(plan: str, channels: tuple[str, ...]) -> None:
     """With 5 % errors of the shapes, and a cause that the declared model lacks."""
     points = POSES["tower"][plan]
-    compliant = Truth("tower", {"gearbox_compliance.compliance": 0.2})
-    for truth, stated in itertools.product((Truth("tower"), compliant), ("stated", "absent")):
+    compliant = Specimen("tower", {"gearbox_compliance.compliance": 0.2})
+    for truth, stated in itertools.product((Specimen("tower"), compliant), ("stated", "absent")):
         text = measure_modes(
             truth.modes(points),
             points,
@@ -193,7 +193,7 @@ def test_right_wirings_are_not_called_wrong(plan: str, channels: tuple[str, ...]
 
 def test_a_wiring_is_named_beside_a_cause() -> None:
     points = POSES["tower"]["scattered"]
-    compliant = Truth("tower", {"gearbox_compliance.compliance": 0.2})
+    compliant = Specimen("tower", {"gearbox_compliance.compliance": 0.2})
     text = measure_modes(
         compliant.modes(points), points, rng=np.random.default_rng(7006), shapes=SENSORS, sigma_shape="stated"
     )

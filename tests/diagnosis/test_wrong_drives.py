@@ -15,8 +15,9 @@ import pytest
 from pkmodes import updating
 from pkmodes.diagnosis import Diagnosis
 from pkmodes_rig import MISTAKES
-from pkmodes_rig.suites.mechanism_cases import MechanismCase, Specimen, measured, measurements_of, robot_of
+from pkmodes_rig.suites.mechanism_cases import MechanismCase, measured
 from pkmodes_rig.suites.motors import OTHER_DRIVES
+from pkmodes_rig.suites.specimens import Specimen, measurements_of, robot_of
 
 MACHINES = ("rotary_delta", "corexy")
 SIZES = {
@@ -31,7 +32,7 @@ def text_of(specimen: Specimen, number: int = 2, edit: str = "") -> str:
 
 
 def diagnosed(specimen: Specimen, text: str) -> Diagnosis:
-    robot = robot_of(specimen.mechanism)
+    robot = robot_of(specimen.machine)
     return updating.diagnose(robot, measurements_of(text, robot))
 
 

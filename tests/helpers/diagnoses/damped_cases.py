@@ -10,7 +10,7 @@ import numpy as np
 from pkmodes.measured.measurements import Measurements
 from pkmodes_rig import TrueModes
 from pkmodes_rig.dissipation import coulomb_ratios, damping_ratios
-from pkmodes_rig.suites.mechanism_cases import MACHINES, Specimen, robot_of
+from pkmodes_rig.suites.specimens import MACHINES, Specimen, robot_of
 
 #: Poses, and the most modes at each.
 POSES, MODES = 8, 6

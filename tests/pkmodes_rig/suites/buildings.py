@@ -46,9 +46,14 @@ class Building:
     outside: Mapping[str, float] = field(default_factory=dict)
 
     @property
-    def robot(self) -> str:
+    def machine(self) -> str:
         """Name of the specimen in tables."""
         return f"frame of {self.storeys} storeys"
+
+    @property
+    def sizes(self) -> Mapping[str, float]:
+        """True values of all that differs from the declaration and can be named."""
+        return self.values
 
     @property
     def channels(self) -> tuple[str, ...]:

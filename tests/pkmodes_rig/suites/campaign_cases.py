@@ -17,19 +17,16 @@ from pkmodes import updating
 from pkmodes.campaign.campaign import read_campaign
 from pkmodes.campaign.identify import identify
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.diagnose import split
-from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.writing import as_csv
-from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes_rig.signals.campaigns import CAMPAIGN, make
 from pkmodes_rig.signals.small_motion import Losses
 from pkmodes_rig.suites.campaign_judging import Judged, judge
 from pkmodes_rig.suites.campaign_machines import CampaignCase, bench
-from pkmodes_rig.suites.judging import judged
-from pkmodes_rig.suites.mechanism_cases import MACHINES, measurements_of, robot_of
-from pkmodes_rig.suites.strengths import NO_WEIGHT
+from pkmodes_rig.suites.judging import diagnosed, judged
+from pkmodes_rig.suites.running import Outcome
+from pkmodes_rig.suites.specimens import MACHINES, measurements_of, robot_of
+from pkmodes_rig.suites.strengths import left_by_declared
 
 #: What a laboratory knows of the sensitivity and mounting of its sensors, relative to the largest component.
 CALIBRATION = 0.01
@@ -40,14 +37,11 @@ LEFT_OUT = ("sigma_shape", "damping", "sigma_damping")
 
 
 @dataclass(frozen=True)
-class CampaignOutcome:
-    """Outcome of a machine; `state`, `verdict` and `classes` as in `judging.Outcome`.
+class CampaignOutcome(Outcome[CampaignCase]):
+    """Outcome of a machine.
 
     Attributes
     ----------
-    signal : float
-        Of the cause in the rows that were found, in standard deviations: what is left of their true frequencies when
-        the declared model is fitted to them; see `strengths`.
     calibrated : str
         The state of a diagnosis of the same rows with `CALIBRATION` added to every ``sigma_shape``, in quadrature.
     judged : Judged or None
@@ -56,23 +50,16 @@ class CampaignOutcome:
         What went wrong in the laboratory.
     messages : tuple of str
         Of the identification.
-    identifying, diagnosing : float
-        Times [s].
+    identifying : float
+        Time of the identification [s].
     files : int
     """
 
-    case: CampaignCase
-    state: str
-    verdict: str
-    classes: tuple[tuple[str, ...], ...] = ()
-    signal: float = 0.0
-    reason: str = ""
     calibrated: str = ""
     judged: Judged | None = None
     unkind: tuple[str, ...] = ()
     messages: tuple[str, ...] = ()
     identifying: float = 0.0
-    diagnosing: float = 0.0
     files: int = 0
 
 
@@ -94,23 +81,19 @@ def run(case: CampaignCase, keep: Path | None = None) -> CampaignOutcome:
         text = as_csv(found.measurements, [])
         (folder / "modes.csv").write_text(text, encoding="utf-8")
     robot = robot_of(case.robot)
-    begin = time.perf_counter()
-    diagnosis = updating.diagnose(robot, measurements_of(text, robot))
-    diagnosing = time.perf_counter() - begin
+    diagnosis, said = diagnosed(
+        case.names, {}, lambda: updating.diagnose(robot, measurements_of(text, robot))
+    )
     wider = updating.diagnose(robot, measurements_of(_rewritten(text, _calibrated), robot))
     return CampaignOutcome(
         case=case,
-        state=_state(case, on.machine.losses, diagnosis),
-        verdict=diagnosis.verdict,
-        classes=tuple(f.members for f in diagnosis.effects) or diagnosis.survivors,
+        **said | {"state": _state(case, on.machine.losses, diagnosis)},
         signal=_signal(robot, text, rows, diagnosis) if case.cause else 0.0,
-        reason=diagnosis.reason,
         calibrated=_state(case, on.machine.losses, wider),
         judged=rows,
         unkind=on.unkind,
         messages=tuple(message for one in found.records for message in one.messages),
         identifying=identifying,
-        diagnosing=diagnosing,
         files=len(made.files),
     )
 
@@ -163,10 +146,6 @@ def _signal(robot: Robot, text: str, rows: Judged, diagnosis: Diagnosis) -> floa
 
     try:
         data = measurements_of(_rewritten(without_band, exact), robot)
-        fitted, _ = split(data, diagnosis.held_out_poses)
-        structure = MeasuredRobot.of(robot, data).structure(candidates=()).subset(fitted)
-        fitter = Fitter(structure, data.at(fitted), scatter=NO_WEIGHT)
-        fit = fitter.fit(Hypothesis(()), fitter.declared.copy())
+        return left_by_declared(robot, data, diagnosis.held_out_poses) or 0.0
     except (ValueError, IndexError):  # too few rows
         return 0.0
-    return 0.0 if fit is None else float(np.sqrt(fit.chi2))

@@ -10,8 +10,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pkmodes.core.mechanism.registry import mechanism
-from pkmodes.sensitivity.paths import moved, resolve
 from pkmodes_rig import ROBOTS as DELTAS
 from pkmodes_rig import drawn_values
 from pkmodes_rig.robots import with_effects
@@ -21,10 +19,10 @@ from pkmodes_rig.signals.modal_tests import STEP, Direction, Flaws, ModalTest
 from pkmodes_rig.signals.sensors import Room, Sensor
 from pkmodes_rig.signals.small_motion import Losses
 from pkmodes_rig.signals.visits import Machine, Visit, Wander
-from pkmodes_rig.suites.mechanism_cases import KINDS, MACHINES, ROBOTS, robot_of
 from pkmodes_rig.suites.mechanism_sizes import SIZES
 from pkmodes_rig.suites.motors import shows
-from pkmodes_rig.suites.sizes import EFFECT_SIZES, OUTSIDE_SIZES, UNEQUAL
+from pkmodes_rig.suites.sizes import EFFECT_SIZES, OUTSIDE_SIZES
+from pkmodes_rig.suites.specimens import KINDS, MACHINES, ROBOTS, Specimen, robot_of, with_effect
 from pkmodes_rig.suites.strengths import outside_causes
 
 #: How many of sixty machines lack nothing, and how many something that the catalogue does not have.
@@ -50,7 +48,7 @@ class CampaignCase:
     seed, number, of : int
         Identify it: machine `number` of `of`.
     robot : str
-        One of `mechanism_cases.MACHINES`.
+        One of `specimens.MACHINES`.
     kind : str
         Of its records.
     held : bool
@@ -198,8 +196,7 @@ def _text(robot: str) -> str:
 def _machine(case: CampaignCase, rng: np.random.Generator) -> Machine:
     """Draw the true values of a machine: the uncertain ones by their priors, the cause, and its losses."""
     declared, factor = robot_of(case.robot), float(np.exp(rng.uniform(0.0, np.log(2.5))))
-    paths = [(resolve(declared, path), value) for path, value in drawn_values(declared, rng).items()]
-    true = moved(declared, [(path, value - path.value) for path, value in paths])
+    true = Specimen(case.robot, values=drawn_values(declared, rng)).built()
     effects, outside = dict(true.constants), dict[str, float]()
     if case.outside:
         outside[case.cause] = factor * _outside_sizes(case.robot)[case.cause]
@@ -217,13 +214,8 @@ def _machine(case: CampaignCase, rng: np.random.Generator) -> Machine:
 
 def _effect(robot: str, cause: str, factor: float) -> Mapping[str, float]:
     table = EFFECT_SIZES[robot] if robot in DELTAS else SIZES[robot]["one effect"]
-    size = factor * table[cause][-1]
-    effect = mechanism(_mechanism(robot)).effects[cause]
-    fitted = [p.name for p in effect.parameters if p.fitted]
-    sizes = [size * part for part in UNEQUAL] if len(fitted) > 1 else [size]
-    found = {f"{cause}.{name}": s for name, s in zip(fitted, sizes, strict=False)}
-    known = robot_of(robot).constants
-    return {name: value for name, value in known.items() if name.startswith(f"{cause}.")} | found
+    known = {name: v for name, v in robot_of(robot).constants.items() if name.startswith(f"{cause}.")}
+    return {**known, **with_effect(robot, cause, factor * table[cause][-1]).effects}
 
 
 def _mass(parameters: object) -> float:

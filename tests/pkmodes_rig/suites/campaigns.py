@@ -7,20 +7,18 @@ What counts and what is asked was fixed before any machine was run (`campaign_ju
 
 from __future__ import annotations
 
-import argparse
 import statistics
 import sys
 import time
-import traceback
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from pkmodes_rig.suites.campaign_cases import CALIBRATION, CampaignOutcome, run
-from pkmodes_rig.suites.campaign_machines import CampaignCase, cases
+from pkmodes_rig.suites.campaign_machines import cases
 from pkmodes_rig.suites.campaign_table import DETAILS, SIGNAL, details, rows_of, table
-from pkmodes_rig.suites.running import JOBS, processes, publish
+from pkmodes_rig.suites.running import command_line, publish, run_all
 from pkmodes_rig.suites.tables import confusion, grouped, in_words, listed
 from pkmodes_rig.suites.tables import table as lines_of
 
@@ -86,38 +84,23 @@ MEANING = """\
 
 def main() -> None:
     """Run the suite and write its page."""
-    parser = argparse.ArgumentParser(description="Measure the way from signals to causes.")
-    parser.add_argument("--out", type=Path, help="file for the tables; by default they are printed")
-    parser.add_argument("--seed", type=int, default=1, help="seed of the random draws")
+    parser = command_line("Measure the way from signals to causes.")
     parser.add_argument("--machines", type=int, default=MACHINES, help="how many machines; default 60")
     parser.add_argument("--only", type=int, help="run this machine only, from 1")
     parser.add_argument("--keep", type=Path, help="folder in which the campaign of --only is kept")
-    parser.add_argument("--jobs", type=int, default=JOBS, help="processes; default 2")
     arguments = parser.parse_args()
     chosen = cases(arguments.seed, arguments.machines)
     if arguments.only:
-        _said(run(chosen[arguments.only - 1], arguments.keep))
+        print(_said(run(chosen[arguments.only - 1], arguments.keep)), file=sys.stderr)
         return
     start = time.perf_counter()
-    outcomes = []
-    with processes(arguments.jobs) as pool:
-        for outcome in pool.map(_one, chosen):
-            _said(outcome)
-            outcomes.append(outcome)
+    outcomes = run_all(run, chosen, arguments.jobs, _said, CampaignOutcome)
     publish(page(outcomes, time.perf_counter() - start, arguments.jobs), arguments.out)
 
 
-def _one(case: CampaignCase) -> CampaignOutcome:
-    """Run a machine; an exception is an outcome too."""
-    try:
-        return run(case)
-    except Exception:
-        return CampaignOutcome(case, "failed", "", reason=traceback.format_exc(limit=-8))
-
-
-def _said(o: CampaignOutcome) -> None:
+def _said(o: CampaignOutcome) -> str:
     what = f"{o.case.label} ({_cause(o)}), {o.signal:.3g}: {o.state} ({o.calibrated}) {in_words(o)}"
-    print(f"{what} [{o.identifying:.1f} s, {o.diagnosing:.1f} s] {o.reason}", file=sys.stderr, flush=True)
+    return f"{what} [{o.identifying:.1f} s, {o.seconds:.1f} s] {o.reason}"
 
 
 def page(outcomes: Sequence[CampaignOutcome], seconds: float, jobs: int) -> list[str]:
@@ -134,7 +117,7 @@ def page(outcomes: Sequence[CampaignOutcome], seconds: float, jobs: int) -> list
         seed=seed,
         seen=SEEN,
     )
-    slow, hard = ([getattr(o, name) for o in outcomes] for name in ("identifying", "diagnosing"))
+    slow, hard = ([getattr(o, name) for o in outcomes] for name in ("identifying", "seconds"))
     return [
         *head.splitlines(),
         "",

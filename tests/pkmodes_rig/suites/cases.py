@@ -27,12 +27,12 @@ from pkmodes_rig import (
     joined,
     mistaken,
     parsed,
-    read,
     written,
 )
 from pkmodes_rig.suites.buildings import Building
 from pkmodes_rig.suites.motors import OTHER_DRIVES, words
-from pkmodes_rig.suites.strengths import MODES, SEED, SIGMA, Truth, measurements
+from pkmodes_rig.suites.specimens import MODES, SIGMA, Specimen, measurements, robot_of
+from pkmodes_rig.suites.strengths import SEED
 
 ROBOT_NAMES = tuple(ROBOTS)
 
@@ -54,7 +54,7 @@ class Case:
         Identify the case.
     plan : str
         Poses of a robot; for a building, its description in tables.
-    truth : Truth or Building
+    truth : Specimen or Building
         How the specimen differs from its declaration; the uncertain values are drawn in addition.
     names : tuple of str
         Candidates that should be named: none if nothing is missing, or if the cause is outside the catalogue.
@@ -83,7 +83,7 @@ class Case:
     suite: str
     number: int
     plan: str
-    truth: Truth | Building
+    truth: Specimen | Building
     names: tuple[str, ...] = ()
     kind: str = ""
     shapes: tuple[str, ...] = SENSORS
@@ -111,7 +111,7 @@ class Case:
         """Points at which it is measured; for a building, the origin."""
         if isinstance(self.truth, Building):
             return [np.zeros(3)] * len(self.truth.loads)
-        points = POSES[self.truth.robot][self.plan]
+        points = POSES[self.truth.machine][self.plan]
         return [points[i] for i in self.poses or range(len(points))]
 
 
@@ -190,7 +190,7 @@ def _key(suite: str) -> int:
 def _true(case: Case, rng: np.random.Generator) -> list[TrueModes]:
     if isinstance(case.truth, Building):
         return case.truth.modes(rng)
-    drawn = drawn_values(read(case.truth.robot), rng)
+    drawn = drawn_values(robot_of(case.truth.machine), rng)
     return replace(case.truth, values={**drawn, **case.truth.values}).modes(case.points)
 
 
@@ -200,7 +200,7 @@ def _expected(case: Case) -> tuple[tuple[float, float], Sequence[str]]:
         frequencies = case.truth.declared().frequencies
         return (float(frequencies[0]), float(frequencies[-1])), case.truth.channels
     poses = 2 if case.drives == "mixed" else 1  # one with free and one with held motors
-    modes = Truth(case.truth.robot, drives=case.drives).modes(case.points[:poses])
+    modes = Specimen(case.truth.machine, drives=case.drives).modes(case.points[:poses])
     lowest = min(float(m.frequencies[m.rigid]) for m in modes)
     return (lowest, max(float(m.frequencies[-1]) for m in modes)), SENSORS
 

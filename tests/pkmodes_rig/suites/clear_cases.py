@@ -6,7 +6,6 @@ laboratory finds have the predicted signal asked for: a cause is neither hidden 
 
 from __future__ import annotations
 
-import time
 import zlib
 from collections.abc import Sequence
 from contextlib import suppress
@@ -16,18 +15,18 @@ from functools import cache
 import numpy as np
 
 from pkmodes import updating
-from pkmodes.core.mechanism.registry import mechanism
 from pkmodes_rig import Identified, Laboratory, drawn_values, identified, written
-from pkmodes_rig.suites.judging import judged
-from pkmodes_rig.suites.mechanism_cases import (
+from pkmodes_rig.suites.judging import diagnosed
+from pkmodes_rig.suites.running import Outcome
+from pkmodes_rig.suites.specimens import (
     MACHINES,
     Specimen,
     measurements_of,
     robot_of,
-    signal,
-    values_of,
+    with_effect,
+    with_outside,
 )
-from pkmodes_rig.suites.sizes import UNEQUAL
+from pkmodes_rig.suites.strengths import signal
 
 #: Causes that tie a robot to ground, which makes rigid modes measurable: sized without these modes.
 TYING = (
@@ -88,18 +87,10 @@ class ClearCase:
 
 
 @dataclass(frozen=True)
-class ClearOutcome:
-    """Outcome of a case with some poses held out; attributes as in `judging.Outcome`."""
+class ClearOutcome(Outcome[ClearCase]):
+    """Outcome of a case with some poses held out, measured in so many rows."""
 
-    case: ClearCase
-    state: str
-    verdict: str
-    classes: tuple[tuple[str, ...], ...] = ()
-    values: tuple[tuple[str, float, float, float], ...] = ()
-    signal: float = 0.0
     rows: int = 0
-    seconds: float = 0.0
-    reason: str = ""
 
 
 def run(case: ClearCase) -> ClearOutcome:
@@ -123,20 +114,14 @@ def _diagnosed(
     holdout: Sequence[str] | None,
 ) -> ClearOutcome:
     robot, kind = robot_of(case.machine), MACHINES[case.machine]
-    start = time.perf_counter()
-    diagnosis = updating.diagnose(robot, measurements_of(text, robot), holdout=holdout)
-    seconds = time.perf_counter() - start
-    return ClearOutcome(
-        case=case,
-        state=judged(case.names, diagnosis, same=kind.same),
-        verdict=diagnosis.verdict,
-        classes=tuple(f.members for f in diagnosis.effects) or diagnosis.survivors,
-        values=tuple(values_of(specimen, case.names, diagnosis)),
-        signal=signal(specimen, holdout=diagnosis.held_out_poses, rows=rows),
-        rows=len(rows),
-        seconds=seconds,
-        reason=diagnosis.reason,
+    diagnosis, said = diagnosed(
+        case.names,
+        specimen.sizes,
+        lambda: updating.diagnose(robot, measurements_of(text, robot), holdout=holdout),
+        kind.same,
     )
+    predicted = signal(specimen, kind.points, holdout=diagnosis.held_out_poses, rows=rows)
+    return ClearOutcome(case=case, **said, signal=predicted, rows=len(rows))
 
 
 class UnseenError(Exception):
@@ -169,12 +154,8 @@ def _measured(case: ClearCase) -> tuple[Specimen, list[Identified], str]:
 
 
 def _alone(case: ClearCase, kind: str, size: float) -> Specimen:
-    """Return a machine with one cause; the factors of a group are all different."""
-    if case.outside:
-        return Specimen(case.machine, outside={kind: size})
-    fitted = [p.name for p in mechanism(case.mechanism).effects[kind].parameters if p.fitted]
-    parts = (1.0,) if len(fitted) == 1 else UNEQUAL
-    return Specimen(case.machine, {f"{kind}.{p}": size * q for p, q in zip(fitted, parts, strict=False)})
+    """Return a machine with one cause."""
+    return (with_outside if case.outside else with_effect)(case.machine, kind, size)
 
 
 def _size(case: ClearCase, place: int) -> float:
@@ -190,7 +171,7 @@ def _size(case: ClearCase, place: int) -> float:
         specimen = _alone(case, kind, size)
         least = MACHINES[case.machine].rigid if kind in TYING else 0
         rows = [row for row in _found(case, specimen)[0] if row.mode >= least]
-        return signal(specimen, rows=rows) if rows else 0.0
+        return signal(specimen, MACHINES[case.machine].points, rows=rows) if rows else 0.0
 
     low, high, size = 0.0, 0.0, START
     for _ in range(STEPS):

@@ -7,25 +7,21 @@ The requirements were fixed before any case was run.
 
 from __future__ import annotations
 
-import argparse
 import itertools
-import statistics
-import sys
 import time
-import traceback
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from pkmodes.core.mechanism.registry import mechanism
 from pkmodes_rig import ROBOTS
 from pkmodes_rig.suites import mechanism_suites, sizes
 from pkmodes_rig.suites.clear_cases import ClearCase, ClearOutcome, run, splits
-from pkmodes_rig.suites.requirements import INTERVAL, RIGHT, line
-from pkmodes_rig.suites.running import JOBS, processes, publish
-from pkmodes_rig.suites.tables import confusion, grouped, in_words, listed
+from pkmodes_rig.suites.requirements import RIGHT, covered, errors, line, wrong
+from pkmodes_rig.suites.running import command_line, publish, run_all
+from pkmodes_rig.suites.specimens import effects_of
+from pkmodes_rig.suites.tables import confusion, count, grouped, in_words, listed, times
 
 #: Robots of each mechanism.
 MACHINES = {"linear_delta": tuple(ROBOTS), "rotary_delta": ("rotary_delta",), "corexy": ("corexy",)}
@@ -51,7 +47,7 @@ SEEN = "1 to 9"
 def cases() -> Iterator[ClearCase]:
     """Yield the cases of all suites."""
     for name, machines in MACHINES.items():
-        effects = [e for e in mechanism(name).conservative_effects if e != "belt_tension_stiffness"]
+        effects = effects_of(name)
         pairs = list(itertools.combinations(effects, 2))
         drawn = np.random.default_rng(0).permutation(len(pairs))
         for n in range(CASES):
@@ -81,46 +77,30 @@ def split_cases() -> Iterator[ClearCase]:
 
 def main() -> None:
     """Run the suites and write their page."""
-    parser = argparse.ArgumentParser(description="Measure the diagnosis of clear causes on all mechanisms.")
-    parser.add_argument("--out", type=Path, help="file for the tables; by default they are printed")
+    parser = command_line("Measure the diagnosis of clear causes on all mechanisms.")
     parser.add_argument("--only", default="", help="part of the label of the cases to run")
     parser.add_argument("--every", type=int, default=1, help="run one case in this many")
-    parser.add_argument("--seed", type=int, default=1, help="seed of the random draws")
     parser.add_argument("--no-splits", action="store_true", help="leave out the splits")
-    parser.add_argument("--jobs", type=int, default=JOBS, help="processes; default 2")
     arguments = parser.parse_args()
     start = time.perf_counter()
-    chosen = [replace(c, seed=arguments.seed) for c in cases() if arguments.only in c.label]
-    again = [replace(c, seed=arguments.seed) for c in split_cases() if arguments.only in c.label]
-    with processes(arguments.jobs) as pool:
-        outcomes = _printed(pool.map(_one, chosen[:: arguments.every]))
-        jobs = () if arguments.no_splits else again[:: arguments.every]
-        split = [_printed(some) for some in pool.map(_splits, jobs)]
+    chosen, again = (
+        [replace(case, seed=arguments.seed) for case in every if arguments.only in case.label][
+            :: arguments.every
+        ]
+        for every in (cases(), () if arguments.no_splits else split_cases())
+    )
+    outcomes = run_all(run, chosen, arguments.jobs, _said, ClearOutcome)
+    split = run_all(splits, again, arguments.jobs, lambda some: "\n".join(map(_said, some)), _failed_split)
     publish(_page(outcomes, split, time.perf_counter() - start, arguments.jobs), arguments.out)
 
 
-def _one(case: ClearCase) -> ClearOutcome:
-    """Run a case; an exception in the diagnosis is an outcome too."""
-    try:
-        return run(case)
-    except Exception:
-        return ClearOutcome(case, "failed", "", reason=traceback.format_exc(limit=-8))
+def _failed_split(*arguments: Any, **options: Any) -> list[ClearOutcome]:
+    return [ClearOutcome(*arguments, **options)]
 
 
-def _splits(case: ClearCase) -> list[ClearOutcome]:
-    try:
-        return splits(case)
-    except Exception:
-        return [ClearOutcome(case, "failed", "", reason=traceback.format_exc(limit=-8))]
-
-
-def _printed(outcomes: Iterator[ClearOutcome] | list[ClearOutcome]) -> list[ClearOutcome]:
-    every = []
-    for o in outcomes:
-        every.append(o)
-        what = f"{o.case.label} ({_causes(o)}), {o.signal:.3g}: {o.state} {in_words(o)}"
-        print(f"{what} [{o.seconds:.1f} s] {o.reason}", file=sys.stderr, flush=True)
-    return every
+def _said(o: ClearOutcome) -> str:
+    what = f"{o.case.label} ({_causes(o)}), {o.signal:.3g}: {o.state} {in_words(o)}"
+    return f"{what} [{o.seconds:.1f} s] {o.reason}"
 
 
 # Tables ------------------------------------------------------------------------------------------------------
@@ -184,8 +164,7 @@ def _page(
         "",
         "## Time",
         "",
-        f"Median {statistics.median(o.seconds for o in outcomes):.1f} s, longest"
-        f" {max(o.seconds for o in outcomes):.1f} s a diagnosis; all {len(outcomes)} cases and"
+        f"{times([o.seconds for o in outcomes])} a diagnosis; all {len(outcomes)} cases and"
         f" {sum(map(len, split))} splits in {seconds / 60:.0f} min with {jobs} processes.",
     ]
 
@@ -199,27 +178,19 @@ def _requirements(outcomes: Sequence[ClearOutcome]) -> Iterator[str]:
         group = [o for o in outcomes if o.case.mechanism == name]
         for suite, (state, least) in LEAST.items():
             some = [o for o in group if o.case.suite == suite]
-            count = sum(o.state == state for o in some)
-            yield line(f"{name}, {suite}", f"{state} >= {100 * least:g} %", count, len(some), least=least)
-        wrong = sum(o.state == "wrong" for o in group)
-        what = f"confident and wrong <= {100 * WRONG:g} %"
-        yield line(f"{name}, all", what, wrong, len(group), most=WRONG)
-        values = [abs(v - true) / sigma for o in group for _, v, sigma, true in o.values]
-        inside = sum(v <= INTERVAL for v in values)
-        yield line(f"{name}, all", "95 % intervals cover 90-99 %", inside, len(values), 0.90, 0.99)
-        right = sum(v <= RIGHT for v in values)
-        yield line(f"{name}, all", "value within 3 sigma >= 95 %", right, len(values), least=0.95)
+            what = f"{state} >= {100 * least:g} %"
+            yield line(f"{name}, {suite}", what, count(some, state), len(some), least=least)
+        yield wrong(f"{name}, all", group, WRONG)
+        away = errors(group)
+        yield covered(f"{name}, all", away)
+        right = sum(one <= RIGHT for one in away)
+        yield line(f"{name}, all", "value within 3 sigma >= 95 %", right, len(away), least=0.95)
 
 
 def _requirements_of_splits(split: Sequence[Sequence[ClearOutcome]]) -> Iterator[str]:
-    every = [o for some in split for o in some]
-    wrong = sum(o.state == "wrong" for o in every)
-    what = f"confident and wrong <= {100 * WRONG:g} %"
-    yield line("splits", what, wrong, len(every), most=WRONG)
-    different = sum(_contradict(some) for some in split)
-    yield line(
-        "splits", "cases in which two splits claim different causes: none", different, len(split), most=0.0
-    )
+    yield wrong("splits", [o for some in split for o in some], WRONG)
+    what = "cases in which two splits claim different causes: none"
+    yield line("splits", what, sum(map(_contradict, split)), len(split), most=0.0)
 
 
 def _contradict(outcomes: Sequence[ClearOutcome]) -> bool:

@@ -9,18 +9,13 @@ friction dissipates is what the diagnosis of damping was asked for; the others a
 
 from __future__ import annotations
 
-import argparse
-import statistics
-import sys
 import time
-import traceback
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 
-from pkmodes_rig.suites.damping_cases import MODES, POSES, Case, Outcome, cases, run
-from pkmodes_rig.suites.requirements import INTERVAL, RIGHT, line
-from pkmodes_rig.suites.running import JOBS, processes, publish
-from pkmodes_rig.suites.tables import confusion, grouped, in_words, listed
+from pkmodes_rig.suites.damping_cases import MODES, POSES, DampingOutcome, cases, run
+from pkmodes_rig.suites.requirements import RIGHT, covered, line, wrong
+from pkmodes_rig.suites.running import command_line, publish, run_all
+from pkmodes_rig.suites.tables import confusion, count, grouped, in_words, listed, times
 
 #: Seeds used during development, in whole or in part.
 SEEN = "1 to 9, 20261126, 20261128 and 20261219"
@@ -36,7 +31,7 @@ LEAST = {
 WRONG = 0.01
 
 
-def group(outcome: Outcome) -> str:
+def group(outcome: DampingOutcome) -> str:
     """Return the group of a case: its kind, or how many losses of the catalogue it has."""
     kind, names = outcome.case.kind, outcome.what.names
     if kind in LEAST:
@@ -46,27 +41,26 @@ def group(outcome: Outcome) -> str:
     return {0: "outside the catalogue", 1: "one loss", 2: "two losses"}[len(names)]
 
 
-def requirements(outcomes: Sequence[Outcome]) -> Iterator[str]:
+def requirements(outcomes: Sequence[DampingOutcome]) -> Iterator[str]:
     """Yield the lines of the table of requirements."""
     groups = grouped(outcomes, group)
     for name, (states, least) in LEAST.items():
         some = groups.get(name, [])
-        count = sum(o.state in states for o in some)
-        yield line(name, f"{' or '.join(states)} >= {100 * least:g} %", count, len(some), least)
+        so = sum(count(some, state) for state in states)
+        yield line(name, f"{' or '.join(states)} >= {100 * least:g} %", so, len(some), least)
     coulomb = [o for o in outcomes if o.what.amplitudes]
-    yield line("Coulomb friction", "a loss claimed: none", _count(coulomb, "wrong"), len(coulomb), most=0.0)
+    yield line("Coulomb friction", "a loss claimed: none", count(coulomb, "wrong"), len(coulomb), most=0.0)
     scattered = [o for o in outcomes if o.unchanged is not None]
     same = sum(bool(o.unchanged) for o in scattered)
     yield line("scatter by mode", "frequencies and shapes: all as without damping", same, len(scattered), 1.0)
-    what = f"confident and wrong <= {100 * WRONG:g} %"
-    yield line("all", what, _count(outcomes, "wrong"), len(outcomes), most=WRONG)
+    yield wrong("all", outcomes, WRONG)
     away = [one for o in outcomes for one in o.away]
-    inside, right = (sum(one <= width for one in away) for width in (INTERVAL, RIGHT))
-    yield line("all", "95 % intervals cover 90-99 %", inside, len(away), 0.90, 0.99)
+    yield covered("all", away)
+    right = sum(one <= RIGHT for one in away)
     yield line("all", f"size within {RIGHT:g} sigma >= 95 %", right, len(away), 0.95)
 
 
-def page(outcomes: Sequence[Outcome], seed: int, every: int, seconds: float, jobs: int) -> list[str]:
+def page(outcomes: Sequence[DampingOutcome], seed: int, every: int, seconds: float, jobs: int) -> list[str]:
     """Return the page."""
     inside = [o for o in outcomes if o.what.names]
     missed = [o for o in inside if o.state in ("abstained", "partly")]
@@ -129,59 +123,37 @@ def page(outcomes: Sequence[Outcome], seed: int, every: int, seconds: float, job
         "",
         "## Time",
         "",
-        f"Median {statistics.median(o.seconds for o in outcomes):.1f} s, longest"
-        f" {max(o.seconds for o in outcomes):.1f} s a diagnosis; all {len(outcomes)} cases in {seconds / 60:.0f} min"
+        f"{times([o.seconds for o in outcomes])} a diagnosis; all {len(outcomes)} cases in {seconds / 60:.0f} min"
         f" with {jobs} process{'es' if jobs > 1 else ''}.",
     ]
 
 
-def _count(outcomes: Sequence[Outcome], state: str) -> int:
-    return sum(o.state == state for o in outcomes)
-
-
-def _listed(outcomes: Sequence[Outcome]) -> list[str]:
+def _listed(outcomes: Sequence[DampingOutcome]) -> list[str]:
     return listed(
         ["case", "ratios", "verdict on the damping", "classes", "why"],
         [
-            [
-                f"{o.case.kind}, {o.case.machine}, {o.case.drives}, {o.case.number}",
-                str(o.ratios),
-                o.of_damping,
-                in_words(o),
-                o.reason.replace("\n", " "),
-            ]
+            [_where(o), str(o.ratios), o.of_damping, in_words(o), o.reason.replace("\n", " ")]
             for o in outcomes
         ],
     )
 
 
-def _one(case: Case) -> Outcome:
-    """Run a case; an exception in the diagnosis is an outcome too."""
-    try:
-        return run(case)
-    except Exception:
-        return Outcome(case, "failed", reason=traceback.format_exc(limit=-8))
+def _where(o: DampingOutcome) -> str:
+    return f"{o.case.kind}, {o.case.machine}, {o.case.drives}, {o.case.number}"
+
+
+def _said(o: DampingOutcome) -> str:
+    what = f"{_where(o)}: {o.state} ({o.verdict}; {o.of_damping}) {in_words(o)}"
+    return f"{what} [{o.seconds:.1f} s] {o.reason}"
 
 
 def main() -> None:
     """Run the suite, and write its page."""
-    parser = argparse.ArgumentParser(description="Measure the diagnosis of damping on the virtual test rig.")
-    parser.add_argument("--out", type=Path, help="file for the page; by default it is printed")
-    parser.add_argument("--seed", type=int, default=1, help="seed of the random draws")
+    parser = command_line("Measure the diagnosis of damping on the virtual test rig.")
     parser.add_argument("--every", type=int, default=1, help="one case in this many; default all")
-    parser.add_argument("--jobs", type=int, default=JOBS, help="processes; default 2")
     arguments = parser.parse_args()
-    start, chosen, outcomes = time.perf_counter(), list(cases(arguments.seed))[:: arguments.every], []
-    with processes(arguments.jobs) as pool:
-        for o in pool.map(_one, chosen):
-            outcomes.append(o)
-            where = f"{o.case.kind}, {o.case.machine}, {o.case.drives}, {o.case.number}"
-            said = f"{o.state} ({o.verdict}; {o.of_damping}) {in_words(o)}"
-            print(
-                f"{len(outcomes)}/{len(chosen)} {where}: {said} [{o.seconds:.1f} s] {o.reason}",
-                file=sys.stderr,
-                flush=True,
-            )
+    start, chosen = time.perf_counter(), list(cases(arguments.seed))[:: arguments.every]
+    outcomes = run_all(run, chosen, arguments.jobs, _said, DampingOutcome)
     seconds = time.perf_counter() - start
     publish(page(outcomes, arguments.seed, arguments.every, seconds, arguments.jobs), arguments.out)
 

@@ -23,10 +23,11 @@ from pkmodes.updating.losses import RATIO
 from pkmodes_rig import Identified, TrueModes, drawn_values, drives_of, identified
 from pkmodes_rig.dissipation import coulomb_ratios, damping_ratios
 from pkmodes_rig.measurements import LOWEST_FREQUENCY
-from pkmodes_rig.suites.mechanism_cases import MACHINES, Specimen, robot_of
+from pkmodes_rig.suites.running import Outcome
+from pkmodes_rig.suites.specimens import MACHINES, SIGMA, Specimen, robot_of
 
-#: Poses of a test, the fewest and the most modes at each, and the standard deviation of ln f.
-POSES, MODES, SIGMA = 8, (3, 8), 0.002
+#: Poses of a test, and the fewest and the most modes at each.
+POSES, MODES = 8, (3, 8)
 #: Range of the median damping ratio that the losses in question cause.
 RATIOS = 0.004, 0.03
 #: Stated relative standard deviations of the ratios; none is stated for the last, which scatter by half of 30 %.
@@ -120,38 +121,25 @@ class Case:
 
 
 @dataclass(frozen=True)
-class Outcome:
-    """What the diagnosis said of the damping of a case.
+class DampingOutcome(Outcome[Case]):
+    """What the diagnosis said of the damping of a case; `verdict` is that on the whole.
 
     Attributes
     ----------
-    state : str
-        One of `tables.STATES`.
-    verdict, of_damping : str
-        On the whole, and on the damping.
-    classes : tuple of tuple of str
-        Of the losses claimed, or what remains.
+    of_damping : str
+        The verdict on the damping.
     away : tuple of float
         Errors of the claimed sizes, in their standard deviations.
     ratios : int
         Number of damping ratios that took part.
-    seconds : float
-    reason : str
-        What is said of the damping, or the traceback of a failure.
     unchanged : bool or None
         Whether all that is said of frequencies and shapes is the same without the damping; None where that was not
         tried.
     """
 
-    case: Case
-    state: str
-    verdict: str = ""
     of_damping: str = ""
-    classes: tuple[tuple[str, ...], ...] = ()
     away: tuple[float, ...] = ()
     ratios: int = 0
-    seconds: float = 0.0
-    reason: str = ""
     unchanged: bool | None = None
 
     @property
@@ -174,7 +162,7 @@ def cases(seed: int) -> Iterator[Case]:
                 yield Case(kind, machine, drives, n, seed)
 
 
-def run(case: Case) -> Outcome:
+def run(case: Case) -> DampingOutcome:
     """Measure and diagnose a case."""
     rng = np.random.default_rng([case.seed, 91, case.number])
     what, declared = KINDS[case.kind], robot_of(case.machine)
@@ -293,7 +281,9 @@ def _measured(
     )
 
 
-def _judged(case: Case, what: Kind, truth: Mapping[str, float], found: Diagnosis, seconds: float) -> Outcome:
+def _judged(
+    case: Case, what: Kind, truth: Mapping[str, float], found: Diagnosis, seconds: float
+) -> DampingOutcome:
     """Judge what was said of the damping; causes of the frequencies are judged by the other suites."""
     springs = "reducer_loss" if case.machine == "rotary_delta" else "belt_loss"
     names = {loss: NAMES.get(loss, springs) for loss in what.names}
@@ -318,4 +308,14 @@ def _judged(case: Case, what: Kind, truth: Mapping[str, float], found: Diagnosis
         if loss in truth
     )
     of = found.damping
-    return Outcome(case, state, found.verdict, of.verdict, classes, away, of.fitted, seconds, of.reason)
+    return DampingOutcome(
+        case,
+        state,
+        found.verdict,
+        classes,
+        seconds=seconds,
+        reason=of.reason,
+        of_damping=of.verdict,
+        away=away,
+        ratios=of.fitted,
+    )

@@ -8,30 +8,28 @@
 
 from __future__ import annotations
 
-import argparse
 import itertools
 import json
 import os
 import platform
 import statistics
-import sys
 import time
-import traceback
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import as_completed
 from dataclasses import asdict, replace
 from pathlib import Path
 
 from pkmodes_rig.suites import hard_suites
 from pkmodes_rig.suites.buildings import Building
-from pkmodes_rig.suites.judging import MEASUREMENT
+from pkmodes_rig.suites.cases import Case
+from pkmodes_rig.suites.judging import CaseOutcome, run
 from pkmodes_rig.suites.motors import DRIVES, shows, words
-from pkmodes_rig.suites.requirements import CLEAR, count, requirements
-from pkmodes_rig.suites.running import JOBS, processes, publish
+from pkmodes_rig.suites.requirements import CLEAR, requirements
+from pkmodes_rig.suites.running import command_line, publish, run_all
 from pkmodes_rig.suites.sizes import KINDS
+from pkmodes_rig.suites.specimens import MEASUREMENT
 from pkmodes_rig.suites.strengths import SEED
-from pkmodes_rig.suites.suites import SUITES, Case, Outcome, failed, run
-from pkmodes_rig.suites.tables import confusion, grouped, in_words, listed, table
+from pkmodes_rig.suites.suites import SUITES
+from pkmodes_rig.suites.tables import confusion, count, grouped, in_words, listed, table
 
 #: Seeds used during the development of the diagnosis.
 SEEN = (
@@ -47,37 +45,28 @@ BINS = (0.0, 2.0, 4.0, 6.0, 10.0, 20.0, float("inf"))
 
 def main() -> None:
     """Run the chosen suites, and write their page."""
-    arguments = _arguments()
-    start = time.perf_counter()
-    cases = [
-        replace(case, seed=arguments.seed)
-        for drives in arguments.drives or DRIVES
-        for case in _chosen(arguments.only, arguments.limit, drives)
-    ]
-    outcomes = _run(cases, arguments.jobs)
-    if arguments.cases:
-        text = json.dumps([asdict(outcome) for outcome in outcomes], indent=1)
-        arguments.cases.write_text(text + "\n", encoding="utf-8")
-    publish(_page(outcomes, time.perf_counter() - start, arguments.jobs), arguments.out)
-
-
-def _arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(description="Measure the diagnosis on the virtual test rig.")
-    parser.add_argument("--out", type=Path, help="file for the tables; by default they are printed")
+    parser = command_line("Measure the diagnosis on the virtual test rig.", SEED)
     parser.add_argument("--cases", type=Path, help="JSON file for the outcome of every case")
     parser.add_argument("--only", choices=SUITES, action="append", help="suite to run; may be repeated")
     parser.add_argument(
         "--drives", choices=DRIVES, action="append", help="what the motors do; by default all three in turn"
     )
     parser.add_argument("--limit", type=int, help="largest number of cases per suite, spread evenly")
-    parser.add_argument(
-        "--seed", type=int, default=SEED, help="seed of the random draws (noise, true values)"
-    )
-    parser.add_argument("--jobs", type=int, default=JOBS, help="processes; default 2")
-    return parser.parse_args()
+    arguments = parser.parse_args()
+    start = time.perf_counter()
+    cases = [
+        replace(case, seed=arguments.seed)
+        for drives in arguments.drives or DRIVES
+        for case in _chosen(arguments.only, arguments.limit, drives)
+    ]
+    outcomes = run_all(run, cases, arguments.jobs, _said, CaseOutcome)
+    if arguments.cases:
+        text = json.dumps([asdict(outcome) for outcome in outcomes], indent=1)
+        arguments.cases.write_text(text + "\n", encoding="utf-8")
+    publish(_page(outcomes, time.perf_counter() - start, arguments.jobs), arguments.out)
 
 
-# Running -----------------------------------------------------------------------------------------------------
+# Cases -------------------------------------------------------------------------------------------------------
 
 
 def _chosen(only: Sequence[str] | None, limit: int | None, drives: str) -> Iterable[Case]:
@@ -98,30 +87,14 @@ def _driven(drives: str, cases: Iterable[Case]) -> Iterator[Case]:
             yield replace(case, truth=replace(truth, drives=drives))
 
 
-def _run(cases: list[Case], jobs: int) -> list[Outcome]:
-    outcomes: dict[str, Outcome] = {}
-    with processes(jobs) as pool:
-        futures = [pool.submit(_safely, case) for case in cases]
-        for done, future in enumerate(as_completed(futures), start=1):
-            outcome = future.result()
-            outcomes[outcome.case.label] = outcome
-            what = f"{outcome.case.label} ({outcome.case.kind}): {outcome.state} {in_words(outcome)}"
-            print(f"{done}/{len(cases)} {what} [{outcome.seconds:.1f} s]", file=sys.stderr, flush=True)
-    return [outcomes[case.label] for case in cases]
-
-
-def _safely(case: Case) -> Outcome:
-    """Run a case; an exception in the diagnosis is an outcome too."""
-    try:
-        return run(case)
-    except Exception:
-        return failed(case, traceback.format_exc(limit=-8))
+def _said(o: CaseOutcome) -> str:
+    return f"{o.case.label} ({o.case.kind}): {o.state} {in_words(o)} [{o.seconds:.1f} s]"
 
 
 # Tables ------------------------------------------------------------------------------------------------------
 
 
-def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
+def _page(outcomes: list[CaseOutcome], seconds: float, jobs: int) -> list[str]:
     regular = [o for o in outcomes if o.case.suite != "special"]
     by_suite = {suite: [o for o in outcomes if o.case.suite == suite] for suite in SUITES}
     single = by_suite["one effect"] + by_suite["wrong parameter"]
@@ -209,11 +182,11 @@ def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
         "",
         "## Confident and wrong",
         "",
-        *_wrong(regular),
+        *_listed([o for o in regular if o.state in ("wrong", "failed")]),
         "",
         "## Clear causes that were not named",
         "",
-        *_missed(single + real),
+        *_listed([o for o in single + real if o.signal > CLEAR and o.state not in ("named", "wrong")]),
         "",
         "## Time",
         "",
@@ -223,7 +196,7 @@ def _page(outcomes: list[Outcome], seconds: float, jobs: int) -> list[str]:
     ]
 
 
-def _requirements(drives: str, outcomes: Sequence[Outcome]) -> list[str]:
+def _requirements(drives: str, outcomes: Sequence[CaseOutcome]) -> list[str]:
     """Return the section of the requirements for tests with these drives; nothing if there were none."""
     some = [o for o in outcomes if o.case.drives == drives]
     if not some:
@@ -239,15 +212,15 @@ def _requirements(drives: str, outcomes: Sequence[Outcome]) -> list[str]:
     ]
 
 
-def _cause(o: Outcome) -> str:
+def _cause(o: CaseOutcome) -> str:
     return f"(outside) {o.case.kind}" if o.case.kind in KINDS else o.case.kind
 
 
-def _suite(o: Outcome) -> str:
+def _suite(o: CaseOutcome) -> str:
     return f"{o.case.suite}{words(o.case.drives)}"
 
 
-def _kind(o: Outcome) -> str:
+def _kind(o: CaseOutcome) -> str:
     """Return the kind of case of an outcome of the hard suites."""
     case = o.case
     frames = isinstance(case.truth, Building)
@@ -259,7 +232,7 @@ def _kind(o: Outcome) -> str:
     return f"{case.suite}: {kind}"
 
 
-def _special_kind(o: Outcome) -> str:
+def _special_kind(o: CaseOutcome) -> str:
     lacking = ("nothing missing", "one effect", "two causes")[len(o.case.names)]
     return f"{o.case.kind}; {lacking}"
 
@@ -271,20 +244,18 @@ def _lacking(case: Case) -> str:
     return "one cause" if causes else "outside" if truth.outside else "nothing missing"
 
 
-def _power(outcomes: list[Outcome]) -> list[str]:
-    lines = ["| signal | cases | named | abstained | adequate | wrong |", "|---|---|---|---|---|---|"]
+def _power(outcomes: list[CaseOutcome]) -> list[str]:
+    states, rows = ("named", "abstained", "adequate", "wrong"), []
     for low, high in itertools.pairwise(BINS):
         group = [o for o in outcomes if low <= o.signal < high]
-        parts = [
-            f"{count(group, state) / len(group):.0%}".replace("%", " %") if group else ""
-            for state in ("named", "abstained", "adequate", "wrong")
-        ]
-        name = f"over {low:g}" if high == BINS[-1] else f"{low:g} to {high:g}"
-        lines.append(f"| {name} | {len(group)} | {' | '.join(parts)} |")
-    return lines
+        parts = [f"{count(group, s) / len(group):.0%}".replace("%", " %") if group else "" for s in states]
+        rows.append(
+            (f"over {low:g}" if high == BINS[-1] else f"{low:g} to {high:g}", str(len(group)), *parts)
+        )
+    return table(("signal", "cases", *states), rows)
 
 
-def _pairs(outcomes: list[Outcome]) -> list[str]:
+def _pairs(outcomes: list[CaseOutcome]) -> list[str]:
     rows = [
         (
             *(str(o.case.number), _where(o), o.case.kind, ", ".join(f"{b:.3g}" for b in o.beyond)),
@@ -295,7 +266,7 @@ def _pairs(outcomes: list[Outcome]) -> list[str]:
     return table(("case", "robot, plan", "effects", "each beyond the other", "state", "classes"), rows)
 
 
-def _special(outcomes: list[Outcome]) -> list[str]:
+def _special(outcomes: list[CaseOutcome]) -> list[str]:
     groups = grouped(outcomes, _special_kind)
     lines = confusion(groups, "case")
     remarks = [" set aside, shared error |", "---|"]
@@ -305,34 +276,23 @@ def _special(outcomes: list[Outcome]) -> list[str]:
     return [line + remark for line, remark in zip(lines, remarks, strict=True)]
 
 
-def _wrong(outcomes: list[Outcome]) -> list[str]:
-    return _listed([o for o in outcomes if o.state in ("wrong", "failed")])
-
-
-def _missed(outcomes: list[Outcome]) -> list[str]:
-    return _listed([o for o in outcomes if o.signal > CLEAR and o.state not in ("named", "wrong")])
-
-
-def _listed(outcomes: list[Outcome]) -> list[str]:
+def _listed(outcomes: list[CaseOutcome]) -> list[str]:
     rows = [
         (o.case.label, _where(o), o.case.kind, f"{o.signal:.3g}", o.verdict, in_words(o)) for o in outcomes
     ]
     return listed(("case", "robot, plan", "truth", "signal", "verdict", "classes"), rows)
 
 
-def _where(outcome: Outcome) -> str:
+def _where(outcome: CaseOutcome) -> str:
     case = outcome.case
     shapes = outcome.laboratory.shapes if outcome.laboratory else case.shapes
-    return f"{case.truth.robot}, {case.plan}{'' if shapes else ', no shapes'}"
+    return f"{case.truth.machine}, {case.plan}{'' if shapes else ', no shapes'}"
 
 
-def _times(by_suite: dict[str, list[Outcome]]) -> list[str]:
-    lines = ["| suite | median | longest |", "|---|---|---|"]
-    for suite, group in by_suite.items():
-        if group:
-            seconds = [o.seconds for o in group]
-            lines.append(f"| {suite} | {statistics.median(seconds):.1f} s | {max(seconds):.1f} s |")
-    return lines
+def _times(by_suite: dict[str, list[CaseOutcome]]) -> list[str]:
+    seconds = {suite: [o.seconds for o in group] for suite, group in by_suite.items() if group}
+    rows = [(name, f"{statistics.median(s):.1f} s", f"{max(s):.1f} s") for name, s in seconds.items()]
+    return table(("suite", "median", "longest"), rows)
 
 
 def _machine() -> str:

@@ -11,22 +11,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from pkmodes_rig import ASKEW, MISTAKES, ORDERS, POSES, SENSORS, Laboratory, channels, read
+from pkmodes_rig import ASKEW, MISTAKES, ORDERS, POSES, SENSORS, Laboratory, channels
 from pkmodes_rig.suites.buildings import Building
 from pkmodes_rig.suites.cases import ROBOT_NAMES, Case
-from pkmodes_rig.suites.judging import NOTED, POSITIONS
+from pkmodes_rig.suites.judging import NOTED
 from pkmodes_rig.suites.motors import OTHER_DRIVES
 from pkmodes_rig.suites.sizes import EFFECT_SIZES, OUTSIDE_SIZES
-from pkmodes_rig.suites.strengths import (
-    CATALOGUE,
-    PLANS,
-    SEED,
-    SIGMA,
-    Truth,
-    outside_causes,
-    with_effect,
-    with_outside,
-)
+from pkmodes_rig.suites.specimens import POSITIONS, SIGMA, Specimen, robot_of, with_effect, with_outside
+from pkmodes_rig.suites.strengths import CATALOGUE, PLANS, SEED, outside_causes
 
 #: Cases with few rows, and with outliers among few rows: robots, and as many buildings.
 FEW_ROWS, OUTLIERS = 60, 30
@@ -114,7 +106,7 @@ def units_and_wiring() -> Iterator[Case]:
     for m, mistake in enumerate(MISTAKES):
         for k in range(WITHOUT + WITH_ONE):
             robot, effect = ROBOT_NAMES[(k + m) % 3], plain[m % len(plain)]
-            truth = Truth(robot)
+            truth = Specimen(robot)
             names: tuple[str, ...] = ()
             if k >= WITHOUT:
                 truth, names = with_effect(robot, effect, EFFECT_SIZES[robot][effect][2]), (effect,)
@@ -127,7 +119,7 @@ def units_and_wiring() -> Iterator[Case]:
             n += 1
     for k, robot in enumerate(ROBOT_NAMES):
         frame = with_effect(robot, "frame_compliance", EFFECT_SIZES[robot]["frame_compliance"][2])
-        mass = FRAME_MASS * read(robot).constants["frame_compliance.mass"]
+        mass = FRAME_MASS * robot_of(robot).constants["frame_compliance.mass"]
         truth = replace(frame, effects={**frame.effects, "frame_compliance.mass": mass})
         names = ("frame_compliance",)
         kind = "wrong frame.mass"
@@ -140,7 +132,7 @@ def wrong_drives() -> Iterator[Case]:
     """Yield files that say that motors were free where they were held, or the reverse."""
     for n in range(WRONG_DRIVES):
         robot, effect = ROBOT_NAMES[n % 3], ("belt_mass", "payload", "link_compliance")[n % 3]
-        truth = Truth(robot)
+        truth = Specimen(robot)
         names: tuple[str, ...] = ()
         if n % 4 == 3:
             truth, names = with_effect(robot, effect, EFFECT_SIZES[robot][effect][2]), (effect,)
@@ -165,7 +157,7 @@ def _mountings(n: int, plain: Sequence[str]) -> Iterator[Case]:
     places = (middle, scattered, ("asymmetric", "grid"), middle, ("published", "line"))
     for k, mistake in enumerate([*ORDERS, *[ASKEW] * ASKEW_CASES]):
         robot, plan = places[k % len(places)]
-        truth = Truth(robot)
+        truth = Specimen(robot)
         names: tuple[str, ...] = ()
         if k % WITH_EFFECT == 0:
             effect = plain[k // WITH_EFFECT % len(plain)]
@@ -200,11 +192,11 @@ def _places(effects: Iterable[str]) -> Iterator[tuple[tuple[int, str], tuple[int
     return itertools.product(enumerate(effects), enumerate(ROBOT_NAMES))
 
 
-def _machine(rng: np.random.Generator, n: int) -> tuple[Truth, tuple[str, ...], str]:
+def _machine(rng: np.random.Generator, n: int) -> tuple[Specimen, tuple[str, ...], str]:
     """Draw a robot: of five, one lacks nothing, one has a cause outside the catalogue, three have a plain effect."""
     robot = ROBOT_NAMES[n % 3]
     if n % 5 == 0:
-        return Truth(robot), (), "nothing"
+        return Specimen(robot), (), "nothing"
     if n % 5 == 1:
         causes = [(s, size) for s, size in zip(outside_causes(), OUTSIDE_SIZES, strict=True) if s[1] == robot]
         (kind, *_), size = causes[int(rng.integers(len(causes)))]
@@ -237,7 +229,7 @@ def _few(
     rng: np.random.Generator,
     suite: str,
     number: int,
-    truth: Truth | Building,
+    truth: Specimen | Building,
     names: tuple[str, ...],
     kind: str,
 ) -> Case:
@@ -246,7 +238,7 @@ def _few(
         plan = f"prior {truth.prior:.0%}, setups {len(truth.loads)}"
         return Case(suite, number, plan, truth, names, kind, realistic=True)
     plan = PLANS[int(rng.integers(len(PLANS)))]
-    all_poses = len(POSES[truth.robot][plan])
+    all_poses = len(POSES[truth.machine][plan])
     poses = rng.choice(all_poses, int(rng.integers(1, 4)), replace=False)
     return Case(
         suite, number, plan, truth, names, kind, realistic=True, poses=tuple(int(i) for i in sorted(poses))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import re
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -14,27 +14,13 @@ import numpy as np
 from pkmodes import updating
 from pkmodes.diagnosis import diagnose
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes_rig import ASKEW, MISTAKES, ORDERS, Laboratory, followed, read
+from pkmodes_rig import ASKEW, MISTAKES, ORDERS, Laboratory, followed
 from pkmodes_rig.suites.buildings import Building
 from pkmodes_rig.suites.cases import Case, Trial, tried
 from pkmodes_rig.suites.motors import OTHER_DRIVES
-from pkmodes_rig.suites.strengths import measurements, signal
-
-#: Corrections of the measurement itself, which are not causes in the machine.
-MEASUREMENT = "measurement:"
-POSITIONS = tuple(f"{MEASUREMENT}{name}" for name in ("offset.x", "offset.y", "offset.z", "yaw"))
-
-#: Candidates equivalent to the truth whatever is measured: a class that contains one of them is right.  The modes
-#: depend only on the product gear_ratio^2 * motor.inertia, which is an inertia on the driven pulley; another belt
-#: width changes the stiffness of each axis with that belt; where the poses in the file are wrong, a displacement that
-#: stands for a rotation is right.
-SAME: dict[str, tuple[str, ...]] = {
-    "gearbox_inertia": ("parameter:motor.gear_ratio",),
-    "parameter:motor.gear_ratio": ("gearbox_inertia",),
-    "parameter:belt.width": ("axis_belt_stiffness",),
-    "parameter:axis.2.belt.width": ("axis_belt_stiffness",),
-    **dict.fromkeys(POSITIONS, POSITIONS),
-}
+from pkmodes_rig.suites.running import Outcome
+from pkmodes_rig.suites.specimens import MEASUREMENT, SAME, measurements, robot_of
+from pkmodes_rig.suites.strengths import signal
 
 #: Rows beyond the unknowns that a claim needs after a row was set aside: one for that row, and one to test it with.
 SPARE = 2
@@ -61,23 +47,13 @@ NOTED = {
 
 
 @dataclass(frozen=True)
-class Outcome:
-    """Outcome of a case; attributes not described here are copied from the diagnosis.
+class CaseOutcome(Outcome[Case]):
+    """Outcome of a case; ``wrong`` are also rows of a faulty case that were set aside without redundancy.
 
     Attributes
     ----------
-    state : str
-        ``adequate``; ``abstained`` (ambiguous, unexplained, insufficient_data); for a claim: ``named`` (each
-        cause in a separate class), ``partly`` (nothing wrong, but not every cause), ``wrong`` (a class without any
-        of the causes, or rows of a faulty case set aside without redundancy).
-    classes : tuple of tuple of str
-        Classes of the causes found, or the survivors.
-    values : tuple of (name, estimate, sigma, true)
-        Parameters of the causes that were named.
     renamed : bool
-        Whether a class counts as right only by `SAME`.
-    signal : float
-        Predicted signal for the modes that were found; see `strengths`.
+        Whether a class counts as right only by `specimens.SAME`.
     beyond : tuple of float
         For two effects: the signal of each beyond the other.
     physical : bool
@@ -93,16 +69,8 @@ class Outcome:
         Whether the notes name another signed order than the right one.
     """
 
-    case: Case
-    state: str
-    verdict: str
-    classes: tuple[tuple[str, ...], ...]
-    values: tuple[tuple[str, float, float, float], ...] = ()
     renamed: bool = False
-    signal: float = 0.0
     beyond: tuple[float, ...] = ()
-    seconds: float = 0.0
-    reason: str = ""
     scatter: float = 0.0
     outliers: int = 0
     rows: int = 0
@@ -116,32 +84,24 @@ class Outcome:
     laboratory: Laboratory | None = None
 
 
-def run(case: Case) -> Outcome:
+def run(case: Case) -> CaseOutcome:
     """Measure, diagnose and judge a case."""
     test = tried(case)
-    start = time.perf_counter()
-    diagnosis = diagnosed(case, test.text)
-    seconds = time.perf_counter() - start
-    state = judged(case.names, diagnosis)
+    diagnosis, said = diagnosed(case.names, case.truth.sizes, lambda: _of(case, test.text))
     faulty = bool(case.edit or case.names or case.truth.outside)
     if diagnosis.verdict in ("adequate", "effect_found") and faulty and set_aside_blindly(case, diagnosis):
-        state = "wrong"
-    notes = tuple(diagnosis.notes) if hasattr(diagnosis, "notes") else ()
-    return Outcome(
+        said["state"] = "wrong"
+    notes = tuple(diagnosis.notes)
+    return CaseOutcome(
         case=case,
-        state=state,
-        verdict=diagnosis.verdict,
-        classes=tuple(f.members for f in diagnosis.effects) or diagnosis.survivors,
-        values=tuple(values(case, diagnosis)),
+        **said,
         renamed=judged(case.names, diagnosis) != judged(case.names, diagnosis, same={}),
         **_signals(case, test, diagnosis),
-        seconds=seconds,
-        reason=diagnosis.reason,
         scatter=diagnosis.scatter,
         outliers=len(diagnosis.outliers),
         rows=len(diagnosis.rows),
         poses=len({row.pose for row in diagnosis.rows}),
-        physical=state == "wrong" and physical(case.names, diagnosis),
+        physical=said["state"] == "wrong" and physical(case.names, diagnosis),
         mac=_macs(test, diagnosis) if diagnosis.effects else None,
         noted=mentioned(kind, notes) if (kind := noticeable(case)) else None,
         **_rewired(case, test, notes),
@@ -150,21 +110,53 @@ def run(case: Case) -> Outcome:
     )
 
 
-def noticeable(case: Case) -> str:
-    """Return the kind of mistake in `MENTIONS` that must be noted; empty if there is none."""
-    return "drives" if case.edit == OTHER_DRIVES else NOTED.get(case.mistake, "")
+def diagnosed(
+    names: tuple[str, ...],
+    sizes: Mapping[str, float],
+    diagnose: Callable[[], Diagnosis],
+    same: Mapping[str, tuple[str, ...]] = SAME,
+) -> tuple[Diagnosis, dict[str, Any]]:
+    """Diagnose a specimen, and return what outcomes of all suites say of it.
+
+    Parameters
+    ----------
+    names : tuple of str
+        Candidates that should be named.
+    sizes : mapping of str to float
+        True values by parameter, see `Specimen.sizes`.
+    diagnose : callable
+    same : mapping
+        Equivalent candidates.
+    """
+    start = time.perf_counter()
+    diagnosis = diagnose()
+    seconds = time.perf_counter() - start
+    return diagnosis, {
+        "state": judged(names, diagnosis, same),
+        "verdict": diagnosis.verdict,
+        "classes": tuple(f.members for f in diagnosis.effects) or diagnosis.survivors,
+        "values": tuple(
+            (value.name, value.value, value.sigma, sizes[value.name])
+            for finding in diagnosis.effects
+            for name in names
+            for value in finding.alternatives.get(name, ())
+            if value.name in sizes
+        ),
+        "seconds": seconds,
+        "reason": diagnosis.reason,
+    }
 
 
-def failed(case: Case, reason: str) -> Outcome:
-    """Return the outcome of a case in which the diagnosis raised an exception."""
-    return Outcome(case, "failed", "", (), signal=float("inf"), reason=reason)
-
-
-def diagnosed(case: Case, text: str) -> Diagnosis:
+def _of(case: Case, text: str) -> Diagnosis:
     """Diagnose a specimen from the text of a file, as a user would."""
     if isinstance(case.truth, Building):
         return diagnose(case.truth.structure(), measurements(text, case.truth.channels))
-    return updating.diagnose(read(case.truth.robot), measurements(text))
+    return updating.diagnose(robot_of(case.truth.machine), measurements(text))
+
+
+def noticeable(case: Case) -> str:
+    """Return the kind of mistake in `MENTIONS` that must be noted; empty if there is none."""
+    return "drives" if case.edit == OTHER_DRIVES else NOTED.get(case.mistake, "")
 
 
 def judged(names: tuple[str, ...], diagnosis: Diagnosis, same: Mapping[str, tuple[str, ...]] = SAME) -> str:
@@ -197,22 +189,10 @@ def set_aside_blindly(case: Case, diagnosis: Diagnosis) -> bool:
     if isinstance(case.truth, Building):
         uncertain = sum(bool(p.sigma) for p in case.truth.structure().parameters)
     else:
-        uncertain = sum(bool(q.sigma) for q in read(case.truth.robot).quantities.values())
+        uncertain = sum(bool(q.sigma) for q in robot_of(case.truth.machine).quantities.values())
     unknown = uncertain + sum(len(finding.parameters) for finding in diagnosis.effects)
     fitted = sum(not row.held_out and not row.outlier for row in diagnosis.rows)
     return fitted - unknown < SPARE
-
-
-def values(case: Case, diagnosis: Diagnosis) -> Iterator[tuple[str, float, float, float]]:
-    """Yield the parameters of the causes that were named: estimate, standard deviation and true value."""
-    true = dict(case.truth.values)
-    if not isinstance(case.truth, Building):
-        true |= {f"effects.{name}": value for name, value in case.truth.effects.items()}
-    for finding in diagnosis.effects:
-        for name in case.names:
-            for value in finding.alternatives.get(name, ()):
-                if value.name in true:
-                    yield value.name, value.value, value.sigma, true[value.name]
 
 
 def _signals(case: Case, test: Trial, diagnosis: Diagnosis) -> dict[str, Any]:
@@ -227,7 +207,7 @@ def _signals(case: Case, test: Trial, diagnosis: Diagnosis) -> dict[str, Any]:
     rows = test.rows if test.laboratory else None
 
     def given(beside: str | None = None) -> float:
-        return signal(truth, case.plan, holdout=diagnosis.held_out_poses, beside=beside, rows=rows)
+        return signal(truth, case.points, holdout=diagnosis.held_out_poses, beside=beside, rows=rows)
 
     pair = case.names[::-1] if case.suite.startswith("two effects") else ()
     return {"signal": given(), "beyond": tuple(given(other) for other in pair)}

@@ -10,33 +10,22 @@ it; an interval covers if it contains the true value.
 
 from __future__ import annotations
 
-import argparse
-import sys
 import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 import numpy as np
 
 from pkmodes import updating
 from pkmodes.updating.candidates import PREFIX
-from pkmodes_rig import drawn_values, read
+from pkmodes_rig import SENSORS, drawn_values
 from pkmodes_rig.suites.cases import ROBOT_NAMES, Case, tried
 from pkmodes_rig.suites.requirements import INTERVAL, line
-from pkmodes_rig.suites.running import JOBS, processes, publish
+from pkmodes_rig.suites.running import command_line, publish, run_all
 from pkmodes_rig.suites.sizes import EFFECT_SIZES, TARGETS, WRONG_SIZES, WRONG_TARGETS
-from pkmodes_rig.suites.strengths import (
-    CATALOGUE,
-    PLANS,
-    SEED,
-    SHAPES,
-    Truth,
-    measurements,
-    with_effect,
-    with_wrong,
-)
+from pkmodes_rig.suites.specimens import Specimen, measurements, robot_of, with_effect, with_wrong
+from pkmodes_rig.suites.strengths import CATALOGUE, PLANS, SEED
 
 SUITE = "hidden causes"
 #: Seeds used during development.
@@ -105,7 +94,7 @@ def cases(seed: int) -> Iterator[Hidden]:
 def _hidden(robot: str, kind: str, unit: float, is_effect: bool, n: int, seed: int) -> Hidden:
     rng = np.random.default_rng([seed, 77, n])
     size = float(rng.uniform(0.0, LARGEST) * unit)
-    values = drawn_values(read(robot), rng)
+    values = drawn_values(robot_of(robot), rng)
     if is_effect:
         truth = with_effect(robot, kind, size)
         sizes = {name: abs(value) for name, value in truth.effects.items()}
@@ -114,7 +103,7 @@ def _hidden(robot: str, kind: str, unit: float, is_effect: bool, n: int, seed: i
         truth, name = with_wrong(robot, kind, size), f"{PREFIX}{kind}"
         sizes = {kind: abs(size)}
     truth = replace(truth, values={**values, **truth.values})
-    plan, shapes = PLANS[n % len(PLANS)], SHAPES if n % 2 else ()
+    plan, shapes = PLANS[n % len(PLANS)], SENSORS if n % 2 else ()
     case = Case(SUITE, n, plan, truth, (name,), kind, shapes, seed=seed, realistic=n % 4 == 3)
     return Hidden(case, sizes, values)
 
@@ -122,8 +111,8 @@ def _hidden(robot: str, kind: str, unit: float, is_effect: bool, n: int, seed: i
 def run(hidden: Hidden) -> Shown:
     """Measure and diagnose a case."""
     case, start = hidden.case, time.perf_counter()
-    assert isinstance(case.truth, Truth)
-    robot = read(case.truth.robot)
+    assert isinstance(case.truth, Specimen)
+    robot = robot_of(case.truth.machine)
     found = updating.diagnose(robot, measurements(tried(case).text))
     limits = tuple(
         (size, found.limits[name].value) for name, size in hidden.sizes.items() if name in found.limits
@@ -133,7 +122,7 @@ def run(hidden: Hidden) -> Shown:
         (abs(hidden.values[value.name] - value.value), value.sigma, value.saved_sigma)
         for value in (refitted if found.verdict == "adequate" else ())
     )
-    return Shown(case.kind, case.truth.robot, found.verdict, limits, intervals, time.perf_counter() - start)
+    return Shown(case.kind, case.truth.machine, found.verdict, limits, intervals, time.perf_counter() - start)
 
 
 def rows(outcomes: Sequence[Shown]) -> Iterator[str]:
@@ -196,20 +185,17 @@ def _table(outcomes: Sequence[Shown]) -> Iterator[str]:
         yield f"| `{kind}` | {' | '.join(map(str, cells))} |"
 
 
+def _said(o: Shown) -> str:
+    return f"{o.robot} {o.kind}: {o.verdict} {o.limits} [{o.seconds:.1f} s]"
+
+
 def main() -> None:
     """Run the suite, and write its page."""
-    parser = argparse.ArgumentParser(description="Measure the limits on the virtual test rig.")
-    parser.add_argument("--out", type=Path, help="file for the page; by default it is printed")
-    parser.add_argument("--seed", type=int, default=1, help="seed of the random draws")
+    parser = command_line("Measure the limits on the virtual test rig.")
     parser.add_argument("--every", type=int, default=1, help="one case in this many; default all")
-    parser.add_argument("--jobs", type=int, default=JOBS, help="processes; default 2")
     arguments = parser.parse_args()
-    start, chosen, outcomes = time.perf_counter(), list(cases(arguments.seed))[:: arguments.every], []
-    with processes(arguments.jobs) as pool:
-        for o in pool.map(run, chosen):
-            outcomes.append(o)
-            said = f"{o.robot} {o.kind}: {o.verdict} {o.limits} [{o.seconds:.1f} s]"
-            print(f"{len(outcomes)}/{len(chosen)} {said}", file=sys.stderr, flush=True)
+    start, chosen = time.perf_counter(), list(cases(arguments.seed))[:: arguments.every]
+    outcomes = run_all(run, chosen, arguments.jobs, _said)
     publish(page(outcomes, arguments.seed, time.perf_counter() - start, arguments.jobs), arguments.out)
 
 

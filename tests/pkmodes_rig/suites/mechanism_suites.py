@@ -8,41 +8,37 @@ The requirements are those of the linear delta's suites (`requirements`).
 
 from __future__ import annotations
 
-import argparse
 import itertools
-import statistics
 import sys
 import time
-import traceback
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from pathlib import Path
 from pprint import pformat
 
-from pkmodes.core.mechanism.registry import mechanism
 from pkmodes.sensitivity.paths import resolve
 from pkmodes.updating.candidates import PREFIX
-from pkmodes_rig.suites.mechanism_cases import (
-    KINDS,
-    MechanismCase,
-    MechanismOutcome,
-    Specimen,
-    robot_of,
-    run,
-    signal,
-)
+from pkmodes_rig.suites.mechanism_cases import MechanismCase, MechanismOutcome, run
 from pkmodes_rig.suites.mechanism_sizes import SIZES
 from pkmodes_rig.suites.motors import DRIVES, OTHER_DRIVES, shows, words
-from pkmodes_rig.suites.requirements import CLEAR, INTERVAL, RIGHT, line
-from pkmodes_rig.suites.running import JOBS, processes, publish
-from pkmodes_rig.suites.tables import confusion, grouped, in_words, listed
+from pkmodes_rig.suites.requirements import CLEAR, basic, covered, errors, line, wrong
+from pkmodes_rig.suites.running import command_line, publish, run_all
+from pkmodes_rig.suites.sizes import UNEQUAL
+from pkmodes_rig.suites.specimens import (
+    KINDS,
+    Specimen,
+    effects_of,
+    robot_of,
+    with_effect,
+    with_outside,
+    with_wrong,
+)
+from pkmodes_rig.suites.strengths import enclosed, signal
+from pkmodes_rig.suites.tables import confusion, grouped, in_words, listed, times
 
 #: Number of complete models; every second case of a suite is realistic, every fifth has no shapes.
 NOTHING_MISSING = 40
 #: Signals of the three sizes of an effect and, in turn, of wrong values; signals of causes outside the catalogue.
 TARGETS, OUTSIDE_TARGETS = (8.0, 14.0, 25.0), (20.0, 50.0)
-#: Relative sizes of the factors of a group: all different, one of opposite sign.
-UNEQUAL = (0.5, -1.0, 0.3)
 #: The effect with a factor for a single reducer or belt.
 ONE = {"rotary_delta": "axis_reducer_stiffness", "corexy": "axis_belt_stiffness"}
 #: Declared values that are wrong, by changes of alternating sign; the last ones for a single axis or belt.
@@ -145,13 +141,11 @@ def _truths(name: str, suite: str, kind: str) -> tuple[str, ...]:
 def _specimen(name: str, suite: str, kind: str, size: float) -> Specimen:
     """Return a robot with one cause of the given size (for a wrong value, the change)."""
     if suite == "wrong parameter":
-        return Specimen(name, values={kind: resolve(robot_of(name), kind).value + size})
+        return with_wrong(name, kind, size)
     if suite == "outside the catalogue":
-        return Specimen(name, outside={kind: size})
-    effect = ONE[name] if kind == "one alone" else kind
-    fitted = [p.name for p in mechanism(name).effects[effect].parameters if p.fitted]
-    parts = (1.0,) if len(fitted) == 1 else UNEQUAL if kind != "one alone" else (-1.0, 0.0, 0.0)
-    return Specimen(name, {f"{effect}.{p}": size * part for p, part in zip(fitted, parts, strict=False)})
+        return with_outside(name, kind, size)
+    alone = kind == "one alone"
+    return with_effect(name, ONE[name] if alone else kind, size, (-1.0, 0.0, 0.0) if alone else UNEQUAL)
 
 
 # Sizes -------------------------------------------------------------------------------------------------------
@@ -162,9 +156,7 @@ def sizes() -> dict[str, dict[str, dict[str, list[float]]]]:
     sizes_of: dict[str, dict[str, dict[str, list[float]]]] = {}
     for name in KINDS:
         suites = sizes_of[name] = {suite: {} for suite in SIZED}
-        # A coefficient of a constant that the file does not give, such as a tension, has no effect.
-        effects = [e for e in mechanism(name).conservative_effects if e != "belt_tension_stiffness"]
-        for kind in (*effects, "one alone"):
+        for kind in (*effects_of(name), "one alone"):
             given = ADDING[name].get(kind)
             suites["one effect"][kind] = given or [_size(name, "one effect", kind, t) for t in TARGETS]
         for place, path in enumerate(WRONG[name]):
@@ -187,25 +179,17 @@ def _size(name: str, suite: str, kind: str, target: float, sign: float = 1.0) ->
         declared = abs(resolve(robot_of(name), kind).value) or 0.1
         most, start = declared * (MOST - 1.0 if sign > 0.0 else 1.0 - 1.0 / MOST), 1e-4 * declared
     elif suite == "one effect" and kind != "one alone":
-        parameter = mechanism(name).effects[kind].parameters[0].name
+        parameter = robot_of(name).mechanism.effects[kind].parameters[0].name
         start = STARTS.get(kind, STARTS.get(parameter, 1e-10 if parameter == "inertia" else 1e-4))
 
     def measured(size: float) -> float:
-        return signal(_specimen(name, suite, kind, sign * size), tied=kind not in TYING)
+        specimen = _specimen(name, suite, kind, sign * size)
+        return signal(specimen, KINDS[name].points, tied=kind not in TYING)
 
-    low, high = start, 4.0 * start
-    while high < most and measured(high) < target:
-        low, high = high, 4.0 * high
-    if high >= most:
-        high = most
-        if measured(high) < target:
-            print(f"{name} {kind}: only {measured(high):.3g} sigma", file=sys.stderr, flush=True)
-            return float(f"{sign * high:.3g}")
-    while high / low > 1.05:
-        middle = (low * high) ** 0.5
-        low, high = (middle, high) if measured(middle) < target else (low, middle)
-    size = float(f"{sign * high:.3g}")
-    print(f"{name} {kind}: {size:g} for {target:g} sigma", file=sys.stderr, flush=True)
+    _, found = enclosed(measured, target, start, factor=4.0, within=1.05, most=most)
+    size = float(f"{sign * found:.3g}")
+    reached = f"{size:g} for {target:g}" if found < most else f"only {measured(found):.3g}"
+    print(f"{name} {kind}: {reached} sigma", file=sys.stderr, flush=True)
     return size
 
 
@@ -214,46 +198,30 @@ def _size(name: str, suite: str, kind: str, target: float, sign: float = 1.0) ->
 
 def main() -> None:
     """Run the suites of all mechanisms, and write their page."""
-    arguments = _arguments()
+    parser = command_line("Measure the diagnosis of the rotary delta and the CoreXY.")
+    parser.add_argument("--only", default="", help="part of the label of the cases to run")
+    parser.add_argument("--sizes", action="store_true", help="find the sizes of the causes and print them")
+    arguments = parser.parse_args()
     if arguments.sizes:
         print(pformat(sizes(), width=110, sort_dicts=False))
         return
     start = time.perf_counter()
     chosen = [replace(case, seed=arguments.seed) for case in cases() if arguments.only in case.label]
-    with processes(arguments.jobs) as pool:
-        outcomes = []
-        for o in pool.map(_safely, chosen):
-            outcomes.append(o)
-            print(f"{_short(o)} [{o.seconds:.1f} s] {o.reason}", file=sys.stderr, flush=True)
+    outcomes = run_all(run, chosen, arguments.jobs, _said, MechanismOutcome)
     publish(_page(outcomes, time.perf_counter() - start, arguments.jobs), arguments.out)
 
 
-def _arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(description="Measure the diagnosis of the rotary delta and the CoreXY.")
-    parser.add_argument("--out", type=Path, help="file for the tables; by default they are printed")
-    parser.add_argument("--only", default="", help="part of the label of the cases to run")
-    parser.add_argument("--seed", type=int, default=1, help="seed of the random draws (noise, true values)")
-    parser.add_argument("--jobs", type=int, default=JOBS, help="processes; default 2")
-    parser.add_argument("--sizes", action="store_true", help="find the sizes of the causes and print them")
-    return parser.parse_args()
-
-
-def _safely(case: MechanismCase) -> MechanismOutcome:
-    """Run a case; an exception in the diagnosis is an outcome too."""
-    try:
-        return run(case)
-    except Exception:
-        return MechanismOutcome(
-            case, "failed", "", (), signal=float("inf"), reason=traceback.format_exc(limit=-8)
-        )
+def _said(o: MechanismOutcome) -> str:
+    what = f"{o.case.label}{_real(o)} ({o.case.kind}), {o.signal:.3g}: {o.state} {in_words(o)}"
+    return f"{what} [{o.seconds:.1f} s] {o.reason}"
 
 
 # Tables ------------------------------------------------------------------------------------------------------
 
 
 def _page(outcomes: list[MechanismOutcome], seconds: float, jobs: int) -> list[str]:
-    groups = {name: [o for o in outcomes if o.case.specimen.mechanism == name] for name in KINDS}
-    lines = [
+    groups = {name: [o for o in outcomes if o.case.specimen.machine == name] for name in KINDS}
+    return [
         "# The diagnosis of other mechanisms, measured",
         "",
         "Written by `make suites`; do not edit. `tests/pkmodes_rig/suites/mechanism_suites.py` defines the cases,",
@@ -320,11 +288,9 @@ def _page(outcomes: list[MechanismOutcome], seconds: float, jobs: int) -> list[s
         "",
         "## Time",
         "",
-        f"Median {statistics.median(o.seconds for o in outcomes):.1f} s, longest"
-        f" {max(o.seconds for o in outcomes):.1f} s; all {len(outcomes)} cases in {seconds / 60:.0f} min with"
-        f" {jobs} processes.",
+        f"{times([o.seconds for o in outcomes])}; all {len(outcomes)} cases in {seconds / 60:.0f} min with {jobs}"
+        " processes.",
     ]
-    return lines
 
 
 def _requirements(name: str, drives: str, outcomes: Sequence[MechanismOutcome]) -> Iterator[str]:
@@ -332,39 +298,22 @@ def _requirements(name: str, drives: str, outcomes: Sequence[MechanismOutcome]) 
         return
     for suite in SUITES:
         group = [o for o in outcomes if o.case.suite == suite]
-        title, number = f"{name}, {suite}{words(drives)}", len(group)
-        if suite == "nothing missing":
-            adequate = _count(group, "adequate")
-            yield line(title, "not adequate <= 5 %", number - adequate, number, most=0.05)
-        elif suite == "wrong drives":
-            yield line(title, "noted >= 90 %", sum(o.noted for o in group), number, least=0.90)
-        elif suite == "outside the catalogue":
-            yield line(title, "abstained >= 90 %", _count(group, "abstained"), number, least=0.90)
+        title = f"{name}, {suite}{words(drives)}"
+        if suite == "wrong drives":
+            yield line(title, "noted >= 90 %", sum(o.noted for o in group), len(group), least=0.90)
         else:
-            clear = [o for o in group if o.signal > CLEAR]
-            named = [o for o in clear if o.state == "named"]
-            what = f"signal > {CLEAR:g}"
-            yield line(title, f"{what}: named >= 95 %", len(named), len(clear), least=0.95)
-            right = sum(all(abs(v - t) <= RIGHT * s for _, v, s, t in o.values) for o in named)
-            yield line(title, f"{what}: value within 3 sigma >= 95 %", right, len(named), least=0.95)
-    wrong = _count(outcomes, "wrong")
+            yield from basic(suite, title, group)
     every = f"{name}, all{words(drives)}"
-    yield line(every, "confident and wrong <= 2 %", wrong, len(outcomes), most=0.02)
-    values = [abs(v - t) / s for o in outcomes for _, v, s, t in o.values]
-    inside = sum(v <= INTERVAL for v in values)
-    yield line(every, "95 % intervals cover 90-99 %", inside, len(values), 0.90, 0.99)
-
-
-def _count(outcomes: Sequence[MechanismOutcome], state: str) -> int:
-    return sum(o.state == state for o in outcomes)
+    yield wrong(every, outcomes)
+    yield covered(every, errors(outcomes))
 
 
 def _suite(o: MechanismOutcome) -> str:
-    return f"{o.case.specimen.mechanism}, {o.case.suite}{_real(o)}{words(o.case.specimen.drives)}"
+    return f"{o.case.specimen.machine}, {o.case.suite}{_real(o)}{words(o.case.specimen.drives)}"
 
 
 def _cause(o: MechanismOutcome) -> str:
-    return f"{o.case.specimen.mechanism}, {o.case.suite}: {o.case.kind}"
+    return f"{o.case.specimen.machine}, {o.case.suite}: {o.case.kind}"
 
 
 def _real(o: MechanismOutcome) -> str:
@@ -380,10 +329,6 @@ def _listed(outcomes: Sequence[MechanismOutcome]) -> list[str]:
         for o in outcomes
     ]
     return listed(("case", "truth", "signal", "verdict", "classes"), rows)
-
-
-def _short(o: MechanismOutcome) -> str:
-    return f"{o.case.label}{_real(o)} ({o.case.kind}), {o.signal:.3g}: {o.state} {in_words(o)}"
 
 
 if __name__ == "__main__":

@@ -14,39 +14,21 @@ poses, so they are recomputed for each case of the suites.
 from __future__ import annotations
 
 import itertools
-import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import partial
-from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from pkmodes.core.mechanism.registry import mechanism
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.reading import read_measurements
-from pkmodes.sensitivity.paths import moved, resolve
+from pkmodes.sensitivity.paths import resolve
 from pkmodes.updating.measured_robot import MeasuredRobot
-from pkmodes.updating.robot_structure import channels as channels_of
-from pkmodes_rig import (
-    BASE_RIGID,
-    POSES,
-    ROBOTS,
-    SENSORS,
-    Identified,
-    TrueModes,
-    drives_of,
-    exact,
-    held_at,
-    measure_modes,
-    read,
-    true_modes,
-    written,
-)
+from pkmodes_rig import POSES, ROBOTS, Identified, drives_of, exact, identified, written
 from pkmodes_rig.suites.sizes import (
     ABSORBER,
     KINDS,
@@ -55,96 +37,47 @@ from pkmodes_rig.suites.sizes import (
     PAIRS,
     TARGETS,
     TYING,
-    UNEQUAL,
     WRONG_SIZES,
     WRONG_TARGETS,
 )
+from pkmodes_rig.suites.specimens import (
+    MACHINES,
+    MODES,
+    SIGMA,
+    Specimen,
+    band,
+    effects_of,
+    measurements_of,
+    robot_of,
+    with_effect,
+    with_outside,
+    with_wrong,
+)
 
-#: Effects of the suites, without those that only dissipate, and without that of belt tension, which does nothing
-#: where no tension is declared.
-CATALOGUE = {
-    name: effect
-    for name, effect in mechanism("linear_delta").conservative_effects.items()
-    if name != "belt_tension_stiffness"
-}
-
-#: Standard deviation of ln f, and the number of modes sought beyond the first three.
-SIGMA, MODES = 0.002, 6
+#: Effects of the suites.
+CATALOGUE = tuple(effects_of("linear_delta"))
 PLANS = ("grid", "scattered", "line")
 SEED = 20_221_107
-SHAPES = SENSORS
-CHANNELS = channels_of(mechanism("linear_delta"))
-
-
-@dataclass(frozen=True)
-class Truth:
-    """True state of a robot on the rig.
-
-    Attributes
-    ----------
-    robot : str
-        Name of the declared robot.
-    effects : mapping
-        Parameters of the catalogue's effects in SI units, by ``"<effect>.<parameter>"``.
-    values : mapping
-        True values in SI units, by dotted path, where they are not the declared ones.
-    outside : mapping
-        Sizes of causes outside the catalogue.
-    drives : str
-        What the motors do in the test: ``free``, ``held``, or ``mixed``, see `pkmodes_rig.held_at`.
-    """
-
-    robot: str
-    effects: Mapping[str, float] = field(default_factory=dict)
-    values: Mapping[str, float] = field(default_factory=dict)
-    outside: Mapping[str, float] = field(default_factory=dict)
-    drives: str = "free"
-
-    def built(self) -> Robot:
-        """Return the robot with its true values."""
-        declared = read(self.robot)
-        paths = [(resolve(declared, path), value) for path, value in self.values.items()]
-        return moved(declared, [(path, value - path.value) for path, value in paths])
-
-    def modes(self, points: Sequence[np.ndarray]) -> list[TrueModes]:
-        """Return the true modes at some poses."""
-        robot = self.built()
-        effects = {**robot.constants, **self.effects}
-        held = held_at(self.drives, len(points))
-        return [
-            true_modes(robot.parameters, p, effects, self.outside, held=h)
-            for p, h in zip(points, held, strict=True)
-        ]
-
-
 #: Scatter of shapes that removes their weight.
 NO_WEIGHT = 1e6
 
 
-def measurements(text: str, channels: Sequence[str] = tuple(CHANNELS)) -> Measurements:
-    """Read the text of a CSV file."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "modes.csv"
-        path.write_text(text, encoding="utf-8")
-        return read_measurements(path, channels)
-
-
 def signal(
-    truth: Truth,
-    plan: str,
+    specimen: Specimen,
+    points: Sequence[np.ndarray] | np.ndarray,
     *,
     holdout: Sequence[str] | None = None,
     tied: bool = True,
     beside: str | None = None,
     rows: Sequence[Identified] | None = None,
 ) -> float:
-    """Compute the predicted signal of the causes in a truth, in standard deviations.
+    """Compute the predicted signal of the causes in a specimen, in standard deviations.
 
     Parameters
     ----------
-    truth : Truth
+    specimen : Specimen
         With its uncertain values as declared.
-    plan : str
+    points : sequence of ndarray
         Poses; their labels are P1, P2 ...
     holdout : sequence of str, optional
         Labels of the poses that are not fitted.
@@ -154,53 +87,56 @@ def signal(
         An effect that is fitted too, to compute the signal beyond it.
     rows : sequence of Identified, optional
         Modes that were actually found, each with its standard deviation; the others are left out.  By default
-        all of the first six, with `SIGMA`.
+        all that are sought, with `SIGMA`.
     """
-    robot, points = read(truth.robot), POSES[truth.robot][plan]
-    modes = truth.modes(points)
-    if not tied:
-        modes = [replace(m, rigid=BASE_RIGID) for m in modes]
-    drift = truth.outside.get("thermal_drift", 0.0)
+    kind, robot = MACHINES[specimen.machine], robot_of(specimen.machine)
+    modes, drift = specimen.modes(points), specimen.outside.get("thermal_drift", 0.0)
+    if drift:
+        modes = [replace(m, frequencies=m.frequencies * (1.0 + drift * i)) for i, m in enumerate(modes)]
     if rows is None:
-        text = _without_noise(modes, points, drift)
-    else:
-        text = written(exact(rows, modes, SHAPES), points, SHAPES, drives=drives_of(modes))
-    data = measurements(text)
+        seen = modes if tied else [replace(m, rigid=kind.rigid) for m in modes]
+        # All modes of a linear delta are sought by their number, those of the others in a band.
+        sought: dict[str, Any] = {"modes": MODES, "shapes": kind.shapes, "shape_noise": 0.0}
+        if specimen.machine not in ROBOTS:
+            sought = {"band": band(specimen.machine)}
+        rng = np.random.default_rng(0)
+        rows = identified(seen, rng=rng, sigma=SIGMA, base_rigid=kind.rigid, **sought)
+    text = written(
+        exact(rows, modes, kind.shapes),
+        list(points),
+        kind.shapes,
+        components=kind.components,
+        drives=drives_of(modes),
+    )
+    data = measurements_of(text, robot)
+    found = left_by_declared(robot, data, holdout, beside, specimen.effects)
+    if found is None:
+        raise ValueError(f"the declared model of {specimen.machine} cannot be evaluated")
+    return found
+
+
+def left_by_declared(
+    robot: Robot,
+    data: Measurements,
+    holdout: Sequence[str] | None,
+    beside: str | None = None,
+    effects: Mapping[str, float] = {},
+) -> float | None:
+    """Return what the declared model leaves of the frequencies, in standard deviations; None if it has no modes.
+
+    An effect may be fitted `beside` it, from the values in `effects`.
+    """
     fitted, _ = split(data, holdout)
-    structure = MeasuredRobot.of(robot, data).structure().subset(fitted)
+    chosen = () if beside is None else (beside,)
+    structure = MeasuredRobot.of(robot, data).structure(candidates=chosen).subset(fitted)
     # Shapes serve only to pair the modes; the signal is computed from the frequencies.
     fitter = Fitter(structure, data.at(fitted), scatter=NO_WEIGHT)
     causes = tuple(candidate for candidate in structure.candidates if candidate.name == beside)
     begin = fitter.declared.copy()
     for i in (i for cause in causes for i in fitter.indices(cause)):
-        begin[i] = truth.effects[fitter.parameters[i].name.removeprefix("effects.")]
+        begin[i] = effects[fitter.parameters[i].name.removeprefix("effects.")]
     fit = fitter.fit(Hypothesis(causes), begin)
-    if fit is None:
-        raise ValueError(f"the declared model of {truth.robot} cannot be evaluated")
-    return float(np.sqrt(fit.chi2))
-
-
-def _without_noise(modes: Sequence[TrueModes], points: Sequence[np.ndarray], drift: float) -> str:
-    """Return the file of all modes measured without error, with the usual standard deviations stated."""
-    small = SIGMA * 1e-6
-    return measure_modes(
-        modes,
-        points,
-        rng=np.random.default_rng(0),
-        sigma=small,
-        sigma_scale=SIGMA / small,
-        modes=MODES,
-        shapes=SHAPES,
-        shape_noise=0.0,
-        drift=drift,
-    )
-
-
-def with_effect(robot: str, effect: str, size: float) -> Truth:
-    """Return a robot with one effect of the catalogue."""
-    names = [p.name for p in CATALOGUE[effect].parameters if p.fitted]
-    sizes = [size * part for part in UNEQUAL] if len(names) > 1 else [size]
-    return Truth(robot, {f"{effect}.{name}": s for name, s in zip(names, sizes, strict=True)})
+    return None if fit is None else float(np.sqrt(fit.chi2))
 
 
 def pairs() -> Iterator[tuple[str, str, tuple[str, str], tuple[float, float]]]:
@@ -221,16 +157,6 @@ def outside_causes() -> Iterator[tuple[str, str, str, float]]:
         for r, robot in enumerate(ROBOTS):
             for s in (0, 1) if (k + r) % 3 == 0 else ((k + r) % 2,):
                 yield kind, robot, next(plans), OUTSIDE_TARGETS[s]
-
-
-def with_wrong(robot: str, path: str, change: float) -> Truth:
-    """Return a robot with one wrong declared value, by this change in SI units."""
-    return Truth(robot, values={path: resolve(read(robot), path).value + change})
-
-
-def with_outside(robot: str, kind: str, size: float) -> Truth:
-    """Return a robot with one cause outside the catalogue."""
-    return Truth(robot, outside={kind: size})
 
 
 #: Starting values of the search for a size, in SI units: far below any result.
@@ -279,12 +205,12 @@ def effects(robot: str) -> None:
 def wrong_values(robot: str) -> None:
     """Print the changes of wrong declared values."""
     for place, path in enumerate(WRONG_SIZES[robot]):
-        declared = resolve(read(robot), path).value
+        declared = resolve(robot_of(robot), path).value
         sign = -1.0 if declared and place % 2 else 1.0
         target = WRONG_TARGETS[place % len(WRONG_TARGETS)]
         start = 1e-4 * (declared or 1e-1)
 
-        def wrong(size: float, path: str = path, sign: float = sign) -> Truth:
+        def wrong(size: float, path: str = path, sign: float = sign) -> Specimen:
             return with_wrong(robot, path, sign * size)
 
         change = size_for(target, wrong, start)
@@ -295,7 +221,7 @@ def outside() -> None:
     """Print the sizes of causes outside the catalogue."""
     for kind, robot, plan, target in outside_causes():
         if kind == "tuned_absorber":
-            size = ABSORBER[target] * float(read(robot).parameters.platform_mass)
+            size = ABSORBER[target] * float(robot_of(robot).parameters.platform_mass)
             print(f"    {size:.3g},  # {kind}, {robot}, {plan}", flush=True)
         else:
             size = size_for(target, partial(with_outside, robot, kind), STARTS[kind], plan)
@@ -314,24 +240,54 @@ def two_effects() -> None:
 
 def start_of(effect: str) -> float:
     """Return the starting value of the search for the size of an effect."""
-    return STARTS.get(CATALOGUE[effect].parameters[0].name, 1e-4)
+    parameters = robot_of(next(iter(ROBOTS))).mechanism.effects[effect].parameters
+    return STARTS.get(parameters[0].name, 1e-4)
 
 
-def size_for(target: float, truth: Callable[[float], Truth], start: float, plan: str = PLAN) -> float:
-    """Find the size at which the signal, which grows with the size, reaches a target."""
+def size_for(target: float, of: Callable[[float], Specimen], start: float, plan: str = PLAN) -> float:
+    """Find the size at which the signal reaches a target, at one of the `PLANS`."""
 
     def measured(size: float) -> float:
-        case = truth(size)
-        names = {name.split(".")[0] for name in (*case.effects, *case.outside)}
-        return signal(case, plan, tied=not names & set(TYING))
+        specimen = of(size)
+        names = {name.split(".")[0] for name in (*specimen.effects, *specimen.outside)}
+        return signal(specimen, POSES[specimen.machine][plan], tied=not names & set(TYING))
 
-    low, high = start, 2.0 * start
-    while measured(high) < target:
-        low, high = high, 2.0 * high
-    while high / low > 1.02:
-        middle = float(np.sqrt(low * high))
-        low, high = (middle, high) if measured(middle) < target else (low, middle)
+    low, high = enclosed(measured, target, start)
     return float(np.sqrt(low * high))
+
+
+def enclosed(
+    growing: Callable[[float], float],
+    target: float,
+    start: float,
+    *,
+    factor: float = 2.0,
+    within: float = 1.02,
+    most: float = float("inf"),
+) -> tuple[float, float]:
+    """Return two sizes between which something that grows with the size reaches a target.
+
+    Parameters
+    ----------
+    growing : callable
+    target, start : float
+        The search begins at `start`, far below the result.
+    factor, within : float
+        By which sizes are increased first, and between the two sizes.
+    most : float
+        The largest size; if it does not reach the target, it is both sizes.
+    """
+    low, high = start, factor * start
+    while high < most and growing(high) < target:
+        low, high = high, factor * high
+    if high >= most:
+        high = most
+        if growing(high) < target:
+            return high, high
+    while high / low > within:
+        middle = float(np.sqrt(low * high))
+        low, high = (middle, high) if growing(middle) < target else (low, middle)
+    return low, high
 
 
 if __name__ == "__main__":

@@ -15,23 +15,12 @@ from dataclasses import replace
 from typing import Any
 
 from pkmodes.updating.candidates import PREFIX
+from pkmodes_rig import SENSORS
 from pkmodes_rig.suites import hard_suites
-from pkmodes_rig.suites.cases import ROBOT_NAMES, Case, measured
-from pkmodes_rig.suites.judging import Outcome, failed, judged, run
+from pkmodes_rig.suites.cases import ROBOT_NAMES, Case
 from pkmodes_rig.suites.sizes import EFFECT_SIZES, OUTSIDE_SIZES, PAIR_SIZES, TARGETS, WRONG_SIZES
-from pkmodes_rig.suites.strengths import (
-    CATALOGUE,
-    PLANS,
-    SHAPES,
-    Truth,
-    outside_causes,
-    pairs,
-    with_effect,
-    with_outside,
-    with_wrong,
-)
-
-__all__ = ["SUITES", "Case", "Outcome", "failed", "judged", "measured", "run"]
+from pkmodes_rig.suites.specimens import Specimen, with_effect, with_outside, with_wrong
+from pkmodes_rig.suites.strengths import CATALOGUE, PLANS, outside_causes, pairs
 
 #: Number of complete models: 5 % of them are ten.
 NOTHING_MISSING = 210
@@ -53,7 +42,7 @@ COMMON, DRIFT, MISSING = 0.004, 0.001, 0.15
 def nothing_missing() -> Iterator[Case]:
     """Yield complete models."""
     for n in range(NOTHING_MISSING):
-        yield _case("nothing missing", n, Truth(ROBOT_NAMES[n % 3]), n // 3, kind="nothing")
+        yield _case("nothing missing", n, Specimen(ROBOT_NAMES[n % 3]), n // 3, kind="nothing")
 
 
 def one_effect() -> Iterator[Case]:
@@ -79,7 +68,7 @@ def two_effects() -> Iterator[Case]:
         values: dict[str, float] = {}
         for effect, size in zip(names, sizes, strict=True):
             values |= with_effect(robot, effect, size).effects
-        yield _case("two effects", n, Truth(robot, values), PLANS.index(plan), names, " + ".join(names))
+        yield _case("two effects", n, Specimen(robot, values), PLANS.index(plan), names, " + ".join(names))
 
 
 def outside() -> Iterator[Case]:
@@ -108,11 +97,11 @@ def special() -> Iterator[Case]:
     for kind, without, with_one, changes in variants:
         for k in range(without + with_one):
             robot, effect = ROBOT_NAMES[k % 3], plain[k % len(plain)]
-            truth = Truth(robot)
+            truth = Specimen(robot)
             names: tuple[str, ...] = ()
             if k >= without:
                 truth, names = with_effect(robot, effect, EFFECT_SIZES[robot][effect][-1]), (effect,)
-            changed: dict[str, Any] = {"shapes": SHAPES, **changes}
+            changed: dict[str, Any] = {"shapes": SENSORS, **changes}
             yield replace(_case("special", n, truth, k, names, kind), **changed)
             n += 1
     for robot in ROBOT_NAMES:  # in the catalogue's terms, both a payload and lighter carriages
@@ -147,7 +136,7 @@ SUITES: dict[str, Callable[[], Iterator[Case]]] = {
 
 
 def _case(
-    suite: str, number: int, truth: Truth, plan: int, names: tuple[str, ...] = (), kind: str = ""
+    suite: str, number: int, truth: Specimen, plan: int, names: tuple[str, ...] = (), kind: str = ""
 ) -> Case:
-    shapes = () if number % WITHOUT_SHAPES == WITHOUT_SHAPES - 1 else SHAPES
+    shapes = () if number % WITHOUT_SHAPES == WITHOUT_SHAPES - 1 else SENSORS
     return Case(suite, number, PLANS[plan % len(PLANS)], truth, names, kind, shapes)

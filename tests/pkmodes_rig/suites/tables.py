@@ -2,26 +2,21 @@
 
 from __future__ import annotations
 
+import statistics
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Protocol, TypeVar
+from typing import Any, TypeVar
 
-#: All states of an outcome, in the order of the columns; see `judging.Outcome`.
+from pkmodes_rig.suites.running import Outcome
+
+#: All states of an outcome, in the order of the columns; see `running.Outcome`.
 STATES = ("named", "partly", "wrong", "abstained", "adequate", "failed")
 
-
-class Judged(Protocol):
-    """What the tables need of an outcome."""
-
-    @property
-    def state(self) -> str:
-        """One of `STATES`."""
-
-    @property
-    def classes(self) -> tuple[tuple[str, ...], ...]:
-        """Classes of the causes found, or the survivors."""
+J = TypeVar("J", bound=Outcome[Any])
 
 
-J = TypeVar("J", bound=Judged)
+def count(outcomes: Iterable[Outcome[Any]], state: str) -> int:
+    """Count the outcomes with a state."""
+    return sum(o.state == state for o in outcomes)
 
 
 def grouped(outcomes: Iterable[J], key: Callable[[J], str]) -> dict[str, list[J]]:
@@ -34,12 +29,10 @@ def grouped(outcomes: Iterable[J], key: Callable[[J], str]) -> dict[str, list[J]
 
 def confusion(groups: Mapping[str, Sequence[J]], title: str) -> list[str]:
     """Return how often each state occurred, a line a group; the title is that of the first column."""
-    states = [s for s in STATES if s != "failed" or any(o.state == s for g in groups.values() for o in g)]
-    counts = {
-        name: [sum(o.state == state for o in group) for state in states] for name, group in groups.items()
-    }
+    states = [s for s in STATES if s != "failed" or any(count(group, s) for group in groups.values())]
     rows = [
-        [name, str(len(groups[name])), *(str(count or "") for count in each)] for name, each in counts.items()
+        [name, str(len(group)), *(str(count(group, state) or "") for state in states)]
+        for name, group in groups.items()
     ]
     return table([title, "cases", *states], rows)
 
@@ -55,6 +48,11 @@ def listed(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
     return table(head, rows) if rows else ["None."]
 
 
-def in_words(outcome: Judged) -> str:
+def in_words(outcome: Outcome[Any]) -> str:
     """Return the classes of an outcome."""
     return "; ".join(" or ".join(members) for members in outcome.classes)
+
+
+def times(seconds: Sequence[float]) -> str:
+    """Return the median and the longest of some times."""
+    return f"Median {statistics.median(seconds):.1f} s, longest {max(seconds):.1f} s"

@@ -1,0 +1,252 @@
+"""Specimens of the suites: machines on the rig, how they differ from their declaration, and how their files are read.
+
+The rigs (`pkmodes_rig.engine`, `pkmodes_rig.corexy`, `pkmodes_rig.rotary_delta`) share no code with the model.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import TypeVar
+
+import numpy as np
+
+from pkmodes import updating
+from pkmodes.core.mechanism.registry import mechanism
+from pkmodes.core.robot.reading import read_robot
+from pkmodes.core.robot.robot import Robot
+from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.reading import read_measurements
+from pkmodes.sensitivity.paths import moved, resolve
+from pkmodes.updating.robot_structure import channels as channels_of
+from pkmodes_rig import (
+    BASE_RIGID,
+    POSES,
+    SENSORS,
+    TrueModes,
+    corexy,
+    held_at,
+    read,
+    rotary_delta,
+    true_modes,
+)
+from pkmodes_rig import ROBOTS as DELTAS
+from pkmodes_rig.suites.sizes import UNEQUAL
+
+ROBOTS = Path(__file__).resolve().parents[3] / "robots"
+#: Standard deviation of ln f, and the number of modes of a linear delta that are sought beyond the first three.
+SIGMA, MODES = 0.002, 6
+#: Band of the other mechanisms: lowest frequency [Hz], and highest relative to the highest frequency of the declared
+#: model at any pose.
+LOWEST, HIGHEST = 2.0, 1.25
+
+#: Corrections of the measurement itself, which are not causes in the machine.
+MEASUREMENT = "measurement:"
+POSITIONS = tuple(f"{MEASUREMENT}{name}" for name in ("offset.x", "offset.y", "offset.z", "yaw"))
+
+#: Candidates equivalent to the truth whatever is measured: a class that contains one of them is right.  The modes
+#: depend only on the product gear_ratio^2 * motor.inertia, which is an inertia on the driven pulley; another belt
+#: width changes the stiffness of each axis with that belt; where the poses in the file are wrong, a displacement that
+#: stands for a rotation is right.
+SAME: dict[str, tuple[str, ...]] = {
+    "gearbox_inertia": ("parameter:motor.gear_ratio",),
+    "parameter:motor.gear_ratio": ("gearbox_inertia",),
+    "parameter:belt.width": ("axis_belt_stiffness",),
+    "parameter:axis.2.belt.width": ("axis_belt_stiffness",),
+    **dict.fromkeys(POSITIONS, POSITIONS),
+}
+
+
+def _inertias(prefix: str, *more: str) -> tuple[str, ...]:
+    return tuple(f"parameter:{prefix}{name}" for name in ("motor.inertia", "motor.gear_ratio", *more))
+
+
+def _equivalent(*groups: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
+    return {name: group for group in groups for name in group}
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A machine on the rig.
+
+    Attributes
+    ----------
+    file : str
+        The robot's file in ``robots/``; empty for a linear delta of the rig.
+    rig : callable
+        Returns the true modes for parameters, pose, effects and outside causes.
+    rigid : int
+        Number of modes that strain nothing.
+    components, shapes : tuple of str
+        Components of a pose, and sensor channels.
+    points : ndarray, shape (12, d)
+        Poses.
+    same : dict
+        Candidates equivalent to the truth whatever is measured, like `SAME`.
+    """
+
+    file: str
+    rig: Callable[..., TrueModes]
+    rigid: int
+    components: tuple[str, ...]
+    shapes: tuple[str, ...]
+    points: np.ndarray
+    same: Mapping[str, tuple[str, ...]]
+
+
+def _spread(count: int, low: Sequence[float], high: Sequence[float]) -> np.ndarray:
+    """Return poses that fill a box evenly, none on a plane of symmetry (Roberts' sequence R_d)."""
+    d = len(low)
+    golden = 2.0
+    for _ in range(60):
+        golden = (1.0 + golden) ** (1.0 / (d + 1))
+    unit = (0.5 + np.outer(np.arange(1, count + 1), golden ** -np.arange(1.0, d + 1))) % 1.0
+    return np.round(low + unit * (np.array(high) - low), 3)
+
+
+KINDS = {
+    "rotary_delta": Kind(
+        "clavel-delta.toml",
+        rotary_delta,
+        3,
+        ("x", "y", "z"),
+        ("theta_1", "theta_2", "theta_3", "p_x", "p_y", "p_z"),
+        _spread(12, (-0.15, -0.15, -0.62), (0.15, 0.15, -0.42)),
+        # Only inertia * gear_ratio^2 at phi_j enters the modes.
+        _equivalent(("gearbox_inertia", *_inertias("")), _inertias("axis.2.")),
+    ),
+    "corexy": Kind(
+        "corexy-printer.toml",
+        corexy,
+        2,
+        ("x", "y"),
+        ("x", "y", "p_x", "p_y"),
+        _spread(12, (0.0, 0.0), (0.3, 0.3)),
+        # With rigid shafts, the modes depend only on (inertias at theta_i) / radius^2: theta_i is not measured here.
+        # Another belt width changes the stiffness of each belt; and because the common stiffness is uncertain,
+        # another width of one belt is equivalent to unequal stiffness of the two.
+        _equivalent(
+            ("gearbox_inertia", *_inertias("", "pulley.inertia", "pulley.radius")),
+            _inertias("belt_path.2.", "pulley.inertia", "pulley.radius"),
+        )
+        | {
+            "parameter:belt.width": ("axis_belt_stiffness",),
+            "axis_belt_stiffness": tuple(f"parameter:belt_path.{i}.belt.width" for i in (1, 2)),
+        },
+    ),
+}
+
+
+#: These mechanisms, and the linear deltas of the rig, by name.
+MACHINES = KINDS | {
+    name: Kind("", true_modes, BASE_RIGID, ("x", "y", "z"), SENSORS, np.array(POSES[name]["scattered"]), SAME)
+    for name in DELTAS
+}
+
+
+@dataclass(frozen=True)
+class Specimen:
+    """True state of a machine on the rig.
+
+    Attributes
+    ----------
+    machine : str
+        One of `MACHINES`, whose file is declared.
+    effects : mapping
+        Parameters of the catalogue's effects in SI units, by ``"<effect>.<parameter>"``.
+    values : mapping
+        True values in SI units, by dotted path, where they are not the declared ones.
+    outside : mapping
+        Sizes of causes outside the catalogue.
+    drives : str
+        What the motors do in the test: ``free``, ``held``, or ``mixed``, see `pkmodes_rig.held_at`.
+    """
+
+    machine: str
+    effects: Mapping[str, float] = field(default_factory=dict)
+    values: Mapping[str, float] = field(default_factory=dict)
+    outside: Mapping[str, float] = field(default_factory=dict)
+    drives: str = "free"
+
+    @property
+    def sizes(self) -> dict[str, float]:
+        """True values of all that differs from the declaration and can be named, by parameter of the diagnosis."""
+        return {**self.values, **{f"effects.{name}": value for name, value in self.effects.items()}}
+
+    def built(self) -> Robot:
+        """Return the robot with its true values."""
+        declared = robot_of(self.machine)
+        paths = [(resolve(declared, path), value) for path, value in self.values.items()]
+        return moved(declared, [(path, value - path.value) for path, value in paths])
+
+    def modes(self, points: Sequence[np.ndarray] | np.ndarray) -> list[TrueModes]:
+        """Return the true modes at some poses."""
+        robot = self.built()
+        effects, rig = {**robot.constants, **self.effects}, MACHINES[self.machine].rig
+        held = held_at(self.drives, len(points))
+        return [
+            rig(robot.parameters, p, effects, self.outside, held=h) for p, h in zip(points, held, strict=True)
+        ]
+
+
+@cache
+def robot_of(machine: str) -> Robot:
+    """Return the declared robot."""
+    return read(machine) if machine in DELTAS else read_robot(ROBOTS / KINDS[machine].file)
+
+
+@cache
+def band(machine: str) -> tuple[float, float]:
+    """Return the frequency band that is searched for modes [Hz]."""
+    highest = [modes.frequencies[-1] for modes in Specimen(machine).modes(MACHINES[machine].points)]
+    return LOWEST, float(f"{HIGHEST * max(highest):.3g}")
+
+
+def effects_of(name: str) -> list[str]:
+    """Return the effects of a mechanism in the suites.
+
+    Left out are those that only dissipate, and that of belt tension, which does nothing where no tension is declared.
+    """
+    return [effect for effect in mechanism(name).conservative_effects if effect != "belt_tension_stiffness"]
+
+
+def with_effect(machine: str, effect: str, size: float, parts: Sequence[float] = UNEQUAL) -> Specimen:
+    """Return a machine with one effect of the catalogue; the factors of a group have these parts of the size."""
+    described = robot_of(machine).mechanism.effects[effect]
+    fitted = [p.name for p in described.parameters if p.fitted]
+    sizes = [size * part for part in parts] if len(fitted) > 1 else [size]
+    return Specimen(machine, {f"{effect}.{name}": s for name, s in zip(fitted, sizes, strict=False)})
+
+
+def with_wrong(machine: str, path: str, change: float) -> Specimen:
+    """Return a machine with one wrong declared value, by this change in SI units."""
+    return Specimen(machine, values={path: resolve(robot_of(machine), path).value + change})
+
+
+def with_outside(machine: str, kind: str, size: float) -> Specimen:
+    """Return a machine with one cause outside the catalogue."""
+    return Specimen(machine, outside={kind: size})
+
+
+CHANNELS = tuple(channels_of(mechanism("linear_delta")))
+T = TypeVar("T")
+
+
+def measurements(text: str, channels: Sequence[str] = CHANNELS) -> Measurements:
+    """Read the text of a measurement file with these channels, by default those of a linear delta."""
+    return _from_file(text, lambda path: read_measurements(path, channels))
+
+
+def measurements_of(text: str, robot: Robot) -> Measurements:
+    """Read the text of a measurement file of a robot."""
+    return _from_file(text, lambda path: updating.read(path, robot=robot))
+
+
+def _from_file(text: str, reader: Callable[[Path], T]) -> T:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "modes.csv"
+        path.write_text(text, encoding="utf-8")
+        return reader(path)
