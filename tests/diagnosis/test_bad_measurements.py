@@ -6,10 +6,7 @@ import numpy as np
 import pytest
 
 from helpers.diagnoses.frame_diagnoses import SIX, causes, checked, drawn, spoiled
-from helpers.robots.small_structures import (
-    SIGMA,
-    frame,
-)
+from helpers.robots.small_structures import SIGMA, frame
 from pkmodes.diagnosis import Measurements
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy import sparse
 
-from helpers.robots.small_structures import frame, frame_matrices, frame_measured
+from helpers.robots.small_structures import altered, frame, frame_matrices, frame_measured
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Parameter, diagnose
 from pkmodes.diagnosis.structure.kept import Kept
@@ -143,10 +143,7 @@ def counted(calls: list[tuple[Any, ...]]) -> Callable:
 
 def test_a_diagnosis_evaluates_the_same_values_once() -> None:
     loads, calls = {"a": 0.0, "b": 3.0}, list[tuple[Any, ...]]()
-    plain = frame(loads)
-    structure = MatrixStructure(
-        plain.parameters, plain.candidates, counted(calls), channels=plain.channels, setups=["a", "b"]
-    )
+    structure = altered(frame(loads), counted(calls))
     data = frame_measured(loads, {"brace 2": 9e4}, np.random.default_rng(0), shapes=0.01)
     result = diagnose(structure, data)
     assert result.verdict == "effect_found"

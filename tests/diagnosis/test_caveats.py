@@ -9,13 +9,11 @@ import pytest
 
 from helpers.pages.page_reading import read
 from helpers.pages.report_examples import made_up
-from helpers.robots.small_structures import LogLinear, logs_measured
-from pkmodes.diagnosis import Candidate, Diagnosis, Parameter, diagnose
+from helpers.robots.small_structures import of_signatures, with_changes
+from pkmodes.diagnosis import Diagnosis, diagnose
 from pkmodes.diagnosis.verdict import caveats
 from pkmodes.diagnosis.verdict.findings import Corrected, Unseen, believed, why_larger
 from pkmodes.report import report
-
-SIGMA = 0.002
 
 
 def refitted(
@@ -66,17 +64,9 @@ def test_an_adequate_model_is_followed_by_what_it_cannot_see() -> None:
 def measured(n: float) -> Diagnosis:
     """The diagnosis of a structure whose uncertain value is n sigma from the declared one."""
     rng = np.random.default_rng(7)
-    base = np.log(10.0) + 0.35 * np.tile(np.arange(4.0), (6, 1))
-    along, other = rng.standard_normal((2, 6, 4))
-    parameters = [Parameter("n", 0.0, sigma=1.0), Parameter("a", 0.0), Parameter("nothing", 0.0)]
-    candidates = [Candidate(name, (name,)) for name in ("a", "nothing")]
-    G = 0.02 * np.stack([along, other, 0.0 * other], axis=-1)
-    errors = SIGMA * rng.standard_normal(base.shape)
-    return diagnose(
-        LogLinear(base, G, parameters, candidates),
-        logs_measured(base + 0.02 * n * along + errors, SIGMA),
-        holdout=(),
-    )
+    along, other = 10.0 * rng.standard_normal((2, 6, 4))
+    model = of_signatures({"n": along, "a": other, "nothing": 0.0 * other}, 6, 4, known={"n": {"sigma": 1.0}})
+    return diagnose(model, with_changes(model, n * along + rng.standard_normal((6, 4))), holdout=())
 
 
 def test_the_residual_of_the_declared_model_is_noise_only_where_it_is() -> None:

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from helpers.diagnoses.robot_structures import declared, index, suspected
 from pkmodes import read_robot
 from pkmodes.diagnosis import Prediction
-from pkmodes.updating.candidates import suspects
 from pkmodes.updating.robot_structure import RobotStructure
 
 pytestmark = pytest.mark.compiler
@@ -30,16 +30,14 @@ EIGENVALUE, RATE, SHAPE, CANCELLED = 1e-9, 1e-8, 1e-6, 1e-9
 
 
 def structure_of(name: str) -> RobotStructure:
-    robot = read_robot(ROBOTS / f"{name}.toml")
-    return RobotStructure(robot, np.array(CASES[name][0]), *suspects(robot))
+    return suspected(read_robot(ROBOTS / f"{name}.toml"), np.array(CASES[name][0]))
 
 
 def sets_of(one: RobotStructure, name: str) -> tuple[np.ndarray, list[list[int]]]:
     """Declared values, and with slightly other masses and released joints; some of the paths, and all."""
-    values = np.array([[p.value for p in one.parameters]] * 4)
-    names = [p.name for p in one.parameters]
+    values = np.tile(declared(one), (4, 1))
     values[1] *= 1.001
-    values[2:, names.index(f"effects.{CASES[name][1]}.compliance")] = 1e-6, 2e-6
+    values[2:, index(one, f"effects.{CASES[name][1]}.compliance")] = 1e-6, 2e-6
     # The compliances of locked joints are differentiated robot by robot.
     some = [i for i, p in enumerate(one.parameters) if not p.name.endswith("compliance")][:6]
     return values, [some, some, some[:3], some]
@@ -82,8 +80,8 @@ def test_values_out_of_reach_are_evaluated_alone(monkeypatch: pytest.MonkeyPatch
     for backend in ("numpy", "compiled"):
         monkeypatch.setenv("PKMODES_BACKEND", backend)
         one = structure_of("linear-delta-2022")
-        values = np.array([[p.value for p in one.parameters]] * 3)
-        values[1, [p.name for p in one.parameters].index("link.length")] = 0.05
+        values = np.tile(declared(one), (3, 1))
+        values[1, index(one, "link.length")] = 0.05
         batches = one.predict_many(values, [()] * 3)
         finite = {k: np.isfinite(b.prediction.eigenvalues).all() for b in batches for k in b.sets.tolist()}
         names.append((sorted(len(batch.sets) for batch in batches), finite))
@@ -92,7 +90,7 @@ def test_values_out_of_reach_are_evaluated_alone(monkeypatch: pytest.MonkeyPatch
 
 def test_a_structure_that_has_predicted_is_pickled() -> None:
     one = structure_of("corexy-printer")
-    values = np.array([p.value for p in one.parameters])
+    values = declared(one)
     first = one.predict(values, [0])
     again = pickle.loads(pickle.dumps(one)).predict(values, [0])
     np.testing.assert_array_equal(again.rates, first.rates)

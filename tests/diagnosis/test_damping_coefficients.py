@@ -6,12 +6,11 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.diagnoses.robot_structures import declared, structure_at
 from helpers.references.damping_by_hand import friction_by_hand, loss_by_hand
 from helpers.references.motors_by_hand import followers
 from helpers.references.whole_system import whole_modes
 from helpers.robots.one_of_each import FILES, POSES, model_of
-from pkmodes.diagnosis import Measurements
-from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes.updating.robot_structure import RobotStructure
 
 EFFECTS = {"gearbox_compliance.compliance": 2e-3, "belt_end_compliance.compliance": 2e-6}
@@ -27,18 +26,9 @@ def points(mechanism: str) -> np.ndarray:
 
 def structure(model: pkmodes.Model, settings: dict[str, tuple[float, ...]]) -> RobotStructure:
     """The robot at four poses, with one row each."""
-    robot, count = model.robot, len(DRIVES)
-    data = Measurements.from_rows(
-        [f"P{k}" for k in range(count)],
-        np.full(count, 50.0),
-        np.full(count, 0.1),
-        points=points(robot.mechanism_name),
-        damping=np.full(count, 0.01),
-        components={component.name: component.unit for component in robot.mechanism.pose},
-        drives=DRIVES,
-        settings=settings,
-    )
-    return MeasuredRobot.of(robot, data).structure()
+    robot, damping = model.robot, np.full(len(DRIVES), 0.01)
+    at = points(robot.mechanism_name)
+    return structure_at(robot, at, damping=damping, drives=DRIVES, settings=settings)
 
 
 def by_hand(model: pkmodes.Model, p: np.ndarray, drives: str, path: str) -> np.ndarray:
@@ -61,7 +51,7 @@ def test_ratios_per_unit_of_each_loss_are_those_by_hand(mechanism: str, effects:
     """With free and held motors, with and without a payload that is set at the pose."""
     model = model_of(mechanism, effects)
     one = structure(model, {PAYLOAD: PAYLOADS})
-    rates = one.damping_rates(np.array([p.value for p in one.parameters]))
+    rates = one.damping_rates(declared(one))
     for k, (p, drives, payload) in enumerate(zip(points(mechanism), DRIVES, PAYLOADS, strict=True)):
         there = model if np.isnan(payload) else model.with_values({PAYLOAD: payload})
         for j, loss in enumerate(one.losses):
@@ -79,7 +69,7 @@ def test_ratios_per_unit_of_each_loss_are_those_by_hand(mechanism: str, effects:
 @pytest.mark.parametrize("mechanism", FILES)
 def test_friction_of_motors_that_are_held_damps_nothing(mechanism: str) -> None:
     one = structure(model_of(mechanism), {})
-    rates = one.damping_rates(np.array([p.value for p in one.parameters]))
+    rates = one.damping_rates(declared(one))
     (drives,) = (j for j, loss in enumerate(one.losses) if loss.candidate == "drive_friction")
     held = np.array(DRIVES) == "held"
     assert np.nanmax(np.abs(rates[held][:, :, drives])) == 0.0
@@ -89,7 +79,7 @@ def test_friction_of_motors_that_are_held_damps_nothing(mechanism: str) -> None:
 def test_a_pose_at_which_the_measurements_set_a_loss_says_nothing_about_it() -> None:
     loss = "effects.belt_loss.loss_factor"
     one = structure(model_of("corexy"), {loss: (np.nan, 0.02, np.nan, 0.02)})
-    rates = one.damping_rates(np.array([p.value for p in one.parameters]))
+    rates = one.damping_rates(declared(one))
     (belts,) = (j for j, each in enumerate(one.losses) if each.parameter.name == loss)
     blank = np.isnan(rates[:, :2])  # the modes that both free and held motors have
     assert blank[1::2, :, belts].all()

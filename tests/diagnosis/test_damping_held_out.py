@@ -54,7 +54,13 @@ def test_declared_damping_that_does_not_predict_it_is_noted() -> None:
 
 
 @pytest.mark.parametrize(
-    ("drives", "losses"), [("held", {"rails": 50.0}), ("mixed", {"rails": 50.0}), ("free", {"drives": 0.04})]
+    ("drives", "losses"),
+    [
+        ("free", {"rails": 50.0}),
+        ("held", {"rails": 50.0}),
+        ("mixed", {"rails": 50.0}),
+        ("free", {"drives": 0.04}),
+    ],
 )
 def test_a_corrected_robot_has_the_damping(tmp_path: Path, drives: str, losses: dict[str, float]) -> None:
     data = measured(losses, drives=drives)

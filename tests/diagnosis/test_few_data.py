@@ -7,41 +7,28 @@ import re
 import numpy as np
 import pytest
 from scipy import stats
-from scipy.linalg import eigh
 
-from helpers.robots.small_structures import SIGMA, LogLinear, logs_measured
-from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
-
-STOREYS = 4
-
-
-def frame_matrices(values: dict[str, float], _: str) -> tuple[np.ndarray, np.ndarray]:
-    k = 1e6 * values["stiffness"] * np.array([values[f"storey {i}"] for i in range(1, STOREYS + 1)])
-    m = 100.0 * np.array([values[f"mass {i}"] for i in range(1, STOREYS + 1)])
-    return np.diag(m), np.diag(k + np.append(k[1:], 0.0)) - np.diag(k[1:], 1) - np.diag(k[1:], -1)
+from helpers.robots.small_structures import (
+    columns,
+    of_signatures,
+    relative_frame,
+    relative_modes,
+    with_changes,
+)
+from pkmodes.diagnosis import Diagnosis, MatrixStructure, Measurements, diagnose
 
 
 def four_storeys(prior: float = 0.1) -> MatrixStructure:
-    names = [f"{kind} {i}" for kind in ("storey", "mass") for i in range(1, STOREYS + 1)]
-    parameters = [Parameter("stiffness", 1.0, sigma=prior, lower=0.1)]
-    parameters += [Parameter(name, 1.0, lower=0.05) for name in names]
-    causes = [Candidate(n, (n,), sigma=(0.1 if n.startswith("storey") else 0.01,)) for n in names]
-    channels = [f"floor {i}" for i in range(1, STOREYS + 1)]
-    return MatrixStructure(parameters, causes, frame_matrices, channels=channels)
+    return relative_frame(prior, lambda name: 0.1 if name.startswith("storey") else 0.01, lower=0.05)
 
 
 def measured(
     truth: dict[str, float], *, sigma: float = 0.005, noise: float = 0.02, seed: int = 0, shapes: bool = True
 ) -> Measurements:
-    values = {"stiffness": 1.0} | {f"{k} {i}": 1.0 for k in ("storey", "mass") for i in range(1, 5)} | truth
-    M, K = frame_matrices(values, "")
-    eigenvalues, vectors = eigh(K, M)
-    rng = np.random.default_rng(seed)
-    f = np.sqrt(eigenvalues) / (2 * np.pi) * np.exp(0.002 * rng.standard_normal(4))
-    found = vectors.T / np.abs(vectors.T).max(axis=1, keepdims=True)
-    found = found + noise * rng.standard_normal(found.shape)
-    columns = {f"floor {i + 1}": found[:, i] for i in range(4)} if shapes else None
-    return Measurements.from_rows(["frame"] * 4, f, sigma * f, shapes=columns)
+    rng, (f, modes) = np.random.default_rng(seed), relative_modes(truth)
+    f = f * np.exp(0.002 * rng.standard_normal(4))
+    found = columns(modes + noise * rng.standard_normal(modes.shape)) if shapes else None
+    return Measurements.from_rows(["frame"] * 4, f, sigma * f, shapes=found)
 
 
 @pytest.mark.parametrize("sigma", [0.002, 0.005, 0.01])
@@ -69,11 +56,9 @@ def test_sixteen_values_find_a_soft_storey_and_four_abstain() -> None:
 
 
 def line(G: np.ndarray, y: np.ndarray, **options: object) -> Diagnosis:
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(G.shape[1]), (len(G), 1))
-    parameters = [Parameter(f"c{k}", 0.0) for k in range(G.shape[2])]
-    causes = [Candidate(p.name, (p.name,)) for p in parameters]
-    model = LogLinear(base, SIGMA * G, parameters, causes)
-    return diagnose(model, logs_measured(base + SIGMA * y, SIGMA), holdout=(), **options)
+    signatures = {f"c{k}": one for k, one in enumerate(np.moveaxis(G, -1, 0))}
+    model = of_signatures(signatures, *G.shape[:2])
+    return diagnose(model, with_changes(model, y), holdout=(), **options)
 
 
 @pytest.mark.slow
@@ -133,14 +118,11 @@ def test_a_row_is_not_set_aside_without_redundancy(rows: int) -> None:
 
 
 def test_too_few_data_that_contradict_the_model_are_reported() -> None:
-    parameters = [Parameter("n", 0.0, sigma=1.0), Parameter("a", 0.0), Parameter("b", 0.0)]
-    base = np.log([[10.0, 14.0]])
-    G = SIGMA * np.array([[[1.0, 1.0, 0.0], [1.0, -1.0, 0.01]]])
-    causes = [Candidate("a", ("a",)), Candidate("b", ("b",))]
-    model = LogLinear(base, G, parameters, causes)
+    signatures = {"n": np.array([1.0, 1.0]), "a": np.array([1.0, -1.0]), "b": np.array([0.0, 0.01])}
+    model = of_signatures(signatures, 1, 2, known={"n": {"sigma": 1.0}})
     model_of = {"fits": [0.5, 0.5], "contradicts": [3.5, -3.5], "contradicts plainly": [12.0, -12.0]}
     for kind, change in model_of.items():
-        found = diagnose(model, logs_measured(base + SIGMA * np.array([change]), SIGMA), holdout=())
+        found = diagnose(model, with_changes(model, np.array(change)), holdout=())
         assert found.verdict == "insufficient_data"
         assert "2 measured modes are too few" in found.reason
         if kind == "fits":

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from helpers.robots.small_structures import SIGMA, LogLinear, logs_measured
-from pkmodes.diagnosis import Candidate, Diagnosis, Parameter, diagnose
+from helpers.robots.small_structures import LogLinear, directions, errors, of_signatures, with_changes
+from pkmodes.diagnosis import Diagnosis, diagnose
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
@@ -23,26 +23,21 @@ from pkmodes.diagnosis.verdict.held_out import p_held_out
 
 SETUPS, MODES = 12, 5
 HELD = ["P0", "P1"]
-DIRECTIONS = np.linalg.qr(np.random.default_rng(11).standard_normal((SETUPS * MODES, 6)))[0].T
+DIRECTIONS = directions(SETUPS * MODES, 6)
 FITTED = np.repeat(np.arange(SETUPS) >= 2, MODES)
 
 
 def structure(
     signatures: Mapping[str, np.ndarray], prior: float | None = None, remote: str = ""
 ) -> LogLinear:
-    """One cause for each signature, in standard deviations, and an uncertain value with the last direction."""
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
-    directions = {**signatures, **({} if prior is None else {"k": DIRECTIONS[5]})}
-    G = np.stack([d.reshape(SETUPS, MODES) for d in directions.values()], axis=-1) * SIGMA
-    parameters = [Parameter(n, 0.0, sigma=prior if n == "k" else None) for n in directions]
-    causes = [Candidate(n, (n,), remote=n == remote) for n in signatures]
-    return LogLinear(base, G, parameters, causes)
+    """One cause for each signature, and an uncertain value with the last direction."""
+    uncertain = {} if prior is None else {"k": DIRECTIONS[5]}
+    roles, known = {remote: {"remote": True}}, {"k": {"sigma": prior}}
+    return of_signatures({**signatures, **uncertain}, SETUPS, MODES, roles=roles, known=known)
 
 
 def found(model: LogLinear, change: np.ndarray, holdout: list[str] = HELD) -> Diagnosis:
-    errors = 0.9 * np.random.default_rng(3).standard_normal(SETUPS * MODES)
-    logs = model.base + SIGMA * (change + errors).reshape(SETUPS, MODES)
-    return diagnose(model, logs_measured(logs, SIGMA), holdout=holdout)
+    return diagnose(model, with_changes(model, change + errors(SETUPS * MODES)), holdout=holdout)
 
 
 def alike() -> tuple[np.ndarray, np.ndarray]:
@@ -57,7 +52,7 @@ def test_the_prediction_errors_have_their_predictive_covariance(prior: float | N
     rng = np.random.default_rng(8)
     model = structure({"a": DIRECTIONS[0], "b": DIRECTIONS[1]}, prior)
     change = 20.0 * DIRECTIONS[0] + 2.0 * rng.standard_normal(SETUPS * MODES)
-    data = logs_measured(model.base + SIGMA * change.reshape(SETUPS, MODES), SIGMA)
+    data = with_changes(model, change)
     fitted, held = split(data, HELD)
     fitter = Fitter(model.subset(fitted), data.at(fitted))
     search = Search(FitStore(fitter), model.candidates)

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.diagnoses.robot_structures import declared, index, structure_at
 from helpers.robots.one_of_each import FILES, ROBOTS
-from pkmodes.diagnosis import Measurements
-from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes.updating.robot_structure import RobotStructure
 
 PLACES = {
@@ -27,16 +26,7 @@ def _backend(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) ->
 
 def structure(mechanism: str, drives: tuple[str, ...], **values: float) -> RobotStructure:
     robot = pkmodes.read_robot(ROBOTS / FILES[mechanism]).with_values(values)
-    components = {component.name: component.unit for component in robot.mechanism.pose}
-    points = PLACES[mechanism]
-    data = Measurements.from_rows(
-        ["A", "B", "C"], [50.0] * 3, [1.0] * 3, points=points, components=components, drives=drives
-    )
-    return MeasuredRobot.of(robot, data).structure()
-
-
-def declared(one: RobotStructure) -> np.ndarray:
-    return np.array([p.value for p in one.parameters])
+    return structure_at(robot, PLACES[mechanism], drives=drives)
 
 
 @pytest.mark.usefixtures("_backend")
@@ -123,9 +113,9 @@ def test_derivatives_by_an_absent_compliance_are_those_of_a_small_one(
     mechanism: str, drives: tuple[str, ...]
 ) -> None:
     one = structure(mechanism, drives)
-    names, values = [p.name for p in one.parameters], declared(one)
+    values = declared(one)
     for effect, compliance in RELEASED[mechanism].items():
-        i, small = names.index(f"effects.{effect}.compliance"), 1e-3 * compliance
+        i, small = index(one, f"effects.{effect}.compliance"), 1e-3 * compliance
         first = one.predict(values, [i])
         elastic = (np.abs(first.eigenvalues) > 10.0) & (first.eigenvalues < 1e30)
         elastic[:, : first.rigid] = False
@@ -143,10 +133,9 @@ def test_derivatives_by_an_absent_compliance_are_those_of_a_small_one(
 @pytest.mark.parametrize("mechanism", FILES)
 def test_several_sets_of_values_are_evaluated_as_each_alone(mechanism: str, drives: tuple[str, ...]) -> None:
     one = structure(mechanism, drives)
-    names = [p.name for p in one.parameters]
     values = declared(one) * np.array([1.0, 1.001, 0.999, 1.0])[:, None]
-    values[3, names.index("effects.payload.mass")] = 0.1
-    by = [[0, 1, 2], [2, 3, 4], [0], list(range(len(names)))]
+    values[3, index(one, "effects.payload.mass")] = 0.1
+    by = [[0, 1, 2], [2, 3, 4], [0], list(range(len(one.parameters)))]
     batches = one.predict_many(values, by, shape_rates=True)
     assert sorted(k for batch in batches for k in batch.sets.tolist()) == [0, 1, 2, 3]
     for sets, found in batches:
@@ -164,12 +153,11 @@ def test_several_sets_of_values_are_evaluated_as_each_alone(mechanism: str, driv
 
 def test_held_motors_make_what_is_at_the_motors_invisible() -> None:
     one = structure("linear_delta", ("held",) * 3)
-    names = [p.name for p in one.parameters]
     at_motors = ["effects.gearbox_inertia.inertia", "effects.servo_stiffness.stiffness", "motor.inertia"]
-    found = one.predict(declared(one), [names.index(name) for name in at_motors])
+    found = one.predict(declared(one), [index(one, name) for name in at_motors])
     assert (np.abs(found.rates) <= 1e-12 * found.eigenvalues.max()).all()
     mixed = structure("linear_delta", ("free", "held", "held"))
-    rates = mixed.predict(declared(mixed), [names.index(name) for name in at_motors]).rates
+    rates = mixed.predict(declared(mixed), [index(mixed, name) for name in at_motors]).rates
     assert (np.abs(rates[0, mixed.robot.mechanism.rigid_modes :]).max(axis=0) > 0.0).all()
 
 

@@ -10,6 +10,7 @@ from helpers.robots.small_structures import (
     SIGMA,
     LogLinear,
     frame,
+    ladder,
 )
 from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter
 
@@ -115,7 +116,7 @@ def anything(seed: int) -> tuple[LogLinear, Measurements]:
             lower, upper, value = RANGES[rng.integers(len(RANGES))]
             parameters.append(Parameter(name, value, lower=lower, upper=upper))
         candidates.append(Candidate(f"c{j}", names))
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(modes), (setups, 1))
+    base = ladder(setups, modes)
     G = rng.standard_normal((setups, modes, len(parameters))) * 10 ** rng.uniform(-5, 0, len(parameters))
     if parameters:
         G[..., rng.integers(len(parameters))] *= rng.integers(2)  # perhaps one that does nothing

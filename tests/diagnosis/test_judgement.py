@@ -11,31 +11,29 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import pytest
 
-from helpers.robots.small_structures import SIGMA, LogLinear, logs_measured
-from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter, diagnose
+from helpers.robots.small_structures import (
+    SIGMA,
+    LogLinear,
+    directions,
+    errors,
+    of_signatures,
+    with_changes,
+)
+from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, diagnose
 
 SETUPS, MODES = 10, 5
-#: Orthonormal directions in the space of all rows: the signatures of the causes.
-DIRECTIONS = np.linalg.qr(np.random.default_rng(11).standard_normal((SETUPS * MODES, 12)))[0].T
+#: The signatures of the causes.
+DIRECTIONS = directions(SETUPS * MODES, 12)
 
 
-def structure(directions: Mapping[str, np.ndarray], **roles: dict[str, bool]) -> LogLinear:
-    """One cause for each direction, in standard deviations; some are remote or not nameable."""
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
-    G = np.stack([d.reshape(SETUPS, MODES) for d in directions.values()], axis=-1) * SIGMA
-    parameters = [Parameter(name, 0.0) for name in directions]
-    candidates = [Candidate(name, (name,), **roles.get(name, {})) for name in directions]
-    return LogLinear(base, G, parameters, candidates)
+def structure(signatures: Mapping[str, np.ndarray], **roles: dict[str, bool]) -> LogLinear:
+    """One cause for each signature; some are remote or not nameable."""
+    return of_signatures(signatures, SETUPS, MODES, roles=roles)
 
 
-def found(model: LogLinear, change: np.ndarray, noise: int | None = 3) -> Diagnosis:
+def found(model: LogLinear, change: np.ndarray) -> Diagnosis:
     """The diagnosis of frequency changes in standard deviations, with errors as stated."""
-    rng = np.random.default_rng(noise)
-    errors = 0.9 * rng.standard_normal(SETUPS * MODES)
-    errors -= DIRECTIONS.T @ (DIRECTIONS @ errors)  # none in the directions of the causes: z is exact
-    return diagnose(
-        model, logs_measured(model.base + SIGMA * (change + errors).reshape(SETUPS, MODES), SIGMA), holdout=()
-    )
+    return diagnose(model, with_changes(model, change + errors(SETUPS * MODES, DIRECTIONS)), holdout=())
 
 
 def names(diagnosis: Diagnosis) -> list[str]:
@@ -54,17 +52,17 @@ def three(strength: Sequence[float] = (30.0, 40.0)) -> tuple[dict[str, np.ndarra
 
 
 def test_two_causes_are_claimed_where_nothing_explains_the_residual_alone() -> None:
-    directions, both = three()
-    del directions["c"]
-    assert names(found(structure(directions), both)) == ["a", "b"]
+    causes, both = three()
+    del causes["c"]
+    assert names(found(structure(causes), both)) == ["a", "b"]
 
 
 @pytest.mark.parametrize("remote", [REMOTE, STRANGE])
 def test_a_remote_cause_that_explains_the_residual_alone_is_named_before_two_are_claimed(
     remote: dict[str, bool],
 ) -> None:
-    directions, both = three()
-    diagnosis = found(structure(directions, c=remote), both)
+    causes, both = three()
+    diagnosis = found(structure(causes, c=remote), both)
     assert diagnosis.verdict == "unexplained"
     assert "but c would: look there" in diagnosis.reason
     assert ("candidates" in diagnosis.reason.split("look there")[1]) == ("nameable" not in remote)
@@ -72,8 +70,8 @@ def test_a_remote_cause_that_explains_the_residual_alone_is_named_before_two_are
 
 
 def test_a_remote_cause_among_the_plain_ones_is_claimed() -> None:
-    directions, both = three()
-    assert names(found(structure(directions), both)) == ["c"]
+    causes, both = three()
+    assert names(found(structure(causes), both)) == ["c"]
 
 
 def test_a_nameable_remote_cause_that_looks_like_a_plain_one_is_listed_in_its_class() -> None:
@@ -109,8 +107,8 @@ def test_a_remote_cause_is_not_part_of_a_pair() -> None:
 @pytest.mark.parametrize(("strength", "claimed"), [(3.6, False), (4.6, True)])
 def test_what_may_be_chance_is_not_claimed(strength: float, claimed: bool) -> None:
     """Ten candidates of both signs: z = 3.6 comes by chance in 0.3 % of all cases, z = 4.6 in 0.004 %."""
-    directions = {f"cause {i}": DIRECTIONS[i] for i in range(10)}
-    diagnosis = found(structure(directions), strength * DIRECTIONS[4])
+    causes = {f"cause {i}": DIRECTIONS[i] for i in range(10)}
+    diagnosis = found(structure(causes), strength * DIRECTIONS[4])
     if claimed:
         assert names(diagnosis) == ["cause 4"]
         assert diagnosis.effects[0].p_value == pytest.approx(10 * 4.2e-6, rel=0.1)
@@ -150,13 +148,13 @@ def test_a_cause_that_explains_one_row_is_distinguished_from_an_outlier_only_by_
 def test_many_pairs_that_look_alike_are_not_claimed() -> None:
     """Two causes with classes of three each are nine pairs."""
     a, b = DIRECTIONS[:2]
-    directions = {f"{n}{i}": d + 0.01 * DIRECTIONS[2 + i] for n, d in (("a", a), ("b", b)) for i in range(3)}
-    diagnosis = found(structure(directions), 30.0 * directions["a0"] + 40.0 * directions["b0"])
+    causes = {f"{n}{i}": d + 0.01 * DIRECTIONS[2 + i] for n, d in (("a", a), ("b", b)) for i in range(3)}
+    diagnosis = found(structure(causes), 30.0 * causes["a0"] + 40.0 * causes["b0"])
     assert diagnosis.verdict == "ambiguous"
     assert ("a0 + b0",) in diagnosis.survivors or ("b0 + a0",) in diagnosis.survivors
     assert len(diagnosis.survivors) > 4
     assert all(len(members) == 1 for members in diagnosis.survivors)
-    two = {name: directions[name] for name in ("a0", "a1", "b0", "b1")}
+    two = {name: causes[name] for name in ("a0", "a1", "b0", "b1")}
     assert found(structure(two), 30.0 * two["a0"] + 40.0 * two["b0"]).verdict == "effect_found"
 
 
@@ -173,8 +171,7 @@ def test_modes_that_a_cause_adds_between_measured_ones_must_be_measured(pull: fl
         five.parameters,
         five.candidates,
     )
-    data = logs_measured(five.base + SIGMA * 30.0 * a.reshape(SETUPS, MODES), SIGMA)
-    diagnosis = diagnose(model, data, holdout=())
+    diagnosis = diagnose(model, with_changes(five, 30.0 * a), holdout=())
     if pull:
         assert diagnosis.verdict == "unexplained"
         assert "were not measured" in diagnosis.reason
@@ -208,18 +205,14 @@ def test_two_outliers_along_a_cause_are_not_taken_for_it() -> None:
     cause[rows] = 0.93 / np.sqrt(2)
     cause /= np.linalg.norm(cause)
     setups = 12  # two rows of sixty may be outliers
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (setups, 1))
-    G = np.zeros((setups * MODES, 2))
-    G[: len(cause), 0], G[: len(cause), 1] = SIGMA * cause, SIGMA * DIRECTIONS[1]
-    parameters = [Parameter(name, 0.0) for name in "ab"]
-    model = LogLinear(
-        base, G.reshape(setups, MODES, 2), parameters, [Candidate(name, (name,)) for name in "ab"]
-    )
+    signatures = {
+        "a": np.append(cause, np.zeros(2 * MODES)),
+        "b": np.append(DIRECTIONS[1], np.zeros(2 * MODES)),
+    }
+    model = of_signatures(signatures, setups, MODES)
     change = 0.9 * np.random.default_rng(5).standard_normal(setups * MODES)
     change[rows] += 12.0
-    diagnosis = diagnose(
-        model, logs_measured(base + SIGMA * change.reshape(setups, MODES), SIGMA), holdout=()
-    )
+    diagnosis = diagnose(model, with_changes(model, change), holdout=())
     assert diagnosis.verdict in ("adequate", "unexplained")
 
 
@@ -230,18 +223,13 @@ def test_a_cause_in_all_joints_is_not_claimed_where_one_joint_explains_as_much()
     def together(apart: float, own: bool) -> Diagnosis:
         angle = np.arcsin(apart / 30.0)  # a fit of the one in place of the other leaves the square of this
         alone = np.cos(angle) * a + np.sin(angle) * b
-        general = {"general_of": "a" if own else "c"}
-        base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
-        G = np.stack([v.reshape(SETUPS, MODES) for v in (a, c, alone, d)], axis=-1) * SIGMA
-        parameters = [Parameter(name, 0.0) for name in ("a", "c", "alone", "d")]
-        causes = [
-            Candidate("a", ("a",)),
-            Candidate("c", ("c",)),
+        model = structure({"a": a, "c": c, "alone": alone, "d": d})
+        model.candidates = (
+            *model.candidates[:2],
             Candidate("one joint", ("alone",), **STRANGE),
-        ]
-        return found(
-            LogLinear(base, G, parameters, [*causes, Candidate("each", ("alone", "d"), **general)]), 30.0 * a
+            Candidate("each", ("alone", "d"), general_of="a" if own else "c"),
         )
+        return found(model, 30.0 * a)
 
     for apart, own, claimed in (
         (4.0, False, True),

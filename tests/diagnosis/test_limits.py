@@ -9,8 +9,8 @@ import pytest
 from scipy import optimize, stats
 
 from helpers.diagnoses.frame_diagnoses import SIX, TWO, checked, drawn
-from helpers.robots.small_structures import LogLinear, frame, logs_measured
-from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, diagnose
+from helpers.robots.small_structures import SIGMA, each, frame, of_signatures, with_changes
+from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
@@ -19,7 +19,6 @@ from pkmodes.diagnosis.search.limits import bounds
 #: Rise of chi2 at a one-sided limit at 95 %.
 RISE = stats.norm.ppf(0.95) ** 2
 LOADS = {"empty": 0.0, "4 kg": 4.0, "9 kg": 9.0}
-SIGMA = 0.002
 
 
 def matrices(values: dict[str, float], setup: str) -> tuple[np.ndarray, np.ndarray]:
@@ -47,7 +46,7 @@ def structure(k_sigma: float) -> MatrixStructure:
             Parameter("m", 20.0, "kg", lower=10.0, upper=40.0),
             Parameter("joint", 0.0, "m/N", lower=0.0),
         ],
-        [Candidate("m", ("m",)), Candidate("joint", ("joint",))],
+        each(["m", "joint"]),
         matrices,
         channels=["1", "2"],
         setups=list(LOADS),
@@ -135,17 +134,10 @@ def test_an_influence_that_saturates_is_not_extrapolated() -> None:
 def test_what_the_data_do_not_bound_has_no_limit() -> None:
     """A parameter that changes nothing, and one that does what an uncertain one does within a plausible range."""
     rng = np.random.default_rng(5)
-    G = rng.standard_normal((4, 3, 3)) * [1.0, 1.0, 0.0]
-    G[..., 1] = G[..., 0]
-    parameters = [
-        Parameter("a", 0.0, sigma=10.0),
-        Parameter("same", 0.0, lower=-5.0, upper=5.0),
-        Parameter("paint", 0.0),
-    ]
-    candidates = [Candidate("same", ("same",)), Candidate("paint", ("paint",))]
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(3), (4, 1))
-    model = LogLinear(base, G * 0.01, parameters, candidates)
-    found = diagnose(model, logs_measured(base + SIGMA * rng.standard_normal(base.shape), SIGMA), holdout=[])
+    along = 5.0 * rng.standard_normal((4, 3, 3))[..., 0]
+    known = {"a": {"sigma": 10.0}, "same": {"lower": -5.0, "upper": 5.0}}
+    model = of_signatures({"a": along, "same": along, "paint": 0.0 * along}, 4, 3, known=known)
+    found = diagnose(model, with_changes(model, rng.standard_normal((4, 3))), holdout=[])
     assert {name: limit.value for name, limit in found.limits.items()} == {"same": None, "paint": None}
     assert found.as_json()["limits"] == {"same": None, "paint": None}
     assert found.undetectable == ("same", "paint")
@@ -154,12 +146,11 @@ def test_what_the_data_do_not_bound_has_no_limit() -> None:
 
 def test_a_prior_of_a_candidate_takes_no_part_in_its_limit() -> None:
     rng = np.random.default_rng(6)
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(3), (4, 1))
-    G = 0.01 * rng.standard_normal((4, 3, 1))
-    data, limits = logs_measured(base + SIGMA * rng.standard_normal(base.shape), SIGMA), []
+    along, changes = rng.standard_normal((2, 4, 3))
+    limits = []
     for sigma in (None, (0.3,)):
-        candidates = [Candidate("a", ("a",), sigma=sigma)]
-        found = diagnose(LogLinear(base, G, [Parameter("a", 0.0)], candidates), data, holdout=[])
+        model = of_signatures({"a": 5.0 * along}, 4, 3, roles={"a": {"sigma": sigma}})
+        found = diagnose(model, with_changes(model, changes), holdout=[])
         limits.append(found.limits["a"].value)
     assert limits[0] is not None
     assert limits[0] < 0.9  # within three standard deviations of the prior, beyond which nothing is plausible

@@ -7,10 +7,7 @@ from collections.abc import Sequence
 import pytest
 
 from helpers.diagnoses.frame_diagnoses import SIX, TWO, causes, checked, drawn
-from helpers.robots.small_structures import (
-    frame,
-    frame_matrices,
-)
+from helpers.robots.small_structures import altered, frame, frame_matrices
 from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
 
 
@@ -31,13 +28,8 @@ def blind(candidates: Sequence[str]) -> MatrixStructure:
         "colours": ("paint.colour", "door.colour"),
         "both": ("brace 2", "door.colour"),
     }
-    return MatrixStructure(
-        parameters,
-        [Candidate(name, names.get(name, (name,))) for name in candidates],
-        frame_matrices(4, TWO),
-        channels=plain.channels,
-        setups=plain.setups,
-    )
+    causes = [Candidate(name, names.get(name, (name,))) for name in candidates]
+    return altered(plain, frame_matrices(4, TWO), parameters=parameters, candidates=causes)
 
 
 @pytest.mark.parametrize("candidates", [[], ["paint"], ["paint", "colours"]])

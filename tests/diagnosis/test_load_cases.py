@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
+from helpers.diagnoses.robot_structures import declared, index, structure_at, suspected
 from pkmodes import Robot, read_robot, updating
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
@@ -17,7 +18,6 @@ from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.diagnosis import Measurements, Prediction
 from pkmodes.sensitivity.paths import resolve
 from pkmodes.updating.candidates import suspects
-from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes.updating.predictions import Moves, derived, solved
 from pkmodes.updating.robot_structure import RobotStructure
 from pkmodes_rig.robots import POSES, read
@@ -30,35 +30,12 @@ BELTS = "belt.specific_stiffness"
 Loads = Sequence[Mapping[str, float]]
 
 
-def measured(robot: Robot, points: np.ndarray, loads: Loads) -> Measurements:
-    """One row for each pose, with arbitrary modes."""
-    names = {name for load in loads for name in load}
-    return Measurements.from_rows(
-        [f"P{i}" for i in range(len(points))],
-        np.full(len(points), 50.0),
-        np.full(len(points), 0.1),
-        points=points,
-        components={component.name: component.unit for component in robot.mechanism.pose},
-        settings={name: [load.get(name, np.nan) for load in loads] for name in sorted(names)},
-    )
-
-
 def structure(
     robot: Robot, points: np.ndarray, loads: Loads, candidates: Sequence[str] | None = None
 ) -> RobotStructure:
-    return MeasuredRobot.of(robot, measured(robot, points, loads)).structure(candidates)
-
-
-def declared(one: RobotStructure) -> np.ndarray:
-    return np.array([p.value for p in one.parameters])
-
-
-def moved(one: RobotStructure, **steps: float) -> np.ndarray:
-    """Values of the parameters, some of them changed; dots of a name are written as two underscores."""
-    values, names = declared(one), [p.name for p in one.parameters]
-    for name, step in steps.items():
-        values[names.index(name.replace("__", "."))] += step
-    return values
+    names = sorted({name for load in loads for name in load})
+    settings = {name: [load.get(name, np.nan) for load in loads] for name in names}
+    return structure_at(robot, points, candidates, settings=settings)
 
 
 def same(a: Prediction, b: Prediction, rows: Sequence[int], others: Sequence[int]) -> None:
@@ -80,7 +57,7 @@ def test_a_setup_with_a_payload_has_the_modes_of_the_robot_with_it(
     robot, points = read(name), np.array(POSES[name]["scattered"][:4])
     loads = [{} if np.isnan(m) else {PAYLOAD: m} for m in masses]
     one = structure(robot, points, loads, ("parameter:link.length", "measurement:yaw", "belt_mass"))
-    values = moved(one, platform__mass=0.05, link__length=1e-3, measurement__yaw=0.01)
+    values = declared(one, {"platform.mass": 0.05, "link.length": 1e-3, "measurement.yaw": 0.01})
     by = list(range(len(one.parameters)))
     found = one.predict(values, by, shape_rates=True)
     for mass in set(masses) - {np.nan}:
@@ -88,7 +65,7 @@ def test_a_setup_with_a_payload_has_the_modes_of_the_robot_with_it(
         if not rows:
             continue
         alone = robot.with_values({PAYLOAD: mass})
-        separate = RobotStructure(alone, points[rows], *suspects(alone, [c.name for c in one.candidates[:3]]))
+        separate = suspected(alone, points[rows], [c.name for c in one.candidates[:3]])
         names = [p.name for p in separate.parameters]
         order = [names.index(p.name) for p in one.parameters]
         there = np.empty(len(names))
@@ -108,7 +85,7 @@ def test_a_setup_with_a_payload_has_the_modes_of_the_robot_with_it(
 
 def test_without_settings_and_with_blank_ones_a_structure_is_the_same() -> None:
     robot, points = read("published"), np.array(POSES["published"]["scattered"][:3])
-    plain = RobotStructure(robot, points, *suspects(robot))
+    plain = suspected(robot, points)
     for loads in ([{}, {}, {}], [{PAYLOAD: np.nan}, {}, {}]):
         one = structure(robot, points, loads)
         assert one.candidates == plain.candidates
@@ -119,7 +96,7 @@ def test_without_settings_and_with_blank_ones_a_structure_is_the_same() -> None:
 def test_subsets_keep_the_set_values_and_other_places_drop_them() -> None:
     robot, points = read("published"), np.array(POSES["published"]["scattered"][:4])
     one = structure(robot, points, [{PAYLOAD: 0.3}, {}, {PAYLOAD: 0.3}, {PAYLOAD: 0.5}], ("belt_mass",))
-    values, by = moved(one, platform__mass=0.02), [0, 1]
+    values, by = declared(one, {"platform.mass": 0.02}), [0, 1]
     whole = one.predict(values, by, shape_rates=True)
     same(one.subset([3, 1]).predict(values, by, shape_rates=True), whole, [0, 1], [3, 1])
     twin = pickle.loads(pickle.dumps(one))
@@ -141,7 +118,7 @@ def test_subsets_keep_the_set_values_and_other_places_drop_them() -> None:
             rates[:, 3:, k], expected[:, 3:], rtol=1e-5, atol=1e-4 * np.abs(expected).max()
         )
     places, there = one.elsewhere(5)
-    plain = RobotStructure(robot, places, *suspects(robot, ("belt_mass",)))
+    plain = suspected(robot, places, ("belt_mass",))
     same(there.predict(values, by), plain.predict(values, by), range(5), range(5))
     assert there.settings == ()
 
@@ -174,7 +151,7 @@ def test_set_values_do_not_move_and_the_rest_of_a_shared_value_does() -> None:
     loads: Loads = [{"axis.1.belt.width": 0.02}, {"belt.width": 0.02, "axis.span": 1.3}, {}]
     names = ("parameter:belt.width", "parameter:axis.span", "parameter:platform.mass")
     one = structure(robot.with_values({"platform.mass": {"sigma": None}}), points, loads, names)
-    by = [[p.name for p in one.parameters].index(name) for name in ("belt.width", "axis.span")]
+    by = [index(one, name) for name in ("belt.width", "axis.span")]
     found = one.predict(declared(one), by).rates[:, 3:]
     assert not found[1].any()
     assert (np.abs(found[[0, 2]]).max(axis=1) > 0.0).all()
@@ -210,7 +187,7 @@ def test_setups_may_have_more_modes_than_others() -> None:
     assert np.isfinite(found.eigenvalues).all()
     for i, load in enumerate(loads):
         alone = robot.with_values(dict(load))
-        separate = RobotStructure(alone, points[[i]], *suspects(alone, ("parameter:link.mass",)))
+        separate = suspected(alone, points[[i]], ("parameter:link.mass",))
         expected = separate.predict(declared(separate), by, shape_rates=True)
         elastic = slice(3, 3 + expected.eigenvalues.shape[1] - expected.rigid)
         np.testing.assert_array_equal(
@@ -278,8 +255,8 @@ def test_the_derivative_with_respect_to_a_coefficient_includes_known_tensions() 
     robot, points = read_robot(COREXY), PLACES[:4]
     loads: Loads = [{TENSION: 30.0}, {TENSION: 60.0}, {}, {TENSION: 0.0}]
     one = structure(robot, points, loads, ("belt_tension_stiffness",))
-    i = [p.name for p in one.parameters].index(COEFFICIENT)
-    values = moved(one, **{COEFFICIENT.replace(".", "__"): 1e-3})
+    i = index(one, COEFFICIENT)
+    values = declared(one, {COEFFICIENT: 1e-3})
     found = one.predict(values, [i]).rates[:, 2:, 0]
     squares = [
         [(2 * np.pi * corexy_frequencies(p, t, c, 2.6e6 * 6e-3)) ** 2 for c in (1e-3 + 1e-6, 1e-3 - 1e-6)]

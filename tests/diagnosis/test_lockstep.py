@@ -6,12 +6,11 @@ import numpy as np
 import pytest
 from scipy.optimize import lsq_linear
 
-from helpers.robots.small_structures import SIGMA, LogLinear, log_linear, logs_measured
-from pkmodes.diagnosis import Candidate, Parameter
+from helpers.diagnoses.robot_structures import declared, index, suspected
+from helpers.robots.small_structures import SIGMA, LogLinear, each, log_linear, logs_measured
+from pkmodes.diagnosis import Parameter
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.updating.candidates import suspects
-from pkmodes.updating.robot_structure import RobotStructure
 from pkmodes_rig.robots import POSES, ROBOTS, read
 
 SETUPS, MODES = 8, 5
@@ -20,7 +19,7 @@ SETUPS, MODES = 8, 5
 def test_a_descent_converges_to_bounded_least_squares_of_a_linear_model() -> None:
     """Against SciPy's solver of the linear problem, with active bounds."""
     rng = np.random.default_rng(1)
-    candidates = [Candidate(f"c{i}", (f"c{i}",)) for i in range(6)]
+    candidates = each(f"c{i}" for i in range(6))
     parameters = [Parameter("n0", 0.0, sigma=0.5), Parameter("n1", 0.0, sigma=0.5)]
     parameters += [Parameter(f"c{i}", 0.0, lower=0.0 if i % 2 else -np.inf) for i in range(6)]
     model: LogLinear = log_linear(rng, SETUPS, MODES, parameters, candidates)
@@ -44,14 +43,11 @@ def test_a_descent_converges_to_bounded_least_squares_of_a_linear_model() -> Non
 def test_robots_evaluated_together_are_those_evaluated_alone(name: str) -> None:
     """Values in every candidate's direction, geometry and measurement frame included, with their derivatives."""
     robot, points = read(name), POSES[name]["scattered"][:3]
-    structure = RobotStructure(robot, points, *suspects(robot))
-    declared = np.array([p.value for p in structure.parameters])
-    index = {p.name: i for i, p in enumerate(structure.parameters)}
+    structure = suspected(robot, points)
     values, by = [], []
     for candidate in structure.candidates:
-        some = [index[parameter] for parameter in candidate.parameters]
-        one = declared.copy()
-        one[some] += 0.01 * np.maximum(np.abs(declared[some]), 1e-4)
+        some, one = [index(structure, parameter) for parameter in candidate.parameters], declared(structure)
+        one[some] += 0.01 * np.maximum(np.abs(one[some]), 1e-4)
         values.append(one)
         by.append(some)
     batches = structure.predict_many(np.array(values), by, shape_rates=True)
@@ -59,9 +55,7 @@ def test_robots_evaluated_together_are_those_evaluated_alone(name: str) -> None:
     assert max(len(batch.sets) for batch in batches) > 10
     for batch in batches:
         for place, k in enumerate(batch.sets):
-            alone = RobotStructure(robot, points, *suspects(robot)).predict(
-                values[k], by[k], shape_rates=True
-            )
+            alone = suspected(robot, points).predict(values[k], by[k], shape_rates=True)
             part = slice(place * len(points), (place + 1) * len(points))
             together, width = batch.prediction, len(by[k])
             # The same operations on other batches: rounding, and for shapes rounding over the gaps of eigenvalues.

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
+from helpers.diagnoses.robot_structures import declared
 from helpers.robots.small_structures import LOADS, frame
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, compare
 from pkmodes.diagnosis.fit.fitter import Fitter
@@ -18,10 +19,6 @@ MASS, STIFFNESS, STOREYS = 20.0, 4.0e5, 4
 
 def uniform(unit: float = 1.0, exact: bool = True) -> MatrixStructure:
     return frame({"empty": 0.0}, unit=unit, exact=exact)
-
-
-def declared(structure: MatrixStructure) -> np.ndarray:
-    return np.array([p.value for p in structure.parameters])
 
 
 def closed_form() -> tuple[np.ndarray, np.ndarray]:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from helpers.robots.small_structures import LogLinear, logs_measured
+from helpers.robots.small_structures import SIGMA, each, of_signatures, with_changes
 from pkmodes.core.mechanism import registry
 from pkmodes.diagnosis import Candidate, Diagnosis, Parameter, diagnose
 from pkmodes.diagnosis.verdict import naming
@@ -93,14 +93,12 @@ def test_the_value_of_one_axis_shares_the_kind_of_all() -> None:
 def two_alike(usual: tuple[float, float] | None) -> Diagnosis:
     """The diagnosis of a change that two candidates explain alike, one with the value 0.06, one with -0.06."""
     rng = np.random.default_rng(5)
-    base = np.log(10.0) + 0.35 * np.tile(np.arange(4.0), (6, 1))
-    along, other = rng.standard_normal((2, 6, 4))
-    names = ("a", "b", "other")
-    parameters = [Parameter("a", 0.0), Parameter("b", 0.0, usual=usual), Parameter("other", 0.0)]
-    candidates = [Candidate(name, (name,), f"{name} is wrong") for name in names]
-    model = LogLinear(base, np.stack([along, -along, other], axis=-1), parameters, candidates)
-    measured = base + 0.06 * along + 0.002 * rng.standard_normal(base.shape)
-    return diagnose(model, logs_measured(measured, 0.002), holdout=())
+    along, other = rng.standard_normal((2, 6, 4)) / SIGMA
+    roles = {name: {"sentence": f"{name} is wrong"} for name in ("a", "b", "other")}
+    model = of_signatures(
+        {"a": along, "b": -along, "other": other}, 6, 4, roles=roles, known={"b": {"usual": usual}}
+    )
+    return diagnose(model, with_changes(model, 0.06 * along + rng.standard_normal((6, 4))), holdout=())
 
 
 def test_the_json_says_of_each_member_whether_its_value_is_plausible() -> None:
@@ -125,7 +123,7 @@ def test_plausible_values_change_no_verdict() -> None:
 def fits(*values: float) -> tuple[Any, list[Any]]:
     """Fits whose last causes have these values each, and what knows their parameters."""
     parameters = [Parameter(f"p{i}", 0.0, "m") for i in range(len(values))]
-    causes = [Candidate(p.name, (p.name,)) for p in parameters]
+    causes = each(p.name for p in parameters)
     fitter = SimpleNamespace(parameters=parameters, indices=lambda cause: [int(cause.name[1:])])
     return fitter, [SimpleNamespace(causes=[cause], values=np.array(values)) for cause in causes]
 

@@ -10,8 +10,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from helpers.robots.small_structures import SIGMA, LogLinear, logs_measured
-from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter, diagnose
+from helpers.robots.small_structures import (
+    SIGMA,
+    LogLinear,
+    directions,
+    errors,
+    logs_measured,
+    of_signatures,
+    with_changes,
+)
+from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.search import Search
@@ -20,8 +28,7 @@ from pkmodes.updating.candidates import suspects
 from pkmodes_rig.robots import read
 
 SETUPS, MODES = 10, 5
-#: Orthonormal directions in the space of all rows.
-DIRECTIONS = np.linalg.qr(np.random.default_rng(7).standard_normal((SETUPS * MODES, 8)))[0].T
+DIRECTIONS = directions(SETUPS * MODES, 8, seed=7)
 #: Signatures of three parts: the common one, and the differences between them.
 PARTS = DIRECTIONS[:3]
 SHARED = PARTS.sum(axis=0) / np.sqrt(3.0)
@@ -30,20 +37,16 @@ DIFFERENT = (PARTS[0] - PARTS[1]) / np.sqrt(2.0)
 
 def structure(special: np.ndarray, general_of: str = "", *, remote: bool = False) -> LogLinear:
     """A special cause, a general one with three parameters, and an unrelated one."""
-    columns = [special, *PARTS, DIRECTIONS[4]]
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
-    G = np.stack([column.reshape(SETUPS, MODES) for column in columns], axis=-1) * SIGMA
-    parameters = [Parameter(name, 0.0) for name in ("s", "g1", "g2", "g3", "o")]
+    names, signatures = ("s", "g1", "g2", "g3", "o"), (special, *PARTS, DIRECTIONS[4])
+    model = of_signatures(dict(zip(names, signatures, strict=True)), SETUPS, MODES)
     general = Candidate("general", ("g1", "g2", "g3"), remote=remote, general_of=general_of)
-    return LogLinear(base, G, parameters, [Candidate("special", ("s",)), general, Candidate("other", ("o",))])
+    model.candidates = (Candidate("special", ("s",)), general, Candidate("other", ("o",)))
+    return model
 
 
 def measured(model: LogLinear, change: np.ndarray) -> Measurements:
     """Frequency changes in standard deviations, with errors as stated."""
-    errors = 0.9 * np.random.default_rng(3).standard_normal(SETUPS * MODES)
-    errors -= DIRECTIONS.T @ (DIRECTIONS @ errors)  # none in the directions of the causes: z is exact
-    y = model.base + SIGMA * (change + errors).reshape(SETUPS, MODES)
-    return logs_measured(y, SIGMA)
+    return with_changes(model, change + errors(SETUPS * MODES, DIRECTIONS))
 
 
 def found(model: LogLinear, change: np.ndarray) -> Diagnosis:
@@ -154,12 +157,9 @@ def test_every_compliance_that_joints_share_has_a_form_with_one_value_for_each()
 def test_a_class_of_many_is_ambiguous_whether_or_not_its_members_can_ever_be_told_apart(apart: float) -> None:
     """Candidates of one signature do not represent what else may be wrong: the data are not too few."""
     names = "abcdefg"
-    columns = [SHARED + apart * DIRECTIONS[k] for k in range(1, 1 + len(names))]
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
-    G = np.stack([(column / np.linalg.norm(column)).reshape(SETUPS, MODES) for column in columns], axis=-1)
-    parameters = [Parameter(name, 0.0) for name in names]
-    model = LogLinear(base, G * SIGMA, parameters, [Candidate(name, (name,)) for name in names])
-    diagnosis = found(model, 20.0 * SHARED)
+    signatures = {name: SHARED + apart * DIRECTIONS[k] for k, name in enumerate(names, start=1)}
+    unit = {name: one / np.linalg.norm(one) for name, one in signatures.items()}
+    diagnosis = found(of_signatures(unit, SETUPS, MODES), 20.0 * SHARED)
     assert diagnosis.verdict == "ambiguous"
     (members,) = diagnosis.survivors
     assert sorted(members) == list(names)

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from helpers.diagnoses.frame_diagnoses import checked
-from helpers.robots.small_structures import SIGMA, LogLinear, logs_measured
-from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter
+from helpers.robots.small_structures import SIGMA, LogLinear, of_signatures, with_changes
+from pkmodes.diagnosis import Diagnosis, Measurements
 
 #: Modes of each of three setups; causes a and b differ by two standard deviations there, and n moves nothing.
 MODES = 4
@@ -45,11 +45,10 @@ class Elsewhere(LogLinear):
 def structure() -> tuple[Elsewhere, Measurements]:
     u = np.full((3, MODES), 12**-0.5)
     v = u * np.where(np.indices(u.shape).sum(axis=0) % 2, 1.0, -1.0)
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (3, 1))
-    G = np.stack([u + v / 12.0, u - v / 12.0, 0.0 * u], axis=-1) * SIGMA
-    parameters = [Parameter("a", 0.0), Parameter("b", 0.0), Parameter("n", 0.0, sigma=1.0)]
-    data = logs_measured(base + SIGMA * (12.0 * u + 0.3 * v), SIGMA)
-    return Elsewhere(base, G, parameters, [Candidate(name, (name,)) for name in "ab"]), data
+    signatures = {"a": u + v / 12.0, "b": u - v / 12.0, "n": 0.0 * u}
+    model = of_signatures(signatures, 3, MODES, known={"n": {"sigma": 1.0}})
+    data = with_changes(model, 12.0 * u + 0.3 * v)
+    return Elsewhere(model.base, model.G, model.parameters, model.candidates), data
 
 
 def diagnosed(**given: object) -> Diagnosis:
@@ -114,6 +113,6 @@ def test_without_explanations_to_separate_the_verdict_says_so() -> None:
     alone = checked(LogLinear(model.base, model.G, model.parameters, model.candidates[:1]), data)
     assert alone.verdict == "effect_found"
     assert "from every other candidate" in alone.next_measurement_reason
-    nothing = checked(model, logs_measured(model.base, SIGMA))
+    nothing = checked(model, with_changes(model, np.zeros(3 * MODES)))
     assert nothing.verdict == "adequate"
     assert "the residual is noise" in nothing.next_measurement_reason

@@ -10,16 +10,20 @@ import pytest
 from scipy import stats
 from scipy.linalg import eigh
 
-from helpers.robots.small_structures import SIGMA, LogLinear, log_linear, logs_measured
-from pkmodes.diagnosis import (
-    Candidate,
-    Diagnosis,
-    MatrixStructure,
-    Measurements,
-    Parameter,
-    compare,
-    diagnose,
+from helpers.robots.small_structures import (
+    SIGMA,
+    LogLinear,
+    columns,
+    each,
+    in_a_row,
+    ladder,
+    log_linear,
+    logs_measured,
+    normalised,
+    of_signatures,
+    with_changes,
 )
+from pkmodes.diagnosis import Diagnosis, MatrixStructure, Measurements, Parameter, compare, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.search.unmeasured import p_unmeasured, seen
@@ -30,8 +34,7 @@ LOADS = {f"{load:g} kg": load for load in (0.0, 2.0, 4.0, 6.0, 8.0)}
 
 def matrices(values: dict[str, float], setup: str) -> tuple[np.ndarray, np.ndarray]:
     M = np.diag([20.0, 20.0, 20.0, 20.0 + LOADS[setup]])
-    k = values["k"] * np.array([1.0, 1.0 + values["brace"], 0.8, 0.7])
-    return M, np.diag(k + np.append(k[1:], 0.0)) - np.diag(k[1:], 1) - np.diag(k[1:], -1)
+    return M, in_a_row(values["k"] * np.array([1.0, 1.0 + values["brace"], 0.8, 0.7]))
 
 
 def structure(sigma: float = 0.02) -> MatrixStructure:
@@ -39,13 +42,7 @@ def structure(sigma: float = 0.02) -> MatrixStructure:
         Parameter("k", 4e5, "N/m", sigma=sigma * 4e5, lower=1e4),
         Parameter("brace", 0.0, lower=0.0),
     ]
-    return MatrixStructure(
-        parameters,
-        [Candidate("brace", ("brace",))],
-        matrices,
-        channels=FLOORS,
-        setups=list(LOADS),
-    )
+    return MatrixStructure(parameters, each(["brace"]), matrices, channels=FLOORS, setups=list(LOADS))
 
 
 def measured(k: float = 4e5, brace: float = 0.0, seed: int = 0, shapes: bool = True) -> Measurements:
@@ -56,12 +53,9 @@ def measured(k: float = 4e5, brace: float = 0.0, seed: int = 0, shapes: bool = T
         eigenvalues, vectors = eigh(K, M)
         pose += [setup] * 4
         f += list(np.sqrt(eigenvalues) / (2 * np.pi) * np.exp(SIGMA * rng.standard_normal(4)))
-        rows += list(
-            vectors.T / np.abs(vectors.T).max(axis=1, keepdims=True) + 0.02 * rng.standard_normal((4, 4))
-        )
-    f, rows = np.array(f), np.array(rows)
-    columns = {f"floor {i + 1}": rows[:, i] for i in range(4)} if shapes else None
-    return Measurements.from_rows(pose, f, SIGMA * f, shapes=columns)
+        rows += list(normalised(vectors) + 0.02 * rng.standard_normal((4, 4)))
+    f = np.array(f)
+    return Measurements.from_rows(pose, f, SIGMA * f, shapes=columns(np.array(rows)) if shapes else None)
 
 
 def notes(data: Measurements, **options: float) -> Diagnosis:
@@ -269,14 +263,11 @@ def test_a_diagnosis_is_printed_in_a_few_lines() -> None:
 def test_a_cause_that_other_errors_would_replace_is_not_claimed() -> None:
     """a is exact with the nuisance at five sigma, b needs less of it and leaves 7: doubled errors prefer b."""
     rng = np.random.default_rng(8)
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(5), (4, 1))
     n, a, e = np.linalg.qr(rng.standard_normal((20, 3)))[0].T.reshape(3, 4, 5)
     n = 6.0 * n
     b = a + 0.25 * n + 0.35 * e
-    parameters = [Parameter("n", 0.0, sigma=1.0), Parameter("a", 0.0), Parameter("b", 0.0)]
-    causes = [Candidate(name, (name,)) for name in "ab"]
-    model = LogLinear(base, SIGMA * np.stack([n, a, b], axis=-1), parameters, causes)
-    found = diagnose(model, logs_measured(base + SIGMA * (20.0 * a + 5.0 * n), SIGMA), holdout=())
+    model = of_signatures({"n": n, "a": a, "b": b}, 4, 5, known={"n": {"sigma": 1.0}})
+    found = diagnose(model, with_changes(model, 20.0 * a + 5.0 * n), holdout=())
     assert [s.effects for s in found.stability] == [("a",), ("b",), ("a",)]
     assert found.verdict == "ambiguous"
     assert found.effects == ()
@@ -286,10 +277,10 @@ def test_a_cause_that_other_errors_would_replace_is_not_claimed() -> None:
 
 def six_modes(missed: list[tuple[int, int]], added: float) -> tuple[Fitter, LogLinear]:
     """Ten setups with six modes, some of them missed; a cause shifts all and may bring the last one among them."""
-    base = np.tile(np.log(10.0) + 0.3 * np.arange(6), (10, 1))
+    base = ladder(10, 6)
     G = np.zeros((10, 6, 1))
     G[:, 5, 0] = added
-    model = LogLinear(base, G, [Parameter("c", 0.0)], [Candidate("c", ("c",))])
+    model = LogLinear(base, G, [Parameter("c", 0.0)], each("c"))
     kept = [(i, k) for i in range(10) for k in range(5) if (i, k) not in missed]
     f = np.exp([base[i, k] for i, k in kept])
     return Fitter(model, Measurements.from_rows([f"P{i}" for i, _ in kept], f, SIGMA * f)), model
@@ -324,9 +315,7 @@ def test_modes_above_the_highest_measured_one_are_not_counted_as_missed_whatever
 
 def test_log_linear_structures_with_a_stated_band_are_as_without_it() -> None:
     rng = np.random.default_rng(2)
-    model = log_linear(
-        rng, 5, 4, [Parameter("n", 0.0, sigma=1.0), Parameter("c", 0.0)], [Candidate("c", ("c",))]
-    )
+    model = log_linear(rng, 5, 4, [Parameter("n", 0.0, sigma=1.0), Parameter("c", 0.0)], each("c"))
     model.G *= SIGMA
     data = logs_measured(model.base + model.G @ [0.3, 9.0], SIGMA)
     plain = diagnose(model, data, holdout=())

@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from helpers.robots.small_structures import SIGMA, LogLinear, logs_measured
-from pkmodes.diagnosis import Candidate, Parameter
+from helpers.robots.small_structures import SIGMA, directions, logs_measured, of_signatures
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
@@ -21,19 +20,16 @@ from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict.specificity import DRAWS, Plausible, p_coincidence
 
 SETUPS, MODES = 10, 5
-DIRECTIONS = np.linalg.qr(np.random.default_rng(11).standard_normal((SETUPS * MODES, 12)))[0].T
+DIRECTIONS = directions(SETUPS * MODES, 12)
 
 
 def coincidence(
     signatures: Mapping[str, np.ndarray], change: np.ndarray, *, repeated: int = 1, errors: float = 1.0
 ) -> float:
     """The probability for the cause "a", with every setup measured several times and all errors scaled."""
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
-    G = np.stack([d.reshape(SETUPS, MODES) for d in signatures.values()], axis=-1) * SIGMA
-    base, G = np.tile(base, (repeated, 1)), np.tile(G, (repeated, 1, 1))
-    parameters = [Parameter(name, 0.0) for name in signatures]
-    model = LogLinear(base, G, parameters, [Candidate(p.name, (p.name,)) for p in parameters])
-    logs = base + SIGMA * np.tile(change.reshape(SETUPS, MODES), (repeated, 1))
+    again = {name: np.tile(one, repeated) for name, one in signatures.items()}
+    model = of_signatures(again, SETUPS * repeated, MODES)
+    logs = model.base + SIGMA * np.tile(change, repeated).reshape(model.base.shape)
     search = Search(FitStore(Fitter(model, logs_measured(logs, errors * SIGMA))), model.candidates)
     final = search.store.fit(Hypothesis((model.candidates[0],)))
     assert final is not None

@@ -5,7 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from helpers.robots.small_structures import SIGMA, LogLinear, log_linear, logs_measured
+from helpers.robots.small_structures import (
+    SIGMA,
+    LogLinear,
+    log_linear,
+    logs_measured,
+    of_signatures,
+    with_changes,
+)
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Candidate, Parameter, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
@@ -53,21 +60,15 @@ def test_a_narrow_prior_ranks_a_cause_behind_one_that_may_be_as_large() -> None:
     rng = np.random.default_rng(5)
     g = rng.standard_normal((4, 4))
     other = g + 0.15 * rng.standard_normal((4, 4))
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(4), (4, 1))
-    parameters = [Parameter("wide", 0.0), Parameter("narrow", 0.0)]
-    y = base + SIGMA * 12.0 * (0.5 * g + 0.5 * other)
 
-    def best(wide: float, narrow: float) -> str:
-        causes = [
-            Candidate("wide", ("wide",), sigma=(wide,)),
-            Candidate("narrow", ("narrow",), sigma=(narrow,)),
-        ]
-        model = LogLinear(base, SIGMA * np.stack([g, other], axis=-1), parameters, causes)
-        found = diagnose(model, logs_measured(y, SIGMA), holdout=())
+    def best(**sigmas: float) -> str:
+        roles = {name: {"sigma": (sigma,)} for name, sigma in sigmas.items()}
+        model = of_signatures({"wide": g, "narrow": other}, 4, 4, roles=roles)
+        found = diagnose(model, with_changes(model, 6.0 * (g + other)), holdout=())
         return found.effects[0].name if found.effects else found.survivors[0][0]
 
-    assert best(10.0, 1.0) == "wide"
-    assert best(1.0, 10.0) == "narrow"
+    assert best(wide=10.0, narrow=1.0) == "wide"
+    assert best(wide=1.0, narrow=10.0) == "narrow"
 
 
 def test_a_log_normal_prior_counts_ratios() -> None:

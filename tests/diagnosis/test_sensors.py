@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy import sparse
 
+from helpers.robots.small_structures import in_a_row
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Parameter
 
@@ -18,7 +19,7 @@ def springs(values, setup=None) -> tuple[np.ndarray, np.ndarray]:
     """Four masses of 1, 2, 3 and 4 kg in a row on the ground, with a soft second spring."""
     k = np.array([4e3, 1e3 * (1.0 + values["stiffer"]), 3e3, 2e3])
     M = np.diag([1.0, 2.0, 3.0, 4.0 + values["tip"]])
-    return M, np.diag(k + np.append(k[1:], 0)) - np.diag(k[1:], 1) - np.diag(k[1:], -1)
+    return M, in_a_row(k)
 
 
 CHANGES = [Parameter("stiffer", 0.0, lower=-0.9), Parameter("tip", 0.0, lower=-1.0)]

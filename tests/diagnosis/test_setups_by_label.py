@@ -5,7 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from helpers.robots.small_structures import LOADS, frame, frame_derivatives, frame_matrices, frame_measured
+from helpers.robots.small_structures import (
+    LOADS,
+    altered,
+    frame,
+    frame_derivatives,
+    frame_matrices,
+    frame_measured,
+)
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Measurements, compare, diagnose, update
 
@@ -27,12 +34,9 @@ def test_the_order_of_setups_is_that_of_the_labels_not_of_the_rows() -> None:
 
 def nameless() -> MatrixStructure:
     plain = frame(LOADS, only=["brace 2", "brace 3"])
-    return MatrixStructure(
-        plain.parameters,
-        plain.candidates,
-        lambda values, _: frame_matrices(4, LOADS)(values, "empty"),
-        derivatives=frame_derivatives(4),
-        channels=["floor 1", "floor 2", "floor 3", "floor 4"],
+    matrices = frame_matrices(4, LOADS)
+    return altered(
+        plain, lambda values, _: matrices(values, "empty"), derivatives=frame_derivatives(4), setups=("",)
     )
 
 

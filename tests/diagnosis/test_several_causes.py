@@ -7,11 +7,7 @@ from collections.abc import Sequence
 import pytest
 
 from helpers.diagnoses.frame_diagnoses import CANDIDATES, SIX, TWO, causes, checked, drawn
-from helpers.robots.small_structures import (
-    frame,
-    frame_derivatives,
-    frame_matrices,
-)
+from helpers.robots.small_structures import altered, each, frame, frame_derivatives, frame_matrices
 from pkmodes.diagnosis import Candidate, MatrixStructure, Parameter
 
 
@@ -40,14 +36,7 @@ def twins(loads: dict[str, float], order: Sequence[str]) -> MatrixStructure:
         return dM, (3.0 if name == "twin" else 1.0) * dK
 
     parameters = [*plain.parameters, Parameter("twin", 0.0, lower=0.0)]
-    return MatrixStructure(
-        parameters,
-        [Candidate(name, (name,)) for name in order],
-        more,
-        derivatives=rates,
-        channels=plain.channels,
-        setups=plain.setups,
-    )
+    return altered(plain, more, derivatives=rates, parameters=parameters, candidates=each(order))
 
 
 def test_equivalent_candidates_are_one_class_in_any_order() -> None:
@@ -73,13 +62,8 @@ def test_equivalent_candidates_are_one_class_beside_a_second_cause() -> None:
 
 def test_a_cause_of_several_parameters_is_found_as_one() -> None:
     plain = frame(TWO)
-    whole = MatrixStructure(
-        plain.parameters,
-        [Candidate("braces", ("brace 1", "brace 2", "brace 3")), Candidate("first floor", ("first floor",))],
-        frame_matrices(4, TWO),
-        channels=plain.channels,
-        setups=plain.setups,
-    )
+    causes = [Candidate("braces", ("brace 1", "brace 2", "brace 3")), *each(["first floor"])]
+    whole = altered(plain, frame_matrices(4, TWO), candidates=causes)
     truth = {"brace 1": 5.0e4, "brace 2": 1.0e5, "brace 3": 2.0e4}
     found = checked(whole, drawn(TWO, 8, truth))
     assert found.verdict == "effect_found"

@@ -10,14 +10,15 @@ from scipy import stats
 from scipy.linalg import eigh
 
 import pkmodes
-from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, Prediction, diagnose
+from helpers.diagnoses.robot_structures import declared, index, suspected
+from helpers.robots.small_structures import columns, each, in_a_row, normalised
+from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, Prediction, diagnose
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.shapes import ShapeRows
 from pkmodes.diagnosis.match.pairing import Pairing
-from pkmodes.updating.candidates import suspects
-from pkmodes.updating.robot_structure import RobotStructure, channels
+from pkmodes.updating.robot_structure import channels
 from pkmodes_rig.robots import POSES, read
 
 CRITERIA = Criteria()
@@ -28,7 +29,7 @@ def rows(shapes: np.ndarray, frequency: np.ndarray, sigma: float | None, scatter
         ["A"] * len(shapes),
         frequency,
         0.001 * frequency,
-        shapes={f"c{k}": column for k, column in enumerate(shapes.T)},
+        shapes=columns(shapes, "c", 0),
         shape_sigma=None if sigma is None else np.full(len(shapes), sigma),
     )
     channels = shapes.shape[1]
@@ -80,14 +81,13 @@ def test_the_mac_is_what_the_residual_leaves_of_a_shape() -> None:
 
 def chain(values: dict[str, float], _: str) -> tuple[np.ndarray, np.ndarray]:
     k = np.array([values[f"k{i}"] for i in range(4)])
-    K = np.diag(k + np.append(k[1:], 0.0)) - np.diag(k[1:], 1) - np.diag(k[1:], -1)
-    return np.diag([values["m"], 2.0, 1.5, 1.0]), K
+    return np.diag([values["m"], 2.0, 1.5, 1.0]), in_a_row(k)
 
 
 def chain_structure(**sigmas: float) -> MatrixStructure:
     parameters = [Parameter(f"k{i}", 1e4 * (i + 2), "N/m", sigmas.get(f"k{i}"), lower=1.0) for i in range(4)]
     parameters.append(Parameter("m", 2.0, "kg", sigmas.get("m"), lower=0.1))
-    causes = [Candidate(p.name, (p.name,)) for p in parameters if p.sigma is None]
+    causes = each(p.name for p in parameters if p.sigma is None)
     return MatrixStructure(parameters, causes, chain, channels=[f"x{i}" for i in range(4)])
 
 
@@ -98,16 +98,25 @@ def chain_modes(changes: dict[str, float]) -> tuple[np.ndarray, np.ndarray]:
     return np.sqrt(eigenvalues) / (2 * np.pi), vectors.T
 
 
-def test_derivatives_of_the_residual_agree_with_differences() -> None:
-    structure = chain_structure(m=0.2, k1=1e3)
-    frequencies, shapes = chain_modes({"k2": 5e4})
-    data = Measurements.from_rows(
-        ["rig" for _ in frequencies],
+def of_chain(
+    frequencies: np.ndarray, shapes: np.ndarray | None = None, sigma: float | None = None
+) -> Measurements:
+    return Measurements.from_rows(
+        ["rig"] * 4,
         frequencies,
         1e-3 * frequencies,
-        shapes={f"x{i}": shapes[:, i] for i in range(4)},
+        shapes=None if shapes is None else columns(shapes, "x", 0),
+        shape_sigma=None if sigma is None else np.full(4, sigma),
     )
-    fitter = Fitter(structure, data)
+
+
+#: All springs are a little uncertain.
+STIFF = {"m": 0.05, **{f"k{i}": 500.0 for i in range(4)}}
+
+
+def test_derivatives_of_the_residual_agree_with_differences() -> None:
+    structure = chain_structure(m=0.2, k1=1e3)
+    fitter = Fitter(structure, of_chain(*chain_modes({"k2": 5e4})))
     used, by = np.ones(4, dtype=bool), (0, 1, 2, 4)
     pairing = fitter.pairer.pair(structure.predict(fitter.declared, ()), used)
     rates = fitter.rows.rates(structure.predict(fitter.declared, by, shape_rates=True), pairing, used)
@@ -134,11 +143,11 @@ def test_derivatives_of_the_residual_agree_with_differences() -> None:
 def test_the_shape_rates_of_a_robot_are_those_of_nelsons_linear_systems(effects: dict[str, float]) -> None:
     robot = replace(read("asymmetric"), effects=effects)
     points = np.array(POSES["asymmetric"]["scattered"][:3])
-    structure = RobotStructure(robot, points, *suspects(robot))
-    declared = np.array([p.value for p in structure.parameters])
+    structure = suspected(robot, points)
+    values = declared(structure)
     paths = [p.name for p in structure.parameters if not p.name.startswith("measurement.")]
     known = [i for i, name in enumerate(paths) if name.count(".") < 3 or not name.startswith("effects.")]
-    found = structure.predict(declared, known, shape_rates=True)
+    found = structure.predict(values, known, shape_rates=True)
     model = pkmodes.Model(robot)
     expected = model.sensitivities(points, [paths[i] for i in known])
     columns = [list(channels(model.mechanism)).index(name) for name in model.coordinates]
@@ -154,16 +163,13 @@ def test_the_shape_rates_of_a_robot_are_those_of_nelsons_linear_systems(effects:
 def test_a_platforms_shape_rates_agree_with_differences() -> None:
     robot = read("tower")
     points = np.array(POSES["tower"]["scattered"][:2])
-    structure = RobotStructure(robot, points, *suspects(robot))
-    declared = np.array([p.value for p in structure.parameters])
-    names = [p.name for p in structure.parameters]
-    for name, step in (("link.length", 1e-6), ("axis.joint_radius", 1e-6), ("measurement.yaw", 1e-6)):
-        i = names.index(name)
-        there, back = declared.copy(), declared.copy()
-        there[i] += step
-        back[i] -= step
-        a, b = (structure.predict(v, ()).shapes[:, 3:, -3:] for v in (there, back))
-        at = structure.predict(declared, (i,), shape_rates=True)
+    structure, step = suspected(robot, points), 1e-6
+    for name in ("link.length", "axis.joint_radius", "measurement.yaw"):
+        a, b = (
+            structure.predict(declared(structure, {name: sign * step}), ()).shapes[:, 3:, -3:]
+            for sign in (1, -1)
+        )
+        at = structure.predict(declared(structure), (index(structure, name),), shape_rates=True)
         assert at.shape_rates is not None
         own = at.shapes[:, 3:, -3:]
         a, b = (s * np.sign((s * own).sum(axis=-1, keepdims=True)) for s in (a, b))
@@ -176,39 +182,33 @@ def test_shapes_distinguish_causes_that_explain_the_frequencies_equally_well() -
 
     def matrices(values: dict[str, float], _: str) -> tuple[np.ndarray, np.ndarray]:
         k = 1e4 * np.array([1.0, 1.0 + values["a"], 1.0, 1.0, 1.0 + values["b"], 1.0])
-        return np.eye(5), np.diag(k[:-1] + k[1:]) - np.diag(k[1:-1], 1) - np.diag(k[1:-1], -1)
+        K = in_a_row(k[:-1])
+        K[-1, -1] += k[-1]
+        return np.eye(5), K
 
     parameters = [Parameter("a", 0.0, lower=-0.9), Parameter("b", 0.0, lower=-0.9)]
-    structure = MatrixStructure(
-        parameters, [Candidate(n, (n,)) for n in "ab"], matrices, channels=[f"x{i}" for i in range(5)]
-    )
+    structure = MatrixStructure(parameters, each("ab"), matrices, channels=[f"x{i}" for i in range(5)])
     M, K = matrices({"a": 0.0, "b": -0.15}, "")
     eigenvalues, vectors = eigh(K, M)
     rng = np.random.default_rng(4)
     f = np.sqrt(eigenvalues) / (2 * np.pi) * (1 + 0.002 * rng.standard_normal(5))
     shapes = vectors.T + 0.01 * rng.standard_normal((5, 5))
-    columns = {f"x{i}": shapes[:, i] for i in range(5)}
-    without = diagnose(structure, Measurements.from_rows(["rig"] * 5, f, 0.002 * f), holdout=())
+    without, found = (
+        diagnose(structure, Measurements.from_rows(["rig"] * 5, f, 0.002 * f, shapes=given), holdout=())
+        for given in (None, columns(shapes, "x", 0))
+    )
     assert without.verdict != "effect_found" or set(without.effects[0].members) == {"a", "b"}
-    found = diagnose(structure, Measurements.from_rows(["rig"] * 5, f, 0.002 * f, shapes=columns), holdout=())
     assert [e.members for e in found.effects] == [("b",)]
     relative = 0.01 / np.abs(vectors).max(axis=0)
     assert found.shape_scatter == pytest.approx(np.sqrt(np.mean(relative**2)), rel=0.4)
 
 
 def test_a_stated_error_of_shapes_is_tested_and_one_that_is_not_is_estimated() -> None:
-    structure = chain_structure(m=0.05, k0=500.0, k1=500.0, k2=500.0, k3=500.0)
-    frequencies, shapes = chain_modes({})
-    rng = np.random.default_rng(7)
-    noisy = shapes / np.abs(shapes).max(axis=1, keepdims=True) + 0.1 * rng.standard_normal((4, 4))
-    columns = {f"x{i}": noisy[:, i] for i in range(4)}
+    structure, (frequencies, shapes) = chain_structure(**STIFF), chain_modes({})
+    noisy = normalised(shapes.T) + 0.1 * np.random.default_rng(7).standard_normal((4, 4))
 
     def verdict(sigma: float | None) -> str:
-        stated = None if sigma is None else np.full(4, sigma)
-        data = Measurements.from_rows(
-            ["rig"] * 4, frequencies, 1e-3 * frequencies, shapes=columns, shape_sigma=stated
-        )
-        return diagnose(structure, data, holdout=()).verdict
+        return diagnose(structure, of_chain(frequencies, noisy, sigma), holdout=()).verdict
 
     assert verdict(0.1) == "adequate"
     assert verdict(None) == "adequate"
@@ -216,12 +216,9 @@ def test_a_stated_error_of_shapes_is_tested_and_one_that_is_not_is_estimated() -
 
 
 def test_a_model_whose_shapes_disagree_is_not_adequate() -> None:
-    structure = chain_structure(m=0.05, k0=500.0, k1=500.0, k2=500.0, k3=500.0)
     frequencies, shapes = chain_modes({})
     shapes = shapes[[1, 0, 2, 3]]  # two of them exchanged: other modes than the frequencies say
-    columns = {f"x{i}": shapes[:, i] for i in range(4)}
-    data = Measurements.from_rows(["rig"] * 4, frequencies, 1e-3 * frequencies, shapes=columns)
-    found = diagnose(structure, data, holdout=())
+    found = diagnose(chain_structure(**STIFF), of_chain(frequencies, shapes), holdout=())
     assert found.verdict == "unexplained"
     assert any("shapes" in note for note in found.notes)
 
@@ -238,11 +235,7 @@ def test_a_hypothesis_is_a_mixture_of_close_modes_of_which_one_was_missed() -> N
 
 
 def test_without_shapes_the_data_are_the_frequencies() -> None:
-    frequencies, _ = chain_modes({})
-    fitter = Fitter(
-        chain_structure(m=0.1), Measurements.from_rows(["rig"] * 4, frequencies, 1e-3 * frequencies)
-    )
-    fit = fitter.fit(Hypothesis())
+    fit = Fitter(chain_structure(m=0.1), of_chain(chain_modes({})[0])).fit(Hypothesis())
     assert fit is not None
     assert fit.residual.shape == (4,)
     assert fit.white.shape == (5,)
@@ -276,7 +269,7 @@ def test_a_machine_that_settles_anew_turns_shapes_as_far_as_is_allowed_for() -> 
         ["A"] * 3,
         frequency,
         errors * frequency,
-        shapes={f"c{k}": column for k, column in enumerate(shapes.T)},
+        shapes=columns(shapes, "c", 0),
         shape_sigma=np.full(3, 1e-4),
     )
     found = ShapeRows(data, np.arange(3), ["m"] * 3, np.ones((1, 3)), 0.05, CRITERIA)

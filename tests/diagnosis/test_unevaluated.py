@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 import pytest
 
-from helpers.robots.small_structures import LOADS, STIFFNESS, frame, frame_matrices, frame_measured
+from helpers.robots.small_structures import LOADS, STIFFNESS, altered, frame, frame_matrices, frame_measured
 from pkmodes.diagnosis import Criteria, MatrixStructure, Measurements, diagnose, update
 from pkmodes.diagnosis.criteria import Fits
 from pkmodes.diagnosis.fit.fitter import Fitter
@@ -24,9 +24,7 @@ def walled(wall: Callable[[Mapping[str, float]], bool]) -> MatrixStructure:
         M, K = matrices(values, setup)
         return M, K * (np.nan if wall(values) else 1.0)
 
-    return MatrixStructure(
-        plain.parameters, plain.candidates, some, channels=plain.channels, setups=list(LOADS)
-    )
+    return altered(plain, some)
 
 
 def measured(**truth: float) -> Measurements:

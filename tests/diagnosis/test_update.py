@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from helpers.robots.small_structures import SIGMA, LogLinear, logs_measured
+from helpers.robots.small_structures import SIGMA, LogLinear, each, ladder, logs_measured
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import Candidate, Measurements, Parameter, update
+from pkmodes.diagnosis import Measurements, Parameter, update
 
 COUNT = 12
 
@@ -15,10 +15,9 @@ COUNT = 12
 def model(seed: int = 0, setups: int = 6, modes: int = 4, **changes: object) -> LogLinear:
     rng = np.random.default_rng(seed)
     parameters = [Parameter(f"k{i}", 1.0, sigma=0.1, lower=0.2) for i in range(COUNT)]
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(modes), (setups, 1))
     G = 0.05 * rng.standard_normal((setups, modes, COUNT))
     G[..., -1] = 0.0  # the last one changes nothing
-    return LogLinear(base - G.sum(axis=-1), G, parameters)
+    return LogLinear(ladder(setups, modes) - G.sum(axis=-1), G, parameters)
 
 
 def measured(structure: LogLinear, values: np.ndarray, seed: int = 1) -> Measurements:
@@ -83,8 +82,7 @@ def test_a_residual_beyond_the_stated_errors_is_noted() -> None:
 def test_parameters_of_candidates_have_the_candidates_prior() -> None:
     structure = model()
     free = [Parameter(p.name, p.value, lower=p.lower) for p in structure.parameters]
-    causes = [Candidate(p.name, (p.name,), sigma=(0.1,)) for p in free]
-    same = LogLinear(structure.base, structure.G, free, causes)
+    same = LogLinear(structure.base, structure.G, free, each((p.name for p in free), sigma=(0.1,)))
     data = measured(structure, TRUE)
     a, b = (update(s, data, holdout=()) for s in (structure, same))
     assert [p.after for p in a.parameters] == pytest.approx([p.after for p in b.parameters])

@@ -13,12 +13,15 @@ from helpers.robots.small_structures import (
     LOADS,
     MASS,
     STIFFNESS,
-    LogLinear,
+    directions,
+    errors,
     frame,
     frame_matrices,
     frame_measured,
     log_linear,
     logs_measured,
+    of_signatures,
+    with_changes,
 )
 from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
@@ -30,8 +33,7 @@ from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
 
 SETUPS, MODES = 10, 5
-#: Orthonormal directions in the space of all rows.
-DIRECTIONS = np.linalg.qr(np.random.default_rng(11).standard_normal((SETUPS * MODES, 2)))[0].T
+DIRECTIONS = directions(SETUPS * MODES, 2)
 SIGMA = 0.002
 
 
@@ -78,14 +80,9 @@ ALIKE = {
 
 def found(remote: str, cause: str) -> Diagnosis:
     """The diagnosis of a change of 30 standard deviations by one of them."""
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
-    G = np.stack([d.reshape(SETUPS, MODES) for d in ALIKE.values()], axis=-1) * SIGMA
-    candidates = [Candidate(name, (name,), remote=name == remote) for name in ALIKE]
-    model = LogLinear(base, G, [Parameter(name, 0.0) for name in ALIKE], candidates)
-    errors = np.random.default_rng(3).standard_normal(SETUPS * MODES)
-    errors -= DIRECTIONS.T @ (DIRECTIONS @ errors)
-    changes = SIGMA * (30.0 * ALIKE[cause] + 0.9 * errors).reshape(SETUPS, MODES)
-    return diagnose(model, logs_measured(base + changes, SIGMA), holdout=())
+    model = of_signatures(ALIKE, SETUPS, MODES, roles={remote: {"remote": True}})
+    changes = 30.0 * ALIKE[cause] + errors(SETUPS * MODES, DIRECTIONS)
+    return diagnose(model, with_changes(model, changes), holdout=())
 
 
 def test_a_class_begins_with_its_cause() -> None:

@@ -14,10 +14,11 @@ from helpers.robots.small_structures import (
     LogLinear,
     frame,
     frame_measured,
-    logs_measured,
+    of_signatures,
     uncertain,
+    with_changes,
 )
-from pkmodes.diagnosis import Candidate, Measurements, Parameter
+from pkmodes.diagnosis import Measurements
 
 
 def test_nothing_is_missing() -> None:
@@ -91,12 +92,8 @@ def between(position: float, apart: float = 5.6, third: float = 0.0) -> tuple[Lo
     v = u * np.where(np.indices(u.shape).sum(axis=0) % 2, 1.0, -1.0)
     w = u * [1.0, 1.0, -1.0, -1.0]
     slope = apart / 2 / strong
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(4), (3, 1))
-    G = np.stack([u + slope * v, u - slope * v, w], axis=-1) * SIGMA
-    parameters = [Parameter(name, 0.0) for name in "abw"]
-    candidates = [Candidate(name, (name,)) for name in "abw"]
-    data = logs_measured(base + SIGMA * (strong * u + position * v + third * w), SIGMA)
-    return LogLinear(base, G, parameters, candidates), data
+    model = of_signatures({"a": u + slope * v, "b": u - slope * v, "w": w}, 3, 4)
+    return model, with_changes(model, strong * u + position * v + third * w)
 
 
 def test_two_different_causes_that_both_explain_the_data_are_ambiguous() -> None:

@@ -7,10 +7,24 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy import stats
-from scipy.linalg import block_diag, eigh
+from scipy.linalg import block_diag
 
-from helpers.robots.small_structures import SIGMA, LogLinear, logs_measured
-from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
+from helpers.robots.small_structures import (
+    RELATIVE,
+    SIGMA,
+    STOREYS,
+    LogLinear,
+    columns,
+    directions,
+    each,
+    errors,
+    of_signatures,
+    relative_frame,
+    relative_matrices,
+    relative_modes,
+    with_changes,
+)
+from pkmodes.diagnosis import Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
@@ -20,43 +34,20 @@ from pkmodes.diagnosis.verdict.held_out import remarks
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.values import p_absent
 
-SETUPS, MODES, STOREYS = 10, 5, 4
+SETUPS, MODES = 10, 5
 
 
-def frame_matrices(values: dict[str, float], _: str = "") -> tuple[np.ndarray, np.ndarray]:
-    k = 1e6 * values["stiffness"] * np.array([values[f"storey {i}"] for i in range(1, STOREYS + 1)])
-    m = 100.0 * np.array([values[f"mass {i}"] for i in range(1, STOREYS + 1)])
-    return np.diag(m), np.diag(k + np.append(k[1:], 0.0)) - np.diag(k[1:], 1) - np.diag(k[1:], -1)
-
-
-NAMES = [f"{kind} {i}" for kind in ("storey", "mass") for i in range(1, STOREYS + 1)]
-
-
-def frame(prior: float, sigma: float | None = None, upper: float = 4.0) -> MatrixStructure:
-    parameters = [Parameter("stiffness", 1.0, sigma=prior, lower=0.1)]
-    parameters += [Parameter(name, 1.0, lower=0.2, upper=upper) for name in NAMES]
-    given = None if sigma is None else (sigma,)
-    causes = [Candidate(name, (name,), sigma=given) for name in NAMES]
-    return MatrixStructure(
-        parameters, causes, frame_matrices, channels=[f"floor {i}" for i in range(1, STOREYS + 1)]
-    )
-
-
-def modes_of(truth: dict[str, float]) -> tuple[np.ndarray, np.ndarray]:
-    M, K = frame_matrices({"stiffness": 1.0} | dict.fromkeys(NAMES, 1.0) | truth)
-    eigenvalues, vectors = eigh(K, M)
-    return np.sqrt(eigenvalues) / (2 * np.pi), vectors.T / np.abs(vectors.T).max(axis=1, keepdims=True)
+def frame(prior: float, sigma: float | None = None) -> MatrixStructure:
+    return relative_frame(prior, lambda _: sigma, lower=0.2, upper=4.0)
 
 
 def measured(
     truth: dict[str, float], *, sigma: float = 0.005, noise: float = 0.01, seed: int = 0
 ) -> Measurements:
-    rng = np.random.default_rng(seed)
-    f, shapes = modes_of(truth)
+    rng, (f, shapes) = np.random.default_rng(seed), relative_modes(truth)
     shapes = shapes + noise * rng.standard_normal(shapes.shape)
     f = f * np.exp(sigma * rng.standard_normal(STOREYS))
-    columns = {f"floor {i + 1}": shapes[:, i] for i in range(STOREYS)}
-    return Measurements.from_rows(["frame"] * STOREYS, f, sigma * f, shapes=columns)
+    return Measurements.from_rows(["frame"] * STOREYS, f, sigma * f, shapes=columns(shapes))
 
 
 def with_shape(data: Measurements, row: int, shape: np.ndarray) -> Measurements:
@@ -65,36 +56,27 @@ def with_shape(data: Measurements, row: int, shape: np.ndarray) -> Measurements:
     return replace(data, shapes=shapes)
 
 
-def linear(columns: dict[str, np.ndarray], bounds: dict[str, tuple[float, float]] | None = None) -> LogLinear:
-    """A structure whose logarithms of frequencies are linear in the causes, in standard deviations."""
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
-    G = np.stack([d.reshape(SETUPS, MODES) for d in columns.values()], axis=-1) * SIGMA
-    limits = bounds or {}
-    parameters = [
-        Parameter(n, 0.0, lower=limits.get(n, (-np.inf, 0))[0], upper=limits.get(n, (0, np.inf))[1])
-        for n in columns
-    ]
-    return LogLinear(base, G, parameters, [Candidate(n, (n,)) for n in columns])
+def linear(signatures: dict[str, np.ndarray], **known: dict[str, float]) -> LogLinear:
+    return of_signatures(signatures, SETUPS, MODES, known=known)
 
 
 def found(model: LogLinear, change: np.ndarray, **options: object) -> Diagnosis:
-    errors = 0.9 * np.random.default_rng(3).standard_normal(SETUPS * MODES)
-    logs = model.base + SIGMA * (change + errors).reshape(SETUPS, MODES)
-    return diagnose(model, logs_measured(logs, SIGMA), **{"holdout": (), **options})
+    data = with_changes(model, change + errors(SETUPS * MODES))
+    return diagnose(model, data, **{"holdout": (), **options})
 
 
-DIRECTIONS = np.linalg.qr(np.random.default_rng(11).standard_normal((SETUPS * MODES, 6)))[0].T
+DIRECTIONS = directions(SETUPS * MODES, 6)
 
 
 def test_a_value_at_its_bound_is_not_claimed() -> None:
     a, b = DIRECTIONS[:2]
     free = found(linear({"a": a, "b": b}), 30.0 * a)
     assert [effect.name for effect in free.effects] == ["a"]
-    near = found(linear({"a": a, "b": b}, {"a": (-np.inf, 30.5)}), 30.0 * a)
+    near = found(linear({"a": a, "b": b}, a={"upper": 30.5}), 30.0 * a)
     assert near.verdict == "unexplained"
     assert "a would explain the residual, but its value" in near.reason
     assert "is at its bound 30.5" in near.reason
-    assert found(linear({"a": a, "b": b}, {"a": (-np.inf, 40.0)}), 30.0 * a).verdict == "effect_found"
+    assert found(linear({"a": a, "b": b}, a={"upper": 40.0}), 30.0 * a).verdict == "effect_found"
 
 
 def test_a_held_out_row_without_a_mode_is_named() -> None:
@@ -158,7 +140,7 @@ def test_shapes_that_do_not_fit_are_not_called_a_residual_of_the_frequencies() -
 
 def test_few_rows_do_not_say_that_sigma_is_too_small() -> None:
     """Only many rows without a pattern distinguish wrong stated errors from causes outside the candidates."""
-    rocking = modes_of({})[0] * np.array([0.97, 1.02, 0.985, 1.01])
+    rocking = relative_modes({})[0] * np.array([0.97, 1.02, 0.985, 1.01])
     plain = measured({}, sigma=0.005)
     result = diagnose(frame(0.05), replace(plain, frequency=rocking, sigma=0.005 * rocking), holdout=())
     assert result.verdict == "unexplained"
@@ -166,14 +148,12 @@ def test_few_rows_do_not_say_that_sigma_is_too_small() -> None:
 
 
 def test_an_outlier_that_distorts_the_fit_is_set_aside() -> None:
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
     rng = np.random.default_rng(5)
-    G = SIGMA * rng.standard_normal((SETUPS, MODES, 2)) * 30.0
-    parameters = [Parameter("k", 0.0, sigma=1.0), Parameter("a", 0.0)]
-    model = LogLinear(base, G, parameters, [Candidate("a", ("a",))])
-    logs = base + 0.9 * SIGMA * rng.standard_normal(base.shape)
-    logs[4, 2] += 150.0 * SIGMA
-    result = diagnose(model, logs_measured(logs, SIGMA), holdout=())
+    k, a = np.moveaxis(30.0 * rng.standard_normal((SETUPS, MODES, 2)), -1, 0)
+    model = linear({"k": k, "a": a}, k={"sigma": 1.0})
+    changes = 0.9 * rng.standard_normal((SETUPS, MODES))
+    changes[4, 2] += 150.0
+    result = diagnose(model, with_changes(model, changes), holdout=())
     assert result.verdict == "adequate"
     assert [row.line for row in result.outliers] == [4 * MODES + 2 + 1]
 
@@ -212,13 +192,13 @@ def test_repeated_modes_split_by_their_errors_are_compared_as_one_subspace(sigma
 
     One in a hundred each by the gate's two tests: four or more come by chance in 0.2 %.
     """
-    f, shapes = modes_of({})
+    f, shapes = relative_modes({})
     names = [f"{axis} {i}" for axis in "xy" for i in range(1, STOREYS + 1)]
 
     def matrices(values: dict[str, float], _: str) -> tuple[np.ndarray, np.ndarray]:
         whole = [
-            frame_matrices(
-                dict.fromkeys(NAMES, 1.0)
+            relative_matrices(
+                dict.fromkeys(RELATIVE, 1.0)
                 | {"stiffness": values["stiffness"]}
                 | {f"storey {i}": values[f"{axis} {i}"] for i in range(1, STOREYS + 1)}
             )
@@ -228,9 +208,7 @@ def test_repeated_modes_split_by_their_errors_are_compared_as_one_subspace(sigma
 
     parameters = [Parameter("stiffness", 1.0, sigma=0.05, lower=0.1)]
     parameters += [Parameter(name, 1.0, lower=0.2, upper=4.0) for name in names]
-    model = MatrixStructure(
-        parameters, [Candidate(name, (name,)) for name in names], matrices, channels=names
-    )
+    model = MatrixStructure(parameters, each(names), matrices, channels=names)
     alarms = 0
     for seed in range(24):
         rng = np.random.default_rng(seed)
@@ -258,8 +236,7 @@ def test_the_significance_of_a_value_is_that_of_a_normal_number(strength: float)
     """A cause along a unit direction of the whitened data is measured with a standard deviation of 1."""
     a, b = DIRECTIONS[:2]
     model = linear({"a": a, "b": b})
-    logs = model.base + SIGMA * (strength * a).reshape(SETUPS, MODES)
-    search = Search(FitStore(Fitter(model, logs_measured(logs, SIGMA))), model.candidates)
+    search = Search(FitStore(Fitter(model, with_changes(model, strength * a))), model.candidates)
     fit = search.store.fit(Hypothesis((model.candidates[0],)))
     assert fit is not None
     # The fit is finished to 1e-6 of its sum of squares.
@@ -270,11 +247,11 @@ def test_the_significance_of_a_value_is_that_of_a_normal_number(strength: float)
 def test_a_cause_that_leaves_more_than_the_stated_errors_is_named_in_the_reason() -> None:
     """With errors twice as large as stated the cause is not claimed, but the reason names it."""
     a, b = DIRECTIONS[:2]
-    errors = 0.9 * np.random.default_rng(3).standard_normal(SETUPS * MODES)
-    result = found(linear({"a": a, "b": b}), 300.0 * a + 0.8 * errors)
+    own = errors(SETUPS * MODES)
+    result = found(linear({"a": a, "b": b}), 300.0 * a + 0.8 * own)
     assert result.verdict == "unexplained"
     assert result.reason.startswith("a explains nearly all of the residual")
-    left = 1.8 * errors - a * (a @ (1.8 * errors))
+    left = 1.8 * own - a * (a @ (1.8 * own))
     assert f"it is {np.sqrt(left @ left / (len(left) - 1)):.2g} times as large as these" in result.reason
     # A cause that leaves as much as it explains is not named.
     assert "nearly all" not in found(linear({"a": a, "b": b}), 300.0 * a + 200.0 * DIRECTIONS[5]).reason
@@ -283,12 +260,12 @@ def test_a_cause_that_leaves_more_than_the_stated_errors_is_named_in_the_reason(
 def test_two_causes_are_named_in_the_reason_if_the_data_clearly_ask_for_the_second() -> None:
     """One leaves errors 1.6 times as large as stated, two 1.35 times."""
     a, b, c = DIRECTIONS[:3]
-    errors = 0.35 * np.random.default_rng(3).standard_normal(SETUPS * MODES)
+    more = 0.35 / 0.9 * errors(SETUPS * MODES)
     model = linear({"a": a, "b": b, "c": c})
-    result = found(model, 300.0 * a + 8.0 * b + errors)
+    result = found(model, 300.0 * a + 8.0 * b + more)
     assert result.verdict == "unexplained"
     assert result.reason.startswith("a and b explain nearly all of the residual")
-    weak = found(model, 300.0 * a + 3.0 * b + errors)
+    weak = found(model, 300.0 * a + 3.0 * b + more)
     assert weak.reason.startswith("a explains nearly all of the residual")
 
 
@@ -297,10 +274,7 @@ def test_a_value_that_compensates_for_an_uncertain_one_is_not_claimed(away: floa
     """A declared value is 10 sigma off, which the data hardly show: the cause compensates for it."""
     a, b, c = DIRECTIONS[:3]
     beside = 10.0 * a + 1.667 * b
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(MODES), (SETUPS, 1))
-    G = np.stack([d.reshape(SETUPS, MODES) for d in (beside, a, c)], axis=-1) * SIGMA
-    parameters = [Parameter("k", 0.0, sigma=0.3), Parameter("a", 0.0), Parameter("c", 0.0)]
-    model = LogLinear(base, G, parameters, [Candidate(name, (name,)) for name in ("a", "c")])
+    model = linear({"k": beside, "a": a, "c": c}, k={"sigma": 0.3})
     result = found(model, 30.0 * a + 0.3 * away * beside)
     assert result.verdict == verdict
     if away:
@@ -312,8 +286,7 @@ def test_the_significance_of_a_pair_counts_all_pairs() -> None:
     a, b = DIRECTIONS[:2]
     names = [f"c{i}" for i in range(6)]
     result = found(linear(dict(zip(names, DIRECTIONS, strict=True))), 7.0 * a + 40.0 * b)
-    errors = 0.9 * np.random.default_rng(3).standard_normal(SETUPS * MODES)
-    expected = 15.0 * stats.chi2.sf((7.0 + a @ errors) ** 2, 1)
+    expected = 15.0 * stats.chi2.sf((7.0 + a @ errors(SETUPS * MODES)) ** 2, 1)
     by_name = {effect.name: effect.p_value for effect in result.effects}
     assert set(by_name) == {"c0", "c1"}
     np.testing.assert_allclose(by_name["c0"], expected, rtol=1e-6)

@@ -17,7 +17,7 @@ import pytest
 from pkmodes import updating
 from pkmodes.diagnosis.diagnose import diagnose, split
 from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.verdict.mistakes import certain_wiring, other_wiring
 from pkmodes.diagnosis.verdict.rewired import Misfit, Wiring
 from pkmodes.diagnosis.verdict.wiring import rewired
@@ -27,7 +27,7 @@ from pkmodes_rig import ORDERS, POSES, SENSORS, followed, measure_modes, read
 from pkmodes_rig.suites.cases import tried
 from pkmodes_rig.suites.hard_suites import UNDECIDED
 from pkmodes_rig.suites.mechanism_cases import MechanismCase, measured
-from pkmodes_rig.suites.specimens import Specimen, measurements, robot_of
+from pkmodes_rig.suites.specimens import Specimen, measurements, measurements_of, robot_of
 from pkmodes_rig.suites.suites import SUITES
 
 PLATFORM = ("p_x", "p_y", "p_z")
@@ -52,12 +52,19 @@ def miswired(data: Measurements, order: Sequence[str], signs: Sequence[int]) -> 
     return replace(data, shapes=shapes)
 
 
-def advice(data: Measurements, robot: str = "tower") -> str:
-    """What a diagnosis says of the wiring before it searches for causes."""
-    fitter = Fitter(MeasuredRobot.of(read(robot), data).structure(candidates=()), data)
+def declared_fit(data: Measurements, robot: str = "tower", fitted: Sequence[int] = ()) -> tuple[Fitter, Fit]:
+    """The declared model fitted to all setups, or to these."""
+    structure = MeasuredRobot.of(robot_of(robot), data).structure(candidates=())
+    setups = fitted or range(len(data.labels))
+    fitter = Fitter(structure.subset(setups), data.at(setups))
     fit = fitter.fit(Hypothesis())
     assert fit is not None
-    return certain_wiring(fitter, fit)
+    return fitter, fit
+
+
+def advice(data: Measurements, robot: str = "tower") -> str:
+    """What a diagnosis says of the wiring before it searches for causes."""
+    return certain_wiring(*declared_fit(data, robot))
 
 
 @pytest.mark.parametrize("plan", PLANS)
@@ -184,11 +191,7 @@ def test_right_wirings_are_not_called_wrong(plan: str, channels: tuple[str, ...]
             shape_noise=0.05,
             sigma_shape=stated,
         )
-        data = measurements(text)
-        fitter = Fitter(MeasuredRobot.of(read("tower"), data).structure(candidates=()), data)
-        fit = fitter.fit(Hypothesis())
-        assert fit is not None
-        assert other_wiring(fitter, fit) == ""
+        assert other_wiring(*declared_fit(measurements(text))) == ""
 
 
 def test_a_wiring_is_named_beside_a_cause() -> None:
@@ -224,11 +227,9 @@ def test_a_structure_without_known_sensors_has_exchanges_and_reversals() -> None
 
 
 @pytest.fixture(scope="module")
-def corexy(tmp_path_factory: pytest.TempPathFactory) -> Measurements:
+def corexy() -> Measurements:
     _, text = measured(MechanismCase("wiring", 0, Specimen("corexy"), seed=7007))
-    path = tmp_path_factory.mktemp("corexy") / "modes.csv"
-    path.write_text(text, encoding="utf-8")
-    return updating.read(path, robot=robot_of("corexy"))
+    return measurements_of(text, robot_of("corexy"))
 
 
 @pytest.mark.parametrize("order", list(itertools.permutations(("p_x", "p_y"))))
@@ -236,11 +237,7 @@ def corexy(tmp_path_factory: pytest.TempPathFactory) -> Measurements:
 def test_the_eight_signed_orders_of_a_planar_sensor_are_named(
     corexy: Measurements, order: tuple[str, str], signs: tuple[int, int]
 ) -> None:
-    robot = MeasuredRobot.of(robot_of("corexy"), miswired(corexy, order, signs))
-    fitter = Fitter(robot.structure(candidates=()), robot.data)
-    fit = fitter.fit(Hypothesis())
-    assert fit is not None
-    said = certain_wiring(fitter, fit)
+    said = advice(miswired(corexy, order, signs), "corexy")
     has = [f"{'-' if sign < 0 else ''}{name}" for name, sign in zip(order, signs, strict=True)]
     assert followed([*has, "p_z"], said)[:2] == ["p_x", "p_y"], said
     if (order, signs) == (("p_y", "p_x"), (1, -1)):
@@ -255,12 +252,7 @@ def test_the_right_order_is_among_those_that_remain(number: int, order: str) -> 
     case = next(c for c in SUITES["units and wiring"]() if c.number == number)
     assert (case.kind, case.mistake) == (UNDECIDED, order)
     data = measurements(tried(replace(case, seed=7002)).text)
-    structure = MeasuredRobot.of(read("tower"), data).structure(candidates=())
-    fitted, _ = split(data, None)
-    fitter = Fitter(structure.subset(fitted), data.at(fitted))
-    fit = fitter.fit(Hypothesis())
-    assert fit is not None
-    found = rewired(fitter, fit)
+    found = rewired(*declared_fit(data, fitted=split(data, None)[0]))
     assert found is not None
     assert len(found.wirings) > 1
     assert Wiring(*ORDERS[order]).up_to_sign in found.wirings

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.diagnoses.robot_structures import declared, index, suspected
 from helpers.robots.robot_text import PUBLISHED, edited
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.units import Quantity
@@ -24,7 +25,7 @@ COMPLIANCE = {"published": 1e-3, "tower": 0.2, "asymmetric": 4e-3}
 
 
 def structure(robot: str) -> RobotStructure:
-    return RobotStructure(read(robot), np.array(POSES[robot]["scattered"][:3]), *suspects(read(robot)))
+    return suspected(read(robot), np.array(POSES[robot]["scattered"][:3]))
 
 
 @pytest.mark.parametrize("robot", ROBOTS)
@@ -45,10 +46,8 @@ def test_one_soft_gearbox_is_that_of_the_engine(robot: str, beside: float) -> No
 @pytest.mark.parametrize("share", [0.0, 1.0])
 def test_its_derivatives_are_differences_of_the_engine(robot: str, share: float) -> None:
     at, name = structure(robot), f"effects.{JOINT}"
-    index = [p.name for p in at.parameters].index(name)
-    values = np.array([p.value for p in at.parameters])
-    c = values[index] = share * COMPLIANCE[robot]
-    prediction = at.predict(values, [index])
+    c = share * COMPLIANCE[robot]
+    prediction = at.predict(declared(at, {name: c}), [index(at, name)])
     step = 1e-3 * COMPLIANCE[robot]
     for setup, p in enumerate(at.points):
 
@@ -69,10 +68,8 @@ def test_its_derivatives_are_differences_of_the_engine(robot: str, share: float)
 def test_the_compliance_of_all_joints_counts_free_and_locked_ones(robot: str) -> None:
     """Gearbox 2 is already compliant, the others are rigid: both respond to the compliance of all."""
     at, c = structure(robot), COMPLIANCE[robot]
-    names = [p.name for p in at.parameters]
-    values = np.array([p.value for p in at.parameters])
-    values[names.index(f"effects.{JOINT}")] = c
-    prediction = at.predict(values, [names.index("effects.gearbox_compliance.compliance")])
+    values = declared(at, {f"effects.{JOINT}": c})
+    prediction = at.predict(values, [index(at, "effects.gearbox_compliance.compliance")])
     step = 1e-3 * c
     for setup, p in enumerate(at.points):
 
@@ -92,9 +89,7 @@ def test_the_compliance_of_all_joints_counts_free_and_locked_ones(robot: str) ->
 def test_a_single_direction_of_the_frame_takes_its_mass_from_the_file() -> None:
     robot = read("asymmetric")
     at = structure("asymmetric")
-    index = [p.name for p in at.parameters].index("effects.frame_compliance.compliance.u_y")
-    values = np.array([p.value for p in at.parameters])
-    values[index] = 2e-8
+    values = declared(at, {"effects.frame_compliance.compliance.u_y": 2e-8})
     mass = robot.constants["frame_compliance.mass"]
     frequencies = np.exp(at.predict(values, ()).log_frequencies)
     # Frequency of the frame alone on its spring; the mass of the robot lowers it.

@@ -1,13 +1,16 @@
 """Structures that are no robots, small enough that everything about them is known in closed form.
 
 `LogLinear` has frequencies whose logarithms are linear in its parameters: least squares, covariances and
-chi-square are those of textbooks.  `frame` is a row of masses and springs.
+chi-square are those of textbooks.  `log_linear` draws one at random, `of_signatures` has the signatures that are
+given in standard deviations; `with_changes` measures one that is given in the same way, `logs_measured` any.
+`frame` is a row of masses and springs, measured by `frame_measured`; `altered` is one with something else.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from scipy.linalg import eigh
@@ -71,6 +74,20 @@ class LogLinear:
         return None
 
 
+#: A relative error of frequencies that a test of a real structure reaches.
+SIGMA = 0.002
+
+
+def ladder(setups: int, modes: int) -> np.ndarray:
+    """ln f of modes from 10 Hz that are half an octave apart, so that none is mistaken for another."""
+    return np.tile(np.log(10.0) + 0.35 * np.arange(modes), (setups, 1))
+
+
+def each(names: Iterable[str], **options: Any) -> list[Candidate]:
+    """A candidate with the name of its only parameter, for each."""
+    return [Candidate(name, (name,), **options) for name in names]
+
+
 def log_linear(
     rng: np.random.Generator,
     setups: int,
@@ -80,11 +97,50 @@ def log_linear(
     *,
     positions: bool = False,
 ) -> LogLinear:
-    """A structure with random signatures and modes half an octave apart, so that none is mistaken for another."""
-    base = np.tile(np.log(10.0) + 0.35 * np.arange(modes), (setups, 1))
+    """A structure with random signatures."""
     G = rng.standard_normal((setups, modes, len(parameters)))
     B = rng.standard_normal((setups, modes, 3)) if positions else None
-    return LogLinear(base, G, parameters, candidates, B)
+    return LogLinear(ladder(setups, modes), G, parameters, candidates, B)
+
+
+def of_signatures(
+    signatures: Mapping[str, np.ndarray],
+    setups: int,
+    modes: int,
+    *,
+    roles: Mapping[str, Mapping[str, Any]] = {},
+    known: Mapping[str, Mapping[str, Any]] = {},
+) -> LogLinear:
+    """A structure that changes by a signature, in standard deviations, for each unit of a parameter.
+
+    Parameters
+    ----------
+    signatures : mapping of str to ndarray
+        By parameter: of all rows, setup by setup.
+    setups, modes : int
+    roles, known : mapping of str to mapping
+        Options of the candidates and of the parameters.  A parameter with a sigma is uncertain, and no candidate.
+    """
+    parameters = [Parameter(name, 0.0, **known.get(name, {})) for name in signatures]
+    causes = [Candidate(p.name, (p.name,), **roles.get(p.name, {})) for p in parameters if p.sigma is None]
+    G = np.stack([one.reshape(setups, modes) for one in signatures.values()], axis=-1) * SIGMA
+    return LogLinear(ladder(setups, modes), G, parameters, causes)
+
+
+def directions(rows: int, count: int, seed: int = 11) -> np.ndarray:
+    """Orthonormal directions in the space of all rows, for signatures."""
+    return np.linalg.qr(np.random.default_rng(seed).standard_normal((rows, count)))[0].T
+
+
+def errors(rows: int, beside: np.ndarray | None = None) -> np.ndarray:
+    """Errors in standard deviations; none in the directions that are given, so that what is there is exact."""
+    drawn = 0.9 * np.random.default_rng(3).standard_normal(rows)
+    return drawn if beside is None else drawn - beside.T @ (beside @ drawn)
+
+
+def with_changes(model: LogLinear, changes: np.ndarray) -> Measurements:
+    """Frequencies that differ from the declared ones by so many standard deviations."""
+    return logs_measured(model.base + SIGMA * changes.reshape(model.base.shape), SIGMA)
 
 
 def logs_measured(
@@ -100,6 +156,21 @@ def logs_measured(
     )
 
 
+def in_a_row(k: np.ndarray) -> np.ndarray:
+    """K of masses in a row on springs, the first of which stands on the ground."""
+    return np.diag(k + np.append(k[1:], 0.0)) - np.diag(k[1:], 1) - np.diag(k[1:], -1)
+
+
+def columns(shapes: np.ndarray, name: str = "floor ", first: int = 1) -> dict[str, np.ndarray]:
+    """Columns of measured shapes (rows, channels) by numbered channels."""
+    return {f"{name}{first + k}": column for k, column in enumerate(shapes.T)}
+
+
+def normalised(vectors: np.ndarray) -> np.ndarray:
+    """Rows of shapes, their largest component 1, from modes in columns."""
+    return vectors.T / np.abs(vectors.T).max(axis=1, keepdims=True)
+
+
 MASS, STIFFNESS = 20.0, 4.0e5
 #: Two setups of a frame: mass on its roof [kg].
 LOADS = {"empty": 0.0, "loaded": 5.0}
@@ -113,7 +184,7 @@ def frame_matrices(storeys: int, loads: Mapping[str, float], unit: float = 1.0) 
         M[-1, -1] += loads[setup] * unit
         M[0, 0] += values["first floor"]
         k = values["storey"] + np.array([values[f"brace {i}"] for i in range(1, storeys + 1)])
-        return M, np.diag(k + np.append(k[1:], 0.0)) - np.diag(k[1:], 1) - np.diag(k[1:], -1)
+        return M, in_a_row(k)
 
     return matrices
 
@@ -173,8 +244,12 @@ def frame(
     )
 
 
-#: A relative error of frequencies that a test of a real structure reaches.
-SIGMA = 0.002
+def altered(plain: MatrixStructure, matrices: Callable, **changes: Any) -> MatrixStructure:
+    """A structure with other matrices, and perhaps another of its arguments."""
+    given = {"parameters": plain.parameters, "candidates": plain.candidates}
+    return MatrixStructure(
+        matrices=matrices, **{**given, "channels": plain.channels, "setups": plain.setups, **changes}
+    )
 
 
 def frame_measured(
@@ -206,7 +281,7 @@ def frame_measured(
     """
     values = {"mass": MASS, "storey": STIFFNESS, "first floor": 0.0}
     values |= {f"brace {i}": 0.0 for i in range(1, storeys + 1)} | dict(truth)
-    pose, logs, columns = [], [], []
+    pose, logs, rows = [], [], []
     for setup in loads:
         M, K = frame_matrices(storeys, loads)(values, setup)
         if change is not None:
@@ -215,10 +290,9 @@ def frame_measured(
         pose += [setup] * storeys
         logs += list(0.5 * np.log(eigenvalues) - np.log(2 * np.pi) + SIGMA * rng.standard_normal(storeys))
         if shapes is not None:
-            columns += list(modes.T * (1 + shapes * rng.standard_normal(modes.shape)))
+            rows += list(modes.T * (1 + shapes * rng.standard_normal(modes.shape)))
     f = np.exp(logs)
-    names = [f"floor {i}" for i in range(1, storeys + 1)]
-    found = dict(zip(names, np.array(columns).T, strict=True)) if columns else None
+    found = columns(np.array(rows)) if rows else None
     return Measurements.from_rows(pose, f, stated * f, shapes=found)
 
 
@@ -226,6 +300,36 @@ def uncertain(rng: np.random.Generator) -> dict[str, float]:
     """Values of the frame's nuisances, drawn from their priors."""
     mass, stiffness = 1 + 0.005 * rng.standard_normal(), 1 + 0.03 * rng.standard_normal()
     return {"mass": MASS * mass, "storey": STIFFNESS * stiffness}
+
+
+#: A frame with values relative to the declared ones, in one setup.
+STOREYS = 4
+RELATIVE = [f"{kind} {i}" for kind in ("storey", "mass") for i in range(1, STOREYS + 1)]
+
+
+def relative_matrices(values: Mapping[str, float], _: str = "") -> tuple[np.ndarray, np.ndarray]:
+    """M and K for the factors ``storey 1`` to ``mass 4``, and one of all storeys, ``stiffness``."""
+    k = 1e6 * values["stiffness"] * np.array([values[f"storey {i}"] for i in range(1, STOREYS + 1)])
+    return np.diag(100.0 * np.array([values[f"mass {i}"] for i in range(1, STOREYS + 1)])), in_a_row(k)
+
+
+def relative_frame(
+    prior: float, priors: Callable[[str], float | None] = lambda _: None, **bounds: float
+) -> MatrixStructure:
+    """The frame whose stiffness is uncertain, and in which each factor may be wrong, with a prior or without."""
+    parameters = [Parameter("stiffness", 1.0, sigma=prior, lower=0.1)]
+    parameters += [Parameter(name, 1.0, **bounds) for name in RELATIVE]
+    given = {name: priors(name) for name in RELATIVE}
+    causes = [Candidate(name, (name,), sigma=None if s is None else (s,)) for name, s in given.items()]
+    channels = [f"floor {i}" for i in range(1, STOREYS + 1)]
+    return MatrixStructure(parameters, causes, relative_matrices, channels=channels)
+
+
+def relative_modes(truth: Mapping[str, float]) -> tuple[np.ndarray, np.ndarray]:
+    """Frequencies and shapes of the frame, by SciPy's solver."""
+    M, K = relative_matrices({"stiffness": 1.0} | dict.fromkeys(RELATIVE, 1.0) | dict(truth))
+    eigenvalues, vectors = eigh(K, M)
+    return np.sqrt(eigenvalues) / (2 * np.pi), normalised(vectors)
 
 
 def mixture(n: int, still: int, seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

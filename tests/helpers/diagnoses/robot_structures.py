@@ -1,0 +1,50 @@
+"""Structures of robots as a diagnosis makes them of measurements, and values of their parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from pkmodes.core.robot.robot import Robot
+from pkmodes.diagnosis import Measurements
+from pkmodes.diagnosis.problem import Structure
+from pkmodes.updating.candidates import suspects
+from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes.updating.robot_structure import RobotStructure
+
+
+def measured_once(robot: Robot, points: np.ndarray, **columns: Any) -> Measurements:
+    """One row for each pose, of an arbitrary mode; `columns` as for `Measurements.from_rows`."""
+    count = len(points)
+    return Measurements.from_rows(
+        [f"P{i}" for i in range(count)],
+        np.full(count, 50.0),
+        np.full(count, 0.1),
+        points=points,
+        components={component.name: component.unit for component in robot.mechanism.pose},
+        **columns,
+    )
+
+
+def structure_at(
+    robot: Robot, points: np.ndarray, candidates: Sequence[str] | None = None, **columns: Any
+) -> RobotStructure:
+    """The structure of a robot that was measured at these poses."""
+    return MeasuredRobot.of(robot, measured_once(robot, points, **columns)).structure(candidates)
+
+
+def suspected(robot: Robot, points: np.ndarray, candidates: Sequence[str] | None = None) -> RobotStructure:
+    """The structure of a robot at poses that need no measurements, with its candidates."""
+    return RobotStructure(robot, points, *suspects(robot, candidates))
+
+
+def index(structure: Structure, name: str) -> int:
+    """The place of a parameter."""
+    return [p.name for p in structure.parameters].index(name)
+
+
+def declared(structure: Structure, changes: Mapping[str, float] = {}) -> np.ndarray:
+    """Declared values of the parameters, some of them changed by so much."""
+    return np.array([p.value + changes.get(p.name, 0.0) for p in structure.parameters])
