@@ -15,7 +15,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from helpers.references.high_precision_mechanisms import STEP, HighPrecision, combine, cross, dot, exact, mp
+from helpers.references.high_precision_mechanisms import (
+    STEP,
+    HighPrecision,
+    combine,
+    cross,
+    dot,
+    exact,
+    minus,
+    mp,
+    plus,
+)
 from helpers.references.oracle_rotary_delta import RotaryDelta
 from helpers.robots.sample_mechanisms import NAMES, SEEDS, Sample, effects, model, oracle, sample
 
@@ -97,7 +107,7 @@ def velocity_forces(it: HighPrecision, g: dict[str, Any]) -> tuple[Any, ...]:
     columns = it.columns(lambda q: [particle.position for particle in it.particles(q)])
     forces = [mp.mpf(0)] * it.independent
     for i, (a, b, c) in enumerate(zip(ahead, here, behind, strict=True)):
-        sums = combine(combine(a.position, -2, b.position), 1, c.position)
+        sums = plus(combine(a.position, -2, b.position), c.position)
         for k in range(it.independent):
             forces[k] += b.mass * dot(columns[k][i], sums) / STEP**2
     return (np.array(forces, dtype=object),)
@@ -105,7 +115,7 @@ def velocity_forces(it: HighPrecision, g: dict[str, Any]) -> tuple[Any, ...]:
 
 def elastic_gradient(it: HighPrecision, g: dict[str, Any]) -> tuple[Any, ...]:
     strained = padded(it, g["delta_q"])
-    gradient = it.gradient(lambda q: it.transmission(combine(strained, 1, q)))
+    gradient = it.gradient(lambda q: it.transmission(plus(strained, q)))
     return (np.array(gradient[: it.base], dtype=object),)
 
 
@@ -116,8 +126,8 @@ def constraint_jacobians(it: RotaryDelta, _: dict[str, Any]) -> tuple[Any, ...]:
     def half_squares(moved: list[Any], turned: list[Any]) -> np.ndarray:
         found = []
         for j in range(3):
-            joint = combine(combine(it.pose, 1, moved), 1, loops.joint[j])
-            link = combine(joint, -1, loops.arm(j, loops.theta[j] + turned[j], loops.arm_length[j]))
+            joint = plus(plus(it.pose, moved), loops.joint[j])
+            link = minus(joint, loops.arm(j, loops.theta[j] + turned[j], loops.arm_length[j]))
             found.append(dot(link, link) / 2)
         return np.array(found, dtype=object)
 
@@ -142,12 +152,12 @@ def link_jacobians(it: RotaryDelta, _: dict[str, Any]) -> tuple[Any, ...]:
     D_d, D_omega = np.empty((2, 3, 3, 3), dtype=object)
     for j in range(3):
         first, last = it._ends_of_link(j, it.at())
-        s = combine(last, -1, first)
+        s = minus(last, first)
         columns = it.columns(lambda q, j=j: list(it._ends_of_link(j, q)))
         for k in range(3):
             start, end = columns[k]
             D_d[j, :, k] = [(a + b) / 2 for a, b in zip(start, end, strict=True)]
-            D_omega[j, :, k] = [c / dot(s, s) for c in cross(s, combine(end, -1, start))]
+            D_omega[j, :, k] = [c / dot(s, s) for c in cross(s, minus(end, start))]
     return D_d, D_omega
 
 

@@ -14,10 +14,11 @@ from helpers.references.high_precision_mechanisms import (
     Turning,
     Values,
     Vector,
-    combine,
     dot,
     exact,
+    minus,
     mp,
+    plus,
 )
 
 BELTS = range(2)
@@ -37,7 +38,7 @@ class CoreXY(HighPrecision):
         self.q, self.effects, self.pose = values, effects, exact(pose)
 
     def platform(self, q: Vector) -> Vector:
-        return combine(combine(self.pose, 1, q[HEAD]), 1, q[FRAME])
+        return plus(plus(self.pose, q[HEAD]), q[FRAME])
 
     def _gantry(self, q: Vector) -> Vector:
         """Somewhere on the beam: along x only the frame moves it."""
@@ -102,8 +103,8 @@ class CoreXY(HighPrecision):
 
     def other_springs(self, q: Vector) -> Number:
         """The cable from the tool head to ground, relaxed at the pose, and the position loops at the motors."""
-        pulled = combine(self.platform(q), -1, self.pose)
+        pulled = minus(self.platform(q), self.pose)
         energy = self.effects["cable_stiffness_stiffness"] / 2 * dot(pulled, pulled)
         servo = self.effects["servo_stiffness_stiffness"]
-        motors = combine(q[THETA], 1, q[PSI])
+        motors = plus(q[THETA], q[PSI])
         return energy + servo / 2 * dot(motors, motors)

@@ -22,7 +22,9 @@ from helpers.references.high_precision_mechanisms import (
     cross,
     dot,
     exact,
+    minus,
     mp,
+    plus,
     solve_three,
 )
 
@@ -43,14 +45,16 @@ class Loops:
         self.origin, self.zero, self.joint = q["origin"], q["zero"], q["joint"]
         self.square = [cross(a, z) for a, z in zip(q["axis"], q["zero"], strict=True)]
         self.arm_length, self.link_length, self.branch = q["arm_length"], q["link_length"], q["branch"]
-        self.pose = pose
+        self.pose, self._rays = pose, dict[tuple[int, Number], Vector]()
         self.theta = [self._closed(j) for j in AXES]
         self._found: dict[tuple, Vector] = {}
 
     def ray(self, j: int, theta: Number) -> Vector:
-        """Direction of an arm."""
-        c, s = mp.cos(theta), mp.sin(theta)
-        return [c * z + s * u for z, u in zip(self.zero[j], self.square[j], strict=True)]
+        """Direction of an arm; at each of its few angles it is asked for again and again."""
+        if (j, theta) not in self._rays:
+            c, s = mp.cos(theta), mp.sin(theta)
+            self._rays[j, theta] = [c * z + s * u for z, u in zip(self.zero[j], self.square[j], strict=True)]
+        return self._rays[j, theta]
 
     def arm(self, j: int, theta: Number, distance: Number) -> Vector:
         """Point of an arm at a distance from its axis."""
@@ -70,9 +74,9 @@ class Loops:
     def _closed(self, j: int) -> Number:
         """The same from the closure: the formula takes axis and zero for exactly square, doubles are not."""
         theta = self.by_formula(j)
-        joint = combine(self.pose, 1, self.joint[j])
+        joint = plus(self.pose, self.joint[j])
         for _ in range(30):
-            link = combine(joint, -1, self.arm(j, theta, self.arm_length[j]))
+            link = minus(joint, self.arm(j, theta, self.arm_length[j]))
             ahead = self.ray(j, theta + mp.pi / 2)
             slope = -2 * self.arm_length[j] * dot(link, ahead)
             step = (dot(link, link) - self.link_length[j] ** 2) / slope
@@ -92,10 +96,10 @@ class Loops:
         ends = [self.arm(j, self.theta[j] + turned[j], self.arm_length[j]) for j in AXES]
         platform = self.pose
         for _ in range(30):
-            links = [combine(combine(platform, 1, self.joint[j]), -1, ends[j]) for j in AXES]
+            links = [minus(plus(platform, self.joint[j]), ends[j]) for j in AXES]
             excess = [(dot(links[j], links[j]) - (self.link_length[j] + longer[j]) ** 2) / 2 for j in AXES]
             move = solve_three(links, excess)
-            platform = combine(platform, -1, move)
+            platform = minus(platform, move)
             if max(map(abs, move)) < CONVERGED:
                 return platform
         raise ArithmeticError("Newton's method did not converge")
@@ -117,15 +121,15 @@ class RotaryDelta(HighPrecision):
         self.loops = loops(tuple(values[name] for name in GEOMETRY), self.pose)
 
     def platform(self, q: Vector) -> Vector:
-        return combine(self.loops.platform(q[THETA], q[DELTA]), 1, q[FRAME])
+        return plus(self.loops.platform(q[THETA], q[DELTA]), q[FRAME])
 
     def _centre_of_arm(self, j: int, q: Vector) -> Vector:
         angle = self.loops.theta[j] + q[j]
-        return combine(self.loops.arm(j, angle, self.q["arm_center"][j]), 1, q[FRAME])
+        return plus(self.loops.arm(j, angle, self.q["arm_center"][j]), q[FRAME])
 
     def _ends_of_link(self, j: int, q: Vector) -> tuple[Vector, Vector]:
         arm = self.loops.arm(j, self.loops.theta[j] + q[j], self.loops.arm_length[j])
-        return combine(arm, 1, q[FRAME]), combine(self.platform(q), 1, self.loops.joint[j])
+        return plus(arm, q[FRAME]), plus(self.platform(q), self.loops.joint[j])
 
     def particles(self, q: Vector) -> list[Particle]:
         """Platform with payload, arms, three points on each link, the frame.
@@ -136,7 +140,7 @@ class RotaryDelta(HighPrecision):
         for j in AXES:
             found.append(Particle(self.q["arm_mass"][j], self._centre_of_arm(j, q)))
             first, last = self._ends_of_link(j, q)
-            along = combine(last, -1, first)
+            along = minus(last, first)
             for fraction, share in GAUSS:
                 found.append(Particle(share * self.q["link_mass"][j], combine(first, fraction, along)))
         found.append(Particle(self.effects["frame_compliance_mass"], q[FRAME]))
@@ -160,7 +164,7 @@ class RotaryDelta(HighPrecision):
         moment = [heavy * component for component in self.platform(q)]
         for j in AXES:
             first, last = self._ends_of_link(j, q)
-            middle = combine(first, mp.mpf(1) / 2, combine(last, -1, first))
+            middle = combine(first, mp.mpf(1) / 2, minus(last, first))
             moment = combine(moment, self.q["link_mass"][j], middle)
             moment = combine(moment, self.q["arm_mass"][j], self._centre_of_arm(j, q))
         return -dot(self.q["gravity"], moment)
@@ -174,7 +178,7 @@ class RotaryDelta(HighPrecision):
 
     def other_springs(self, q: Vector) -> Number:
         """The cable from the platform to ground, relaxed at the pose, and the position loops at the motors."""
-        pulled = combine(self.platform(q), -1, self.pose)
+        pulled = minus(self.platform(q), self.pose)
         energy = self.effects["cable_stiffness_stiffness"] / 2 * dot(pulled, pulled)
         servo = self.effects["servo_stiffness_stiffness"]
         return energy + servo / 2 * dot(q[PHI], q[PHI])
