@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -35,8 +37,7 @@ def test_each_cause_each_row_set_aside_and_a_shared_error_take_a_degree_of_freed
     data = drawn(SIX, 9, truth)
     shift = np.exp(common * np.random.default_rng(1).standard_normal(6))[data.pose]
     shift[excluded] *= 1.08
-    labels = [data.labels[i] for i in data.pose]
-    data = Measurements.from_rows(labels, data.frequency * shift, data.sigma)
+    data = replace(data, frequency=data.frequency * shift)
     structure = frame(SIX)
     found = checked(structure, data)
     assert causes(found) == list(truth)
@@ -50,11 +51,14 @@ def test_each_cause_each_row_set_aside_and_a_shared_error_take_a_degree_of_freed
     assert (found.after or found.refit).chi2_per_dof == pytest.approx(fit.chi2 / degrees, rel=1e-4)
 
 
+def with_another(data: Measurements, setup: str, frequency: float) -> Measurements:
+    f = np.append(data.frequency, frequency)
+    return Measurements.from_rows([*(data.labels[i] for i in data.pose), setup], f, SIGMA * f)
+
+
 def test_a_measured_mode_that_the_model_lacks_is_not_taken_for_a_cause() -> None:
     data = drawn(SIX, 10)
-    labels = [*(data.labels[i] for i in data.pose), "4 kg"]
-    f = np.append(data.frequency, 0.3 * data.frequency[0])
-    found = checked(frame(SIX), Measurements.from_rows(labels, f, SIGMA * f))
+    found = checked(frame(SIX), with_another(data, "4 kg", 0.3 * data.frequency[0]))
     assert not found.effects
     assert found.rows[-1].before is None
     if found.verdict == "adequate":
@@ -66,14 +70,13 @@ def test_a_measured_mode_that_the_model_lacks_is_not_taken_for_a_cause() -> None
 def test_a_row_is_not_set_aside_where_the_model_has_no_mode_left_for_it() -> None:
     """All modes of the pose were measured: a further one is no error of a row, and the model is not adequate."""
     data = drawn(SIX, 10)
-    labels, between = [data.labels[i] for i in data.pose], np.sqrt(data.frequency[0] * data.frequency[1])
-    f = np.append(data.frequency, between)
-    found = checked(frame(SIX), Measurements.from_rows([*labels, labels[0]], f, SIGMA * f))
+    between = np.sqrt(data.frequency[0] * data.frequency[1])
+    found = checked(frame(SIX), with_another(data, data.labels[0], between))
     assert found.verdict == "unexplained"
     assert not found.effects
     # In place of a mode, the same row may be a gross error of that mode.
     replaced = data.frequency.copy()
     replaced[1] = between
-    other = checked(frame(SIX), Measurements.from_rows(labels, replaced, SIGMA * replaced))
+    other = checked(frame(SIX), replace(data, frequency=replaced, sigma=SIGMA * replaced))
     assert other.verdict == "adequate"
     assert [row.line for row in other.outliers] == [2]

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from helpers.diagnoses.damped_cases import columns, made, measured
+from helpers.diagnoses.damped_cases import bare, columns, made, measured
 from pkmodes import read_robot, updating
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis.verdict.result import Diagnosis
@@ -23,8 +23,7 @@ def diagnosed(coulomb: float = 0.0, **losses: float) -> Diagnosis:
 
 
 def without_damping() -> Measurements:
-    rows = columns({"rails": 50.0})
-    return made({name: column for name, column in rows.items() if name != "damping"})
+    return made(bare(columns({"rails": 50.0})))
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from helpers.diagnoses.damped_cases import columns, made, measured
+from helpers.diagnoses.damped_cases import bare, columns, made, measured, of_frequencies, strange
 from pkmodes import updating
 from pkmodes.diagnosis.damping.words import NO_LOSSES, UNSETTLED
 from pkmodes.diagnosis.verdict.result import Diagnosis
@@ -41,9 +41,7 @@ def names(found: Diagnosis) -> list[str]:
 
 @pytest.mark.parametrize("declared", [False, True])
 def test_a_cause_of_the_frequencies_stands_though_the_damping_is_unexplained(declared: bool) -> None:
-    rows = columns({"ratio": 0.01}, effects=PAYLOAD)
-    own = np.array([1.0, 6.0, 0.3, 4.0, 0.2, 2.0])  # of each mode, like no joint's
-    data = made({**rows, "damping": rows["damping"] * np.resize(own, len(rows["pose"]))})
+    data = made(strange(columns({"ratio": 0.01}, effects=PAYLOAD)))
     found = updating.diagnose(DECLARED if declared else ROBOT, data)
     assert found.verdict == "effect_found", found.reason
     assert names(found) == ["payload"]
@@ -99,7 +97,8 @@ def test_an_uncertain_declared_ratio_is_refitted_within_its_sigma() -> None:
 def unsettled() -> Diagnosis:
     rows = columns({"rails": 50.0})
     spread = np.exp(np.random.default_rng(1).normal(0.0, 0.03, len(rows["pose"])))
-    return updating.diagnose(ROBOT, made({**rows, "frequency": rows["frequency"] * spread}))
+    data = made({**rows, "frequency": rows["frequency"] * spread})
+    return updating.diagnose(ROBOT, data, candidates=["payload", *sorted(LOSSES)])
 
 
 def test_damping_is_not_diagnosed_where_the_frequencies_do_not_settle() -> None:
@@ -131,13 +130,8 @@ def test_what_is_said_of_the_frequencies_does_not_depend_on_the_damping(
 ) -> None:
     """To the last digit: the JSON without what only damping writes is that of the file without the column."""
     rows = columns({"rails": 50.0}, effects=effects, coulomb=coulomb)
-    bare = {name: column for name, column in rows.items() if name != "damping"}
-    one: Any = updating.diagnose(ROBOT, made(bare), candidates=candidates).as_json()
-    both: Any = updating.diagnose(ROBOT, made(rows), candidates=candidates).as_json()
-    assert both["damping"]["verdict"] == ("unexplained" if coulomb else "effect_found")
-    assert one.pop("damping") == SILENT
-    del both["damping"]
-    for row in both["rows"]:
-        for name in ROW_KEYS & row.keys():
-            del row[name]
-    assert one == both
+    one, both = (updating.diagnose(ROBOT, made(given), candidates=candidates) for given in (bare(rows), rows))
+    assert both.damping.verdict == ("unexplained" if coulomb else "effect_found")
+    assert one.as_json()["damping"] == SILENT
+    assert not any("damping" in key for row in one.as_json()["rows"] for key in row)
+    assert of_frequencies(one) == of_frequencies(both)

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from helpers.diagnoses import damped_cases
-from helpers.diagnoses.damped_cases import columns, made
+from helpers.diagnoses.damped_cases import bare, columns, made, of_frequencies, strange
 from helpers.diagnoses.diagnose_command import call
 from helpers.pages.page_reading import read
 from pkmodes import read_robot, updating
@@ -45,13 +45,6 @@ def of_losses(machine: str) -> list[str]:
     return [name for name in FEW if name in effects or name.startswith("parameter:") or name == "payload"]
 
 
-def said(found: Diagnosis) -> dict[str, Any]:
-    """What is said of frequencies and shapes."""
-    content: Any = found.as_json()
-    rows = [{key: row[key] for key in row if "damping" not in key} for row in content["rows"]]
-    return {**content, "damping": None, "rows": rows}
-
-
 @pytest.mark.parametrize("stated", [False, True])
 @pytest.mark.parametrize("machine", MACHINES)
 def test_ratios_that_scatter_by_mode_are_those_of_the_declared_model(machine: str, stated: bool) -> None:
@@ -59,10 +52,9 @@ def test_ratios_that_scatter_by_mode_are_those_of_the_declared_model(machine: st
     robot, rows = robot_of(machine).with_values({"damping.ratio": RATIO}), scattered(machine)
     candidates = [name for name in of_losses(machine) if name != "parameter:damping.ratio"]
     found = updating.diagnose(robot, made(rows, machine=machine, stated=stated), candidates=candidates)
-    bare = made({name: column for name, column in rows.items() if name != "damping"}, machine=machine)
-    without = updating.diagnose(robot, bare, candidates=[name for name in candidates if name == "payload"])
+    without = updating.diagnose(robot, made(bare(rows), machine=machine), candidates=["payload"])
     assert found.verdict == without.verdict == "adequate", found.reason
-    assert said(found) == said(without)
+    assert of_frequencies(found) == of_frequencies(without)
     assert found.damping.verdict == "adequate", found.damping.reason
     assert not found.damping.effects
     if stated:
@@ -175,10 +167,7 @@ def test_unexplained_damping_refuses_no_correction(tmp_path: Path) -> None:
     """Neither the exit code, nor the saved robot: it is that without the damping, byte for byte."""
     robot = Path(__file__).parents[2] / "robots" / "linear-delta-2022.toml"
     rows, texts = columns({"ratio": RATIO}, effects={"payload.mass": 1.0}), []
-    own = np.array([1.0, 6.0, 0.3, 4.0, 0.2, 2.0])  # of each mode, like no joint's
-    strange = {**rows, "damping": rows["damping"] * np.resize(own, len(rows["pose"]))}
-    bare = {name: column for name, column in rows.items() if name != "damping"}
-    for name, given in {"with": strange, "without": bare}.items():
+    for name, given in {"with": strange(rows), "without": bare(rows)}.items():
         (tmp_path / f"{name}.csv").write_text(as_csv(made(given)), encoding="utf-8")
         saved = tmp_path / f"{name}.toml"
         options = ("--candidates", "payload,rail_friction" if name == "with" else "payload", "--json", "-")

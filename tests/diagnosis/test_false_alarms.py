@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from scipy import stats
 
 from helpers.diagnoses.frame_diagnoses import SIX, TWO, checked, drawn
-from helpers.robots.small_structures import (
-    SIGMA,
-    frame,
-)
-from pkmodes.diagnosis import Measurements
+from helpers.robots.small_structures import SIGMA, frame
 
 
 def test_false_alarms_are_rare_and_the_refit_leaves_chi_square() -> None:
@@ -42,10 +39,7 @@ def test_false_alarms_are_rare_where_shapes_vote_and_shared_errors_are_recognise
     for seed in range(12):
         data = drawn(SIX, seed + 100)
         common = np.exp(0.01 * np.random.default_rng(seed).standard_normal(6))[data.pose]
-        found = checked(
-            model,
-            Measurements.from_rows([data.labels[i] for i in data.pose], data.frequency * common, data.sigma),
-        )
+        found = checked(model, replace(data, frequency=data.frequency * common))
         assert not found.effects
         assert not found.survivors
         error = re.search(r"only with an error of ([\d.]+) % that the modes of a pose share", found.reason)

@@ -21,7 +21,7 @@ from helpers.references.textbook_fits import (
     simulated,
     structure,
 )
-from helpers.robots.small_structures import LogLinear, logs_measured
+from helpers.robots.small_structures import LogLinear, logs_measured, some_rows
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
 from pkmodes.diagnosis.fit.cross_validation import left_out
 from pkmodes.diagnosis.fit.fitter import Fitter
@@ -146,8 +146,7 @@ def test_the_order_of_rows_and_setups_does_not_matter() -> None:
     data = logs_measured(simulated(model, TRUE, 11, 0.01), SIGMA)
     plain = fitted(model, data, Hypothesis(CAUSES, frozenset({7}), scatter=True))
     order = np.random.default_rng(0).permutation(20)
-    labels = [data.labels[data.pose[i]] for i in order]
-    shuffled = Measurements.from_rows(labels, data.frequency[order], data.sigma[order])
+    shuffled = some_rows(data, order)
     moved = model.subset([data.labels.index(label) for label in shuffled.labels])
     excluded = frozenset({int(np.flatnonzero(order == 7)[0])})
     found = fitted(moved, shuffled, Hypothesis(CAUSES, excluded, scatter=True))

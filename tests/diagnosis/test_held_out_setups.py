@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from helpers.diagnoses.frame_diagnoses import SIX, TWO, checked, drawn
-from helpers.robots.small_structures import (
-    SIGMA,
-    frame,
-)
+from helpers.robots.small_structures import SIGMA, frame, some_rows
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import MatrixStructure, Measurements, Parameter, diagnose
 
@@ -18,7 +17,7 @@ def test_held_out_setups_are_not_used() -> None:
     data = drawn(SIX, 14, {"brace 2": 6.0e4})
     held = np.isin(data.pose, [1, 4])
     f = np.where(held, 1.002 * data.frequency, data.frequency)  # other errors, as large as stated
-    other = Measurements.from_rows([data.labels[i] for i in data.pose], f, data.sigma)
+    other = replace(data, frequency=f)
     holdout = [data.labels[1], data.labels[4]]
     plain, changed = (checked(frame(SIX), d, holdout).as_json() for d in (data, other))
     assert plain["held_out_poses"] == holdout
@@ -31,10 +30,7 @@ def test_held_out_setups_are_not_used() -> None:
         one["rows"] = [row for row in one["rows"] if not row["held_out"]]
     assert plain == changed
     # The fit is that of the other setups alone.
-    rest = Measurements.from_rows(
-        [data.labels[i] for i in data.pose[~held]], data.frequency[~held], data.sigma[~held]
-    )
-    alone = checked(frame(SIX), rest).as_json()
+    alone = checked(frame(SIX), some_rows(data, ~held)).as_json()
     for key in ("effects", "refitted", "undetectable", "candidates"):
         assert alone[key] == plain[key]
 
@@ -53,9 +49,7 @@ def test_shapes_of_held_out_setups_are_not_used() -> None:
     held = data.pose == 2
     rng = np.random.default_rng(0)
     shapes = np.where(held[:, None], rng.standard_normal(data.shapes.shape), data.shapes)
-    labels = [data.labels[i] for i in data.pose]
-    columns = dict(zip(data.channels, shapes.T, strict=True))
-    other = Measurements.from_rows(labels, data.frequency, data.sigma, shapes=columns)
+    other = replace(data, shapes=shapes)
     plain, changed = (checked(frame(SIX), d, [data.labels[2]]).as_json() for d in (data, other))
     for one in (plain, changed):
         one["rows"] = [row for row in one["rows"] if not row["held_out"]]

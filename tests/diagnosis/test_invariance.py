@@ -11,6 +11,7 @@ from helpers.robots.small_structures import (
     LogLinear,
     frame,
     ladder,
+    some_rows,
 )
 from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter
 
@@ -40,27 +41,28 @@ CASES = {
 }
 
 
+LOADS = dict(list(SIX.items())[:4])
+
+
 @pytest.mark.parametrize("case", list(CASES))
-@pytest.mark.parametrize(("unit", "exact"), [(1e3, True), (1e9, False), (1e-6, False)])
-def test_units_do_not_matter(case: str, unit: float, exact: bool) -> None:
-    loads = dict(list(SIX.items())[:4])
-    data = drawn(loads, 17, CASES[case])
-    plain, other = checked(frame(loads), data), checked(frame(loads, unit=unit, exact=exact), data)
-    assert_same(other, plain, unit)
+def test_units_do_not_matter(subtests: pytest.Subtests, case: str) -> None:
+    data = drawn(LOADS, 17, CASES[case])
+    plain = checked(frame(LOADS), data)
     assert causes(plain) == sorted(CASES[case])
+    for unit, exact in ((1e3, True), (1e9, False), (1e-6, False)):
+        with subtests.test(unit=unit):
+            assert_same(checked(frame(LOADS, unit=unit, exact=exact), data), plain, unit)
 
 
 @pytest.mark.parametrize("case", list(CASES))
 def test_the_order_of_rows_and_of_candidates_does_not_matter(case: str) -> None:
-    loads = dict(list(SIX.items())[:4])
-    data = spoiled(drawn(loads, 18, CASES[case]), 5, 1.05)
-    plain = checked(frame(loads), data)
+    data = spoiled(drawn(LOADS, 18, CASES[case]), 5, 1.05)
+    plain = checked(frame(LOADS), data)
     order = np.random.default_rng(0).permutation(len(data.frequency))
-    labels = [data.labels[data.pose[i]] for i in order]
-    rows = Measurements.from_rows(labels, data.frequency[order], data.sigma[order], lines=data.lines[order])
-    assert_same(checked(frame(loads), rows), plain)
+    rows = some_rows(data, order, lines=data.lines[order])
+    assert_same(checked(frame(LOADS), rows), plain)
     for names in (CANDIDATES[::-1], CANDIDATES[2:] + CANDIDATES[:2]):
-        assert_same(checked(frame(loads, only=names), data), plain)
+        assert_same(checked(frame(LOADS, only=names), data), plain)
 
 
 def test_a_diagnosis_is_the_same_each_time() -> None:
@@ -153,11 +155,9 @@ def test_whatever_is_asked_is_answered_with_numbers_in_whatever_order() -> None:
         rng = np.random.default_rng(seed)
         shuffled = [model.candidates[i] for i in rng.permutation(len(model.candidates))]
         order = rng.permutation(len(data.frequency))
-        labels = [data.labels[data.pose[i]] for i in order]
-        rows = Measurements.from_rows(
-            labels,
-            data.frequency[order],
-            data.sigma[order],
+        rows = some_rows(
+            data,
+            order,
             shapes={name: data.shapes[order, k] for k, name in enumerate(data.channels)} or None,
             mode=order,
             lines=data.lines[order],

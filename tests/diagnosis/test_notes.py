@@ -21,6 +21,7 @@ from helpers.robots.small_structures import (
     logs_measured,
     normalised,
     of_signatures,
+    some_rows,
     with_changes,
 )
 from pkmodes.diagnosis import Diagnosis, MatrixStructure, Measurements, Parameter, compare, diagnose
@@ -212,13 +213,7 @@ def test_a_row_that_is_set_aside_is_named() -> None:
 def test_a_mode_in_the_band_that_was_never_measured_is_named() -> None:
     data = measured(shapes=False)
     third = np.arange(len(data.frequency)) % 4 == 2
-    kept = Measurements.from_rows(
-        [data.labels[i] for i in data.pose[~third]],
-        data.frequency[~third],
-        data.sigma[~third],
-        band=(1.0, 100.0),
-    )
-    (note,) = notes(kept).notes
+    (note,) = notes(some_rows(data, ~third, band=(1.0, 100.0))).notes
     assert "expected at 5 poses but never measured" in note
     low, high = (float(text) for text in note.split(" Hz was")[0].removeprefix("a mode at ").split(" to "))
     assert low * 0.99 <= data.frequency[third].min()

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.small_structures import some_rows
 from pkmodes import updating
 from pkmodes.diagnosis import Diagnosis, Measurements
 
@@ -87,13 +88,13 @@ def test_a_mode_that_was_never_measured_with_held_motors_is_named_though_it_was_
     modes = np.arange(len(data.frequency)) % 2
     held = np.array([data.drives[pose] == "held" for pose in data.pose])
     missing = held & (modes == 1)
-    kept = Measurements.from_rows(
-        [data.labels[pose] for pose in data.pose[~missing]],
-        data.frequency[~missing],
-        data.sigma[~missing],
-        points=data.points[data.pose[~missing]],
-        drives=[data.drives[pose] for pose in data.pose[~missing]],
-        settings={PAYLOAD: data.set_values[data.pose[~missing], 0]},
+    poses = data.pose[~missing]
+    kept = some_rows(
+        data,
+        ~missing,
+        points=data.points[poses],
+        drives=[data.drives[pose] for pose in poses],
+        settings={PAYLOAD: data.set_values[poses, 0]},
         components={"x": "m", "y": "m"},
         band=(1.0, 1000.0),
     )

@@ -12,16 +12,15 @@ from helpers.robots.small_structures import (
     frame_derivatives,
     frame_matrices,
     frame_measured,
+    some_rows,
 )
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.diagnosis import MatrixStructure, Measurements, compare, diagnose, update
+from pkmodes.diagnosis import MatrixStructure, compare, diagnose, update
 
 
 def test_the_order_of_setups_is_that_of_the_labels_not_of_the_rows() -> None:
     data = frame_measured(LOADS, {}, np.random.default_rng(0))
-    order = np.arange(8)[::-1]
-    labels = [data.labels[data.pose[i]] for i in order]
-    reverse = Measurements.from_rows(labels, data.frequency[order], data.sigma[order])
+    reverse = some_rows(data, np.arange(8)[::-1])
     plain, turned = compare(frame(LOADS), data), compare(frame(LOADS), reverse)
     assert [row.predicted for row in turned.rows] == [row.predicted for row in plain.rows[::-1]]
     assert turned.chi2_per_dof == pytest.approx(plain.chi2_per_dof)

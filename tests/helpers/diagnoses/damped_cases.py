@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
+from typing import Any
 
 import numpy as np
 
+from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
 from pkmodes_rig import TrueModes
 from pkmodes_rig.dissipation import coulomb_ratios, damping_ratios
@@ -77,6 +79,24 @@ def made(
         components=dict.fromkeys(MACHINES[machine].components, "m"),
         settings={path.replace("__", "."): value for path, value in settings.items()} or None,
     )
+
+
+def bare(rows: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Rows without damping."""
+    return {name: column for name, column in rows.items() if name != "damping"}
+
+
+def strange(rows: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Rows in which each mode has a damping of its own, like that of no joint."""
+    own = np.array([1.0, 6.0, 0.3, 4.0, 0.2, 2.0])
+    return {**rows, "damping": rows["damping"] * np.resize(own, len(rows["pose"]))}
+
+
+def of_frequencies(found: Diagnosis) -> dict[str, Any]:
+    """All that is said of frequencies and shapes."""
+    content: Any = found.as_json()
+    rows = [{key: row[key] for key in row if "damping" not in key} for row in content["rows"]]
+    return {**content, "damping": None, "rows": rows}
 
 
 def measured(losses: Mapping[str, float], *, machine: str = "published", **options: object) -> Measurements:

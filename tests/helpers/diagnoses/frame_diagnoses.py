@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from helpers.robots.small_structures import (
-    frame_measured,
-    uncertain,
-)
+from helpers.robots.small_structures import frame_measured, uncertain
 from pkmodes.diagnosis import Diagnosis, Measurements, diagnose
 
 TWO = {"empty": 0.0, "loaded": 5.0}
@@ -65,5 +63,4 @@ def spoiled(data: Measurements, row: int, factor: float) -> Measurements:
     """One wrong frequency, with rows from a file with a header."""
     f = data.frequency.copy()
     f[row] *= factor
-    labels = [data.labels[i] for i in data.pose]
-    return Measurements.from_rows(labels, f, data.sigma, lines=np.arange(len(f)) + 3)
+    return replace(data, frequency=f, lines=np.arange(len(f)) + 3)

@@ -156,6 +156,12 @@ def logs_measured(
     )
 
 
+def some_rows(data: Measurements, rows: Any, **more: Any) -> Measurements:
+    """Some rows, or all in another order; `more` as for `Measurements.from_rows`."""
+    labels = [data.labels[i] for i in data.pose[rows]]
+    return Measurements.from_rows(labels, data.frequency[rows], data.sigma[rows], **more)
+
+
 def in_a_row(k: np.ndarray) -> np.ndarray:
     """K of masses in a row on springs, the first of which stands on the ground."""
     return np.diag(k + np.append(k[1:], 0.0)) - np.diag(k[1:], 1) - np.diag(k[1:], -1)

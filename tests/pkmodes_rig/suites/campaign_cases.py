@@ -23,9 +23,9 @@ from pkmodes_rig.signals.campaigns import CAMPAIGN, make
 from pkmodes_rig.signals.small_motion import Losses
 from pkmodes_rig.suites.campaign_judging import Judged, judge
 from pkmodes_rig.suites.campaign_machines import CampaignCase, bench
-from pkmodes_rig.suites.judging import diagnosed, judged
+from pkmodes_rig.suites.judging import diagnosed, judged, same_of
 from pkmodes_rig.suites.running import Outcome
-from pkmodes_rig.suites.specimens import MACHINES, measurements_of, robot_of
+from pkmodes_rig.suites.specimens import measurements_of, robot_of
 from pkmodes_rig.suites.strengths import left_by_declared
 
 #: What a laboratory knows of the sensitivity and mounting of its sensors, relative to the largest component.
@@ -110,7 +110,7 @@ def _state(case: CampaignCase, losses: Losses, diagnosis: Diagnosis) -> str:
     true |= {"rail_friction"} if losses.viscous and not losses.coulomb else set()
     if any(not claim & true for claim in claims):
         return "wrong"
-    return judged(case.names, diagnosis, same=MACHINES[case.robot].same)
+    return judged(case.names, diagnosis, same=same_of(case.robot))
 
 
 def _rewritten(text: str, change: Callable[[int, dict[str, str]], dict[str, str] | None]) -> str:

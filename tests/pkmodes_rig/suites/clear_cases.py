@@ -16,8 +16,9 @@ import numpy as np
 
 from pkmodes import updating
 from pkmodes_rig import Identified, Laboratory, drawn_values, identified, written
-from pkmodes_rig.suites.judging import diagnosed
+from pkmodes_rig.suites.judging import diagnosed, same_of
 from pkmodes_rig.suites.running import Outcome
+from pkmodes_rig.suites.sizes import TYING
 from pkmodes_rig.suites.specimens import (
     MACHINES,
     Specimen,
@@ -28,10 +29,6 @@ from pkmodes_rig.suites.specimens import (
 )
 from pkmodes_rig.suites.strengths import signal
 
-#: Causes that tie a robot to ground, which makes rigid modes measurable: sized without these modes.
-TYING = (
-    *("servo_stiffness", "cable_stiffness", "directional_cable", "hose", "bellows", "one_servo", "arm_hose"),
-)
 #: Numbers of modes at a pose, by the number of vibration modes of the mechanism.
 MODES = {"linear_delta": (4, 8), "rotary_delta": (2, 6), "corexy": (2, 4)}
 #: Fewest rows of a file, and how many laboratories are drawn to get them, and to see a cause.
@@ -118,7 +115,7 @@ def _diagnosed(
         case.names,
         specimen.sizes,
         lambda: updating.diagnose(robot, measurements_of(text, robot), holdout=holdout),
-        kind.same,
+        same_of(case.machine),
     )
     predicted = signal(specimen, kind.points, holdout=diagnosis.held_out_poses, rows=rows)
     return ClearOutcome(case=case, **said, signal=predicted, rows=len(rows))

@@ -18,7 +18,7 @@ import numpy as np
 from pkmodes_rig import ROBOTS
 from pkmodes_rig.suites import mechanism_suites, sizes
 from pkmodes_rig.suites.clear_cases import ClearCase, ClearOutcome, run, splits
-from pkmodes_rig.suites.requirements import RIGHT, covered, errors, line, wrong
+from pkmodes_rig.suites.requirements import RIGHT, covered, errors, headed, line, wrong
 from pkmodes_rig.suites.running import command_line, publish, run_all
 from pkmodes_rig.suites.specimens import effects_of
 from pkmodes_rig.suites.tables import confusion, count, grouped, in_words, listed, times
@@ -132,10 +132,7 @@ def _page(
         "",
         "## Requirements",
         "",
-        "| mechanism, suite | requirement | measured | interval | |",
-        "|---|---|---|---|---|",
-        *_requirements(outcomes),
-        *_requirements_of_splits(split),
+        *headed("mechanism, suite", [*_requirements(outcomes), *_requirements_of_splits(split)]),
         "",
         "## Outcomes by suite",
         "",

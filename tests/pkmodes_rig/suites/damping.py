@@ -13,7 +13,7 @@ import time
 from collections.abc import Iterator, Sequence
 
 from pkmodes_rig.suites.damping_cases import MODES, POSES, DampingOutcome, cases, run
-from pkmodes_rig.suites.requirements import RIGHT, covered, line, wrong
+from pkmodes_rig.suites.requirements import RIGHT, covered, headed, line, wrong
 from pkmodes_rig.suites.running import command_line, publish, run_all
 from pkmodes_rig.suites.tables import confusion, count, grouped, in_words, listed, times
 
@@ -92,9 +92,7 @@ def page(outcomes: Sequence[DampingOutcome], seed: int, every: int, seconds: flo
         "",
         "## Requirements",
         "",
-        "| what dissipates | requirement | measured | interval | |",
-        "|---|---|---|---|---|",
-        *requirements(outcomes),
+        *headed("what dissipates", requirements(outcomes)),
         "",
         "## By what dissipates",
         "",

@@ -21,12 +21,11 @@ from pathlib import Path
 from pkmodes_rig.suites import hard_suites
 from pkmodes_rig.suites.buildings import Building
 from pkmodes_rig.suites.cases import Case
-from pkmodes_rig.suites.judging import CaseOutcome, run
+from pkmodes_rig.suites.judging import MEASUREMENT, CaseOutcome, run
 from pkmodes_rig.suites.motors import DRIVES, shows, words
-from pkmodes_rig.suites.requirements import CLEAR, requirements
+from pkmodes_rig.suites.requirements import CLEAR, headed, requirements
 from pkmodes_rig.suites.running import command_line, publish, run_all
 from pkmodes_rig.suites.sizes import KINDS
-from pkmodes_rig.suites.specimens import MEASUREMENT
 from pkmodes_rig.suites.strengths import SEED
 from pkmodes_rig.suites.suites import SUITES
 from pkmodes_rig.suites.tables import confusion, count, grouped, in_words, listed, table
@@ -205,9 +204,7 @@ def _requirements(drives: str, outcomes: Sequence[CaseOutcome]) -> list[str]:
     return [
         f"## Requirements, motors {drives}",
         "",
-        "| suite | requirement | measured | interval | |",
-        "|---|---|---|---|---|",
-        *requirements(by_suite),
+        *headed("suite", requirements(by_suite)),
         "",
     ]
 

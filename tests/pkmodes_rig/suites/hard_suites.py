@@ -14,10 +14,10 @@ import numpy as np
 from pkmodes_rig import ASKEW, MISTAKES, ORDERS, POSES, SENSORS, Laboratory, channels
 from pkmodes_rig.suites.buildings import Building
 from pkmodes_rig.suites.cases import ROBOT_NAMES, Case
-from pkmodes_rig.suites.judging import NOTED
+from pkmodes_rig.suites.judging import NOTED, POSITIONS
 from pkmodes_rig.suites.motors import OTHER_DRIVES
 from pkmodes_rig.suites.sizes import EFFECT_SIZES, OUTSIDE_SIZES
-from pkmodes_rig.suites.specimens import POSITIONS, SIGMA, Specimen, robot_of, with_effect, with_outside
+from pkmodes_rig.suites.specimens import SIGMA, Specimen, robot_of, with_effect, with_outside
 from pkmodes_rig.suites.strengths import CATALOGUE, PLANS, SEED, outside_causes
 
 #: Cases with few rows, and with outliers among few rows: robots, and as many buildings.

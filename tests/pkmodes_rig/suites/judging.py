@@ -19,8 +19,56 @@ from pkmodes_rig.suites.buildings import Building
 from pkmodes_rig.suites.cases import Case, Trial, tried
 from pkmodes_rig.suites.motors import OTHER_DRIVES
 from pkmodes_rig.suites.running import Outcome
-from pkmodes_rig.suites.specimens import MEASUREMENT, SAME, measurements, robot_of
+from pkmodes_rig.suites.specimens import measurements, robot_of
 from pkmodes_rig.suites.strengths import signal
+
+#: Corrections of the measurement itself, which are not causes in the machine.
+MEASUREMENT = "measurement:"
+POSITIONS = tuple(f"{MEASUREMENT}{name}" for name in ("offset.x", "offset.y", "offset.z", "yaw"))
+
+#: Candidates equivalent to the truth whatever is measured: a class that contains one of them is right.  The modes
+#: depend only on the product gear_ratio^2 * motor.inertia, which is an inertia on the driven pulley; another belt
+#: width changes the stiffness of each axis with that belt; where the poses in the file are wrong, a displacement that
+#: stands for a rotation is right.
+SAME: dict[str, tuple[str, ...]] = {
+    "gearbox_inertia": ("parameter:motor.gear_ratio",),
+    "parameter:motor.gear_ratio": ("gearbox_inertia",),
+    "parameter:belt.width": ("axis_belt_stiffness",),
+    "parameter:axis.2.belt.width": ("axis_belt_stiffness",),
+    **dict.fromkeys(POSITIONS, POSITIONS),
+}
+
+
+def _inertias(prefix: str, *more: str) -> tuple[str, ...]:
+    return tuple(f"parameter:{prefix}{name}" for name in ("motor.inertia", "motor.gear_ratio", *more))
+
+
+def _equivalent(*groups: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
+    return {name: group for group in groups for name in group}
+
+
+#: The same for the other mechanisms.
+EQUIVALENT = {
+    # Only inertia * gear_ratio^2 at phi_j enters the modes.
+    "rotary_delta": _equivalent(("gearbox_inertia", *_inertias("")), _inertias("axis.2.")),
+    # With rigid shafts, the modes depend only on (inertias at theta_i) / radius^2: theta_i is not measured here.
+    # Another belt width changes the stiffness of each belt; and because the common stiffness is uncertain,
+    # another width of one belt is equivalent to unequal stiffness of the two.
+    "corexy": _equivalent(
+        ("gearbox_inertia", *_inertias("", "pulley.inertia", "pulley.radius")),
+        _inertias("belt_path.2.", "pulley.inertia", "pulley.radius"),
+    )
+    | {
+        "parameter:belt.width": ("axis_belt_stiffness",),
+        "axis_belt_stiffness": tuple(f"parameter:belt_path.{i}.belt.width" for i in (1, 2)),
+    },
+}
+
+
+def same_of(machine: str) -> Mapping[str, tuple[str, ...]]:
+    """Return the candidates equivalent to the truth for one of `MACHINES`."""
+    return EQUIVALENT.get(machine, SAME)
+
 
 #: Rows beyond the unknowns that a claim needs after a row was set aside: one for that row, and one to test it with.
 SPARE = 2
@@ -53,7 +101,7 @@ class CaseOutcome(Outcome[Case]):
     Attributes
     ----------
     renamed : bool
-        Whether a class counts as right only by `specimens.SAME`.
+        Whether a class counts as right only by `SAME`.
     beyond : tuple of float
         For two effects: the signal of each beyond the other.
     physical : bool

@@ -13,7 +13,7 @@ import numpy as np
 from pkmodes import updating
 from pkmodes_rig import Identified, drawn_values, drives_of, identified, written
 from pkmodes_rig.suites.cases import edited
-from pkmodes_rig.suites.judging import diagnosed, mentioned
+from pkmodes_rig.suites.judging import diagnosed, mentioned, same_of
 from pkmodes_rig.suites.motors import words
 from pkmodes_rig.suites.running import Outcome
 from pkmodes_rig.suites.specimens import KINDS, SIGMA, Specimen, band, measurements_of, robot_of
@@ -70,7 +70,7 @@ def run(case: MechanismCase) -> MechanismOutcome:
         case.names,
         specimen.sizes,
         lambda: updating.diagnose(robot, measurements_of(text, robot)),
-        KINDS[specimen.machine].same,
+        same_of(specimen.machine),
     )
     lacking = specimen.effects or specimen.values or specimen.outside
     return MechanismOutcome(

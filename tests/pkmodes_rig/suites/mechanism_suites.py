@@ -20,9 +20,9 @@ from pkmodes.updating.candidates import PREFIX
 from pkmodes_rig.suites.mechanism_cases import MechanismCase, MechanismOutcome, run
 from pkmodes_rig.suites.mechanism_sizes import SIZES
 from pkmodes_rig.suites.motors import DRIVES, OTHER_DRIVES, shows, words
-from pkmodes_rig.suites.requirements import CLEAR, basic, covered, errors, line, wrong
+from pkmodes_rig.suites.requirements import CLEAR, basic, covered, errors, headed, line, wrong
 from pkmodes_rig.suites.running import command_line, publish, run_all
-from pkmodes_rig.suites.sizes import UNEQUAL
+from pkmodes_rig.suites.sizes import TYING, UNEQUAL
 from pkmodes_rig.suites.specimens import (
     KINDS,
     Specimen,
@@ -65,8 +65,6 @@ OUTSIDE = {
         *("tuned_absorber", "directional_cable", "one_servo", "one_gearbox", "one_run", "racking_gantry"),
     ),
 }
-#: Causes that tie the robot to ground and so make rigid modes measurable: their size is chosen from the other modes.
-TYING = ("servo_stiffness", "cable_stiffness", "directional_cable", "one_servo", "arm_hose")
 #: An added mode is visible even if nothing else is: masses of absorbers [kg], and compliances of frames [m/N,
 #: rad/(N m)] that give modes at 200 to 35 Hz.
 ADDING = {
@@ -242,12 +240,13 @@ def _page(outcomes: list[MechanismOutcome], seconds: float, jobs: int) -> list[s
         "",
         "## Requirements",
         "",
-        "| mechanism, suite | requirement | measured | interval | |",
-        "|---|---|---|---|---|",
-        *itertools.chain.from_iterable(
-            _requirements(name, drives, [o for o in group if o.case.specimen.drives == drives])
-            for name, group in groups.items()
-            for drives in DRIVES
+        *headed(
+            "mechanism, suite",
+            itertools.chain.from_iterable(
+                _requirements(name, drives, [o for o in group if o.case.specimen.drives == drives])
+                for name, group in groups.items()
+                for drives in DRIVES
+            ),
         ),
         "",
         "## Outcomes by suite",

@@ -168,6 +168,11 @@ HARD = {
 }
 
 
+def headed(title: str, lines: Iterable[str]) -> list[str]:
+    """Return the table of these lines; the title is that of the first column."""
+    return [f"| {title} | requirement | measured | interval | |", "|---|---|---|---|---|", *lines]
+
+
 def line(suite: str, what: str, count: int, of: int, least: float = 0.0, most: float = 1.0) -> str:
     """Return a line of the table: how often, with its 95 % interval, and whether that is within the bounds."""
     if not of:

@@ -40,8 +40,10 @@ KINDS = (
     "leaning_frame",
 )
 
-#: Causes that tie the robot to ground.
-TYING = ("servo_stiffness", "cable_stiffness", "directional_cable", "hose", "bellows", "one_servo")
+#: Causes that tie a robot to ground, of all mechanisms.
+TYING = (
+    *("servo_stiffness", "cable_stiffness", "directional_cable", "hose", "bellows", "one_servo", "arm_hose"),
+)
 
 #: Sizes of the effects in SI units, for each of `TARGETS`.
 EFFECT_SIZES: dict[str, dict[str, tuple[float, float, float]]] = {

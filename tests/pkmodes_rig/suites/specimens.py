@@ -43,30 +43,6 @@ SIGMA, MODES = 0.002, 6
 #: model at any pose.
 LOWEST, HIGHEST = 2.0, 1.25
 
-#: Corrections of the measurement itself, which are not causes in the machine.
-MEASUREMENT = "measurement:"
-POSITIONS = tuple(f"{MEASUREMENT}{name}" for name in ("offset.x", "offset.y", "offset.z", "yaw"))
-
-#: Candidates equivalent to the truth whatever is measured: a class that contains one of them is right.  The modes
-#: depend only on the product gear_ratio^2 * motor.inertia, which is an inertia on the driven pulley; another belt
-#: width changes the stiffness of each axis with that belt; where the poses in the file are wrong, a displacement that
-#: stands for a rotation is right.
-SAME: dict[str, tuple[str, ...]] = {
-    "gearbox_inertia": ("parameter:motor.gear_ratio",),
-    "parameter:motor.gear_ratio": ("gearbox_inertia",),
-    "parameter:belt.width": ("axis_belt_stiffness",),
-    "parameter:axis.2.belt.width": ("axis_belt_stiffness",),
-    **dict.fromkeys(POSITIONS, POSITIONS),
-}
-
-
-def _inertias(prefix: str, *more: str) -> tuple[str, ...]:
-    return tuple(f"parameter:{prefix}{name}" for name in ("motor.inertia", "motor.gear_ratio", *more))
-
-
-def _equivalent(*groups: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
-    return {name: group for group in groups for name in group}
-
 
 @dataclass(frozen=True)
 class Kind:
@@ -84,8 +60,6 @@ class Kind:
         Components of a pose, and sensor channels.
     points : ndarray, shape (12, d)
         Poses.
-    same : dict
-        Candidates equivalent to the truth whatever is measured, like `SAME`.
     """
 
     file: str
@@ -94,7 +68,6 @@ class Kind:
     components: tuple[str, ...]
     shapes: tuple[str, ...]
     points: np.ndarray
-    same: Mapping[str, tuple[str, ...]]
 
 
 def _spread(count: int, low: Sequence[float], high: Sequence[float]) -> np.ndarray:
@@ -115,8 +88,6 @@ KINDS = {
         ("x", "y", "z"),
         ("theta_1", "theta_2", "theta_3", "p_x", "p_y", "p_z"),
         _spread(12, (-0.15, -0.15, -0.62), (0.15, 0.15, -0.42)),
-        # Only inertia * gear_ratio^2 at phi_j enters the modes.
-        _equivalent(("gearbox_inertia", *_inertias("")), _inertias("axis.2.")),
     ),
     "corexy": Kind(
         "corexy-printer.toml",
@@ -125,24 +96,13 @@ KINDS = {
         ("x", "y"),
         ("x", "y", "p_x", "p_y"),
         _spread(12, (0.0, 0.0), (0.3, 0.3)),
-        # With rigid shafts, the modes depend only on (inertias at theta_i) / radius^2: theta_i is not measured here.
-        # Another belt width changes the stiffness of each belt; and because the common stiffness is uncertain,
-        # another width of one belt is equivalent to unequal stiffness of the two.
-        _equivalent(
-            ("gearbox_inertia", *_inertias("", "pulley.inertia", "pulley.radius")),
-            _inertias("belt_path.2.", "pulley.inertia", "pulley.radius"),
-        )
-        | {
-            "parameter:belt.width": ("axis_belt_stiffness",),
-            "axis_belt_stiffness": tuple(f"parameter:belt_path.{i}.belt.width" for i in (1, 2)),
-        },
     ),
 }
 
 
 #: These mechanisms, and the linear deltas of the rig, by name.
 MACHINES = KINDS | {
-    name: Kind("", true_modes, BASE_RIGID, ("x", "y", "z"), SENSORS, np.array(POSES[name]["scattered"]), SAME)
+    name: Kind("", true_modes, BASE_RIGID, ("x", "y", "z"), SENSORS, np.array(POSES[name]["scattered"]))
     for name in DELTAS
 }
 
