@@ -11,20 +11,15 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import pytest
-from msgspec import structs
 
 from helpers.golden.case_book import frozen
 from pkmodes import updating
-from pkmodes.diagnosis.verdict.findings import Finding
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes_rig.laboratory import Laboratory
-from pkmodes_rig.measurements import Identified
 from pkmodes_rig.robots import read
-from pkmodes_rig.suites.cases import Case, measured, tried
-from pkmodes_rig.suites.judging import MENTIONS, CaseOutcome, judged, physical, run, set_aside_blindly
+from pkmodes_rig.suites.cases import Case, measured
+from pkmodes_rig.suites.judging import CaseOutcome, run
 from pkmodes_rig.suites.requirements import CLEAR, MAC_CLAIMED, MAC_OTHER
 from pkmodes_rig.suites.specimens import measurements, with_wrong
-from pkmodes_rig.suites.strengths import signal
 from pkmodes_rig.suites.suites import SUITES
 
 #: Standard deviations within which a value is right.
@@ -73,12 +68,6 @@ def assert_named(outcome: CaseOutcome) -> None:
 
 def diagnosed(text: str, robot: str, candidates: Sequence[str] | None = None) -> Diagnosis:
     return updating.diagnose(read(robot), measurements(text), candidates=candidates)
-
-
-@pytest.fixture(scope="module")
-def template() -> Diagnosis:
-    """A verdict for the judge of the suites, from which others are invented."""
-    return diagnosed(measured(case("nothing missing", "nothing", place=0)), "published")
 
 
 @pytest.mark.parametrize("number", range(12))
@@ -248,80 +237,6 @@ def test_a_row_is_not_set_aside_where_any_of_them_could_be_wrong(number: int) ->
 def test_no_cause_is_claimed_for_a_mistake_of_the_experimenter(mistake: str) -> None:
     outcome = run(case("units and wiring", mistake, place=0))
     assert not outcome.physical, outcome.reason
-
-
-def test_a_class_with_none_of_the_causes_is_wrong_whatever_else_is_found(template: Diagnosis) -> None:
-    """The judge of the suites, on invented verdicts."""
-    finding = Finding("payload", ("payload",), (), {}, 0.0, "")
-    assert judged(("payload",), template) == "adequate"
-    assert judged(("payload",), replace(template, verdict="ambiguous")) == "abstained"
-
-    def state(truths: tuple[str, ...], *classes: tuple[str, ...]) -> str:
-        found = tuple(replace(finding, name=members[0], members=members) for members in classes)
-        return judged(truths, replace(template, verdict="effect_found", effects=found))
-
-    assert state(("payload",), ("belt_mass", "payload")) == "named"
-    assert state(("payload",), ("belt_mass",)) == "wrong"
-    assert state((), ("belt_mass",)) == "wrong"
-    assert state(("payload",), ("payload",), ("belt_mass",)) == "wrong"
-    assert state(("payload", "belt_mass"), ("payload",)) == "partly"
-    assert state(("payload", "belt_mass"), ("payload", "belt_mass")) == "partly"
-    assert state(("payload", "belt_mass"), ("belt_mass", "payload"), ("payload",)) == "named"
-    assert state(("gearbox_inertia",), ("parameter:motor.gear_ratio",)) == "named"
-
-
-def test_a_correction_of_the_measurement_is_right_where_poses_are_not_where_the_file_says(
-    template: Diagnosis,
-) -> None:
-    finding = Finding("measurement:yaw", ("measurement:yaw",), (), {}, 0.0, "")
-    turned = replace(template, verdict="effect_found", effects=(finding,))
-    assert judged(("measurement:offset.z",), turned) == "named"
-    assert judged((), turned) == judged(("payload",), turned) == "wrong"
-    assert not physical((), turned)
-    both = replace(finding, members=("measurement:yaw", "payload"))
-    assert physical((), replace(turned, effects=(both,)))
-    assert not physical(("payload",), replace(turned, effects=(both,)))
-
-
-def test_a_row_is_set_aside_blindly_where_the_others_could_not_tell(template: Diagnosis) -> None:
-    few = numbered("few rows", 60)
-    row = structs.replace(template.rows[0], held_out=False, outlier=False)
-    outlier = structs.replace(row, outlier=True)
-    for rows, blind in (
-        ((row,) * 4, False),
-        ((row,) * 3 + (outlier,), True),
-        ((row,) * 4 + (outlier,), False),
-    ):
-        assert (
-            set_aside_blindly(few, replace(template, rows=rows)) is blind
-        )  # two uncertain values, two to spare
-
-
-@pytest.mark.parametrize(
-    ("kind", "note"),
-    [
-        ("unit", "all frequencies are 6.28 times the predicted ones: is the unit rad/s?"),
-        ("channels", "shapes fit no explanation unless x_1 and x_2 are exchanged"),
-        ("sigma", "the stated standard deviations are far too large"),
-    ],
-)
-def test_notes_are_recognised(kind: str, note: str) -> None:
-    assert [name for name, mention in MENTIONS.items() if mention.search(note)] == [kind]
-
-
-def test_the_predicted_signal_is_that_of_the_modes_that_were_found() -> None:
-    plain = case("one effect", "gearbox_compliance", "published")
-    trial = tried(replace(plain, laboratory=Laboratory()))
-
-    def given(rows: list[Identified] | None) -> float:
-        return signal(plain.truth, plain.points, holdout=["P3", "P9"], rows=rows)
-
-    everything = given(None)
-    assert given(trial.rows) == pytest.approx(everything, rel=1e-6)
-    lower, upper = ([row for row in trial.rows if (row.mode < 6) is low] for low in (True, False))
-    assert 0.0 < given(lower) < everything
-    assert 0.0 < given(upper) < 0.7 * everything  # the lower ones show a soft gearbox
-    assert given([replace(row, sigma=2.0 * row.sigma) for row in trial.rows]) < 0.7 * everything
 
 
 @pytest.mark.parametrize("number", [52, 59])
