@@ -148,15 +148,16 @@ def test_sensitivities_equal_eighty_digits(effect: str, compliance: float) -> No
     listed = model.modes(sample(name).pose).shapes
     sign = np.sign(np.sum(rows * listed * np.abs(np.diagonal(found.mass_matrix[1])).clip(1e-9), axis=1))
     assert (np.diff(found.groups[3:]) == 1).all(), "no two modes of vibration are mistaken for one"
-    for t in range(3):
-        dM, dK = (mp.matrix(a[t].tolist()) for a in (found.mass_matrix, found.stiffness_matrix))
-        if t == 0:
-            places = [model.coordinates.index(q.name) for q in CATALOGUE[own.split(".")[0]].coordinates]
-            dM, dK = mp.zeros(len(rows[0])), mp.zeros(len(rows[0]))
-            for i in places:
-                dK[i, i] = -1 / mp.mpf(compliance) ** 2
-        for k in range(3, len(values)):
-            rate, shape = exact_derivatives(modes, k, dM, dK)
+    by = [
+        tuple(mp.matrix(a[t].tolist()) for a in (found.mass_matrix, found.stiffness_matrix)) for t in range(3)
+    ]
+    dM, dK = mp.zeros(len(rows[0])), mp.zeros(len(rows[0]))
+    for q in CATALOGUE[own.split(".")[0]].coordinates:
+        i = model.coordinates.index(q.name)
+        dK[i, i] = -1 / mp.mpf(compliance) ** 2
+    by[0] = dM, dK
+    for k in range(3, len(values)):
+        for t, (rate, shape) in enumerate(exact_derivatives(modes, k, by)):
             assert found.eigenvalues[t, k] == pytest.approx(float(rate), rel=1e-9), (t, k)
             frequency = float(rate) / (4 * np.pi * np.sqrt(values[k]))
             assert found.frequencies[t, k] == pytest.approx(frequency, rel=1e-9), (t, k)

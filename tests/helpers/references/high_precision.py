@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import mpmath
@@ -79,17 +79,26 @@ def part(matrix: Number, rows: list[int], columns: list[int]) -> Number:
     return mp.matrix([[matrix[i, j] for j in columns] for i in rows])
 
 
-def exact_derivatives(modes: Exact, k: int, dM: Number, dK: Number) -> tuple[Number, Number]:
-    """Derivatives of a simple eigenvalue and of its shape, by the bordered system of Nelson in all digits."""
+def exact_derivatives(
+    modes: Exact, k: int, by: Sequence[tuple[Number, Number]]
+) -> Iterator[tuple[Number, Number]]:
+    """Derivatives of a simple eigenvalue and of its shape, by the bordered system of Nelson in all digits.
+
+    For each of some pairs dM and dK; the system is that of the mode, factorised once.
+    """
     n, value, phi = modes.M.rows, modes.eigenvalues[k], modes.shapes[:, k]
-    change = (dK - value * dM) * phi
-    rate = (phi.T * change)[0]
     momentum = modes.M * phi
-    system, right = mp.matrix(n + 1, n + 1), mp.matrix(n + 1, 1)
+    system = mp.matrix(n + 1, n + 1)
     for i in range(n):
         for j in range(n):
             system[i, j] = modes.K[i, j] - value * modes.M[i, j]
         system[i, n] = system[n, i] = momentum[i]
-        right[i] = rate * momentum[i] - change[i]
-    right[n] = -(phi.T * dM * phi)[0] / 2
-    return rate, mp.lu_solve(system, right)[:n]
+    factors, order = mp.LU_decomp(system)
+    for dM, dK in by:
+        change = (dK - value * dM) * phi
+        rate = (phi.T * change)[0]
+        right = mp.matrix(n + 1, 1)
+        for i in range(n):
+            right[i] = rate * momentum[i] - change[i]
+        right[n] = -(phi.T * dM * phi)[0] / 2
+        yield rate, mp.U_solve(factors, mp.L_solve(factors, right, order))[:n]
