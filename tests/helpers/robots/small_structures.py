@@ -149,10 +149,10 @@ def logs_measured(
     """Measurements with logarithms y, (S, m), and their standard deviations; setups P0, P1 ..."""
     setups, modes = y.shape
     f = np.exp(y).ravel()
-    errors = np.broadcast_to(sigma, y.shape).ravel()
+    stated = np.broadcast_to(sigma, y.shape).ravel()
     spread = None if point_sigma is None else np.repeat(point_sigma, modes, axis=0)
     return Measurements.from_rows(
-        [f"P{i}" for i in range(setups) for _ in range(modes)], f, errors * f, point_sigma=spread
+        [f"P{i}" for i in range(setups) for _ in range(modes)], f, stated * f, point_sigma=spread
     )
 
 
