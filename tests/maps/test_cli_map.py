@@ -15,8 +15,9 @@ import numpy as np
 import pytest
 import xarray
 
-from helpers.commands.map_runs import PROGRAM, ROOT
+from helpers.commands.map_runs import PROGRAM
 from helpers.robots.robot_text import PUBLISHED, edited
+from helpers.runs.processes import ROOT, environment
 from pkmodes.cli import run
 
 ROBOT = str(PUBLISHED)
@@ -171,11 +172,10 @@ def test_help_shows_an_example(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_a_terminal_shows_progress_with_the_time_left() -> None:
     master, slave = pty.openpty()
-    paths = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
     command = [sys.executable, "-c", PROGRAM, "map", ROBOT, "--grid", "x=0.3:0.8:33,y=0:0.1:3,z=-0.245"]
     process = subprocess.Popen(
         [*command, "--threads", "1"],
-        env={**os.environ, "PYTHONPATH": paths, "TERM": "xterm", "COLUMNS": "100"},
+        env=environment(TERM="xterm", COLUMNS="100"),
         stderr=slave,
         stdout=subprocess.PIPE,
     )

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from helpers.commands.map_runs import ROOT
 from helpers.robots.robot_text import PUBLISHED
+from helpers.runs.processes import environment
 
 BLOCKED = """
 import sys
@@ -22,38 +22,34 @@ main()
 """
 
 
-def ran(names: list[str], *arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    return python(BLOCKED.format(names=names), *arguments, folder=folder)
-
-
 def python(code: str, *arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    paths = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
     return subprocess.run(
         [sys.executable, "-c", code, *arguments],
-        env={**os.environ, "PYTHONPATH": paths},
+        env=environment(),
         cwd=folder,
         capture_output=True,
         text=True,
     )
 
 
-#: Each case is the library that is missing, and options of a map.
+#: Each case is the library that is missing, and options of a map; a library that loads another comes after it.
 CASES = [
     ("dask", ["--out", "map.nc"]),  # the first, because reading a robot loads it with pint
+    ("distributed", ["--scheduler", "tcp://127.0.0.1:9"]),
+    ("pyarrow", ["--out", "map.csv"]),
+    ("pyarrow", ["--out", "map.parquet"]),
+    ("pandas", ["--out", "map.csv"]),
     ("xarray", []),
     ("xarray", ["--out", "map.nc"]),
     ("netCDF4", ["--out", "map.nc"]),
     ("zarr", ["--out", "map.zarr"]),
     ("zarr", ["--out", "map.nc"]),  # every map in progress is a Zarr group
     ("zarr", ["--out", "map.csv"]),
-    ("pyarrow", ["--out", "map.csv"]),
-    ("pyarrow", ["--out", "map.parquet"]),
-    ("pandas", ["--out", "map.csv"]),
-    ("distributed", ["--scheduler", "tcp://127.0.0.1:9"]),
 ]
-#: Runs every case in a process of its own, forked before the library is loaded, and prints their exit codes.
+#: Runs every case in a process of its own, forked before the library is loaded, and prints their exit codes.  What
+#: was missing is loaded after its cases, so that the others need not load it each.
 FORKED = """
-import json, os, sys
+import importlib, json, os, sys
 import pkmodes.maps.mapping
 from pkmodes.cli import main
 cases, arguments = json.loads(sys.argv[1]), sys.argv[2:]
@@ -68,9 +64,10 @@ for number, (library, options) in enumerate(cases):
         os.dup2(log, 2)
         os.chdir(f"work{number}")
         main([*arguments, *options])
-    if not number:
-        pkmodes.load(arguments[1])
     codes.append(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+    if library not in [name for name, _ in cases[number + 1 :]]:
+        pkmodes.load(arguments[1])
+        importlib.import_module(library)
 print(json.dumps(codes))
 """
 
@@ -92,7 +89,8 @@ def test_a_missing_library_is_named_before_anything_is_computed(tmp_path: Path) 
 
 def test_other_commands_do_without(tmp_path: Path) -> None:
     names = ["xarray", "netCDF4", "zarr", "dask", "distributed", "pandas", "pyarrow"]
-    done = ran(names, "modes", str(PUBLISHED), "--pose", "0.6,0,-0.245", folder=tmp_path)
+    command = ("modes", str(PUBLISHED), "--pose", "0.6,0,-0.245")
+    done = python(BLOCKED.format(names=names), *command, folder=tmp_path)
     assert done.returncode == 0, done.stderr
 
 
@@ -102,12 +100,5 @@ def test_importing_pkmodes_imports_none_of_them(tmp_path: Path) -> None:
         "print(*({'xarray', 'pandas', 'distributed', 'zarr', 'netCDF4', 'pyarrow', 'pkmodes.maps.mapping'}"
         " & set(sys.modules)))"
     )
-    paths = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
-    done = subprocess.run(
-        [sys.executable, "-c", code, str(PUBLISHED)],
-        env={**os.environ, "PYTHONPATH": paths},
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    assert done.stdout == "\n"
+    done = python(code, str(PUBLISHED), folder=tmp_path)
+    assert (done.returncode, done.stdout) == (0, "\n"), done.stderr

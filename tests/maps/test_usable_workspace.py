@@ -36,10 +36,14 @@ def plain(name: str) -> pkmodes.Model:
 
 
 @cache
+def box(name: str) -> tuple[np.ndarray, np.ndarray]:
+    return box_of(plain(name))
+
+
+@cache
 def brute_force(name: str) -> np.ndarray:
     """All poses of a fine grid over the workspace that can be evaluated, on both sides of it."""
-    model = plain(name)
-    low, high = box_of(model)
+    model, (low, high) = plain(name), box(name)
     axes = [np.linspace(a - 0.1 * (b - a), b + 0.1 * (b - a), 41) for a, b in zip(low, high, strict=True)]
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, len(axes))
     good = points[model.check(points).valid]
@@ -68,7 +72,7 @@ def inside(name: str, limits: Limits, points: np.ndarray) -> bool:
 @settings(max_examples=2, deadline=None, derandomize=True)
 @given(data=st.data())
 def test_the_box_is_that_of_the_reachable_poses_within_the_limits(name: str, data: st.DataObject) -> None:
-    low, high = box_of(plain(name))
+    low, high = box(name)
     limits = {}
     for component, a, b in zip(plain(name).mechanism.pose, low, high, strict=True):
         if data.draw(st.booleans()):
@@ -93,7 +97,7 @@ def test_the_box_of_a_rectangle_is_its_intersection_with_the_limits() -> None:
     np.testing.assert_allclose(
         usable_box(used(PRINTER, {"x": (0.05, 0.1), "y": (-1.0, 0.2)})), [[0.05, 0.0], [0.1, 0.2]], atol=1e-5
     )
-    np.testing.assert_array_equal(usable_box(plain(PRINTER)), box_of(plain(PRINTER)))
+    np.testing.assert_array_equal(usable_box(plain(PRINTER)), box(PRINTER))
 
 
 def test_limits_choose_the_branch_that_they_contain() -> None:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
 import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from socket import socket
@@ -17,7 +16,8 @@ import pytest
 import xarray
 
 import pkmodes
-from helpers.commands.map_runs import GRID, ROOT, count_tasks, model
+from helpers.commands.map_runs import GRID, count_tasks, model
+from helpers.runs.processes import environment
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism import registry as mechanism
@@ -25,7 +25,7 @@ from pkmodes.maps import mapping, running
 
 #: Longer than any machine takes to start or to answer [s].
 LONG = 600
-PATHS = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
+HERE = ["--host", "127.0.0.1", "--no-dashboard"]
 
 
 @pytest.fixture(autouse=True)
@@ -34,19 +34,19 @@ def _patience(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(running, "PATIENCE", LONG)
 
 
-def free_port() -> int:
+def free_address() -> str:
     with socket() as one:
         one.bind(("127.0.0.1", 0))
-        return int(one.getsockname()[1])
+        return f"tcp://127.0.0.1:{one.getsockname()[1]}"
 
 
 @contextmanager
-def processes(*commands: list[str], **environment: str) -> Iterator[list[subprocess.Popen[bytes]]]:
+def processes(*commands: list[str], folders: Sequence[Path] = ()) -> Iterator[list[subprocess.Popen[bytes]]]:
     """Run processes, and end them."""
     started = [
         subprocess.Popen(
             [sys.executable, "-m", *command],
-            env={**os.environ, "PYTHONPATH": PATHS, "OPENBLAS_NUM_THREADS": "1", **environment},
+            env=environment(*folders),
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )
@@ -55,9 +55,8 @@ def processes(*commands: list[str], **environment: str) -> Iterator[list[subproc
     try:
         yield started
     finally:
-        for process in reversed(
-            started
-        ):  # a worker whose scheduler is gone waits for it, and ends when killed
+        # A worker whose scheduler is gone waits for it, and ends when killed.
+        for process in reversed(started):
             process.terminate()
             try:
                 process.wait(timeout=20)
@@ -66,17 +65,19 @@ def processes(*commands: list[str], **environment: str) -> Iterator[list[subproc
                 process.wait()
 
 
+def scheduling(address: str) -> list[str]:
+    return ["distributed.cli.dask_scheduler", "--port", address.rpartition(":")[2], *HERE]
+
+
 def worker(address: str) -> list[str]:
-    options = ["--nthreads", "1", "--no-dashboard", "--host", "127.0.0.1", "--death-timeout", str(LONG)]
-    return ["distributed.cli.dask_worker", address, *options, "--no-nanny"]
+    options = ["--nthreads", "1", "--death-timeout", str(LONG), "--no-nanny"]
+    return ["distributed.cli.dask_worker", address, *HERE, *options]
 
 
 @pytest.fixture(scope="module")
 def scheduler() -> Iterator[str]:
-    port = free_port()
-    address = f"tcp://127.0.0.1:{port}"
-    command = ["distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard"]
-    with processes(command):
+    address = free_address()
+    with processes(scheduling(address)):
         yield address
 
 
@@ -117,17 +118,8 @@ def test_one_worker_killed_midway_changes_nothing(scheduler: str, tmp_path: Path
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(mapping, "ROWS", 5)
         here = model().map(GRID)
-        port = free_port()
-        address = f"tcp://127.0.0.1:{port}"
-        command = [
-            "distributed.cli.dask_scheduler",
-            "--host",
-            "127.0.0.1",
-            "--port",
-            str(port),
-            "--no-dashboard",
-        ]
-        with processes(command, worker(address), worker(address)) as (_, first, _other):
+        address = free_address()
+        with processes(scheduling(address), worker(address), worker(address)) as (_, first, _other):
             wait_for(address, 2)
 
             def progress(done: int, total: int) -> None:
@@ -210,10 +202,8 @@ def test_another_version_on_the_workers(
 
 def test_a_worker_without_pkmodes(tmp_path: Path) -> None:
     (tmp_path / "sitecustomize.py").write_text("import sys\nsys.modules['pkmodes'] = None\n")
-    port = free_port()
-    address = f"tcp://127.0.0.1:{port}"
-    command = ["distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard"]
-    with processes(command, worker(address), PYTHONPATH=str(tmp_path)):
+    address = free_address()
+    with processes(scheduling(address), worker(address), folders=[tmp_path]):
         wait_for(address, 1)
         with pytest.raises(PkmodesError, match=r"on every worker, found none on tcp://"):
             model().map(GRID, scheduler=address)
@@ -221,10 +211,8 @@ def test_a_worker_without_pkmodes(tmp_path: Path) -> None:
 
 def test_a_scheduler_without_workers(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(running, "PATIENCE", 2)
-    port = free_port()
-    address = f"tcp://127.0.0.1:{port}"
-    command = ["distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard"]
-    with processes(command):
+    address = free_address()
+    with processes(scheduling(address)):
         deadline = time.monotonic() + LONG
         while True:
             try:

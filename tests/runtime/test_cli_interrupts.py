@@ -15,10 +15,9 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED
-from helpers.runs.processes import interruptible
+from helpers.runs.processes import ROOT, environment, interruptible
 from pkmodes.cli import run
 
-ROOT = Path(__file__).parents[2]
 MODES = ["modes", str(PUBLISHED), "--pose", "0.6,0,-0.245"]
 CHECK = ["check", str(PUBLISHED)]
 #: The two ways to start: the second is what an installed console script does.
@@ -42,13 +41,12 @@ pytestmark = pytest.mark.skipif(os.name != "posix", reason="sends POSIX signals"
 
 
 def start(
-    folder: Path, how: list[str], arguments: list[str], *, ignoring: bool = False, **environment: str
+    folder: Path, how: list[str], arguments: list[str], *, ignoring: bool = False, **variables: str
 ) -> subprocess.Popen[bytes]:
     (folder / "sitecustomize.py").write_text(HOOK, encoding="utf-8")
-    paths = [folder, *(ROOT / part for part in ("src", "generated", "derive"))]
     return subprocess.Popen(
         [sys.executable, *how, *arguments],
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(map(str, paths)), **environment},
+        env=environment(folder, **variables),
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         preexec_fn=None if ignoring else interruptible,
@@ -107,13 +105,12 @@ sys.meta_path.insert(0, Finder())
 
 def test_warnings_of_libraries_are_not_shown_unless_asked_for(tmp_path: Path) -> None:
     (tmp_path / "sitecustomize.py").write_text(WARNING, encoding="utf-8")
-    paths = [tmp_path, *(ROOT / part for part in ("src", "generated", "derive"))]
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(map(str, paths))}
-    environment.pop("PYTHONWARNINGS", None)
+    variables = environment(tmp_path)
+    variables.pop("PYTHONWARNINGS", None)
     for options, said in (([], False), (["-W", "default"], True)):
         done = subprocess.run(
             [sys.executable, *options, "-m", "pkmodes", *MODES],
-            env=environment,
+            env=variables,
             capture_output=True,
             check=True,
         )

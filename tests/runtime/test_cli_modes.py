@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import subprocess
 import sys
 from pathlib import Path
@@ -13,11 +12,11 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED, edited
+from helpers.runs.processes import ROOT, environment
 from pkmodes.cli import run
 
 pytestmark = pytest.mark.usefixtures("backend")
 
-ROOT = Path(__file__).parents[2]
 ROBOT = str(PUBLISHED)
 POSE = "0.6,0.03,-0.245"
 KEYS = {
@@ -219,11 +218,9 @@ def test_help_and_version(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_a_closed_pipe_is_no_error() -> None:
-    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
-    environment = {**os.environ, "PYTHONPATH": path}
     command = [sys.executable, "-m", "pkmodes", "modes", ROBOT, "--pose", POSE, "--json", "-"]
     with subprocess.Popen(
-        command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+        command, env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE
     ) as process:
         assert process.stdout is not None
         assert process.stderr is not None

@@ -17,6 +17,7 @@ from helpers.robots.damped_robots import DAMPING, EFFECTS
 from helpers.robots.one_of_each import POSES
 from pkmodes.cli import run
 from pkmodes.figures import files
+from pkmodes.maps import reached, usable
 from pkmodes.report import blocks
 from pkmodes.report import map as report_of_maps
 from pkmodes.robot_files.saving import Correction, corrected_text
@@ -39,8 +40,10 @@ FIELDS = {"customer": "Example Works", "machine": "cell 7", "serial": "00123", "
 def _drawn_only(monkeypatch: pytest.MonkeyPatch) -> None:
     """Figures are drawn but not laid out, which takes nine tenths of the time; those of a map are `figures`.
 
-    The viewer has few poses: with every effect NumPy solves each.
+    The viewer has few poses: with every effect NumPy solves each.  Few are drawn to find the workspace, too.
     """
+    for module in (reached, usable):
+        monkeypatch.setattr(module, "DRAWS", 20_000)
     monkeypatch.setattr(viewed, "LEVELS", dict.fromkeys((2, 3), 2))
     monkeypatch.setattr(blocks, "inline", lambda *_, **__: SVG)
     monkeypatch.setattr(blocks, "inline_narrow", lambda *_, **__: "")
@@ -117,7 +120,7 @@ def test_every_command_takes_a_robot_with_everything(
         "response": [*given, "--pose", pose, "--inputs", first, "--outputs", "p_x", *motors, *report]
         + ["--frequencies", "1:200:20"],
         "compare": [*given, str(other), "--grid", grid, *motors, *report],
-        **({"shaper": [*given, "--grid", grid, *report]} if drives == "held" else {}),
+        **({"shaper": [*given, "--grid", grid, "--shapers", "zv,mzv", *report]} if drives == "held" else {}),
         "show": [*given, "--pose", pose, *motors, *result, "--out", str(page)],
     }
     for command, arguments in pages.items():

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import os
 import subprocess
 import sys
 from collections.abc import Callable
@@ -14,10 +13,10 @@ import pytest
 
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED
+from helpers.runs.processes import environment
 from pkmodes import diagnosis
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter
 
-ROOT = Path(__file__).parents[2]
 POSE = [0.6, 0.03, -0.245]
 MODEL = pkmodes.load(PUBLISHED)
 
@@ -193,10 +192,8 @@ def test_the_largest_condition_number_is_positive(given: object) -> None:
 
 
 def run(code: str) -> object:
-    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated"))
-    environment = {**os.environ, "PYTHONPATH": path}
     found = subprocess.run(
-        [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True
+        [sys.executable, "-c", code], env=environment(), capture_output=True, text=True, check=True
     )
     return ast.literal_eval(found.stdout)
 

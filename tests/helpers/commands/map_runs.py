@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
 import time
@@ -12,12 +11,11 @@ import numpy as np
 import pytest
 
 import pkmodes
-from helpers.runs.processes import interruptible
+from helpers.runs.processes import ROOT, environment, interruptible
 from pkmodes.maps import mapping, running
 from pkmodes.maps.evaluating import Task
 from pkmodes.maps.storage import GROUP, SUFFIX
 
-ROOT = Path(__file__).parents[3]
 ROBOT = ROOT / "robots" / "linear-delta-2022.toml"
 #: 330 poses in tasks of 20 rows.
 GRID = {"x": np.linspace(0.3, 0.8, 33), "y": np.linspace(-0.1, 0.1, 10), "z": -0.245}
@@ -48,11 +46,10 @@ main()
 
 def started(out: Path, after: int, *options: str) -> subprocess.Popen[str]:
     """Start ``pkmodes map`` with one thread, and wait until some tasks are done and the next one waits."""
-    paths = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
     process = subprocess.Popen(
         [*[sys.executable, "-c", PROGRAM, "map", str(ROBOT), "--grid", GRID_TEXT], "--out", str(out)]
         + ["--threads", "1", *options],
-        env={**os.environ, "PYTHONPATH": paths, "HOLD_AFTER": str(after)},
+        env=environment(HOLD_AFTER=str(after)),
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,

@@ -13,16 +13,21 @@ from pathlib import Path
 ROOT = Path(__file__).parents[3]
 
 
-def printed_by_a_process(arguments: Sequence[object], environment: Mapping[str, str]) -> tuple[str, str]:
+def environment(*folders: Path, **variables: str) -> dict[str, str]:
+    """Return the environment in which a new Python finds pkmodes, and what is in `folders` before all else."""
+    paths = [*folders, *(ROOT / part for part in ("src", "generated", "derive"))]
+    return {**os.environ, "PYTHONPATH": os.pathsep.join(map(str, paths)), **variables}
+
+
+def printed_by_a_process(arguments: Sequence[object], variables: Mapping[str, str]) -> tuple[str, str]:
     """Return what a command prints in a process of its own, for what Python reads of the environment as it starts."""
-    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
     found = subprocess.run(
         [sys.executable, "-m", "pkmodes", *map(str, arguments)],
-        env={**os.environ, "PYTHONPATH": path, **environment},
+        env=environment(**variables),
         capture_output=True,
         check=True,
     )
-    encoding = environment.get("PYTHONIOENCODING", "utf-8")
+    encoding = variables.get("PYTHONIOENCODING", "utf-8")
     return found.stdout.decode(encoding), found.stderr.decode()
 
 
