@@ -197,6 +197,7 @@ def test_a_terminal_shows_progress_with_the_time_left() -> None:
     assert re.search(rb"\d+ of 99 poses, about \d+ s left", shown)
 
 
+@pytest.mark.usefixtures("no_drawing")
 def test_motors_are_held_if_asked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """In the numbers, in the file, and on the page with its pictures and its machine."""
     import pkmodes

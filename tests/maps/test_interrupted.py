@@ -9,6 +9,7 @@ import signal
 import subprocess
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -35,60 +36,21 @@ from pkmodes.maps.storage import GROUP, Store, on_disk
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="sends POSIX signals")
 
 
-def stopped(out: Path, how: signal.Signals, after: int, *options: str) -> tuple[int, str]:
-    """Stop a map after some tasks; return its exit code and what it wrote to stderr."""
-    process = started(out, after, *options)
-    process.send_signal(how)
-    _, err = process.communicate(timeout=600)
-    assert not out.exists()
-    return process.returncode, err
+def stopped_after(tasks: int, out: Path, **options: Any) -> None:
+    """Leave what a kill after some tasks leaves: the folder as it is at that moment, whatever happens next."""
+    kept = out.with_name("kept")
 
+    def stop(done: int, _: int) -> None:
+        if done == tasks * ROWS:
+            shutil.copytree(folder_of(out), kept)
+            raise KeyboardInterrupt
 
-@pytest.mark.parametrize("after", [1, 8, 15])
-@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
-def test_the_same_call_computes_only_what_is_missing(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, how: signal.Signals, after: int
-) -> None:
-    out = tmp_path / "map.nc"
-    code, err = stopped(out, how, after)
-    if how == signal.SIGINT:
-        assert code == 130
-        assert err == "error: interrupted (pkmodes); the same command continues where it stopped\n"
-    done = done_in(out)
-    # An interrupt waits for the task that is being computed.
-    assert after <= done <= after + (how == signal.SIGINT) < TASKS
-    whole = model().map(GRID)
-    seen = count_tasks(monkeypatch)
-    with model().map(GRID, out=out) as found:
-        assert len(seen) == TASKS - done
-        xarray.testing.assert_allclose(found.load(), whole, rtol=1e-12)
-    assert not folder_of(out).exists()
-
-
-def test_what_was_computed_before_is_the_same_to_the_last_digit(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    out = tmp_path / "map.zarr"
-    stopped(out, signal.SIGKILL, 6, "--tracked")
-    seen = count_tasks(monkeypatch)
-    whole = model().map(GRID, tracked=True)
-    assert len(seen) == TASKS
-    with model().map(GRID, out=out, tracked=True) as found:
-        xarray.testing.assert_identical(found.load(), whole)
-
-
-@pytest.fixture(scope="module")
-def killed(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    out = tmp_path_factory.mktemp("killed") / "map.nc"
-    stopped(out, signal.SIGKILL, 3)
-    return out
-
-
-@pytest.fixture
-def interrupted(killed: Path, tmp_path: Path) -> Path:
-    """A copy of an interrupted map."""
-    shutil.copytree(folder_of(killed), folder_of(tmp_path / "map.nc"))
-    return tmp_path / "map.nc"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(mapping, "ROWS", ROWS)
+        with pytest.raises(KeyboardInterrupt):
+            model().map(GRID, out=out, threads=1, progress=stop, **options)
+    shutil.rmtree(folder_of(out))
+    kept.rename(folder_of(out))
 
 
 def continued(out: Path, monkeypatch: pytest.MonkeyPatch) -> int:
@@ -99,6 +61,61 @@ def continued(out: Path, monkeypatch: pytest.MonkeyPatch) -> int:
         xarray.testing.assert_allclose(found.load(), whole, rtol=1e-12)
     assert not folder_of(out).exists()
     return len(seen)
+
+
+@pytest.mark.parametrize("after", [1, 8, 15])
+def test_the_same_call_computes_only_what_is_missing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, after: int
+) -> None:
+    out = tmp_path / "map.nc"
+    stopped_after(after, out)
+    assert done_in(out) == after
+    assert continued(out, monkeypatch) == TASKS - after
+
+
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
+def test_a_process_that_is_stopped_leaves_a_map_that_continues(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, how: signal.Signals
+) -> None:
+    out = tmp_path / "map.nc"
+    process = started(out, 8)
+    process.send_signal(how)
+    _, err = process.communicate(timeout=600)
+    assert not out.exists()
+    if how == signal.SIGINT:
+        assert process.returncode == 130
+        assert err == "error: interrupted (pkmodes); the same command continues where it stopped\n"
+    done = done_in(out)
+    # An interrupt waits for the task that is being computed.
+    assert 8 <= done <= 8 + (how == signal.SIGINT)
+    assert continued(out, monkeypatch) == TASKS - done
+
+
+def test_what_was_computed_before_is_the_same_to_the_last_digit(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = tmp_path / "map.zarr"
+    stopped_after(6, out, tracked=True)
+    seen = count_tasks(monkeypatch)
+    whole = model().map(GRID, tracked=True)
+    assert len(seen) == TASKS
+    with model().map(GRID, out=out, tracked=True) as found:
+        xarray.testing.assert_identical(found.load(), whole)
+    assert len(seen) == TASKS + TASKS - 6
+
+
+@pytest.fixture(scope="module")
+def killed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("killed") / "map.nc"
+    stopped_after(3, out)
+    return out
+
+
+@pytest.fixture
+def interrupted(killed: Path, tmp_path: Path) -> Path:
+    """A copy of an interrupted map."""
+    shutil.copytree(folder_of(killed), folder_of(tmp_path / "map.nc"))
+    return tmp_path / "map.nc"
 
 
 def test_another_map_is_refused_with_what_differs(interrupted: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -129,8 +146,7 @@ def test_another_map_is_refused_with_what_differs(interrupted: Path, monkeypatch
 def test_the_order_of_swept_parameters_matters(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Rows of the map are in that order, so that the two must not be mixed."""
     out = tmp_path / "map.nc"
-    options = ["--set", "platform.mass=1:2:2", "--set", "link.mass=0.6:0.7:2"]
-    stopped(out, signal.SIGKILL, 2, *options)
+    stopped_after(2, out, sweep={"platform.mass": [1.0, 2.0], "link.mass": [0.6, 0.7]})
     count_tasks(monkeypatch)
     with pytest.raises(OutputError, match="differs in: sweep"):
         model().map(GRID, sweep={"link.mass": [0.6, 0.7], "platform.mass": [1.0, 2.0]}, out=out)

@@ -32,9 +32,7 @@ print(peak(700) - small)
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="reads the memory as Linux reports it")
 @pytest.mark.parametrize(("name", "options"), [("map.nc", "{}"), ("map.zarr", "{'shapes': True}")])
-def test_from_200_to_700_thousand_poses_memory_hardly_grows(
-    tmp_path: Path, name: str, options: str
-) -> None:
+def test_from_200_to_700_thousand_poses_memory_hardly_grows(tmp_path: Path, name: str, options: str) -> None:
     """The larger map has 280 MB, with shapes 560 MB: 200 MB and 400 MB more than the small one."""
     done = subprocess.run(
         [sys.executable, "-c", PROGRAM, str(tmp_path / name), options],

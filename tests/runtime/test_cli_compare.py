@@ -23,7 +23,6 @@ from pkmodes_rig.robots import POSES, ROBOTS, read
 
 pytestmark = pytest.mark.usefixtures("backend")
 
-ROOT = Path(__file__).parents[2]
 KEYS = {"robot", "rms_relative", "chi2_per_dof", "p_value", "unpaired", "rows"}
 HEADER = "pose,x,y,z,frequency,sigma"
 ROW = "A,0.6,0,-0.245,55.5,0.1"
@@ -402,15 +401,3 @@ def test_settings_damping_motors_and_long_labels_do_not_widen_it(tmp_path: Path)
     assert all(f"{float(row['frequency']):.3f}" in answer.out for row in rows)
     assert answer.out.count("1.23  ") >= 18  # the ratio of every row
     assert "\u2026" not in answer.out
-
-
-def test_help_shows_an_example_that_works() -> None:
-    answer = call("--help")
-    examples = [
-        line.split() for line in answer.out.split("Examples:\n")[1].replace("\\\n", " ").strip().splitlines()
-    ]
-    assert [one[:2] for one in examples] == [["pkmodes", "compare"]] * 2
-    found = [call(*(ROOT / place for place in one[2:])) for one in examples]
-    assert [one.code for one in found] == [0, 0]
-    assert found[0].out.startswith("workshop-delta compared with ")
-    assert found[1].out.startswith("first:  linear-delta-2022 ")

@@ -6,8 +6,11 @@ import dataclasses
 import json
 import os
 import pickle
+import resource
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, redirect_stdout
 from pathlib import Path
 from typing import get_args, get_type_hints
 
@@ -16,6 +19,7 @@ import pytest
 from helpers.diagnoses.diagnose_command import unwritable
 from helpers.diagnoses.examples import example
 from helpers.robots.robot_text import PUBLISHED, published
+from helpers.runs.processes import ROOT, environment
 from helpers.runs.shared import Shared
 from pkmodes import read_robot, updating
 from pkmodes.cli import run
@@ -24,28 +28,33 @@ from pkmodes.cli.terminal import Terminal
 from pkmodes.diagnosis import Diagnosis
 from pkmodes.diagnosis.verdict import verdicts
 
-ROOT = Path(__file__).parents[2]
 ROBOT = ROOT / "examples" / "closed_loop" / "robot.toml"
 MODES = ROOT / "examples" / "closed_loop" / "measured.csv"
 DIAGNOSE = ["diagnose", str(ROBOT), str(MODES), "--candidates", "gearbox_compliance"]
 VERDICTS = get_args(get_type_hints(Diagnosis)["verdict"])
 
 
-def shell(
-    command: str, *arguments: str, cwd: Path | None = None, program: str = "-m pkmodes"
-) -> subprocess.CompletedProcess[str]:
+def shell(command: str, *arguments: str, program: str = "-m pkmodes") -> subprocess.CompletedProcess[str]:
     """Run a shell line in which ``$PK "$@"`` is a pkmodes command with these arguments."""
-    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
     # Streams are buffered, as a user has them: what is left in a buffer is written when the interpreter ends.
-    given = {name: value for name, value in os.environ.items() if name != "PYTHONUNBUFFERED"}
+    variables = environment(PK=f"{sys.executable} {program}")
+    variables.pop("PYTHONUNBUFFERED", None)
     return subprocess.run(
         ["bash", "-o", "pipefail", "-c", command, "bash", *arguments],
-        env={**given, "PYTHONPATH": path, "PK": f"{sys.executable} {program}"},
+        env=variables,
         capture_output=True,
         text=True,
         check=False,
-        cwd=cwd,
     )
+
+
+@contextmanager
+def nobody_reading() -> Iterator[None]:
+    """Let standard output be a pipe whose reader is gone."""
+    reading, writing = os.pipe()
+    os.close(reading)
+    with os.fdopen(writing, "w", encoding="utf-8") as pipe, redirect_stdout(pipe):
+        yield
 
 
 @pytest.fixture(scope="module")
@@ -55,7 +64,7 @@ def found(shared: Shared) -> Diagnosis:
 
 @pytest.fixture(scope="module")
 def program(found: Diagnosis, tmp_path_factory: pytest.TempPathFactory) -> str:
-    """``pkmodes`` as a file that has `found` and figures already: how a process ends does not depend on them."""
+    """``pkmodes`` as a file that has `found` already: how a process ends does not depend on it."""
     folder = tmp_path_factory.mktemp("program")
     (folder / "found.pickle").write_bytes(pickle.dumps(found))
     (folder / "pkmodes_with_a_diagnosis.py").write_text(
@@ -63,10 +72,8 @@ def program(found: Diagnosis, tmp_path_factory: pytest.TempPathFactory) -> str:
         "from pathlib import Path\n"
         "from pkmodes import updating\n"
         "from pkmodes.__main__ import main\n"
-        "from pkmodes.figures import files\n"
         "found = pickle.loads(Path(__file__).with_name('found.pickle').read_bytes())\n"
         "updating.diagnose = lambda *_, **__: found\n"
-        "files.rendered = lambda *_, **__: b'drawn' * 2000\n"
         "main()\n",
         encoding="utf-8",
     )
@@ -87,44 +94,65 @@ def test_files_are_written_whoever_reads(tmp_path: Path, program: str, reader: s
     assert json.loads((tmp_path / "result.json").read_text(encoding="utf-8"))["verdict"] == "effect_found"
 
 
-def test_json_for_a_closed_pipe_still_saves_the_robot(tmp_path: Path) -> None:
-    done = shell('$PK "$@" --json - | true', *DIAGNOSE, "--save-robot", str(tmp_path / "saved.toml"))
+def test_json_for_a_closed_pipe_still_saves_the_robot(tmp_path: Path, program: str) -> None:
+    saved = tmp_path / "saved.toml"
+    done = shell('$PK "$@" --json - | true', *DIAGNOSE, "--save-robot", str(saved), program=program)
     assert done.returncode == 0
-    assert (tmp_path / "saved.toml").is_file()
+    assert saved.is_file()
 
 
-@pytest.mark.parametrize(
-    "arguments", [["modes", str(PUBLISHED), "--pose", "0.6,0,-0.245"], ["compare", str(ROBOT), str(MODES)]]
-)
-def test_json_files_are_written_whoever_reads(tmp_path: Path, arguments: list[str]) -> None:
-    done = shell('$PK "$@" | true', *arguments, "--json", str(tmp_path / "result.json"))
-    assert (done.returncode, done.stderr) == (0, "")
-    assert json.loads((tmp_path / "result.json").read_text(encoding="utf-8"))
-
-
-def test_a_reader_that_leaves_does_not_turn_a_failure_into_success(tmp_path: Path, program: str) -> None:
+def test_a_reader_that_leaves_does_not_turn_a_failure_into_success(program: str) -> None:
     assert shell('$PK "$@" | true', *DIAGNOSE, "--fail-on", "any", program=program).returncode == 1
-    (tmp_path / "robot.toml").write_text(published(), encoding="utf-8")
-    assert run(["generate", str(tmp_path / "robot.toml"), "--out", str(tmp_path / "model")]) == 0
-    (tmp_path / "model" / "linear_delta_2022.h").unlink()
-    assert shell('$PK "$@" | true', "check", str(tmp_path / "model")).returncode == 1
+
+
+def test_files_and_exit_codes_of_other_commands_do_not_depend_on_the_reader(
+    copy: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    result = copy / "result.json"
+    for arguments in (
+        ["modes", str(PUBLISHED), "--pose", "0.6,0,-0.245"],
+        ["compare", str(ROBOT), str(MODES)],
+    ):
+        with nobody_reading():
+            assert run([*arguments, "--json", str(result)]) == 0
+        assert json.loads(result.read_text(encoding="utf-8"))
+        result.unlink()
+    (copy / "model" / "linear_delta_2022.h").unlink()
+    with nobody_reading():
+        assert run(["check", str(copy / "model")]) == 1
+    assert capsys.readouterr().err == ""
+
+
+@pytest.fixture
+def small_files() -> Iterator[None]:
+    """No file may have more than 8 kB, as on a full disk."""
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (8192, before[1]))
+    yield
+    resource.setrlimit(resource.RLIMIT_FSIZE, before)
 
 
 @pytest.mark.parametrize(
     ("command", "out", "place"),
     [("show", "page.html", "page.html"), ("figures", "pictures", "pictures/workspace.svg")],
 )
+@pytest.mark.usefixtures("small_files")
 def test_a_full_disk_is_told_with_the_file_and_nothing_is_left(
-    tmp_path: Path, program: str, command: str, out: str, place: str
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    command: str,
+    out: str,
+    place: str,
 ) -> None:
+    monkeypatch.setattr("pkmodes.figures.files.rendered", lambda *_, **__: b"drawn" * 2000)
+    monkeypatch.chdir(tmp_path)
     grid = ["--grid", "x=0.4:0.7:8,y=0:0.1:5,z=-0.245"] if command == "figures" else []
-    # No file may have more than 8 kB.
-    given = [command, str(PUBLISHED), "--out", out, *grid]
-    done = shell('ulimit -f 8; $PK "$@"', *given, cwd=tmp_path, program=program)
-    assert (
-        done.stderr == f"error: cannot write: file too large ({place}); choose another place or make room\n"
+    assert run([command, str(PUBLISHED), "--out", out, *grid]) == 2
+    assert capsys.readouterr() == (
+        "",
+        f"error: cannot write: file too large ({place}); choose another place or make room\n",
     )
-    assert (done.returncode, done.stdout) == (2, "")
     assert list(tmp_path.iterdir()) == []
 
 
@@ -223,17 +251,20 @@ def test_any_width_of_the_terminal_prints_everything(
         assert out == plain
 
 
-def test_a_file_name_that_is_not_utf_8_is_no_traceback(tmp_path: Path) -> None:
+def test_a_file_name_that_is_not_utf_8_is_no_traceback(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     folder = tmp_path / os.fsdecode(b"caf\xe9")
     try:
         folder.mkdir()
     except OSError:
         pytest.skip("this file system has UTF-8 names only")
     (folder / "robot.toml").write_text(published(), encoding="utf-8")
+    target = str(folder / "model")
     for out in ("-", str(tmp_path / "out.json")):
-        target = str(folder / "model")
-        done = shell('$PK "$@"', "generate", str(folder / "robot.toml"), "--out", target, "--json", out)
-        assert (done.returncode, done.stderr) == (0, "")
+        with (tmp_path / "printed").open("w", encoding="utf-8") as file, redirect_stdout(file):
+            assert run(["generate", str(folder / "robot.toml"), "--out", target, "--json", out]) == 0
+        assert capsys.readouterr().err == ""
     assert json.loads((tmp_path / "out.json").read_text(encoding="utf-8"))["out"] == target
 
 

@@ -203,12 +203,6 @@ def test_nothing_is_written_when_the_pose_is_bad(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == [out]
 
 
-@pytest.mark.parametrize("command", ["modes", "generate", "check"])
-def test_help_shows_an_example(command: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run([command, "--help"]) == 0
-    assert f"pkmodes {command}" in capsys.readouterr().out.split("Example")[1]
-
-
 def test_help_and_version(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["--help"]) == 0
     assert "modes" in capsys.readouterr().out

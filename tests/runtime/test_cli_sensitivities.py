@@ -263,16 +263,6 @@ def test_mistakes_are_one_line(
     assert message in captured.err
 
 
-def test_help_shows_an_example_that_works(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(PUBLISHED.parents[1])
-    assert run(["sensitivities", "--help"]) == 0
-    example = capsys.readouterr().out.split("Example:\n")[1].replace("\\\n", " ").split()
-    assert example[0] == "pkmodes"
-    assert run(example[1:]) == 0
-
-
 def test_motors_are_held_if_asked(capsys: pytest.CaptureFixture[str]) -> None:
     some = ("--parameters", "platform.mass,motor.inertia", "--drives", "held")
     found = as_json(capsys, *some)

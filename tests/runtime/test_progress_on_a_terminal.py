@@ -2,15 +2,9 @@
 
 from __future__ import annotations
 
-import fcntl
 import io
-import os
-import pty
-import struct
-import subprocess
-import sys
-import termios
 import time
+from contextlib import redirect_stderr
 from pathlib import Path
 
 import pytest
@@ -24,29 +18,18 @@ PRINTER, DELTA = str(ROOT / "robots/corexy-printer.toml"), str(ROOT / "robots/li
 PLANE = "x=0.1:0.2:3,y=0.1:0.2:3"
 
 
-def on_terminal(*arguments: str, columns: int = 80) -> tuple[str, str]:
-    """Run a command with stderr on a terminal; return its standard output, and what the terminal received."""
-    ours, theirs = pty.openpty()
-    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
-    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated", "derive"))
-    with subprocess.Popen(
-        [sys.executable, "-m", "pkmodes", *arguments],
-        env={**os.environ, "PYTHONPATH": path},
-        stdout=subprocess.PIPE,
-        stderr=theirs,
-    ) as process:
-        os.close(theirs)
-        received = b""
-        try:
-            while part := os.read(ours, 4096):
-                received += part
-        except OSError:  # the other end is closed
-            pass
-        assert process.stdout is not None
-        printed = process.stdout.read().decode()
-    os.close(ours)
-    assert process.returncode == 0
-    return printed, received.decode()
+class Terminal(io.StringIO):
+    """Keeps what it receives."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.fixture
+def at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Progress is shown without delay."""
+    monkeypatch.setattr(progress, "DELAY", 0.0)
+    monkeypatch.setattr(progress, "STEP", 0.005)
 
 
 def visible(received: str) -> list[str]:
@@ -60,8 +43,20 @@ def visible(received: str) -> list[str]:
     return lines
 
 
-def test_figures_says_which_picture_it_draws_and_erases_it(tmp_path: Path) -> None:
-    printed, received = on_terminal("figures", PRINTER, "--out", str(tmp_path / "out"), "--grid", PLANE)
+def drawn(*_: object, **__: object) -> bytes:
+    """A picture that takes a moment."""
+    time.sleep(0.05)
+    return b"drawn"
+
+
+@pytest.mark.usefixtures("at_once")
+def test_figures_says_which_picture_it_draws_and_erases_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("pkmodes.figures.files.rendered", drawn)
+    with redirect_stderr(Terminal()) as terminal:
+        assert run(["figures", PRINTER, "--out", str(tmp_path / "out"), "--grid", PLANE]) == 0
+    printed, received = capsys.readouterr().out, terminal.getvalue()
     assert "loading ... " in received
     assert "of 7: " in received
     assert visible(received)[0].startswith("note: workspace holds a sentence instead of a picture: ")
@@ -71,15 +66,10 @@ def test_figures_says_which_picture_it_draws_and_erases_it(tmp_path: Path) -> No
     assert all(Path(line).exists() for line in printed.splitlines())
 
 
-def test_response_says_that_it_draws_its_report(tmp_path: Path) -> None:
-    channels = ("--drives", "held", "--inputs", "force_x", "--outputs", "p_x", "--frequencies", "5:60:12")
-    page = str(tmp_path / "page.html")
-    _, received = on_terminal("response", PRINTER, "--pose", "0.1,0.1", *channels, "--report", page)
-    assert "drawing the report ... " in received
-    assert not any("drawing" in line for line in visible(received))
-
-
-def test_nothing_of_it_reaches_a_pipe(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_nothing_of_it_reaches_a_pipe(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("pkmodes.figures.files.rendered", drawn)
     assert run(["figures", PRINTER, "--out", str(tmp_path / "out"), "--grid", PLANE]) == 0
     notes = capsys.readouterr().err
     assert notes.startswith("note: workspace holds a sentence instead of a picture: ")
@@ -112,8 +102,13 @@ def test_nothing_of_it_reaches_a_pipe(tmp_path: Path, capsys: pytest.CaptureFixt
         ),
         (["sensitivities", PRINTER, "--pose", "0.15,0.15"], ["differentiating the modes"]),
         (
-            ["identify", str(ROOT / "examples/campaign/campaign.toml"), "--out", "OUT.csv"],
-            [f"record {number} of 6: P{number}" for number in range(1, 7)],
+            ["response", PRINTER, "--pose", "0.1,0.1", "--drives", "held", "--inputs", "force_x"]
+            + ["--outputs", "p_x", "--frequencies", "5:60:12", "--report", "OUT.html"],
+            ["computing the responses", "drawing the report", "drawing the report"],
+        ),
+        (
+            ["identify", str(ROOT / "examples/printer/campaign.toml"), "--out", "OUT.csv"],
+            ["record 1 of 3: front left", "record 2 of 3: centre", "record 3 of 3: rear right"],
         ),
     ],
 )
@@ -137,10 +132,9 @@ def test_generating_and_checking_say_what_they_derive(tmp_path: Path) -> None:
     assert "comparing derivatives with finite differences" in said
 
 
-def test_the_line_is_cut_to_the_terminal_and_shows_text_verbatim(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(progress, "DELAY", 0.0)
-    monkeypatch.setattr(progress, "STEP", 0.005)
-    terminal = io.StringIO()
+@pytest.mark.usefixtures("at_once")
+def test_the_line_is_cut_to_the_terminal_and_shows_text_verbatim() -> None:
+    terminal = Terminal()
     line = ProgressLine(terminal, "loading")
     line.say("record 1: [bold]" + "long " * 40 + "\x1b[2J")
     deadline = time.monotonic() + 10.0
