@@ -22,64 +22,53 @@ def check(folder: Path, capsys: pytest.CaptureFixture[str]) -> tuple[int, str]:
 
 
 def test_a_fresh_model_is_current(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Also with a comment more in the robot file."""
+    edit(copy / "robot.toml", "format = 1", "# a remark\nformat = 1")
     code, out = check(copy, capsys)
     assert code == 0
     assert "relations agree with finite differences" in out
     assert "mend" not in out
 
 
-def test_a_comment_in_the_robot_file_changes_nothing(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    edit(copy / "robot.toml", "format = 1", "# a remark\nformat = 1")
-    assert check(copy, capsys)[0] == 0
+#: Lines that a module must not have, and that are not executed.
+NEVER_RUN = ("import sys; sys.exit(0)", "raise RuntimeError", "print('hi')", "x =")
+PYTHON = f"model/{MODULE}"
+#: What is edited in a file of the robot or its model, and what is said of it.
+CHANGES = [
+    (
+        "robot.toml",
+        'mass = "1.5 kg"',
+        'mass = "1.6 kg"',
+        ["platform.mass is 1.6, the model was generated with 1.5"],
+    ),
+    ("robot.toml", "branch = 1\n", 'branch = 1\nbelt.width = "20 mm"\n', ["axis.1.belt.width is 0.02"]),
+    ("robot.toml", "driven_pulley = 1", "driven_pulley = 2", ["axis.1.driven_pulley is 2"]),
+    ("robot.toml", '"-200 mm"', '"-210 mm"', ["axis.2.origin.y is -0.21", "(derived now)"]),
+    ("robot.toml", '"linear-delta-2022"', '"Linear-Delta-2022"', ['name is "Linear-Delta-2022"']),
+    (PYTHON, "x_1 = p_x + np.", "x_1 = p_x - np.", ["-    x_1 = p_x - np.sqrt", "+    x_1 = p_x + np.sqrt"]),
+    *((PYTHON, "\nimport numpy", f"\n{line}\nimport numpy", [f"\n-{line}\n"]) for line in NEVER_RUN),
+    *((f"model/{name}", "\n", "\n\n", []) for name in ("linear_delta_2022.c", "linear_delta_2022.h")),
+    ("model/manifest.json", "\n", "\n\n", []),
+]
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "field"),
-    [
-        ('mass = "1.5 kg"', 'mass = "1.6 kg"', "platform.mass is 1.6, the model was generated with 1.5"),
-        ("branch = 1\n", 'branch = 1\n[axis.belt]\nwidth = "20 mm"\n', "axis.1.belt.width is 0.02"),
-        ("driven_pulley = 1", "driven_pulley = 2", "axis.1.driven_pulley is 2"),
-        ('"-200 mm"', '"-210 mm"', "axis.2.origin.y is -0.21"),
-    ],
-)
-def test_a_changed_robot_file_names_the_field(
-    copy: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, field: str
+def test_an_edit_is_found_and_named_with_what_mends_it(
+    subtests: pytest.Subtests, pristine: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    edit(copy / "robot.toml", old, new)
-    code, out = check(copy, capsys)
-    assert code == 1
-    assert f"the robot file changed: {field}" in out
-    assert "(derived now)" in out, "the difference is shown"
-    assert f"fix with: pkmodes generate {copy / 'robot.toml'} --out {copy / 'model'}" in out
-
-
-def test_the_mending_command_mends(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    edit(copy / "robot.toml", 'mass = "1.5 kg"', 'mass = "1.6 kg"')
-    edit(copy / "robot.toml", 'name = "linear-delta-2022"', 'name = "heavier"')
-    code, out = check(copy, capsys)
-    assert code == 1
-    command = out.partition("fix with: ")[2].split()
-    assert run(command[1:]) == 0
-    assert check(copy, capsys)[0] == 0
-    assert not (copy / "model" / MODULE).exists(), "the module under the former name is gone"
-
-
-def test_a_hand_edited_output_is_found_and_shown(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    edit(copy / "model" / MODULE, "x_1 = p_x + np.sqrt", "x_1 = p_x - np.sqrt")
-    code, out = check(copy, capsys)
-    assert code == 1
-    assert f"{MODULE} was edited by hand" in out
-    assert "-    x_1 = p_x - np.sqrt" in out
-    assert "+    x_1 = p_x + np.sqrt" in out
-
-
-@pytest.mark.parametrize("name", ["linear_delta_2022.c", "linear_delta_2022.h", "manifest.json"])
-def test_any_edited_output_is_found(copy: Path, capsys: pytest.CaptureFixture[str], name: str) -> None:
-    path = copy / "model" / name
-    path.write_text(path.read_text(encoding="utf-8") + "\n", encoding="utf-8")
-    code, out = check(copy, capsys)
-    assert code == 1
-    assert f"{name} was edited by hand" in out
+    for number, (name, old, new, said) in enumerate(CHANGES):
+        with subtests.test(name=name, new=new):
+            folder = Path(shutil.copytree(pristine, tmp_path / str(number)))
+            edit(folder / name, old, new)
+            code, out = check(folder, capsys)
+            assert code == 1
+            assert (
+                "the robot file changed: "
+                if name == "robot.toml"
+                else f"{Path(name).name} was edited by hand"
+            ) in out
+            assert [part for part in said if part not in out] == [], out
+            assert f"fix with: pkmodes generate {folder / 'robot.toml'} --out {folder / 'model'}" in out
+            assert "hi\n" not in out.replace("print('hi')", ""), "it was executed"
 
 
 def test_missing_and_orphan_files_are_found(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -90,11 +79,23 @@ def test_missing_and_orphan_files_are_found(copy: Path, capsys: pytest.CaptureFi
     assert "other.py was generated but does not belong to this model: an orphan" in out
 
 
-def test_another_sympy_version_is_found(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    path = copy / "model" / "manifest.json"
+def test_other_line_endings_are_named(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = copy / "model" / MODULE
+    path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
+    code, out = check(copy, capsys)
+    assert code == 1
+    assert "has different line endings than generated" in out
+
+
+def change_manifest(folder: Path, table: str, key: str, value: object) -> None:
+    path = folder / "model" / "manifest.json"
     content = json.loads(path.read_text(encoding="utf-8"))
-    content["generator"]["sympy"] = "1.12"
+    content[table][key] = value
     path.write_text(json.dumps(content), encoding="utf-8")
+
+
+def test_another_sympy_version_is_found(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    change_manifest(copy, "generator", "sympy", "1.12")
     code, out = check(copy, capsys)
     assert code == 1
     assert "different SymPy version: generated with 1.12, installed is 1." in out
@@ -111,31 +112,15 @@ def test_a_changed_derivation_or_template_is_found(
     assert f"changed: {source} is modified" in out
 
 
-@pytest.mark.parametrize("line", ["import sys; sys.exit(0)", "raise RuntimeError", "print('hi')", "x ="])
-def test_an_edited_module_is_found_and_not_executed(
-    copy: Path, capsys: pytest.CaptureFixture[str], line: str
-) -> None:
-    edit(copy / "model" / MODULE, "import numpy as np", f"import numpy as np\n{line}")
+def test_the_mending_command_mends(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    edit(copy / "robot.toml", 'mass = "1.5 kg"', 'mass = "1.6 kg"')
+    edit(copy / "robot.toml", 'name = "linear-delta-2022"', 'name = "heavier"')
     code, out = check(copy, capsys)
     assert code == 1
-    assert f"{MODULE} was edited by hand" in out
-    assert f"-{line}" in out
-    assert "hi\n" not in out.replace("print('hi')", "")
-
-
-def test_other_line_endings_are_named(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    path = copy / "model" / MODULE
-    path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
-    code, out = check(copy, capsys)
-    assert code == 1
-    assert "has different line endings than generated" in out
-
-
-def test_a_changed_name_is_found(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    edit(copy / "robot.toml", 'name = "linear-delta-2022"', 'name = "Linear-Delta-2022"')
-    code, out = check(copy, capsys)
-    assert code == 1
-    assert 'the robot file changed: name is "Linear-Delta-2022"' in out
+    command = out.partition("fix with: ")[2].split()
+    assert run(command[1:]) == 0
+    assert check(copy, capsys)[0] == 0
+    assert not (copy / "model" / MODULE).exists(), "the module under the former name is gone"
 
 
 def test_the_mending_commands_can_be_pasted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -154,16 +139,14 @@ def test_the_mending_commands_can_be_pasted(tmp_path: Path, capsys: pytest.Captu
     assert run(["check", str(folder / "my model")]) == 0
 
 
-@pytest.mark.parametrize("reference", [7, None, "a\0b", "x" * 5000, "\ud800", "/", ""])
 def test_a_tampered_manifest_is_refused(
-    copy: Path, capsys: pytest.CaptureFixture[str], reference: object
+    subtests: pytest.Subtests, copy: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    path = copy / "model" / "manifest.json"
-    content = json.loads(path.read_text(encoding="utf-8"))
-    content["robot"]["file"] = reference
-    path.write_text(json.dumps(content), encoding="utf-8")
-    assert run(["check", str(copy / "model")]) == 2
-    assert capsys.readouterr().err.startswith("error: the ")
+    for reference in (7, None, "a\0b", "x" * 5000, "\ud800", "/", ""):
+        with subtests.test(reference=reference):
+            change_manifest(copy, "robot", "file", reference)
+            assert run(["check", str(copy / "model")]) == 2
+            assert capsys.readouterr().err.startswith("error: the ")
 
 
 def test_folders_without_a_model_are_refused(
@@ -176,7 +159,6 @@ def test_folders_without_a_model_are_refused(
     assert "the manifest cannot be read: it is not valid JSON" in capsys.readouterr().err
     (copy / "model" / "manifest.json").write_text("[]", encoding="utf-8")
     assert run(["check", str(copy / "model")]) == 2
-    (copy / "robot.toml").unlink()
 
 
 def test_json_of_a_check(copy: Path, tmp_path: Path) -> None:
