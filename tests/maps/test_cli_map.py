@@ -15,10 +15,13 @@ import numpy as np
 import pytest
 import xarray
 
+import pkmodes
 from helpers.commands.map_runs import PROGRAM
 from helpers.robots.robot_text import PUBLISHED, edited
 from helpers.runs.processes import ROOT, environment
 from pkmodes.cli import run
+from pkmodes.maps.ranges import parse_settings
+from pkmodes.robot_files.corrections import changeable
 
 ROBOT = str(PUBLISHED)
 LINE = "x=0.3:0.8:11,y=0,z=-0.245"
@@ -30,31 +33,6 @@ def printed(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
     out, err = capsys.readouterr()
     assert err == ""
     return out
-
-
-def test_the_table_says_where_each_mode_is_lowest_and_highest(capsys: pytest.CaptureFixture[str]) -> None:
-    out = printed(capsys, ROBOT, "--grid", LINE)
-    assert "linear-delta-2022, motors free: 11 of 11 poses can be evaluated" in out
-    assert "x from 0.3 to 0.8 m, 11 values" in out
-    assert "y = 0 m" in out
-    rows = [line.split() for line in out.splitlines()]
-    first, second = (i for i, row in enumerate(rows) if row[:1] == ["mode"])
-    assert " ".join(rows[first]) == "mode 2 % [Hz] median [Hz] 98 % [Hz]"
-    assert " ".join(rows[second]) == "mode f [Hz] x"
-    import pkmodes
-
-    x = np.linspace(0.3, 0.8, 11)
-    frequencies = pkmodes.load(PUBLISHED).frequencies([[value, 0.0, -0.245] for value in x])[:, 3:]
-    for mode in range(6):
-        column = frequencies[:, mode]
-        low, high = column.argmin(), column.argmax()
-        shares = [f"{value:.3f}" for value in np.quantile(column, [0.02, 0.5, 0.98])]
-        assert rows[first + 1 + mode] == [str(mode + 1), *shares]
-        place = second + 1 + 2 * mode
-        assert rows[place] == [str(mode + 1), "lowest", f"{column[low]:.3f}", f"{x[low]:.6g}"]
-        assert rows[place + 1] == ["highest", f"{column[high]:.3f}", f"{x[high]:.6g}"]
-    assert "near-singular" not in out
-    assert "unstable" not in out
 
 
 def test_a_frequency_beyond_all_others_does_not_lead_the_table(
@@ -108,10 +86,6 @@ def test_units_sweeps_and_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[s
 
 
 def test_every_changeable_path_can_be_swept() -> None:
-    import pkmodes
-    from pkmodes.maps.ranges import parse_settings
-    from pkmodes.robot_files.corrections import changeable
-
     for file in sorted((ROOT / "robots").glob("*.toml")):
         units = changeable(pkmodes.load(file).robot)
         assert units
@@ -160,16 +134,6 @@ def test_the_workspace_without_a_grid(capsys: pytest.CaptureFixture[str]) -> Non
     assert found["ranges"]["x"][0] < 0.01
 
 
-def test_help_shows_an_example(capsys: pytest.CaptureFixture[str]) -> None:
-    out = printed(capsys, "--help")
-    assert (
-        "pkmodes map robots/linear-delta-2022.toml --grid x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245 --out map.nc"
-        in (" ".join(out.replace("\\\n", " ").split()))
-    )
-    for option in ("--samples", "--tracked", "--scheduler", "--set", "--poses", "--overwrite"):
-        assert option in out
-
-
 def test_a_terminal_shows_progress_with_the_time_left() -> None:
     master, slave = pty.openpty()
     command = [sys.executable, "-c", PROGRAM, "map", ROBOT, "--grid", "x=0.3:0.8:33,y=0:0.1:3,z=-0.245"]
@@ -200,8 +164,6 @@ def test_a_terminal_shows_progress_with_the_time_left() -> None:
 @pytest.mark.usefixtures("no_drawing")
 def test_motors_are_held_if_asked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """In the numbers, in the file, and on the page with its pictures and its machine."""
-    import pkmodes
-
     page, file = tmp_path / "map.html", tmp_path / "map.nc"
     grid = ("--grid", "x=0.5:0.6:3,y=-0.02:0.02:3,z=-0.245", "--drives", "held")
     out = printed(capsys, ROBOT, *grid, "--out", str(file), "--report", str(page))

@@ -331,13 +331,6 @@ def test_repr_html_and_datasets_are_the_same_before_fields_are_read(model: pkmod
     assert "mass_matrix" not in vars(modes)
 
 
-def test_fields_that_were_not_requested_are_refused_as_before(model: pkmodes.Model) -> None:
-    modes = model.modes(POSES, fields=["frequencies", "mass_matrix"])
-    assert "mass_matrix" in vars(modes)  # asked for by name
-    with pytest.raises(pkmodes.NotComputedError, match="the field stiffness_matrix was not requested"):
-        _ = modes.stiffness_matrix
-
-
 @pytest.mark.parametrize("drives", DRIVES)
 def test_threads_that_share_a_model_do_not_disturb_each_other(model: pkmodes.Model, drives: str) -> None:
     poses = np.repeat(POSES, 40, axis=0)

@@ -16,7 +16,6 @@ from helpers.diagnoses.diagnose_command import (
     csv_of,
     files,
     measured,
-    names,
     rows_of,
     unwritable,
     write,
@@ -49,49 +48,23 @@ def verdict(
     return Verdict(answer, saved, inputs)
 
 
-def number(value: object) -> bool:
-    return isinstance(value, float | int) and not isinstance(value, bool)
-
-
-def test_every_promised_key_is_there_with_its_type(verdict: Verdict) -> None:
+def test_what_is_claimed_and_proposed_is_whole(verdict: Verdict) -> None:
+    """The types of all keys are those of docs/schemas, which tests/test_json_schemas.py compares."""
     found = verdict.answer.json
-    assert found["verdict"] in VERDICTS
-    assert isinstance(found["reason"], str)
-    assert found["reason"]
     assert "\n" not in found["reason"]
-    assert isinstance(found["effects"], list)
     for effect in found["effects"]:
-        assert isinstance(effect["name"], str)
-        assert names(effect["class"])
         assert effect["name"] in effect["class"]
         assert 0.0 <= effect["p_value"] <= 1.0
         assert effect["parameters"]
-        for value in effect["parameters"].values():
-            assert number(value["value"])
-            assert number(value["sigma"])
-            assert isinstance(value["unit"], str)
-    assert isinstance(found["survivors"], list)
-    assert all(names(members) and members for members in found["survivors"])
-    for value in found["refitted"].values():
-        assert all(number(value[key]) for key in ("before", "after", "sigma"))
-        assert isinstance(value["unit"], str)
-    assert found["error"].keys() == {"before", "refit", "after"}
-    for stage, error in found["error"].items():
-        assert stage == "after" or error is not None
-        if error is not None:
-            assert error.keys() == {"rms_relative", "held_out_rms_relative", "chi2_per_dof"}
-            assert number(error["rms_relative"])
-            assert number(error["chi2_per_dof"])
-    assert names(found["held_out_poses"])
-    assert names(found["undetectable"])
+    assert all(found["survivors"])
+    assert found["error"]["before"] is not None
+    assert found["error"]["refit"] is not None
     proposed, reason = found["next_measurement"], found["next_measurement_reason"]
     assert (proposed is None) == isinstance(reason, str)
     assert reason != ""
     if proposed is not None:
         assert proposed["drives"] in ("free", "held")
         assert len(proposed["pose"]) == 3
-        assert all(map(number, proposed["pose"]))
-        assert names(proposed["separates"])
         assert len(proposed["separates"]) == 2
 
 

@@ -26,45 +26,6 @@ from helpers.runs.processes import printed_by_a_process, without_progress
 pytestmark = pytest.mark.usefixtures("backend")
 
 
-def test_the_table_of_a_cause(tmp_path: Path) -> None:
-    robot = (
-        PUBLISHED + '\n[effects.belt_end_compliance]\ncompliance = { value = "1e-9 m/N", sigma = "20 %" }\n'
-    )
-    inputs = files(tmp_path, robot, measured(effects=WIND_UP))
-    answer = call(*inputs, "--candidates", "gearbox_compliance,payload", "--holdout", "P3")
-    assert (answer.code, answer.err) == (0, "")
-    lines = answer.out.splitlines()
-    assert max(map(len, lines)) <= 80
-    assert "…" not in answer.out
-    assert lines[0] == "linear-delta-2022: effect_found"
-    assert lines[1].startswith("  the residual of the declared model is not noise (p < 1e-6); ")
-    assert "18 measured modes fitted, motors free (held out: P3)" in lines
-    cause = re.search(
-        r"^  gearbox_compliance\.compliance = \((\d\.\d+) \+- 0\.\d\d\)e-4 rad/\(N\*m\)$", answer.out, re.M
-    )
-    assert cause is not None
-    assert 4.0 < float(cause[1]) < 6.0
-    for line in (
-        "error                               rms [%]  held out [%]  chi2 per dof",
-        "before: as declared ",
-        "refit of the uncertain values only ",
-        "after: with the cause ",
-    ):
-        assert any(found.startswith(line) for found in lines), line
-    (start,) = (i for i, line in enumerate(lines) if line.startswith("uncertain value"))
-    assert [line.split()[0] for line in lines[start + 1 : start + 5]] == [
-        "platform.mass",
-        "belt.specific_stiffness",
-        "motor.inertia",
-        "belt_end_compliance.compliance",
-    ]
-    for column in ("before", "after"):  # right ends of the numbers
-        end = lines[start].index(column) + len(column)
-        assert all(line[end - 1] != " " and line[end] == " " for line in lines[start + 1 : start + 5])
-    assert lines[start + 4].split()[-1] == "m/N"
-    assert any(line.startswith("stable: the same cause with ") for line in lines)
-
-
 @pytest.mark.usefixtures("no_drawing")
 def test_the_table_of_two_causes_and_of_causes_that_look_alike(tmp_path: Path) -> None:
     both = {**WIND_UP, "belt_mass.linear_density": 0.1}

@@ -6,9 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from helpers.diagnoses.diagnose_command import HEADER, PUBLISHED, call, edited, files, refusal
-
-ROW = "A,0.6,0,-0.245,55.5,0.1"
+from helpers.diagnoses.diagnose_command import PUBLISHED, call, edited, files, refusal
 
 
 def test_files_that_cannot_be_read(tmp_path: Path) -> None:
@@ -22,31 +20,6 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     refusal(call(tmp_path, modes), "it is a folder")
     refusal(call(robot, tmp_path), "it is a folder")
     refusal(call(robot), "missing argument 'MODES.csv' (pkmodes diagnose)")
-
-
-@pytest.mark.parametrize(
-    ("header", "rows", "parts"),
-    [
-        (HEADER, [ROW, "far,9,9,9,50,0.1"], ['pose "far" at [9, 9, 9] m', "line 3, columns x, y and z"]),
-        (f"{HEADER},shape:x1", [f"{ROW},1"], ['"shape:x1" is not a coordinate', 'did you mean "shape:x_1"?']),
-        (HEADER, [ROW, ROW], ["the row repeats line 2", "line 3, column frequency"]),
-        (
-            HEADER,
-            ["A,0.6,0,-0.245,55.5,0"],
-            ["standard deviation above 0 Hz, found 0", "line 2, column sigma"],
-        ),
-        (HEADER, ["A,0.6,0,-0.245,55.5,-1"], ["found -1", "line 2, column sigma"]),
-        (HEADER, ["A,0.6,0,-0.245,0,1"], ["a frequency above 0 Hz", "leave out rigid-body modes"]),
-        (HEADER, [ROW, "A,0.61,0,-0.245,60,0.1"], ['pose "A" has two positions', "line 3, column x"]),
-        (HEADER, ["A,0.6,0,-0.245,fast,0.1"], ['found "fast"', "line 2, column frequency"]),
-        (HEADER, [], ["found only a header"]),
-    ],
-)
-def test_bad_rows_are_refused_with_their_place(
-    tmp_path: Path, header: str, rows: list[str], parts: list[str]
-) -> None:
-    inputs = files(tmp_path, modes="\n".join([header, *rows]) + "\n")
-    refusal(call(*inputs), str(inputs[1]), *parts)
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import os
 import signal
 import subprocess
@@ -13,7 +12,6 @@ from pathlib import Path
 import click
 import pytest
 
-import pkmodes
 from helpers.robots.robot_text import PUBLISHED
 from helpers.runs.processes import ROOT, environment, interruptible
 from pkmodes.cli import run
@@ -163,23 +161,3 @@ def test_an_ignored_interrupt_stays_ignored(tmp_path: Path) -> None:
         signal.signal(signal.SIGINT, before)
     _, err = process.communicate(timeout=TIMEOUT)
     assert (process.returncode, err) == (0, b"")
-
-
-def test_the_package_is_nearly_free_to_import_and_has_all_its_names() -> None:
-    code = (
-        "import sys, pkmodes; assert 'numpy' not in sys.modules; pkmodes.load; assert 'numpy' in sys.modules"
-    )
-    subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT / "src")
-    assert {"load", "read_robot", "Model", "Modes", "Robot", "PkmodesError", "updating"} <= set(
-        pkmodes.__all__
-    )
-    for name in pkmodes.__all__:
-        thing = getattr(pkmodes, name)
-        assert inspect.ismodule(thing) or (thing.__name__ == name and thing.__module__.startswith("pkmodes."))
-    assert set(pkmodes.__all__) <= set(dir(pkmodes))
-    code = (
-        "import pkmodes; pkmodes.updating.diagnose; pkmodes.diagnosis.diagnose; from pkmodes import *; Model"
-    )
-    subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT / "src")
-    with pytest.raises(AttributeError, match="nothing"):
-        _ = pkmodes.nothing

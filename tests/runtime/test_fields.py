@@ -62,22 +62,6 @@ def around(pose: np.ndarray, *batch: int) -> np.ndarray:
     return pose + np.random.default_rng(5).uniform(-0.02, 0.02, (*batch, 3))
 
 
-@pytest.mark.parametrize("which", ["model", "extended"])
-def test_a_field_has_the_same_digits_whatever_else_is_asked_for(
-    which: str, request: pytest.FixtureRequest
-) -> None:
-    model = request.getfixturevalue(which)
-    poses = np.concatenate([around(POSE, 9), BAD])
-    everything = model.modes(poses, on_error="nan")
-    for name in pkmodes.Modes.FIELDS:
-        alone = model.modes(poses, on_error="nan", fields=(name,))
-        np.testing.assert_array_equal(getattr(alone, name), getattr(everything, name), strict=True)
-        np.testing.assert_array_equal(alone.poses, poses)
-        assert (alone.coordinates, alone.rigid_modes) == (everything.coordinates, everything.rigid_modes)
-    np.testing.assert_array_equal(model.frequencies(poses, on_error="nan"), everything.frequencies)
-    np.testing.assert_array_equal(model.frequencies(POSE), model.modes(POSE).frequencies)
-
-
 def test_digits_do_not_depend_on_the_parts(extended: pkmodes.Model, monkeypatch: pytest.MonkeyPatch) -> None:
     poses = np.concatenate([around(POSE, 19), BAD, around(POSE, 4)])
     whole, derivatives = extended.modes(poses, "nan"), extended.sensitivities(poses, PATHS, on_error="nan")
@@ -105,6 +89,7 @@ def test_what_was_not_asked_for_says_so(model: pkmodes.Model) -> None:
     assert isinstance(error.value, pkmodes.PkmodesError)
     assert not hasattr(modes, "mass_matrix")
     assert hasattr(modes, "frequencies")
+    np.testing.assert_array_equal(model.frequencies(POSE), modes.frequencies)
     with pytest.raises(AttributeError, match="'Modes' object has no attribute 'frequency'"):
         _ = modes.frequency
     found = model.sensitivities(POSE, ["platform.mass"], fields=["frequencies"])
