@@ -1,12 +1,68 @@
-"""A structure of masses and springs with known modes, and files of its frequency response functions."""
+"""A structure of masses and springs with known modes, files of its signals, and campaigns of them."""
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
+import pytest
 from scipy import signal
+
+from pkmodes.cli import run
+
+CHANNELS = ("floor_1", "floor_2", "floor_3")
+HEAD = f'format = 1\nchannels = {json.dumps(CHANNELS)}\nband = ["20 Hz", "200 Hz"]\n'
+
+
+def sensors(*units: str) -> str:
+    """Return the sensors a1, a2, a3 of the floors, in these units."""
+    return "".join(
+        f'[[sensor]]\nname = "a{k}"\nchannel = "floor_{k}"\nunit = "{unit}"\n'
+        for k, unit in enumerate(units, start=1)
+    )
+
+
+def record(kind: str, *files: str, pose: str = "P1") -> str:
+    return f'[[record]]\npose = "{pose}"\nkind = "{kind}"\nfiles = {json.dumps(files)}\n'
+
+
+class Identified(NamedTuple):
+    """What ``pkmodes identify`` writes: its JSON, and the file of modes."""
+
+    document: dict[str, Any]
+    file: Path
+
+    @property
+    def record(self) -> dict[str, Any]:
+        """Return that of the first pose."""
+        return self.document["records"][0]
+
+
+def _run(folder: Path, campaign: str) -> tuple[int, Path, Path]:
+    (folder / "c.toml").write_text(campaign, encoding="utf-8")
+    out, document = folder / "modes.csv", folder / "modes.json"
+    out.unlink(missing_ok=True)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        return run(["identify", "c.toml", "--out", out.name, "--json", document.name]), document, out
+
+
+def identify(folder: Path, campaign: str) -> Identified:
+    """Identify the modes of a campaign, whose files are in the folder."""
+    code, document, out = _run(folder, campaign)
+    assert code == 0
+    return Identified(json.loads(document.read_text(encoding="utf-8")), out)
+
+
+def refused(folder: Path, campaign: str, capsys: pytest.CaptureFixture[str]) -> str:
+    """Return why a campaign cannot be identified, on one line; nothing is written."""
+    code, _, out = _run(folder, campaign)
+    assert code == 2
+    assert not out.exists()
+    return " ".join(capsys.readouterr().err.split())
 
 
 @dataclass(frozen=True)

@@ -8,15 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from campaign.structures import Frame, accelerations, write_frf
+from campaign.structures import HEAD, Frame, accelerations, identify, record, refused, sensors, write_frf
 from pkmodes.campaign.edits import edited
 from pkmodes.campaign.results import IdentifiedMode, Parts
-from pkmodes.cli import run
 from pkmodes.identification.asked import Asked
 
 F = np.arange(10.0, 220.0, 0.25)
-HEAD = 'format = 1\nchannels = ["u_1", "u_2", "u_3"]\nband = ["20 Hz", "200 Hz"]\n'
-SENSORS = "".join(f'[[sensor]]\nname = "a{k}"\nchannel = "u_{k}"\nunit = "m/s^2"\n' for k in (1, 2, 3))
+ALIKE = HEAD + sensors("m/s^2", "m/s^2", "m/s^2")
 #: Natural frequencies, damping ratios and residues of a structure: the third is weak.
 NATURAL, RATIOS = np.array([41.0, 97.0, 128.0, 163.0]), np.array([0.01, 0.008, 0.012, 0.009])
 SHAPES = np.array([[1.0, 0.8, 0.3], [0.9, -0.4, -0.8], [0.5, 1.0, -0.7], [0.4, -1.0, 0.9]])
@@ -36,22 +34,7 @@ def write_repeats(folder: Path, seed: int, weak: float, count: int = 3, noise: f
     for i in range(count):
         H = accelerances(weak)
         write_frf(folder / f"r{i}.csv", F, {f"a{k + 1}": H[:, k] for k in range(3)}, noise, rng)
-    files = ", ".join(f'"r{i}.csv"' for i in range(count))
-    return HEAD + SENSORS + f'[[record]]\npose = "P1"\nkind = "frf"\nfiles = [{files}]\n'
-
-
-def identify(folder: Path, text: str) -> dict:
-    (folder / "c.toml").write_text(text, encoding="utf-8")
-    arguments = ["identify", str(folder / "c.toml"), "--out", str(folder / "m.csv")]
-    assert run([*arguments, "--json", str(folder / "m.json")]) == 0
-    return json.loads((folder / "m.json").read_text(encoding="utf-8"))["records"][0]
-
-
-def refused(folder: Path, text: str, capsys: pytest.CaptureFixture[str]) -> str:
-    (folder / "c.toml").write_text(text, encoding="utf-8")
-    assert run(["identify", str(folder / "c.toml"), "--out", str(folder / "m.csv")]) == 2
-    assert not (folder / "m.csv").exists()
-    return " ".join(capsys.readouterr().err.split())
+    return ALIKE + record("frf", *(f"r{i}.csv" for i in range(count)))
 
 
 def edit(**keys: list[str]) -> str:
@@ -67,17 +50,17 @@ def near(record: dict, frequency: float) -> dict:
 
 def test_a_mode_too_weak_to_be_found_is_fitted_from_the_given_frequency(tmp_path: Path) -> None:
     text = write_repeats(tmp_path, 11, 0.008)
-    plain = identify(tmp_path, text)
+    plain = identify(tmp_path, text).record
     assert [round(mode["frequency"]) for mode in plain["modes"]] == [41, 97, 163]
-    record = identify(tmp_path, text + edit(add=["127.2 Hz"]))
-    assert [mode["edited"] for mode in record["modes"]] == [None, None, "added", None]
-    added = record["modes"][2]
+    found = identify(tmp_path, text + edit(add=["127.2 Hz"])).record
+    assert [mode["edited"] for mode in found["modes"]] == [None, None, "added", None]
+    added = found["modes"][2]
     fit = np.hypot(added["sigma_parts"]["scatter"], added["sigma_parts"]["fit"])
     assert abs(added["frequency"] - NATURAL[WEAK]) < 2.0 * fit
     assert 0.01 < fit < 1.0
     assert abs(added["damping"] - RATIOS[WEAK]) < 2.0 * added["sigma_damping"]
     assert added["files"] >= 2
-    for mode, before in zip([record["modes"][i] for i in (0, 1, 3)], plain["modes"], strict=True):
+    for mode, before in zip([found["modes"][i] for i in (0, 1, 3)], plain["modes"], strict=True):
         assert abs(mode["frequency"] - before["frequency"]) < 0.5 * before["sigma_parts"]["fit"]
 
 
@@ -94,11 +77,11 @@ def test_a_frequency_where_nothing_vibrates_is_refused(
 
 def test_an_added_mode_replaces_the_one_that_is_there(tmp_path: Path) -> None:
     text = write_repeats(tmp_path, 13, 1.0)
-    plain = identify(tmp_path, text)
-    record = identify(tmp_path, text + edit(add=["97.5 Hz"]))
-    assert [mode["edited"] for mode in record["modes"]] == [None, "added", None, None]
-    assert record["struck"] == []
-    for mode, before in zip(record["modes"], plain["modes"], strict=True):
+    plain = identify(tmp_path, text).record
+    found = identify(tmp_path, text + edit(add=["97.5 Hz"])).record
+    assert [mode["edited"] for mode in found["modes"]] == [None, "added", None, None]
+    assert found["struck"] == []
+    for mode, before in zip(found["modes"], plain["modes"], strict=True):
         # Fits end where a step changes the pole by less than a thousandth of its half bandwidth.
         assert mode["frequency"] == pytest.approx(before["frequency"], rel=1e-6)
         assert mode["damping"] == pytest.approx(before["damping"], rel=1e-3)
@@ -116,10 +99,10 @@ def test_an_added_mode_replaces_only_the_reported_one_within_one_per_cent() -> N
 
 def test_a_mode_that_is_struck_and_added_is_fitted_again(tmp_path: Path) -> None:
     text = write_repeats(tmp_path, 14, 1.0)
-    plain = identify(tmp_path, text)
-    record = identify(tmp_path, text + edit(strike=["128 Hz"], add=["128 Hz"]))
-    assert record["struck"] == [pytest.approx(near(plain, 128.0)["frequency"], rel=1e-6)]
-    added = near(record, 128.0)
+    plain = identify(tmp_path, text).record
+    found = identify(tmp_path, text + edit(strike=["128 Hz"], add=["128 Hz"])).record
+    assert found["struck"] == [pytest.approx(near(plain, 128.0)["frequency"], rel=1e-6)]
+    added = near(found, 128.0)
     assert added["edited"] == "added"
     assert added["frequency"] == pytest.approx(near(plain, 128.0)["frequency"], rel=1e-6)
 
@@ -154,9 +137,9 @@ def test_a_mode_of_one_setup_is_added(tmp_path: Path) -> None:
         H = accelerances(0.0)
         write_frf(tmp_path / f"s{i}.csv", F, {"a1": H[:, 0], "a3": H[:, 2]}, 0.03, rng)
     files = 'files = { one = ["r0.csv", "r1.csv"], other = ["s0.csv", "s1.csv"] }\n'
-    text = HEAD + SENSORS + '[[record]]\npose = "P1"\nkind = "frf"\n' + files
-    record = identify(tmp_path, text + edit(strike=[], add=["128 Hz"]))
-    added = near(record, 128.0)
+    text = ALIKE + '[[record]]\npose = "P1"\nkind = "frf"\n' + files
+    found = identify(tmp_path, text + edit(strike=[], add=["128 Hz"])).record
+    added = near(found, 128.0)
     assert (added["edited"], added["files"]) == ("added", 2)
 
 
@@ -170,13 +153,15 @@ def test_a_mode_of_impacts_is_added(tmp_path: Path) -> None:
         a = a + 0.005 * a.std(axis=0) * rng.normal(size=a.shape)
         table = np.column_stack([t, force, a])
         np.savetxt(tmp_path / f"h{i}.csv", table, delimiter=",", header="time,force,a1,a2,a3", comments="")
-    text = HEAD + SENSORS + '[[record]]\npose = "P1"\nkind = "impact"\nfiles = ["h0.csv", "h1.csv"]\n'
+    text = ALIKE + record("impact", "h0.csv", "h1.csv")
     natural = frame.modes()[0][1]
-    record = identify(tmp_path, text + edit(strike=[f"{natural:.6g} Hz"], add=[f"{1.004 * natural:.6g} Hz"]))
-    added = near(record, natural)
+    found = identify(
+        tmp_path, text + edit(strike=[f"{natural:.6g} Hz"], add=[f"{1.004 * natural:.6g} Hz"])
+    ).record
+    added = near(found, natural)
     assert added["edited"] == "added"
     assert added["frequency"] == pytest.approx(natural, rel=1e-3)
-    assert len(record["struck"]) == 1
+    assert len(found["struck"]) == 1
 
 
 def test_a_mode_of_responses_alone_is_added_or_refused(
@@ -188,18 +173,17 @@ def test_a_mode_of_responses_alone_is_added_or_refused(
     a = a + 0.05 * a.std(axis=0) * rng.normal(size=a.shape)
     table = np.column_stack([step * np.arange(count), a])
     np.savetxt(tmp_path / "a.csv", table, delimiter=",", header="time,a1,a2,a3", comments="", fmt="%.9g")
-    text = HEAD + SENSORS + '[[record]]\npose = "P1"\nkind = "ambient"\nfiles = ["a.csv"]\n'
-    plain, natural = identify(tmp_path, text), frame.modes()[0]
+    text = ALIKE + record("ambient", "a.csv")
+    plain, natural = identify(tmp_path, text).record, frame.modes()[0]
     wanted = f"{1.005 * natural[1]:.6g} Hz"
     for edits in (edit(add=[wanted]), edit(strike=[wanted], add=[wanted])):
-        record = identify(tmp_path, text + edits)
-        assert [mode["edited"] for mode in record["modes"]] == [None, "added", None]
-        before, added = plain["modes"][1], record["modes"][1]
+        found = identify(tmp_path, text + edits).record
+        assert [mode["edited"] for mode in found["modes"]] == [None, "added", None]
+        before, added = plain["modes"][1], found["modes"][1]
         assert added["frequency"] == pytest.approx(
             before["frequency"], abs=0.1 * before["sigma_parts"]["fit"]
         )
         assert added["sigma_parts"]["fit"] == pytest.approx(before["sigma_parts"]["fit"], rel=0.1)
-    (tmp_path / "m.csv").unlink()
     assert "no mode can be added at 170 Hz" in refused(tmp_path, text + edit(add=["170 Hz"]), capsys)
 
 
@@ -214,12 +198,11 @@ def test_a_peak_of_a_spectrum_is_added_or_refused(tmp_path: Path, capsys: pytest
         tmp_path / "k.csv", np.column_stack([f, power]), delimiter=",", header="freq,psd_x", comments=""
     )
     sensor = '[[sensor]]\nname = "x"\nchannel = "none"\n'
-    text = HEAD + sensor + '[[record]]\npose = "P1"\nkind = "spectrum"\nfiles = ["k.csv"]\n'
-    assert [round(mode["frequency"]) for mode in identify(tmp_path, text)["modes"]] == [60, 170]
-    record = identify(tmp_path, text + edit(add=["119 Hz"]))
-    added = near(record, 120.4)
+    text = HEAD + sensor + record("spectrum", "k.csv")
+    assert [round(mode["frequency"]) for mode in identify(tmp_path, text).record["modes"]] == [60, 170]
+    found = identify(tmp_path, text + edit(add=["119 Hz"])).record
+    added = near(found, 120.4)
     assert added["edited"] == "added"
     assert abs(added["frequency"] - 120.4) < 2.0 * added["sigma_parts"]["fit"]
-    (tmp_path / "m.csv").unlink()
     message = refused(tmp_path, text + edit(add=["90 Hz"]), capsys)
     assert "no mode can be added at 90 Hz: the spectrum has no peak within 3 % of it (P1)" in message

@@ -2,30 +2,16 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from campaign.structures import Frame, accelerations
-from pkmodes.cli import run
+from campaign.structures import CHANNELS, HEAD, Frame, accelerations, identify, record, sensors
 from pkmodes.measured.reading import read_modes
 
-CHANNELS = ("floor_1", "floor_2", "floor_3")
-HEAD = 'format = 1\nchannels = ["floor_1", "floor_2", "floor_3"]\nband = ["20 Hz", "200 Hz"]\n'
-SENSORS = "".join(
-    f'[[sensor]]\nname = "a{k}"\nchannel = "floor_{k}"\nunit = "{unit}"\n'
-    for k, unit in ((1, "m/s^2"), (2, "g0"), (3, "mm/s"))
-)
+SENSORS = sensors("m/s^2", "g0", "mm/s")
 STEP = 1.0 / 1024.0
-
-
-def identify(folder: Path, text: str) -> tuple[dict, Path]:
-    campaign, out, document = folder / "c.toml", folder / "modes.csv", folder / "modes.json"
-    campaign.write_text(text, encoding="utf-8")
-    assert run(["identify", str(campaign), "--out", str(out), "--json", str(document)]) == 0
-    return json.loads(document.read_text(encoding="utf-8")), out
 
 
 def write_ambient(path: Path, rng: np.random.Generator, seconds: float = 40.0) -> None:
@@ -50,16 +36,14 @@ def test_ambient_records_give_the_modes_and_the_fan_is_said(tmp_path: Path) -> N
     for i in range(2):
         write_ambient(tmp_path / f"a{i}.csv", rng)
     text = HEAD + 'tones = ["150 Hz"]\n' + SENSORS
-    document, out = identify(
-        tmp_path, text + '[[record]]\npose = "P1"\nkind = "ambient"\nfiles = ["a0.csv", "a1.csv"]\n'
-    )
-    data, frame = read_modes(out, CHANNELS), Frame.build()
+    found = identify(tmp_path, text + record("ambient", "a0.csv", "a1.csv"))
+    data, frame = read_modes(found.file, CHANNELS), Frame.build()
     natural, shapes = frame.modes()
     np.testing.assert_allclose(data.frequency, natural, rtol=4e-3)
     np.testing.assert_allclose(data.numbers["damping"], frame.ratios, rtol=0.35)
     for row, shape in zip(data.shapes, shapes.T, strict=True):
         np.testing.assert_allclose(row, shape / shape[np.argmax(np.abs(shape))], rtol=0, atol=0.06)
-    assert any("150" in message for message in document["records"][0]["messages"])
+    assert any("150" in message for message in found.record["messages"])
 
 
 def test_a_record_too_long_for_memory_is_reduced_to_fewer_samples(
@@ -67,12 +51,11 @@ def test_a_record_too_long_for_memory_is_reduced_to_fewer_samples(
 ) -> None:
     """What it leaves out lies above the band: the same modes, to a small part of their standard deviations."""
     write_ambient(tmp_path / "a.csv", np.random.default_rng(33))
-    text = HEAD.replace("200 Hz", "120 Hz") + SENSORS
-    text += '[[record]]\npose = "P1"\nkind = "ambient"\nfiles = ["a.csv"]\n'
-    whole, _ = identify(tmp_path, text)
+    text = HEAD.replace("200 Hz", "120 Hz") + SENSORS + record("ambient", "a.csv")
+    whole = identify(tmp_path, text).record
     monkeypatch.setattr("pkmodes.signals.reduction.LONG", 10_000)
-    fewer, _ = identify(tmp_path, text)
-    pairs = list(zip(whole["records"][0]["modes"], fewer["records"][0]["modes"], strict=True))
+    fewer = identify(tmp_path, text).record
+    pairs = list(zip(whole["modes"], fewer["modes"], strict=True))
     assert len(pairs) == 2
     for one, other in pairs:
         assert abs(one["frequency"] - other["frequency"]) < 0.2 * one["sigma_parts"]["fit"]
@@ -95,15 +78,14 @@ def test_spectra_give_frequencies_alone(tmp_path: Path) -> None:
         fmt="%.6e",
     )
     sensor = "".join(f'[[sensor]]\nname = "{name}"\nchannel = "none"\n' for name in "xyz")
-    record = '[[record]]\npose = "P1"\nkind = "spectrum"\nfiles = ["k.csv"]\n'
-    document, out = identify(tmp_path, HEAD + sensor + record)
-    modes = document["records"][0]["modes"]
+    found = identify(tmp_path, HEAD + sensor + record("spectrum", "k.csv"))
+    modes = found.record["modes"]
     assert len(modes) == 3
     for mode, expected in zip(modes, natural, strict=True):
         assert abs(mode["frequency"] - expected) < 2.0 * mode["sigma"]
         assert 0.4 <= mode["sigma_parts"]["fit"] < 0.6
         assert mode["damping"] is None
         assert mode["found_in"] is None
-    data = read_modes(out, CHANNELS)
+    data = read_modes(found.file, CHANNELS)
     assert not data.channels
     assert np.isnan(data.numbers["damping"]).all()

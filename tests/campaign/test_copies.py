@@ -7,41 +7,24 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from campaign.structures import Frame, write_frf
-from campaign.test_frf_campaigns import HEAD, SENSORS, F, in_units
-from pkmodes.cli import run
+from campaign.structures import HEAD, Frame, identify, record, refused, write_frf
+from campaign.test_frf_campaigns import SENSORS, F, in_units
 
 
-def record(pose: str, *files: str) -> str:
-    names = ", ".join(f'"{name}"' for name in files)
-    return f'[[record]]\npose = "{pose}"\nkind = "frf"\nfiles = [{names}]\n'
-
-
-def test_a_copy_under_another_label_is_no_revisit(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.chdir(tmp_path)
+def test_a_copy_under_another_label_is_no_revisit(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     rng = np.random.default_rng(11)
     for name in ("a.csv", "b.csv"):
-        write_frf(Path(name), F, in_units(Frame.build().accelerances(F)), 0.02, rng)
-    Path("copy.csv").write_bytes(Path("a.csv").read_bytes())
-    head = 'repeatability = "revisits"\n' + HEAD + SENSORS
-    Path("c.toml").write_text(head + record("P1", "a.csv") + record("P2", "copy.csv"), encoding="utf-8")
-    assert run(["identify", "c.toml", "--out", "modes.csv"]) == 2
-    said = " ".join(capsys.readouterr().err.split())
+        write_frf(tmp_path / name, F, in_units(Frame.build().accelerances(F)), 0.02, rng)
+    (tmp_path / "copy.csv").write_bytes((tmp_path / "a.csv").read_bytes())
+    first = 'repeatability = "revisits"\n' + HEAD + SENSORS + record("frf", "a.csv")
+    said = refused(tmp_path, first + record("frf", "copy.csv", pose="P2"), capsys)
     assert "expected new measurements under P1 and P2, found the same content in both" in said
     assert "a.csv, copy.csv" in said
-    assert not Path("modes.csv").exists()
-    Path("c.toml").write_text(head + record("P1", "a.csv") + record("P2", "b.csv"), encoding="utf-8")
-    assert run(["identify", "c.toml", "--out", "modes.csv"]) == 0
+    identify(tmp_path, first + record("frf", "b.csv", pose="P2"))
 
 
-def test_a_copy_among_repeats_is_said(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    write_frf(Path("a.csv"), F, in_units(Frame.build().accelerances(F)), 0.02, np.random.default_rng(12))
-    Path("b.csv").write_bytes(Path("a.csv").read_bytes())
-    Path("c.toml").write_text(HEAD + SENSORS + record("P1", "a.csv", "b.csv"), encoding="utf-8")
-    assert run(["identify", "c.toml", "--out", "modes.csv"]) == 0
+def test_a_copy_among_repeats_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    write_frf(tmp_path / "a.csv", F, in_units(Frame.build().accelerances(F)), 0.02, np.random.default_rng(12))
+    (tmp_path / "b.csv").write_bytes((tmp_path / "a.csv").read_bytes())
+    identify(tmp_path, HEAD + SENSORS + record("frf", "a.csv", "b.csv"))
     assert "P1: b.csv is a copy of a.csv" in " ".join(capsys.readouterr().err.split())

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from campaign.structures import identify, refused
 from pkmodes import updating
-from pkmodes.cli import run
+from pkmodes.campaign.averaging import averaged
+from pkmodes.campaign.found import Found
 
 ROOT = Path(__file__).parents[2]
 ROBOT = ROOT / "robots/linear-delta-2022.toml"
@@ -25,23 +26,11 @@ def write(folder: Path, name: str, text: str) -> None:
     (folder / name).write_text(text, encoding="utf-8")
 
 
-def campaign(folder: Path, text: str) -> Path:
-    path = folder / "campaign.toml"
-    path.write_text(BEGIN + text, encoding="utf-8")
-    return path
-
-
-def identify(folder: Path, path: Path, *options: str) -> tuple[int, dict, Path]:
-    out, document = folder / "modes.csv", folder / "modes.json"
-    code = run(["identify", str(path), "--out", str(out), "--json", str(document), *options])
-    return code, json.loads(document.read_text(encoding="utf-8")) if code == 0 else {}, out
-
-
 def test_a_table_becomes_rows_with_pose_band_drives_and_settings(tmp_path: Path) -> None:
     write(tmp_path, "p1.csv", "f0;D [%];shape:x_1;shape:x_2\n55,5;2;1;-0,5\n134,2;0;;\n")
-    path = campaign(
+    found = identify(
         tmp_path,
-        f"""
+        f"""{BEGIN}
         drives = "held"
         [[record]]
         pose = "P1"
@@ -52,9 +41,7 @@ def test_a_table_becomes_rows_with_pose_band_drives_and_settings(tmp_path: Path)
         columns = {{ frequency = "f0", damping = "D" }}
         """,
     )
-    code, document, out = identify(tmp_path, path)
-    assert code == 0
-    data = updating.read(out, robot=None)
+    data = updating.read(found.file, robot=None)
     np.testing.assert_allclose(data.frequency, [55.5, 134.2], rtol=1e-15)
     np.testing.assert_allclose(data.sigma, [0.002 * 55.5, 0.002 * 134.2], rtol=1e-12)  # the default alone
     np.testing.assert_allclose(data.numbers["damping"], [0.02, np.nan])  # 0 means unknown
@@ -68,8 +55,8 @@ def test_a_table_becomes_rows_with_pose_band_drives_and_settings(tmp_path: Path)
     assert data.channels == ("x_1", "x_2")
     np.testing.assert_allclose(data.shapes[0], [1.0, -0.5])
     assert np.isnan(data.shapes[1]).all()
-    record = document["records"][0]
-    assert document["repeatability"] == 0.002
+    record = found.record
+    assert found.document["repeatability"] == 0.002
     assert any("repeatability alone" in message for message in record["messages"])
     assert record["modes"][0]["sigma_parts"] == {
         "scatter": 0.0,
@@ -79,7 +66,7 @@ def test_a_table_becomes_rows_with_pose_band_drives_and_settings(tmp_path: Path)
     assert (record["modes"][0]["found_in"], record["modes"][0]["edited"]) == (None, None)
 
 
-def repeats(folder: Path, count: int, more: str = "") -> Path:
+def repeats(folder: Path, count: int, more: str = "") -> str:
     """Three modes in files of a scatter of 0.1 %, drawn from a fixed seed; the last one is missed in one file."""
     rng = np.random.default_rng(count)
     for i in range(count):
@@ -89,17 +76,14 @@ def repeats(folder: Path, count: int, more: str = "") -> Path:
         ]
         write(folder, f"r{i}.csv", "frequency,damping\n" + "\n".join(rows[: 2 if i == 0 else 3]) + "\n")
     files = ", ".join(f'"r{i}.csv"' for i in range(count))
-    return campaign(
-        folder,
-        f'repeatability = "0.1 %"\n{more}\n[[record]]\npose = "P1"\n{POSE}\nkind = "modes"\nfiles = [{files}]\n',
-    )
+    record = f'[[record]]\npose = "P1"\n{POSE}\nkind = "modes"\nfiles = [{files}]\n'
+    return f'{BEGIN}repeatability = "0.1 %"\n{more}\n{record}'
 
 
 def test_repeats_are_averaged_and_their_scatter_enters_sigma(tmp_path: Path) -> None:
-    code, document, out = identify(tmp_path, repeats(tmp_path, 40))
-    assert code == 0
+    found = identify(tmp_path, repeats(tmp_path, 40))
     tables = [np.loadtxt(tmp_path / f"r{i}.csv", delimiter=",", skiprows=1) for i in range(40)]
-    modes = document["records"][0]["modes"]
+    modes = found.record["modes"]
     assert [mode["files"] for mode in modes] == [40, 40, 39]
     for k, mode in enumerate(modes):
         f = np.array([table[k, 0] for table in tables if len(table) > k])
@@ -110,20 +94,17 @@ def test_repeats_are_averaged_and_their_scatter_enters_sigma(tmp_path: Path) -> 
         total = np.sqrt(parts["scatter"] ** 2 + parts["fit"] ** 2 + parts["repeatability"] ** 2)
         assert mode["sigma"] == pytest.approx(total, rel=1e-12)
         assert parts["repeatability"] == pytest.approx(1e-3 * mode["frequency"], rel=1e-9)
-    np.testing.assert_allclose(updating.read(out).sigma, [mode["sigma"] for mode in modes], rtol=1e-15)
+    np.testing.assert_allclose(updating.read(found.file).sigma, [mode["sigma"] for mode in modes], rtol=1e-15)
 
 
 def test_a_mode_in_few_of_the_repeats_is_left_out(tmp_path: Path) -> None:
-    path = repeats(tmp_path, 5)
+    text = repeats(tmp_path, 5)
     write(tmp_path, "r4.csv", (tmp_path / "r4.csv").read_text() + "77.7,0.01\n")
-    _, document, _ = identify(tmp_path, path)
-    assert [round(mode["frequency"]) for mode in document["records"][0]["modes"]] == [50, 51, 130]
+    assert [round(mode["frequency"]) for mode in identify(tmp_path, text).record["modes"]] == [50, 51, 130]
 
 
 def test_edits_strike_modes_out_and_say_so(tmp_path: Path) -> None:
-    path = repeats(tmp_path, 4, '[[edit]]\npose = "P1"\nstrike = ["130.9 Hz"]\n')
-    _, document, _ = identify(tmp_path, path)
-    record = document["records"][0]
+    record = identify(tmp_path, repeats(tmp_path, 4, '[[edit]]\npose = "P1"\nstrike = ["130.9 Hz"]\n')).record
     assert [round(mode["frequency"]) for mode in record["modes"]] == [50, 51]
     assert record["struck"] == [pytest.approx(130.0, rel=2e-3)]
 
@@ -132,17 +113,15 @@ def test_modes_outside_the_band_are_left_out_and_named(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     write(tmp_path, "p1.csv", "frequency\n5\n60\n500\n")
-    path = campaign(tmp_path, f'[[record]]\npose = "P1"\n{POSE}\nkind = "modes"\nfiles = ["p1.csv"]\n')
-    code, document, _ = identify(tmp_path, path)
-    assert code == 0
-    assert [mode["frequency"] for mode in document["records"][0]["modes"]] == [60.0]
+    text = f'{BEGIN}[[record]]\npose = "P1"\n{POSE}\nkind = "modes"\nfiles = ["p1.csv"]\n'
+    assert [mode["frequency"] for mode in identify(tmp_path, text).record["modes"]] == [60.0]
     assert "outside the band, left out: 5, 500 Hz" in capsys.readouterr().err
 
 
-def revisits(folder: Path, truth: float, labels: int) -> Path:
+def revisits(folder: Path, truth: float, labels: int) -> str:
     rng = np.random.default_rng(3)
     f = np.array([50.0, 80.0, 110.0, 150.0, 210.0])
-    text = 'repeatability = "revisits"\n'
+    text = f'{BEGIN}repeatability = "revisits"\n'
     for k in range(labels):
         visit = f * np.exp(truth * rng.normal(size=f.size))
         for i in range(3):
@@ -152,30 +131,22 @@ def revisits(folder: Path, truth: float, labels: int) -> Path:
             )
         files = ", ".join(f'"v{k}_{i}.csv"' for i in range(3))
         text += f'[[record]]\npose = "V{k}"\n{POSE}\nkind = "modes"\nfiles = [{files}]\n'
-    return campaign(folder, text)
+    return text
 
 
 def test_the_repeatability_is_that_of_poses_measured_twice(tmp_path: Path) -> None:
-    code, document, _ = identify(tmp_path, revisits(tmp_path, 2e-3, 6))
-    assert code == 0
+    document = identify(tmp_path, revisits(tmp_path, 2e-3, 6)).document
     assert document["repeatability"] == pytest.approx(2e-3, rel=0.4)  # 25 degrees of freedom
 
 
 def test_revisits_need_three_modes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    code, _, out = identify(tmp_path, revisits(tmp_path, 2e-3, 1))
-    assert code == 2
-    assert (
-        'at least 3 modes measured again for repeatability = "revisits", found 0' in capsys.readouterr().err
-    )
-    assert not out.exists()
+    said = refused(tmp_path, revisits(tmp_path, 2e-3, 1), capsys)
+    assert 'at least 3 modes measured again for repeatability = "revisits", found 0' in said
 
 
 @pytest.mark.parametrize("n", [2, 3, 5])
 def test_two_sigma_cover_the_truth_with_few_repeats(tmp_path: Path, n: int) -> None:
     """Draws that share nothing with the estimate: of 600 modes, 95 % within the sampling error of that share."""
-    from pkmodes.campaign.averaging import averaged
-    from pkmodes.campaign.found import Found
-
     rng = np.random.default_rng(20261124 + n)
     covered, ratio = [], []
     for _ in range(100):

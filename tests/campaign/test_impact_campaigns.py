@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-import json
 import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from campaign.structures import Frame, accelerations
-from pkmodes.cli import run
+from campaign.structures import CHANNELS, HEAD, Frame, accelerations, identify, record, refused, sensors
 from pkmodes.measured.reading import read_modes
 
-CHANNELS = ("floor_1", "floor_2", "floor_3")
-HEAD = 'format = 1\nchannels = ["floor_1", "floor_2", "floor_3"]\nband = ["20 Hz", "200 Hz"]\n'
-SENSORS = "".join(
-    f'[[sensor]]\nname = "a{k}"\nchannel = "floor_{k}"\nunit = "{unit}"\n'
-    for k, unit in ((1, "m/s^2"), (2, "g0"), (3, "m/s^2"))
-)
+IMPACT = HEAD + sensors("m/s^2", "g0", "m/s^2")
+ONE = IMPACT + record("impact", "b.csv")
 STEP, BLOW, APART = 1.0 / 2048.0, 0.003, 2.0
 
 
@@ -50,36 +44,28 @@ def write_blows(
     np.savetxt(path, table, delimiter=",", header="time,force,a1,a2,a3", comments="", fmt="%.9g")
 
 
-def identify(folder: Path, record: str) -> tuple[dict, Path]:
-    campaign, out, document = folder / "c.toml", folder / "modes.csv", folder / "modes.json"
-    campaign.write_text(
-        HEAD + SENSORS + '[[record]]\npose = "P1"\nkind = "impact"\n' + record, encoding="utf-8"
-    )
-    assert run(["identify", str(campaign), "--out", str(out), "--json", str(document)]) == 0
-    return json.loads(document.read_text(encoding="utf-8")), out
-
-
 @pytest.mark.parametrize("hits", [1, 3])
 def test_blows_give_the_modes_of_the_structure(tmp_path: Path, hits: int) -> None:
     rng = np.random.default_rng(20 + hits)
     for i in range(3):
         write_blows(tmp_path / f"b{i}.csv", rng, hits)
-    document, out = identify(tmp_path, f'files = ["b0.csv", "b1.csv", "b2.csv"]\nhits = {hits}\n')
-    data, frame = read_modes(out, CHANNELS), Frame.build()
+    blows = record("impact", "b0.csv", "b1.csv", "b2.csv")
+    found = identify(tmp_path, IMPACT + blows + f"hits = {hits}\n")
+    data, frame = read_modes(found.file, CHANNELS), Frame.build()
     natural, shapes = frame.modes()
     np.testing.assert_allclose(data.frequency, natural, rtol=1e-3)
     np.testing.assert_allclose(data.numbers["damping"], frame.ratios, rtol=0.05)
     for row, shape in zip(data.shapes, shapes.T, strict=True):
         np.testing.assert_allclose(row, shape / shape[np.argmax(np.abs(shape))], rtol=0, atol=0.03)
-    assert not [message for message in document["records"][0]["messages"] if "double" in message]
+    assert not [message for message in found.record["messages"] if "double" in message]
 
 
 def test_double_hits_and_overloads_are_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     rng = np.random.default_rng(9)
     write_blows(tmp_path / "b0.csv", rng, bounce=0.4)
     write_blows(tmp_path / "b1.csv", rng, limit=0.3)
-    document, _ = identify(tmp_path, 'files = ["b0.csv", "b1.csv"]\n')
-    said = " ".join(document["records"][0]["messages"])
+    found = identify(tmp_path, IMPACT + record("impact", "b0.csv", "b1.csv"))
+    said = " ".join(found.record["messages"])
     assert "b0.csv: blow 1 at" in said
     assert "is a double hit" in said
     assert re.search(r"b1.csv: a\d is overloaded", said)
@@ -88,12 +74,14 @@ def test_double_hits_and_overloads_are_said(tmp_path: Path, capsys: pytest.Captu
 
 def test_the_damping_of_a_window_is_taken_off(tmp_path: Path) -> None:
     write_blows(tmp_path / "b.csv", np.random.default_rng(4), window=0.4)
-    _, out = identify(tmp_path, 'files = ["b.csv"]\nexponential = "0.4 s"\n')
-    np.testing.assert_allclose(read_modes(out, CHANNELS).numbers["damping"], Frame.build().ratios, rtol=0.1)
+    found = identify(tmp_path, ONE + 'exponential = "0.4 s"\n')
+    np.testing.assert_allclose(
+        read_modes(found.file, CHANNELS).numbers["damping"], Frame.build().ratios, rtol=0.1
+    )
 
 
 @pytest.mark.parametrize(
-    ("record", "message"),
+    ("keys", "message"),
     [
         ("hits = 4\n", "expected 4 blows, found"),
         (
@@ -103,55 +91,32 @@ def test_the_damping_of_a_window_is_taken_off(tmp_path: Path) -> None:
     ],
 )
 def test_wrong_records_are_refused(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-    record: str,
-    message: str,
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], keys: str, message: str
 ) -> None:
-    monkeypatch.chdir(tmp_path)
-    write_blows(Path("b.csv"), np.random.default_rng(4))
-    text = HEAD + SENSORS + '[[record]]\npose = "P1"\nkind = "impact"\nfiles = ["b.csv"]\n' + record
-    Path("c.toml").write_text(text, encoding="utf-8")
-    assert run(["identify", "c.toml", "--out", "modes.csv"]) == 2
-    assert message in " ".join(capsys.readouterr().err.split())
-    assert not Path("modes.csv").exists()
-
-
-def test_without_a_force_there_is_no_impact(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    write_blows(Path("b.csv"), np.random.default_rng(4))
-    Path("b.csv").write_text(Path("b.csv").read_text().replace("force", "hammer"), encoding="utf-8")
-    text = HEAD + SENSORS + '[[record]]\npose = "P1"\nkind = "impact"\nfiles = ["b.csv"]\n'
-    Path("c.toml").write_text(text, encoding="utf-8")
-    assert run(["identify", "c.toml", "--out", "modes.csv"]) == 2
-    assert "expected a force, found none (b.csv)" in " ".join(capsys.readouterr().err.split())
+    write_blows(tmp_path / "b.csv", np.random.default_rng(4))
+    assert message in refused(tmp_path, ONE + keys, capsys)
 
 
 @pytest.mark.parametrize(
-    ("columns", "rows", "message"),
+    ("columns", "rows", "second", "message"),
     [
-        ([1], None, "expected blows, found a constant force (b.csv)"),
-        ([2, 3, 4], None, "expected signals, found only constant ones: a1, a2, a3 (b.csv)"),
-        ([], 20, "expected at least 2 periods of 20 Hz"),
+        ([], None, "hammer", "expected a force, found none (b.csv)"),
+        ([1], None, "force", "expected blows, found a constant force (b.csv)"),
+        ([2, 3, 4], None, "force", "expected signals, found only constant ones: a1, a2, a3 (b.csv)"),
+        ([], 20, "force", "expected at least 2 periods of 20 Hz"),
     ],
 )
 def test_records_without_blows_or_signals_are_refused(
     tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
     columns: list[int],
     rows: int | None,
+    second: str,
     message: str,
 ) -> None:
-    monkeypatch.chdir(tmp_path)
-    write_blows(Path("b.csv"), np.random.default_rng(4))
-    table = np.loadtxt("b.csv", delimiter=",", skiprows=1)
+    file = tmp_path / "b.csv"
+    write_blows(file, np.random.default_rng(4))
+    table = np.loadtxt(file, delimiter=",", skiprows=1)
     table[:, columns] = 0.0
-    np.savetxt("b.csv", table[:rows], delimiter=",", header="time,force,a1,a2,a3", comments="")
-    text = HEAD + SENSORS + '[[record]]\npose = "P1"\nkind = "impact"\nfiles = ["b.csv"]\n'
-    Path("c.toml").write_text(text, encoding="utf-8")
-    assert run(["identify", "c.toml", "--out", "modes.csv"]) == 2
-    assert message in " ".join(capsys.readouterr().err.split())
+    np.savetxt(file, table[:rows], delimiter=",", header=f"time,{second},a1,a2,a3", comments="")
+    assert message in refused(tmp_path, ONE, capsys)

@@ -2,63 +2,43 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
+from campaign.structures import HEAD, identify, record, sensors
 from modal_analysis.test_level import F0, RATE, ring_down
 from pkmodes.campaign.found import Found
 from pkmodes.campaign.levels import between_files
-from pkmodes.cli import run
 
-CAMPAIGN = """
-format = 1
-channels = ["x", "y"]
-band = ["20 Hz", "150 Hz"]
-repeatability = "0.01 %"
-[[sensor]]
-name = "a"
-channel = "x"
-unit = "m/s^2"
-[[sensor]]
-name = "b"
-channel = "y"
-unit = "m/s^2"
-[[record]]
-pose = "P1"
-kind = "ambient"
-files = ["r0.csv", "r1.csv", "r2.csv"]
-"""
+CAMPAIGN = HEAD.replace('"200 Hz"', '"150 Hz"') + 'repeatability = "0.01 %"\n' + sensors("m/s^2", "m/s^2")
 
 
-def identify(folder: Path, hardening: float) -> dict:
-    for i in range(3):
+def identified(folder: Path, hardening: float) -> dict[str, Any]:
+    files = [f"r{i}.csv" for i in range(3)]
+    for i, name in enumerate(files):
         signals = ring_down(hardening, np.random.default_rng(40 + i))
         table = np.column_stack([np.arange(len(signals)) / RATE, signals])
-        np.savetxt(folder / f"r{i}.csv", table, delimiter=",", header="time,a,b", comments="", fmt="%.9g")
-    (folder / "c.toml").write_text(CAMPAIGN, encoding="utf-8")
-    document = folder / "modes.json"
-    code = run(["identify", str(folder / "c.toml"), "--out", str(folder / "m.csv"), "--json", str(document)])
-    assert code == 0
-    return json.loads(document.read_text(encoding="utf-8"))["records"][0]
+        np.savetxt(folder / name, table, delimiter=",", header="time,a1,a2", comments="", fmt="%.9g")
+    return identify(folder, CAMPAIGN + record("ambient", *files)).record
 
 
 def test_a_change_is_said_once_and_half_of_it_is_in_sigma(tmp_path: Path) -> None:
-    record = identify(tmp_path, -0.004)
-    said = [message for message in record["messages"] if "changes with the level" in message]
+    found = identified(tmp_path, -0.004)
+    said = [message for message in found["messages"] if "changes with the level" in message]
     assert len(said) == 1
     assert said[0].startswith("P1: the mode at 39.9")
-    nonlinear, linear = record["modes"]
+    nonlinear, linear = found["modes"]
     assert nonlinear["sigma_parts"]["fit"] == pytest.approx(0.5 * 0.004 * F0 * 0.8, rel=0.15)
     assert linear["sigma_parts"]["fit"] < 0.01
 
 
 def test_nothing_is_said_of_a_linear_structure(tmp_path: Path) -> None:
-    record = identify(tmp_path, 0.0)
-    assert not any("level" in message for message in record["messages"])
-    assert record["modes"][0]["sigma_parts"]["fit"] < 0.01
+    found = identified(tmp_path, 0.0)
+    assert not any("level" in message for message in found["messages"])
+    assert found["modes"][0]["sigma_parts"]["fit"] < 0.01
 
 
 def files(levels: list[float], slope: float, scatter: float, seed: int) -> list[dict[int, Found]]:
