@@ -6,22 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from helpers.commands.answers import refused
 from helpers.robots.robot_text import PUBLISHED, published
-from pkmodes.cli import run
 
 ROBOT = str(PUBLISHED)
 GRID = "x=0.3:0.8:5,y=0,z=-0.245"
-
-
-def refused(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
-    capsys.readouterr()
-    assert run(["map", *arguments]) == 2
-    out, err = capsys.readouterr()
-    assert out == ""
-    assert err.startswith("error: ")
-    assert err.count("\n") == 1, err
-    assert "Traceback" not in err
-    return err
 
 
 @pytest.mark.parametrize(
@@ -49,13 +38,13 @@ def refused(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
         ("0.3,0,-0.245", "expected x=..."),
     ],
 )
-def test_grids(tmp_path: Path, capsys: pytest.CaptureFixture[str], grid: str, said: str) -> None:
-    assert said in refused(capsys, ROBOT, "--grid", grid, "--out", str(tmp_path / "map.nc"))
+def test_grids(tmp_path: Path, grid: str, said: str) -> None:
+    assert said in refused("map", ROBOT, "--grid", grid, "--out", str(tmp_path / "map.nc"))
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_grid_wholly_outside_is_told_where_the_workspace_is(capsys: pytest.CaptureFixture[str]) -> None:
-    err = refused(capsys, ROBOT, "--grid", "x=5:6:3,y=0,z=-0.245")
+def test_a_grid_wholly_outside_is_told_where_the_workspace_is() -> None:
+    err = refused("map", ROBOT, "--grid", "x=5:6:3,y=0,z=-0.245")
     assert "the workspace lies within x from 0." in err
 
 
@@ -75,15 +64,15 @@ def test_a_grid_wholly_outside_is_told_where_the_workspace_is(capsys: pytest.Cap
         ("effects.nonsense.size=1", "unknown parameter path"),
     ],
 )
-def test_settings(tmp_path: Path, capsys: pytest.CaptureFixture[str], setting: str, said: str) -> None:
+def test_settings(tmp_path: Path, setting: str, said: str) -> None:
     out = str(tmp_path / "map.nc")
-    assert said in refused(capsys, ROBOT, "--grid", GRID, "--set", setting, "--out", out)
+    assert said in refused("map", ROBOT, "--grid", GRID, "--set", setting, "--out", out)
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_path_set_twice(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_path_set_twice() -> None:
     both = ["--set", "platform.mass=1", "--set", "platform.mass=2"]
-    assert "platform.mass is given twice" in refused(capsys, ROBOT, "--grid", GRID, *both)
+    assert "platform.mass is given twice" in refused("map", ROBOT, "--grid", GRID, *both)
 
 
 @pytest.mark.parametrize(
@@ -130,7 +119,6 @@ def test_a_path_set_twice(capsys: pytest.CaptureFixture[str]) -> None:
 def test_options(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
     options: list[str],
     said: str,
 ) -> None:
@@ -149,25 +137,23 @@ def test_options(
     }
     for name, text in files.items():
         (tmp_path / name).write_text(text)
-    assert said in refused(capsys, ROBOT, *options)
+    assert said in refused("map", ROBOT, *options)
     assert {one.name: one.read_text() for one in tmp_path.iterdir()} == files
 
 
-def test_the_robot_file_is_never_replaced(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_robot_file_is_never_replaced(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     for name in ("robot.toml", "robot.csv"):
         (tmp_path / name).write_text(published())
-        refused(capsys, name, "--grid", GRID, "--out", name, "--overwrite")
+        refused("map", name, "--grid", GRID, "--out", name, "--overwrite")
         assert (tmp_path / name).read_text() == published()
     assert "would replace its own input" in refused(
-        capsys, "robot.toml", "--grid", GRID, "--json", "robot.toml"
+        "map", "robot.toml", "--grid", GRID, "--json", "robot.toml"
     )
 
 
-def test_bad_robots(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert "nowhere.toml" in refused(capsys, str(tmp_path / "nowhere.toml"))
+def test_bad_robots(tmp_path: Path) -> None:
+    assert "nowhere.toml" in refused("map", str(tmp_path / "nowhere.toml"))
     (tmp_path / "short.toml").write_text(published().replace('"400 mm"', '"1 mm"'))
-    err = refused(capsys, str(tmp_path / "short.toml"))
+    err = refused("map", str(tmp_path / "short.toml"))
     assert "can be reached" in err

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import io
 import json
 import re
-from contextlib import redirect_stderr, redirect_stdout
 from functools import cache
 from pathlib import Path
 
@@ -13,10 +11,10 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.commands import answers
 from helpers.diagnoses.diagnose_command import HEADER, Answer, csv_of, rows_of
 from helpers.robots.robot_text import PUBLISHED
 from helpers.runs.processes import printed_by_a_process
-from pkmodes.cli import run
 from pkmodes_rig.measurements import measure
 from pkmodes_rig.robots import POSES, ROBOTS, read
 
@@ -26,15 +24,12 @@ ROW = "A,0.6,0,-0.245,55.5,0.1"
 
 
 def call(*arguments: object) -> Answer:
-    out, err = io.StringIO(), io.StringIO()
-    with redirect_stdout(out), redirect_stderr(err):
-        code = run(["compare", *map(str, arguments)])
-    return Answer(code, out.getvalue(), err.getvalue())
+    return Answer(*answers.answer("compare", *arguments))
 
 
-def table(answer: Answer) -> list[list[str]]:
+def table(found: Answer) -> list[list[str]]:
     """Return the cells of the table of all measured modes, without its titles."""
-    lines = answer.out.splitlines()
+    lines = found.out.splitlines()
     first = lines.index("all measured modes:") + 2
     return [line.split() for line in lines[first : lines.index("", first)]]
 

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.commands.answers import printed, refused
 from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
 from pkmodes.plots.changes import scale_of
@@ -35,10 +36,9 @@ def eighty(monkeypatch: pytest.MonkeyPatch) -> None:
 )
 @pytest.mark.parametrize("options", [(), ("--all", "--drives", "held")])
 def test_it_prints_values_and_frequencies_within_80_columns(
-    pair: tuple[str, str], options: tuple[str, ...], capsys: pytest.CaptureFixture[str]
+    pair: tuple[str, str], options: tuple[str, ...]
 ) -> None:
-    assert run(["compare", *pair, *options]) == 0
-    out = capsys.readouterr().out
+    out = printed("compare", *pair, *options)
     lines = out.splitlines()
     assert [line.split(":")[0] for line in lines[:2]] == ["first", "second"]
     assert max(map(len, lines[2:])) <= 80
@@ -47,10 +47,9 @@ def test_it_prints_values_and_frequencies_within_80_columns(
     assert out.count("\nmode  partner ") == 1
 
 
-def test_the_numbers_are_those_of_the_two_models(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_numbers_are_those_of_the_two_models() -> None:
     """Held, a CoreXY has two modes whose order does not change between these machines."""
-    assert run(["compare", PRINTER, VORON, *GRID, "--drives", "held", "--json", "-"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = json.loads(printed("compare", PRINTER, VORON, *GRID, "--drives", "held", "--json", "-"))
     axis = np.linspace(0.05, 0.25, 5)
     poses = np.stack(np.meshgrid(axis, axis), axis=-1).reshape(-1, 2)
     f, g = (pkmodes.load(file).frequencies(poses, drives="held") for file in (PRINTER, VORON))
@@ -65,22 +64,18 @@ def test_the_numbers_are_those_of_the_two_models(capsys: pytest.CaptureFixture[s
     assert (found["effects_added"], found["effects_removed"]) == (["servo_stiffness"], [])
 
 
-def test_the_largest_values_come_first_and_all_of_them_if_asked(capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(["compare", PRINTER, VORON, *GRID, "--json", "-"]) == 0
-    values = json.loads(capsys.readouterr().out)["values"]
+def test_the_largest_values_come_first_and_all_of_them_if_asked() -> None:
+    values = json.loads(printed("compare", PRINTER, VORON, *GRID, "--json", "-"))["values"]
     assert len(values) > 10
-    assert run(["compare", PRINTER, VORON, *GRID]) == 0
-    short = capsys.readouterr().out
+    short = printed("compare", PRINTER, VORON, *GRID)
     assert f"and {len(values) - 10} more: --all, --json or --report" in short
-    assert run(["compare", PRINTER, VORON, *GRID, "--all"]) == 0
-    whole = capsys.readouterr().out
+    whole = printed("compare", PRINTER, VORON, *GRID, "--all")
     assert all(f"\n{value['path'].removeprefix('effects.')} " in whole for value in values)
 
 
-def test_the_same_robot_twice(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_the_same_robot_twice(tmp_path: Path) -> None:
     page = tmp_path / "same.html"
-    assert run(["compare", PRINTER, PRINTER, *GRID, "--report", str(page)]) == 0
-    out = capsys.readouterr().out
+    out = printed("compare", PRINTER, PRINTER, *GRID, "--report", page)
     assert "0 of 19 declared values differ\n" in out
     assert "note: the two files declare the same robot" in out
     text = page.read_text(encoding="utf-8")
@@ -129,11 +124,5 @@ def test_the_colour_scale_is_symmetric_and_leaves_out_the_largest() -> None:
         ([PRINTER, VORON, "--json", VORON], "would replace its own input"),
     ],
 )
-def test_mistakes_are_one_line(
-    arguments: list[str], message: str, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert run(["compare", *arguments]) == 2
-    captured = capsys.readouterr()
-    assert captured.out == ""
-    assert message in captured.err
-    assert captured.err.count("\n") == 1
+def test_mistakes_are_one_line(arguments: list[str], message: str) -> None:
+    assert message in refused("compare", *arguments)

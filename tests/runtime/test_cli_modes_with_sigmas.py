@@ -3,21 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 import pkmodes
-from pkmodes.cli import run
+from helpers.commands.answers import printed
 
 POSE = ("--pose", "0.1,0.15", "--drives", "held")
 
 
-def printed(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
-    capsys.readouterr()
-    assert run(["modes", *arguments]) == 0
-    return capsys.readouterr().out
-
-
-def test_they_are_below_the_frequencies(capsys: pytest.CaptureFixture[str]) -> None:
+def test_they_are_below_the_frequencies() -> None:
     """Against differences of the frequencies with respect to the three values with a sigma."""
     robot = "robots/corexy-printer.toml"
     model = pkmodes.load(robot)
@@ -30,19 +23,19 @@ def test_they_are_below_the_frequencies(capsys: pytest.CaptureFixture[str]) -> N
                 for step in (h, -h)
             )
             squares += (quantity.sigma * (up - down) / (2.0 * h)) ** 2
-    lines = printed(capsys, robot, *POSE).splitlines()
+    lines = printed("modes", robot, *POSE).splitlines()
     at = next(i for i, line in enumerate(lines) if line.startswith("f [Hz]"))
     assert lines[at + 1].split() == ["+-", "[Hz]", *(f"{sigma:.2g}" for sigma in np.sqrt(squares))]
 
 
-def test_rigid_modes_have_none(capsys: pytest.CaptureFixture[str]) -> None:
-    lines = printed(capsys, "robots/corexy-printer.toml", "--pose", "0.1,0.15").splitlines()
+def test_rigid_modes_have_none() -> None:
+    lines = printed("modes", "robots/corexy-printer.toml", "--pose", "0.1,0.15").splitlines()
     (row,) = (line for line in lines if line.startswith("+- [Hz]"))
     assert len(row.split()) == 4, "two of the four modes are rigid"
     (meaning,) = (line for line in lines if line.startswith("+-: "))
     assert "standard deviation" in meaning
 
 
-def test_without_any_nothing_changes(capsys: pytest.CaptureFixture[str]) -> None:
+def test_without_any_nothing_changes() -> None:
     robot = ("robots/linear-delta-2022.toml", "--pose", "0.6,0,-0.245")
-    assert "+-" not in printed(capsys, *robot)
+    assert "+-" not in printed("modes", *robot)

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.commands.answers import printed, refused
 from helpers.robots.robot_text import PUBLISHED, edited, published
-from pkmodes.cli import run
 from pkmodes_rig.robots import ROBOTS
 
 pytestmark = pytest.mark.usefixtures("backend")
@@ -19,16 +19,12 @@ pytestmark = pytest.mark.usefixtures("backend")
 POSE, POINT = "0.6,0.03,-0.245", [0.6, 0.03, -0.245]
 
 
-def sensitivities(capsys: pytest.CaptureFixture[str], *arguments: str, robot: Path = PUBLISHED) -> str:
-    capsys.readouterr()
-    assert run(["sensitivities", str(robot), "--pose", POSE, *arguments]) == 0
-    captured = capsys.readouterr()
-    assert captured.err == ""
-    return captured.out
+def sensitivities(*arguments: object, robot: Path = PUBLISHED) -> str:
+    return printed("sensitivities", robot, "--pose", POSE, *arguments)
 
 
-def as_json(capsys: pytest.CaptureFixture[str], *arguments: str, robot: Path = PUBLISHED) -> dict[str, Any]:
-    return json.loads(sensitivities(capsys, "--json", "-", *arguments, robot=robot))
+def as_json(*arguments: object, robot: Path = PUBLISHED) -> dict[str, Any]:
+    return json.loads(sensitivities("--json", "-", *arguments, robot=robot))
 
 
 def frequencies(folder: Path, text: str) -> np.ndarray:
@@ -45,9 +41,9 @@ def frequencies(folder: Path, text: str) -> np.ndarray:
     ],
 )
 def test_derivatives_are_those_of_other_robot_files(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], path: str, old: str, new: str, value: float, unit: str
+    tmp_path: Path, path: str, old: str, new: str, value: float, unit: str
 ) -> None:
-    found = as_json(capsys, "--parameters", path)
+    found = as_json("--parameters", path)
     h = 1e-4 * value
     below, above = (frequencies(tmp_path, edited(old, new.format(repr(value + s)))) for s in (-h, h))
     slope = (above - below)[3:] / (2 * h)
@@ -61,10 +57,8 @@ def test_derivatives_are_those_of_other_robot_files(
     np.testing.assert_allclose(eigen[3:], 8 * np.pi**2 * f * slope, rtol=1e-6)  # lambda = (2 pi f)^2
 
 
-def test_an_absent_effect_has_the_derivative_of_a_little_of_it(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    found = as_json(capsys, "--parameters", "effects.payload.mass")
+def test_an_absent_effect_has_the_derivative_of_a_little_of_it(tmp_path: Path) -> None:
+    found = as_json("--parameters", "effects.payload.mass")
     base, some = (
         frequencies(tmp_path, published() + f'\n[effects.payload]\nmass = "{m} kg"\n') for m in (0, 1e-4)
     )
@@ -73,7 +67,7 @@ def test_an_absent_effect_has_the_derivative_of_a_little_of_it(
     assert found["relative_derivatives"] == [[None] * 9]
 
 
-def test_the_table_is_sorted_by_what_a_percent_does(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_table_is_sorted_by_what_a_percent_does() -> None:
     paths = [
         "platform.mass",
         "effects.payload.mass",
@@ -82,7 +76,7 @@ def test_the_table_is_sorted_by_what_a_percent_does(capsys: pytest.CaptureFixtur
         "pulley.radius",
         "frame.mass",
     ]
-    out = sensitivities(capsys, "--parameters", ",".join(paths))
+    out = sensitivities("--parameters", ",".join(paths))
     relative, rates = out.split("Hz per unit of the value:")
     order = [line.split()[0] for line in relative.splitlines() if "." in line.split(" ")[0]]
     assert order == ["pulley.radius", "belt.width", "platform.mass", "gravity.z"]
@@ -102,8 +96,8 @@ def test_the_table_is_sorted_by_what_a_percent_does(capsys: pytest.CaptureFixtur
     assert rows["platform.mass"][2:] == [f"{rate:.4g}" for rate in expected]
 
 
-def test_every_quantity_is_in_the_tables_per_unit_once(capsys: pytest.CaptureFixture[str]) -> None:
-    out = sensitivities(capsys, "--all")
+def test_every_quantity_is_in_the_tables_per_unit_once() -> None:
+    out = sensitivities("--all")
     rates, _, still = out.partition("Hz per unit of the value:")[2].partition("no frequency depends on:")
     # Several tables below each other, so that each fits the terminal: one has the values, all have the same rows.
     tables = [
@@ -113,7 +107,7 @@ def test_every_quantity_is_in_the_tables_per_unit_once(capsys: pytest.CaptureFix
     assert len(tables) > 1
     assert all(table == tables[0] for table in tables)
     shown = tables[0] + still.replace(",", " ").split()
-    assert sorted(shown) == sorted(as_json(capsys)["parameters"])
+    assert sorted(shown) == sorted(as_json()["parameters"])
     assert "e-30" not in out, "rounding is shown as 0"
 
 
@@ -123,11 +117,11 @@ def rows_of(out: str) -> list[str]:
     return [line.split()[0] for line in table.splitlines() if "." in line.split(" ")[0]]
 
 
-def test_without_a_choice_the_ten_largest_per_cent_are_printed(capsys: pytest.CaptureFixture[str]) -> None:
+def test_without_a_choice_the_ten_largest_per_cent_are_printed() -> None:
     robot = PUBLISHED.with_name("linear-delta-2022-identified.toml")
-    out = sensitivities(capsys, robot=robot)
+    out = sensitivities(robot=robot)
     assert "the 10 largest of 11 by their largest in any mode:" in " ".join(out.split())
-    found = as_json(capsys, robot=robot)
+    found = as_json(robot=robot)
     # Largest by the JSON, which has all: of the quantities of the file and of wholes, without coordinates.
     rigid, size = found["rigid_modes"], {}
     for path, relative in zip(found["parameters"], found["relative_derivatives"], strict=True):
@@ -140,12 +134,10 @@ def test_without_a_choice_the_ten_largest_per_cent_are_printed(capsys: pytest.Ca
     assert len(out.splitlines()) < 25
 
 
-def test_parameters_of_which_only_the_product_enters_are_one_row(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_parameters_of_which_only_the_product_enters_are_one_row() -> None:
     both = ["belt.specific_stiffness", "belt.width"]
     for more in ([], ["--all"], ["--parameters", "belt.width,platform.mass,belt.specific_stiffness"]):
-        lines = sensitivities(capsys, *more).split("\n\n")[1].splitlines()
+        lines = sensitivities(*more).split("\n\n")[1].splitlines()
         at = next(i for i, line in enumerate(lines) if line.startswith("belt."))
         one, other = lines[at].split(), lines[at + 1].split()
         assert sorted([one[0].rstrip(","), *other]) == both
@@ -164,18 +156,16 @@ def test_parameters_of_which_only_the_product_enters_are_one_row(
     ],
 )
 @pytest.mark.parametrize("more", [[], ["--all"]])
-def test_no_line_is_wider_than_a_terminal(
-    capsys: pytest.CaptureFixture[str], robot: str, pose: str, more: list[str]
-) -> None:
-    assert run(["sensitivities", f"robots/{robot}.toml", "--pose", pose, *more]) == 0
-    assert max(map(len, capsys.readouterr().out.splitlines())) <= 80
+def test_no_line_is_wider_than_a_terminal(robot: str, pose: str, more: list[str]) -> None:
+    out = printed("sensitivities", f"robots/{robot}.toml", "--pose", pose, *more)
+    assert max(map(len, out.splitlines())) <= 80
 
 
-def test_standard_deviations_of_the_file_are_propagated(capsys: pytest.CaptureFixture[str]) -> None:
+def test_standard_deviations_of_the_file_are_propagated() -> None:
     """Against differences of the frequencies, and the root of the sum of squares."""
     robot = "robots/corexy-printer.toml"
-    assert run(["sensitivities", robot, "--pose", "0.1,0.15"]) == 0
-    out = capsys.readouterr().out.partition("Hz for one standard deviation of the value:")[2]
+    out = printed("sensitivities", robot, "--pose", "0.1,0.15")
+    out = out.partition("Hz for one standard deviation of the value:")[2]
     rows = {line.split("  ")[0]: line.split()[-2:] for line in out.splitlines()[2:6]}
     model = pkmodes.load(robot)
     squares = np.zeros(2)
@@ -192,15 +182,14 @@ def test_standard_deviations_of_the_file_are_propagated(capsys: pytest.CaptureFi
     assert rows.keys() == {*stated, "all together"}
 
 
-def test_modes_that_coincide_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_modes_that_coincide_are_named(tmp_path: Path) -> None:
     """On the axis of symmetry of a tower printer, modes come in pairs."""
     (tmp_path / "tower.toml").write_text(ROBOTS["tower"], encoding="utf-8")
     found = pkmodes.load(tmp_path / "tower.toml").modes([0.0, 0.0, 0.2]).frequencies[3:]
     pairs = [i + 1 for i in range(5) if np.isclose(found[i], found[i + 1], rtol=1e-9)]
     assert pairs, "the tower of the rig has none here"
-    robot = str(tmp_path / "tower.toml")
-    assert run(["sensitivities", robot, "--pose", "0,0,0.2", "--parameters", "platform.mass"]) == 0
-    out = " ".join(capsys.readouterr().out.split())
+    some = ("--pose", "0,0,0.2", "--parameters", "platform.mass")
+    out = " ".join(printed("sensitivities", tmp_path / "tower.toml", *some).split())
     for i in pairs:
         assert f"modes {i}, {i + 1} coincide: the derivatives are those of the branches" in out
 
@@ -218,22 +207,15 @@ def test_modes_that_coincide_are_named(tmp_path: Path, capsys: pytest.CaptureFix
         (["--all", "--parameters", "axis.span"], "--all and --parameters exclude each other"),
     ],
 )
-def test_mistakes_are_one_line(
-    capsys: pytest.CaptureFixture[str], arguments: list[str], message: str
-) -> None:
-    assert run(["sensitivities", str(PUBLISHED), "--pose", POSE, *arguments]) == 2
-    captured = capsys.readouterr()
-    assert captured.out == ""
-    assert captured.err.startswith("error: ")
-    assert captured.err.count("\n") == 1
-    assert message in captured.err
+def test_mistakes_are_one_line(arguments: list[str], message: str) -> None:
+    assert message in refused("sensitivities", PUBLISHED, "--pose", POSE, *arguments)
 
 
-def test_motors_are_held_if_asked(capsys: pytest.CaptureFixture[str]) -> None:
+def test_motors_are_held_if_asked() -> None:
     some = ("--parameters", "platform.mass,motor.inertia", "--drives", "held")
-    found = as_json(capsys, *some)
+    found = as_json(*some)
     model = pkmodes.load(PUBLISHED)
     expected = model.sensitivities(POINT, ["platform.mass", "motor.inertia"], drives="held")
     np.testing.assert_array_equal(found["frequencies_hz"], model.frequencies(POINT, drives="held"))
     np.testing.assert_array_equal(found["frequency_derivatives"], expected.frequencies)
-    assert "no frequency depends on: motor.inertia\n" in sensitivities(capsys, *some)
+    assert "no frequency depends on: motor.inertia\n" in sensitivities(*some)

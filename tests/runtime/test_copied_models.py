@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from helpers.commands.generating import refused
+from helpers.commands.answers import refused
 from helpers.generated.generated_model import MODULE
 from helpers.robots.robot_text import published
 from pkmodes.cli import run
@@ -87,7 +87,7 @@ def test_the_robot_file_of_a_copied_model_can_be_given_again(
 ) -> None:
     other = copy / "other.toml"
     other.write_text(published().replace('name = "linear-delta-2022"', 'name = "other"'), encoding="utf-8")
-    assert "already holds the model" in refused(other, vendored, capsys)
+    assert "already holds the model" in refused("generate", other, "--out", vendored)
     assert run(["generate", str(copy / "robot.toml"), "--out", str(vendored)]) == 0
     capsys.readouterr()
     assert run(["check", str(vendored)]) == 0

@@ -11,13 +11,17 @@ from pathlib import Path
 
 import pytest
 
-from helpers.commands.generating import contents, refused
+from helpers.commands.answers import refused
 from helpers.generated.generated_model import MODULE
 from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
 from pkmodes.codegen import generation
 from pkmodes.core.base.errors import OutputError
 from pkmodes.support import writing
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
 def test_files_of_the_user_are_no_concern_of_check_and_survive_generate(
@@ -66,7 +70,7 @@ def test_a_name_that_a_file_of_the_user_has_is_refused(
 
 
 def test_roots_home_and_repositories_are_no_place_for_a_model(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     home, repository, worktree = (tmp_path / name for name in ("home", "repository", "worktree"))
     for folder in (home, repository / ".git", worktree):
@@ -76,22 +80,20 @@ def test_roots_home_and_repositories_are_no_place_for_a_model(
     monkeypatch.setenv("HOME", str(home))
     monkeypatch.setattr(generation, "write_files", lambda *_: pytest.fail("something would be written"))
     monkeypatch.chdir(repository)
-    assert "the root of the file system (/)" in refused(PUBLISHED, "/", capsys)
-    assert "the root of the file system (/..)" in refused(PUBLISHED, "/..", capsys)
-    assert "the home folder" in refused(PUBLISHED, home, capsys)
-    assert "the home folder" in refused(PUBLISHED, tmp_path / "link", capsys)
+    assert "the root of the file system (/)" in refused("generate", PUBLISHED, "--out", "/")
+    assert "the root of the file system (/..)" in refused("generate", PUBLISHED, "--out", "/..")
+    assert "the home folder" in refused("generate", PUBLISHED, "--out", home)
+    assert "the home folder" in refused("generate", PUBLISHED, "--out", tmp_path / "link")
     for out in (repository, ".", worktree):
-        assert "the root of a repository" in refused(PUBLISHED, out, capsys)
-    assert "an empty name" in refused(PUBLISHED, "", capsys)
+        assert "the root of a repository" in refused("generate", PUBLISHED, "--out", out)
+    assert "an empty name" in refused("generate", PUBLISHED, "--out", "")
 
 
-def test_a_folder_with_other_things_is_left_as_it_was(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_folder_with_other_things_is_left_as_it_was(tmp_path: Path) -> None:
     (tmp_path / "thesis").mkdir()
     (tmp_path / "thesis" / "chapter.tex").write_text("years of work", encoding="utf-8")
     before = contents(tmp_path)
-    error = refused(PUBLISHED, tmp_path / "thesis", capsys)
+    error = refused("generate", PUBLISHED, "--out", tmp_path / "thesis")
     assert "the folder contains other files (chapter.tex) and no manifest of a generated model" in error
     assert "; name a new or empty folder, such as --out " in error
     assert contents(tmp_path) == before
@@ -108,10 +110,8 @@ def test_an_empty_folder_and_one_with_the_robot_file_alone_are_welcome(
 
 
 @pytest.mark.parametrize("name", ["x" * 300, "a\0b"])
-def test_a_name_that_cannot_be_one_is_refused(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str
-) -> None:
-    assert "cannot write: " in refused(PUBLISHED, tmp_path / name, capsys)
+def test_a_name_that_cannot_be_one_is_refused(tmp_path: Path, name: str) -> None:
+    assert "cannot write: " in refused("generate", PUBLISHED, "--out", tmp_path / name)
 
 
 def test_a_folder_whose_name_is_not_utf_8_can_hold_a_robot(tmp_path: Path) -> None:

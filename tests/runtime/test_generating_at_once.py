@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from helpers.commands.generating import refused
+from helpers.commands.answers import refused
 from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
 from pkmodes.codegen import alone, generation
@@ -36,11 +36,11 @@ def while_deriving(monkeypatch: pytest.MonkeyPatch, happens: Callable[[], object
 
 
 def test_two_robots_generated_at_once_are_not_mixed(
-    tmp_path: Path, other: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, other: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     out = tmp_path / "new" / "model"
     while_deriving(monkeypatch, lambda: generation.generate(other, out))
-    error = refused(PUBLISHED, out, capsys)
+    error = refused("generate", PUBLISHED, "--out", out)
     assert "another process has generated into the folder meanwhile" in error
     assert json.loads((out / "manifest.json").read_text(encoding="utf-8"))["robot"]["name"] == "other"
     assert {file.stem.removesuffix("_without_effects") for file in out.iterdir()} == {"manifest", "other"}

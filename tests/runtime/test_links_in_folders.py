@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from helpers.commands.generating import refused
+from helpers.commands.answers import refused
 from helpers.generated.generated_model import MODULE
 from helpers.robots.robot_text import PUBLISHED
 from pkmodes.cli import run
@@ -16,22 +16,20 @@ from pkmodes.support import writing
 
 
 @pytest.mark.parametrize("name", [MODULE, "linear_delta_2022.c", "manifest.json", ".pkmodes-generate.lock"])
-def test_links_in_a_received_folder_are_not_followed(
-    copy: Path, capsys: pytest.CaptureFixture[str], name: str
-) -> None:
+def test_links_in_a_received_folder_are_not_followed(copy: Path, name: str) -> None:
     """Also one that leads to nothing yet."""
     outside, file = copy / "outside", copy / "model" / name
     outside.write_bytes(file.read_bytes() if file.exists() else b"mine")
     before = outside.read_bytes()
     file.unlink(missing_ok=True)
     file.symlink_to(outside)
-    error = refused(copy / "robot.toml", copy / "model", capsys)
+    error = refused("generate", copy / "robot.toml", "--out", copy / "model")
     assert "symbolic link" in error
     assert outside.read_bytes() == before
     assert file.is_symlink()
     if name != "manifest.json":
         outside.unlink()
-        assert "symbolic link" in refused(copy / "robot.toml", copy / "model", capsys)
+        assert "symbolic link" in refused("generate", copy / "robot.toml", "--out", copy / "model")
         assert not outside.exists()
 
 

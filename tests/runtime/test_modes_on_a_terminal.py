@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.commands.answers import printed
 from helpers.robots.robot_text import published
-from pkmodes.cli import run
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 #: A zero but for rounding, or three decimals; a frequency of 100 kHz or more has an exponent.
@@ -37,10 +37,9 @@ compliance = "1e-7 m/N"
 """
 
 
-def printed(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, *arguments: str) -> str:
+@pytest.fixture(autouse=True)
+def eighty(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "80")
-    assert run(["modes", *arguments]) == 0
-    return capsys.readouterr().out
 
 
 def cells(out: str) -> dict[str, list[str]]:
@@ -60,11 +59,9 @@ def test_numbers_have_fixed_decimals_and_zeros_are_zeros(
     robot: str,
     pose: str,
     drives: str,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     file = str(ROBOTS / f"{robot}.toml")
-    out = printed(capsys, monkeypatch, file, "--pose", pose, "--drives", drives)
+    out = printed("modes", file, "--pose", pose, "--drives", drives)
     assert max(map(len, out.splitlines())) <= 80
     assert "-0.000" not in out
     modes = pkmodes.load(file).modes([float(c) for c in pose.split(",")], drives=drives)
@@ -84,12 +81,8 @@ def test_numbers_have_fixed_decimals_and_zeros_are_zeros(
         assert table["p_y"].count("0") >= 4
 
 
-def test_a_zero_stands_where_the_other_numbers_have_their_ones(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    out = printed(
-        capsys, monkeypatch, str(ROBOTS / "linear-delta-2022.toml"), "--pose", POSES["linear-delta-2022"][0]
-    )
+def test_a_zero_stands_where_the_other_numbers_have_their_ones() -> None:
+    out = printed("modes", str(ROBOTS / "linear-delta-2022.toml"), "--pose", POSES["linear-delta-2022"][0])
     rows = [line for line in out.splitlines() if line.startswith("p_")]
     points = {match.start() for line in rows for match in re.finditer(r"\.", line)}
     zeros = {match.start() + 1 for line in rows for match in re.finditer(r"(?<=\s)0(?=\s|$)", line)}
@@ -97,27 +90,23 @@ def test_a_zero_stands_where_the_other_numbers_have_their_ones(
     assert zeros <= points
 
 
-def test_one_line_says_why_rigid_modes_have_frequencies(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_one_line_says_why_rigid_modes_have_frequencies() -> None:
     arguments = str(ROBOTS / "linear-delta-2022.toml"), "--pose", POSES["linear-delta-2022"][0]
-    free = printed(capsys, monkeypatch, *arguments)
+    free = printed("modes", *arguments)
     (line,) = [line for line in free.splitlines() if line.startswith("rigid: ")]
     assert "gravity" in line
     assert "sqrt(|lambda|)/(2 pi)" in line
-    assert "rigid: " not in printed(capsys, monkeypatch, *arguments, "--drives", "held")
+    assert "rigid: " not in printed("modes", *arguments, "--drives", "held")
     # Gravity does not act along the rails of a printer: its rigid modes are at 0 Hz, and there is nothing to explain.
-    level = printed(capsys, monkeypatch, str(ROBOTS / "corexy-printer.toml"), "--pose", "0.15,0.15")
+    level = printed("modes", str(ROBOTS / "corexy-printer.toml"), "--pose", "0.15,0.15")
     assert cells(level)["f"][:2] == ["0", "0"]
     assert "rigid: " not in level
 
 
-def test_more_modes_than_columns_are_printed_in_parts(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_more_modes_than_columns_are_printed_in_parts(tmp_path: Path) -> None:
     file = tmp_path / "soft.toml"
     file.write_text(published() + SOFT, encoding="utf-8")
-    out = printed(capsys, monkeypatch, str(file), "--pose", "0.6,0.03,-0.245")
+    out = printed("modes", str(file), "--pose", "0.6,0.03,-0.245")
     frequencies = pkmodes.load(file).modes([0.6, 0.03, -0.245]).frequencies
     assert len(frequencies) > 12
     assert max(map(len, out.splitlines())) <= 80

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from helpers.commands.adding_a_mechanism import COMMANDS, DEFINITION, ROBOT
-from helpers.commands.refused_commands import refused
+from helpers.commands.answers import answer, refused
 
 MISTAKES = {
     "not Python": ("def declare(m):", "def declare(m:", r"not valid Python: .* \(five_bar.py:\d+\)"),
@@ -148,17 +148,14 @@ MISTAKES = {
 
 @pytest.mark.parametrize("what", MISTAKES)
 def test_a_mistake_is_named_with_its_place(
-    what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     right, wrong, message = MISTAKES[what]
     assert right in DEFINITION
     (tmp_path / "five_bar.py").write_text(DEFINITION.replace(right, wrong))
     (tmp_path / "robot.toml").write_text(ROBOT)
     monkeypatch.chdir(tmp_path)
-    error = refused(COMMANDS[0], capsys)
-    assert re.search(message, error), error
-    assert error.startswith("error: ")
-    assert error.count("\n") == 1
+    assert re.search(message, error := refused(*COMMANDS[0])), error
     assert not (tmp_path / "build").exists()
 
 
@@ -172,18 +169,16 @@ def test_a_mistake_is_named_with_its_place(
         ("missing.py", "cannot read the definition: no such file"),
     ],
 )
-def test_names_that_cannot_be(
-    copy: Path, capsys: pytest.CaptureFixture[str], name: str, message: str
-) -> None:
+def test_names_that_cannot_be(copy: Path, name: str, message: str) -> None:
     if name != "missing.py":
         shutil.copy(copy / "five_bar.py", copy / name)
-    assert message in refused(["generate", "--mechanism", name, "robot.toml", "--out", "new"], capsys)
+    assert message in refused("generate", "--mechanism", name, "robot.toml", "--out", "new")
 
 
-def test_nothing_is_written_for_a_wrong_robot(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_nothing_is_written_for_a_wrong_robot(copy: Path) -> None:
     (copy / "robot.toml").write_text(ROBOT.replace("link", "rod"))
     arguments = ["generate", "--mechanism", "five_bar.py", "robot.toml", "--out", "new"]
-    assert 'unknown key "rod"' in refused(arguments, capsys)
+    assert 'unknown key "rod"' in answer(*arguments).err
     shutil.copy(Path(__file__).parents[3] / "robots/corexy-printer.toml", copy / "robot.toml")
-    assert "the robot is a corexy, not a five_bar (robot.toml: mechanism)" in refused(arguments, capsys)
+    assert "the robot is a corexy, not a five_bar (robot.toml: mechanism)" in refused(*arguments)
     assert not (copy / "new").exists()

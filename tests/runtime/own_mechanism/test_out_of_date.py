@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from helpers.commands.adding_a_mechanism import DEFINITION
-from helpers.commands.refused_commands import refused
+from helpers.commands.answers import refused
 from pkmodes.cli import run
 from pkmodes.core.mechanism import registry as known
 
@@ -48,18 +48,16 @@ def test_a_folder_that_was_handed_on_alone_is_checked(copy: Path, capsys: pytest
     ]
     assert run(["check", "--mechanism", moved, "other"]) == 0
     known._added.clear()
-    assert "--mechanism DIR/<mechanism>" in refused(["check", "build"], capsys)
+    assert "--mechanism DIR/<mechanism>" in refused("check", "build")
 
 
-def test_other_files_in_the_place_of_the_mechanism_are_left_alone(
-    copy: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_other_files_in_the_place_of_the_mechanism_are_left_alone(copy: Path) -> None:
     (copy / "new" / "five_bar").mkdir(parents=True)
     (copy / "new" / "five_bar" / "notes.txt").write_text("mine")
     arguments = ["generate", "--mechanism", "five_bar.py", "robot.toml", "--out", "new"]
-    assert "the folder contains other files (notes.txt)" in refused(arguments, capsys)
+    assert "the folder contains other files (notes.txt)" in refused(*arguments)
     (copy / "new" / "five_bar" / "notes.txt").unlink()
     assert run(arguments) == 0
     shutil.copytree(copy / "build", copy / "third" / "five_bar")
     arguments[-1] = "third"
-    assert "the folder holds generated files other than the code" in refused(arguments, capsys)
+    assert "the folder holds generated files other than the code" in refused(*arguments)

@@ -13,7 +13,7 @@ import pytest
 
 import pkmodes
 from helpers.commands.adding_a_mechanism import POSE
-from helpers.commands.refused_commands import refused
+from helpers.commands.answers import refused
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism import packages as mechanism_packages
@@ -65,9 +65,9 @@ def test_an_installed_package_is_known_by_its_entry_point(
             del sys.modules[name]
 
 
-def test_folders_that_are_none(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_folders_that_are_none(copy: Path) -> None:
     def said(folder: str) -> str:
-        return refused(["modes", "--mechanism", folder, "robot.toml", "--pose", "0.03,-0.42"], capsys)
+        return refused("modes", "--mechanism", folder, "robot.toml", "--pose", "0.03,-0.42")
 
     assert "no such folder (nowhere); give the folder DIR/<mechanism>" in said("nowhere")
     assert "found a file (five_bar.py); give the folder DIR/<mechanism>" in said("five_bar.py")
@@ -76,7 +76,7 @@ def test_folders_that_are_none(copy: Path, capsys: pytest.CaptureFixture[str]) -
     whole = file.read_text()
     file.write_text(whole + "\nraise ValueError('broken')\n")
     assert "the generated code cannot be imported: ValueError: broken" in said("build/five_bar")
-    error = refused(["modes", "robot.toml", "--pose", "0.03,-0.42"], capsys)
+    error = refused("modes", "robot.toml", "--pose", "0.03,-0.42")
     assert 'unknown mechanism "five_bar" (robot.toml: mechanism); known: corexy, ' in error
     assert "--mechanism" in error
     file.write_text("")
