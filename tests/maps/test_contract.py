@@ -26,11 +26,6 @@ EVERY_WAY: dict[str, dict[str, Any]] = {
 
 
 @pytest.fixture(scope="module")
-def model() -> pkmodes.Model:
-    return pkmodes.load(PUBLISHED)
-
-
-@pytest.fixture(scope="module")
 def found(model: pkmodes.Model) -> xarray.Dataset:
     return model.map(GRID, sweep={"platform.mass": [1.0, 1.5]}, shapes=True)
 

@@ -14,11 +14,6 @@ ROBOTS = Path(__file__).parents[2] / "robots"
 POSES = [[0.6, 0.0, -0.245], [0.5, 0.05, -0.245], [0.0, 0.0, -0.245]]
 
 
-@pytest.fixture(scope="module")
-def model() -> pkmodes.Model:
-    return pkmodes.load(ROBOTS / "linear-delta-2022.toml")
-
-
 @pytest.mark.parametrize("robot", ["linear-delta-2022", "clavel-delta", "corexy-printer"])
 def test_variables_and_attributes_are_those_of_a_map_of_the_same_poses(robot: str) -> None:
     model = pkmodes.load(ROBOTS / f"{robot}.toml")

@@ -19,11 +19,6 @@ SERVO, GEARBOX = "effects.servo_stiffness.stiffness", "effects.gearbox_complianc
 CLAMP = "effects.clamp_compliance.compliance"
 
 
-@pytest.fixture(scope="module")
-def model() -> pkmodes.Model:
-    return pkmodes.load(PUBLISHED)
-
-
 def alone(model: pkmodes.Model, values: dict[str, Any], **options: Any) -> xarray.Dataset:
     return model.with_values(values).map(GRID, **options)
 

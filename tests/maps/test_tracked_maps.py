@@ -14,11 +14,6 @@ ROBOTS = Path(__file__).parents[2] / "robots"
 CENTRE = {"x": np.linspace(0.35, 0.77, 169), "y": 0.0, "z": -0.245}
 
 
-@pytest.fixture(scope="module")
-def model() -> pkmodes.Model:
-    return pkmodes.load(ROBOTS / "linear-delta-2022.toml")
-
-
 def test_on_the_centre_line_symmetric_and_antisymmetric_modes_cross(model: pkmodes.Model) -> None:
     """There the two outer axes are mirror images: each mode moves them alike or opposite, and stays that way."""
     found = model.map(CENTRE, tracked=True, shapes=True).squeeze()

@@ -27,11 +27,6 @@ ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 
 
 @pytest.fixture(scope="module")
-def model() -> pkmodes.Model:
-    return pkmodes.load(PUBLISHED)
-
-
-@pytest.fixture(scope="module")
 def poses(model: pkmodes.Model) -> np.ndarray:
     """Poses of which some are out of reach."""
     rng = np.random.default_rng(11)

@@ -1,4 +1,4 @@
-"""A generated model that several test files copy and corrupt."""
+"""What several test files share: the published robot, its generated model, and a diagnosis."""
 
 from __future__ import annotations
 
@@ -7,9 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from helpers.robots.robot_text import published
+import pkmodes
+from helpers.diagnoses.examples import example
+from helpers.robots.robot_text import PUBLISHED, published
 from helpers.runs.shared import Shared
+from pkmodes import updating
 from pkmodes.cli import run
+from pkmodes.diagnosis import Diagnosis
 
 
 @pytest.fixture(scope="session")
@@ -26,3 +30,21 @@ def pristine(shared: Shared) -> Path:
 @pytest.fixture
 def copy(pristine: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(pristine, tmp_path / "copy"))
+
+
+@pytest.fixture(scope="session")
+def model() -> pkmodes.Model:
+    return pkmodes.load(PUBLISHED)
+
+
+@pytest.fixture(scope="session")
+def found(shared: Shared) -> Diagnosis:
+    """What examples/closed_loop is diagnosed as, where the gearboxes alone are suspected."""
+    return example(shared, "closed_loop", candidates=("gearbox_compliance",))
+
+
+@pytest.fixture
+def diagnosed(found: Diagnosis, monkeypatch: pytest.MonkeyPatch) -> Diagnosis:
+    """The engine is tested elsewhere; here its result is given."""
+    monkeypatch.setattr(updating, "diagnose", lambda *_, **__: found)
+    return found

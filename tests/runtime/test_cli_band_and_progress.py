@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.diagnoses.examples import example
+from helpers.runs.shared import Shared
 from pkmodes import updating
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError, PkmodesError
@@ -72,7 +74,6 @@ def test_a_band_other_than_the_files_is_refused(tmp_path: Path) -> None:
         updating.read(path, (20.0, 400.0))
 
 
-@both_back_ends
 def test_without_a_terminal_a_line_says_every_now_and_then_what_is_done(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -83,10 +84,11 @@ def test_without_a_terminal_a_line_says_every_now_and_then_what_is_done(
     assert any(line.endswith("refitting with gearbox_compliance") for line in lines)
 
 
-@both_back_ends
-def test_a_prior_of_a_candidate_enters_a_diagnosis_of_a_robot(robot: Robot, data: Measurements) -> None:
+def test_a_prior_of_a_candidate_enters_a_diagnosis_of_a_robot(
+    shared: Shared, robot: Robot, data: Measurements
+) -> None:
     name = "gearbox_compliance"
-    free = updating.diagnose(robot, data, candidates=[name])
+    free = example(shared, "closed_loop", candidates=(name,))
     held = updating.diagnose(robot, data, candidates=[name], priors={name: 1e-4})
     (a,), (b,) = (found.effects[0].parameters if found.effects else () for found in (free, held))
     assert b.value < a.value
@@ -134,7 +136,6 @@ def test_priors_that_are_none_are_refused(
             updating.diagnose(robot, data, priors=priors)
 
 
-@both_back_ends
 def test_a_model_may_stand_for_its_robot(tmp_path: Path, robot: Robot, data: Measurements) -> None:
     model = pkmodes.load(FILES[0])
     assert updating.compare(model, data) == updating.compare(robot, data)
@@ -178,10 +179,10 @@ def test_a_text_where_something_else_is_meant_is_refused(
 
 
 def test_a_robot_that_no_file_has_is_not_saved_as_a_file(
-    tmp_path: Path, robot: Robot, data: Measurements
+    tmp_path: Path, robot: Robot, shared: Shared
 ) -> None:
     changed = robot.with_values({"platform.mass": robot.quantities["platform.mass"].value})
-    found = updating.diagnose(changed, data, candidates=["gearbox_compliance"])
+    found = example(shared, "closed_loop", candidates=("gearbox_compliance",))
     with pytest.raises(PkmodesError, match="expected a robot read from a file"):
         updating.save_robot(changed, found, tmp_path / "out.toml")
     assert not list(tmp_path.iterdir())

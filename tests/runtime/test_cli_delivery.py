@@ -17,10 +17,8 @@ from typing import get_args, get_type_hints
 import pytest
 
 from helpers.diagnoses.diagnose_command import unwritable
-from helpers.diagnoses.examples import example
 from helpers.robots.robot_text import PUBLISHED, published
 from helpers.runs.processes import ROOT, environment
-from helpers.runs.shared import Shared
 from pkmodes import read_robot, updating
 from pkmodes.cli import run
 from pkmodes.cli.printing import echo
@@ -55,11 +53,6 @@ def nobody_reading() -> Iterator[None]:
     os.close(reading)
     with os.fdopen(writing, "w", encoding="utf-8") as pipe, redirect_stdout(pipe):
         yield
-
-
-@pytest.fixture(scope="module")
-def found(shared: Shared) -> Diagnosis:
-    return example(shared, "closed_loop", candidates=("gearbox_compliance",))
 
 
 @pytest.fixture(scope="module")
@@ -161,26 +154,21 @@ def test_an_error_that_nobody_hears_keeps_its_exit_code(place: str) -> None:
     assert shell(f'$PK "$@" {place}', "modes", "absent.toml", "--pose", "0,0,0").returncode == 2
 
 
-@pytest.fixture
-def diagnosed(found: Diagnosis, monkeypatch: pytest.MonkeyPatch) -> Diagnosis:
-    """The engine is tested elsewhere; here its result is given."""
-    monkeypatch.setattr(updating, "diagnose", lambda *_, **__: found)
-    return found
-
-
-@pytest.mark.usefixtures("diagnosed")
-def test_what_cannot_be_saved_does_not_take_the_answer_along(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize("option", ["--save-robot", "--report"])
+@pytest.mark.usefixtures("diagnosed", "no_drawing")
+def test_what_cannot_be_written_does_not_take_the_answer_along(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], option: str
 ) -> None:
-    target = unwritable(tmp_path, "saved.toml")
+    target = unwritable(tmp_path, "saved.toml" if option == "--save-robot" else "report.html")
     out = tmp_path / "result.json"
-    assert run([*DIAGNOSE, "--save-robot", str(target), "--json", str(out)]) == 2
+    assert run([*DIAGNOSE, option, str(target), "--json", str(out)]) == 2
     captured = capsys.readouterr()
     assert captured.out.startswith("workshop-delta: effect_found")
     assert "wrote" not in captured.out
     assert captured.err.startswith("error: cannot write")
     assert captured.err.count("\n") == 1
     assert out.exists()
+    assert not target.exists()
 
 
 def test_the_verdicts_are_those_of_the_engine() -> None:

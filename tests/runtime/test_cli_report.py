@@ -9,9 +9,6 @@ from pathlib import Path
 
 import pytest
 
-from helpers.diagnoses.diagnose_command import unwritable
-from helpers.diagnoses.examples import example
-from helpers.runs.shared import Shared
 from pkmodes import read_robot, updating
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
@@ -21,18 +18,6 @@ from pkmodes.report import report
 ROOT = Path(__file__).parents[2]
 LOOP = [str(ROOT / "examples" / "closed_loop" / name) for name in ("robot.toml", "measured.csv")]
 DIAGNOSE = ["diagnose", *LOOP, "--candidates", "gearbox_compliance"]
-
-
-@pytest.fixture(scope="module")
-def found(shared: Shared) -> Diagnosis:
-    return example(shared, "closed_loop", candidates=("gearbox_compliance",))
-
-
-@pytest.fixture
-def diagnosed(found: Diagnosis, monkeypatch: pytest.MonkeyPatch) -> Diagnosis:
-    """The engine is tested elsewhere; here its result is given."""
-    monkeypatch.setattr(updating, "diagnose", lambda *_, **__: found)
-    return found
 
 
 @pytest.fixture
@@ -73,22 +58,6 @@ def test_an_older_report_is_replaced_and_the_same_result_gives_the_same_bytes(tm
     assert first.startswith(b"<!DOCTYPE html>")
     assert run([*DIAGNOSE, "--report", str(target)]) == 0
     assert target.read_bytes() == first
-
-
-@pytest.mark.usefixtures("diagnosed", "no_drawing")
-def test_a_report_that_cannot_be_written_does_not_take_the_rest_along(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    target = unwritable(tmp_path, "report.html")
-    out = tmp_path / "result.json"
-    assert run([*DIAGNOSE, "--json", str(out), "--report", str(target)]) == 2
-    captured = capsys.readouterr()
-    assert captured.out.startswith("workshop-delta: effect_found")
-    assert "wrote" not in captured.out
-    assert captured.err.startswith("error: cannot write")
-    assert captured.err.count("\n") == 1
-    assert out.exists()
-    assert not target.exists()
 
 
 WRONG_TARGETS = [

@@ -29,11 +29,6 @@ BAD = [[9.0, 9.0, 9.0], [0.6, 0.0, 0.0], [0.1, 0.0, -0.245], [np.nan, 0.0, 0.0]]
 
 
 @pytest.fixture(scope="module")
-def model() -> pkmodes.Model:
-    return pkmodes.load(PUBLISHED)
-
-
-@pytest.fixture(scope="module")
 def extended(model: pkmodes.Model) -> pkmodes.Model:
     return model.with_values(EFFECTS)
 

@@ -7,18 +7,12 @@ import pytest
 from scipy.linalg import eigh
 
 import pkmodes
-from helpers.robots.robot_text import PUBLISHED
 from pkmodes.core.base.errors import PoseError
 from pkmodes_generated import linear_delta
 
 pytestmark = pytest.mark.usefixtures("backend")
 
 POSE = np.array([0.6, 0.03, -0.245])
-
-
-@pytest.fixture(scope="module")
-def model() -> pkmodes.Model:
-    return pkmodes.load(PUBLISHED)
 
 
 def test_modes_solve_the_eigenproblem_of_the_generated_matrices(model: pkmodes.Model) -> None:

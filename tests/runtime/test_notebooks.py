@@ -18,11 +18,6 @@ pytestmark = pytest.mark.usefixtures("backend")
 POSES = [[0.6, 0.0, -0.245], [0.5, 0.02, -0.245], [0.1, 0.0, -0.245]]
 
 
-@pytest.fixture(scope="module")
-def model() -> pkmodes.Model:
-    return pkmodes.load("robots/linear-delta-2022.toml")
-
-
 def test_modes_are_a_table_of_frequencies(model: pkmodes.Model) -> None:
     modes = model.modes(POSES, "nan")
     text = modes._repr_html_()

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import pkmodes
-from helpers.robots.robot_text import PUBLISHED
 from pkmodes.core.base.errors import PoseError
 
 pytestmark = pytest.mark.usefixtures("backend")
@@ -18,11 +17,6 @@ BAD = {
     "singular": [0.6, 0.0, 0.0],
     "limits": [0.1, 0.0, -0.245],
 }
-
-
-@pytest.fixture(scope="module")
-def model() -> pkmodes.Model:
-    return pkmodes.load(PUBLISHED)
 
 
 def expected(p: np.ndarray) -> str:
