@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from helpers.generated.generated_model import MODULE, edit
+from helpers.generated.generated_model import edit
 from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
 from pkmodes.codegen.generation import specification
@@ -58,15 +58,6 @@ def test_names_and_paths_cannot_become_code(tmp_path: Path) -> None:
     compile(module, "module", "exec")
     header = next(text for name, text in texts.items() if name.endswith(".h"))
     assert "int x" not in re.sub(r"/\*.*?\*/", "", header, flags=re.DOTALL)
-
-
-def test_a_file_that_was_not_generated_is_not_overwritten(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    (tmp_path / MODULE).write_text("mine", encoding="utf-8")
-    assert run(["generate", str(PUBLISHED), "--out", str(tmp_path)]) == 2
-    assert "no manifest of a generated model" in capsys.readouterr().err
-    assert (tmp_path / MODULE).read_text(encoding="utf-8") == "mine"
 
 
 def test_a_folder_of_another_robot_is_not_overwritten(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:

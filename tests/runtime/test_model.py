@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.linalg import eigh
@@ -167,7 +169,5 @@ def test_a_massless_structure_is_an_error_of_the_robot(model: pkmodes.Model) -> 
     parameters = model.robot.parameters._replace(
         platform_mass=0.0, link_mass=np.zeros(3), carriage_mass=np.zeros(3)
     )
-    from dataclasses import replace
-
     with pytest.raises(PoseError, match="not positive definite"):
         pkmodes.Model(replace(model.robot, parameters=parameters)).modes(POSE)

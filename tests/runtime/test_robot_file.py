@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import pickle
 import shutil
+import tomllib
 import tracemalloc
 from pathlib import Path
 
@@ -15,7 +16,7 @@ from hypothesis import strategies as st
 
 from helpers.robots.robot_text import PUBLISHED, edited, published
 from pkmodes.core.base.errors import RobotFileError
-from pkmodes.core.robot.reading import read_robot
+from pkmodes.core.robot.reading import read_robot, robot_from_document
 
 
 def read(tmp_path: Path, text: str) -> object:
@@ -279,10 +280,6 @@ values = st.one_of(
     st.one_of(values, st.dictionaries(st.text(max_size=8), values, max_size=3), st.lists(values, max_size=3)),
 )
 def test_any_value_is_read_or_refused_clearly(key: str, value: object) -> None:
-    import tomllib
-
-    from pkmodes.core.robot.reading import robot_from_document
-
     document = tomllib.loads(published())
     document[key] = value
     try:

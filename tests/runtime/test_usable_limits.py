@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import pickle
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -223,8 +224,6 @@ ENDS = st.floats(-1e3, 1e3).filter(lambda value: value == 0.0 or abs(value) > 1e
 @settings(max_examples=25, deadline=None)
 @given(limits=st.dictionaries(st.sampled_from("xyz"), st.tuples(ENDS, ENDS)))
 def test_any_limits_are_read_as_written_or_refused(limits: dict[str, tuple[float, float]]) -> None:
-    import tomllib
-
     document = {**tomllib.loads(published()), "usable": {name: list(ends) for name, ends in limits.items()}}
     if all(low < high for low, high in limits.values()):
         robot = robot_from_document(document, "robot.toml")
