@@ -18,7 +18,8 @@ from helpers.runs.processes import printed_by_a_process
 from pkmodes_rig.measurements import measure
 from pkmodes_rig.robots import POSES, ROBOTS, read
 
-pytestmark = pytest.mark.usefixtures("backend")
+#: For tests of numbers; what is printed and refused does not depend on the back end.
+both_back_ends = pytest.mark.usefixtures("backend")
 
 ROW = "A,0.6,0,-0.245,55.5,0.1"
 
@@ -52,6 +53,7 @@ def write(folder: Path, text: str, name: str = "modes.csv") -> Path:
     return path
 
 
+@both_back_ends
 def test_json_holds_the_result_and_every_row(tmp_path: Path) -> None:
     modes = write(tmp_path, measured())
     answer = call(PUBLISHED, modes, "--json", "-")
@@ -80,6 +82,7 @@ def test_json_holds_the_result_and_every_row(tmp_path: Path) -> None:
     assert json.loads(out.read_text(encoding="utf-8")) == found
 
 
+@both_back_ends
 def test_an_uncertain_position_widens_every_error(tmp_path: Path) -> None:
     """By the slope of each mode along x, here from differences of the model; the modes of a pose share an error."""
     rows, sigma_x = rows_of(measured()), 0.002
@@ -119,6 +122,7 @@ def test_only_what_was_measured_has_a_column(tmp_path: Path) -> None:
     assert len(table(answer)) == 18
 
 
+@both_back_ends
 def test_modes_that_were_rigid_have_no_partner_until_something_ties_the_platform(tmp_path: Path) -> None:
     modes = write(tmp_path, measured(servo=300.0))
     found = call(PUBLISHED, modes, "--json", "-").json
@@ -137,6 +141,7 @@ def test_modes_that_were_rigid_have_no_partner_until_something_ties_the_platform
     assert "27 measured modes at 3 poses, motors on their servo stiffness" in answer.out
 
 
+@both_back_ends
 def test_nothing_that_has_a_partner_is_no_perfect_model(tmp_path: Path) -> None:
     rows = [f"P{i},0.6,{i / 100},-0.24,{5000 + i},1" for i in range(4)]
     modes = write(tmp_path, "\n".join([HEADER, *rows]))
@@ -199,6 +204,7 @@ def test_a_thousand_rows_come_in_the_order_in_which_people_count(tmp_path: Path)
     assert [cells[0] for cells in table(answer)[::6]] == poses
 
 
+@both_back_ends
 def test_a_robot_whose_axes_override_what_they_share(tmp_path: Path) -> None:
     text = re.sub(r"(branch = -?1\n)", r'\1\n[axis.belt]\nwidth = "15 mm"\n', ROBOTS["published"])
     modes = write(tmp_path, measured())

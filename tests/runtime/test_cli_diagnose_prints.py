@@ -1,4 +1,4 @@
-"""What ``pkmodes diagnose`` prints."""
+"""What ``pkmodes diagnose`` prints; the numbers of both back ends are compared in test_cli_diagnose.py."""
 
 from __future__ import annotations
 
@@ -22,8 +22,6 @@ from helpers.diagnoses.diagnose_command import (
 )
 from helpers.pages.page_reading import read
 from helpers.runs.processes import printed_by_a_process, without_progress
-
-pytestmark = pytest.mark.usefixtures("backend")
 
 
 @pytest.mark.usefixtures("no_drawing")
