@@ -32,41 +32,43 @@ def test_a_fresh_model_is_current(copy: Path, capsys: pytest.CaptureFixture[str]
 
 #: Lines that a module must not have, and that are not executed.
 NEVER_RUN = ("import sys; sys.exit(0)", "raise RuntimeError", "print('hi')", "x =")
-PYTHON = f"model/{MODULE}"
-#: What is edited in a file of the robot or its model, and what is said of it.
+PYTHON, DERIVED = f"model/{MODULE}", "(derived now)"
+#: What is edited in a file of the robot or its model, and what is said of it and shown of the difference.
 CHANGES = [
+    ("robot.toml", "1.5 kg", "1.6 kg", ["platform.mass is 1.6, the model was generated with 1.5", DERIVED]),
     (
         "robot.toml",
-        'mass = "1.5 kg"',
-        'mass = "1.6 kg"',
-        ["platform.mass is 1.6, the model was generated with 1.5"],
+        "branch = 1\n",
+        'branch = 1\nbelt.width = "2 cm"\n',
+        ["axis.1.belt.width is 0.02", DERIVED],
     ),
-    ("robot.toml", "branch = 1\n", 'branch = 1\nbelt.width = "20 mm"\n', ["axis.1.belt.width is 0.02"]),
-    ("robot.toml", "driven_pulley = 1", "driven_pulley = 2", ["axis.1.driven_pulley is 2"]),
-    ("robot.toml", '"-200 mm"', '"-210 mm"', ["axis.2.origin.y is -0.21", "(derived now)"]),
+    ("robot.toml", "driven_pulley = 1", "driven_pulley = 2", ["axis.1.driven_pulley is 2", DERIVED]),
+    ("robot.toml", '"-200 mm"', '"-210 mm"', ["axis.2.origin.y is -0.21", DERIVED]),
     ("robot.toml", '"linear-delta-2022"', '"Linear-Delta-2022"', ['name is "Linear-Delta-2022"']),
-    (PYTHON, "x_1 = p_x + np.", "x_1 = p_x - np.", ["-    x_1 = p_x - np.sqrt", "+    x_1 = p_x + np.sqrt"]),
-    *((PYTHON, "\nimport numpy", f"\n{line}\nimport numpy", [f"\n-{line}\n"]) for line in NEVER_RUN),
-    *((f"model/{name}", "\n", "\n\n", []) for name in ("linear_delta_2022.c", "linear_delta_2022.h")),
-    ("model/manifest.json", "\n", "\n\n", []),
+    (
+        PYTHON,
+        "x_1 = p_x + np.",
+        "x_1 = p_x - np.",
+        ["", "-    x_1 = p_x - np.sqrt", "+    x_1 = p_x + np.sqrt"],
+    ),
+    *((PYTHON, "\nimport numpy", f"\n{line}\nimport numpy", ["", f"\n-{line}\n"]) for line in NEVER_RUN),
+    *((f"model/{name}", "\n", "\n\n", [""]) for name in ("linear_delta_2022.c", "linear_delta_2022.h")),
+    ("model/manifest.json", "\n", "\n\n", [""]),
 ]
 
 
 def test_an_edit_is_found_and_named_with_what_mends_it(
     subtests: pytest.Subtests, pristine: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    for number, (name, old, new, said) in enumerate(CHANGES):
+    for number, (name, old, new, (said, *shown)) in enumerate(CHANGES):
         with subtests.test(name=name, new=new):
             folder = Path(shutil.copytree(pristine, tmp_path / str(number)))
             edit(folder / name, old, new)
             code, out = check(folder, capsys)
             assert code == 1
-            assert (
-                "the robot file changed: "
-                if name == "robot.toml"
-                else f"{Path(name).name} was edited by hand"
-            ) in out
-            assert [part for part in said if part not in out] == [], out
+            by_hand = f"{Path(name).name} was edited by hand"
+            assert (f"the robot file changed: {said}" if said else by_hand) in out
+            assert [part for part in shown if part not in out] == [], out
             assert f"fix with: pkmodes generate {folder / 'robot.toml'} --out {folder / 'model'}" in out
             assert "hi\n" not in out.replace("print('hi')", ""), "it was executed"
 
