@@ -27,6 +27,29 @@ ROBOT = str(PUBLISHED)
 LINE = "x=0.3:0.8:11,y=0,z=-0.245"
 
 
+def test_the_table_says_where_each_mode_is_lowest_and_highest() -> None:
+    out = printed("map", ROBOT, "--grid", LINE)
+    assert "linear-delta-2022, motors free: 11 of 11 poses can be evaluated" in out
+    assert "x from 0.3 to 0.8 m, 11 values" in out
+    assert "y = 0 m" in out
+    rows = [line.split() for line in out.splitlines()]
+    first, second = (i for i, row in enumerate(rows) if row[:1] == ["mode"])
+    assert " ".join(rows[first]) == "mode 2 % [Hz] median [Hz] 98 % [Hz]"
+    assert " ".join(rows[second]) == "mode f [Hz] x"
+    x = np.linspace(0.3, 0.8, 11)
+    frequencies = pkmodes.load(PUBLISHED).frequencies([[value, 0.0, -0.245] for value in x])[:, 3:]
+    for mode in range(6):
+        column = frequencies[:, mode]
+        low, high = column.argmin(), column.argmax()
+        shares = [f"{value:.3f}" for value in np.quantile(column, [0.02, 0.5, 0.98])]
+        assert rows[first + 1 + mode] == [str(mode + 1), *shares]
+        place = second + 1 + 2 * mode
+        assert rows[place] == [str(mode + 1), "lowest", f"{column[low]:.3f}", f"{x[low]:.6g}"]
+        assert rows[place + 1] == ["highest", f"{column[high]:.3f}", f"{x[high]:.6g}"]
+    assert "near-singular" not in out
+    assert "unstable" not in out
+
+
 def test_a_frequency_beyond_all_others_does_not_lead_the_table(monkeypatch: pytest.MonkeyPatch) -> None:
     """In the workspace of this robot a belt span vanishes but for rounding at one pose: mode 6 has 9e9 Hz there."""
     monkeypatch.setenv("COLUMNS", "80")

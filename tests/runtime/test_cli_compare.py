@@ -28,11 +28,16 @@ def call(*arguments: object) -> Answer:
     return Answer(*answers.answer("compare", *arguments))
 
 
-def table(found: Answer) -> list[list[str]]:
-    """Return the cells of the table of all measured modes, without its titles."""
+def rows_below(found: Answer, sentence: str) -> list[str]:
+    """Return the lines of a table, without its titles, below a sentence."""
     lines = found.out.splitlines()
-    first = lines.index("all measured modes:") + 2
-    return [line.split() for line in lines[first : lines.index("", first)]]
+    first = lines.index(sentence) + 2
+    return lines[first : lines.index("", first)]
+
+
+def table(found: Answer) -> list[list[str]]:
+    """Return the cells of the table of all measured modes."""
+    return [line.split() for line in rows_below(found, "all measured modes:")]
 
 
 @cache
@@ -80,6 +85,65 @@ def test_json_holds_the_result_and_every_row(tmp_path: Path) -> None:
     out = tmp_path / "out.json"
     assert call(PUBLISHED, modes, "--json", out).code == 0
     assert json.loads(out.read_text(encoding="utf-8")) == found
+
+
+def test_the_table_has_a_line_for_each_mode_counted_as_modes_does(tmp_path: Path) -> None:
+    answer = call(PUBLISHED, write(tmp_path, measured()), "--all")
+    assert (answer.code, answer.err) == (0, "")
+    lines = answer.out.splitlines()
+    assert lines[0] == f"linear-delta-2022 compared with {tmp_path / 'modes.csv'}"
+    assert lines[1] == "18 measured modes at 3 poses, motors free, frequencies in Hz"
+    assert max(map(len, lines[1:])) <= 80
+    assert lines[lines.index("all measured modes:") + 1].split() == [
+        *["pose", "line", "own", "mode", "measured", "sigma", "predicted", "diff", "[%]", "sigmas", "MAC"]
+    ]
+    assert len(table(answer)) == 18
+    given = rows_of(measured())
+    order = sorted(dict.fromkeys(row["pose"] for row in given))
+    assert [cells[0] for cells in table(answer)[::6]] == order
+    model = pkmodes.load(PUBLISHED)
+    for i, cells in enumerate(table(answer)):
+        line, own, mode, frequency, sigma, predicted, difference, *_ = cells[1:] if i % 6 == 0 else cells
+        row = given[int(line) - 3]
+        assert row["pose"] == order[i // 6]
+        assert (row["mode"], int(mode)) == (own, i % 6 + 1)
+        assert float(frequency) == pytest.approx(float(row["frequency"]), abs=5e-4)
+        assert float(sigma) == pytest.approx(float(row["sigma"]), abs=5e-4)
+        frequencies = model.modes([float(row[name]) for name in "xyz"]).frequencies
+        assert float(predicted) == pytest.approx(frequencies[3 + i % 6], abs=5e-4)
+        assert float(difference) == pytest.approx(100 * (float(predicted) / float(frequency) - 1), abs=0.006)
+    assert lines[2].startswith("rms of the differences 0.")
+
+
+def test_a_summary_by_mode_and_the_five_worst_rows_come_first(tmp_path: Path) -> None:
+    modes = write(tmp_path, measured())
+    rows = call(PUBLISHED, modes, "--json", "-").json["rows"]
+    answer = call(PUBLISHED, modes)
+    assert max(map(len, answer.out.splitlines()[1:])) <= 80
+    assert "all measured modes:" not in answer.out
+    lines = answer.out.splitlines()
+    assert lines[4].split("  ")[0] == "mode"
+    summary = [line.split() for line in lines[5 : lines.index("", 5)]]
+    assert [cells[0] for cells in summary] == list("123456")
+    for number, count, median, rms, largest, sigmas, line in summary:
+        differences = {r["line"]: 100 * r["residual"] for r in rows if r["partner"] == int(number) + 3}
+        assert int(count) == len(differences) == 3
+        assert float(median) == pytest.approx(np.median(list(differences.values())), abs=0.0051)
+        assert float(rms) == pytest.approx(
+            np.sqrt(np.mean(np.square(list(differences.values())))), abs=0.0051
+        )
+        worst = max(differences, key=lambda key: abs(differences[key]))
+        assert int(line) == worst
+        assert float(largest) == pytest.approx(differences[worst], abs=0.0051)
+        (row,) = [r for r in rows if r["line"] == worst]
+        assert float(sigmas) == pytest.approx(row["sigmas"], abs=0.051)
+    shown = [
+        line.split()[1] for line in rows_below(answer, "the 5 that differ most, in standard deviations:")
+    ]
+    expected = sorted(rows, key=lambda r: -abs(r["sigmas"]))[:5]
+    assert list(map(int, shown)) == [r["line"] for r in expected]
+    whole = call(PUBLISHED, modes, "--all")
+    assert whole.out.startswith(answer.out.split("\nline: ")[0])
 
 
 @both_back_ends

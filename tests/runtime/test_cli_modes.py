@@ -45,6 +45,16 @@ def test_json_holds_the_numbers_of_the_model(
     assert capsys.readouterr() == (json.dumps(content, indent=1) + "\n", "")
 
 
+def test_the_table_shows_every_mode_and_coordinate(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["modes", ROBOT, "--pose", POSE]) == 0
+    out = capsys.readouterr().out
+    frequencies = pkmodes.load(ROBOT).modes([0.6, 0.03, -0.245]).frequencies
+    assert all(f"{f:.3f}" in out for f in frequencies[3:])
+    for label in ("rigid", "x_1/R_p", "theta_3_2", "p_z", "static torques [N m]", "carriage positions [m]"):
+        assert label in out
+    assert max(map(len, out.splitlines())) <= 80
+
+
 def test_a_dataset_of_modes_says_what_the_motors_do() -> None:
     modes = pkmodes.load(ROBOT).modes([0.6, 0.03, -0.245], drives="held")
     dataset = modes.to_dataset()
