@@ -157,7 +157,7 @@ def test_extremes_are_those_of_the_whole_plane(plane: Plane) -> None:
 def test_the_triangles_of_the_picture_are_where_the_table_of_the_same_map_says(model: pkmodes.Model) -> None:
     found = model.map(GRID, shapes=True)
     drawn = Plane.of(found, ["x", "y", "z"])
-    for mode, row in enumerate(summary_of(found, None)["modes"]):
+    for mode, row in enumerate(summary_of(found, None).as_json()["modes"]):
         places = extremes(drawn.dataset["frequency"].values[..., mode])
         for name in ("minimum", "maximum"):
             at = {(float(drawn.dataset["x"][i]), float(drawn.dataset["y"][j])) for i, j in places[name]}

@@ -21,7 +21,7 @@ model = pkmodes.load("robots/linear-delta-2022.toml")
 def peak(n):
     grid = {"x": np.linspace(0.1, 0.8, n), "y": np.linspace(-0.1, 0.1, 1000), "z": -0.245}
     with model.map(grid, out=out, overwrite=True, **options) as found:
-        assert summary_of(found, None)["poses"] == 1000 * n
+        assert summary_of(found, None).poses == 1000 * n
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
 small = peak(200)

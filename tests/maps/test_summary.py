@@ -26,7 +26,7 @@ def test_extremes_and_counts_do_not_depend_on_the_parts(monkeypatch: pytest.Monk
     grid = {"x": np.linspace(0.0, 0.8, 9), "y": np.linspace(-0.1, 0.1, 3), "z": [-0.5, -0.245]}
     found = model.map(grid, sweep={"platform.mass": [2.0, 1.0]})
     monkeypatch.setattr(fields, "CHUNK", chunk)
-    summary = summary_of(found, None)
+    summary = summary_of(found, None).as_json()
     values = found["frequency"].values.reshape(2, -1, 6)
     # A belt span of some mm: its frequency is beyond ten times the median of the robot, of which there are two.
     beyond = (values > 10.0 * np.nanmedian(values, axis=1, keepdims=True)).any(axis=-1)
@@ -95,7 +95,7 @@ def test_an_unstable_pose_and_a_singular_one_are_counted_and_left_out() -> None:
     lowest = [eigvalsh(k[np.ix_(kept, kept)], m[np.ix_(kept, kept)])[0] for m, k in zip(M, K, strict=True)]
     assert [value < 0.0 for value in lowest] == [False, False, False, True, True]
     assert (found["condition"].values > 100.0).tolist() == [False, False, False, False, True]
-    summary = summary_of(found, None)
+    summary = summary_of(found, None).as_json()
     assert (summary["valid"], summary["counted"]) == (5, 3)
     assert (summary["unstable"]["poses"], summary["near_singular"]["poses"]) == (2, 1)
     assert [summary["unstable"]["at"][name] for name in "xyz"] == HELD[4].tolist()
@@ -117,7 +117,7 @@ def test_rounding_beside_a_vanishing_span_is_no_instability() -> None:
     """At x = 0.28 m a belt span vanishes but for rounding, which leaves nothing of the lowest eigenvalue."""
     model = pkmodes.load(PUBLISHED.with_name("linear-delta-2022-identified.toml"))
     found = model.map({"x": [0.28, 0.6, 0.7, 0.8], "y": 0.0, "z": -0.32}, drives="held")
-    summary = summary_of(found, None)
+    summary = summary_of(found, None).as_json()
     assert float(found["frequency"].max()) > 1e7
     assert (summary["near_singular"]["poses"], summary["unstable"]["poses"]) == (1, 0)
     assert summary["near_singular"]["at"]["x"] == 0.28
@@ -128,14 +128,14 @@ def test_the_robots_of_a_sweep_are_judged_each_by_itself() -> None:
     """A servo ten thousand times as stiff multiplies frequencies, at no singular pose."""
     model = pkmodes.load(PUBLISHED)
     stiffness = {"effects.servo_stiffness.stiffness": [0.01, 0.1, 100.0]}
-    summary = summary_of(model.map({"x": [0.5, 0.6], "y": 0.0, "z": -0.245}, sweep=stiffness), None)
+    summary = summary_of(model.map({"x": [0.5, 0.6], "y": 0.0, "z": -0.245}, sweep=stiffness), None).as_json()
     first = summary["modes"][0]
     assert first["maximum_hz"] > 10.0 * first["median_hz"]
     assert (summary["valid"], summary["counted"]) == (6, 6)
 
 
 def test_few_poses_that_all_move_away_have_no_extremes() -> None:
-    summary = summary_of(pkmodes.load(PUBLISHED).map(HELD[3:4], drives="held"), None)
+    summary = summary_of(pkmodes.load(PUBLISHED).map(HELD[3:4], drives="held"), None).as_json()
     assert summary["counted"] == 0
     assert {summary["modes"][0][key] for key in ("minimum_hz", "maximum_at", "median_hz")} == {None}
     assert _headline(summary) == "The machine is stable at no pose"

@@ -6,10 +6,9 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import click
-from msgspec import Meta
 
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
@@ -26,9 +25,7 @@ from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.progress import duration
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
-from pkmodes.core.base.drives import Drives
 from pkmodes.core.robot.declaration import changeable
-from pkmodes.support.documents import Document
 from pkmodes.support.motors import motors_in_words
 from pkmodes.support.numbers import hertz
 from pkmodes.support.progress import say
@@ -42,90 +39,6 @@ if TYPE_CHECKING:
 
 #: Arguments of `pkmodes.Model.map` that have the names of their options.
 ARGUMENTS = ("out", "samples", "tracked", "seed", "threads", "grid", "poses")
-
-
-class ExtremesDocument(Document, frozen=True):
-    """Between which values a frequency lies, and where it is lowest and highest."""
-
-    mode: Annotated[int, Meta(description="Number of the mode: 1 is the first vibration mode.")]
-    minimum_hz: Annotated[
-        float | None,
-        Meta(description="Its lowest frequency [Hz]; null where it has none at any counted pose."),
-    ]
-    minimum_at: Annotated[
-        dict[str, float | str] | None,
-        Meta(description="Where: the value of each coordinate of the map, in SI units."),
-    ]
-    maximum_hz: Annotated[float | None, Meta(description="Its highest frequency [Hz].")]
-    maximum_at: Annotated[dict[str, float | str] | None, Meta(description="Where.")]
-    quantile_2_hz: Annotated[
-        float | None, Meta(description="The frequency below which it is at 2 % of the poses [Hz].")
-    ]
-    median_hz: Annotated[
-        float | None, Meta(description="The frequency below which it is at half of the poses [Hz].")
-    ]
-    quantile_98_hz: Annotated[
-        float | None, Meta(description="The frequency below which it is at 98 % of the poses [Hz].")
-    ]
-
-
-class LeftOutDocument(Document, frozen=True):
-    """Poses that the numbers of the modes leave out."""
-
-    poses: Annotated[int, Meta(description="How many there are.")]
-    at: Annotated[
-        dict[str, float | str] | None,
-        Meta(
-            description="Where it is worst: the value of each coordinate of the map; null where there are none."
-        ),
-    ]
-
-
-class MapDocument(Document, frozen=True):
-    """The summary of a map."""
-
-    robot: Annotated[str, Meta(description="Name of the robot.")]
-    file: Annotated[str | None, Meta(description="The file of the map as given, null without one.")]
-    dimensions: Annotated[
-        dict[str, int], Meta(description="Length of each dimension of the dataset, by name.")
-    ]
-    ranges: Annotated[
-        dict[str, Annotated[list[float | str], Meta(min_length=2, max_length=2)]],
-        Meta(
-            description="First and last value along each dimension of the poses and of the swept parameters, in SI "
-            "units."
-        ),
-    ]
-    poses: Annotated[
-        int, Meta(description="Number of poses, of all robots of a sweep or of samples together.")
-    ]
-    valid: Annotated[int, Meta(description="How many of them could be evaluated.")]
-    counted: Annotated[
-        int,
-        Meta(
-            description="How many of these the numbers of modes are from: those neither near-singular nor unstable."
-        ),
-    ]
-    near_singular: Annotated[
-        LeftOutDocument,
-        Meta(
-            description="Poses at which the condition number of the platform Jacobian is above 100 and 10 times its "
-            "median over the map, or a frequency above 10 times its median."
-        ),
-    ]
-    unstable: Annotated[
-        LeftOutDocument,
-        Meta(
-            description="Poses at which an eigenvalue is negative: the machine moves away instead of vibrating."
-        ),
-    ]
-    reasons: Annotated[dict[str, int], Meta(description="How many could not, by the code of the reason.")]
-    rigid_modes: Annotated[
-        int, Meta(description="Rigid-body modes of the robot as declared, which are left out.")
-    ]
-    drives: Drives
-    tracked: Annotated[bool, Meta(description="Whether modes are numbered by their shapes.")]
-    modes: Annotated[list[ExtremesDocument], Meta(description="The vibration modes.")]
 
 
 @click.command(
@@ -210,13 +123,13 @@ def map_(
     from pkmodes.maps.summary import summary_of
 
     file = None if out is None else str(out)
-    content = summary_of(dataset, file)
+    content = summary_of(dataset, file).as_json()
     report = report_file(report_to, lambda: _page(model, dataset, content, sources))
     complete = (
         "" if out is None else "the map is written; for its report run the command again with --overwrite"
     )
     with _continued(out, complete):
-        deliver(json_file, MapDocument(**content).as_json(), lambda: _print(model, content), report)
+        deliver(json_file, content, lambda: _print(model, content), report)
 
 
 def _page(model: Model, dataset: Dataset, content: dict[str, Any], sources: Sequence[Source]) -> str:

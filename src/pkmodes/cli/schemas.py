@@ -10,7 +10,6 @@ from pkmodes.campaign.results import IdentifyDocument
 from pkmodes.cli.check import CheckDocument
 from pkmodes.cli.figures import FiguresDocument
 from pkmodes.cli.generate import GenerateDocument
-from pkmodes.cli.map import MapDocument
 from pkmodes.cli.modes import modes_document
 from pkmodes.cli.response import ResponseDocument
 from pkmodes.cli.sensitivities import SensitivitiesDocument
@@ -19,6 +18,7 @@ from pkmodes.cli.show import ShowDocument
 from pkmodes.diagnosis.compare import CompareDocument
 from pkmodes.diagnosis.verdict.document import DiagnoseDocument
 from pkmodes.maps.robots_compared import RobotsCompared
+from pkmodes.maps.summary import MapSummary
 from pkmodes.support.documents import Document, schema_of
 from pkmodes.support.writing import write_files
 
@@ -27,7 +27,7 @@ DOCUMENTS: dict[str, type[Document]] = {
     "generate": GenerateDocument,
     "check": CheckDocument,
     "modes": modes_document(),
-    "map": MapDocument,
+    "map": MapSummary,
     "figures": FiguresDocument,
     "show": ShowDocument,
     "sensitivities": SensitivitiesDocument,

@@ -112,7 +112,7 @@ def sentences(content: dict[str, Any], units: dict[str, str]) -> list[str]:
     Parameters
     ----------
     content : dict
-        From `pkmodes.maps.summary.summary_of`.
+        Of the summary, as JSON has it.
     units : dict
         SI units of the map's axes.
     """

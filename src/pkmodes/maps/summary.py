@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import numpy as np
+from msgspec import Meta
 from numpy.typing import NDArray
 
+from pkmodes.core.base.drives import Drives
 from pkmodes.maps.left_out import MEDIANS, near_singular, ordinary, parts, unstable, with_medians
 from pkmodes.maps.quantiles import quantiles
 from pkmodes.maps.variants import SAMPLE
+from pkmodes.support.documents import Document
 
 if TYPE_CHECKING:
     import xarray
@@ -23,8 +26,92 @@ SHARES = {"quantile_2_hz": 0.02, "median_hz": 0.5, "quantile_98_hz": 0.98}
 FEW = 50
 
 
-def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
-    """Return the summary with the documented JSON keys (docs/json.md).
+class ExtremesDocument(Document, frozen=True):
+    """Between which values a frequency lies, and where it is lowest and highest."""
+
+    mode: Annotated[int, Meta(description="Number of the mode: 1 is the first vibration mode.")]
+    minimum_hz: Annotated[
+        float | None,
+        Meta(description="Its lowest frequency [Hz]; null where it has none at any counted pose."),
+    ]
+    minimum_at: Annotated[
+        dict[str, float | str] | None,
+        Meta(description="Where: the value of each coordinate of the map, in SI units."),
+    ]
+    maximum_hz: Annotated[float | None, Meta(description="Its highest frequency [Hz].")]
+    maximum_at: Annotated[dict[str, float | str] | None, Meta(description="Where.")]
+    quantile_2_hz: Annotated[
+        float | None, Meta(description="The frequency below which it is at 2 % of the poses [Hz].")
+    ]
+    median_hz: Annotated[
+        float | None, Meta(description="The frequency below which it is at half of the poses [Hz].")
+    ]
+    quantile_98_hz: Annotated[
+        float | None, Meta(description="The frequency below which it is at 98 % of the poses [Hz].")
+    ]
+
+
+class LeftOutDocument(Document, frozen=True):
+    """Poses that the numbers of the modes leave out."""
+
+    poses: Annotated[int, Meta(description="How many there are.")]
+    at: Annotated[
+        dict[str, float | str] | None,
+        Meta(
+            description="Where it is worst: the value of each coordinate of the map; null where there are none."
+        ),
+    ]
+
+
+class MapSummary(Document, frozen=True):
+    """The summary of a map."""
+
+    robot: Annotated[str, Meta(description="Name of the robot.")]
+    file: Annotated[str | None, Meta(description="The file of the map as given, null without one.")]
+    dimensions: Annotated[
+        dict[str, int], Meta(description="Length of each dimension of the dataset, by name.")
+    ]
+    ranges: Annotated[
+        dict[str, Annotated[list[float | str], Meta(min_length=2, max_length=2)]],
+        Meta(
+            description="First and last value along each dimension of the poses and of the swept parameters, in SI "
+            "units."
+        ),
+    ]
+    poses: Annotated[
+        int, Meta(description="Number of poses, of all robots of a sweep or of samples together.")
+    ]
+    valid: Annotated[int, Meta(description="How many of them could be evaluated.")]
+    counted: Annotated[
+        int,
+        Meta(
+            description="How many of these the numbers of modes are from: those neither near-singular nor unstable."
+        ),
+    ]
+    near_singular: Annotated[
+        LeftOutDocument,
+        Meta(
+            description="Poses at which the condition number of the platform Jacobian is above 100 and 10 times its "
+            "median over the map, or a frequency above 10 times its median."
+        ),
+    ]
+    unstable: Annotated[
+        LeftOutDocument,
+        Meta(
+            description="Poses at which an eigenvalue is negative: the machine moves away instead of vibrating."
+        ),
+    ]
+    reasons: Annotated[dict[str, int], Meta(description="How many could not, by the code of the reason.")]
+    rigid_modes: Annotated[
+        int, Meta(description="Rigid-body modes of the robot as declared, which are left out.")
+    ]
+    drives: Drives
+    tracked: Annotated[bool, Meta(description="Whether modes are numbered by their shapes.")]
+    modes: Annotated[list[ExtremesDocument], Meta(description="The vibration modes.")]
+
+
+def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
+    """Return the summary of a map.
 
     Parameters
     ----------
@@ -59,30 +146,30 @@ def summary_of(dataset: xarray.Dataset, file: str | None) -> dict[str, Any]:
             lowest[i] = _better(lowest[i], kept[..., i], start, highest=False)
             highest[i] = _better(highest[i], kept[..., i], start, highest=True)
     rows = quantiles(lambda: _frequencies(dataset, leading), list(SHARES.values())).tolist()
-    return {
-        "robot": dataset.attrs["robot"],
-        "file": file,
-        "dimensions": {str(name): int(size) for name, size in dataset.sizes.items()},
-        "ranges": {dim: _range(dataset[dim].values) for dim in _as_read(leading)},
-        "poses": int(np.prod([dataset.sizes[dim] for dim in leading])),
-        "valid": valid,
-        "counted": counted,
-        "near_singular": {"poses": close, "at": _at(nearest, dataset)},
-        "unstable": {"poses": falling, "at": _at(fastest, dataset)},
-        "reasons": dict(sorted(reasons.items())),
-        "rigid_modes": int(dataset.attrs["rigid_modes"]),
-        "drives": str(dataset.attrs["drives"]),
-        "tracked": "rank" in dataset,
-        "modes": [
-            {
-                "mode": number,
-                **_end("minimum", low, dataset),
-                **_end("maximum", high, dataset),
+    return MapSummary(
+        robot=dataset.attrs["robot"],
+        file=file,
+        dimensions={str(name): int(size) for name, size in dataset.sizes.items()},
+        ranges={dim: _range(dataset[dim].values) for dim in _as_read(leading)},
+        poses=int(np.prod([dataset.sizes[dim] for dim in leading])),
+        valid=valid,
+        counted=counted,
+        near_singular=LeftOutDocument(close, _at(nearest, dataset)),
+        unstable=LeftOutDocument(falling, _at(fastest, dataset)),
+        reasons=dict(sorted(reasons.items())),
+        rigid_modes=int(dataset.attrs["rigid_modes"]),
+        drives=cast("Drives", str(dataset.attrs["drives"])),
+        tracked="rank" in dataset,
+        modes=[
+            ExtremesDocument(
+                number,
+                *_end(low, dataset),
+                *_end(high, dataset),
                 **{key: None if low is None else value for key, value in zip(SHARES, row, strict=True)},
-            }
+            )
             for number, low, high, row in zip(numbers, lowest, highest, rows, strict=True)
         ],
-    }
+    )
 
 
 def quantiles_in_words(content: dict[str, Any]) -> str:
@@ -118,10 +205,11 @@ def _frequencies(dataset: xarray.Dataset, leading: list[str]) -> Iterator[NDArra
         yield frequency.reshape(-1, frequency.shape[-1])
 
 
-def _end(name: str, extreme: tuple[float, list[int]] | None, dataset: xarray.Dataset) -> dict[str, Any]:
-    if extreme is None:
-        return {f"{name}_hz": None, f"{name}_at": None}
-    return {f"{name}_hz": extreme[0], f"{name}_at": _at(extreme, dataset)}
+def _end(
+    extreme: tuple[float, list[int]] | None, dataset: xarray.Dataset
+) -> tuple[float | None, dict[str, Any] | None]:
+    """Return an extreme frequency and where it is."""
+    return None if extreme is None else extreme[0], _at(extreme, dataset)
 
 
 def _at(extreme: tuple[float, list[int]] | None, dataset: xarray.Dataset) -> dict[str, Any] | None:

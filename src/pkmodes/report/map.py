@@ -64,7 +64,7 @@ def map_report(
     dataset : xarray.Dataset
         From `pkmodes.Model.map` of this model.
     content : dict, optional
-        The summary of the map, from ``pkmodes.maps.summary.summary_of``.
+        The summary of the map as JSON has it, from ``pkmodes.maps.summary.summary_of``.
     sources : sequence of Source, optional
         The input files as they were read; by default the robot file as it is now.
     view : str, optional
@@ -81,7 +81,7 @@ def map_report(
         If the libraries of the extra ``report`` are not installed.
     """
     need_report()
-    content = summary_of(dataset, None) if content is None else content
+    content = summary_of(dataset, None).as_json() if content is None else content
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     sections = [
         Section("modes", "Range of each frequency", _ranges(model, content)),
