@@ -22,10 +22,10 @@ from helpers.robots.lane_samples import (
 )
 from pkmodes import PkmodesError
 from pkmodes.core.system.evaluation import ExtendedSystem
+from pkmodes.sensitivity.compiled import terms_of
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING
 from pkmodes.sensitivity.paths import ParameterPath
-from pkmodes.sensitivity.terms import terms_of
 
 pytestmark = pytest.mark.compiler
 

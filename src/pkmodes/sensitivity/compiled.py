@@ -1,21 +1,166 @@
-"""Derivatives of modes from the compiled evaluator, and from NumPy where joints are locked."""
+"""Derivatives of modes from a solver that has them, the compiled evaluator, and from NumPy where it cannot.
+
+It takes parameter paths as weighted entries of the gradient of an eigenvalue.  NumPy evaluates where modes coincide
+or joints are locked.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import Along
+from pkmodes.core.compiled.lanes import UNSOLVED, Along, Terms, flat
+from pkmodes.core.linalg.eigen import magnitude
+from pkmodes.core.mechanism.poses import CHUNK, codes_of
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.mechanism.regular import sample
+from pkmodes.core.robot.layout import Slot
 from pkmodes.core.solve.at_poses import RobotAtPoses
-from pkmodes.core.solve.solver import Solver
-from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.sensitivity.matrices import MatrixDerivatives
+from pkmodes.core.solve.batch import Job
+from pkmodes.core.solve.solver import EIGENVALUES, Codes, Solver
+from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem, may_be_refused, number_of_modes
+from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, effect_fields, joints_of
+from pkmodes.sensitivity.modes import ROUNDING, separate
 from pkmodes.sensitivity.paths import ParameterPath
-from pkmodes.sensitivity.terms import terms_of_all
 
 Array = NDArray[np.float64]
+#: The compiled evaluator's names of the fields of `pkmodes.Sensitivities` that it evaluates.
+RATES = {"eigenvalues": "eigenvalue_rates", "frequencies": "frequency_rates"}
+
+
+def terms_of(system: ExtendedSystem, paths: Sequence[ParameterPath]) -> Terms:
+    """Return the terms of parameter paths.
+
+    Parameters
+    ----------
+    system : ExtendedSystem
+        Of the robot, with or without effects.
+    paths : sequence of ParameterPath
+    """
+    terms = terms_of_all([system], [paths])
+    return terms._replace(first=terms.first[0], effects=terms.effects[0])
+
+
+def terms_of_all(systems: Sequence[ExtendedSystem], paths: Sequence[Sequence[ParameterPath]]) -> Terms:
+    """Return the terms of several robots with the same free coordinates, each with equally many paths."""
+    system = systems[0]
+    values, parameters = _places(system.mechanism)
+    pose = len(values)
+    joints, free = pose + len(system.mechanism.pose), frozenset(system.free.tolist())
+    of_paths = [
+        list(_terms(one, path, values, free))
+        for one, some in zip(systems, paths, strict=True)
+        for path in some
+    ]
+    given = [place for terms in of_paths for place, _ in terms]
+    count, ends = len(paths[0]), np.cumsum([0, *map(len, of_paths)], dtype=np.int32)
+    return Terms(
+        first=ends[np.arange(len(systems))[:, None] * count + np.arange(count + 1)],
+        places=np.array(given, dtype=np.int32),
+        weights=np.array([weight for terms in of_paths for _, weight in terms], dtype=float),
+        effects=np.array([flat(one.effects) for one in systems]),
+        all_coordinates=any(parameters <= place < pose or place >= joints for place in given),
+        locked_joints=any(place >= joints and place - joints not in free for place in given),
+    )
+
+
+def _terms(
+    system: ExtendedSystem, path: ParameterPath, values: Mapping[Slot, int], free: frozenset[int]
+) -> Iterator[tuple[int, float]]:
+    """Yield place and weight of the terms of a path."""
+    pose = len(values)
+    joints, of_slot = pose + len(system.mechanism.pose), joints_of(system.mechanism)
+    for slot, weight in path.weights.items():
+        if slot in of_slot:
+            for joint in of_slot[slot]:
+                rate = float(system.joint_rates[joint]) if joint in free else 1.0
+                yield joints + joint, weight * rate
+        elif slot[0] == POSE:
+            yield pose + slot[1][0], weight
+        else:
+            yield values[slot], weight
+
+
+@cache
+def _places(mechanism: Mechanism) -> tuple[dict[Slot, int], int]:
+    """Return the place of each number of a robot in a gradient, and how many of them are parameters."""
+    dotted, parameters = effect_fields(mechanism), 0
+    slots: list[Slot] = []
+    for numbers in (sample(mechanism), mechanism.extended.Effects()):
+        parameters = len(slots)
+        slots += [
+            (dotted.get(name, name), index)
+            for name, value in zip(numbers._fields, numbers, strict=True)
+            for index in np.ndindex(np.shape(value))
+        ]
+    return {slot: place for place, slot in enumerate(slots)}, parameters
+
+
+def rates_job(
+    solver: Solver,
+    system: Evaluation,
+    source: str,
+    terms: Terms,
+    close: float,
+    asked: Sequence[str],
+    by_numpy: Callable[[Array], Mapping[str, Array]],
+) -> Job:
+    """Return the job that evaluates derivatives of eigenvalues and frequencies.
+
+    Parameters
+    ----------
+    solver : Solver
+        That differentiates.
+    system : Evaluation
+        Of the robot.
+    source : str
+        The robot, for messages.
+    terms : Terms
+        Of T paths.
+    close : float
+        As for `pkmodes.Model.sensitivities`.
+    asked : sequence of str
+        Fields.
+    by_numpy : callable
+        Evaluates the fields at some poses, (n, d).
+    """
+    modes = number_of_modes(system)
+
+    def compute(points: Array, rows: Mapping[str, Array], threads: int) -> Codes:
+        at = RobotAtPoses(system, points, source, {})
+        if not rows:
+            return solver.compute(at, rows, threads)
+        eigenvalues = np.empty((len(points), modes))
+        written = {RATES[name]: array for name, array in rows.items()}
+        codes = solver.rates(at, {**written, EIGENVALUES: eigenvalues}, terms, threads)
+        for start in range(0, len(codes), CHUNK):
+            part = slice(start, start + CHUNK)
+            together = _coincide(eigenvalues[part], system, close, "eigenvalues" in asked)
+            codes[part][(codes[part] == 0) & together] = UNSOLVED
+        return codes
+
+    tail = (len(terms.first) - 1, modes)
+    return Job(
+        tails=dict.fromkeys(asked, (tail, "f8")),
+        known=codes_of(system.mechanism),
+        compute=compute,
+        by_numpy=by_numpy,
+        checks_poses=True,
+        refusable=may_be_refused(system),
+    )
+
+
+def _coincide(eigenvalues: Array, system: Evaluation, close: float, of_zero: bool) -> NDArray[np.bool_]:
+    """Return where modes form a group; with `of_zero` also of those whose frequency is zero to rounding."""
+    sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.held_motions)
+    together = ~separate(eigenvalues, close, sizes)
+    if not of_zero:
+        moving = np.abs(eigenvalues) > ROUNDING * sizes
+        together &= moving[:, 1:] | moving[:, :-1]
+    return np.asarray(together.any(axis=1))
 
 
 class CompiledDerivatives(MatrixDerivatives):

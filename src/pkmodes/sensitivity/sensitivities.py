@@ -22,14 +22,14 @@ from pkmodes.core.solve.backends import AUTO, checked_threads
 from pkmodes.core.solve.batch import run
 from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
 from pkmodes.core.solve.results import ChosenFields
-from pkmodes.core.solve.solutions import solved
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.evaluation import ExtendedSystem, evaluation
 from pkmodes.core.system.motors import MotorsHeld, solved_system
+from pkmodes.sensitivity.compiled import RATES, rates_job, terms_of
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
-from pkmodes.sensitivity.terms import RATES, terms_of
+from pkmodes.support.solutions import solved
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -204,8 +204,6 @@ def sensitivities_at(
     asked = chosen_fields(fields, out, Sensitivities.FIELDS)
     limit = float(close)
     if solver.differentiates and set(asked) <= RATES.keys():
-        from pkmodes.sensitivity.rates import rates_job
-
         job = rates_job(
             solver,
             system,

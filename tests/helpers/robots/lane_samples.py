@@ -19,9 +19,9 @@ from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.poses import MAX_CONDITION
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.system.evaluation import BaseEvaluation, Evaluation, ExtendedSystem
+from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem
+from pkmodes.sensitivity.compiled import terms_of
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
-from pkmodes.sensitivity.terms import terms_of
 
 ROOT = Path(__file__).parents[3]
 ROBOTS = {"linear_delta": "linear-delta-2022", "rotary_delta": "clavel-delta", "corexy": "corexy-printer"}
@@ -79,7 +79,7 @@ def case(name: str, seed: int, effects: str = "none", extreme: str = "as it is",
     poses[: count // 10] = pose  # symmetric where the robot is
     values = chosen(mechanism, EFFECTS[effects])
     evaluation = (
-        ExtendedSystem(mechanism, parameters, values) if values else BaseEvaluation(mechanism, parameters)
+        ExtendedSystem(mechanism, parameters, values) if values else Evaluation(mechanism, parameters)
     )
     return Case(mechanism, parameters, evaluation, poses)
 
