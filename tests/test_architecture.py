@@ -136,7 +136,7 @@ FOLDERS = (
     "cli",
 )
 #: Modules beside the folders: names that users import, and the entry of the command line.
-NAMES = {"__init__.py", "__main__.py", "api.py", "mechanism.py"}
+NAMES = {"__init__.py", "__main__.py", "api.py", "interrupts.py", "mechanism.py"}
 #: What the engine of the diagnosis may import besides itself: it knows no robots.
 DIAGNOSIS = ("core.base", "core.linalg", "core.robot.columns", "support", "measured", "diagnosis")
 #: Most lines of a module.

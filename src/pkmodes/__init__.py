@@ -4,7 +4,7 @@
 an array of poses.  docs/model.md defines the coordinates, signs and frames.
 """
 
-from pkmodes.core.base.interrupts import watch_the_start
+from pkmodes.interrupts import watch_the_start
 
 watch_the_start()  # before anything else is loaded
 

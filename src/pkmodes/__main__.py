@@ -10,7 +10,7 @@ import os
 import signal
 import sys
 
-from pkmodes.core.base.interrupts import INTERRUPTED, is_ours, leave
+from pkmodes.interrupts import INTERRUPTED, is_ours, leave
 
 
 def main() -> None:

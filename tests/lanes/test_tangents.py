@@ -12,9 +12,9 @@ import pytest
 from helpers.robots.lane_samples import EFFECTS, NAMES, ROOT, case, chosen, robot_of
 from pkmodes.core.compiled import build
 from pkmodes.core.compiled.loader import UnavailableError, load
-from pkmodes.core.system.evaluation import STEP, ExtendedSystem
+from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.compiled import CompiledDerivatives, derivatives_of
-from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, locked_joints
+from pkmodes.sensitivity.matrices import POSE, STEP, MatrixDerivatives, locked_joints
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
 from pkmodes.sensitivity.shapes import shape_derivatives
 from pkmodes.updating.modes_of_systems import ModesOfSystems, modes_of_systems

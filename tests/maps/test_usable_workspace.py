@@ -17,9 +17,7 @@ from pkmodes.core.base.errors import PoseError
 from pkmodes.core.robot.usable import Radius, SingularAngle
 from pkmodes.figures.quantities import volume_of
 from pkmodes.figures.working_plane import working_plane
-from pkmodes.maps.reached import box_of
-from pkmodes.maps.usable import usable_box
-from pkmodes.maps.workspace import reachable
+from pkmodes.maps.workspace import box_of, reachable, usable_box
 from pkmodes.plots.plane import Plane
 from pkmodes.updating.candidates import suspects
 from pkmodes.updating.robot_structure import RobotStructure

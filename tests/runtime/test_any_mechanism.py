@@ -81,7 +81,7 @@ def test_effects_release_coordinates_and_ground_the_tool() -> None:
     np.testing.assert_allclose(clamped.frequencies(POSES)[:, 2:], expected(POSES, 2e-5), rtol=1e-12)
     # Without inertia they add no mode, even if there is no pose to evaluate M at.
     assert clamped.frequencies([[9.0, 9.0]], "nan").shape == (1, 4)
-    assert ExtendedSystem.of(clamped.robot).massless().tolist() == [False] * 4 + [True] * 2
+    assert ExtendedSystem.of(clamped.robot).massless.tolist() == [False] * 4 + [True] * 2
     loaded = pkmodes.Model(robot({"payload.mass": 0.4}))
     np.testing.assert_allclose(loaded.frequencies(POSES)[:, 2:], expected(POSES, mass=1.1), rtol=1e-12)
     assert pkmodes.Model(robot({"cable_stiffness.stiffness": 10.0})).modes(POSES).rigid_modes == 0

@@ -18,12 +18,10 @@ import pytest
 
 import pkmodes
 from helpers.references.loop_solver import LoopSolver
-from pkmodes.core.compiled.evaluator import Evaluator
-from pkmodes.core.compiled.room import Room
+from pkmodes.core.compiled.evaluator import Evaluator, Room
 from pkmodes.core.solve import backends, mode_fields
 from pkmodes.core.solve.fields import FIELDS
-from pkmodes.core.solve.mode_fields import ModeFields
-from pkmodes.core.solve.plans import Plan
+from pkmodes.core.solve.mode_fields import ModeFields, Plan
 from pkmodes.core.solve.results import Modes
 from pkmodes.core.system.dissipation import Dissipation
 

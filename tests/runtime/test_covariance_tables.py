@@ -11,11 +11,12 @@ import pytest
 from helpers.robots.robot_text import published
 from pkmodes.codegen.generation import specification
 from pkmodes.core.base.errors import RobotFileError
-from pkmodes.core.robot.covariance import Covariance, correlations_of, covariance_of
+from pkmodes.core.robot.covariance import Covariance
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.robot import Robot
 from pkmodes.dataset.robot_text import text_of
 from pkmodes.robot_files.differences import differences
+from pkmodes.support.covariance import correlations_of, covariance_of
 
 MASS, WIDTH, RADIUS = '"1.5 kg"', '"15 mm"', '"35 mm"'
 TWO = """

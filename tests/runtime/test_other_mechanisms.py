@@ -18,10 +18,10 @@ from helpers.robots.made_up_mechanisms import ARMS_FILE, GANTRY_FILE, write_pack
 from helpers.robots.robot_text import edited
 from pkmodes.core.base.errors import PkmodesError, RobotFileError
 from pkmodes.core.mechanism import registry as mechanisms
-from pkmodes.core.robot.documents import document_of
 from pkmodes.core.robot.layout import items
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
+from pkmodes.core.robot.variants import document_of
 from pkmodes.robot_files.saving import Correction, corrected_text
 from pkmodes.sensitivity.paths import moved, paths, resolve
 from pkmodes.updating.candidates import suspects

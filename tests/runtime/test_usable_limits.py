@@ -18,8 +18,9 @@ from pkmodes.codegen.generation import specification
 from pkmodes.core.base.errors import PkmodesError, RobotFileError
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.robot.usable import Radius, in_words, limits_of
+from pkmodes.core.robot.usable import Radius, in_words
 from pkmodes.dataset.robot_text import text_of
+from pkmodes.maps.workspace import limits_of
 from pkmodes.robot_files.differences import differences
 from pkmodes.robot_files.saving import Correction
 from pkmodes.sensitivity.paths import paths

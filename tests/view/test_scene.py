@@ -10,7 +10,7 @@ import pytest
 
 import pkmodes
 from pkmodes.core.base.errors import PoseError
-from pkmodes.maps.reached import box_of
+from pkmodes.maps.workspace import box_of
 from pkmodes.view import page, poses_around, scene, typical_pose
 from pkmodes.view.robot_drawing import upright
 from pkmodes.view.workspace import workspace

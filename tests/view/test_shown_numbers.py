@@ -14,7 +14,7 @@ from scipy.spatial.transform import Rotation
 
 import pkmodes
 from helpers.pages.browser import Opened, opened
-from pkmodes.maps.reached import box_of
+from pkmodes.maps.workspace import box_of
 from pkmodes.view import page, poses_around, scene
 from pkmodes.view.interpolation import mean_frequency
 from pkmodes.view.page import FINE

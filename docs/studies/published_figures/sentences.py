@@ -9,7 +9,7 @@ import numpy as np
 
 import pkmodes
 from pkmodes.figures.quantities import relative_sensitivities
-from pkmodes.maps.reached import box_of
+from pkmodes.maps.workspace import box_of
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.plane import Plane
 from working_area import CASES, ROOT, Area, area_of

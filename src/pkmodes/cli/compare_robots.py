@@ -65,8 +65,7 @@ def compare_robot_files(
 
 def _points(first: Model, second: Model, places: Places | None) -> np.ndarray:
     from pkmodes.maps.poses import Grid
-    from pkmodes.maps.usable import within
-    from pkmodes.maps.workspace import reachable_by
+    from pkmodes.maps.workspace import reachable_by, within
 
     if places is None:
         places = reachable_by([first, second], POSES)

@@ -18,14 +18,13 @@ from pkmodes.cli.options import drives_option, json_option, mechanism_option, ro
 from pkmodes.cli.poses import pose_of, pose_option
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.base.drives import DRIVES, HELD
-from pkmodes.core.linalg.damping import poles
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO, SOLVERS
 from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, Field, of_modes
 from pkmodes.core.solve.results import Modes, Statics
 from pkmodes.response.linearised import LinearisedRobot
-from pkmodes.response.poles import notes_on_damping
+from pkmodes.response.poles import notes_on_damping, poles
 from pkmodes.sensitivity.spread import spread_of
 from pkmodes.support.documents import Count, Document
 from pkmodes.support.motors import motors_in_words

@@ -188,8 +188,7 @@ def shaper(
 
 def _points(model: Model, grid: str | None, poses: Path | None) -> NDArray[np.float64]:
     """Return the poses, by default those of the workspace that can be evaluated."""
-    from pkmodes.maps.usable import within
-    from pkmodes.maps.workspace import reachable
+    from pkmodes.maps.workspace import reachable, within
 
     places = places_given(model, grid, poses)
     count = 0 if places is None else math.prod(places.shape)

@@ -32,8 +32,7 @@ from pkmodes.core.solve.backends import AUTO, checked_threads, chosen, solver_of
 from pkmodes.core.solve.batch import run
 from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
 from pkmodes.core.solve.fields import FIELDS, condition_number
-from pkmodes.core.solve.mode_fields import ModeFields
-from pkmodes.core.solve.plans import Later, Plan
+from pkmodes.core.solve.mode_fields import Later, ModeFields, Plan
 from pkmodes.core.solve.results import Modes, PoseCheck, Statics
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.dissipation import Dissipation
@@ -285,7 +284,7 @@ class Model:
     @property
     def reasons(self) -> dict[str, str]:
         """Codes that ``reason`` may have for a pose that cannot be evaluated, with their meanings."""
-        return reasons_of(self.robot)
+        return reasons_of(self.mechanism, self.robot.usable)
 
     def check(self, poses: ArrayLike) -> PoseCheck:
         """Check which poses can be evaluated, and why the others cannot.

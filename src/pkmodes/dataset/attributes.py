@@ -36,7 +36,7 @@ def imported() -> Any:
 def meanings_of(robot: Robot, name: str) -> dict[str, Any]:
     """Return further attributes of a variable: what its codes mean."""
     if name == "reason":
-        return reasons_of(robot)
+        return reasons_of(robot.mechanism, robot.usable)
     if name == "tracking":
         masks = np.array(list(EVENTS.values()), dtype=np.int8)
         return {"flag_masks": masks, "flag_meanings": " ".join(EVENTS)}

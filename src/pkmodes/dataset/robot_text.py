@@ -7,10 +7,9 @@ from pathlib import Path
 import tomlkit
 
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.core.robot.documents import document_of
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.robot.variants import raw_values
+from pkmodes.core.robot.variants import document_of, raw_values
 
 
 def text_of(robot: Robot) -> str:

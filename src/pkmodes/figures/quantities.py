@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.maps.reached import box_of
-from pkmodes.maps.usable import usable_box, within
+from pkmodes.maps.workspace import box_of, usable_box, within
 from pkmodes.plots.plane import Plane
 from pkmodes.plots.workspace import Volume
 from pkmodes.sensitivity.alike import alike

@@ -17,9 +17,10 @@ from pkmodes.core.mechanism.poses import codes_of
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.robot.usable import USABLE, inside
+from pkmodes.core.robot.usable import USABLE
 from pkmodes.core.solve.fields import COORDINATE, INDEPENDENT, MODE, Field, missing, of_maps
 from pkmodes.maps.layout import Layout, tails
+from pkmodes.maps.workspace import inside
 
 Array = NDArray[Any]
 

@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import NATURAL_NUMBER, POSITIVE_INTEGER, Constraint, check_argument
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.core.robot.covariance import covariance_of, root_of, uncertain
 from pkmodes.core.robot.layout import lent
 from pkmodes.core.robot.parameter_groups import elements_of, groups_by_path
 from pkmodes.core.robot.robot import Robot
 from pkmodes.maps.poses import ascending
+from pkmodes.support.covariance import covariance_of, root_of, uncertain
 
 Array = NDArray[np.float64]
 SAMPLE = "sample"

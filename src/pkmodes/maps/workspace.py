@@ -1,27 +1,249 @@
-"""A grid over the workspace of a robot, and where the workspace is."""
+"""The workspace of a robot: the poses that it can reach, those where it is used, and a grid over them.
+
+The reachable workspace is that of one assembly branch; the box around it is found by drawing poses.  The usable
+workspace is the part of it within the limits that the robot's file declares.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import PoseError
+from pkmodes.core.mechanism.described import Mechanism
+from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.poses import LARGE
-from pkmodes.core.robot.usable import is_box, limits_of
+from pkmodes.core.mechanism.regular import drawn_poses
+from pkmodes.core.mechanism.rods import singular_angles
+from pkmodes.core.model import Model
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.robot.usable import (
+    ACROSS,
+    USABLE,
+    Bound,
+    Limits,
+    Radius,
+    SingularAngle,
+    in_words,
+    is_box,
+    of_component,
+)
 from pkmodes.maps.poses import Grid
-from pkmodes.maps.reached import workspace_in_words
-from pkmodes.maps.usable import usable_box
 from pkmodes.support.progress import say
 
-if TYPE_CHECKING:
-    from pkmodes.core.model import Model
-
 Array = NDArray[np.float64]
+Inside = Callable[[Array], NDArray[np.bool_]]
+#: Poses drawn in each round; a round is the last if it moves no end of the box by more than this part of its length.
+DRAWS, SETTLED, ROUNDS = 200_000, 0.01, 12
+#: Part of the length of the box by which it is extended on each side before the next round.
+BEYOND = 0.1
+SEED = 20260105
+#: Usable poses after which the ends of the box around them are known well enough.
+ENOUGH = 5_000
 #: Poses of the grid, about, and along one component at most, about.
 POSES, LONGEST = 50_000, 1_000
+
+
+def box_of(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
+    """Return the box around the poses that can be evaluated, on one assembly branch.
+
+    Parameters
+    ----------
+    pose : ndarray, shape (d,), optional
+        A pose on the branch; by default the branch whose platform hangs lower.
+
+    Returns
+    -------
+    low, high : ndarray, shape (d,)
+
+    Raises
+    ------
+    PoseError
+        If no pose was found.
+    """
+    rng = np.random.default_rng(SEED)
+    reached = drawn_and_reached(model, rng)
+    if pose is None:
+        pose = hanging(model, some(model, reached))[0]
+    inside = on_branch(model, pose)
+    reached = np.vstack([pose, reached[inside(reached)]]) if len(reached) else pose[None]
+    low, high = reached.min(axis=0), reached.max(axis=0)
+    for _ in range(ROUNDS):
+        size = np.where(high > low, high - low, 1e-3)
+        drawn = rng.uniform(low - BEYOND * size, high + BEYOND * size, (DRAWS, len(low)))
+        more = drawn[inside(drawn)]
+        if not len(more):
+            break
+        wider = np.minimum(low, more.min(axis=0)), np.maximum(high, more.max(axis=0))
+        moved = max(((low - wider[0]) / size).max(), ((wider[1] - high) / size).max())
+        low, high = wider
+        if moved <= SETTLED:
+            break
+    return low, high
+
+
+def on_branch(model: Model, pose: Array) -> Inside:
+    """Return the test whether poses, (N, d), can be evaluated and are on the assembly branch of a pose."""
+    if not model.has_assemblies:
+        return lambda points: model.check(points).valid
+    branch = model.assembly(pose)
+    return lambda points: model.check(points).valid & (model.assembly(points, "nan") == branch)
+
+
+def hanging(model: Model, poses: Array) -> Array:
+    """Return the poses of the assembly branch that hangs lower: with the lower mean potential of gravity.
+
+    Parameters
+    ----------
+    poses : ndarray, shape (N, d)
+        That can be evaluated.
+    """
+    if not model.has_assemblies:
+        return poses
+    sides = model.assembly(poses)
+    potential = Generated(model.mechanism.model, model.robot.parameters).gravity_potential(poses)
+    chosen: Array = poses[
+        sides == min(np.unique(sides), key=lambda side: float(potential[sides == side].mean()))
+    ]
+    return chosen
+
+
+def workspace_in_words(model: Model) -> str:
+    """Return where the reachable workspace is."""
+    low, high = box_of(model)
+    names = [component.name for component in model.mechanism.pose]
+    ends = map(Limits, low.tolist(), high.tolist())
+    return in_words(model.mechanism, dict(zip(names, ends, strict=True)))
+
+
+def drawn_and_reached(model: Model, rng: np.random.Generator) -> Array:
+    """Draw poses, and return those that can be evaluated, (N, d), on any branch."""
+    with np.errstate(all="ignore"):
+        generated = Generated(model.mechanism.model, model.robot.parameters)
+        drawn = drawn_poses(generated, model.mechanism, model.robot.parameters, rng, DRAWS)
+    drawn = drawn[np.isfinite(drawn).all(axis=-1)]
+    return drawn[model.check(drawn).valid] if len(drawn) else drawn
+
+
+def some(model: Model, reached: Array) -> Array:
+    """Refuse a robot that reaches no pose."""
+    if not len(reached):
+        what = f"none of {DRAWS:,} poses drawn can be reached"
+        raise PoseError(what, model.robot.source, "check the robot file, or give a grid or poses")
+    return reached
+
+
+def limits_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> tuple[Array, Array]:
+    """Return a box around what is usable: its lower and upper ends, (d,) each, infinite where there are none."""
+    ends = {name: Limits(*bound) for name, bound in usable.items() if of_component(bound)}
+    for bound in usable.values():
+        if isinstance(bound, Radius):
+            for name, middle in zip(ACROSS, bound.about, strict=True):
+                low, high = ends.get(name, (-np.inf, np.inf))
+                ends[name] = Limits(max(low, middle - bound.value), min(high, middle + bound.value))
+    every = [ends.get(component.name, (-np.inf, np.inf)) for component in mechanism.pose]
+    return np.array([low for low, _ in every]), np.array([high for _, high in every])
+
+
+def inside(robot: Robot, points: Array) -> NDArray[np.bool_]:
+    """Return which poses, (..., d), are within all usable limits of a robot."""
+    mechanism, names = robot.mechanism, [component.name for component in robot.mechanism.pose]
+    within = np.ones(points.shape[:-1], dtype=bool)
+    for name, bound in robot.usable.items():
+        if isinstance(bound, Radius):
+            across = points[..., [names.index(one) for one in ACROSS]] - bound.about
+            within &= np.hypot(across[..., 0], across[..., 1]) <= bound.value
+        elif isinstance(bound, SingularAngle):
+            angles = singular_angles(mechanism, robot.parameters, points[within])
+            within[within] = (angles >= bound.value).all(axis=-1)
+        else:
+            low, high = bound
+            value = points[..., names.index(name)]
+            within &= (value >= low) & (value <= high)
+    return within
+
+
+def usable_box(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
+    """Return the box around the poses where the robot is used: those of `box_of` within its usable limits.
+
+    Parameters
+    ----------
+    pose : ndarray, shape (d,), optional
+        A pose on the branch; by default the branch, among those with usable poses, whose platform hangs lower.  A
+        pose beyond the limits lifts them.
+
+    Returns
+    -------
+    low, high : ndarray, shape (d,)
+
+    Raises
+    ------
+    PoseError
+        If no pose was found within the limits.
+    """
+    usable = within(model)
+    if not model.robot.usable or not (pose is None or usable(pose[None])[0]):
+        return box_of(model, pose)
+    first = hanging(model, usable_poses(model))[0] if pose is None else pose
+    low, high = _clipped(model, *box_of(model, first))
+    of_branch, rng = used(model, first), np.random.default_rng(SEED)
+    found, count = [first[None]], 1
+    for _ in range(ROUNDS):
+        drawn = rng.uniform(low, high, (DRAWS, len(low)))
+        found.append(drawn[of_branch(drawn)])
+        count += len(found[-1])
+        if count >= ENOUGH:
+            break
+    reached = np.vstack(found)
+    ends, most = (reached.min(axis=0), reached.max(axis=0)), SETTLED * (high - low)
+    # An end that is reached is that of the box itself; draws only come near it.
+    return np.where(ends[0] - low > most, ends[0], low), np.where(high - ends[1] > most, ends[1], high)
+
+
+def usable_poses(model: Model) -> Array:
+    """Return some poses, (N, d), of any branch, that can be evaluated and are within the usable limits.
+
+    Raises
+    ------
+    PoseError
+        If none was found.
+    """
+    rng, usable = np.random.default_rng(SEED), within(model)
+    reached = some(model, drawn_and_reached(model, rng))
+    if usable(reached).any():
+        return reached[usable(reached)]
+    ends = reached.min(axis=0), reached.max(axis=0)
+    room = BEYOND * (ends[1] - ends[0])
+    low, high = _clipped(model, ends[0] - room, ends[1] + room)
+    for _ in range(ROUNDS if (low <= high).all() else 0):
+        drawn = rng.uniform(low, high, (DRAWS, len(low)))
+        drawn = drawn[model.check(drawn).valid]
+        if (good := usable(drawn)).any():
+            return drawn[good]
+    limits = in_words(model.mechanism, model.robot.usable)
+    what = f"no pose within the usable limits can be reached: {limits}"
+    remedy = f"check the limits: the workspace lies within {workspace_in_words(model)}"
+    raise PoseError(what, f"{model.robot.source}: {USABLE}", remedy)
+
+
+def within(model: Model) -> Inside:
+    """Return the test whether poses, (N, d), are within the usable limits of the robot."""
+    return lambda points: inside(model.robot, np.asarray(points, dtype=float))
+
+
+def used(model: Model, pose: Array) -> Inside:
+    """Return the test of `on_branch`, also within the usable limits unless the pose itself is beyond them."""
+    reached, usable = on_branch(model, pose), within(model)
+    if not model.robot.usable or not usable(pose[None])[0]:
+        return reached
+    return lambda points: reached(points) & usable(points)
+
+
+def _clipped(model: Model, low: Array, high: Array) -> tuple[Array, Array]:
+    limits = limits_of(model.mechanism, model.robot.usable)
+    return np.maximum(low, limits[0]), np.minimum(high, limits[1])
 
 
 def reachable(model: Model, poses: int = POSES) -> Grid:

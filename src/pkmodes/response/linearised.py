@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from pkmodes.core.linalg.damping import ModalDamping, modal_damping, rates_of_ratio
 from pkmodes.core.linalg.eigen import generalised_eigh
 from pkmodes.core.model import Model
-from pkmodes.core.solve.solutions import solved
 from pkmodes.core.system.motors import MotorsHeld, motor_motion
+from pkmodes.support.solutions import solved
 
 Array = NDArray[np.float64]
 
@@ -60,7 +60,7 @@ class LinearisedRobot:
         self.model, self.points = model, points
         system = self.system = model.solved(drives)
         at = solved(model.solver(backend, drives).inner, system, points, model.robot.source)
-        self.rigid, self.massless = system.rigid_modes, system.massless()
+        self.rigid, self.massless = system.rigid_modes, system.massless
         n, motors = len(model.system.coordinates), len(model.robot.mechanism.drives)
         self.kept, self.prescribed = np.eye(n), np.zeros((n, motors))
         if isinstance(system, MotorsHeld):

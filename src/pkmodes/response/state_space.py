@@ -238,7 +238,7 @@ def state_space(
     asked = Asked.of(model, inputs, outputs, quantity, drives)
     into, out = asked.inputs, asked.outputs
     system = model.solved(drives)
-    count = int(len(system.coordinates) - system.massless().sum())
+    count = int(len(system.coordinates) - system.massless.sum())
     kept = _checked_modes(modes, count, system.rigid_modes)
     checked = model.checked(poses, on_error)
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from pkmodes.core.base.errors import RobotFileError, shown
 from pkmodes.core.mechanism.described import Mechanism
-from pkmodes.core.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA, Covariance, joined, uncertain
+from pkmodes.core.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA, Covariance
 from pkmodes.core.robot.declaration import changeable
 from pkmodes.core.robot.layout import EFFECTS, by_path, lent
 from pkmodes.core.robot.reading import read_robot, robot_from_document
@@ -19,6 +19,7 @@ from pkmodes.core.robot.units import Quantity
 from pkmodes.robot_files.corrections import DIGITS, Correction, Edit, edits_of, refuse
 from pkmodes.robot_files.editing import Keys, TomlText
 from pkmodes.robot_files.notation import Notation
+from pkmodes.support.covariance import joined, uncertain
 from pkmodes.support.writing import write_file
 
 CLOSE, CLOSE_SIGMA = 1e-9, 1e-2  # tolerances for the digits written; standard deviations have three

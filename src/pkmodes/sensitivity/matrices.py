@@ -28,6 +28,8 @@ Index = NDArray[np.intp]
 #: Field name of slots for pose components: they are not parameters, but the matrices depend on them in the same way.
 POSE = "pose"
 
+#: Step of complex-step differentiation, which has no cancellation.
+STEP = 1e-30
 #: Relative size of the rounding left when a spring is eliminated.
 TAKEN_OUT = 1e-12
 
@@ -189,12 +191,34 @@ class MatrixDerivatives:
 
     @cached_property
     def _values(self) -> tuple[Array, Array]:
-        values = len(self._system.mechanism.extended.VALUE_SENSITIVITIES)
-        return self._system.derivatives(self._p, geometry=bool(self._directions[1][:, values:].any()))
+        """Derivatives of the entries of M and K, each (N, entries).
+
+        Those with respect to the geometry come last and take most of the time; they are zero if no path needs them.
+        """
+        extended, values = (
+            self._system.mechanism.extended,
+            self._system.single("value_sensitivities", self._p),
+        )
+        if self._directions[1][:, len(extended.VALUE_SENSITIVITIES) :].any():
+            geometry = self._system.single("geometry_sensitivities", self._p)
+        else:
+            counts = (sum(len(one[k]) for one in extended.GEOMETRY_SENSITIVITIES) for k in (2, 3))
+            geometry = tuple(np.zeros((len(self._p), count)) for count in counts)
+        of_M, of_K = (np.hstack(both) for both in zip(values, geometry, strict=True))
+        return of_M, of_K
 
     @cached_property
     def _by_pose(self) -> tuple[Array, Array] | None:
-        return self._system.by_pose(self._p) if self._shift.any() else None
+        """Derivatives of M and K in all coordinates with respect to the pose, each (N, d, e, e), if a path moves it.
+
+        They are computed by complex step, which is exact to rounding: the generated functions accept complex poses.
+        """
+        if not self._shift.any():
+            return None
+        moved = self._p + STEP * 1j * np.eye(self._p.shape[-1])[:, None]
+        M, K_el, K_g = self._system.generated.extended_matrices(moved)
+        dM, dK = (np.moveaxis(np.imag(a) / STEP, 0, 1) for a in (M, K_el + K_g))
+        return dM, dK
 
     @property
     def mass(self) -> Array:
@@ -213,7 +237,7 @@ class MatrixDerivatives:
     @property
     def massless(self) -> NDArray[np.bool_]:
         """Which of the free coordinates have no inertia, (n,)."""
-        return self._system.massless()
+        return self._system.massless
 
     def dense(self, poses: Index | slice = slice(None)) -> tuple[Array, Array]:
         """Evaluate dM and dK along each path, (N, T, n, n), in the free coordinates, at some or all poses.

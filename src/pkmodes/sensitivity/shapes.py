@@ -1,4 +1,4 @@
-"""Derivatives of mode shapes by modal expansion (`core.linalg.expansion`), for fits that need them many times.
+"""Derivatives of mode shapes by modal expansion (`support.expansion`), for fits that need them many times.
 
 Coordinates without inertia follow the others statically, and a locked joint with a compliance deflects under its
 force.  `sensitivity.modes` computes the same from one linear system for each mode: slower, but accurate to the last
@@ -12,8 +12,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.linalg.expansion import modal_expansion
 from pkmodes.sensitivity.matrices import MatrixDerivatives
+from pkmodes.support.expansion import modal_expansion
 
 Array = NDArray[np.float64]
 

@@ -24,7 +24,6 @@ from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
-from pkmodes.core.robot.covariance import covariance_of, root_of, uncertain
 from pkmodes.core.robot.layout import Slot, lent
 from pkmodes.core.robot.robot import Robot
 from pkmodes.sensitivity.matrices import locked_joints
@@ -32,6 +31,7 @@ from pkmodes.sensitivity.modes import groups
 from pkmodes.sensitivity.paths import ParameterPath, paths
 from pkmodes.sensitivity.relative import CLOSE, rates_of
 from pkmodes.sensitivity.sensitivities import ResolvedPaths
+from pkmodes.support.covariance import covariance_of, root_of, uncertain
 
 Array = NDArray[np.float64]
 

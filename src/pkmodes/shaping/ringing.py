@@ -125,7 +125,7 @@ def _count(model: Model, modes: int | None) -> int:
             f"with motors held the machine still has {held.rigid_modes} rigid modes: no shaper cancels these"
         )
         raise PkmodesError(what, model.robot.source, "check the drives of the mechanism")
-    available = len(held.coordinates) - int(np.count_nonzero(held.massless()))
+    available = len(held.coordinates) - int(np.count_nonzero(held.massless))
     if modes is None:
         return min(MODES, available)
     check_argument(modes, POSITIVE_INTEGER, "modes", "for example: 3")

@@ -16,12 +16,12 @@ from dataclasses import replace
 import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError, nearest, shown
-from pkmodes.core.robot.covariance import correlations_of
 from pkmodes.core.robot.layout import GRAVITY, Item, by_path, lent, takers
 from pkmodes.core.robot.parameter_groups import groups_by_path, items_of, weights_of
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.problem import Candidate, Parameter
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve
+from pkmodes.support.covariance import correlations_of
 from pkmodes.support.words import in_words
 from pkmodes.updating import frame
 from pkmodes.updating.kinds import with_kinds

@@ -16,12 +16,12 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.linalg.damping import damping_ratios
 from pkmodes.core.mechanism.described import DAMPING_RATIO
-from pkmodes.core.robot.covariance import correlations_of
 from pkmodes.core.robot.layout import EFFECTS
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.system.dissipation import Dissipation
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.diagnosis.problem import Loss, Parameter
+from pkmodes.support.covariance import correlations_of
 from pkmodes.updating.candidates import PREFIX
 from pkmodes.updating.predictions import Solved
 

@@ -81,8 +81,8 @@ def _by_solvers(
 ) -> ModesOfSystems | None:
     """Evaluate all robots with one solver, or each with its own; None if NumPy has to evaluate them together."""
     backend = chosen(AUTO)
-    massless = system.massless()
-    if any((one.massless() != massless).any() for one in systems):
+    massless = system.massless
+    if any((one.massless != massless).any() for one in systems):
         return None
     try:
         solver = solver_of(system, MAX_CONDITION, backend).inner

@@ -14,9 +14,10 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.regular import declared
 from pkmodes.core.mechanism.rods import rods_of, singular_angles
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.robot.usable import SingularAngle, inside, limits_of, not_singular
+from pkmodes.core.robot.usable import SingularAngle, not_singular
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.diagnosis.problem import Batch, Candidate, Loss, Parameter, Prediction, Sensor
+from pkmodes.maps.workspace import inside, limits_of
 from pkmodes.sensitivity.matrices import POSE, locked_joints
 from pkmodes.sensitivity.paths import ParameterPath, moved
 from pkmodes.updating import frame
@@ -339,7 +340,7 @@ class RobotStructure:
     def _key(self, system: ExtendedSystem) -> object:
         """Return a key that is the same for robots that can be evaluated together."""
         several = len(self._loads.cases) > 1 and len(system.free) > system.first
-        massless = system.massless().tobytes() if several else b""
+        massless = system.massless.tobytes() if several else b""
         return system.free.tobytes(), system.rigid_modes, massless, system.basis is None
 
     def _reachable(self, machines: _Machines) -> NDArray[np.bool_]:

@@ -63,13 +63,10 @@ class StackedSystems(ExtendedSystem):
         """Their derivatives with respect to the compliances."""
         return np.repeat([s.joint_rates for s in self._systems], self._count, axis=0)
 
-    def massless(self) -> NDArray[np.bool_]:
-        """Return which coordinates have inertia in none of the robots."""
-        return self._massless
-
     @cached_property
-    def _massless(self) -> NDArray[np.bool_]:
-        return np.asarray(np.all([s.massless() for s in self._systems], axis=0))
+    def massless(self) -> NDArray[np.bool_]:
+        """Which coordinates have inertia in none of the robots."""
+        return np.asarray(np.all([s.massless for s in self._systems], axis=0))
 
     def lanes(self) -> Lanes:
         """The robots as the compiled evaluator takes them."""
@@ -78,7 +75,7 @@ class StackedSystems(ExtendedSystem):
             _flat_of_each([s.effects for s in self._systems]),
             np.array([s.joints for s in self._systems]),
             self.free.astype(np.int32),
-            self.massless().astype(np.int8),
+            self.massless.astype(np.int8),
             self.fold(),
         )
 

@@ -12,8 +12,7 @@ from pkmodes.core.base.errors import PoseError
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.regular import regular_poses
 from pkmodes.core.model import Model
-from pkmodes.maps.reached import hanging
-from pkmodes.maps.usable import usable_box, usable_poses, used, within
+from pkmodes.maps.workspace import hanging, usable_box, usable_poses, used, within
 from pkmodes.view.evaluating import scene
 from pkmodes.view.interpolation import FINE, deviations
 from pkmodes.view.pairing import paired_modes

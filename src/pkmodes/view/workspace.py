@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.model import Model
-from pkmodes.maps.reached import Inside, on_branch
+from pkmodes.maps.workspace import Inside, on_branch
 
 Array = NDArray[np.float64]
 #: Cells of the grid along each component, and part of the box by which the grid extends beyond it on each side.
@@ -50,7 +50,7 @@ def workspace(
     pose : ndarray, shape (d,)
         A valid pose.
     box : tuple of ndarray, shape (d,)
-        From `pkmodes.maps.reached.box_of`.
+        From `pkmodes.maps.workspace.box_of`.
     inside : callable, optional
         The test whether poses belong to it; by default whether they can be evaluated, on the branch of the pose.
 

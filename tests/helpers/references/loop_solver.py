@@ -24,7 +24,7 @@ class LoopSolver(Solver):
 
     @classmethod
     def init(cls, system: Evaluation, largest_condition: float) -> Self:
-        return cls(system.massless())
+        return cls(system.massless)
 
     def compute(self, at: RobotAtPoses, arrays: Mapping[str, np.ndarray], threads: int = 1) -> Codes:
         q, r = self._q, self._r

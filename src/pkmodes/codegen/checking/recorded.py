@@ -7,9 +7,9 @@ from typing import Any
 
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism import registry
-from pkmodes.core.robot.documents import document_of
 from pkmodes.core.robot.reading import robot_from_document
 from pkmodes.core.robot.robot import Robot
+from pkmodes.core.robot.variants import document_of
 
 
 def recorded_robot(recorded: Mapping[str, Any], place: str) -> Robot:

@@ -1,1 +1,1 @@
-"""Linear algebra of small vibration problems: eigenvalues, graded systems, the modal assurance criterion."""
+"""Linear algebra of small vibration problems: eigenvalues, graded systems, damping, statics."""

@@ -1,4 +1,4 @@
-r"""Damping of modes, for a batch of poses: ratios for light damping, and exact poles.
+r"""Damping of modes, for a batch of poses: in modal coordinates, and ratios for light damping.
 
 In modal coordinates, :math:`q = \Phi \eta` with :math:`\Phi^T M \Phi = 1`,
 
@@ -7,26 +7,20 @@ In modal coordinates, :math:`q = \Phi \eta` with :math:`\Phi^T M \Phi = 1`,
 
 with viscous damping C_v, the imaginary part K'' of the stiffness as the viscous damping that it is at the frequency
 of each mode, and a ratio zeta of every vibration mode.  The ratio of a lightly damped mode is
-:math:`D_{ii} / (2 \omega_i)`; the poles are the eigenvalues of this system, whatever the damping.
+:math:`D_{ii} / (2 \omega_i)`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 #: Modes whose eigenvalues differ by less than this fraction are one group, in which damping chooses the basis.
 REPEATED = 1e-9
-#: Modes whose eigenvalues exceed those of all lower ones by this factor may be solved for apart from these,
-FAR = 1e6
-#: if what damping couples of them, D_ij^2 / lambda_j, is below this.
-UNCOUPLED = 1e-12
 
 
 class ModalDamping(NamedTuple):
@@ -119,80 +113,3 @@ def _groups(close: NDArray[np.bool_]) -> list[slice]:
     """Return the groups of modes that are close to the next one, (m - 1,)."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], close, [False]]).astype(int)))
     return [slice(int(first), int(last) + 1) for first, last in edges.reshape(-1, 2)]
-
-
-def poles(damping: ModalDamping) -> Complex:
-    """Return the poles, (N, 2 m) [1/s]: ascending magnitude, of a pair the one with positive imaginary part first."""
-    values = np.linalg.eigvals(_first_order(damping)).astype(complex)
-    for pose, parts in _apart(damping):
-        values[pose] = np.concatenate([np.linalg.eigvals(_first_order(part))[0] for part in parts])
-    return _sorted(values)
-
-
-def ratios_of_poles(damping: ModalDamping) -> Array:
-    """Return the damping ratios -Re(s)/|s| of the poles in which each mode takes part most, (N, m)."""
-    ratios = _ratios_of_poles(damping)
-    for pose, parts in _apart(damping):
-        ratios[pose] = np.concatenate([_ratios_of_poles(part)[0] for part in parts])
-    return ratios
-
-
-def _apart(damping: ModalDamping) -> Iterator[tuple[int, list[ModalDamping]]]:
-    """Yield the poses with modes far above the others, with these and the others apart.
-
-    Rounding of the fastest modes would take digits from the slow ones.  What damping couples between them changes
-    their poles by a fraction D_ij^2 / lambda_j.
-    """
-    eigenvalues, D, rigid = damping
-    size = np.abs(eigenvalues)
-    m = size.shape[1]
-    for pose in np.flatnonzero((size[:, -1] > FAR * size[:, rigid : rigid + 1].max(axis=1)) & (m > rigid)):
-        cuts = [
-            i
-            for i in range(rigid + 1, m)
-            if size[pose, i] > FAR * size[pose, i - 1]
-            and (D[pose, :i, i:] ** 2 <= UNCOUPLED * size[pose, i:]).all()
-        ]
-        if cuts:
-            ends = [0, *cuts, m]
-            yield (
-                int(pose),
-                [
-                    ModalDamping(eigenvalues[pose : pose + 1, a:b], D[pose : pose + 1, a:b, a:b], 0)
-                    for a, b in pairwise(ends)
-                ],
-            )
-
-
-def _ratios_of_poles(damping: ModalDamping) -> Array:
-    values, vectors = np.linalg.eig(_first_order(damping))
-    m = damping.eigenvalues.shape[1]
-    part = np.abs(vectors[:, :m]) ** 2 + np.abs(vectors[:, m:]) ** 2
-    ahead = (values.imag >= 0.0)[:, None]
-    best = np.where(ahead, part, -1.0).argmax(axis=2)
-    own = np.take_along_axis(values, best, axis=1)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(-own.real / np.abs(own))
-
-
-def _first_order(damping: ModalDamping) -> Array:
-    """Return the matrix of the rates of (omega eta, eta_dot), whose entries are all in 1/s."""
-    eigenvalues, D, _ = damping
-    count, m = eigenvalues.shape
-    omega, place = np.sqrt(np.abs(eigenvalues)), np.arange(m)
-    A = np.zeros((count, 2 * m, 2 * m))
-    A[:, place, m + place] = omega
-    A[:, m + place, place] = -np.sign(eigenvalues) * omega
-    A[:, m:, m:] = -D
-    return A
-
-
-def _sorted(values: Complex) -> Complex:
-    """Sort poles by magnitude; conjugates, which differ by rounding at most, by descending imaginary part."""
-    size = np.abs(values)
-    order = np.argsort(size, axis=1, kind="stable")
-    values, size = np.take_along_axis(values, order, 1), np.take_along_axis(size, order, 1)
-    same = np.diff(size, axis=1) <= 1e-12 * size[:, 1:]
-    group = np.concatenate([np.zeros((len(values), 1), int), np.cumsum(~same, axis=1)], axis=1)
-    order = np.lexsort((-values.imag, group), axis=-1)
-    return np.take_along_axis(values, order, 1)

@@ -24,7 +24,7 @@ TIE = 1e-6
 GRADED = 1e4
 #: Below this ratio of the lowest to the largest eigenvalue, motions that springs hold to ground have hardly nine
 #: digits: random robots with frames and links have errors of up to 2e-15 of the largest.  Their springs are solved
-#: apart from the others (`pkmodes.core.linalg.held`).
+#: apart from the others (`pkmodes.core.solve.held_motions`).
 HELD = 3e-6
 #: The ratio is attributed to a stiff joint if the largest eigenvalue exceeds those of the base coordinates this much.
 STIFFER = 10.0

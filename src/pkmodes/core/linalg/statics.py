@@ -1,42 +1,11 @@
-"""Statics of small vibration problems: motions without strain, the softest direction, what a step excites."""
+"""Statics of small vibration problems: the softest direction, and what a step excites."""
 
 from __future__ import annotations
-
-from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-
-
-def strain_free(stiffness: Array, prescribed: Sequence[int], values: Array) -> Array:
-    """Return motions in which the coordinates that are not prescribed follow without force.
-
-    Where the prescribed coordinates determine a motion that strains nothing, it is that one.
-
-    Parameters
-    ----------
-    stiffness : ndarray, shape (N, n, n)
-        Elastic, without gravity.
-    prescribed : sequence of int, length k
-        Indices of these coordinates.
-    values : ndarray, shape (N, k, j)
-        Of these coordinates in each of j motions.
-
-    Returns
-    -------
-    ndarray, shape (N, n, j)
-    """
-    given = np.asarray(prescribed)
-    follows = np.ones(stiffness.shape[-1], dtype=bool)
-    follows[given] = False
-    others = np.flatnonzero(follows)
-    motions = np.zeros((*stiffness.shape[:-1], values.shape[-1]))
-    motions[:, given] = values
-    forces = stiffness[:, others[:, None], given] @ values
-    motions[:, others] = -np.linalg.solve(stiffness[:, others[:, None], others], forces)
-    return motions
 
 
 def compliance(stiffness: Array, motion: Array) -> Array:

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +23,7 @@ from pkmodes.core.base.errors import nearest, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.layout import lent
-from pkmodes.core.robot.units import Quantity, dimension_of
+from pkmodes.core.robot.units import Quantity, dimension_of, with_unit
 
 COVARIANCE = "covariance"
 PATHS, SIGMA, CORRELATION = "paths", "sigma", "correlation"
@@ -70,75 +70,6 @@ class Covariance:
         return {**table, CORRELATION: [list(row) for row in self.correlation]}
 
 
-class Declared(Protocol):
-    """What is needed of a robot."""
-
-    @property
-    def mechanism(self) -> Mechanism:
-        """Its mechanism."""
-
-    @property
-    def quantities(self) -> Mapping[str, Quantity]:
-        """Its declared values."""
-
-    @property
-    def covariance(self) -> tuple[Covariance, ...]:
-        """Its tables."""
-
-
-def uncertain(robot: Declared) -> dict[str, float]:
-    """Return the standard deviations above 0 of a robot by path [SI]; a value that an effect takes, once."""
-    twice = {path for path, own in lent(robot.mechanism).items() if own in robot.quantities}
-    return {path: q.sigma for path, q in robot.quantities.items() if q.sigma and path not in twice}
-
-
-def covariance_of(robot: Declared, paths: Sequence[str]) -> Array:
-    """Return the covariance of uncertain values as the frequencies have it, (k, k) [SI].
-
-    That of some values is that of all without the others: those may have any value.
-    """
-    sigmas = uncertain(robot)
-    found = np.diag([sigmas[path] ** 2 for path in paths])
-    place = {path: i for i, path in enumerate(paths)}
-    for table in robot.covariance:
-        stated = _sigmas(table, sigmas)
-        some = [k for k, path in enumerate(table.paths) if path in place]
-        at = [place[table.paths[k]] for k in some]
-        found[np.ix_(at, at)] = (np.array(table.correlation) * np.outer(stated, stated))[np.ix_(some, some)]
-    return found
-
-
-def correlations_of(robot: Declared) -> dict[str, tuple[tuple[str, float], ...]]:
-    """Return the correlations of each value with others by path, for standard deviations that are the values' own."""
-    sigmas, found = uncertain(robot), {}
-    for table in robot.covariance:
-        part = np.array(_sigmas(table, sigmas)) / [sigmas[path] for path in table.paths]
-        rates = np.array(table.correlation) * np.outer(part, part)
-        for i, path in enumerate(table.paths):
-            others = [(other, float(rates[i, k])) for k, other in enumerate(table.paths) if k != i]
-            found[path] = tuple((other, rate) for other, rate in others if rate)
-    return found
-
-
-def root_of(covariance: Array) -> Array:
-    """Return a matrix L with L L^T = C, (k, r), by its eigenvectors: C may be singular.
-
-    It is diagonal where C is.
-    """
-    size = np.sqrt(np.diagonal(covariance))
-    if not (covariance - np.diag(np.diagonal(covariance))).any():
-        return np.diag(size)
-    scale = np.where(size > 0.0, size, 1.0)
-    values, vectors = np.linalg.eigh(covariance / np.outer(scale, scale))
-    some = values > len(values) * np.finfo(float).eps
-    root: Array = scale[:, None] * vectors[:, some] * np.sqrt(values[some])
-    return root
-
-
-def _sigmas(table: Covariance, own: Mapping[str, float]) -> list[float]:
-    return [own[path] for path in table.paths] if table.sigmas is None else list(table.sigmas)
-
-
 def with_sigmas(tables: Sequence[Covariance], given: Mapping[str, float | None]) -> tuple[Covariance, ...]:
     """Return the tables of a robot some of whose standard deviations were given anew, None or 0 for none.
 
@@ -154,33 +85,6 @@ def with_sigmas(tables: Sequence[Covariance], given: Mapping[str, float | None])
         if left.paths:
             changed.append(left)
     return tuple(changed)
-
-
-def joined(tables: Sequence[Covariance], own: Mapping[str, float]) -> Covariance:
-    """Return one table of the values of several, which stay independent of each other.
-
-    Parameters
-    ----------
-    own : mapping of str to float
-        Standard deviations of the values themselves, by path; those of the table if they are of each.
-    """
-    if len(tables) == 1:
-        return tables[0]
-    sigmas = None
-    if any(table.sigmas is not None for table in tables):
-        sigmas = tuple(one for table in tables for one in _sigmas(table, own))
-    ends = np.cumsum([0, *(len(table.paths) for table in tables)])
-    blocks = np.zeros((ends[-1], ends[-1]))
-    for table, start, end in zip(tables, ends, ends[1:], strict=False):
-        blocks[start:end, start:end] = table.correlation
-    return Covariance(
-        tuple(path for table in tables for path in table.paths),
-        tuple(tuple(row) for row in blocks.tolist()),
-        sigmas,
-    )
-
-
-# Reading ---------------------------------------------------------------------------------------------------
 
 
 def read_covariance(
@@ -338,11 +242,8 @@ def _own_sigmas(raw: Any, own: Sequence[Quantity], where: str, problem: Problem)
             return None
         most = quantity.sigma or 0.0
         if not 0.0 < sigma <= (1.0 + DIGITS) * most:
-            unit = "" if quantity.unit == "1" else f" {quantity.unit}"
-            what = (
-                f"expected a standard deviation above 0 and at most that of the value, {most:g}{unit}, found "
-                f"{sigma:g}{unit}"
-            )
+            most_of, found = (with_unit(size, quantity.unit) for size in (most, sigma))
+            what = f"expected a standard deviation above 0 and at most that of the value, {most_of}, found {found}"
             problem(at, what, "it may not be larger: enlarge the sigma of the value, or leave this one out")
             return None
         sigmas.append(sigma)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from operator import ge, gt, le, lt
 from typing import Any
 
 from pkmodes.core.base.errors import shown
@@ -18,6 +19,7 @@ from pkmodes.core.robot.units import (
     article,
     in_range,
     parse,
+    with_unit,
 )
 from pkmodes_description import Key
 
@@ -68,8 +70,7 @@ def value_of(raw: Any, key: Key) -> Value:
         return choice(raw, key.choices)
     elements = _vector(raw, key.elements, key.dimension, key.at_least, key.above, key.at_most)
     if key.kind == "pair" and elements[0].value >= elements[1].value:
-        unit = _unit(key.dimension)
-        low, high = (f"{element.value:g}{unit}" for element in elements)
+        low, high = (with_unit(element.value, element.unit) for element in elements)
         what = f"expected the lower limit first, found {low} before {high}"
         raise RefusedError(what, f"write {key.name} = [{', '.join(key.elements)}]")
     return elements
@@ -100,20 +101,18 @@ def quantity(
             f"expected a length of at most {LARGEST_LENGTH:g} m, found {shown(raw)}",
             "check the number and its unit: a number without a unit is in metres",
         )
-    bound = None
-    if at_least is not None and value < at_least:
-        bound = f"of at least {at_least:g}"
-    elif above is not None and value <= above:
-        bound = f"greater than {above:g}"
-    elif at_most is not None and value > at_most:
-        bound = f"of at most {at_most:g}"
-    elif below is not None and value >= below:
-        bound = f"less than {below:g}"
-    if bound is not None:
-        what = f"expected {article(dimension)} {bound}{_unit(dimension)}, found {shown(raw)}"
-        raise RefusedError(what, "check the sign and the number")
+    unit = DIMENSIONS[dimension][0]
+    for holds, bound, words in (
+        (ge, at_least, "of at least"),
+        (gt, above, "greater than"),
+        (le, at_most, "of at most"),
+        (lt, below, "less than"),
+    ):
+        if bound is not None and not holds(value, bound):
+            what = f"expected {article(dimension)} {words} {with_unit(bound, unit)}, found {shown(raw)}"
+            raise RefusedError(what, "check the sign and the number")
     sigma = None if sigma_raw is None else standard_deviation(sigma_raw, value, dimension)
-    return Quantity(value, DIMENSIONS[dimension][0], sigma)
+    return Quantity(value, unit, sigma)
 
 
 def choice(raw: Any, allowed: tuple[int, ...]) -> int:
@@ -224,7 +223,3 @@ def _signs(raw: Any, length: int) -> tuple[float, ...]:
         if isinstance(element, bool) or element not in (1, -1):
             raise RefusedError(f"expected numbers that are each 1 or -1, found {shown(element)}", remedy)
     return tuple(float(element) for element in raw)
-
-
-def _unit(dimension: str) -> str:
-    return "" if dimension == "number" else f" {DIMENSIONS[dimension][0]}"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any, TypeVar
 
 from pkmodes.core.base.errors import PkmodesError, RobotFileError, nearest, shown
@@ -10,12 +11,11 @@ from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.covariance import COVARIANCE
-from pkmodes.core.robot.effects import read_effects
 from pkmodes.core.robot.layout import EFFECTS, GRAVITY, by_path, lent
 from pkmodes.core.robot.report_fields import REPORT, read_report
-from pkmodes.core.robot.units import DIMENSIONS, Quantity
+from pkmodes.core.robot.units import DIMENSIONS, Quantity, article, with_unit
 from pkmodes.core.robot.usable import USABLE, Bound, read_usable
-from pkmodes_description import Key, Table
+from pkmodes_description import Effect, EffectParameter, Key, Table
 
 FORMAT_HELP = "see docs/robot-file.md for the format"
 FORMAT = 1
@@ -153,7 +153,52 @@ class Tables:
             value = default_of(by_path(self.mechanism)[own].key) if value is None else value
             if isinstance(value, Quantity):
                 values[path] = value
-        return read_effects(self.mechanism, raw, values, self.source, self.problems)
+        quantities: dict[str, Quantity] = {}
+        for name, table in raw.items():
+            path = f"{EFFECTS}.{name}"
+            if name not in self.mechanism.effects:
+                self._no_effect(name)
+            elif not isinstance(table, dict):
+                self.problem(path, f"expected a table, found {shown(table)}", f"write a table [{path}]")
+            else:
+                quantities |= self._effect(self.mechanism.effects[name], table, values)
+        return quantities
+
+    def _no_effect(self, name: str) -> None:
+        """Add a problem for an effect that this mechanism does not have."""
+        own, path = self.mechanism.effects, f"{EFFECTS}.{shown(name)}"
+        if any(name in registry.mechanism(other).effects for other in registry.names()):
+            what = f"the effect {name} does not apply to the mechanism {self.mechanism.name}"
+            self.problem(path, what, f"effects that apply: {', '.join(own)}")
+        else:
+            self.problem(path, f"unknown effect {shown(name)}", nearest(name, own))
+
+    def _effect(
+        self, effect: Effect, table: Mapping[str, Any], lent: Mapping[str, Quantity]
+    ) -> dict[str, Quantity]:
+        """Read the table of an effect; `lent` are values that other tables of the file declare, by path."""
+        known = [parameter.name for parameter in effect.parameters]
+        for key in table:
+            if key not in known:
+                place = f"{EFFECTS}.{effect.name}"
+                self.problem(place, f"unknown parameter {shown(key)}", nearest(key, known))
+        own = [name for name in known if f"{EFFECTS}.{effect.name}.{name}" not in lent]
+        quantities: dict[str, Quantity] = {}
+        for parameter in effect.parameters:
+            path = f"{EFFECTS}.{effect.name}.{parameter.name}"
+            if parameter.name in table:
+                value = self._read(table[parameter.name], path, partial(_of_effect, parameter=parameter))
+                if value is not None:
+                    quantities[path] = value
+            elif path in lent:
+                quantities[path] = lent[path]
+            elif len(own) > 1:  # if an effect has several parameters, missing ones are zero
+                quantities[path] = Quantity(0.0, parameter.unit)
+            else:
+                example = DIMENSIONS[_dimension(parameter.unit)][1]
+                remedy = f'add it, for example {parameter.name} = "{example}"'
+                self.problem(path, f"the parameter {parameter.name} is missing", remedy)
+        return quantities
 
     def _present(self, document: Mapping[str, Any], key: str, read: Callable[[Any], T]) -> T | None:
         if key in document:
@@ -189,3 +234,26 @@ def default_of(key: Key) -> Quantity | None:
     if key.default is None:
         return None
     return Quantity(key.default, DIMENSIONS[key.dimension][0])
+
+
+def _of_effect(raw: Any, parameter: EffectParameter) -> Quantity:
+    """Read a parameter of an effect; zero, its null value, is always allowed, otherwise the physical bounds apply."""
+    dimension = _dimension(parameter.unit)
+    quantity = schema.quantity(raw, dimension)
+    least, most = parameter.greater_than, parameter.less_than
+    if least is not None and quantity.value != 0.0 and quantity.value <= least:
+        bound = f"greater than {with_unit(least, parameter.unit)}, or 0 for no effect"
+        raise schema.RefusedError(
+            f"expected {article(dimension)} {bound}, found {shown(raw)}", "check the sign and the number"
+        )
+    if most is not None and quantity.value >= most:
+        what = (
+            f"expected {article(dimension)} less than {with_unit(most, parameter.unit)}, found {shown(raw)}"
+        )
+        raise schema.RefusedError(what, "check the number and its unit")
+    return quantity
+
+
+def _dimension(unit: str) -> str:
+    """Return the dimension with this SI unit; of two, the one that describes a spring."""
+    return [name for name, (si_unit, _) in DIMENSIONS.items() if si_unit == unit][-1]

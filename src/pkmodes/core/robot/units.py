@@ -223,6 +223,11 @@ def article(noun: str) -> str:
     return f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
 
 
+def with_unit(value: float, unit: str) -> str:
+    """Return a number in an SI unit as text, such as ``0.4 m``; ``"1"`` is not written."""
+    return f"{value:g}" + ("" if unit == "1" else f" {unit}")
+
+
 def in_range(value: float) -> bool:
     """Return whether a value is zero or within the limits of magnitude; False for NaN."""
     return value == 0.0 or SMALLEST <= abs(value) <= LARGEST

@@ -9,19 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import nearest, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.mechanism.poses import reasons
-from pkmodes.core.mechanism.rods import rods_of, singular_angles
+from pkmodes.core.mechanism.rods import rods_of
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.units import SHOWN, article, dimension_of
 
-Array = NDArray[np.float64]
 USABLE = "usable"
 ENDS = ("min", "max")
 #: The limits that are none of a component of the pose, and the components of which the radius is.
@@ -53,22 +51,6 @@ class SingularAngle(NamedTuple):
 
 #: A limit of the table.
 Bound = Limits | Radius | SingularAngle
-
-
-class Used(Protocol):
-    """A robot with its limits."""
-
-    @property
-    def mechanism(self) -> Mechanism:
-        """Its mechanism."""
-
-    @property
-    def parameters(self) -> Any:
-        """Its parameters for the generated model."""
-
-    @property
-    def usable(self) -> Mapping[str, Bound]:
-        """Its limits."""
 
 
 def read_usable(mechanism: Mechanism, raw: Any, problem: Callable[[str, str, str], None]) -> dict[str, Bound]:
@@ -117,55 +99,23 @@ def read_usable(mechanism: Mechanism, raw: Any, problem: Callable[[str, str, str
     return {name: bounds[name] for name in readers if name in bounds}
 
 
-def limits_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> tuple[Array, Array]:
-    """Return a box around what is usable: its lower and upper ends, (d,) each, infinite where there are none."""
-    ends = {name: Limits(*bound) for name, bound in usable.items() if _of_component(bound)}
-    for bound in usable.values():
-        if isinstance(bound, Radius):
-            for name, middle in zip(ACROSS, bound.about, strict=True):
-                low, high = ends.get(name, (-np.inf, np.inf))
-                ends[name] = Limits(max(low, middle - bound.value), min(high, middle + bound.value))
-    every = [ends.get(component.name, (-np.inf, np.inf)) for component in mechanism.pose]
-    return np.array([low for low, _ in every]), np.array([high for _, high in every])
-
-
-def reasons_of(robot: Used) -> dict[str, str]:
+def reasons_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> dict[str, str]:
     """Return why a pose may be left out of a result: code and meaning, in the order of the checks."""
-    known = reasons(robot.mechanism)
-    if is_box(robot.usable):
+    known = reasons(mechanism)
+    if is_box(usable):
         return known
-    return {
-        **known,
-        USABLE: f"the pose is left out, beyond the usable limits: {in_words(robot.mechanism, robot.usable)}",
-    }
+    meaning = f"the pose is left out, beyond the usable limits: {in_words(mechanism, usable)}"
+    return {**known, USABLE: meaning}
 
 
 def is_box(usable: Mapping[str, Bound]) -> bool:
     """Return whether all limits are of components: what is usable is then a box, of which every grid is inside."""
-    return all(map(_of_component, usable.values()))
-
-
-def inside(robot: Used, points: Array) -> NDArray[np.bool_]:
-    """Return which poses, (..., d), are within all usable limits of a robot."""
-    mechanism, names = robot.mechanism, [component.name for component in robot.mechanism.pose]
-    within = np.ones(points.shape[:-1], dtype=bool)
-    for name, bound in robot.usable.items():
-        if isinstance(bound, Radius):
-            across = points[..., [names.index(one) for one in ACROSS]] - bound.about
-            within &= np.hypot(across[..., 0], across[..., 1]) <= bound.value
-        elif isinstance(bound, SingularAngle):
-            angles = singular_angles(mechanism, robot.parameters, points[within])
-            within[within] = (angles >= bound.value).all(axis=-1)
-        else:
-            low, high = bound
-            value = points[..., names.index(name)]
-            within &= (value >= low) & (value <= high)
-    return within
+    return all(map(of_component, usable.values()))
 
 
 def raw_of(bound: Bound) -> Any:
     """Return a limit as a robot file could contain it, in SI units."""
-    if _of_component(bound):
+    if of_component(bound):
         return list(bound)
     if isinstance(bound, Radius) and any(bound.about):
         return {"value": bound.value, "about": list(bound.about)}
@@ -211,7 +161,8 @@ def not_singular(angle: float) -> str:
     return f"every rod at least {np.degrees(angle):.4g} deg from its singular direction"
 
 
-def _of_component(bound: Bound) -> bool:
+def of_component(bound: Bound) -> bool:
+    """Return whether a limit is that of a component of the pose."""
     return not isinstance(bound, Radius | SingularAngle)
 
 

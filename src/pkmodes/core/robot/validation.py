@@ -18,7 +18,7 @@ from pkmodes.core.robot.covariance import read_covariance
 from pkmodes.core.robot.declaration import Declaration, Parameters
 from pkmodes.core.robot.layout import EFFECTS, items, lent, takers
 from pkmodes.core.robot.tables import FORMAT_HELP, Tables, default_of
-from pkmodes.core.robot.units import DIMENSIONS, Quantity, article
+from pkmodes.core.robot.units import DIMENSIONS, Quantity, article, with_unit
 from pkmodes_description import Key, Requirement
 
 Values = Mapping[str, schema.Value]
@@ -165,7 +165,6 @@ def _sentence(requirement: Requirement, place: str, margin: float, numbers: Mapp
     }
 
     def written(match: re.Match[str]) -> str:
-        quantity = values[match[1]]
-        return f"{quantity.value:g}" + ("" if quantity.unit == "1" else f" {quantity.unit}")
+        return with_unit(values[match[1]].value, values[match[1]].unit)
 
     return re.sub(r"\{([\w.]+)\}", written, requirement.sentence)

@@ -12,13 +12,16 @@ from typing import Any
 import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
-from pkmodes.core.robot.covariance import Covariance, with_sigmas
+from pkmodes.core.robot.covariance import COVARIANCE, Covariance, with_sigmas
 from pkmodes.core.robot.declaration import Declaration, changeable
-from pkmodes.core.robot.documents import document_of
-from pkmodes.core.robot.layout import by_path, lent, takers
+from pkmodes.core.robot.layout import EFFECTS, by_path, items, lent, takers
 from pkmodes.core.robot.parameter_groups import elements_of, groups_by_path, items_of
+from pkmodes.core.robot.report_fields import REPORT
+from pkmodes.core.robot.tables import FORMAT
 from pkmodes.core.robot.units import Quantity
+from pkmodes.core.robot.usable import USABLE, Bound, raw_of
 from pkmodes.core.robot.validation import declaration
 from pkmodes_description import ParameterGroup
 
@@ -44,6 +47,64 @@ def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
         )
     changed = _read(robot, {**declared, **changes}, source)
     return replace(changed, covariance=_covariance(robot, changed))
+
+
+def document_of(
+    mechanism: Mechanism,
+    name: str,
+    values: Mapping[str, Any],
+    usable: Mapping[str, Bound] | None = None,
+    report: Mapping[str, str] | None = None,
+    covariance: Sequence[Covariance] = (),
+) -> dict[str, Any]:
+    """Return the document of a robot file with only these values.
+
+    Parameters
+    ----------
+    name : str
+        The robot's name.
+    values : mapping of str to value
+        By path, as a file could contain them; a vector by all of its elements.
+    usable : mapping of str to Limits, Radius or SingularAngle, optional
+        Where the machine is used.
+    report : mapping of str to str, optional
+        Fields of the head of reports.
+    covariance : sequence of Covariance, optional
+        Values whose errors belong together.
+
+    Raises
+    ------
+    KeyError
+        If an element of a vector is missing.
+    """
+    document: dict[str, Any] = {"format": FORMAT, "name": name, "mechanism": mechanism.name}
+    for table in mechanism.tables:
+        if table.count:
+            document[table.name] = [{} for _ in range(table.count)]
+    for item in items(mechanism):
+        elements = [number.path for number in item.numbers if number.path != item.path]
+        if item.path in values:
+            _put(document, item.place, values[item.path])
+        elif any(path in values for path in elements):
+            _put(document, item.place, [values[path] for path in elements])
+    for path, raw in values.items():
+        # A value that an effect takes from a table is declared in the table; the effect only repeats it.
+        if path.startswith(f"{EFFECTS}.") and lent(mechanism).get(path) not in values:
+            _put(document, tuple(path.split(".")), raw)
+    if usable:
+        document[USABLE] = {name: raw_of(bound) for name, bound in usable.items()}
+    if report:
+        document[REPORT] = dict(report)
+    if covariance:
+        document[COVARIANCE] = [table.raw() for table in covariance]
+    return document
+
+
+def _put(document: dict[str, Any], place: tuple[str | int, ...], raw: Any) -> None:
+    node: Any = document
+    for key in place[:-1]:
+        node = node[key] if isinstance(key, int) else node.setdefault(key, {})
+    node[place[-1]] = raw
 
 
 def _read(

@@ -1,17 +1,25 @@
-"""The back ends that evaluate modes, and which of them is used."""
+"""The back ends that evaluate modes, and which of them is used.
+
+For held motors, any of them solves the system without the motors' coordinates, and shapes are given in all of them.
+"""
 
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from contextlib import suppress
 from functools import cache
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import POSITIVE_INTEGER, check_argument
 from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.compiled_solver import CompiledSolver
-from pkmodes.core.solve.held_solver import HeldSolver
 from pkmodes.core.solve.numpy_solver import NumpySolver
-from pkmodes.core.solve.solver import Solver, UnavailableError
+from pkmodes.core.solve.solver import SHAPES, Alone, Codes, Solver, UnavailableError
 from pkmodes.core.system.evaluation import Evaluation
 from pkmodes.core.system.motors import MotorsHeld
 
@@ -22,6 +30,8 @@ SOLVERS: dict[str, type[Solver]] = {solver.name: solver for solver in (NumpySolv
 PREFERRED = (CompiledSolver.name, NumpySolver.name)
 #: Environment variable with the back end to use where none is asked for.
 VARIABLE = "PKMODES_BACKEND"
+#: Fields in the coordinates with free motors, which the inner solver does not know.
+IN_ALL = frozenset({"mass_matrix", "stiffness_matrix"})
 COUNTED = {3: "three", 4: "four", 5: "five"}
 
 
@@ -76,6 +86,73 @@ def all_cores() -> int:
         return os.cpu_count() or 1
 
 
+class HeldSolver(Solver):
+    """Solves for held motors, by another solver of their system.
+
+    Parameters
+    ----------
+    solver : Solver
+        Of `system`.
+    free : Solver, optional
+        Of the robot with free motors, for the fields in its coordinates, if its digits are those of NumPy.
+    """
+
+    together = False
+
+    def __init__(self, solver: Solver, system: MotorsHeld, free: Solver | None = None) -> None:
+        self._inner, self._system, self._free = solver, system, free
+        self.name = solver.name  # type: ignore[misc]
+        self._of_free = frozenset[str]() if free is None else IN_ALL & free.fields
+        self.fields = (solver.fields - IN_ALL) | self._of_free  # type: ignore[misc]
+        self.checks_poses = solver.checks_poses  # type: ignore[misc]
+
+    @property
+    def inner(self) -> Solver:
+        """The solver of the system without the coordinates of the motors."""
+        return self._inner
+
+    @classmethod
+    def init(cls, system: Evaluation, largest_condition: float) -> Self:
+        """Not used: a solver is wrapped."""
+        raise NotImplementedError
+
+    def compute(self, at: RobotAtPoses, arrays: Mapping[str, NDArray[np.float64]], threads: int = 1) -> Codes:
+        """Fill arrays; `at` is the robot with free motors."""
+        held = RobotAtPoses(self._system, at.points, at.source, {})
+        own = {name: array for name, array in arrays.items() if name not in self._of_free}
+        if SHAPES in arrays:
+            own[SHAPES] = np.empty((*arrays[SHAPES].shape[:-1], len(self._system.coordinates)))
+        if self._free is not None and len(own) < len(arrays):
+            codes = self._free.compute(
+                at, {name: arrays[name] for name in arrays if name not in own}, threads
+            )
+            if not own:
+                return codes
+        codes = self._inner.compute(held, own, threads)
+        if SHAPES in arrays:
+            arrays[SHAPES][...] = self._system.part_with_free_motors(own[SHAPES])
+        return codes
+
+    def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone | None:
+        """Return what fills arrays at a single pose, if the inner solver has such a thing."""
+        if not self._of_free.isdisjoint(tails):
+            return None
+        if SHAPES not in tails:
+            return self._inner.alone(tails)
+        own = {**tails, SHAPES: (*tails[SHAPES][:-1], len(self._system.coordinates))}
+        inner, system = self._inner.alone(own), self._system
+        if inner is None:
+            return None
+
+        def of_held(point: NDArray[np.float64]) -> dict[str, NDArray[np.float64]] | None:
+            found = inner(point)
+            if found is not None:
+                found[SHAPES] = system.part_with_free_motors(found[SHAPES])
+            return found
+
+        return of_held
+
+
 def solver_of(
     system: Evaluation, largest_condition: float, backend: str, free: Solver | None = None
 ) -> Solver:
@@ -88,7 +165,7 @@ def solver_of(
     backend : str
         From `chosen`; with "auto", the first of `PREFERRED` that can be used.
     free : Solver, optional
-        For held motors: see `pkmodes.core.solve.held_solver.HeldSolver`.
+        For held motors: see `HeldSolver`.
 
     Raises
     ------

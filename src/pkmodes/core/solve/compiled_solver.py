@@ -16,8 +16,7 @@ from pkmodes.core.solve.solver import EIGENVALUES, Alone, Codes, Solver, Unavail
 from pkmodes.core.system.evaluation import Evaluation
 
 if TYPE_CHECKING:
-    from pkmodes.core.compiled.evaluator import Evaluator
-    from pkmodes.core.compiled.room import Room
+    from pkmodes.core.compiled.evaluator import Evaluator, Room
 
 Array = NDArray[np.float64]
 #: Very soft and very stiff released joints cost digits: NumPy solves where the lowest eigenvalue of vibration is

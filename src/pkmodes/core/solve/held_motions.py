@@ -1,4 +1,14 @@
-"""Motions of a robot that springs to ground hold softly: solved with the parts of K kept apart, or refused.
+r"""Motions of a robot that springs to ground hold softly: solved with the parts of K kept apart, or refused.
+
+Without springs to ground, the stiffness :math:`K_s` of belts and reducers leaves some motions free: it has as many
+eigenvalues that are zero.  A spring to ground, and gravity, add a part :math:`K_w` that may be many orders smaller.
+In the sum it would be lost, first in the entries of the matrix and then in the solver, whose errors are rounding of
+the largest eigenvalue.  So the parts are kept apart: with the modes :math:`\Phi` of :math:`K_s`, whose zeros are
+known and not computed, the problem becomes
+
+.. math:: H = \operatorname{diag}(0, \ldots, 0, \lambda_s) + \Phi^T K_w \Phi ,
+
+which is graded, and `pkmodes.core.linalg.graded` solves it.
 
 Frequencies of vibration have nine correct digits, or the robot is refused; where springs and gravity nearly cancel,
 the digits are those of the springs.
@@ -10,7 +20,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import PoseError
-from pkmodes.core.linalg.eigen import base_level, condensed_eigh, held_softly, natural_frequencies
+from pkmodes.core.linalg.eigen import (
+    base_level,
+    condensed_eigh,
+    held_softly,
+    natural_frequencies,
+    positive_components,
+    without_inertia,
+)
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.system.evaluation import Evaluation
 from pkmodes.core.system.stiffness_parts import StiffnessParts
@@ -44,8 +61,6 @@ def solve_held(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:
     softly = held_softly(eigenvalues, system.held_motions)
     if not softly.any():
         return
-    from pkmodes.core.linalg.held import held_eigh  # SciPy's linear algebra takes a while to import
-
     parts, M = at.stiffness_parts, at.mass_matrix
     soft = parts.ground + parts.gravity
     where = np.flatnonzero(softly & ~_stiffer(system, parts, M))
@@ -54,6 +69,57 @@ def solve_held(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:
     eigenvalues[where], shapes[where] = held_eigh(
         M[where], parts.machine[where], soft[where], system.first, system.held_motions
     )
+
+
+def held_eigh(M: Array, stiff: Array, soft: Array, first: int, motions: int) -> tuple[Array, Array]:
+    """Solve (stiff + soft) phi = lambda M phi where `stiff` leaves some motions free.
+
+    Parameters
+    ----------
+    M, stiff, soft : ndarray, shape (N, n, n)
+        Symmetric; `stiff` has `motions` eigenvalues that are zero, the others positive.
+    first : int
+        Index of the first released joint.
+    motions : int
+        Number of free motions.
+
+    Returns
+    -------
+    eigenvalues : ndarray, shape (N, m)
+        Ascending; errors of the lowest ones are relative to the soft part.
+    shapes : ndarray, shape (N, m, n)
+        As returned by `condensed_eigh`.
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        If M is not positive definite, or the soft part is too small to be represented.
+    """
+    from pkmodes.core.linalg.graded import graded_eigh  # SciPy's linear algebra takes a while to import
+
+    levels, modes = condensed_eigh(M, stiff, first, motions)
+    H = modes @ soft @ np.swapaxes(modes, -1, -2)
+    r = np.flatnonzero(without_inertia(M, first))
+    yields = None
+    if len(r):  # they followed the stiff part alone
+        forces = (soft @ np.swapaxes(modes, -1, -2))[:, r]
+        yields = -np.linalg.solve((stiff + soft)[:, r[:, None], r], forces)
+        H += np.swapaxes(forces, -1, -2) @ yields
+    levels[:, :motions] = 0.0
+    H += levels[:, :, None] * np.eye(H.shape[-1])
+    eigenvalues, shapes = np.empty_like(levels), np.empty_like(modes)
+    for i, matrix in enumerate(H):
+        across = matrix[:motions, motions:]
+        elastic = levels[i, motions:]
+        bent = np.linalg.norm(
+            np.divide(across, elastic, out=np.zeros_like(across), where=elastic > 0.0) @ across.T
+        )
+        shift = 2.0 * float(np.linalg.norm(matrix[:motions, :motions]) + bent)
+        eigenvalues[i], turned = graded_eigh(np.eye(len(matrix)), matrix, motions, shift)
+        shapes[i] = turned @ modes[i]
+        if yields is not None:
+            shapes[i][:, r] += turned @ yields[i].T
+    return eigenvalues, positive_components(shapes, M)
 
 
 def refuse_unresolved(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:

@@ -1,8 +1,13 @@
-"""Fields of one robot at poses: those that its solver fills, and those that follow from them."""
+"""Fields of one robot at poses: those that its solver fills, and those that follow from them.
+
+What a call for modes does is worked out once for a model: which fields it computes, and which are evaluated when they
+are read.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any
 
@@ -182,6 +187,74 @@ class ModeFields:
             part = RobotAtPoses(self._system, at.points[some], self._source, known)
             for name in self._derived:
                 rows[name][some] = part[name]
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """What a call for some fields does, for given drives and one back end.
+
+    Attributes
+    ----------
+    fields : ModeFields
+        Those that are computed at once.
+    shared : mapping of str to str
+        Those that share the array of another one, by name.
+    later : mapping of str to ModeFields
+        Those that are evaluated when they are read, each alone.
+    rigid_modes : int
+    backend : str
+        Of the result.
+    """
+
+    fields: ModeFields
+    shared: Mapping[str, str]
+    later: Mapping[str, ModeFields]
+    rigid_modes: int
+    backend: str
+
+
+class Later:
+    """The fields of a result that are evaluated when they are read; each is what it would have been at once.
+
+    Parameters
+    ----------
+    fields : mapping of str to ModeFields
+        For each of them.
+    robot : Robot
+    max_condition : float
+        As for the result.
+    checked : CheckedPoses
+        The poses of the result.  They are copied: the caller may change what the result shows.
+    threads : int
+        As for the result.
+    """
+
+    __slots__ = ("_checked", "_fields", "_max_condition", "_robot", "_threads")
+
+    def __init__(
+        self,
+        fields: Mapping[str, ModeFields],
+        robot: Robot,
+        max_condition: float,
+        checked: CheckedPoses,
+        threads: int,
+    ) -> None:
+        self._fields, self._robot, self._max_condition, self._threads = fields, robot, max_condition, threads
+        self._checked = CheckedPoses(
+            checked.points.copy(), checked.codes.copy(), checked.batch, checked.known, checked.left
+        )
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._fields
+
+    def shape(self, name: str) -> tuple[int, ...]:
+        """Return the shape of a field."""
+        return self._checked.batch + self._fields[name].tail(name)
+
+    def __call__(self, name: str) -> NDArray[Any]:
+        """Evaluate a field."""
+        rows = self._fields[name].again(self._robot, self._max_condition, self._checked, self._threads)
+        return rows[name].reshape(self.shape(name))
 
 
 def _given_by_motors(system: Evaluation, solved: Evaluation) -> dict[str, Any]:

@@ -73,7 +73,7 @@ def modes_of(at: RobotAtPoses) -> tuple[Array, Array]:
         If M is not positive definite.
     """
     system = at.system
-    massless = None if len(at.points) else system.massless()
+    massless = None if len(at.points) else system.massless
     eigenvalues, shapes = condensed_eigh(
         at.mass_matrix, at.stiffness_matrix, system.first, system.rigid_modes, massless
     )

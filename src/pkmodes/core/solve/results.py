@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from pandas import DataFrame
     from xarray import Dataset
 
-    from pkmodes.core.solve.plans import Later
+    from pkmodes.core.solve.mode_fields import Later
 
 Array = NDArray[np.float64]
 

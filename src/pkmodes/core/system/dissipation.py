@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem
 
@@ -49,7 +48,7 @@ class Dissipation:
     def of_model(self, p: Array) -> tuple[Array, Array]:
         """Return C_v and K'' in all coordinates of the generated model, each (N, e, e)."""
         system = self._system
-        generated = Generated(system.mechanism.extended, system.parameters, system.effects)
+        generated = system.generated
         viscous, loss = generated.extended_dissipation(p)
         diagonal = np.arange(system.first, loss.shape[-1])
         loss[..., diagonal, diagonal] += generated.joint_loss() * system.joints[system.first :]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import cache, cached_property
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,17 +23,18 @@ from pkmodes.core.system.released import active_effects, released
 Array = NDArray[np.float64]
 #: Dimensions of inertias.
 INERTIAS = ("mass", "moment of inertia")
-#: Step of complex-step differentiation, which has no cancellation.
-STEP = 1e-30
 
 
-class Evaluation(Protocol):
-    """The interface of a robot to the solver.
+class Evaluation:
+    """The matrices of a robot: here of the base model, without effects.
 
-    Attributes
+    Parameters
     ----------
     parameters : Parameters
         Of the generated model.
+
+    Attributes
+    ----------
     coordinates : tuple of str
         Names of the n generalised coordinates.
     first : int
@@ -46,56 +47,35 @@ class Evaluation(Protocol):
         The springs that do so, by path without ``effects.``.
     """
 
-    mechanism: Mechanism
-    parameters: Any
     coordinates: tuple[str, ...]
     first: int
     rigid_modes: int
     held_motions: int
     springs_to_ground: Mapping[str, float]
 
-    def all_coordinates(self, p: Array) -> tuple[Array, Array]:
-        """Return M and K including the coordinates of locked joints, if the model has any, each (N, e, e)."""
-
-    def free_part(self, matrix: Array) -> Array:
-        """Return the rows and columns of such a matrix that belong to `coordinates`, (N, n, n)."""
-
-    def massless(self) -> NDArray[np.bool_]:
-        """Return which coordinates have no inertia at any pose, (n,); used if there is no pose to read M from."""
-
-    def platform_motion(self, p: Array) -> Array:
-        """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""
-
-    def statics(self, p: Array) -> tuple[Array, Array]:
-        """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
-
-    def lanes(self) -> Lanes:
-        """The robot as the compiled evaluator takes it."""
-
-
-class BaseEvaluation:
-    """The base model, without effects."""
-
     def __init__(self, mechanism: Mechanism, parameters: Any) -> None:
         self.mechanism, self.parameters = mechanism, parameters
-        self._generated = Generated(mechanism.model, parameters)
         self.coordinates = tuple(q.name for q in mechanism.coordinates)
-        self.first = len(self.coordinates)
-        self.rigid_modes = mechanism.rigid_modes
-        self.held_motions = 0
-        self.springs_to_ground: Mapping[str, float] = {}
+        self.first, self.rigid_modes = len(self.coordinates), mechanism.rigid_modes
+        self.held_motions, self.springs_to_ground = 0, {}
+
+    @property
+    def generated(self) -> Generated:
+        """The generated functions, with the robot's numbers bound."""
+        return Generated(self.mechanism.model, self.parameters)
 
     def all_coordinates(self, p: Array) -> tuple[Array, Array]:
-        """Return M and K, each (N, n, n)."""
-        M, K = self._generated.modal_matrices(p)
+        """Return M and K including the coordinates of locked joints, if the model has any, each (N, e, e)."""
+        M, K = self.generated.modal_matrices(p)
         return M, K
 
     def free_part(self, matrix: Array) -> Array:
-        """Return the whole matrix."""
+        """Return the rows and columns of such a matrix that belong to `coordinates`, (N, n, n)."""
         return matrix
 
+    @cached_property
     def massless(self) -> NDArray[np.bool_]:
-        """Return all False: every base coordinate needs inertia for the eigenproblem to be defined."""
+        """Which coordinates have no inertia at any pose, (n,); every base coordinate needs some."""
         return np.zeros(len(self.coordinates), dtype=bool)
 
     def platform_motion(self, p: Array) -> Array:
@@ -104,12 +84,12 @@ class BaseEvaluation:
         rows = [pose.index(name) for name in self.mechanism.directions]
         columns = [self.coordinates.index(name) for name in self.mechanism.independent]
         motion = np.zeros((*p.shape[:-1], len(rows), len(self.coordinates)))
-        motion[..., columns] = self._generated.platform_jacobian(p)[..., rows, :]
+        motion[..., columns] = self.generated.platform_jacobian(p)[..., rows, :]
         return motion
 
     def statics(self, p: Array) -> tuple[Array, Array]:
         """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
-        torques, values = self._generated.static_equilibrium(p)
+        torques, values = self.generated.static_equilibrium(p)
         return torques, values
 
     def lanes(self) -> Lanes:
@@ -118,7 +98,7 @@ class BaseEvaluation:
         return Lanes(flat(self.parameters), none, none, none.astype(np.int32), none.astype(np.int8))
 
 
-class ExtendedSystem:
+class ExtendedSystem(Evaluation):
     """The extended model of one robot, including the coordinates of released joints that are not locked.
 
     Parameters
@@ -168,6 +148,11 @@ class ExtendedSystem:
         """Return the system of a robot, with or without effects."""
         return cls(robot.mechanism, robot.parameters, robot.effects)
 
+    @property
+    def generated(self) -> Generated:
+        """The generated functions, with the robot's numbers and effects bound."""
+        return Generated(self.mechanism.extended, self.parameters, self.effects)
+
     def all_coordinates(self, p: Array) -> tuple[Array, Array]:
         """Return M and K in all coordinates, each (N, e, e); here locked joints are free and have no spring."""
         M, K = self.without_springs(p)
@@ -182,45 +167,20 @@ class ExtendedSystem:
 
     def without_springs(self, p: Array) -> tuple[Array, Array]:
         """Return M and K in all coordinates without the springs of the released joints."""
-        M, K_el, K_g = self._single("extended_matrices", p)
+        M, K_el, K_g = self.single("extended_matrices", p)
         return self.in_basis(M), self.in_basis(K_el + K_g)
 
     def in_basis(self, matrix: Array) -> Array:
         """Return a matrix in the coordinates of the generated model, (..., e, e), in all coordinates here."""
         return matrix if self.basis is None else np.asarray(self.basis.T @ matrix @ self.basis)
 
-    def derivatives(self, p: Array, *, geometry: bool) -> tuple[Array, Array]:
-        """Return derivatives of the entries of M and K that the generated model lists, each (N, entries).
-
-        Derivatives with respect to the geometry come last and take most of the time; they are zero if not requested.
-        """
-        M_theta, K_theta = self._single("value_sensitivities", p)
-        if geometry:
-            also = self._single("geometry_sensitivities", p)
-        else:
-            also = tuple(np.zeros((len(p), count)) for count in self._entries_of_geometry())
-        return np.hstack([M_theta, also[0]]), np.hstack([K_theta, also[1]])
-
     def of_model(self, vectors: Array) -> Array:
         """Return vectors in all coordinates here, (..., e), in the coordinates of the generated model."""
         return vectors if self.basis is None else np.asarray(vectors @ self.basis.T)
 
-    def by_pose(self, p: Array) -> tuple[Array, Array]:
-        """Return derivatives of M and K in all coordinates with respect to the pose, each (N, d, e, e).
-
-        They are computed by complex step, which is exact to rounding: the generated functions accept complex poses.
-        """
-        moved = p + STEP * 1j * np.eye(p.shape[-1])[:, None]
-        M, K_el, K_g = self._generated.extended_matrices(moved)
-        dM, dK = (np.moveaxis(np.imag(a) / STEP, 0, 1) for a in (M, K_el + K_g))
-        return dM, dK
-
-    def massless(self) -> NDArray[np.bool_]:
-        """Return which released coordinates have no inertia."""
-        return self._massless
-
     @cached_property
-    def _massless(self) -> NDArray[np.bool_]:
+    def massless(self) -> NDArray[np.bool_]:
+        """Which coordinates have no inertia, (n,): only released ones may."""
         massless = np.zeros(len(self.free), dtype=bool)
         if len(self.free) > self.first:
             massless[self.first :] = self.without_inertia[self.first :]
@@ -249,7 +209,7 @@ class ExtendedSystem:
 
     def statics(self, p: Array) -> tuple[Array, Array]:
         """Return torques (N, drives) [N m] and static values of the dependent coordinates (N, ...)."""
-        torques, values = self._generated.extended_static_equilibrium(p)
+        torques, values = self.generated.extended_static_equilibrium(p)
         return torques, values
 
     def lanes(self) -> Lanes:
@@ -259,7 +219,7 @@ class ExtendedSystem:
             flat(self.effects),
             self.joints,
             self.free.astype(np.int32),
-            self.massless().astype(np.int8),
+            self.massless.astype(np.int8),
             self.fold(),
         )
 
@@ -272,17 +232,9 @@ class ExtendedSystem:
             leading.astype(np.int32), following.astype(np.int32), self.basis[following, leading].copy()
         )
 
-    def _entries_of_geometry(self) -> tuple[int, int]:
-        listed = self.mechanism.extended.GEOMETRY_SENSITIVITIES
-        return sum(len(entry[2]) for entry in listed), sum(len(entry[3]) for entry in listed)
-
-    @property
-    def _generated(self) -> Generated:
-        return Generated(self.mechanism.extended, self.parameters, self.effects)
-
-    def _single(self, name: str, p: Array) -> tuple[Array, ...]:
+    def single(self, name: str, p: Array) -> tuple[Array, ...]:
         """Evaluate a generated function; a single pose uses scalars, several times faster than arrays of length 1."""
-        function: Callable[[Array], tuple[Array, ...]] = getattr(self._generated, name)
+        function: Callable[[Array], tuple[Array, ...]] = getattr(self.generated, name)
         return tuple(values[None] for values in function(p[0])) if len(p) == 1 else function(p)
 
 
@@ -314,7 +266,7 @@ def _massless(mechanism: Mechanism, zeros: bytes) -> NDArray[np.bool_]:
 
 def number_of_modes(system: Evaluation) -> int:
     """Return how many coordinates have inertia."""
-    return len(system.coordinates) - int(np.count_nonzero(system.massless()))
+    return len(system.coordinates) - int(np.count_nonzero(system.massless))
 
 
 def matrices(system: Evaluation, p: Array) -> tuple[Array, Array]:
@@ -335,4 +287,4 @@ def evaluation(robot: Robot) -> Evaluation:
     """Choose the model of a robot: the base model if no effect changes M or K, else the extended model."""
     mechanism = robot.mechanism
     active = {*active_effects(mechanism, robot.effects)} & mechanism.conservative_effects.keys()
-    return ExtendedSystem.of(robot) if active else BaseEvaluation(mechanism, robot.parameters)
+    return ExtendedSystem.of(robot) if active else Evaluation(mechanism, robot.parameters)

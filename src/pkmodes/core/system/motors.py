@@ -59,7 +59,7 @@ class MotorsHeld(ExtendedSystem):
         )
         effects = {path: v for path, v in system.given.items() if not path.startswith(inert.effects)}
         super().__init__(mechanism, parameters, effects)
-        motion = np.asarray(Generated(mechanism.extended, parameters, self.effects).motor_motion())
+        motion = np.asarray(self.generated.motor_motion())
         remaining = _remaining(mechanism, motion.tobytes(), self.free.tobytes())
         self._listed, self.free, self.basis = self.free, remaining.free, remaining.basis
         self.coordinates, self.rotors = remaining.coordinates, remaining.rotors
@@ -68,8 +68,8 @@ class MotorsHeld(ExtendedSystem):
         self.held_motions = remaining.loose - self.rigid_modes
 
     @cached_property
-    def _massless(self) -> NDArray[np.bool_]:
-        # Released coordinates that remain have no inertia if no rotor that follows them has any.
+    def massless(self) -> NDArray[np.bool_]:
+        """Which coordinates have no inertia: released ones that remain, if no rotor that follows them has any."""
         none = np.ones(len(self.basis), dtype=bool)
         none[self._listed] = self.without_inertia
         massless: NDArray[np.bool_] = (none[:, None] | (self.basis == 0.0)).all(axis=0)[self.free]
@@ -204,8 +204,7 @@ def _all_of(name: str, effect: Any, without: set[str]) -> bool:
 def motor_motion(system: Evaluation) -> Array:
     """Return the angle of each motor per unit of each coordinate with free motors, (drives, n)."""
     extended = _extended(system)
-    generated = Generated(extended.mechanism.extended, extended.parameters, extended.effects)
-    motion: Array = np.asarray(generated.motor_motion())[:, extended.free]
+    motion: Array = np.asarray(extended.generated.motor_motion())[:, extended.free]
     return motion
 
 

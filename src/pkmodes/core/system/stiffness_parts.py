@@ -44,7 +44,7 @@ def stiffness_parts(system: Evaluation, p: Array) -> StiffnessParts:
     _, machine, gravity = Generated(extended, system.parameters, without).extended_matrices(p)
     diagonal = np.arange(machine.shape[-1])
     machine[..., diagonal, diagonal] += system.joints
-    _, rates = Generated(extended, system.parameters, system.effects).value_sensitivities(p)
+    _, rates = system.generated.value_sensitivities(p)
     ground, start = np.zeros_like(machine), 0
     for field, _, _, entries in extended.VALUE_SENSITIVITIES:
         if field in springs:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.linalg.statics import strain_free
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.system.evaluation import Evaluation
 
@@ -38,8 +37,11 @@ def strain_free_motions(system: Evaluation, points: Array) -> Array:
         _, elastic, _ = Generated(extended, system.parameters, extended.Effects()).extended_matrices(points)
     jacobian = model.platform_jacobian(points)
     rates = np.linalg.pinv(jacobian)[..., [pose.index(name) for name in mechanism.directions]]
-    base = len(names)
+    given = [names.index(name) for name in mechanism.independent]
+    follows = np.setdiff1d(np.arange(len(names)), given)
     motions = np.zeros((len(points), len(system.coordinates), rates.shape[-1]))
-    independent = [names.index(name) for name in mechanism.independent]
-    motions[:, :base] = strain_free(elastic[..., :base, :base], independent, rates)
+    motions[:, given] = rates
+    # The other coordinates follow without force: so the motion is the one that strains nothing.
+    forces = elastic[:, follows[:, None], given] @ rates
+    motions[:, follows] = -np.linalg.solve(elastic[:, follows[:, None], follows], forces)
     return motions

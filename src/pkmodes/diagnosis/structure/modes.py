@@ -4,7 +4,7 @@ If M is singular, M N = 0, the motions N follow the others statically: :math:`N^
 every q if :math:`N^T K T = 0`.  They add no modes, but appear in the shapes.  Coordinates with zero rows in M are
 such motions, and so is every combination of coordinates without kinetic energy.
 
-The derivative of a shape is its modal expansion (`core.linalg.expansion`) and that of the motions N without inertia:
+The derivative of a shape is its modal expansion (`support.expansion`) and that of the motions N without inertia:
 :math:`-N (N^T K N)^{-1} N^T (dK - \lambda_i dM) \phi_i`.
 """
 
@@ -18,9 +18,9 @@ from scipy import linalg
 
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.linalg.eigen import generalised_eigh
-from pkmodes.core.linalg.expansion import modal_expansion
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.structure.supplied import Pair
+from pkmodes.support.expansion import modal_expansion
 
 #: Smaller pivots of a matrix scaled to a unit diagonal are zero up to rounding.
 SINGULAR = 1e-13
