@@ -30,8 +30,7 @@ from helpers.commands.map_runs import (
 )
 from pkmodes.core.base.errors import OutputError
 from pkmodes.maps import mapping
-from pkmodes.maps.locking import locked
-from pkmodes.maps.storage import GROUP, Store, on_disk
+from pkmodes.maps.storage import GROUP, Store, locked, on_disk
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="sends POSIX signals")
 

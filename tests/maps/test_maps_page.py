@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from pkmodes.dataset.variables import EVENTS
-from pkmodes.maps.pairing import CLEAR, SAME
+from pkmodes.maps.tracking import CLEAR, SAME
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "maps.md").read_text(encoding="utf-8")

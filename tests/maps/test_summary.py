@@ -10,7 +10,7 @@ from scipy.linalg import eigvalsh
 
 import pkmodes
 from pkmodes.cli.map import _hertz
-from pkmodes.maps import fields
+from pkmodes.maps import dataset
 from pkmodes.maps.left_out import sentences
 from pkmodes.maps.quantiles import quantiles
 from pkmodes.maps.summary import quantiles_in_words, summary_of
@@ -25,7 +25,7 @@ def test_extremes_and_counts_do_not_depend_on_the_parts(monkeypatch: pytest.Monk
     # In part beyond the limits and out of reach; extremes of different modes lie in different parts.
     grid = {"x": np.linspace(0.0, 0.8, 9), "y": np.linspace(-0.1, 0.1, 3), "z": [-0.5, -0.245]}
     found = model.map(grid, sweep={"platform.mass": [2.0, 1.0]})
-    monkeypatch.setattr(fields, "CHUNK", chunk)
+    monkeypatch.setattr(dataset, "CHUNK", chunk)
     summary = summary_of(found, None).as_json()
     values = found["frequency"].values.reshape(2, -1, 6)
     # A belt span of some mm: its frequency is beyond ten times the median of the robot, of which there are two.

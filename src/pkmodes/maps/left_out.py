@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.maps.fields import chunks_of
+from pkmodes.maps.dataset import chunks_of
 from pkmodes.maps.quantiles import quantiles
 from pkmodes.maps.variants import SAMPLE
 

@@ -23,13 +23,11 @@ from pkmodes.core.system.motors import solved_system
 from pkmodes.dataset.attributes import imported
 from pkmodes.dataset.robot_text import text_of
 from pkmodes.maps.dataset import dataset_of
-from pkmodes.maps.evaluating import Task, code_of
-from pkmodes.maps.layout import Layout, layout_of, tails
-from pkmodes.maps.locking import locked
+from pkmodes.maps.evaluating import Layout, Task, code_of, layout_of, tails
 from pkmodes.maps.map_file import MapFile
 from pkmodes.maps.poses import Grid, Places, places_of
 from pkmodes.maps.running import run
-from pkmodes.maps.storage import SUFFIX, Store, Tails, damage_refused, in_memory, on_disk
+from pkmodes.maps.storage import SUFFIX, Store, Tails, damage_refused, in_memory, locked, on_disk
 from pkmodes.maps.tracking import Tracked, track
 from pkmodes.maps.variants import SAMPLE, Variants, variants_of
 from pkmodes.maps.workspace import bounds_of, reachable
