@@ -22,7 +22,7 @@ BRIDGE = {"src/pkmodes/codegen/derivation.py"}
 BY_MECHANISM = {
     "src/pkmodes/core/mechanism/described.py",
     "src/pkmodes/core/mechanism/packages.py",
-    "src/pkmodes/codegen/checking/mechanism_relations.py",
+    "src/pkmodes/codegen/checking/consistency.py",
 }
 #: What loads the functions that applications attach to classes of the core.
 ATTACHES = {"src/pkmodes/core/base/attached.py"}

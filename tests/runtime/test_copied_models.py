@@ -14,7 +14,7 @@ from helpers.commands.answers import refused
 from helpers.generated.generated_model import MODULE
 from helpers.robots.robot_text import published
 from pkmodes.cli import run
-from pkmodes.codegen.checking.recorded import recorded_robot
+from pkmodes.codegen.checking.products import recorded_robot
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.reading import read_robot
 from pkmodes_rig.robots import ROBOTS

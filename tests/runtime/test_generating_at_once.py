@@ -11,7 +11,7 @@ import pytest
 from helpers.commands.answers import refused
 from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
-from pkmodes.codegen import alone, generation
+from pkmodes.codegen import generation, product_folder
 from pkmodes.core.base.errors import OutputError
 
 
@@ -58,9 +58,9 @@ def test_one_robot_generated_twice_at_once_is_welcome(
 def test_a_folder_into_which_another_process_writes_is_waited_for(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(alone, "PATIENCE", 0.1)
-    with alone.alone(tmp_path / "model"):
-        with pytest.raises(OutputError) as error, alone.alone(tmp_path / "model"):
+    monkeypatch.setattr(product_folder, "PATIENCE", 0.1)
+    with product_folder.alone(tmp_path / "model"):
+        with pytest.raises(OutputError) as error, product_folder.alone(tmp_path / "model"):
             pytest.fail("two at once")
         assert "another process has been generating into the folder" in error.value.what
     assert not (tmp_path / "model").exists(), "nothing was written"

@@ -11,7 +11,7 @@ import pytest
 
 import pkmodes
 from helpers.commands.adding_a_mechanism import BLOCKS, DEFINITION, ROBOT
-from pkmodes.codegen.checking.drawing import check_drawing
+from pkmodes.codegen.checking.consistency import check_drawing
 from pkmodes.codegen.derivation import Definition, define, parametric, staged
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism import registry as known

@@ -18,7 +18,7 @@ from pkmodes.support.documents import Document
 from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
-    from pkmodes.codegen.checking.report import Report
+    from pkmodes.codegen.checking.products import Report
 
 Cause = Literal[
     "robot",

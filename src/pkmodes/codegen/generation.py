@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pkmodes.codegen.alone import alone
 from pkmodes.codegen.derivation import (
     Definition,
     as_pkmodes_errors,
@@ -22,6 +21,7 @@ from pkmodes.codegen.derivation import (
 )
 from pkmodes.codegen.product_folder import (
     MANIFEST,
+    alone,
     check_mechanism,
     check_no_link,
     check_owner,

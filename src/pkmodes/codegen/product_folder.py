@@ -1,18 +1,24 @@
 """The folder of a generated model: where it may be written, and which of its files belong to the generator.
 
-Users may keep other files in the folder; nothing here replaces or removes them.
+Users may keep other files in the folder; nothing here replaces or removes them.  One process at a time writes there.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
 from pkmodes.core.base.errors import OutputError, shown
 from pkmodes.support.places import resolved
+from pkmodes.support.writing import refusal
 
 MANIFEST = "manifest.json"
+#: Hidden, and removed at the end.
+LOCK = ".pkmodes-generate.lock"
+#: Seconds for which another process may write.
+PATIENCE = 60
 ELSEWHERE = "name a new or empty folder, such as --out build/my-robot"
 
 
@@ -143,6 +149,40 @@ def stale_outputs(
     # Only files directly in this folder, so that a manifest cannot cause the removal of anything elsewhere.
     beside = [path for path in out.iterdir() if path.is_file() and not path.is_symlink()]
     return [path for path in beside if path.name in former.keys() - set(names) and generated(path)]
+
+
+@contextmanager
+def alone(folder: Path) -> Iterator[None]:
+    """Make a folder, and keep other processes from generating into it; what stays empty is removed again.
+
+    Raises
+    ------
+    OutputError
+        If the folder cannot be made or written, or another process does not finish.
+    """
+    from filelock import FileLock, Timeout
+
+    made = [place for place in (folder, *folder.parents) if not place.exists()]
+    lock = FileLock(folder / LOCK, timeout=PATIENCE)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        lock.acquire()
+    except Timeout:
+        what = f"another process has been generating into the folder for {PATIENCE} s"
+        raise OutputError(what, str(folder), "end it, or choose another folder") from None
+    except OSError as error:
+        raise refusal(error, folder) from None
+    except NotImplementedError:  # a file system without locks
+        pass
+    try:
+        yield
+    finally:
+        with suppress(OSError):
+            (folder / LOCK).unlink()
+        lock.release()
+        for place in made:
+            with suppress(OSError):  # it is in use
+                place.rmdir()
 
 
 def _is_file(folder: Path, name: str) -> bool:

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from importlib import import_module
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.codegen.checking.mechanism_relations import own_relations
-from pkmodes.codegen.checking.relations import Derivative, Relation, State, relations
+from pkmodes.codegen.checking.relations import Derivative, Relation, State, drawing_relations, relations
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.regular import regular_poses
@@ -23,6 +24,8 @@ from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
 
+#: Relations of one mechanism only are in the module of its name here.
+OWN = "pkmodes.codegen.mechanisms"
 #: Complex step: rounding only, some 1e-14 per unit of the condition number.
 COMPLEX_STEP_BOUND = 1e-10
 #: Fourth-order central differences: truncation grows with the fifth derivative and so with the condition number; at
@@ -94,6 +97,13 @@ def check_consistency(
     return checks
 
 
+def check_drawing(mechanism: Mechanism, parameters: object) -> list[Check]:
+    """Check the motion of drawn points by differences of their positions, and the springs by the elastic Hessian."""
+    return check_consistency(
+        Generated(mechanism.model, parameters), mechanism, parameters, yielded=drawing_relations
+    )
+
+
 def _relative(value: Array, expected: Array, weight: float) -> float:
     """Return the largest difference relative to the largest expected value, infinite where one is not a number."""
     if not (np.isfinite(value).all() and np.isfinite(expected).all()):
@@ -104,8 +114,11 @@ def _relative(value: Array, expected: Array, weight: float) -> float:
 
 
 def _all(at: State) -> Iterator[Relation]:
+    """Yield the relations of every mechanism, and those of this one alone."""
     yield from relations(at)
-    yield from own_relations(at)
+    own = f"{OWN}.{at.mechanism.name}"
+    if find_spec(own) is not None:
+        yield from import_module(own).relations(at)
 
 
 def _complex_step(function: Callable[[Array], Array], at: Array, step: float) -> Array:

@@ -1,10 +1,15 @@
-"""Check whether generated code is up to date and correct: a committed model, a generated folder, or a robot file."""
+"""Check whether generated code is up to date and correct.
+
+What is checked is a committed model, a generated folder, of a robot or of a user-defined mechanism, or a robot file.
+The fresh derivation is executed; other files are only compared.
+"""
 
 from __future__ import annotations
 
 import stat
 import types
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -12,20 +17,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.codegen.checking.consistency import Check, check_consistency
-from pkmodes.codegen.checking.drawing import check_drawing
-from pkmodes.codegen.checking.recorded import recorded_robot
-from pkmodes.codegen.checking.report import Report, findings_of, manifest_of
-from pkmodes.codegen.checking.user_mechanisms import check_definition, check_mechanism
-from pkmodes.codegen.derivation import derivation
+from pkmodes.codegen.checking.consistency import Check, check_consistency, check_drawing
+from pkmodes.codegen.derivation import derivation, parametric, read_definition, staged
 from pkmodes.codegen.generation import specialised, specification
 from pkmodes.codegen.product_folder import MANIFEST
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.packages import DEFINITION
 from pkmodes.core.mechanism.regular import regular_poses, sample
-from pkmodes.core.robot.reading import read_robot
+from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
+from pkmodes.core.robot.variants import document_of
 from pkmodes.core.system.evaluation import evaluation, matrices
 from pkmodes.core.system.released import active_effects
 from pkmodes.support.pasting import pasted
@@ -33,6 +36,36 @@ from pkmodes.support.pasting import pasted
 REGENERATE = "python -m pkmodes_derive generate"
 
 Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Report:
+    """Report on one target.
+
+    Attributes
+    ----------
+    target : str
+        The folder or robot file that was checked.
+    findings : list
+        Reasons why it is not up to date (`pkmodes_derive.emit.currency.Finding`); empty if it is.
+    checks : list of Check
+        Finite-difference consistency.
+    mend : str
+        Command that fixes the findings, empty if there is nothing to fix.
+    unchecked : tuple of str
+        What could not be checked, and what to do about it.
+    """
+
+    target: str
+    findings: list[Any] = field(default_factory=list)
+    checks: list[Check] = field(default_factory=list)
+    mend: str = ""
+    unchecked: tuple[str, ...] = ()
+
+    @property
+    def holds(self) -> bool:
+        """Whether everything that could be checked is up to date and consistent."""
+        return not self.findings and all(check.holds for check in self.checks)
 
 
 def check_committed(name: str) -> Report:
@@ -46,10 +79,7 @@ def check_committed(name: str) -> Report:
     mechanism = registry.mechanism(name)
     folder = Path(str(files(mechanism.package)))
     findings = findings_of(folder, derivation("emit.product").parametric(name))
-    parameters = sample(mechanism)
-    checks = check_consistency(Generated(mechanism.model, parameters), mechanism, parameters)
-    checks += check_drawing(mechanism, parameters)
-    return Report(str(folder), findings, checks, REGENERATE if findings else "")
+    return Report(str(folder), findings, _checks_of_sample(mechanism), REGENERATE if findings else "")
 
 
 def check_folder(folder: Path) -> Report:
@@ -82,6 +112,81 @@ def check_folder(folder: Path) -> Report:
         raise PkmodesError(what, str(folder), remedy)
     with registry.temporarily_registered(inner):
         return _check_model(folder, recorded)
+
+
+def manifest_of(folder: Path) -> dict[str, Any]:
+    """Read the manifest of a generated folder.
+
+    Raises
+    ------
+    PkmodesError
+        If there is none or it cannot be read.
+    """
+    place = folder / MANIFEST
+    remedy = "give a folder written by: pkmodes generate ROBOT.toml --out DIR"
+    if not place.is_file():
+        raise PkmodesError("expected a generated model, found no manifest.json", str(folder), remedy)
+    try:
+        content: dict[str, Any] = derivation("emit.currency").read_manifest(folder)
+    except (ValueError, OSError) as error:
+        raise PkmodesError(f"the manifest cannot be read: {error}", str(place), remedy) from None
+    return content
+
+
+def findings_of(folder: Path, fresh: dict[str, str]) -> list[Any]:
+    """Return the reasons why a folder differs from a fresh derivation."""
+    currency = derivation("emit.currency")
+    if not (folder / MANIFEST).is_file():
+        return [currency.Finding("missing", "manifest.json", "manifest.json is missing")]
+    try:
+        recorded = currency.read_manifest(folder)
+    except (ValueError, OSError) as error:
+        return [currency.Finding("manifest", "manifest.json", f"manifest.json cannot be read: {error}")]
+    findings: list[Any] = currency.compare(folder, recorded, fresh)
+    return findings
+
+
+def check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
+    """Check the folder of a mechanism that ``pkmodes generate --mechanism FILE.py`` wrote.
+
+    Parameters
+    ----------
+    recorded : mapping
+        Its manifest.
+
+    Raises
+    ------
+    PkmodesError
+        If the definition is missing or invalid.
+    """
+    name, reference = recorded.get("product"), recorded.get("definition")
+    if not isinstance(name, str) or not isinstance(reference, str):
+        remedy = "generate it again with: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
+        raise PkmodesError("the manifest does not name a mechanism", str(folder / MANIFEST), remedy)
+    fresh = parametric(read_definition(folder / DEFINITION, name), reference)
+    changed, unchecked = check_definition(folder, reference, name)
+    findings = [*findings_of(folder, fresh), *changed]
+    with staged(name, fresh) as mechanism:
+        checks = _checks_of_sample(mechanism)
+    source = "FILE.py" if unchecked else pasted(folder / reference)
+    fix = (
+        f"pkmodes generate --mechanism {source} ROBOT.toml --out {pasted(folder.parent)}" if findings else ""
+    )
+    return Report(str(folder), findings, checks, fix, tuple(unchecked))
+
+
+def check_definition(folder: Path, reference: str, name: str) -> tuple[list[Any], list[str]]:
+    """Check whether the file that a mechanism was derived from has changed; return findings and unchecked items."""
+    try:
+        given = read_definition(folder / reference, name)
+    except PkmodesError:
+        return [], [f"whether the definition {shown(reference)} has changed: it cannot be read"]
+    digests = derivation("sources")
+    recorded = derivation("emit.currency").read_manifest(folder)["sources"]
+    if recorded.get(f"{name}.py") == digests.digest(given.text):
+        return [], []
+    message = f"the definition changed: {given.file.name} differs from the file this was derived from"
+    return [derivation("emit.currency").Finding("derivation", reference, message)], []
 
 
 def _check_model(folder: Path, recorded: dict[str, Any]) -> Report:
@@ -133,6 +238,37 @@ def _robot_file(folder: Path, recorded: dict[str, object]) -> tuple[str, bool]:
     return reference, True
 
 
+def recorded_robot(recorded: Mapping[str, Any], place: str) -> Robot:
+    """Read a robot from the values in a manifest, which are in SI units and complete.
+
+    Parameters
+    ----------
+    recorded : mapping
+        The manifest.
+    place : str
+        The manifest's file, for messages.
+
+    Raises
+    ------
+    PkmodesError
+        If the manifest does not record a valid robot.
+    """
+    try:
+        values = recorded["robot"]["values"]
+        mechanism = registry.mechanism(recorded["mechanism"])
+        robot = robot_from_document(document_of(mechanism, recorded["robot"]["name"], values), place)
+        same = robot.declared == values
+    except (PkmodesError, LookupError, TypeError, ValueError, AttributeError):
+        same = False
+    if not same:
+        raise PkmodesError(
+            "the manifest does not record the robot that the model was generated with",
+            place,
+            "restore its robot file, or generate the model again with: pkmodes generate ROBOT.toml --out DIR",
+        )
+    return robot
+
+
 def _fix(folder: Path, findings: list[Any], generate: str) -> str:
     """Return the commands that fix the findings: remove files that do not belong, generate the rest."""
     orphans = [finding for finding in findings if finding.cause == "orphan"]
@@ -153,6 +289,13 @@ def check_robot(robot_file: Path) -> Report:
     robot = read_robot(robot_file)
     texts = specialised(specification(robot, robot_file.name))
     return Report(str(robot_file), [], _checks(texts, robot))
+
+
+def _checks_of_sample(mechanism: registry.Mechanism) -> list[Check]:
+    """Check the parametric model of a mechanism for an asymmetric robot."""
+    parameters = sample(mechanism)
+    checks = check_consistency(Generated(mechanism.model, parameters), mechanism, parameters)
+    return [*checks, *check_drawing(mechanism, parameters)]
 
 
 def _checks(texts: dict[str, str], robot: Robot) -> list[Check]:

@@ -243,3 +243,19 @@ def _quadratic_form(energy: Callable[[Array], Any], n: int) -> Array:
     for k, m in cartesian(range(n), repeat=2):
         matrix[k, m] = (energy(basis[k] + basis[m]) - energy(basis[k] - basis[m])) / 2.0
     return matrix
+
+
+def drawing_relations(at: State) -> Iterator[Relation]:
+    """Yield the relations between a drawing and the model, at a pose of a robot without effects."""
+    drawing = at.mechanism.drawing
+    drawn = Generated(at.mechanism.drawn, at.parameters, at.mechanism.extended.Effects())
+    # Any constant vectors serve as those that the robot leaves open.
+    up = (np.tile([0.6, -0.48, 0.64], drawing.uprights),) if drawing.uprights else ()
+    motion = drawn.drawing_motion(at.pose, *up)[list(drawing.motions)]
+    moved = at.rate(lambda p: drawn.drawing_points(p, *up))
+    yield "motion of drawn points", motion[..., at.places], moved, 0.0
+    if at.generated.has("elastic_hessian"):
+        stiffness, strain = drawn.springs(at.pose)
+        strain = strain[:, : at.base]
+        hessian = at.generated.elastic_hessian(at.pose)
+        yield "springs", strain.T @ (stiffness[:, None] * strain), hessian, 0.0

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.errors import MeasurementError, PoseError, shown
 from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.robot.columns import column_of
 
 Array = NDArray[Any]
 #: The names of a table's columns, and a function that returns the values of one by its place among them.
@@ -53,8 +54,6 @@ def by_name(given: ArrayLike, units: Mapping[str, str], where: str) -> ArrayLike
     named = None if _is_array(given) else _named(given)
     if named is None:
         return given
-    from pkmodes.core.robot.columns import column_of  # not needed for arrays
-
     names, values = named
     example = f"name them {', '.join(units)}, in any order, or give an array"
     try:

@@ -6,7 +6,7 @@ fields, or quantities of `pkmodes.core.solve.at_poses.RobotAtPoses`, such as ``e
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,7 +19,6 @@ from pkmodes.core.linalg.eigen import natural_frequencies
 from pkmodes.core.linalg.statics import amplitudes_of_steps, softest
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.solve.motion import in_plane, out_of_plane
 
 Array = NDArray[Any]
 #: Axes after those of the poses.  In maps, modes are those of vibration, and independent coordinates are entries of
@@ -45,7 +44,7 @@ class Field:
     needs : tuple of str
         The quantities of which it is a function.
     of : callable
-        From their values at N poses, its values, (N, ...).
+        From their values at N poses, its values, (N, ...); by default those of the only one.
     in_modes : bool
         Whether `pkmodes.Modes` has it.
     variable : str
@@ -79,7 +78,7 @@ class Field:
     name: str
     dims: tuple[str, ...]
     needs: tuple[str, ...]
-    of: Callable[..., Array]
+    of: Callable[..., Array] = lambda values: values
     in_modes: bool = True
     variable: str = ""
     key: str = ""
@@ -108,10 +107,6 @@ class Field:
     def units_of(self, mechanism: Mechanism) -> str:
         """Return its units for a mechanism."""
         return self.units if isinstance(self.units, str) else self.units(mechanism)
-
-
-def _itself(values: Array) -> Array:
-    return values
 
 
 def _damping_ratios(
@@ -144,6 +139,17 @@ def _softest_stiffness(stiffness_matrix: Array, platform_motion: Array, kept: Ar
 
 def _platform_shapes(shapes: Array, platform_motion: Array) -> Array:
     return np.asarray(shapes @ np.swapaxes(platform_motion, -1, -2))
+
+
+def _in_plane(motion: Array, directions: Sequence[str], normal: str | None) -> Array:
+    plane = [i for i, name in enumerate(directions) if name != normal]
+    return np.asarray(np.sqrt((motion[..., plane] ** 2).sum(axis=-1)))
+
+
+def _out_of_plane(motion: Array, directions: Sequence[str], normal: str | None) -> Array:
+    if normal is None:  # a mechanism that moves in a plane
+        return 0.0 * _in_plane(motion, directions, normal)
+    return np.abs(motion[..., list(directions).index(normal)])
 
 
 def condition_number(jacobians: Array) -> Array:
@@ -194,7 +200,6 @@ FIELDS: dict[str, Field] = {
             name="shapes",
             dims=(MODE, COORDINATE),
             needs=("shapes",),
-            of=_itself,
             variable="shape",
             key="shapes",
             key_text="One list of n components for each mode, mass-normalised: phi^T M phi = 1 in SI units.",
@@ -245,7 +250,7 @@ FIELDS: dict[str, Field] = {
             name="in_plane",
             dims=(MODE,),
             needs=("platform_shapes", "directions", "normal"),
-            of=in_plane,
+            of=_in_plane,
             in_modes=False,
             variable="in_plane",
             text=f"motion {PER_MODE}, magnitude in {{plane}}",
@@ -255,7 +260,7 @@ FIELDS: dict[str, Field] = {
             name="out_of_plane",
             dims=(MODE,),
             needs=("platform_shapes", "directions", "normal"),
-            of=out_of_plane,
+            of=_out_of_plane,
             in_modes=False,
             variable="out_of_plane",
             text=f"motion {PER_MODE}, magnitude in {{normal}}",
@@ -265,7 +270,6 @@ FIELDS: dict[str, Field] = {
             name="joint_positions",
             dims=(INDEPENDENT,),
             needs=("joint_positions",),
-            of=_itself,
             variable="joint_position",
             key="joint_positions",
             key_text="The independent coordinates at the pose, by name, in SI units.",
@@ -276,7 +280,6 @@ FIELDS: dict[str, Field] = {
             name="carriage_positions",
             dims=(INDEPENDENT,),
             needs=("joint_positions",),
-            of=_itself,
             key="carriage_positions",
             key_text="The same as joint_positions in a list, for a robot with carriages [m].",
             same_as="joint_positions",
@@ -285,7 +288,6 @@ FIELDS: dict[str, Field] = {
             name="mass_matrix",
             dims=(COORDINATE, COORDINATE),
             needs=("mass_matrix",),
-            of=_itself,
             key="mass_matrix",
             key_text="n by n, SI units.",
             on_demand=True,
@@ -294,7 +296,6 @@ FIELDS: dict[str, Field] = {
             name="stiffness_matrix",
             dims=(COORDINATE, COORDINATE),
             needs=("stiffness_matrix",),
-            of=_itself,
             key="stiffness_matrix",
             key_text="n by n, SI units.",
             on_demand=True,
@@ -303,7 +304,6 @@ FIELDS: dict[str, Field] = {
             name="static_torque",
             dims=(DRIVE,),
             needs=("static_torques",),
-            of=_itself,
             in_modes=False,
             variable="static_torque",
             units=lambda mechanism: mechanism.drives[0].unit,
