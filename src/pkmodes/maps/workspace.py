@@ -64,9 +64,9 @@ def box_of(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
         If no pose was found.
     """
     rng = np.random.default_rng(SEED)
-    reached = drawn_and_reached(model, rng)
+    reached = _drawn_and_reached(model, rng)
     if pose is None:
-        pose = hanging(model, some(model, reached))[0]
+        pose = hanging(model, _some(model, reached))[0]
     inside = on_branch(model, pose)
     reached = np.vstack([pose, reached[inside(reached)]]) if len(reached) else pose[None]
     low, high = reached.min(axis=0), reached.max(axis=0)
@@ -118,7 +118,7 @@ def workspace_in_words(model: Model) -> str:
     return in_words(model.mechanism, dict(zip(names, ends, strict=True)))
 
 
-def drawn_and_reached(model: Model, rng: np.random.Generator) -> Array:
+def _drawn_and_reached(model: Model, rng: np.random.Generator) -> Array:
     """Draw poses, and return those that can be evaluated, (N, d), on any branch."""
     with np.errstate(all="ignore"):
         generated = Generated(model.mechanism.model, model.robot.parameters)
@@ -127,7 +127,7 @@ def drawn_and_reached(model: Model, rng: np.random.Generator) -> Array:
     return drawn[model.check(drawn).valid] if len(drawn) else drawn
 
 
-def some(model: Model, reached: Array) -> Array:
+def _some(model: Model, reached: Array) -> Array:
     """Refuse a robot that reaches no pose."""
     if not len(reached):
         what = f"none of {DRAWS:,} poses drawn can be reached"
@@ -211,7 +211,7 @@ def usable_poses(model: Model) -> Array:
         If none was found.
     """
     rng, usable = np.random.default_rng(SEED), within(model)
-    reached = some(model, drawn_and_reached(model, rng))
+    reached = _some(model, _drawn_and_reached(model, rng))
     if usable(reached).any():
         return reached[usable(reached)]
     ends = reached.min(axis=0), reached.max(axis=0)

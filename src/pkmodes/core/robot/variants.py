@@ -139,8 +139,8 @@ def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict
             remedy = "give a number or text with a unit; 0 means no effect"
             raise PkmodesError("expected a value, found None", f"{source}: {path}", remedy)
         for element, value in _elements(robot, owners.get(path, path), raw, source).items():
-            others = {element, lent(robot.mechanism).get(element), *_borrowers(robot, element)}
-            if others & changes.keys():
+            borrowers = [effect for effect, own in lent(robot.mechanism).items() if own == element]
+            if {element, lent(robot.mechanism).get(element), *borrowers} & changes.keys():
                 what = "the value would be changed twice"
                 raise PkmodesError(what, f"{source}: {element}", "change it only once")
             changes[element] = value
@@ -151,16 +151,8 @@ def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict
 def _lent_now(robot: Declaration, values: Mapping[str, Any], path: str, own: str) -> bool:
     """Return whether an effect parameter takes its value from a table instead of declaring it."""
     effect = path.rpartition(".")[0]
-    others = [name for name in (*robot.quantities, *values) if name != path and _begins(name, effect)]
-    return own in robot.quantities or not others
-
-
-def _begins(name: object, table: str) -> bool:
-    return isinstance(name, str) and name.startswith(f"{table}.")
-
-
-def _borrowers(robot: Declaration, own: str) -> list[str]:
-    return [path for path, owner in lent(robot.mechanism).items() if owner == own]
+    others = {name for name in (*robot.quantities, *values) if isinstance(name, str)} - {path}
+    return own in robot.quantities or not any(name.startswith(f"{effect}.") for name in others)
 
 
 def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str, Any]:

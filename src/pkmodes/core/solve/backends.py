@@ -14,7 +14,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.base.arguments import POSITIVE_INTEGER, check_argument
+from pkmodes.core.base.arguments import POSITIVE_INTEGER, alternatives, check_argument
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.compiled_solver import CompiledSolver
@@ -53,13 +53,9 @@ def chosen(backend: str) -> str:
         name, where = os.environ.get(VARIABLE, "") or AUTO, f"environment variable {VARIABLE}"
     known = (AUTO, *SOLVERS)
     if not (isinstance(name, str) and name in known):
-        *others, last = (f'"{one}"' for one in known)
+        expected = alternatives(f'"{one}"' for one in known)
         count = COUNTED.get(len(known), str(len(known)))
-        raise PkmodesError(
-            f"expected {', '.join(others)} or {last}, found {shown(name)}",
-            where,
-            f"choose one of the {count}",
-        )
+        raise PkmodesError(f"expected {expected}, found {shown(name)}", where, f"choose one of the {count}")
     return name
 
 
