@@ -128,6 +128,7 @@ class MatrixDerivatives:
 
     Attributes
     ----------
+    system : ExtendedSystem
     size : int
         e, the number of base and all released coordinates.
     free : ndarray of int, shape (n,)
@@ -143,7 +144,7 @@ class MatrixDerivatives:
         paths: Sequence[Sequence[ParameterPath]],
         matrices: tuple[Array, Array] | None = None,
     ) -> None:
-        self._system, self._p = system, p
+        self.system, self._p = system, p
         self.free, self.size = system.free, len(system.mechanism.extended.COORDINATES)
         self._matrices = matrices
         self._locked = locked_joints(system, paths[0])
@@ -157,7 +158,7 @@ class MatrixDerivatives:
     @cached_property
     def _directions(self) -> tuple[Array, Array, Array]:
         """Stiffness of springs, numbers with derivatives, and pose along each path of each robot."""
-        system, paths = self._system, self._paths
+        system, paths = self.system, self._paths
         shape, each = (len(paths), len(paths[0])), self._each[1]
         rates = np.atleast_2d(system.joint_rates)[:: each or 1]
         springs, shift = np.zeros((*shape, self.size)), np.zeros((*shape, self._p.shape[-1]))
@@ -186,8 +187,8 @@ class MatrixDerivatives:
 
     @cached_property
     def _along(self) -> tuple[Array, Array]:
-        along = self._directions[1]
-        return along[:, self._entries(0).slot], along[:, self._entries(1).slot]
+        along, mechanism = self._directions[1], self.system.mechanism
+        return along[:, _entries(mechanism, 0).slot], along[:, _entries(mechanism, 1).slot]
 
     @cached_property
     def _values(self) -> tuple[Array, Array]:
@@ -195,12 +196,10 @@ class MatrixDerivatives:
 
         Those with respect to the geometry come last and take most of the time; they are zero if no path needs them.
         """
-        extended, values = (
-            self._system.mechanism.extended,
-            self._system.single("value_sensitivities", self._p),
-        )
+        extended = self.system.mechanism.extended
+        values = self.system.single("value_sensitivities", self._p)
         if self._directions[1][:, len(extended.VALUE_SENSITIVITIES) :].any():
-            geometry = self._system.single("geometry_sensitivities", self._p)
+            geometry = self.system.single("geometry_sensitivities", self._p)
         else:
             counts = (sum(len(one[k]) for one in extended.GEOMETRY_SENSITIVITIES) for k in (2, 3))
             geometry = tuple(np.zeros((len(self._p), count)) for count in counts)
@@ -216,7 +215,7 @@ class MatrixDerivatives:
         if not self._shift.any():
             return None
         moved = self._p + STEP * 1j * np.eye(self._p.shape[-1])[:, None]
-        M, K_el, K_g = self._system.generated.extended_matrices(moved)
+        M, K_el, K_g = self.system.generated.extended_matrices(moved)
         dM, dK = (np.moveaxis(np.imag(a) / STEP, 0, 1) for a in (M, K_el + K_g))
         return dM, dK
 
@@ -232,12 +231,7 @@ class MatrixDerivatives:
 
     @cached_property
     def _all_coordinates(self) -> tuple[Array, Array]:
-        return self._system.all_coordinates(self._p) if self._matrices is None else self._matrices
-
-    @property
-    def massless(self) -> NDArray[np.bool_]:
-        """Which of the free coordinates have no inertia, (n,)."""
-        return self._system.massless
+        return self.system.all_coordinates(self._p) if self._matrices is None else self._matrices
 
     def dense(self, poses: Index | slice = slice(None)) -> tuple[Array, Array]:
         """Evaluate dM and dK along each path, (N, T, n, n), in the free coordinates, at some or all poses.
@@ -247,7 +241,7 @@ class MatrixDerivatives:
         robot = np.repeat(np.arange(self._each[0]), self._each[1])[poses]
         derivatives = []
         for matrix in (0, 1):
-            entries = self._entries(matrix)
+            entries = _entries(self.system.mechanism, matrix)
             values = self._values[matrix][poses]
             full = np.zeros((len(values), self._springs.shape[1], self.size, self.size))
             for t in range(full.shape[1]):
@@ -260,7 +254,7 @@ class MatrixDerivatives:
             full += np.swapaxes(np.triu(full, 1), -1, -2)
             if self._by_pose is not None:
                 full += np.einsum("ntd,ndab->ntab", self._shift[robot], self._by_pose[matrix][poses])
-            full = self._system.in_basis(full)
+            full = self.system.in_basis(full)
             if matrix == 1:
                 diagonal = np.arange(full.shape[-1])
                 full[..., diagonal, diagonal] += self._springs[robot]
@@ -284,8 +278,9 @@ class MatrixDerivatives:
         phi = self._embedded(shapes)
         parts = []
         for matrix in (0, 1):
-            some = self._moving(matrix)
-            row, column = self._entries(matrix).row[some], self._entries(matrix).column[some]
+            # The entries that change along any path.
+            some = np.flatnonzero(self._along[matrix].any(axis=(0, 2)))
+            _, row, column = (each[some] for each in _entries(self.system.mechanism, matrix))
             both = phi[..., row] * phi[..., column] * np.where(row == column, 1.0, 2.0)
             both *= self._values[matrix][:, None, some]
             part = self._of_each(both) @ self._along[matrix][:, some]
@@ -374,8 +369,8 @@ class MatrixDerivatives:
         ndarray, shape (T, m, n)
         """
         free, diagonal = self.free, np.arange(len(self.free))
-        springs, joints = self._springs[0][:, free], self._system.joints[free]
-        _, K = self._system.without_springs(self._p[pose : pose + 1])
+        springs, joints = self._springs[0][:, free], self.system.joints[free]
+        _, K = self.system.without_springs(self._p[pose : pose + 1])
         rest = shapes @ K[0][np.ix_(free, free)]
         others = dK.copy()
         others[:, diagonal, diagonal] -= springs
@@ -387,13 +382,6 @@ class MatrixDerivatives:
         change -= eigenvalues[:, None] * np.einsum("tab,ib->tia", dM, shapes)
         return np.asarray(change + left * shapes + factor.T[..., None] * rest)
 
-    def _entries(self, matrix: int) -> Entries:
-        return _entries(self._system.mechanism, matrix)
-
-    def _moving(self, matrix: int) -> Index:
-        """Return the entries of M or K that change along any path."""
-        return np.flatnonzero(self._along[matrix].any(axis=(0, 2)))
-
     def _of_each(self, values: Array) -> Array:
         """Reshape (N, m, ...) to (B, N m / B, ...), one block for each robot."""
         robots, poses = self._each
@@ -403,8 +391,4 @@ class MatrixDerivatives:
         """Return shapes in all coordinates of the generated model, (N, m, e)."""
         phi = np.zeros((*shapes.shape[:-1], self.size))
         phi[..., self.free] = shapes
-        return self.of_model(phi)
-
-    def of_model(self, vectors: Array) -> Array:
-        """Return vectors in all coordinates of the system, (..., e), in those of the generated model."""
-        return self._system.of_model(vectors)
+        return self.system.of_model(phi)

@@ -54,9 +54,9 @@ def shape_derivatives(
     if motions is not None:
         channels[..., size:] = motions
     rates: Array = share @ channels[:, None]
-    r = np.flatnonzero(derivatives.massless)
+    r = np.flatnonzero(derivatives.system.massless)
     if not (len(r) or derivatives.locked):
-        rates[..., :size] = derivatives.of_model(rates[..., :size])
+        rates[..., :size] = derivatives.system.of_model(rates[..., :size])
         return rates
     beyond = np.zeros((*share.shape[:3], size))
     if len(r):
@@ -66,7 +66,7 @@ def shape_derivatives(
         )
     for t in derivatives.locked:
         beyond[:, t] += derivatives.locked_motion(t, eigenvalues, shapes)
-    rates[..., :size] = derivatives.of_model(rates[..., :size] + beyond)
+    rates[..., :size] = derivatives.system.of_model(rates[..., :size] + beyond)
     if motion is not None:
         rates[..., size:] += beyond @ np.swapaxes(motion(), -1, -2)[:, None]
     return rates

@@ -132,16 +132,11 @@ class ExtendedSystem(Evaluation):
     def __init__(self, mechanism: Mechanism, parameters: Any, effects: Mapping[str, float]) -> None:
         self.mechanism, self.parameters, self.given = mechanism, parameters, effects
         self.first = len(mechanism.coordinates)
-        of_effects = released(mechanism, tuple(effects.items()))
-        self.effects, self.free, self.coordinates = (
-            of_effects.effects,
-            of_effects.free,
-            of_effects.coordinates,
-        )
-        self.joints, self.joint_rates = of_effects.joints, of_effects.joint_rates
-        self.rigid_modes = of_effects.rigid_modes
+        found = released(mechanism, tuple(effects.items()))
+        self.effects, self.free, self.coordinates = found.effects, found.free, found.coordinates
+        self.joints, self.joint_rates = found.joints, found.joint_rates
+        self.rigid_modes, self.springs_to_ground = found.rigid_modes, found.springs_to_ground
         self.held_motions = mechanism.rigid_modes - self.rigid_modes
-        self.springs_to_ground: Mapping[str, float] = of_effects.springs_to_ground
 
     @classmethod
     def of(cls, robot: Robot) -> ExtendedSystem:
