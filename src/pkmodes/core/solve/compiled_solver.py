@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Mapping
 from typing import TYPE_CHECKING, ClassVar, Self
 
 import numpy as np
@@ -79,10 +79,23 @@ class CompiledSolver(Solver):
         return self._marked(self.evaluator.run(at.points, arrays, threads), arrays)
 
     def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone:
-        """Return what fills arrays at a single pose."""
-        shown = self._shown_by(tails)
-        also = {} if shown is None else {shown: (self.evaluator.modes,)}
-        return _OnePose(self, len(self._system.mechanism.pose), tails, {**tails, **also})
+        """Return what fills arrays at a single pose, each thread in a room of its own."""
+        shown, size = self._shown_by(tails), len(self._system.mechanism.pose)
+        every = dict(tails) if shown is None else {**tails, shown: (self.evaluator.modes,)}
+        rooms: list[Room] = []  # those that no thread is using
+
+        def of_pose(point: Array) -> dict[str, Array] | None:
+            try:
+                room = rooms.pop()
+            except IndexError:
+                room = self.evaluator.room(size, every)
+            found = None
+            if room.run(point) == 0 and not (shown and self.unresolved(shown, room.arrays[shown][0])):
+                found = {name: room.arrays[name].copy() for name in tails}
+            rooms.append(room)
+            return found
+
+        return of_pose
 
     def _shown_by(self, names: Collection[str]) -> str | None:
         """Return the field that shows what the kernel cannot resolve, where some fields are evaluated.
@@ -139,41 +152,3 @@ class CompiledSolver(Solver):
         if self._released:
             unresolved = unresolved | has_stiff_joint(values, first, rigid) | (of_mode[-1] > STIFF * last)
         return np.asarray(unresolved)
-
-
-class _OnePose:
-    """Fills arrays at a single pose, each thread in a room of its own.
-
-    Parameters
-    ----------
-    size : int
-        Components of a pose.
-    wanted : iterable of str
-        The fields to return.
-    tails : mapping of str to tuple of int
-        Shapes at one pose of the fields to evaluate.
-    """
-
-    def __init__(
-        self,
-        solver: CompiledSolver,
-        size: int,
-        wanted: Iterable[str],
-        tails: Mapping[str, tuple[int, ...]],
-    ) -> None:
-        self._solver, self._size, self._wanted, self._tails = solver, size, tuple(wanted), dict(tails)
-        self._shown = solver._shown_by(tails)
-        self._rooms: list[Room] = []  # those that no thread is using
-
-    def __call__(self, point: Array) -> dict[str, Array] | None:
-        try:
-            room = self._rooms.pop()
-        except IndexError:
-            room = self._solver.evaluator.room(self._size, self._tails)
-        found = None
-        if room.run(point) == 0 and not (
-            self._shown and self._solver.unresolved(self._shown, room.arrays[self._shown][0])
-        ):
-            found = {name: room.arrays[name].copy() for name in self._wanted}
-        self._rooms.append(room)
-        return found
