@@ -279,7 +279,6 @@ def test_the_runtime_imports_nothing_that_is_not_installed_with_it() -> None:
     installed = {re.split(r"[\[>=<]", one)[0].lower().replace("-", "_") for one in declared}
     # Those that the declared ones need: dask and pandas by distributed and xarray, Pillow by matplotlib.
     installed |= {"pkmodes_description", "pkmodes_derive", "dask", "pandas", "PIL"}
-    installed.add("hatchling")  # it builds the wheel
     for file in files("src/pkmodes"):
         assert imports(file) <= installed, file
 

@@ -14,8 +14,8 @@ from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
-HERE = Path(__file__).parent
-ROOT = HERE.parents[3]
+ROOT = Path(__file__).parent
+COMPILED = ROOT / "src/pkmodes/core/compiled"
 LIBRARIES = "libraries"
 
 
@@ -29,7 +29,7 @@ class CompiledLibraries(BuildHookInterface):  # type: ignore[misc]  # hatchling 
         if cc is None:
             self._notice("no C compiler found")
             return
-        folder = HERE / LIBRARIES
+        folder = COMPILED / LIBRARIES
         if version != "editable":
             self._temporary = tempfile.TemporaryDirectory()
             folder = Path(self._temporary.name)
@@ -64,5 +64,5 @@ class CompiledLibraries(BuildHookInterface):  # type: ignore[misc]  # hatchling 
 
 
 def _build() -> SimpleNamespace:
-    """The module beside this one, without the package: what that imports is not installed while a wheel is built."""
-    return SimpleNamespace(**runpy.run_path(str(HERE / "build.py")))
+    """The module that builds, without its package: what that imports is not installed while a wheel is built."""
+    return SimpleNamespace(**runpy.run_path(str(COMPILED / "build.py")))
