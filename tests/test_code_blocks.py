@@ -25,21 +25,21 @@ from pkmodes.campaign.campaign import read_campaign
 from pkmodes.cli import run
 from pkmodes.core.robot.reading import robot_from_document
 
+COMMENT = re.compile(r"(^|\s)#.*")
 #: Characters with a meaning beside words, quotation marks, comments and lines that go on.
 NEEDS_A_SHELL = re.compile(r"[|&;<>$`*?~!(){}\[\]\\]")
 LANGUAGES = {"python", "sh", "text", "toml", "csv", "c"}
 RUN = [page for page in PAGES if any(block.elsewhere is None for block in blocks(page))]
 #: Pages with a diagnosis or several compilations; the others take a few seconds at most.
-LONG = {"docs/tutorial.md", "docs/diagnosis.md"}
+LONG = {"README.md", "docs/tutorial.md", "docs/diagnosis.md"}
 
 
 def commands_of(text: str) -> list[list[str]] | None:
     """Return the arguments of commands of pkmodes, None where anything else is among them, or a shell is needed."""
-    lines = [line for line in text.replace("\\\n", " ").splitlines() if line.strip()]
+    lines = [COMMENT.sub("", line) for line in text.replace("\\\n", " ").splitlines()]
     if any(NEEDS_A_SHELL.search(line) for line in lines):
         return None
-    commands = [shlex.split(line, comments=True) for line in lines]
-    commands = [words for words in commands if words]
+    commands = [words for line in lines if (words := shlex.split(line))]
     return [words[1:] for words in commands] if all(words[0] == "pkmodes" for words in commands) else None
 
 
@@ -57,7 +57,6 @@ class Reader:
             script.parent.mkdir(exist_ok=True)
             script.write_text(f'#!/bin/sh\nexec {command} "$@"\n')
             script.chmod(0o755)
-        (folder / "build").mkdir()
         self.environment = {
             **os.environ,
             "PATH": os.pathsep.join([str(folder / "bin"), os.environ["PATH"]]),
@@ -146,6 +145,7 @@ class Reader:
         assert block.hint("file"), "a later command compiles it"
 
 
+@pytest.mark.usefixtures("no_drawing")
 @pytest.mark.parametrize(
     "page", [pytest.param(page, marks=pytest.mark.slow if page in LONG else ()) for page in RUN]
 )
@@ -182,7 +182,7 @@ def test_the_list_of_blocks_that_are_not_run_is_current() -> None:
 
 
 def test_commands_are_told_from_what_needs_a_shell() -> None:
-    shown = "# first\npkmodes modes 'a b.toml' \\\n    --pose 1,2  # there\n\npkmodes check\n"
+    shown = "# first\npkmodes modes 'a b.toml' \\\n    --pose 1,2  # there; (or not)\n\npkmodes check\n"
     assert commands_of(shown) == [["modes", "a b.toml", "--pose", "1,2"], ["check"]]
     for text in (
         "pkmodes check | head",

@@ -163,6 +163,19 @@ def test_compare_with_a_mode_that_no_mode_of_the_model_is_near(
     expect_described("compare", alone)
 
 
+def test_compare_of_two_robots_of_which_one_has_an_effect(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    grid = ["--grid", "x=0.5:0.7:3,y=0:0.02:2,z=-0.245"]
+    other = tmp_path / "other.toml"
+    text = edited("1.5 kg", "1.6 kg") + '\n[effects.servo_stiffness]\nstiffness = "300 N*m/rad"\n'
+    other.write_text(text, encoding="utf-8")
+    for files in ([str(PUBLISHED), str(other)], [str(other), str(PUBLISHED)]):
+        found = result(capsys, "compare", *files, *grid)
+        assert found["values"]
+        expect_described("compare-robots", found)
+
+
 def test_what_is_set_is_described(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     header = "pose,x,y,z,frequency,sigma,set:effects.payload.mass"
     rows = "A,0.6,0,-0.245,55.6,0.1,", "B,0.6,0,-0.245,50,0.1,0.3"

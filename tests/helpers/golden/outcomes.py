@@ -55,7 +55,6 @@ def outcome(line: str, folder: Path) -> dict[str, str]:
     with pytest.MonkeyPatch.context() as patch, without_drawing():
         patch.chdir(folder)
         patch.setenv("COLUMNS", "110")
-        patch.setattr("pkmodes.figures.files.rendered", lambda *_, **__: b"drawn")
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
             code = run(shlex.split(line))
     said = f"--- errors\n{errors.getvalue()}" if errors.getvalue() else ""

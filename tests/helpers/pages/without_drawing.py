@@ -1,4 +1,4 @@
-"""Pages without their figures, for tests of what else is on them: drawing takes most of the time of a page."""
+"""Pages and pictures without drawing, for tests of what else is on them: drawing takes most of the time of a page."""
 
 from __future__ import annotations
 
@@ -11,7 +11,10 @@ import pytest
 
 @contextmanager
 def without_drawing() -> Iterator[None]:
-    """Let figures on pages have their names and descriptions only; captions, numbers and all else are as always."""
+    """Let figures on pages have their names and descriptions only; captions, numbers and all else are as always.
+
+    The files of ``pkmodes figures`` are written, but not drawn.
+    """
 
     def named(figure: object, title: str, description: str, **_: object) -> str:
         inside = f"<title>{escape(title)}</title><desc>{escape(description)}</desc>"
@@ -20,4 +23,5 @@ def without_drawing() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("pkmodes.report.blocks.inline", named)
         patch.setattr("pkmodes.report.blocks.inline_narrow", lambda *_: "")
+        patch.setattr("pkmodes.figures.files.rendered", lambda *_, **__: b"drawn")
         yield
