@@ -191,6 +191,19 @@ def test_the_next_measurement_has_its_pose_and_load(undecided: Element) -> None:
     }
 
 
+def test_the_documentation_lists_the_sections() -> None:
+    text = (ROOT / "docs" / "report.md").read_text(encoding="utf-8")
+    result, data = made_up(4, 3)
+    titles = [title.text for title in read(report(result, data=data)).all("h2")][1:]
+    table = re.findall(r"^\| ([^|]+?) \|", text, re.M)[1:]
+    listed = [part for cell in table for part in re.split(", or |, ", cell)]
+    assert set(titles) <= set(listed)
+    # the made-up result has neither rivals nor damping, and no robot to show
+    missing = {"Remaining explanations", "Damping", "In three dimensions"}
+    assert set(listed) - set(titles) == {"---", "Summary", *missing}
+    assert [t for t in listed if t in titles] == titles
+
+
 def test_data_and_versions_name_the_files_by_their_content() -> None:
     robot = read_robot(LOOP[0])
     data = updating.read(LOOP[1], None, robot)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.pages.browser import opened
 from pkmodes.cli import run
 
 ROOT = Path(__file__).parents[2]
@@ -206,3 +207,6 @@ def test_the_page_shows_what_varies(robot: str, tmp_path: Path, grid: str, said:
     assert "/s^2" not in text
     assert " um<" not in text
     assert "shaper_type: mzv" in text or "Klipper has no such shaper" in text
+    with opened(page) as browser:
+        assert browser.problems == []
+        assert browser.outside == []

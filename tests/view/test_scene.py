@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 import numpy as np
@@ -141,19 +140,6 @@ def _closed(faces: np.ndarray) -> bool:
         return bool((np.unique(faces, return_counts=True)[1] % 2 == 0).all())
     edges = np.concatenate([faces[:, [i - 1, i]] for i in range(4)])
     return bool((np.unique(np.sort(edges, axis=1), axis=0, return_counts=True)[1] % 2 == 0).all())
-
-
-def test_the_page_of_the_documentation_runs(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    text = (ROBOTS.parent / "docs" / "view.md").read_text(encoding="utf-8")
-    (code,) = re.findall(r"```python\n(.*?)```", text, re.S)
-    monkeypatch.chdir(ROBOTS.parent)
-    exec(code, names := {})
-    printed = capsys.readouterr().out.splitlines()
-    assert len(printed) == 9
-    assert sum(float(line.split(": ")[1].rstrip("%")) for line in printed) == pytest.approx(100.0, abs=0.5)
-    assert names["points"].shape[0] == 24
 
 
 def test_with_held_motors_the_springs_hold_their_energy_and_the_page_says_so() -> None:
