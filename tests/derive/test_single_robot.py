@@ -26,7 +26,9 @@ from pkmodes_derive.emit import product
 #: Makes the model, the generated module and the texts of a robot file with some effects.
 Sample = Callable[[str, tuple[str, ...]], tuple[pkmodes.Model, types.ModuleType, dict[str, str]]]
 
-ROBOT = "linear-delta-2022.toml"
+#: A robot of each mechanism; of the linear deltas the one whose axes differ.
+NAMES = ("linear-delta-2022-identified.toml", "clavel-delta.toml", "corexy-printer.toml")
+ROBOT = NAMES[0]
 POSE = np.array([0.6, 0.03, -0.245])
 POSES = {
     "linear_delta": POSE,
@@ -99,7 +101,6 @@ def sample(shared: Shared) -> Sample:
     return made
 
 
-NAMES = tuple(sorted(path.name for path in ROBOTS.glob("*.toml")))
 #: Combinations of effects for the linear delta, then for a robot of each kind.
 COMBINED = [pytest.param(c, id="+".join(c)) for c in COMBINATIONS if applies(c, ROBOT)]
 CASES = [
@@ -250,8 +251,8 @@ def test_every_function_is_that_of_a_robot_declared_so(
     sample: Sample, effect: str, tables: dict[str, dict]
 ) -> None:
     """Declaring the effect's contribution in the robot file instead gives the same results from the base model."""
-    _, module, _ = sample("linear-delta-2022.toml", (effect,))
-    plain = robot("linear-delta-2022.toml", (), **tables)
+    _, module, _ = sample(ROBOT, (effect,))
+    plain = robot(ROBOT, (), **tables)
     declared = executed(emitted(plain))
     given = arguments(module, np.random.default_rng(5))
     product_functions = product.of_robot(specification(plain.robot, "sample.toml")).functions
@@ -287,7 +288,7 @@ def test_massless_clamps_take_the_least_elastic_energy(sample: Sample) -> None:
 
 def test_a_motor_without_inertia_makes_its_wind_up_massless() -> None:
     """Which coordinates are massless depends on parameter values, here on those of one axis."""
-    content = document("linear-delta-2022.toml")
+    content = document(ROBOT)
     axes = [dict(axis) for axis in content["axis"]]
     axes[1]["motor"] = {**content["motor"], "inertia": 0.0}
     effects = {

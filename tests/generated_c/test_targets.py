@@ -47,28 +47,30 @@ def test_all_robots_are_measured(targets: Any) -> None:
     assert {path.stem for path in (ROOT / "robots").glob("*.toml")} == set(ROBOTS)
 
 
-@pytest.mark.parametrize("single", [False, True])
 @pytest.mark.parametrize("name", ROBOTS)
 def test_two_compilers_and_two_processors_give_the_same_bits(
-    targets: Any, tmp_path: Path, name: str, single: bool
+    subtests: pytest.Subtests, targets: Any, tmp_path: Path, name: str
 ) -> None:
     """Without contraction of products and sums: frequencies, damping ratios, amplitudes and shaped commands."""
     needed("gcc", "clang", "aarch64-linux-gnu-gcc", "qemu-aarch64")
     program = targets.Program.write(ROOT / "robots" / f"{name}.toml", targets.ROBOTS[name], 100, tmp_path)
-    options = ["-O2", "-ffp-contract=off", *(["-DPKMODES_FLOAT"] if single else [])]
-    found = {}
-    for compiler in ("gcc", "clang"):
-        image = program.built([compiler, *options], compiler)
-        found[compiler] = program.run([str(image)], single)
-    image = program.built(["aarch64-linux-gnu-gcc", "-static", *options], "aarch64")
-    found["aarch64"] = program.run(["qemu-aarch64", str(image)], single)
-    expected = found.pop("gcc")
-    good = expected.status == 0
-    assert np.count_nonzero(good) > 60
-    for results in found.values():
-        np.testing.assert_array_equal(results.status, expected.status)
-        for field in ("frequencies", "damping_ratios", "amplitudes", "command"):
-            np.testing.assert_array_equal(getattr(results, field)[good], getattr(expected, field)[good])
+    for single in (False, True):
+        with subtests.test(single=single):
+            options = ["-O2", "-ffp-contract=off", *(["-DPKMODES_FLOAT"] if single else [])]
+            found = {}
+            for compiler in ("gcc", "clang"):
+                image = program.built([compiler, *options], compiler)
+                found[compiler] = program.run([str(image)], single)
+            image = program.built(["aarch64-linux-gnu-gcc", "-static", *options], "aarch64")
+            found["aarch64"] = program.run(["qemu-aarch64", str(image)], single)
+            expected = found.pop("gcc")
+            good = expected.status == 0
+            assert np.count_nonzero(good) > 60
+            for results in found.values():
+                np.testing.assert_array_equal(results.status, expected.status)
+                for field in ("frequencies", "damping_ratios", "amplitudes", "command"):
+                    one, other = (getattr(each, field)[good] for each in (results, expected))
+                    np.testing.assert_array_equal(one, other)
 
 
 @pytest.mark.parametrize("name", ROBOTS)

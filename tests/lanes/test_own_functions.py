@@ -20,7 +20,8 @@ import numpy as np, pkmodes
 from pkmodes.core.compiled import build
 from pkmodes.codegen.generation import generate
 from pkmodes.core.mechanism.registry import add_folder
-build.FLAGS = tuple("-O1" if flag == "-O3" else flag for flag in build.FLAGS)
+build.FLAGS = tuple("-O0" if flag == "-O3" else flag for flag in build.FLAGS)
+build.WIDTHS = {build.machine(): {2: ()}}
 generate(Path("five-bar.toml"), Path("out"), Path("five_bar.py"))
 add_folder("out/five_bar")
 model = pkmodes.load("five-bar.toml")
