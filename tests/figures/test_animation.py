@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -31,6 +30,7 @@ def test_the_picture_moves_and_returns_to_rest(robot: str, tmp_path: Path) -> No
     assert run(command) == 0
     frames = []
     with Image.open(target) as image:
+        assert image.format == "GIF"
         assert image.n_frames == FRAMES
         for k in range(FRAMES):
             image.seek(k)
@@ -40,15 +40,9 @@ def test_the_picture_moves_and_returns_to_rest(robot: str, tmp_path: Path) -> No
     assert moved[3 * FRAMES // 4] > 200
     assert moved[FRAMES // 2] < moved[FRAMES // 4] / 10
     assert target.stat().st_size < 500_000
-
-
-def test_it_is_the_same_at_every_run() -> None:
-    still = scene(pkmodes.load("robots/corexy-printer.toml"), [0.15, 0.2])
-    first = animation(still)
-    assert first == animation(still)
-    assert first != animation(still, still.rigid_modes + 1)
-    with Image.open(BytesIO(first)) as image:
-        assert image.format == "GIF"
+    if robot == "corexy-printer":  # the mode asked for, and the same at every run
+        still = scene(pkmodes.load(f"robots/{robot}.toml"), [0.15, 0.2])
+        assert target.read_bytes() == animation(still, still.rigid_modes + 1) != animation(still)
 
 
 def test_a_mode_that_does_not_exist_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -123,11 +117,3 @@ def test_belts_with_the_most_energy_are_orange() -> None:
     assert to_hex(module._colour(most, shares, float(shares.max()))) == VERMILLION
     assert to_hex(module._colour(most, 0.0 * shares, 1.0)) == module.PALE
     assert module._colour(next(e for e in still.elements if e.spring < 0), shares, 1.0) == module.STEEL
-
-
-def test_the_command_draws_the_mode_asked_for(tmp_path: Path) -> None:
-    still = scene(pkmodes.load("robots/corexy-printer.toml"), [0.15, 0.2])
-    target = tmp_path / "mode.gif"
-    command = ["show", "robots/corexy-printer.toml", "--pose=0.15,0.2", "--mode", "1", "--out", str(target)]
-    assert run(command) == 0
-    assert target.read_bytes() == animation(still, 2)

@@ -83,25 +83,20 @@ def structure() -> Any:
     return names["diagnose"](names["structure"], data), data
 
 
-def test_nothing_is_loaded_executed_or_complained_about(page: Path) -> None:
-    with opened(page) as browser:
-        browser.page.wait_for_timeout(200)
-        assert browser.problems == []
-        # The images inside the figures are part of the file.
-        assert [url for url in browser.requests if not url.startswith("data:")] == [page.as_uri()]
-        assert (
-            browser.page.evaluate("document.querySelectorAll('iframe, img, object, script[src]').length") == 0
-        )
-        # Data have a type.  The view in three dimensions has two programs, three.js and itself; figures share one.
-        views = browser.page.evaluate("document.querySelectorAll('.pkview').length")
-        assert (
-            browser.page.evaluate("document.querySelectorAll('script:not([type])').length") == 2 * views + 1
-        )
-        assert (
-            browser.page.evaluate("document.querySelectorAll('[onerror], [onload], [onmouseover]').length")
-            == 0
-        )
-        assert "hacked" not in browser.page.title() or "<script>" in browser.page.title()
+def test_nothing_is_loaded_executed_or_complained_about(seen: Opened, page: Path) -> None:
+    seen.page.wait_for_timeout(200)
+    assert seen.problems == []
+    # The images inside the figures are part of the file.
+    assert [url for url in seen.requests if not url.startswith("data:")] == [page.as_uri()]
+
+    def count(selector: str) -> int:
+        return int(seen.page.locator(selector).count())
+
+    assert count("iframe, img, object, script[src]") == 0
+    # Data have a type.  The view in three dimensions has two programs, three.js and itself; figures share one.
+    assert count("script:not([type])") == 2 * count(".pkview") + 1
+    assert count("[onerror], [onload], [onmouseover]") == 0
+    assert "hacked" not in seen.page.title() or "<script>" in seen.page.title()
 
 
 @pytest.mark.parametrize(("width", "least"), [(1280, 400), (360, 300)])
@@ -118,7 +113,7 @@ def test_every_figure_is_drawn(seen: Opened, width: int, least: int) -> None:
         assert figure["outside"] == [], figure
 
 
-def test_panels_are_stacked_on_a_phone_and_not_on_paper(tmp_path: Path, shared: Shared) -> None:
+def test_panels_are_stacked_on_a_phone_and_not_on_paper_or_a_desk(tmp_path: Path, shared: Shared) -> None:
     """Each box shows one layout; what is wider than the screen says so."""
     (tmp_path / "page.html").write_text(page_of("effect_found", tmp_path, shared), encoding="utf-8")
     shown = """() => [...document.querySelectorAll(".plot")].map(box => ({
@@ -142,14 +137,10 @@ def test_panels_are_stacked_on_a_phone_and_not_on_paper(tmp_path: Path, shared: 
         assert first.bounding_box()["x"] == pytest.approx(before["x"], abs=1)  # type: ignore[index]
         browser.page.emulate_media(media="print")
         assert not any(one["narrow"] or one["said"] for one in browser.page.evaluate(shown))
-    with opened(tmp_path / "page.html") as browser:
+        browser.page.emulate_media(media="screen")
+        browser.page.set_viewport_size({"width": 1280, "height": 900})
         assert not any(one["narrow"] or one["said"] for one in browser.page.evaluate(shown))
-
-
-def test_the_fitted_values_fit_beside_the_contents(tmp_path: Path, shared: Shared) -> None:
-    """The demo's diagnosis: the path of the cause is long."""
-    (tmp_path / "page.html").write_text(page_of("effect_found", tmp_path, shared), encoding="utf-8")
-    with opened(tmp_path / "page.html", width=1280) as browser:
+        # The fitted values fit beside the contents, though the path of the cause is long.
         box = browser.page.locator("#values .box").first
         assert "effects.gearbox_compliance.compliance" in box.inner_text().replace("\n", "")
         assert box.evaluate("box => box.scrollWidth - box.clientWidth") <= 0
@@ -207,40 +198,38 @@ def test_a_page_prints_on_paper_without_cutting_figures_and_rows(seen: Opened) -
     assert set(breaks) == {"avoid"}
 
 
-def test_a_page_is_used_by_keyboard_alone(page: Path) -> None:
-    with opened(page, width=390) as browser:
-        keyboard = browser.page.keyboard
+def test_a_page_is_used_by_keyboard_alone(seen: Opened) -> None:
+    seen.page.set_viewport_size({"width": 390, "height": 900})
+    keyboard = seen.page.keyboard
+    keyboard.press("Tab")
+    assert seen.page.evaluate("document.activeElement.textContent") == "Skip to the content"
+    assert seen.page.evaluate("document.activeElement.getBoundingClientRect().left") >= 0
+    keyboard.press("Enter")
+    assert seen.page.evaluate("document.activeElement.id") == "content"
+    # Every box that is wider than the screen is reached, and the arrow keys move it.
+    wide = seen.page.evaluate(
+        "[...document.querySelectorAll('.box')].filter(b => b.scrollWidth > b.clientWidth).length"
+    )
+    moved, left = 0, seen.page.evaluate("document.querySelectorAll('.box').length")
+    while left:
         keyboard.press("Tab")
-        assert browser.page.evaluate("document.activeElement.textContent") == "Skip to the content"
-        assert browser.page.evaluate("document.activeElement.getBoundingClientRect().left") >= 0
-        keyboard.press("Enter")
-        assert browser.page.evaluate("document.activeElement.id") == "content"
-        # Every box that is wider than the screen is reached, and the arrow keys move it.
-        wide = browser.page.evaluate(
-            "[...document.querySelectorAll('.box')].filter(b => b.scrollWidth > b.clientWidth).length"
+        if seen.page.evaluate("document.activeElement.closest('.pkview') !== null"):
+            continue  # the view in three dimensions has its own test
+        if seen.page.evaluate("document.activeElement.closest('.save') !== null"):
+            continue  # the buttons of a figure have theirs
+        assert "box" in seen.page.evaluate("document.activeElement.className")
+        left -= 1
+        style = "getComputedStyle(document.activeElement)"
+        assert seen.page.evaluate(f"{style}.outlineStyle") == "solid"
+        assert seen.page.evaluate(
+            "document.activeElement.getAttribute('aria-label') || "
+            "document.activeElement.getAttribute('aria-labelledby')"
         )
-        moved, left = 0, browser.page.evaluate("document.querySelectorAll('.box').length")
-        while left:
-            keyboard.press("Tab")
-            if browser.page.evaluate("document.activeElement.closest('.pkview') !== null"):
-                continue  # the view in three dimensions has its own test
-            if browser.page.evaluate("document.activeElement.closest('.save') !== null"):
-                continue  # the buttons of a figure have theirs
-            assert "box" in browser.page.evaluate("document.activeElement.className")
-            left -= 1
-            style = "getComputedStyle(document.activeElement)"
-            assert browser.page.evaluate(f"{style}.outlineStyle") == "solid"
-            assert browser.page.evaluate(
-                "document.activeElement.getAttribute('aria-label') || "
-                "document.activeElement.getAttribute('aria-labelledby')"
-            )
-            if browser.page.evaluate(
-                "document.activeElement.scrollWidth > document.activeElement.clientWidth"
-            ):
-                keyboard.press("ArrowRight")
-                browser.until("document.activeElement.scrollLeft > 0")
-                moved += 1
-        assert moved == wide > 0
+        if seen.page.evaluate("document.activeElement.scrollWidth > document.activeElement.clientWidth"):
+            keyboard.press("ArrowRight")
+            seen.until("document.activeElement.scrollLeft > 0")
+            moved += 1
+    assert moved == wide > 0
 
 
 def test_hostile_text_is_only_text(shared: Shared) -> None:

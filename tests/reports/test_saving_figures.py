@@ -25,27 +25,33 @@ X = np.linspace(0.1, 3.0, 40)
 NUMBERS = {name: np.exp(-X) * np.cos(7.0 * X + k) for k, name in enumerate(("measured", "model"))}
 
 
-def written(folder: Path, title: str, names: dict[str, str]) -> Path:
-    """Write a page with one figure of `NUMBERS`, its series renamed."""
+def figure(title: str, model: str) -> Picture:
+    """A figure of `NUMBERS`, with a name for the second series."""
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(2.5)
         for name, values in NUMBERS.items():
-            panel.plot(X, values, label=visible(names.get(name, name), 60))  # as every figure does
+            panel.plot(
+                X, values, label=visible(model if name == "model" else name, 60)
+            )  # as every figure does
         panel.label(x="frequency [Hz]", y="size [\u03c3]")
         panel.axes.legend()
 
-    picture = Picture.of(Drawing(draw), visible(title), "two curves", "Two curves.")
-    html = page(Summary("robot", "Test", "", "Two curves", "", "plain"), [Section("one", "One", [picture])])
+    return Picture.of(Drawing(draw), visible(title), "two curves", "Two curves.")
+
+
+def written(folder: Path, *figures: Picture) -> Path:
+    """Write a page with figures, by default one."""
+    blocks = list(figures) or [figure("Two curves", "model")]
+    html = page(Summary("robot", "Test", "", "Two curves", "", "plain"), [Section("one", "One", blocks)])
     (folder / "page.html").write_text(html, encoding="utf-8")
     return folder / "page.html"
 
 
-def saved(browser: Any, form: str, folder: Path, title: str = "") -> Path:
-    """Press a button, of the figure of a title or the first, and return the file that the browser saves."""
-    button = browser.page.get_by_role("button", name=f"Save {title}".rstrip())
+def saved(browser: Any, form: str, folder: Path, number: int = 0) -> Path:
+    """Press a button of a figure, and return the file that the browser saves."""
     with browser.page.expect_download() as waiting:
-        button.and_(browser.page.locator(".save button", has_text=form)).first.click()
+        browser.page.locator(".save").nth(number).locator("button", has_text=form).click()
     target = folder / waiting.value.suggested_filename
     waiting.value.save_as(target)
     return target
@@ -58,7 +64,7 @@ def rows_of(file: Path) -> list[dict[str, str]]:
 
 
 def test_the_numbers_of_a_figure_are_saved_as_they_were_drawn(tmp_path: Path) -> None:
-    with opened(written(tmp_path, "Two curves", {})) as browser:
+    with opened(written(tmp_path)) as browser:
         file = saved(browser, "CSV", tmp_path)
         assert browser.problems == []
         assert browser.outside == []
@@ -76,7 +82,7 @@ def test_a_picture_is_saved_on_white_paper_in_the_colours_of_the_light_page(
 ) -> None:
     from PIL import Image
 
-    with opened(written(tmp_path, "Two curves", {}), scheme=scheme) as browser:
+    with opened(written(tmp_path), scheme=scheme) as browser:
         box = browser.page.evaluate(
             "[...'wh'].map((_, i) => { const b = document.querySelector('figure svg')"
             ".viewBox.baseVal; return i ? b.height : b.width; })"
@@ -93,7 +99,7 @@ def test_a_picture_is_saved_on_white_paper_in_the_colours_of_the_light_page(
 
 
 def test_buttons_have_names_and_work_by_the_keyboard(tmp_path: Path) -> None:
-    with opened(written(tmp_path, "Two curves", {})) as browser:
+    with opened(written(tmp_path)) as browser:
         for form in ("PNG", "CSV"):
             button = browser.page.get_by_role("button", name=f"Save Two curves as {form}")
             button.focus()
@@ -104,7 +110,7 @@ def test_buttons_have_names_and_work_by_the_keyboard(tmp_path: Path) -> None:
 
 
 def test_buttons_are_not_printed_and_need_the_program(tmp_path: Path) -> None:
-    file = written(tmp_path, "Two curves", {})
+    file = written(tmp_path)
     with opened(file, media="print") as browser:
         assert not browser.page.locator(".save").is_visible()
     with opened(file, java_script_enabled=False) as browser:
@@ -113,22 +119,25 @@ def test_buttons_are_not_printed_and_need_the_program(tmp_path: Path) -> None:
         assert [one.is_visible() for one in shown] == [True, False]  # the other is for narrow screens
 
 
-@pytest.mark.parametrize("text", [*HOSTILE, "=1+1", "-2", "@SUM(A1)", "../../etc/passwd", "."])
-def test_hostile_names_give_files_with_plain_names_and_no_formulas(text: str, tmp_path: Path) -> None:
-    with opened(written(tmp_path, text, {"model": text})) as browser:
-        file = saved(browser, "CSV", tmp_path)
-        picture = saved(browser, "PNG", tmp_path)
+def test_hostile_names_give_files_with_plain_names_and_no_formulas(
+    subtests: pytest.Subtests, tmp_path: Path
+) -> None:
+    texts = [*HOSTILE, "=1+1", "-2", "@SUM(A1)", "../../etc/passwd", "."]
+    with opened(written(tmp_path, *(figure(text, text) for text in texts))) as browser:
+        for k, text in enumerate(texts):
+            with subtests.test(text[:40]):
+                file = saved(browser, "CSV", tmp_path, k)
+                assert saved(browser, "PNG", tmp_path, k).stat().st_size > 1000
+                stem = file.name.removesuffix(".csv")
+                assert all(part.isalnum() for part in stem.split("-"))
+                assert len(stem) <= 60
+                rows = rows_of(file)
+                assert len(rows) == 2 * len(X)
+                assert not [cell for row in rows for cell in row.values() if cell[:1] in ("=", "+", "@")]
+                np.testing.assert_array_equal(
+                    [float(row["size [\u03c3]"]) for row in rows], np.hstack([*NUMBERS.values()])
+                )
         assert browser.problems == []
-    assert picture.stat().st_size > 1000
-    stem = file.name.removesuffix(".csv")
-    assert all(part.isalnum() for part in stem.split("-"))
-    assert len(stem) <= 60
-    rows = rows_of(file)
-    assert len(rows) == 2 * len(X)
-    assert not [cell for row in rows for cell in row.values() if cell[:1] in ("=", "+", "@")]
-    np.testing.assert_array_equal(
-        [float(row["size [\u03c3]"]) for row in rows], np.hstack([*NUMBERS.values()])
-    )
 
 
 def test_the_figures_of_a_comparison_have_the_measured_frequencies(tmp_path: Path) -> None:
@@ -140,7 +149,8 @@ def test_the_figures_of_a_comparison_have_the_measured_frequencies(tmp_path: Pat
     with opened(target) as browser:
         figures = browser.page.locator("figure:has(.plot)").count()
         assert browser.page.locator(".save").count() == figures
-        rows = rows_of(saved(browser, "CSV", tmp_path, "Frequencies at each pose"))
+        titles = browser.page.locator("figure:has(.plot) .wide svg > title").all_text_contents()
+        rows = rows_of(saved(browser, "CSV", tmp_path, titles.index("Frequencies at each pose")))
         assert browser.problems == []
     drawn = [float(row["frequency [Hz]"]) for row in rows if row["series"] in ("measured mode", "unmatched")]
     assert sorted(drawn) == measured
