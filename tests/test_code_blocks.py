@@ -57,6 +57,8 @@ class Reader:
             script.parent.mkdir(exist_ok=True)
             script.write_text(f'#!/bin/sh\nexec {command} "$@"\n')
             script.chmod(0o755)
+        if page != "README.md":  # whose commands create the folders that they need
+            (folder / "build").mkdir()
         self.environment = {
             **os.environ,
             "PATH": os.pathsep.join([str(folder / "bin"), os.environ["PATH"]]),
