@@ -88,7 +88,11 @@ def quotient(label: str) -> tuple[str | None, str | None]:
 
 def seconds_in(label: str) -> float | None:
     """Return the factor from a unit of time to s; None if it is not one."""
-    return _factor(label, {"second": 1})
+    try:
+        factor, powers = base_units(unit_text(label) or "")
+    except QuantityError:
+        return None
+    return float(factor) if {name: Decimal(str(p)) for name, p in powers.items()} == {"second": 1} else None
 
 
 def hertz_in(label: str) -> float | None:
@@ -97,14 +101,6 @@ def hertz_in(label: str) -> float | None:
         return float(frequency_factor(unit_text(label) or ""))
     except QuantityError:
         return None
-
-
-def _factor(label: str, expected: Mapping[str, int]) -> float | None:
-    try:
-        factor, powers = base_units(unit_text(label) or "")
-    except QuantityError:
-        return None
-    return float(factor) if {name: Decimal(str(p)) for name, p in powers.items()} == expected else None
 
 
 def _named(factor: float, known: Mapping[float, str]) -> str | None:
