@@ -11,8 +11,8 @@ from pkmodes.campaign.levels import with_levels
 from pkmodes.campaign.sensor_functions import added_of, found_of, in_file
 from pkmodes.campaign.time_records import time_signals
 from pkmodes.identification.estimates import Mode
+from pkmodes.identification.ssi_bands import FEWEST_PERIODS
 from pkmodes.identification.ssi_identification import identify_responses
-from pkmodes.identification.ssi_records import FEWEST_PERIODS
 
 
 def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:

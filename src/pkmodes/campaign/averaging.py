@@ -20,7 +20,7 @@ from scipy.stats import t as student
 
 from pkmodes.campaign.found import Found
 from pkmodes.campaign.levels import between_files, widest
-from pkmodes.identification.level_regression import LevelShift
+from pkmodes.identification.level import LevelShift
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

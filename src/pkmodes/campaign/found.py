@@ -10,7 +10,7 @@ import numpy as np
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.identification.estimates import alike
-from pkmodes.identification.level_regression import LevelShift
+from pkmodes.identification.level import LevelShift
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,8 +18,7 @@ from scipy.stats import t as student
 from pkmodes.campaign.found import Found
 from pkmodes.campaign.time_records import TimeSignals
 from pkmodes.identification.estimates import Mode
-from pkmodes.identification.level import levels
-from pkmodes.identification.level_regression import FALSE_ALARM, LEAST, LevelShift
+from pkmodes.identification.level import FALSE_ALARM, LEAST, LevelShift, levels
 
 Array = NDArray[np.float64]
 

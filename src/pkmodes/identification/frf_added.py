@@ -18,8 +18,7 @@ from scipy.stats import gamma
 from pkmodes.identification.asked import REACH, Asked, nearest, struck, within_reach
 from pkmodes.identification.clusters import HIGHEST_DAMPING
 from pkmodes.identification.frf_covariance import Uncertainty
-from pkmodes.identification.frf_groups import groups
-from pkmodes.identification.frf_refinement import DAMPINGS, Lines, Modes, copies, group_fit, settled
+from pkmodes.identification.frf_refinement import DAMPINGS, Lines, Modes, copies, group_fit, groups, settled
 from pkmodes.identification.frf_search import hidden, joined
 from pkmodes.identification.residues import modal_part
 

@@ -20,6 +20,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.base.errors import MeasurementError
+
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Ratio of the ends of a part of the band.
@@ -28,6 +30,8 @@ RATIO = 1.4
 LEAST_LINES = 100
 #: Width of a guard relative to the part.
 GUARD = 0.3
+#: Periods of the lower end of the band that a piece of a record has at least.
+FEWEST_PERIODS = 8.0
 
 
 @dataclass(frozen=True)
@@ -158,3 +162,48 @@ def correlations(padded: Sequence[Lines], part: Part, references: Array, lags: N
         total = total + weighted[:, :, None] * (one.values.conj() @ references)[:, None, :]
     turns = np.exp(2j * math.pi * np.outer(lags, (one.frequencies - part.start) / part.rate))
     return np.asarray(np.tensordot(turns, total, 1))
+
+
+@dataclass(frozen=True, eq=False)
+class PreparedRecord:
+    """A record prepared for identification: its sensors relative to their rms, its lines padded and not."""
+
+    padded: list[Lines]
+    plain: list[Lines]
+    scales: Array
+    seconds: float
+
+
+def usable_pieces(t_step: float, pieces: list[Array], band: tuple[float, float]) -> list[Array]:
+    """Return the pieces (N, S) of a record that are long enough for a band.
+
+    Raises
+    ------
+    MeasurementError
+        If the band is not below the Nyquist frequency, or no piece is long enough.
+    """
+    if band[1] >= 0.5 / t_step:
+        raise MeasurementError(
+            f"the band ends at {band[1]:g} Hz, the Nyquist frequency is {0.5 / t_step:g} Hz",
+            "band",
+            "end it below",
+        )
+    usable = [piece for piece in pieces if len(piece) * t_step * band[0] >= FEWEST_PERIODS]
+    if not usable:
+        raise MeasurementError(
+            f"a record without gaps is shorter than eight periods of {band[0]:g} Hz",
+            "band",
+            "record for longer, or start the band higher",
+        )
+    return usable
+
+
+def prepared(t_step: float, pieces: list[Array]) -> PreparedRecord:
+    """Return pieces of a record without their means, relative to the rms of each sensor, as spectral lines."""
+    total = sum(len(piece) for piece in pieces)
+    centred = [piece - piece.mean(axis=0) for piece in pieces]
+    scales = np.sqrt(sum(((piece**2).sum(axis=0) for piece in centred), np.zeros(pieces[0].shape[1])) / total)
+    alive = np.where(scales > 0.0, scales, np.inf)
+    scaled = [piece / alive for piece in centred]
+    longest = max(len(piece) for piece in scaled)
+    return PreparedRecord(lines(scaled, t_step, 2 * longest), lines(scaled, t_step), scales, longest * t_step)

@@ -10,19 +10,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.identification.asked import NOTHING, Asked
-from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
-from pkmodes.identification.rounding import tones_alone
-from pkmodes.identification.ssi_bands import parts
-from pkmodes.identification.ssi_joining import beside_all, distinct, rest_of_tone, with_wanted
+from pkmodes.identification.asked import NOTHING, Asked, replaced
+from pkmodes.identification.estimates import Estimate, Mode, Stabilisation, alike
+from pkmodes.identification.ssi_bands import PreparedRecord, parts, prepared, usable_pieces
 from pkmodes.identification.ssi_parts import FIRST, ORDERS, PartMode, Wanted, modes_of_part
-from pkmodes.identification.ssi_records import PreparedRecord, drawn, prepared, usable_pieces
+from pkmodes.identification.ssi_selection import Refined, refined
 from pkmodes.identification.ssi_uncertainty import sigma
-from pkmodes.identification.tones import Tone, find_tones, without_tones
+from pkmodes.identification.tones import Tone, find_tones, tones_alone, without_tones
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -35,6 +34,10 @@ NOTHING_ELSE = (
 )
 #: No standard deviation of the logarithm of a rate above this is told from it.
 MOST_RELATIVE = 3.0
+#: Lines averaged for what is drawn.
+DRAWN = 400
+#: Rate of decay times length of record below which a mode at a tone is what its subtraction left.
+REST = 12.0
 
 
 def identify_responses(
@@ -100,7 +103,7 @@ def identify_responses(
     every = (*modes, *(one for one in added if isinstance(one, Mode)))
     stabilisation = Stabilisation(np.array(ORDERS), tuple(np.concatenate(some) for some in poles))
     lines = tuple(tone.frequency for tone in found_tones if band[0] <= tone.frequency <= band[1])
-    estimate = Estimate(modes, stabilisation, *drawn(record, every, band), added, lines)
+    estimate = Estimate(modes, stabilisation, *_drawn(record, every, band), added, lines)
     said = _sentences(found_tones, every, record.seconds)
     return estimate, said if alone is None else (*said, NOTHING_ELSE)
 
@@ -133,3 +136,84 @@ def _sentences(found: Sequence[Tone], modes: Sequence[Mode], seconds: float) -> 
                     f"the mode at {mode.frequency:.4g} Hz is beside the tone at {tone.frequency:.4g} Hz"
                 )
     return tuple(said)
+
+
+def distinct(found: Sequence[PartMode]) -> list[PartMode]:
+    """Return the modes by frequency, one of those that two overlapping parts found: the more central one."""
+    kept: list[PartMode] = []
+    for one in sorted(found, key=_eccentricity):
+        f, rate = one.mode.frequency, one.mode.rate
+        for other in kept:
+            if other.part is one.part:
+                continue
+            apart = 2 * math.pi * abs(f - other.mode.frequency) / (rate + other.mode.rate)
+            near = 2 * math.pi * abs(f - other.mode.frequency) < 0.5 * (rate + other.mode.rate)
+            if near or (apart < 2.0 and alike(one.mode.shape, other.mode.shape) > 0.8):
+                break
+        else:
+            if one.part.low <= f <= one.part.high or _eccentricity(one) < 1.3:
+                kept.append(one)
+    return sorted(kept, key=lambda one: one.mode.frequency)
+
+
+def beside_all(record: PreparedRecord, found: Sequence[PartMode]) -> list[PartMode]:
+    """Return the modes fitted again beside those of all parts of the band."""
+    again = list(found)
+    for one in sorted(found, key=lambda one: one.mode.gain):
+        again.remove(one)
+        mode = refined(
+            one.mode, [other.mode for other in again], record.plain, (one.part.start, one.part.stop)
+        )
+        if mode is not None:
+            again.append(replace(one, mode=mode))
+    return sorted(again, key=lambda one: one.mode.frequency)
+
+
+def with_wanted(
+    record: PreparedRecord, found: Sequence[PartMode], wanted: Wanted, tones: Sequence[Tone], asked: Asked
+) -> tuple[list[PartMode], Wanted]:
+    """Return the modes that those asked for do not replace, and these without what is left of a tone."""
+    kept, more = list(found), dict(wanted)
+    for frequency, one in wanted.items():
+        if isinstance(one, str):
+            continue
+        if rest_of_tone(one.mode, tones, record):
+            more[frequency] = "what is fitted there is left of a tone"
+            continue
+        before = replaced(
+            [abs(each.mode.pole) / (2 * math.pi) for each in kept], asked, abs(one.mode.pole) / (2 * math.pi)
+        )
+        if before is not None:
+            del kept[before]
+    return kept, more
+
+
+def rest_of_tone(mode: Refined, found: Sequence[Tone], record: PreparedRecord) -> bool:
+    """Return whether a mode is as narrow as lines and at a tone: what its subtraction left."""
+    near = any(abs(mode.frequency - tone.frequency) * record.seconds < 3.0 for tone in found)
+    return near and mode.rate * record.seconds < REST
+
+
+def _eccentricity(one: PartMode) -> float:
+    middle, half = 0.5 * (one.part.low + one.part.high), 0.5 * (one.part.high - one.part.low)
+    return abs(one.mode.frequency - middle) / half
+
+
+def _drawn(
+    record: PreparedRecord, modes: Sequence[Mode], band: tuple[float, float]
+) -> tuple[Array, Complex, Complex]:
+    """Return averaged spectral densities of the responses in the band, and the modes' share of them."""
+    piece = max(record.plain, key=lambda one: len(one.frequencies))
+    inside = slice(*np.searchsorted(piece.frequencies, band))
+    f, power = piece.frequencies[inside], np.abs(piece.values[inside]) ** 2 * record.scales**2 * piece.step
+    group = max(len(f) // DRAWN, 1)
+    rows = len(f) // group * group
+    f = f[:rows].reshape(-1, group).mean(axis=1)
+    power = power[:rows].reshape(len(f), group, -1).mean(axis=1)
+    peaks = np.array([1.0 / np.abs(2j * math.pi * f - mode.pole) ** 2 for mode in modes]).reshape(
+        len(modes), len(f)
+    )
+    at = [int(np.argmin(np.abs(f - mode.frequency))) for mode in modes]
+    heights = np.array([power[k] / peaks[j, k] for j, k in enumerate(at)])
+    heights = heights.reshape(len(modes), power.shape[1])
+    return f, power[:, :, None].astype(complex), (peaks.T @ heights)[:, :, None].astype(complex)

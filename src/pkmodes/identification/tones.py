@@ -1,4 +1,4 @@
-r"""Lines without bandwidth: mains, fans and motors.
+"""Lines without bandwidth: mains, fans and motors.
 
 A tone is a sinusoid of constant amplitude and phase over the record; the response of a mode to noise loses its phase
 in the time of its decay, and its amplitude is Rayleigh distributed.  A line that stands out of its surroundings is
@@ -6,6 +6,11 @@ followed over the record by complex demodulation: a tone has nearly the same com
 of a mode has a mean near zero.  This is the distinction by statistics of the amplitude (Jacobsen, Andersen and
 Brincker, Proceedings of IOMAC 2007, who use the kurtosis) but needs no long record.  Tones are fitted by least
 squares and subtracted, which leaves modes beside them.
+
+A record may hold nothing but tones and the rounding of its numbers, as that of an instrument is a multiple of a step.
+The rounding of a tone is not noise: it repeats with the tone, and its power, that of an even distribution over a step
+(Widrow and Kollar, Quantization Noise, 2008), lies in lines and bands that look like modes.  Sensor noise, or modes,
+add power of their own.
 """
 
 from __future__ import annotations
@@ -28,6 +33,17 @@ NEAR, NEAR_LINES = 0.003, 2.0
 #: Times that a tone is fitted and subtracted, as the first leaves a little if its frequency drifts; and that each
 #: line is tried.
 PASSES = 2
+#: Largest distance from a multiple of the step, in steps, that the arithmetic of a conversion of units leaves.
+OFF_STEP = 0.01
+#: Differences relative to the range that are arithmetic, too.
+ARITHMETIC = 1e-9
+#: Power besides strong tones relative to that of the rounding, up to which there is nothing but rounding.
+ALONE = 1.25
+#: Rounding of any arithmetic, relative to the mean square of the record: no instrument has a range of 140 dB.
+RANGE = 1e-14
+#: A tone is strong if a line at it has this many times the power of the rounding; lines that it may reach on either
+#: side, and the largest share of all lines that strong tones may reach.
+STRONG, REACH, SHARE = 100.0, 40, 0.25
 
 
 @dataclass(frozen=True)
@@ -162,3 +178,65 @@ def _constant_share(signal: Array, t_step: float, frequency: float) -> float:
     shifted = (signal * turns[:, None])[: SEGMENTS * length].reshape(SEGMENTS, length, -1)
     amplitudes = np.einsum("snc,n->sc", shifted, np.hanning(length))
     return float((np.abs(amplitudes.mean(axis=0)) ** 2).sum() / (np.abs(amplitudes) ** 2).mean(axis=0).sum())
+
+
+def step_of(signal: Array) -> float:
+    """Return the step that all values of a signal, (N,), are multiples of apart; 0 if there is none."""
+    levels = np.unique(signal)
+    apart = np.diff(levels)
+    apart = apart[apart > ARITHMETIC * (levels[-1] - levels[0])]
+    if not apart.size:
+        return 0.0
+    step = float(apart.min())
+    steps = (levels - levels[0]) / step
+    return step if np.abs(steps - np.rint(steps)).max() < OFF_STEP else 0.0
+
+
+def tones_alone(
+    t_step: float,
+    pieces: Sequence[Array],
+    without_tones: Sequence[Array],
+    tones: Sequence[Tone],
+    band: tuple[float, float],
+) -> list[Tone] | None:
+    """Return the strong tones of a record that without them is the rounding of its numbers; None for any other.
+
+    Parameters
+    ----------
+    t_step : float
+        In s.
+    pieces, without_tones : sequence of ndarray, shape (N, S)
+        The record, and what is left of it without its tones.
+    tones : sequence of Tone
+        Those that were found in and near the band.
+    band : tuple of float
+        In Hz.
+    """
+    longest = max(range(len(pieces)), key=lambda i: len(pieces[i]))
+    live = pieces[longest].std(axis=0) > 0.0
+    whole = pieces[longest][:, live]
+    before, after = _powers(whole), _powers(without_tones[longest][:, live])
+    f = np.arange(len(after)) / (t_step * len(whole))
+    of_steps = np.array([step_of(column) ** 2 / 12.0 for column in whole.T])
+    # That of the arithmetic is so small that nothing else is below it in the band; of the whole rounding of steps the
+    # band has a share that nobody knows.
+    low, high = around(band)
+    inside = (f > low) & (f < high)
+    for floor, counted in ((of_steps, np.full(len(f), True)), (RANGE * whole.var(axis=0), inside)):
+        strong, far = [], counted.copy()
+        for tone in tones:
+            k = int(np.argmin(np.abs(f - tone.frequency)))
+            if (before[max(k - 1, 0) : k + 2] > STRONG * floor).any():
+                strong.append(tone)
+                far[max(k - REACH, 0) : k + REACH + 1] = False
+        few = far.sum() >= (1.0 - SHARE) * counted.sum()
+        if strong and few and (floor > 0.0).all() and (after[far].sum(axis=0) <= ALONE * floor).all():
+            return strong
+    return None
+
+
+def _powers(signal: Array) -> Array:
+    """Return the mean squares of a signal (N, S) by lines, (F, S)."""
+    window = np.hanning(len(signal))
+    spectrum = np.fft.rfft((signal - signal.mean(axis=0)) * window[:, None], axis=0)
+    return np.asarray(2.0 * np.abs(spectrum) ** 2 / (len(signal) * (window**2).sum()))
