@@ -95,6 +95,11 @@ def usable_poles(poles: Complex, low: float, high: float) -> NDArray[np.bool_]:
     return np.asarray(inside & (damping > 0.0) & (damping < HIGHEST_DAMPING))
 
 
+def orders_with(by_order: Sequence[OrderPoles], pole: complex) -> int:
+    """Return in how many orders a pole is within the half bandwidth of a mode."""
+    return sum(bool((np.abs(one.poles - pole) < abs(pole.real)).any()) for one in by_order)
+
+
 def _labels(poles: Complex, shapes: Complex, parts: Complex) -> NDArray[np.int32]:
     if len(poles) == 1:
         return np.ones(1, np.int32)

@@ -13,14 +13,14 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import gamma
 
 from pkmodes.identification.asked import REACH, Asked, nearest, struck, within_reach
 from pkmodes.identification.clusters import HIGHEST_DAMPING
 from pkmodes.identification.frf_covariance import Uncertainty
-from pkmodes.identification.frf_refinement import DAMPINGS, Lines, Modes, copies, group_fit, groups, settled
+from pkmodes.identification.frf_lines import Lines
+from pkmodes.identification.frf_refinement import copies, group_fit, groups, settled, significant
 from pkmodes.identification.frf_search import hidden, joined
-from pkmodes.identification.residues import modal_part
+from pkmodes.identification.modes import Modes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -59,7 +59,7 @@ def with_added(data: Lines, modes: Modes, bounds: Uncertainty, asked: Asked) -> 
     """Return modes (N) with those that the user asks for; one of them replaces a mode within 1 % of it."""
     if not asked.add:
         return WithAdded(modes, bounds, (), np.zeros(len(modes.poles), bool))
-    out = struck(_frequencies(modes), asked)
+    out = struck(modes.frequencies, asked)
     now, owner = modes.only(~out), np.full(int((~out).sum()), -1)
     reasons: dict[int, str] = {}
     for i, wanted in enumerate(asked.add):
@@ -84,7 +84,7 @@ def _added(
 ) -> tuple[Modes, NDArray[np.bool_]] | str:
     """Return modes with one more, the last, and which of the former are left; or why there is none."""
     reported = owner < 0
-    replaced = nearest(np.where(reported, _frequencies(modes), np.inf), wanted)
+    replaced = nearest(np.where(reported, modes.frequencies, np.inf), wanted)
     kept = np.ones(len(modes.poles), bool)
     if replaced is not None:
         kept[replaced] = False
@@ -101,7 +101,7 @@ def _added(
         if left.sum() < kept.sum():
             again = _with(data, modes.only(left), trial.poles[-1])
         final, bounds = settled(data, again)
-        frequency = float(_frequencies(final)[-1])
+        frequency = float(final.frequencies[-1])
         ends.append(frequency)
         strength = float(bounds.strength[-1])
         if (
@@ -124,7 +124,7 @@ def _trials(data: Lines, base: Modes, wanted: float) -> Iterator[Modes]:
     for pole in _starts(data, base, wanted):
         one = _with(data, base, pole)
         new = one.poles[-1]
-        inside = _possible(new) and within_reach(abs(new) / (2.0 * math.pi), wanted)
+        inside = _possible(new) and within_reach(float(one.frequencies[-1]), wanted)
         if inside and not any(abs(new - other.poles[-1]) < SAME * abs(new.real) for other in found):
             found.append(one)
     yield from sorted(found, key=lambda one: abs(abs(one.poles[-1]) - 2.0 * math.pi * wanted))
@@ -133,24 +133,17 @@ def _trials(data: Lines, base: Modes, wanted: float) -> Iterator[Modes]:
 def _starts(data: Lines, base: Modes, wanted: float) -> list[complex]:
     """Return poles from which a fit begins: at the frequency, and where the residual stands out near it."""
     starts = [2.0 * math.pi * wanted * complex(-ratio, math.sqrt(1.0 - ratio**2)) for ratio in RATIOS]
-    known = np.isfinite(data.H).all(axis=0)
-    fit = _response(base, data.frequencies)
-    correlation = np.ones(1, complex) if data.correlation is None else data.correlation
     near = np.abs(data.frequencies / wanted - 1.0) <= 2.0 * REACH
     inside = slice(*np.flatnonzero(near)[[0, -1]]) if near.any() else slice(0, 0)
     if len(data.frequencies[inside]) < 3:
         return starts
-    residual = data.H - fit
-    least = _threshold(data, wanted)
-    found = hidden(
-        data.frequencies, data.place, residual[:, known], fit[:, known], correlation, least
-    ).tolist()
+    found = hidden(data, base.response(data.frequencies), _threshold(data, wanted)).tolist()
     return starts + [pole for pole in found if within_reach(abs(pole) / (2.0 * math.pi), wanted)]
 
 
 def _with(data: Lines, base: Modes, pole: complex) -> Modes:
     """Return modes with one more, the last, fitted from a pole together with those that overlap it."""
-    left = data.H - _response(base, data.frequencies)
+    left = data.H - base.response(data.frequencies)  # what is smooth is taken off in each fit
     modes = joined(base, np.array([pole]), data.frequencies, left)
     last = len(modes.poles) - 1
     members = next(group for group in groups(modes.poles) if last in group)
@@ -160,22 +153,11 @@ def _with(data: Lines, base: Modes, pole: complex) -> Modes:
     return Modes(poles, shapes, parts)
 
 
-def _response(modes: Modes, frequencies: Array) -> Complex:
-    """Return the modes without residual terms (F, S, R): what is smooth is taken off in each fit."""
-    residues = modes.shapes[:, :, None] * modes.participation[:, None, :]
-    return modal_part(frequencies, modes.poles, residues)
-
-
 def _threshold(data: Lines, wanted: float) -> float:
     """Return the energy over noise that noise alone exceeds with probability `FALSE_ALARM` near a frequency."""
-    channels = int(np.isfinite(data.H).all(axis=0).sum())
-    lines = max(int((np.abs(data.frequencies / wanted - 1.0) <= REACH).sum()), 1)
-    return float(gamma.isf(FALSE_ALARM / (DAMPINGS * lines), max(channels, 1)))
+    lines = int((np.abs(data.frequencies / wanted - 1.0) <= REACH).sum())
+    return significant(data, FALSE_ALARM, max(lines, 1))
 
 
 def _possible(pole: complex) -> bool:
     return bool(0.0 < -pole.real < HIGHEST_DAMPING * abs(pole))
-
-
-def _frequencies(modes: Modes) -> Array:
-    return np.abs(modes.poles) / (2.0 * math.pi)

@@ -8,21 +8,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.identification.asked import NOTHING, Asked, nearest
-from pkmodes.identification.clusters import candidates, usable_poles
+from pkmodes.identification.clusters import candidates, orders_with, usable_poles
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
 from pkmodes.identification.frf_added import with_added
 from pkmodes.identification.frf_covariance import Uncertainty, common_sigma, component_sigmas, determined
 from pkmodes.identification.frf_estimates import without_window
-from pkmodes.identification.frf_lines import at_tones, line_weights, used_lines
-from pkmodes.identification.frf_refinement import Lines, Modes, refined, significant
+from pkmodes.identification.frf_lines import Lines, at_tones, used_lines
+from pkmodes.identification.frf_refinement import refined, significant
 from pkmodes.identification.frf_search import hidden, joined
 from pkmodes.identification.frf_skirts import NARROW, Line, distinct, without_bandwidth
 from pkmodes.identification.lscf import OrderPoles, lscf
+from pkmodes.identification.modes import Modes
 from pkmodes.identification.residues import lsfd, with_residual_terms
 
 Array = NDArray[np.float64]
@@ -101,18 +103,23 @@ def identify_frf(
         if not more:
             break
         lines += more
+
+    def mode(modes: Modes, bounds: Uncertainty, m: int) -> Mode:
+        found_in = orders_with(by_order, modes.poles[m]), len(by_order)
+        return _mode(modes, bounds, m, scale, exponential, found_in)
+
     found = with_added(data, modes, bounds, asked)
     kept = _in_band(found.modes, data, band, exponential, tones)
-    added = [i if isinstance(i, str) else OUTSIDE if not kept[i] else i for i in found.added]
     places = [i for i in found.added if isinstance(i, int)]
     reported = np.setdiff1d(np.flatnonzero(kept), places)
     before = np.flatnonzero(found.struck & _in_band(modes, data, band, exponential, tones))
-    each = [_mode(found.modes, found.bounds, int(m), scale, exponential, by_order) for m in reported]
-    wide = np.abs(found.modes.poles.real[reported]) / (2.0 * math.pi) > NARROW * float(np.median(np.diff(f)))
+    step = float(np.median(np.diff(f)))
+    each = [mode(found.modes, found.bounds, int(m)) for m in reported]
+    wide = found.modes.half_widths[reported] > NARROW * step
     each = [
         one for one, resolved in zip(each, wide, strict=True) if resolved or np.isfinite(one.shape).any()
     ]  # a narrow pole without a shape: what a tone that drifts leaves beside the lines that are left out
-    each += [_mode(modes, bounds, int(m), scale, exponential, by_order) for m in before]
+    each += [mode(modes, bounds, int(m)) for m in before]
     return Estimate(
         modes=tuple(sorted(each, key=lambda one: one.frequency)),
         stabilisation=_stabilisation(by_order, band),
@@ -120,10 +127,10 @@ def identify_frf(
         measured=measured,
         synthesised=_response(data, found.modes, power, f) * scale[:, None],
         added=tuple(
-            i if isinstance(i, str) else _mode(found.modes, found.bounds, i, scale, exponential, by_order)
-            for i in added
+            i if isinstance(i, str) else mode(found.modes, found.bounds, i) if kept[i] else OUTSIDE
+            for i in found.added
         ),
-        tones=distinct(lines, float(np.median(np.diff(f)))),
+        tones=distinct(lines, step),
     )
 
 
@@ -134,7 +141,7 @@ def _unasked(lines: list[Line], asked: Asked) -> list[Line]:
 
 def _by_order(data: Lines) -> list[OrderPoles]:
     """Return poles from all complete sensors; without any, from all functions as those of a single reference."""
-    known = np.isfinite(data.H).all(axis=0)
+    known = data.known
     complete = np.logical_and.reduce(known, axis=1)
     if complete.any():
         values, variance = data.H[:, complete], data.variance[:, complete]
@@ -154,7 +161,7 @@ def _candidates(by_order: list[OrderPoles], data: Lines, low: float, high: float
     poles = np.array([one.pole for one in found], complex)
     shared = all(one.participation.size == R for one in found)
     parts = np.array([one.participation if shared else np.ones(R) for one in found], complex).reshape(N, R)
-    first = lsfd(data.frequencies, data.H, line_weights(data), poles, parts, 0)
+    first = lsfd(data.frequencies, data.H, data.weights(), poles, parts, 0)
     return Modes(poles, np.nan_to_num(first.shapes), parts)
 
 
@@ -162,17 +169,12 @@ def _with_hidden(
     data: Lines, modes: Modes, bounds: Uncertainty, low: float, high: float, power: int
 ) -> tuple[Modes, Uncertainty]:
     """Return the modes with those that a search finds in what they leave."""
-    known = np.isfinite(data.H).all(axis=0)
     for _ in range(MOST_SEARCHES):
         fit = _response(data, modes, power, data.frequencies)
-        left = data.H - fit
-        correlation = np.ones(1, complex) if data.correlation is None else data.correlation
-        poles = hidden(
-            data.frequencies, data.place, left[:, known], fit[:, known], correlation, significant(data)
-        )
+        poles = hidden(data, fit, significant(data))
         if not len(poles):
             break
-        more, more_bounds = refined(data, joined(modes, poles, data.frequencies, left), low, high)
+        more, more_bounds = refined(data, joined(modes, poles, data.frequencies, data.H - fit), low, high)
         if len(more.poles) <= len(modes.poles):
             break
         modes, bounds = more, more_bounds
@@ -181,10 +183,8 @@ def _with_hidden(
 
 def _response(data: Lines, modes: Modes, power: int, frequencies: Array) -> Complex:
     """Return the modes with residual terms, in the units of `data`, (F, S, R), at frequencies [Hz]."""
-    shapes = modes.shapes / modes.poles[:, None] ** power  # of the displacement
-    full = with_residual_terms(
-        data.frequencies, data.H, line_weights(data), modes.poles, shapes, modes.participation, power
-    )
+    displacement = replace(modes, shapes=modes.shapes / modes.poles[:, None] ** power)
+    full = with_residual_terms(data.frequencies, data.H, data.weights(), displacement, power)
     return full.response(frequencies)
 
 
@@ -193,10 +193,8 @@ def _in_band(
 ) -> NDArray[np.bool_]:
     poles = without_window(modes.poles, exponential)
     frequency = np.abs(poles) / (2.0 * math.pi)
-    step = float(np.median(np.diff(data.frequencies)))
-    narrow = np.abs(modes.poles.real) / (2.0 * math.pi) < RESONANCE * step
-    tone = at_tones(frequency, tones, 2.0 * step) & narrow
-    line = np.abs(modes.poles.real) / (2.0 * math.pi) < NO_BANDWIDTH * step
+    tone = at_tones(frequency, tones, 2.0 * data.step) & (modes.half_widths < RESONANCE * data.step)
+    line = modes.half_widths < NO_BANDWIDTH * data.step
     return np.asarray((frequency >= band[0]) & (frequency <= band[1]) & (poles.real < 0.0) & ~tone & ~line)
 
 
@@ -206,26 +204,21 @@ def _mode(
     m: int,
     scale: Array,
     exponential: float | None,
-    by_order: list[OrderPoles],
+    found_in: tuple[int, int],
 ) -> Mode:
     """Return one of the modes, in the units of the functions."""
     pole = complex(without_window(modes.poles[m], exponential))
-    known = determined(modes.shapes[m] * scale, scale[:, None] * bounds.shapes[m] * scale)
-    shape = np.where(known, modes.shapes[m] * scale, complex(np.nan, np.nan))
-    spread = (scale[:, None] * bounds.shapes[m] * scale)[np.ix_(known, known)]
+    shape, covariance = modes.shapes[m] * scale, scale[:, None] * bounds.shapes[m] * scale
+    known = determined(shape, covariance)
+    sigmas = component_sigmas(shape[known], covariance[np.ix_(known, known)])
     return Mode(
         pole=pole,
-        shape=np.asarray(shape),
+        shape=np.where(known, shape, complex(np.nan, np.nan)),
         sigma_frequency=float(bounds.poles[m, 1]) / (2.0 * math.pi),
         sigma_damping=float(bounds.poles[m, 0]) / abs(pole),
-        sigma_shape=common_sigma(component_sigmas(shape[known], spread)) if known.any() else math.nan,
-        found_in=(_orders_with(modes.poles[m], by_order), len(by_order)),
+        sigma_shape=common_sigma(sigmas) if known.any() else math.nan,
+        found_in=found_in,
     )
-
-
-def _orders_with(pole: complex, by_order: list[OrderPoles]) -> int:
-    """Return in how many orders a pole is within the half bandwidth of a mode."""
-    return sum(bool((np.abs(one.poles - pole) < abs(pole.real)).any()) for one in by_order)
 
 
 def _stabilisation(by_order: list[OrderPoles], band: tuple[float, float]) -> Stabilisation:

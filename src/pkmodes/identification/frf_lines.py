@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +15,6 @@ from pkmodes.identification.frf_noise import (
     difference_variance,
     exponential_correlation,
 )
-from pkmodes.identification.frf_refinement import Lines
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -25,6 +25,50 @@ FEWEST_LINES = 24
 TONE_REACH = 1.01
 #: Lines nearer to a tone than this, in line spacings, hold all that a spectral window spreads of it (Hann's).
 SPREAD = 2.1
+
+
+@dataclass(frozen=True, eq=False)
+class Lines:
+    """Functions to be fitted.
+
+    Attributes
+    ----------
+    frequencies : ndarray, shape (F,)
+        [Hz].
+    place : ndarray of int64, shape (F,)
+        On the grid of lines.
+    H : ndarray of complex128, shape (F, S, R)
+        NaN where not measured.
+    variance : ndarray, shape (F, S, R)
+        Of the noise, as far as it is known beforehand.
+    correlation : ndarray of complex128 or None
+        Of the noise at lags of lines, if known.
+    stated : bool
+        Whether the variance is absolute, and not only right in its relative size.
+    """
+
+    frequencies: Array
+    place: NDArray[np.int64]
+    H: Complex
+    variance: Array
+    correlation: Complex | None
+    stated: bool
+
+    @property
+    def known(self) -> NDArray[np.bool_]:
+        """Which functions were measured, (S, R)."""
+        return np.asarray(np.isfinite(self.H).all(axis=0))
+
+    @property
+    def step(self) -> float:
+        """Distance of the lines [Hz]."""
+        return float(np.median(np.diff(self.frequencies)))
+
+    def weights(self) -> Array:
+        """Return the inverse standard deviation of each sensor's lines, (F, S), 0 for dead ones."""
+        known = np.isfinite(self.variance)
+        mean = np.where(known, self.variance, 0.0).sum(axis=2) / np.maximum(known.sum(axis=2), 1)
+        return np.where(mean > 0.0, 1.0 / np.sqrt(np.where(mean > 0.0, mean, 1.0)), 0.0)
 
 
 def used_lines(
@@ -90,10 +134,3 @@ def _smoothed(variance: Array, width: int = 9) -> Array:
     flat = variance.reshape(len(variance), -1)
     smooth = np.stack([np.convolve(column, kernel, "same") / count for column in flat.T], axis=1)
     return np.asarray(smooth.reshape(variance.shape))
-
-
-def line_weights(data: Lines) -> Array:
-    """Return the inverse standard deviation of each sensor's lines, (F, S), 0 for dead ones."""
-    known = np.isfinite(data.variance)
-    mean = np.where(known, data.variance, 0.0).sum(axis=2) / np.maximum(known.sum(axis=2), 1)
-    return np.where(mean > 0.0, 1.0 / np.sqrt(np.where(mean > 0.0, mean, 1.0)), 0.0)

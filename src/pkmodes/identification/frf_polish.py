@@ -19,6 +19,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.identification.modes import Modes
+
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
@@ -59,31 +61,18 @@ class Window:
 
 
 @dataclass(frozen=True, eq=False)
-class Fit:
+class Fit(Modes):
     """Modes fitted in a window.
 
     Attributes
     ----------
-    poles : ndarray of complex128, shape (N,)
-        [1/s].
-    shapes : ndarray of complex128, shape (N, S)
-    participation : ndarray of complex128, shape (N, R)
-        The product of the two is the residue.
     cost : float
         Weighted sum of squares of the residual.
     converged : bool
     """
 
-    poles: Complex
-    shapes: Complex
-    participation: Complex
     cost: float
     converged: bool
-
-    @property
-    def residues(self) -> Complex:
-        """Residues, (N, S, R)."""
-        return np.asarray(self.shapes[:, :, None] * self.participation[:, None, :])
 
 
 def window(frequencies: Array, H: Complex, weights: Array, sigma: Array) -> Window:

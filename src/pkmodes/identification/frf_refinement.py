@@ -30,8 +30,10 @@ from pkmodes.identification.frf_covariance import (
     residual,
     uncertainty,
 )
+from pkmodes.identification.frf_lines import Lines
 from pkmodes.identification.frf_noise import line_sigma, residual_correlation
 from pkmodes.identification.frf_polish import Fit, Window, polish, window
+from pkmodes.identification.modes import Modes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -87,47 +89,6 @@ def lines_around(frequencies: Array, poles: Complex) -> NDArray[np.int64]:
 
 def _near(one: complex, other: complex) -> bool:
     return abs(one.imag - other.imag) < OVERLAP * (abs(one.real) + abs(other.real))
-
-
-@dataclass(frozen=True, eq=False)
-class Lines:
-    """Functions to be fitted.
-
-    Attributes
-    ----------
-    frequencies : ndarray, shape (F,)
-        [Hz].
-    place : ndarray of int64, shape (F,)
-        On the grid of lines.
-    H : ndarray of complex128, shape (F, S, R)
-        NaN where not measured.
-    variance : ndarray, shape (F, S, R)
-        Of the noise, as far as it is known beforehand.
-    correlation : ndarray of complex128 or None
-        Of the noise at lags of lines, if known.
-    stated : bool
-        Whether the variance is absolute, and not only right in its relative size.
-    """
-
-    frequencies: Array
-    place: NDArray[np.int64]
-    H: Complex
-    variance: Array
-    correlation: Complex | None
-    stated: bool
-
-
-@dataclass(frozen=True, eq=False)
-class Modes:
-    """Modes in the course of refinement: poles (N,) [1/s], shapes (N, S), participation (N, R)."""
-
-    poles: Complex
-    shapes: Complex
-    participation: Complex
-
-    def only(self, kept: NDArray[np.bool_]) -> Modes:
-        """Return some of the modes."""
-        return Modes(self.poles[kept], self.shapes[kept], self.participation[kept])
 
 
 @dataclass(frozen=True, eq=False)
@@ -213,10 +174,10 @@ def _with_references(modes: Modes, bounds: Uncertainty, fits: list[GroupFit]) ->
     return replace(bounds, poles=sigmas)
 
 
-def significant(data: Lines) -> float:
-    """Return the energy over noise that noise alone exceeds with probability `FALSE_ALARM` in a measurement."""
-    channels = int(np.isfinite(data.H).all(axis=0).sum())
-    return float(gamma.isf(FALSE_ALARM / (DAMPINGS * len(data.frequencies)), max(channels, 1)))
+def significant(data: Lines, false_alarm: float = FALSE_ALARM, lines: int | None = None) -> float:
+    """Return the energy over noise that noise alone exceeds with a probability over some lines, all by default."""
+    tried = DAMPINGS * (len(data.frequencies) if lines is None else lines)
+    return float(gamma.isf(false_alarm / tried, max(int(data.known.sum()), 1)))
 
 
 def _sweep(data: Lines, modes: Modes) -> tuple[list[GroupFit], Modes]:
@@ -235,17 +196,23 @@ def group_fit(data: Lines, modes: Modes, members: NDArray[np.int64]) -> GroupFit
     """Fit some of the modes to the lines around them, with the others subtracted."""
     poles = modes.poles
     lines = lines_around(data.frequencies, poles[members])
-    others = np.setdiff1d(np.arange(len(poles)), members)
-    s = 2j * math.pi * data.frequencies[lines]
-    residues = modes.shapes[:, :, None] * modes.participation[:, None, :]
-    H = data.H[lines] - np.tensordot(1.0 / (s[:, None] - poles[others]), residues[others], 1)
-    H -= np.tensordot(1.0 / (s[:, None] - poles.conj()), residues.conj(), 1)
+    H = alone(data, modes, members, lines)
     variance = data.variance[lines].mean(axis=0)
     at = window(data.frequencies[lines], H, _inverse(variance), np.ones(len(lines)))
     fit = polish(at, poles[members], modes.participation[members])
     weights = _inverse(_noise_of(at, fit, variance))
     at = window(data.frequencies[lines], H, weights, _line_sigma(at, fit, weights, data.H[lines]))
     return GroupFit(members, at, data.place[lines], lines, polish(at, fit.poles, fit.participation))
+
+
+def alone(
+    data: Lines, modes: Modes, members: NDArray[np.int64], lines: NDArray[np.int64] | NDArray[np.bool_]
+) -> Complex:
+    """Return the functions at some lines without the other modes, and without the conjugates of all."""
+    others = np.setdiff1d(np.arange(len(modes.poles)), members)
+    s, residues = 2j * math.pi * data.frequencies[lines][:, None], modes.residues
+    H = data.H[lines] - np.tensordot(1.0 / (s - modes.poles[others]), residues[others], 1)
+    return np.asarray(H - np.tensordot(1.0 / (s - modes.poles.conj()), residues.conj(), 1))
 
 
 def _line_sigma(at: Window, fit: Fit, weights: Array, H: Complex) -> Array:
@@ -299,7 +266,7 @@ def _correlation(fits: list[GroupFit]) -> Complex:
 
 def _not_modes(modes: Modes, fits: list[GroupFit], low: float, high: float) -> NDArray[np.bool_]:
     """Return which fits failed or have left the ranges of a mode."""
-    frequency = np.abs(modes.poles) / (2.0 * math.pi)
+    frequency = modes.frequencies
     damping = -modes.poles.real / np.abs(modes.poles)
     wrong = (frequency < low) | (frequency > high) | (damping <= 0.0) | (damping > HIGHEST_DAMPING)
     for one in fits:

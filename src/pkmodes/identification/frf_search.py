@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 from scipy.signal import fftconvolve
 
 from pkmodes.identification.clusters import HIGHEST_DAMPING
+from pkmodes.identification.frf_lines import Lines
 from pkmodes.identification.frf_noise import MEDIAN, PARTS, correlated
-from pkmodes.identification.frf_refinement import Modes
+from pkmodes.identification.modes import Modes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -31,29 +32,20 @@ SMOOTH = 3
 MODEL_ERROR = 0.05
 
 
-def hidden(
-    frequencies: Array,
-    place: NDArray[np.int64],
-    residual: Complex,
-    fit: Complex,
-    correlation: Complex,
-    least: float,
-) -> Complex:
+def hidden(data: Lines, fit: Complex, least: float) -> Complex:
     """Return starting poles of modes in a residual, (N,) [1/s], the strongest of each neighbourhood.
 
     Parameters
     ----------
-    frequencies : ndarray, shape (F,)
-        [Hz].
-    place : ndarray of int64, shape (F,)
-        Of the lines on their grid.
-    residual, fit : ndarray of complex128, shape (F, C)
-        What the modes so far leave, and what they explain.
-    correlation : ndarray of complex128, shape (L,)
-        Of the noise at lags of lines.
+    data : Lines
+    fit : ndarray of complex128, shape (F, S, R)
+        What the modes so far explain of them.
     least : float
         The energy over noise that counts.
     """
+    frequencies, place, known = data.frequencies, data.place, data.known
+    residual, fit = (data.H - fit)[:, known], fit[:, known]
+    correlation = np.ones(1, complex) if data.correlation is None else data.correlation
     lines = int(place[-1]) + 1
     grid = np.zeros((lines, residual.shape[1]), complex)
     grid[place] = residual / np.sqrt(_variance(residual) + (MODEL_ERROR * np.abs(fit)) ** 2)

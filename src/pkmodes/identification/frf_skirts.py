@@ -20,10 +20,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import gamma
 
-from pkmodes.identification.frf_lines import SPREAD
+from pkmodes.identification.frf_lines import SPREAD, Lines
 from pkmodes.identification.frf_noise import MEDIAN
 from pkmodes.identification.frf_polish import basis, polish, window
-from pkmodes.identification.frf_refinement import Lines, Modes
+from pkmodes.identification.frf_refinement import alone
+from pkmodes.identification.modes import Modes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -60,12 +61,11 @@ class Line:
 
 def without_bandwidth(data: Lines, modes: Modes) -> list[Line]:
     """Return the lines without bandwidth among narrow modes."""
-    half = np.abs(modes.poles.real) / (2.0 * math.pi)
-    step = float(np.median(np.diff(data.frequencies)))
-    narrow = np.flatnonzero(half < NARROW * step)
+    step = data.step
+    narrow = np.flatnonzero(modes.half_widths < NARROW * step)
     found: list[Line] = []
     for cluster in _clusters(modes.poles.imag / (2.0 * math.pi * step), narrow):
-        at, pole = _alone(data, modes, cluster, step)
+        at, pole = _single(data, modes, cluster, step)
         if pole is not None and not _resonance(*at, pole, step):
             frequency = pole.imag / (2.0 * math.pi)
             found.append(Line(frequency, _stands_out(*at, frequency, step)))
@@ -87,23 +87,19 @@ def _clusters(places: Array, narrow: NDArray[np.int64]) -> list[NDArray[np.int64
     return np.split(order, np.flatnonzero(np.diff(places[order]) > TOGETHER) + 1) if len(order) else []
 
 
-def _alone(
+def _single(
     data: Lines, modes: Modes, cluster: NDArray[np.int64], step: float
 ) -> tuple[tuple[Array, Complex], complex | None]:
     """Return the lines around a cluster without the other modes, and the one pole that fits them best."""
     centre = float(modes.poles[cluster].imag.mean()) / (2.0 * math.pi)
     near = np.abs(data.frequencies - centre) < BEYOND * step
     f = data.frequencies[near]
-    s = 2j * math.pi * f[:, None]
-    others = np.setdiff1d(np.arange(len(modes.poles)), cluster)
-    residues = modes.shapes[:, :, None] * modes.participation[:, None, :]
-    H = data.H[near] - np.tensordot(1.0 / (s - modes.poles[others]), residues[others], 1)
-    H = H - np.tensordot(1.0 / (s - modes.poles.conj()), residues.conj(), 1)
+    H = alone(data, modes, cluster, near)
     variance = np.where(np.isfinite(H).all(axis=0), (np.abs(H) ** 2).mean(axis=0), np.inf)
     if len(cluster) == 1:
         return (f, H), complex(modes.poles[cluster[0]])
     at = window(f, H, 1.0 / variance, np.ones(len(f)))
-    strongest = cluster[np.argmax(np.linalg.norm(residues[cluster], axis=(1, 2)))]
+    strongest = cluster[np.argmax(np.linalg.norm(modes.residues[cluster], axis=(1, 2)))]
     fit = polish(at, modes.poles[[strongest]], modes.participation[[strongest]])
     return (f, H), complex(fit.poles[0]) if np.isfinite(fit.cost) else None
 

@@ -25,6 +25,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import toeplitz
 
+from pkmodes.identification.modes import Modes
+
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
@@ -35,25 +37,10 @@ RIDGE = 1e-13
 
 
 @dataclass(frozen=True, eq=False)
-class OrderPoles:
-    """Poles of one model order.
-
-    Attributes
-    ----------
-    order : int
-        n.
-    poles : ndarray of complex128, shape (P,)
-        Also unstable ones and those outside the band [1/s].
-    shapes : ndarray of complex128, shape (P, S)
-        At any scale.
-    participation : ndarray of complex128, shape (P, R)
-        At any scale.
-    """
+class OrderPoles(Modes):
+    """Poles of one model order n, also unstable ones and those outside the band, with shapes at any scale."""
 
     order: int
-    poles: Complex
-    shapes: Complex
-    participation: Complex
 
 
 def lscf(frequencies: Array, H: Complex, weights: Array, orders: Sequence[int]) -> list[OrderPoles]:
@@ -127,7 +114,7 @@ def _of_order(sums: Complex, n: int, S: int, R: int, step: float, low: float) ->
     at_pole = np.einsum("pi,oir->por", scaled, inner)
     shapes = np.einsum("por,pr->po", at_pole, vectors)
     left = np.linalg.svd(np.einsum("pi,iqr->pqr", scaled, A))[0][:, :, -1]
-    return OrderPoles(n, poles, shapes, left.conj())
+    return OrderPoles(poles, shapes, left.conj(), n)
 
 
 def _denominator(M: Complex, n: int, R: int) -> Complex:

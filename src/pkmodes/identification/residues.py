@@ -18,31 +18,24 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.identification.modes import Modes
+
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 
 @dataclass(frozen=True, eq=False)
-class Residues:
-    """Modes with residual terms.
+class Residues(Modes):
+    """Modes, their shapes phi those of the displacement, with residual terms.
 
     Attributes
     ----------
-    poles : ndarray of complex128, shape (N,)
-        [1/s].
-    shapes : ndarray of complex128, shape (N, S)
-        phi, of the displacement; NaN where not measured.
-    participation : ndarray of complex128, shape (N, R)
-        L.
     upper, lower : ndarray of complex128, shape (S, R)
         U and D, NaN where not measured.
     power : int
         p.
     """
 
-    poles: Complex
-    shapes: Complex
-    participation: Complex
     upper: Complex
     lower: Complex
     power: int
@@ -50,18 +43,8 @@ class Residues:
     def response(self, frequencies: Array) -> Complex:
         """Return the synthesised functions, (F, S, R), at frequencies [Hz]."""
         w = 2.0 * math.pi * frequencies[:, None, None]
-        residues = self.shapes[:, :, None] * self.participation[:, None, :]
-        total = modal_part(frequencies, self.poles, residues) + self.upper - self.lower / w**2
+        total = super().response(frequencies) + self.upper - self.lower / w**2
         return np.asarray((1j * w) ** self.power * total)
-
-
-def modal_part(frequencies: Array, poles: Complex, residues: Complex) -> Complex:
-    """Return the sum of modes and their conjugates without differentiation, (F, S, R)."""
-    s = 2j * math.pi * frequencies[:, None]
-    return np.asarray(
-        np.tensordot(1.0 / (s - poles), residues, 1)
-        + np.tensordot(1.0 / (s - poles.conj()), residues.conj(), 1)
-    )
 
 
 def lsfd(
@@ -113,20 +96,11 @@ def lsfd(
     return Residues(poles, shapes, parts, upper, lower, power)
 
 
-def with_residual_terms(
-    frequencies: Array,
-    H: Complex,
-    weights: Array,
-    poles: Complex,
-    shapes: Complex,
-    parts: Complex,
-    power: int,
-) -> Residues:
-    """Fit the residual terms alone, to known shapes (N, S) of the displacement; see `lsfd`."""
+def with_residual_terms(frequencies: Array, H: Complex, weights: Array, modes: Modes, power: int) -> Residues:
+    """Fit the residual terms alone, to known modes of the displacement; see `lsfd`."""
     s: Complex = np.asarray(2j * math.pi * frequencies, dtype=complex)
     derivative: Complex = np.asarray(s**power, dtype=complex)
-    residues = shapes[:, :, None] * parts[:, None, :]
-    left = H - derivative[:, None, None] * modal_part(frequencies, poles, residues)
+    left = H - derivative[:, None, None] * modes.response(frequencies)
     terms = _terms(derivative, s)[:, [0, 2]]
     upper, lower = np.full(H.shape[1:], np.nan, complex), np.full(H.shape[1:], np.nan, complex)
     for o in range(H.shape[1]):
@@ -137,7 +111,7 @@ def with_residual_terms(
         size = np.linalg.norm(A, axis=0)
         found = np.linalg.lstsq(A / size, left[:, o, known] * weights[:, o, None], rcond=None)[0]
         upper[o, known], lower[o, known] = found / size[:, None]
-    return Residues(poles, shapes, parts, upper, lower, power)
+    return Residues(modes.poles, modes.shapes, modes.participation, upper, lower, power)
 
 
 def _terms(derivative: Complex, s: Complex) -> Complex:

@@ -95,9 +95,7 @@ def identify_responses(
         one for one in beside_all(record, distinct(found)) if not rest_of_tone(one.mode, found_tones, record)
     ]
     kept, wanted = with_wanted(record, kept, wanted, found_tones, asked)
-    modes = tuple(
-        _mode(record, one) for one in kept if band[0] <= abs(one.mode.pole) / (2 * math.pi) <= band[1]
-    )
+    modes = tuple(_mode(record, one) for one in kept if band[0] <= one.mode.undamped <= band[1])
     listed = [wanted.get(f, "it is outside the band") for f in asked.add]
     added = tuple(one if isinstance(one, str) else _mode(record, one) for one in listed)
     every = (*modes, *(one for one in added if isinstance(one, Mode)))
@@ -147,8 +145,7 @@ def distinct(found: Sequence[PartMode]) -> list[PartMode]:
             if other.part is one.part:
                 continue
             apart = 2 * math.pi * abs(f - other.mode.frequency) / (rate + other.mode.rate)
-            near = 2 * math.pi * abs(f - other.mode.frequency) < 0.5 * (rate + other.mode.rate)
-            if near or (apart < 2.0 and alike(one.mode.shape, other.mode.shape) > 0.8):
+            if apart < 0.5 or (apart < 2.0 and alike(one.mode.shape, other.mode.shape) > 0.8):
                 break
         else:
             if one.part.low <= f <= one.part.high or _eccentricity(one) < 1.3:
@@ -180,9 +177,7 @@ def with_wanted(
         if rest_of_tone(one.mode, tones, record):
             more[frequency] = "what is fitted there is left of a tone"
             continue
-        before = replaced(
-            [abs(each.mode.pole) / (2 * math.pi) for each in kept], asked, abs(one.mode.pole) / (2 * math.pi)
-        )
+        before = replaced([each.mode.undamped for each in kept], asked, one.mode.undamped)
         if before is not None:
             del kept[before]
     return kept, more

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.identification.asked import NOTHING, REACH, Asked, replaced, struck, within_reach
-from pkmodes.identification.clusters import Candidate, candidates, usable_poles
+from pkmodes.identification.clusters import Candidate, candidates, orders_with, usable_poles
 from pkmodes.identification.lscf import OrderPoles
 from pkmodes.identification.ssi import Order, order, subspace
 from pkmodes.identification.ssi_bands import Lines, Part, PreparedRecord, correlations, powers
@@ -75,7 +75,7 @@ def modes_of_part(
     for k, one in enumerate(orders):
         s = part.pole(one.values)
         by_order.append(
-            OrderPoles(ORDERS[k], s, (one.shapes * levels[:, None]).T, np.ones((len(s), 1), complex))
+            OrderPoles(s, (one.shapes * levels[:, None]).T, np.ones((len(s), 1), complex), ORDERS[k])
         )
         inside = (s.imag >= 2 * math.pi * part.low) & (s.imag < 2 * math.pi * part.high)
         poles[k].append(s[inside & (s.real < 0.0)])
@@ -95,7 +95,7 @@ def modes_of_part(
             if isinstance(more, str):
                 wanted[frequency] = more
             else:
-                wanted[frequency] = found(more, more.pole, orders_with(by_order, more))
+                wanted[frequency] = found(more, more.pole, orders_with(by_order, more.pole))
     return [found(mode, one.pole, one.found) for mode, one in selected], wanted
 
 
@@ -175,7 +175,7 @@ def added(
     found: list[Refined] = []
     for one in near:
         mode = refined(one, others, lines, ends, SIGNIFICANT)
-        if mode is not None and within_reach(abs(mode.pole) / (2.0 * math.pi), wanted):
+        if mode is not None and within_reach(mode.undamped, wanted):
             found.append(mode)
     if not found:
         return "no fit to the spectra converges within 3 % of it to a peak above the noise"
@@ -186,14 +186,9 @@ def added(
     )
 
 
-def orders_with(by_order: Sequence[OrderPoles], mode: Refined) -> int:
-    """Return in how many orders a pole is within the half bandwidth of a mode."""
-    return sum(bool((np.abs(one.poles - mode.pole) < mode.rate).any()) for one in by_order)
-
-
 def _others(modes: Sequence[Refined], asked: Asked, wanted: float) -> list[Refined]:
     """Return the modes that stay beside one that is added."""
-    f = np.array([abs(mode.pole) / (2.0 * math.pi) for mode in modes])
+    f = np.array([mode.undamped for mode in modes])
     gone = struck(f, asked)
     before = replaced(f, asked, wanted)
     return [mode for i, mode in enumerate(modes) if not gone[i] and i != before]

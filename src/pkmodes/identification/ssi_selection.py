@@ -69,6 +69,11 @@ class Refined:
         """In 1/s."""
         return complex(-self.rate, 2.0 * math.pi * self.frequency)
 
+    @property
+    def undamped(self) -> float:
+        """Undamped natural frequency [Hz]."""
+        return abs(self.pole) / (2.0 * math.pi)
+
 
 def start(pole: complex, shape: Complex) -> Refined:
     """Return a candidate at a pole, before any fit."""
