@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from scipy.stats import t as student
 
 from pkmodes.campaign.found import Found
+from pkmodes.campaign.grouping import grouped
 from pkmodes.campaign.levels import between_files, widest
 from pkmodes.identification.level import LevelShift
 
@@ -97,6 +98,14 @@ def averaged(groups: Sequence[dict[int, Found]]) -> list[Mean]:
             between[i],
         )
         for i, group in enumerate(groups)
+    ]
+
+
+def grouped_means(listed: Sequence[Sequence[Mean]]) -> list[dict[int, Mean]]:
+    """Return the means of several setups or labels that are of one mode, by their place in the list: as `grouped`."""
+    return [
+        {i: next(mean for mean in listed[i] if mean.mode is mode) for i, mode in group.items()}
+        for group in grouped([[mean.mode for mean in each] for each in listed])
     ]
 
 

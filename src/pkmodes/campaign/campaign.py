@@ -8,8 +8,17 @@ from dataclasses import dataclass, field
 from os import PathLike, fspath
 from pathlib import Path
 
-from pkmodes.campaign.description import CampaignTable, EditTable, RecordTable, read_description
-from pkmodes.campaign.quantities import band_of, frequency, quantity, share, uncertain
+from pkmodes.campaign.description import (
+    CampaignTable,
+    EditTable,
+    RecordTable,
+    band_of,
+    frequency,
+    quantity,
+    read_description,
+    share,
+    uncertain,
+)
 from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, sensors_of, unsigned
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.core.model import Model

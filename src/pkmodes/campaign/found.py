@@ -1,15 +1,16 @@
-"""A mode as one file, or several together, show it."""
+"""A mode as one file, or several together, show it; and what one file gives: its modes and the fit behind them."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.core.robot.units import LARGEST, SMALLEST
-from pkmodes.identification.estimates import alike
+from pkmodes.identification.estimates import Estimate, Mode, alike
 from pkmodes.identification.level import LevelShift
 
 
@@ -76,3 +77,77 @@ def check_shape(shape: Mapping[str, complex], where: str) -> None:
     if not SMALLEST <= size <= LARGEST:
         what = f"expected a mode shape, found components up to {size:g}"
         raise MeasurementError(what, where, "leave the shape out where it was not measured")
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """The fit of a file, to be looked at.
+
+    Attributes
+    ----------
+    estimate : Estimate
+        Its functions are S responses per R references, or S power spectra.
+    responses, references : tuple of str
+        Names of the S and of the R; no references for spectra.
+    coherence : ndarray, shape (F, S, R), or None
+        On the lines of the estimate.
+    """
+
+    estimate: Estimate
+    responses: tuple[str, ...]
+    references: tuple[str, ...] = ()
+    coherence: NDArray[np.float64] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class FileModes:
+    """The modes of a file.
+
+    Attributes
+    ----------
+    modes : tuple of Found
+    messages : tuple of str
+        What the user should know.
+    seen : frozenset of str
+        Names of the sensors and, without their signs, of the forces in the file.
+    added : tuple of Found or str
+        For each frequency from which the user asked for a mode: the mode, or why there is none.
+    fit : Fit or None
+        None for modes that are already identified.
+    """
+
+    modes: tuple[Found, ...]
+    messages: tuple[str, ...]
+    seen: frozenset[str]
+    added: tuple[Found | str, ...] = ()
+    fit: Fit | None = None
+
+
+def found_of(mode: Mode, names: Sequence[str]) -> Found:
+    """Return a mode of a fit with its shape by name, in accelerations; only their ratios count."""
+    shape = {
+        name: complex(value) for name, value in zip(names, mode.shape, strict=True) if np.isfinite(value)
+    }
+    return Found(
+        mode.frequency,
+        mode.damping,
+        shape,
+        mode.sigma_frequency,
+        mode.sigma_damping,
+        mode.sigma_shape,
+        mode.found_in,
+    )
+
+
+def modes_of_fit(
+    fit: Fit, messages: Sequence[str], seen: frozenset[str], found: Callable[[Mode], Found] | None = None
+) -> FileModes:
+    """Return what a file gives by its fit; `found` makes a mode of one of the fit, by default `found_of`."""
+    made = found or (lambda mode: found_of(mode, fit.responses))
+    return FileModes(
+        tuple(made(mode) for mode in fit.estimate.modes),
+        tuple(messages),
+        seen,
+        tuple(one if isinstance(one, str) else made(one) for one in fit.estimate.added),
+        fit,
+    )

@@ -1,19 +1,29 @@
-"""Records of modes that another program has identified: dataset 55 of universal files, and tables."""
+"""Records of modes that another program has identified: dataset 55 of universal files, and tables.
+
+Tables have the columns of a measurement file, under any names.  The campaign says where the machine was, so that only
+the frequency is required.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from decimal import Decimal
 from pathlib import Path
+from typing import NoReturn
 
 import numpy as np
 
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.file_modes import FileModes
-from pkmodes.campaign.found import Found, check_shape
+from pkmodes.campaign.found import FileModes, Found, check_shape
 from pkmodes.campaign.grouping import APART
-from pkmodes.campaign.mode_tables import read_mode_table
 from pkmodes.campaign.shapes import by_channel
-from pkmodes.core.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.robot.columns import IN_BRACKETS, frequency_factor
+from pkmodes.core.robot.units import QuantityError, base_units
+from pkmodes.measured.cells import Notation
+from pkmodes.measured.csv_format import read_text
+from pkmodes.measured.csv_rows import read_lines
+from pkmodes.measured.rules import SHAPE
 from pkmodes.signals.functions import ModeShape
 from pkmodes.signals.reading import HEAD, read_signals
 from pkmodes.signals.universal_file import UNIVERSAL_FILE
@@ -21,6 +31,9 @@ from pkmodes.signals.universal_file import UNIVERSAL_FILE
 #: Modes of one file within the width in which those of two files may be the same: far above what any test tells
 #: apart, and few enough that all pairs of them are compared in seconds.
 MOST_ALIKE = 200
+#: Columns of numbers, with the kind of their units.
+NUMBERS = {"frequency": "Hz", "sigma": "Hz", "damping": "1", "sigma_damping": "1", "sigma_shape": "1"}
+PER_CENT = Decimal("0.01")
 
 
 def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
@@ -87,3 +100,152 @@ def _universal(path: Path) -> bool:
     except (OSError, ValueError):  # the reader says why
         head = b""
     return UNIVERSAL_FILE.recognises(head) or path.suffix.lower() in UNIVERSAL_FILE.suffixes
+
+
+def read_mode_table(
+    path: Path, columns: Mapping[str, str], channels: Mapping[str, str], pose: str
+) -> list[Found]:
+    """Read identified modes.
+
+    Parameters
+    ----------
+    columns : mapping of str to str
+        Names of columns of the table, by those of a measurement file.
+    channels : mapping of str to str
+        Names that a shape column may have, and their units.
+    pose : str
+        Label: of a table with a column ``pose``, only the rows with this one count.
+
+    Raises
+    ------
+    MeasurementError
+        If the file cannot be read or is invalid, with line and column.
+    """
+    source = str(path)
+    text = read_text(path, source, "the modes", "give a table of modes")
+    lines = read_lines(text, source)
+    remedy = "start with the names of the columns"
+    where, names = lines.header(source, remedy)
+    if len(lines.records) < 2:
+        _refuse("expected a header and rows, found none", source, remedy)
+    places = _places(names, columns, channels, where)
+    found, labels = [], set()
+    for where, cells in lines.rows(source, len(names)):
+        if "pose" in places:
+            label = cells[places["pose"][0]]
+            labels.add(label)
+            if label != pose:
+                continue
+        found.append(_mode(cells, places, names, lines.notation, where))
+    if not found:
+        what = f"expected rows of the pose {shown(pose)}, found {', '.join(sorted(labels)) or 'none'}"
+        _refuse(what, source, "correct the label of the record, or leave the column out")
+    return found
+
+
+def _places(
+    names: list[str], columns: Mapping[str, str], channels: Mapping[str, str], where: str
+) -> dict[str, tuple[int, Decimal | None]]:
+    """Return the place of each known column, and its factor to SI units or Hz."""
+    functions = [name for name in names if name.startswith(("re:", "im:"))]
+    if functions:
+        what = f"expected modes, found frequency responses, {shown(functions[0])}"
+        _refuse(what, where, 'the kind of this record is "frf"')
+    unknown = [key for key in columns if key not in NUMBERS and key != "pose" and not key.startswith(SHAPE)]
+    if unknown:
+        known = ["pose", *NUMBERS, *(f"{SHAPE}{name}" for name in channels)]
+        _refuse(f"unknown column {shown(unknown[0])} in columns", where, nearest(unknown[0], known))
+    theirs = {name: own for own, name in columns.items()}
+    if len(theirs) < len(columns):
+        _refuse("two entries of columns name the same column", where, "give each its own")
+    found: dict[str, tuple[int, Decimal | None]] = {}
+    for i, cell in enumerate(names):
+        match = None if cell in theirs else IN_BRACKETS.fullmatch(cell)
+        name, unit = (match[1], match[2].strip()) if match else (cell, "")
+        name = theirs.get(name, theirs.get(cell, name))
+        if name.startswith(SHAPE) and name.removeprefix(SHAPE) not in channels:
+            wanted = name.removeprefix(SHAPE)
+            _refuse(f"unknown channel {shown(wanted)}", f"{where}, column {i + 1}", nearest(wanted, channels))
+        if name in NUMBERS or name == "pose" or name.startswith(SHAPE):
+            if name in found:
+                _refuse(
+                    f"the column {shown(name)} is repeated", f"{where}, column {i + 1}", "remove one of them"
+                )
+            found[name] = (i, _factor(name, unit, f"{where}, column {i + 1}") if unit else None)
+    missing = [
+        name
+        for name in columns.values()
+        if name not in names and name not in [n.partition(" [")[0] for n in names]
+    ]
+    if missing:
+        _refuse(f"expected the column {shown(missing[0])}, found none", where, nearest(missing[0], names))
+    if "frequency" not in found:
+        remedy = 'name it in the record: columns = { frequency = "f0" }'
+        _refuse("expected a column of frequencies, found none", where, remedy)
+    return found
+
+
+def _factor(name: str, unit: str, where: str) -> Decimal:
+    try:
+        if NUMBERS.get(name) == "Hz":
+            return frequency_factor(unit)
+        if name in NUMBERS:
+            if unit != "%":
+                raise QuantityError(f"{shown(unit)} is not the unit of a ratio")
+            return PER_CENT
+        return base_units(unit)[0]
+    except QuantityError as error:
+        _refuse(str(error), where, "correct the unit")
+
+
+def _mode(
+    cells: list[str],
+    places: Mapping[str, tuple[int, Decimal | None]],
+    names: list[str],
+    notation: Notation,
+    where: str,
+) -> Found:
+    values: dict[str, float] = {}
+    shape: dict[str, complex] = {}
+    for name, (i, factor) in places.items():
+        if name == "pose" or not cells[i]:
+            continue
+        value = notation.number(cells[i], factor)
+        if value is None:
+            remedy = "write a plain number, or leave the cell blank"
+            _refuse(
+                f"expected a finite number, found {shown(cells[i])}", f"{where}, column {names[i]}", remedy
+            )
+        if name.startswith(SHAPE):
+            shape[name.removeprefix(SHAPE)] = complex(value)
+        else:
+            values[name] = value
+    place = f"{where}, column {names[places['frequency'][0]]}"
+    if values.get("frequency", 0.0) <= 0.0:
+        _refuse(
+            f"expected a frequency above 0, found {shown(cells[places['frequency'][0]])}", place, "correct it"
+        )
+    for name in ("sigma", "sigma_damping", "sigma_shape"):
+        if values.get(name, 1.0) <= 0.0:
+            _refuse(
+                "expected a standard deviation above 0",
+                f"{where}, column {name}",
+                "leave it blank if unknown",
+            )
+    check_shape(shape, where)
+    if not 0.0 <= values.get("damping", 0.0) < 1.0:
+        _refuse(
+            "expected a damping ratio of at least 0 and below 1", f"{where}, column damping", "2 % is 0.02"
+        )
+    return Found(
+        values["frequency"],
+        values.get("damping") or np.nan,  # 0 is that of programs that know none
+        shape,
+        values.get("sigma", 0.0),
+        values.get("sigma_damping", 0.0),
+        values.get("sigma_shape", np.nan),
+    )
+
+
+def _refuse(what: str, where: str, remedy: str) -> NoReturn:
+    raise MeasurementError(what, where, remedy) from None

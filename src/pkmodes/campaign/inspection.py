@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.campaign.file_modes import Fit
+from pkmodes.campaign.found import Fit
 from pkmodes.identification.estimates import Stabilisation
 
 Array = NDArray[np.float64]

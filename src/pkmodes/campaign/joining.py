@@ -10,8 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from pkmodes.campaign.averaging import Mean, mean_shape
-from pkmodes.campaign.grouping import grouped
+from pkmodes.campaign.averaging import Mean, grouped_means, mean_shape
 from pkmodes.campaign.levels import widest
 
 
@@ -25,9 +24,8 @@ def joined(setups: Mapping[str, Sequence[Mean]]) -> tuple[list[Mean], list[str]]
         return list(next(iter(setups.values()))), []
     names, listed = list(setups), list(setups.values())
     means, notes = [], []
-    for group in grouped([[mean.mode for mean in each] for each in listed]):
-        members = [next(mean for mean in listed[i] if mean.mode is mode) for i, mode in sorted(group.items())]
-        mean, apart = _together(members)
+    for group in grouped_means(listed):
+        mean, apart = _together([group[i] for i in sorted(group)])
         if apart:
             which = ", ".join(names[i] for i in sorted(group))
             notes.append(

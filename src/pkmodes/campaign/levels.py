@@ -9,16 +9,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import t as student
 
 from pkmodes.campaign.found import Found
-from pkmodes.campaign.time_records import TimeSignals
-from pkmodes.identification.estimates import Mode
-from pkmodes.identification.level import FALSE_ALARM, LEAST, LevelShift, levels
+from pkmodes.identification.level import FALSE_ALARM, LEAST, LevelShift
 
 Array = NDArray[np.float64]
 
@@ -28,31 +26,6 @@ DIFFER = 1.25
 FEWEST = 3
 #: What the pooled scatter is worth beside that of a mode, in repeats, as for the scatter itself.
 PRIOR = 4.0
-
-
-def with_levels(
-    found: Sequence[Found], modes: Sequence[Mode], given: TimeSignals, exponential: float | None = None
-) -> tuple[Found, ...]:
-    """Return the modes of a file with their levels.
-
-    Parameters
-    ----------
-    found : sequence of Found
-    modes : sequence of Mode
-        The same ones, their shapes in accelerations of the file's sensors.
-    given : TimeSignals
-    exponential : float, optional
-        Time constant of a window that the responses have had [s].
-    """
-    if not modes:
-        return tuple(found)
-    poles = np.array([mode.pole for mode in modes])
-    shapes = np.array([mode.shape for mode in modes]) / given.as_accelerations(poles)
-    each = levels(given.step, given.pieces, poles, shapes, exponential)
-    return tuple(
-        replace(mode, level=level.amplitude, shift=level.shift)
-        for mode, level in zip(found, each, strict=True)
-    )
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,8 +10,7 @@ from pkmodes.campaign.averaging import Mean, averaged
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.copies import copied_repeats
 from pkmodes.campaign.edits import added_group, check_asked, refuse_added
-from pkmodes.campaign.file_modes import FileModes
-from pkmodes.campaign.found import Found
+from pkmodes.campaign.found import FileModes, Found
 from pkmodes.campaign.grouping import grouped
 from pkmodes.campaign.inspection import Inspection, Repeats, inspection
 from pkmodes.campaign.joining import joined

@@ -6,9 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pkmodes.campaign.averaging import Mean
+from pkmodes.campaign.averaging import Mean, grouped_means
 from pkmodes.campaign.campaign import Record
-from pkmodes.campaign.grouping import grouped
 from pkmodes.core.base.errors import MeasurementError
 
 #: Modes that must have been measured again.
@@ -31,10 +30,10 @@ def revisited(records: Sequence[tuple[Record, Sequence[Mean]]], source: str) -> 
         alike.setdefault(key, []).append(means)
     squares, freedom, modes = 0.0, 0, 0
     for visits in alike.values():
-        for group in grouped([[mean.mode for mean in visit] for visit in visits]):
+        for group in grouped_means(visits):
             if len(group) < 2:
                 continue
-            members = [next(mean for mean in visits[i] if mean.mode is mode) for i, mode in group.items()]
+            members = list(group.values())
             logs = np.log([mean.mode.frequency for mean in members])
             within = [
                 mean.variance

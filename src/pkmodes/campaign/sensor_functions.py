@@ -11,12 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.campaign.found import Found
 from pkmodes.campaign.motion import Motion, motion
 from pkmodes.campaign.sensors import Sensor, check_motion
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.core.robot.units import LARGEST, SMALLEST
-from pkmodes.identification.estimates import Mode
 from pkmodes.signals.formats import Asked
 from pkmodes.signals.functions import Function, Kind, SignalFile
 from pkmodes.signals.reading import read_signals
@@ -121,27 +119,6 @@ def check_size(values: NDArray[Any], source: str) -> None:
 def dead_channels(names: Sequence[str], source: str) -> list[str]:
     """Return a sentence for each sensor that shows nothing."""
     return [f"{source}: {name} shows nothing: all its values are equal; it is in no shape" for name in names]
-
-
-def found_of(mode: Mode, names: Sequence[str]) -> Found:
-    """Return a mode of a fit with its shape by name, in accelerations; only their ratios count."""
-    shape = {
-        name: complex(value) for name, value in zip(names, mode.shape, strict=True) if np.isfinite(value)
-    }
-    return Found(
-        mode.frequency,
-        mode.damping,
-        shape,
-        mode.sigma_frequency,
-        mode.sigma_damping,
-        mode.sigma_shape,
-        mode.found_in,
-    )
-
-
-def added_of(added: Sequence[Mode | str], names: Sequence[str]) -> tuple[Found | str, ...]:
-    """Return the modes that the user adds, or why there are none, with shapes by name."""
-    return tuple(one if isinstance(one, str) else found_of(one, names) for one in added)
 
 
 @contextmanager

@@ -1,28 +1,42 @@
-"""Records of signals in time: the columns of a file as arrays, evenly sampled."""
+"""Records of signals in time: impacts, and responses alone, which are ambient vibration, decays or sweeps.
+
+The columns of a file become arrays that are evenly sampled.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.campaign.campaign import Campaign, Record
+from pkmodes.campaign.found import FileModes, Fit, modes_of_fit
+from pkmodes.campaign.frequency_records import Responses, frf_fit, tones_of
 from pkmodes.campaign.sensor_functions import (
     ACCELERATION,
     check_size,
     dead_channels,
+    in_file,
     motion_of,
     sensor_functions,
 )
 from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.identification.estimates import Mode
+from pkmodes.identification.frf_estimates import impact_estimate
+from pkmodes.identification.level import levels
+from pkmodes.identification.ssi_bands import FEWEST_PERIODS
+from pkmodes.identification.ssi_identification import identify_responses
 from pkmodes.signals.functions import Kind
 from pkmodes.signals.reduction import reduced, reduction
 from pkmodes.signals.sampling import even_pieces
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+#: Periods of the lower end of the band that a record of blows has at least.
+PERIODS_OF_BLOWS = 2.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,3 +129,113 @@ def time_signals(
         np.array([of.derivative for of in motions]),
         (*read.messages, *gaps, *dead_channels(dead, read.source)),
     )
+
+
+def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
+    """Return the modes of the responses in a file, their shapes by sensor.
+
+    Raises
+    ------
+    MeasurementError
+        If the file is faulty, or too short for the band.
+    """
+    given = time_signals(path, record, setup, campaign, highest=record.band[1])
+    with in_file(given.source):
+        estimate, messages = identify_responses(
+            given.step,
+            given.pieces,
+            band=record.band,
+            tones=campaign.tones,
+            asked=campaign.asked(record),
+        )
+    shortest = FEWEST_PERIODS / record.band[0]
+    short = [piece for piece in given.pieces if len(piece) * given.step < shortest]
+    if short:
+        messages = (
+            *messages,
+            f"{len(short)} pieces between gaps are shorter than {shortest:.3g} s and were left out",
+        )
+
+    def accelerations(mode: Mode) -> Mode:
+        return replace(mode, shape=mode.shape * given.as_accelerations(mode.pole))
+
+    fit = Fit(
+        replace(
+            estimate,
+            modes=tuple(accelerations(mode) for mode in estimate.modes),
+            added=tuple(one if isinstance(one, str) else accelerations(one) for one in estimate.added),
+        ),
+        given.names,
+    )
+    said = (*given.messages, *(f"{given.source}: {message}" for message in messages))
+    return _with_levels(fit, said, given, campaign.unsigned_forces_in(setup))
+
+
+def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
+    """Return the modes of the blows in a file, their shapes by sensor.
+
+    Raises
+    ------
+    MeasurementError
+        If the file is faulty, has no force, or fewer blows than the campaign says.
+    """
+    given = time_signals(path, record, setup, campaign)
+    if not given.forces:
+        remedy = "name its column force, or give its type in the universal file; without a force the kind is ambient"
+        raise MeasurementError("expected a force, found none", given.source, remedy)
+    if len(given.pieces) > 1:
+        what = f"expected one piece of even sampling, found {len(given.pieces)}"
+        raise MeasurementError(what, given.source, "measure the blows again, or leave the file out")
+    force = given.forces[0]
+    if not np.ptp(force):
+        raise MeasurementError(
+            "expected blows, found a constant force", given.source, "check the hammer's cable"
+        )
+    seconds = len(force) * given.step
+    if seconds * record.band[0] < PERIODS_OF_BLOWS:
+        what = (
+            f"expected at least {PERIODS_OF_BLOWS:g} periods of {record.band[0]:g} Hz, found {seconds:.3g} s"
+        )
+        raise MeasurementError(what, given.source, "measure longer, or narrow the band")
+    with in_file(given.source):
+        functions = impact_estimate(
+            given.step,
+            force,
+            given.pieces[0],
+            hits=record.hits,
+            exponential=record.exponential,
+            names=given.names,
+        )
+        f = functions.frequencies
+        values = functions.H * given.as_accelerations(2j * np.pi * f)[:, :, None]
+        responses = Responses(f, values, functions.coherence, given.names, (), ("force",))
+        fit = frf_fit(responses, functions.averages, record, campaign)
+    blows = (f"{given.source}: {message}" for message in functions.messages)
+    said = (*given.messages, *blows, *tones_of(fit, given.source))
+    return _with_levels(fit, said, given, campaign.unsigned_forces_in(setup), record.exponential)
+
+
+def _with_levels(
+    fit: Fit, messages: Sequence[str], given: TimeSignals, forces: set[str], exponential: float | None = None
+) -> FileModes:
+    """Return what a file gives, its modes with their levels.
+
+    Parameters
+    ----------
+    fit : Fit
+        With shapes in accelerations of the file's sensors.
+    forces : set of str
+        Names of the forces of the setup.
+    exponential : float, optional
+        Time constant of a window that the responses have had [s].
+    """
+    found = modes_of_fit(fit, messages, frozenset(given.names) | forces)
+    modes = fit.estimate.modes
+    if not modes:
+        return found
+    poles = np.array([mode.pole for mode in modes])
+    shapes = np.array([mode.shape for mode in modes]) / given.as_accelerations(poles)
+    each = levels(given.step, given.pieces, poles, shapes, exponential)
+    pairs = zip(found.modes, each, strict=True)
+    with_levels = tuple(replace(mode, level=level.amplitude, shift=level.shift) for mode, level in pairs)
+    return replace(found, modes=with_levels)

@@ -1,4 +1,4 @@
-"""Records of frequency response functions: the functions of a file as one array, and their modes."""
+"""Records of functions of frequency: frequency response functions, and power spectra, which have no phase."""
 
 from __future__ import annotations
 
@@ -10,22 +10,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.file_modes import FileModes, Fit
-from pkmodes.campaign.motion import Motion
+from pkmodes.campaign.found import FileModes, Fit, Found, modes_of_fit
 from pkmodes.campaign.sensor_functions import (
     ACCELERATION,
     SensorFunctions,
-    added_of,
     check_size,
     dead_channels,
-    found_of,
     in_file,
     motion_of,
     sensor_functions,
 )
 from pkmodes.campaign.sensors import Place, Sensor, unsigned
 from pkmodes.core.base.errors import MeasurementError
+from pkmodes.identification.estimates import Mode
 from pkmodes.identification.frf_identification import identify_frf
+from pkmodes.identification.spectra import identify_spectrum
 from pkmodes.identification.tones import no_bandwidth
 from pkmodes.signals.functions import Function, Kind
 
@@ -81,32 +80,33 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
         what = f"expected frequencies up to the end of the band, {high:g} Hz, found {last:g} Hz"
         raise MeasurementError(what, read.source, "narrow the band of the record")
     with in_file(read.source):
-        estimate = identify_frf(
-            given.frequencies,
-            given.values,
-            band=record.band,
-            power=ACCELERATION,
-            coherence=given.coherence,
-            averages=record.averages,
-            exponential=record.exponential,
-            tones=campaign.tones,
-            asked=campaign.asked(record),
-        )
+        fit = frf_fit(given, record.averages, record, campaign)
+    said = (*read.messages, *dead_channels(given.dead, read.source), *tones_of(fit, read.source))
+    seen = {one.response for one in functions.used} | {unsigned(one.reference) for one in functions.used}
+    return modes_of_fit(fit, said, frozenset(seen))
+
+
+def frf_fit(given: Responses, averages: int | None, record: Record, campaign: Campaign) -> Fit:
+    """Return the fit of frequency response functions in the band of a record; `averages` are those behind them."""
+    estimate = identify_frf(
+        given.frequencies,
+        given.values,
+        band=record.band,
+        power=ACCELERATION,
+        coherence=given.coherence,
+        averages=averages,
+        exponential=record.exponential,
+        tones=campaign.tones,
+        asked=campaign.asked(record),
+    )
     inside = slice(*np.searchsorted(given.frequencies, estimate.frequencies[[0, -1]]) + np.array([0, 1]))
     coherence = None if given.coherence is None else given.coherence[inside]
-    return FileModes(
-        tuple(found_of(mode, given.names) for mode in estimate.modes),
-        (
-            *read.messages,
-            *dead_channels(given.dead, read.source),
-            *(f"{read.source}: {no_bandwidth(tone)}" for tone in estimate.tones),
-        ),
-        frozenset(
-            {one.response for one in functions.used} | {unsigned(one.reference) for one in functions.used}
-        ),
-        added_of(estimate.added, given.names),
-        Fit(estimate, given.names, given.references, coherence),
-    )
+    return Fit(estimate, given.names, given.references, coherence)
+
+
+def tones_of(fit: Fit, source: str) -> list[str]:
+    """Return a sentence for each line without bandwidth that was found."""
+    return [f"{source}: {no_bandwidth(tone)}" for tone in fit.estimate.tones]
 
 
 def responses_of(
@@ -135,9 +135,8 @@ def responses_of(
         if np.isfinite(values[place]).any():
             what = f"the function {one.response}/{one.reference} occurs twice"
             raise MeasurementError(what, read.source, "give repeats as files of their own")
-        values[place] = one.values * _to_acceleration(
-            motion_of(one, sensors[one.response], channels, read.source), f
-        )
+        of = motion_of(one, sensors[one.response], channels, read.source)
+        values[place] = one.values * (of.factor * (2j * np.pi * f) ** (ACCELERATION - of.derivative))
     check_size(values, read.source)
     dead = tuple(name for i, name in enumerate(rows) if not np.nan_to_num(values[:, i]).any())
     coherence = _coherence(read.functions, rows, columns, f)
@@ -145,14 +144,11 @@ def responses_of(
     if acting:
         kept = [columns.index(name) for name in acting]
         turned = values[:, :, kept].transpose(0, 2, 1)
-        of = None if coherence is None else coherence[:, :, kept].transpose(0, 2, 1)
-        return Responses(f, turned, of, tuple(force.name for force in acting.values()), dead, tuple(rows))
+        coherence = None if coherence is None else coherence[:, :, kept].transpose(0, 2, 1)
+        return Responses(
+            f, turned, coherence, tuple(force.name for force in acting.values()), dead, tuple(rows)
+        )
     return Responses(f, values, coherence, tuple(rows), dead, tuple(columns))
-
-
-def _to_acceleration(found: Motion, f: Array) -> Complex:
-    """Return the factor that makes SI accelerations of a motion."""
-    return np.asarray(found.factor * (2j * np.pi * f) ** (ACCELERATION - found.derivative))
 
 
 def _coherence(
@@ -169,3 +165,34 @@ def _coherence(
 def _of_reference(name: str, forces: Mapping[str, Place]) -> Place | None:
     """Return the force of a reference; the sign in its name is only a name."""
     return next((place for own, place in forces.items() if unsigned(own) == unsigned(name)), None)
+
+
+def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
+    """Return the modes of the spectra in a file, without damping and shapes.
+
+    Raises
+    ------
+    MeasurementError
+        If the file is faulty, or its spectra are not those of the campaign.
+    """
+    sensors = campaign.sensors_in(setup)
+    functions = sensor_functions(
+        path, Kind.SPECTRUM, frozenset({*sensors, *(name.removeprefix("psd_") for name in sensors)})
+    )
+    read, used = functions.read, functions.used
+    f = used[0].abscissa
+    power = np.stack([np.abs(one.values) for one in used], axis=1)
+    # Sensors may have other units: each counts as much as the others.
+    scale = power[(f >= record.band[0]) & (f <= record.band[1])].sum(axis=0)
+    with in_file(read.source):
+        relative = power / np.where(scale > 0.0, scale, 1.0)
+        estimate, messages = identify_spectrum(f, relative, band=record.band, asked=campaign.asked(record))
+    line = float(np.median(np.diff(f)))
+
+    def found(mode: Mode) -> Found:
+        return Found(mode.frequency, sigma_frequency=mode.sigma_frequency, resolution=line)
+
+    said = (*read.messages, *(f"{read.source}: {message}" for message in messages))
+    seen = frozenset({one.response for one in used} | {f"psd_{one.response}" for one in used})
+    names = tuple(one.response for one in used)
+    return modes_of_fit(Fit(estimate, names), said, seen | campaign.unsigned_forces_in(setup), found)
