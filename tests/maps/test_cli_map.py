@@ -21,7 +21,7 @@ from helpers.commands.map_runs import PROGRAM
 from helpers.robots.robot_text import PUBLISHED, edited
 from helpers.runs.processes import ROOT, environment
 from pkmodes.maps.ranges import parse_settings
-from pkmodes.robot_files.corrections import changeable
+from pkmodes.core.robot.declaration import changeable
 
 ROBOT = str(PUBLISHED)
 LINE = "x=0.3:0.8:11,y=0,z=-0.245"

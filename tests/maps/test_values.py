@@ -15,9 +15,9 @@ from helpers.commands.adding_a_mechanism import COMMANDS, DECLARED, DEFINITION
 from helpers.commands.adding_a_mechanism import ROBOT as FIVE_BAR
 from pkmodes.cli import run
 from pkmodes.core.mechanism import registry as mechanism
+from pkmodes.core.robot.declaration import changeable
 from pkmodes.core.solve import mode_fields
 from pkmodes.maps.pose_file import read_poses
-from pkmodes.robot_files.corrections import changeable
 
 ROOT = Path(__file__).parents[2]
 ROBOTS = ROOT / "robots"

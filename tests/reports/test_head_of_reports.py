@@ -17,8 +17,7 @@ from pkmodes.codegen.generation import specification
 from pkmodes.core.base.errors import MeasurementError, RobotFileError
 from pkmodes.core.robot.robot import Robot
 from pkmodes.dataset.robot_text import text_of
-from pkmodes.robot_files.corrections import Correction
-from pkmodes.robot_files.saving import corrected_text
+from pkmodes.robot_files.saving import Correction, corrected_text
 
 ROOT = Path(__file__).parents[2]
 LOOP, CAMPAIGN = ROOT / "examples" / "closed_loop", ROOT / "examples" / "campaign"

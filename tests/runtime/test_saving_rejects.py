@@ -76,7 +76,7 @@ def test_a_layout_that_cannot_be_kept_is_refused(tmp_path: Path) -> None:
 
 
 def test_what_does_not_read_back_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pkmodes.robot_files.corrections.DIGITS_OF_ELEMENTS", 3)
+    monkeypatch.setattr("pkmodes.robot_files.saving.DIGITS_OF_ELEMENTS", 3)
     with pytest.raises(OutputError, match=r"does not read back: expected 1\.20005 .* found 1\.2 "):
         corrected_text(PUBLISHED, {"axis.span": Correction(1.2001)})
 

@@ -18,6 +18,7 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.results import AtPoses
 from pkmodes.response.ports import QUANTITIES, Output, Port, inputs_of, outputs_of, units_of
+from pkmodes.support.extras import require
 
 Index = tuple[int, ...] | int
 #: A response below this fraction of the largest one of the same unit is rounding.
@@ -92,6 +93,20 @@ class Channels(AtPoses):
             what = f"the pose {where} could not be evaluated: {self.reason[where]}"
             raise PkmodesError(what, "index", "choose another pose")
         return where
+
+
+def control_library() -> Any:
+    """Return python-control.
+
+    Raises
+    ------
+    MissingExtraError
+        If it is not installed.
+    """
+    require("systems for python-control", "control", "control")
+    import control
+
+    return control
 
 
 @dataclass(frozen=True)

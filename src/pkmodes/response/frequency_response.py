@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
@@ -14,13 +16,16 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.core.base.arguments import real_numbers
 from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.core.mechanism.poses import OnError
+from pkmodes.core.mechanism.poses import OnError, placed
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
-from pkmodes.response.channels import Asked, Channels
+from pkmodes.dataset.attributes import imported
+from pkmodes.dataset.variables import dims_of_poses
+from pkmodes.response.channels import Asked, Channels, control_library
 from pkmodes.response.equations import equations
 from pkmodes.response.linearised import LinearisedRobot, nan_in_both_parts
 from pkmodes.response.ports import QUANTITIES, Output, Port, input_vectors, output_vectors, prescribed
+from pkmodes.support.writing import write_file
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -63,9 +68,28 @@ class FrequencyResponse(Channels):
         MissingExtraError
             If the libraries of the extra ``map`` are not installed.
         """
-        from pkmodes.response.exports import response_dataset
-
-        return response_dataset(self, self.values, self.frequencies)
+        xr = imported()
+        leading = dims_of_poses(self.poses.ndim - 1)
+        components = {
+            component.name: (leading, self.poses[..., i], {"units": component.unit})
+            for i, component in enumerate(self.robot.mechanism.pose)
+        }
+        text = f"{self.quantity} of the outputs per unit of the inputs, exp(+i omega t)"
+        data = {
+            "response": ((*leading, "frequency", "output", "input"), self.values, {"long_name": text}),
+            "unit": (("output", "input"), np.array(self.units, dtype=object)),
+            "valid": (leading, self.valid),
+            "reason": (leading, self.reason),
+        }
+        coords = {
+            **components,
+            "frequency": ("frequency", self.frequencies, {"units": "Hz"}),
+            "output": list(self.outputs),
+            "input": list(self.inputs),
+        }
+        attributes = {"robot": self.robot.name, "drives": self.drives, "quantity": self.quantity}
+        dataset: Dataset = xr.Dataset(data, coords, attributes)
+        return dataset
 
     def to_control(self, index: tuple[int, ...] | int = ()) -> Any:
         """Return the response at one pose as a ``control.FrequencyResponseData``.
@@ -85,9 +109,13 @@ class FrequencyResponse(Channels):
         MissingExtraError
             If python-control is not installed.
         """
-        from pkmodes.response.exports import response_to_control
-
-        return response_to_control(self, self.values[self.one(index)], self.frequencies)
+        values = self.values[self.one(index)]
+        return control_library().FrequencyResponseData(
+            np.moveaxis(values, 0, -1),  # outputs, inputs, frequencies
+            2.0 * np.pi * self.frequencies,
+            inputs=list(self.inputs),
+            outputs=list(self.outputs),
+        )
 
     def to_csv(self, path: str | PathLike[str], index: tuple[int, ...] | int = ()) -> None:
         """Write the response at one pose: ``frequency`` and ``re:OUTPUT/INPUT``, ``im:OUTPUT/INPUT``.
@@ -104,10 +132,27 @@ class FrequencyResponse(Channels):
         OutputError
             If the file cannot be written.
         """
-        from pkmodes.response.exports import response_to_csv
-
         where = self.one(index)
-        response_to_csv(self, self.values[where], self.frequencies, Path(path), where)
+        text = io.StringIO()
+        text.write(f"# robot: {self.robot.name}\n")
+        text.write(f"# pose: {placed(self.robot.mechanism, self.poses[where], 'g')}\n")
+        text.write(f"# drives: {self.drives}\n")
+        text.write(f"# quantity: {self.quantity}\n")
+        channels = [
+            (o, i, f"{out}/{into}")
+            for o, out in enumerate(self.outputs)
+            for i, into in enumerate(self.inputs)
+        ]
+        for o, i, name in channels:
+            text.write(f"# unit: {name} = {self.units[o][i]}\n")
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(
+            ["frequency", *(f"{part}:{name}" for _, _, name in channels for part in ("re", "im"))]
+        )
+        for f, row in zip(self.frequencies, self.values[where], strict=True):
+            cells = [number for o, i, _ in channels for number in (row[o, i].real, row[o, i].imag)]
+            writer.writerow([repr(float(f)), *(repr(float(cell)) for cell in cells)])
+        write_file(Path(path), text.getvalue())
 
 
 def frequency_response(

@@ -13,11 +13,12 @@ where g, c and k are inertia, damping and stiffness between the modes and the pr
 
 from __future__ import annotations
 
+import io
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,9 +29,10 @@ from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
-from pkmodes.response.channels import Asked, Channels, Index
+from pkmodes.response.channels import Asked, Channels, Index, control_library
 from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.ports import QUANTITIES, Output, Port, input_vectors, output_vectors, prescribed
+from pkmodes.support.writing import write_file
 
 if TYPE_CHECKING:
     from scipy.signal import StateSpace as OfScipy
@@ -108,9 +110,9 @@ class StateSpace(Channels):
         MissingExtraError
             If python-control is not installed.
         """
-        from pkmodes.response.exports import state_space_to_control
-
-        return state_space_to_control(self, self._matrices(index), self.tick)
+        time = 0 if self.tick is None else self.tick
+        names = {"inputs": list(self.inputs), "outputs": list(self.outputs)}
+        return control_library().StateSpace(*self._matrices(index), time, **names)
 
     def to_mat(self, path: str | PathLike[str], index: Index = ()) -> None:
         """Write the model at one pose for MATLAB: A, B, C, D, ``inputs``, ``outputs``, ``units``, ``pose``.
@@ -127,9 +129,20 @@ class StateSpace(Channels):
         OutputError
             If the file cannot be written.
         """
-        from pkmodes.response.exports import state_space_to_mat
+        from scipy.io import savemat
 
-        state_space_to_mat(self, self._matrices(index), self.tick, Path(path), self.one(index))
+        content: dict[str, Any] = dict(zip("ABCD", self._matrices(index), strict=True))
+        content |= {
+            "inputs": np.array(self.inputs, dtype=object),
+            "outputs": np.array(self.outputs, dtype=object),
+            "units": np.array(self.units, dtype=object),
+            "pose": self.poses[self.one(index)],
+        }
+        if self.tick is not None:
+            content["tick"] = self.tick
+        written = io.BytesIO()
+        savemat(cast("Any", written), content, oned_as="column")  # SciPy takes open files too
+        write_file(Path(path), written.getvalue())
 
     def _matrices(self, index: Index) -> tuple[Array, Array, Array, Array]:
         where = self.one(index)

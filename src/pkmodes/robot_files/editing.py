@@ -1,20 +1,24 @@
 """Edit values of a TOML text in place; comments, order and layout of everything else are preserved.
 
-Keys are tuples of table names and array indices that end in a name or an index.
+Keys are tuples of table names and array indices that end in a name or an index.  A quantity that replaces another one
+is written in the notation of that.
 """
 
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from typing import Any
 
 import tomlkit
 from tomlkit.exceptions import TOMLKitError
-from tomlkit.items import AoT, Comment, InlineTable, Item, Table, Whitespace
+from tomlkit.items import AoT, Comment, InlineTable, Item, String, Table, Whitespace
 
 from pkmodes.core.base.errors import OutputError
+from pkmodes.core.robot.units import NUMBER, QuantityError, dimension_of, parse
 
 Keys = tuple[str | int, ...]
+SIGMA_DIGITS = 3
 
 
 class TomlText:
@@ -118,10 +122,7 @@ class TomlText:
         entries = self.find((name,))
         if isinstance(entries, AoT):
             body, before = entries[index].value.body, entries[index - 1].value.body
-            kept: list[Any] = []
-            while body and isinstance(body[-1][1], Whitespace | Comment):
-                kept.insert(0, body.pop())
-            before.extend(kept)
+            before.extend(_taken_from_the_end(body))
         del entries[index]
 
     def comment(self, keys: Keys, text: str) -> None:
@@ -151,9 +152,7 @@ class TomlText:
     @staticmethod
     def _add_key(table: Any, key: str | int, raw: str) -> None:
         body = table.value.body if isinstance(table, Table) else []
-        moved: list[Any] = []
-        while body and isinstance(body[-1][1], Whitespace | Comment):
-            moved.insert(0, body.pop())
+        moved = _taken_from_the_end(body)
         table[key] = tomlkit.value(raw)
         body.extend(moved)
 
@@ -163,9 +162,7 @@ class TomlText:
         while last.value.body and isinstance(last.value.body[-1][1], Table):
             last = last.value.body[-1][1]
         body = last.value.body
-        moved: list[Any] = []
-        while body and isinstance(body[-1][1], Whitespace | Comment):
-            moved.insert(0, body.pop())
+        moved = _taken_from_the_end(body)
         # Comments up to the first blank line belong to the lines before them.
         blank = [isinstance(item, Whitespace) for _, item in moved]
         if any(blank):
@@ -178,6 +175,63 @@ class TomlText:
         new.value.body.extend(moved)
 
 
+def _taken_from_the_end(body: list[Any]) -> list[Any]:
+    """Remove the blank lines and comments at the end of a table, and return them."""
+    moved: list[Any] = []
+    while body and isinstance(body[-1][1], Whitespace | Comment):
+        moved.insert(0, body.pop())
+    return moved
+
+
 def _one_line(text: str) -> str:
     """Return text on one line and without control characters, for a comment."""
     return " ".join("".join(c if c.isprintable() else " " for c in text).split())
+
+
+@dataclass(frozen=True)
+class Notation:
+    """A notation for values of one dimension.
+
+    Attributes
+    ----------
+    scale : float
+        The written unit in SI units.
+    before, after : str
+        Text around the number: quotes and the unit.
+    """
+
+    scale: float = 1.0
+    before: str = ""
+    after: str = ""
+
+    @classmethod
+    def of(cls, item: object, unit: str) -> Notation:
+        """Return the notation of a value of a TOML document whose SI unit is `unit`."""
+        if not isinstance(item, String) or (match := NUMBER.fullmatch(item)) is None:
+            return cls()  # a bare number
+        dimension = dimension_of(unit)
+        try:
+            scale = parse(f"1 {match[2]}", dimension) if match[2] else 1.0
+        except QuantityError:  # one unit alone is out of range
+            return cls.si(unit)
+        quote = "'" if item.as_string().startswith("'") else '"'
+        return cls(scale, quote, re.sub(r"[\r\n]+", " ", item[match.end(1) :]) + quote)
+
+    @classmethod
+    def si(cls, unit: str) -> Notation:
+        """Return the notation for a value that is new in the document."""
+        return cls() if unit == "1" else cls(1.0, '"', f' {unit.replace(" ", "*")}"')
+
+    def number(self, value: float, digits: int) -> str:
+        """Format a value as TOML."""
+        return f"{self.before}{value / self.scale + 0.0:.{digits}g}{self.after}"  # + 0.0: no minus zero
+
+    def sigma(self, value: float) -> str:
+        """Format an absolute standard deviation as TOML; a percentage would be read as relative."""
+        notation = Notation() if "%" in self.after else self
+        return notation.number(value, SIGMA_DIGITS)
+
+    def quantity(self, value: float, sigma: float | None, digits: int) -> str:
+        """Format a value as TOML, with its standard deviation if it has one."""
+        number = self.number(value, digits)
+        return number if sigma is None else f"{{ value = {number}, sigma = {self.sigma(sigma)} }}"

@@ -1,34 +1,129 @@
-"""Write a corrected robot: the robot file with some values changed and everything else kept."""
+"""Write a corrected robot: the robot file with some values changed and everything else kept.
+
+Corrections, which may be of groups, are split into those of single values of the file.
+"""
 
 from __future__ import annotations
 
+import math
 import tomllib
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NoReturn
 
 import numpy as np
 
-from pkmodes.core.base.errors import RobotFileError, shown
+from pkmodes.core.base.errors import OutputError, PkmodesError, RobotFileError, nearest, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA, Covariance
-from pkmodes.core.robot.declaration import changeable
+from pkmodes.core.robot.declaration import Declaration, changeable
 from pkmodes.core.robot.layout import EFFECTS, by_path, lent
+from pkmodes.core.robot.parameter_groups import elements_of, groups_by_path
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.units import Quantity
-from pkmodes.robot_files.corrections import DIGITS, Correction, Edit, edits_of, refuse
-from pkmodes.robot_files.editing import Keys, TomlText
-from pkmodes.robot_files.notation import Notation
+from pkmodes.robot_files.editing import Keys, Notation, TomlText
 from pkmodes.support.covariance import joined, uncertain
 from pkmodes.support.writing import write_file
+from pkmodes_description import ParameterGroup
 
+DIGITS = 10
+#: Elements of a group are written with more digits, because their rounding errors add up.
+DIGITS_OF_ELEMENTS = 12
 CLOSE, CLOSE_SIGMA = 1e-9, 1e-2  # tolerances for the digits written; standard deviations have three
 #: Digits of standard deviations in a table of correlations: small sums of large parts of a variance depend on them.
 SIGMA_DIGITS = 8
 CORRELATED = "how the errors of the fitted values belong together: frequencies and samples have these"
 BY_HAND = "change the robot file by hand"
-
 __all__ = ["Correction", "corrected_text", "save_corrected"]
+
+
+@dataclass(frozen=True)
+class Correction:
+    """A value to write.
+
+    Attributes
+    ----------
+    value : float
+        In SI units.
+    sigma : float or None
+        One standard deviation in SI units; None keeps the one declared in the file, if any.
+    note : str
+        The comment to write after the value, such as "was 1.5 kg: refitted".
+    digits : int
+        Significant digits of the value.
+    """
+
+    value: float
+    sigma: float | None = None
+    note: str = ""
+    digits: int = DIGITS
+
+
+def _edits_of(changes: Mapping[str, Correction], robot: Declaration) -> dict[str, Correction]:
+    """Return the corrections of single values of the file, by dotted path.
+
+    Parameters
+    ----------
+    changes : mapping of str to Correction
+        By path of a value or of a parameter group.
+    robot : Declaration
+        The robot as declared in its file.
+
+    Raises
+    ------
+    OutputError
+        If a path cannot be changed, two corrections change one value, a number is not finite, or a vector has no
+        direction along which its radius could change.
+    """
+    edits: dict[str, Correction] = {}
+    for path, correction in changes.items():
+        _check_numbers(path, correction, robot)
+        for element, edit in _elements(path, correction, robot).items():
+            if element in edits:
+                _refuse(
+                    "the value would be changed twice", f"{robot.source}: {element}", "change it only once"
+                )
+            edits[element] = edit
+    return edits
+
+
+def _refuse(what: str, where: str, remedy: str) -> NoReturn:
+    """Raise the error of a robot that cannot be saved."""
+    raise OutputError(what, where, remedy) from None
+
+
+def _check_numbers(path: str, correction: Correction, robot: Declaration) -> None:
+    sigma = correction.sigma
+    if not math.isfinite(correction.value) or not (sigma is None or (math.isfinite(sigma) and sigma >= 0.0)):
+        _refuse(
+            f"expected a finite value and a standard deviation of at least 0, found {correction.value:g} and {sigma}",
+            f"{robot.source}: {path}",
+            "use finite numbers",
+        )
+
+
+def _elements(path: str, correction: Correction, robot: Declaration) -> dict[str, Correction]:
+    """Return the values of the file that a correction changes."""
+    if path in (known := groups_by_path(robot.mechanism)):
+        return _of_group(known[path], correction, robot)
+    if path not in changeable(robot):
+        remedy = nearest(path, changeable(robot), "see docs/robot-file.md for the values")
+        _refuse(f"there is no value {shown(path)} to change", robot.source, remedy)
+    return {path: replace(correction, value=float(correction.value))}
+
+
+def _of_group(group: ParameterGroup, correction: Correction, robot: Declaration) -> dict[str, Correction]:
+    """Return the corrections of a group's elements; the group's standard deviation goes into the comment."""
+    sigma = correction.sigma
+    deviation = "" if sigma is None else f"sigma of {group.path} {sigma:.3g} {group.unit}"
+    note = "; ".join(part for part in (correction.note, deviation) if part)
+    try:
+        elements = elements_of(robot, group, correction.value)
+    except PkmodesError as error:
+        _refuse(error.what, error.where, error.remedy)
+    return {path: Correction(value, None, note, DIGITS_OF_ELEMENTS) for path, value in elements.items()}
 
 
 def save_corrected(
@@ -57,9 +152,9 @@ def save_corrected(
         remedy = (
             "choose another place" if "\0" in str(target) or target.is_dir() else "create the folder first"
         )
-        refuse("expected a file in an existing folder", shown(str(target)), remedy)
+        _refuse("expected a file in an existing folder", shown(str(target)), remedy)
     if source.exists() and target.exists() and source.samefile(target):
-        refuse("the corrected robot would replace its own input", str(target), "choose another file")
+        _refuse("the corrected robot would replace its own input", str(target), "choose another file")
     write_file(target, corrected_text(source, changes, covariance))
 
 
@@ -95,10 +190,10 @@ def corrected_text(
         If the robot file cannot be read.
     """
     robot = read_robot(source)
-    edits = edits_of(changes, robot)
+    edits = _edits_of(changes, robot)
     document = TomlText(source.read_bytes().decode("utf-8"), robot.source)
     units = changeable(robot)
-    appended: dict[str, dict[str, Edit]] = {}
+    appended: dict[str, dict[str, Correction]] = {}
     for path, edit in edits.items():
         keys = _keys(robot.mechanism, path)
         if document.find(keys) is not None:
@@ -122,7 +217,7 @@ def corrected_text(
 
 
 def _correlate(
-    document: TomlText, robot: Robot, new: Covariance, edits: Mapping[str, Edit]
+    document: TomlText, robot: Robot, new: Covariance, edits: Mapping[str, Correction]
 ) -> tuple[Covariance, ...]:
     """Write a table of correlations, and return all tables of the text."""
     tables = list(robot.covariance)
@@ -175,7 +270,7 @@ def _is_appended(document: TomlText, keys: Keys) -> bool:
     )
 
 
-def _rewrite(document: TomlText, keys: Keys, edit: Edit, before: Quantity) -> None:
+def _rewrite(document: TomlText, keys: Keys, edit: Correction, before: Quantity) -> None:
     """Change an existing value, keeping its notation."""
     written = document.find(keys)
     if isinstance(written, dict):
@@ -196,7 +291,7 @@ def _rewrite(document: TomlText, keys: Keys, edit: Edit, before: Quantity) -> No
         document.comment(keys, edit.note)
 
 
-def _new_value(document: TomlText, mechanism: Mechanism, path: str, unit: str, edit: Edit) -> str:
+def _new_value(document: TomlText, mechanism: Mechanism, path: str, unit: str, edit: Correction) -> str:
     """Format a value that is new in the file: in the notation of the shared value, or in SI units."""
     item = by_path(mechanism).get(path)
     shared = document.find(_keys(mechanism, item.shared)) if item is not None and item.shared else None
@@ -205,14 +300,14 @@ def _new_value(document: TomlText, mechanism: Mechanism, path: str, unit: str, e
     return notation.quantity(edit.value, edit.sigma, edit.digits)
 
 
-def _check(text: str, robot: Robot, edits: Mapping[str, Edit], tables: Sequence[Covariance]) -> None:
+def _check(text: str, robot: Robot, edits: Mapping[str, Correction], tables: Sequence[Covariance]) -> None:
     """Read the text back and check that changed values are as intended and all others as before."""
     try:
         after = robot_from_document(tomllib.loads(text.removeprefix("\ufeff")), robot.source)
     except RobotFileError as error:
-        refuse(f"the corrected robot would be rejected: {error.what}", error.where, "use another value")
+        _refuse(f"the corrected robot would be rejected: {error.what}", error.where, "use another value")
     except ValueError as error:
-        refuse(f"the corrected robot is not valid TOML: {error}", robot.source, BY_HAND)
+        _refuse(f"the corrected robot is not valid TOML: {error}", robot.source, BY_HAND)
     expected = {**robot.declared, **{path: edit.value for path, edit in edits.items()}}
     sigmas = {path: quantity.sigma for path, quantity in robot.quantities.items()}
     sigmas.update({path: edit.sigma for path, edit in edits.items() if edit.sigma is not None})
@@ -234,11 +329,11 @@ def _check(text: str, robot: Robot, edits: Mapping[str, Edit], tables: Sequence[
         same = _close(value, wanted, CLOSE) if path in changed else value == wanted
         if not same or not _close(sigma, sigmas.get(path), CLOSE_SIGMA):
             what = f"the corrected value does not read back: expected {wanted} with sigma {sigmas.get(path)}, found "
-            refuse(f"{what}{value} with {sigma}", f"{robot.source}: {path}", BY_HAND)
+            _refuse(f"{what}{value} with {sigma}", f"{robot.source}: {path}", BY_HAND)
 
     if not _alike(after.covariance, tables):
         what = "the correlations do not read back"
-        refuse(what, f"{robot.source}: {COVARIANCE}", BY_HAND)
+        _refuse(what, f"{robot.source}: {COVARIANCE}", BY_HAND)
 
 
 def _alike(found: Sequence[Covariance], wanted: Sequence[Covariance]) -> bool:

@@ -87,10 +87,7 @@ def own_shapers(kind: str, at: Ringing, *, continuous: bool = False) -> Shaper:
     PkmodesError
         If a product has more factors than the machine has modes that count.
     """
-    count = len(factors(kind))
-    if count > at.frequencies.shape[1]:
-        what = f"{kind} is for {count} modes, and {at.frequencies.shape[1]} count"
-        raise PkmodesError(what, "kind", "leave out a factor, or count more modes")
+    count = check_factors(kind, at, "kind")
     if count > 1:
         return shaper(kind, at.frequencies[:, :count], at.damping_ratios[:, :count])
     share = at.weights**2
@@ -100,6 +97,21 @@ def own_shapers(kind: str, at: Ringing, *, continuous: bool = False) -> Shaper:
     parts = [slice(start, start + TOGETHER) for start in range(0, len(zeta), TOGETHER)]
     found = [_least(kind, zeta[p], at.frequencies[p], at.damping_ratios[p], at.weights[p]) for p in parts]
     return shaper(kind, np.concatenate(found), zeta)
+
+
+def check_factors(kind: str, at: Ringing, where: str) -> int:
+    """Return the number of factors of a kind, each of which is for a mode that counts.
+
+    Raises
+    ------
+    PkmodesError
+        If there are more of them.
+    """
+    count = len(factors(kind))
+    if count > at.frequencies.shape[1]:
+        what = f"{kind} is for {count} modes, and {at.frequencies.shape[1]} count"
+        raise PkmodesError(what, where, "leave out a factor, or count more modes")
+    return count
 
 
 def _least(kind: str, zeta: Array, f: Array, ratios: Array, weights: Array) -> Array:

@@ -11,11 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.core.base.arguments import Constraint, check_argument, is_number, one_of
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.model import Model
-from pkmodes.shaping.at_poses import following
+from pkmodes.shaping.at_poses import check_factors, following
 from pkmodes.shaping.firmware import NAMES
 from pkmodes.shaping.firmware import firmware as lines
 from pkmodes.shaping.fixed import best_fixed
-from pkmodes.shaping.kinds import KINDS, PRODUCT, factors, plain
+from pkmodes.shaping.kinds import KINDS, PRODUCT, plain
 from pkmodes.shaping.residual_vibration import residual
 from pkmodes.shaping.ringing import Ringing, ringing
 from pkmodes.shaping.shapers import Shaper
@@ -198,9 +198,7 @@ def choose(
         default_kinds(at.frequencies.shape[1]) if kinds is None else tuple(dict.fromkeys(map(plain, kinds)))
     )
     for name in names:
-        if len(factors(name)) > at.frequencies.shape[1]:
-            what = f"{name} is for {len(factors(name))} modes, and {at.frequencies.shape[1]} count"
-            raise PkmodesError(what, "kinds", "leave out a factor, or count more modes")
+        check_factors(name, at, "kinds")
     if not names:
         raise PkmodesError(
             "expected at least one kind of shaper, found none", "kinds", f"known: {', '.join(KINDS)}"
@@ -208,11 +206,12 @@ def choose(
     both: list[Candidate] = []
     for number, name in enumerate((*names, *names)):
         say(f"shaper {number + 1} of {2 * len(names)}: {name}")
-        both.append(
-            _fixed(name, at)
-            if number < len(names)
-            else _following(both[number - len(names)].shaper, name, at)
-        )
+        if number < len(names):
+            frequencies, fixed = best_fixed(name, at)
+            both.append(_candidate(name, False, frequencies, at.mean_ratio, fixed, at))
+        else:
+            followed = following(name, at, both[number - len(names)].shaper)
+            both.append(_candidate(name, True, (), np.nan, followed, at))
     short = [one for one in both if np.min(one.shaper.durations) < TICKS * tick]
     candidates = tuple(one for one in both if all(one is not each for each in short))
     if not any(not one.follows_pose for one in candidates):
@@ -325,15 +324,6 @@ def _recommended(
             "while the machine moves (pkmodes.Model.simulate)"
         )
     return best, notes
-
-
-def _fixed(kind: str, at: Ringing) -> Candidate:
-    frequencies, one = best_fixed(kind, at)
-    return _candidate(kind, False, frequencies, at.mean_ratio, one, at)
-
-
-def _following(fixed: Shaper, kind: str, at: Ringing) -> Candidate:
-    return _candidate(kind, True, (), np.nan, following(kind, at, fixed), at)
 
 
 def _candidate(

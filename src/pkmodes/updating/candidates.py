@@ -152,7 +152,7 @@ def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
     path = name.removeprefix(PREFIX)
     effects = robot.mechanism.effects
     if name in effects:
-        _refuse_declared(robot, f"the effect {name}", _declared_parameters(robot, effects[name]))
+        refuse_declared(f"the effect {name}", _sigmas(robot, _declared_parameters(robot, effects[name])))
     effect = name.removeprefix(EFFECTS).partition(".")[0]
     if name.startswith(EFFECTS) and effect in effects:
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", f'did you mean "{effect}"?')
@@ -162,7 +162,7 @@ def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
         remedy = nearest(name, every, "use the names in docs/diagnosis.md")
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
     whole, item = groups_by_path(robot.mechanism).get(path), by_path(robot.mechanism).get(path)
-    _refuse_declared(robot, path, [path, *(_elements(robot, whole) if whole is not None else ())])
+    refuse_declared(path, _sigmas(robot, [path, *(_elements(robot, whole) if whole is not None else ())]))
     shared = item.shared if item is not None else ""
     if (
         path not in robot.quantities
@@ -179,9 +179,18 @@ def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
     return Candidate(name, (path,), _wrong(robot, path))
 
 
-def _refuse_declared(robot: Robot, what: str, declared: Sequence[str]) -> None:
-    """Refuse a candidate that has a value with a standard deviation."""
-    sigmas = [quantity.sigma for path in declared if (quantity := robot.quantities.get(path)) is not None]
+def _sigmas(robot: Robot, declared: Sequence[str]) -> list[float | None]:
+    """Return the standard deviations of those values that the robot file gives."""
+    return [quantity.sigma for path in declared if (quantity := robot.quantities.get(path)) is not None]
+
+
+def refuse_declared(what: str, sigmas: Sequence[float | None]) -> None:
+    """Refuse a candidate that has a value with a standard deviation.
+
+    Raises
+    ------
+    PkmodesError
+    """
     given = [sigma for sigma in sigmas if sigma is not None]
     if given:
         state = "refitted already" if any(given) else "known exactly"

@@ -13,7 +13,6 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.linalg.damping import damping_ratios
 from pkmodes.core.mechanism.described import DAMPING_RATIO
 from pkmodes.core.robot.layout import EFFECTS
@@ -22,7 +21,7 @@ from pkmodes.core.system.dissipation import Dissipation
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.diagnosis.problem import Loss, Parameter
 from pkmodes.support.covariance import correlations_of
-from pkmodes.updating.candidates import PREFIX
+from pkmodes.updating.candidates import PREFIX, refuse_declared
 from pkmodes.updating.predictions import Solved
 
 Array = NDArray[np.float64]
@@ -68,7 +67,8 @@ def _ratio(robot: Robot, names: set[str] | None) -> Loss:
     quantity = robot.quantities.get(DAMPING_RATIO)
     sigma = None if quantity is None else quantity.sigma
     asked = names is not None and RATIO in names
-    _refuse_known(DAMPING_RATIO, sigma, asked)
+    if asked:
+        refuse_declared(DAMPING_RATIO, [sigma])
     wanted = names is None or bool({RATIO, "parameters"} & names) or (quantity is None and "effects" in names)
     declared = quantity is not None
     return Loss(
@@ -101,7 +101,8 @@ def _effects(robot: Robot, names: set[str] | None) -> list[Loss]:
         path = f"{EFFECTS}.{effect.name}.{parameter.name}"
         quantity = robot.quantities.get(path)
         sigma = None if quantity is None else quantity.sigma
-        _refuse_known(f"the effect {effect.name}", sigma, names is not None and effect.name in names)
+        if names is not None and effect.name in names:
+            refuse_declared(f"the effect {effect.name}", [sigma])
         wanted = names is None or bool({effect.name, "effects"} & names)
         most = 1.0 if parameter.unit == "1" else np.inf
         losses.append(
@@ -121,16 +122,6 @@ def _effects(robot: Robot, names: set[str] | None) -> list[Loss]:
             )
         )
     return losses
-
-
-def _refuse_known(what: str, sigma: float | None, asked: bool) -> None:
-    if asked and sigma is not None:
-        state = "refitted already" if sigma else "known exactly"
-        raise PkmodesError(
-            f"{what} is {state}: the robot file gives a sigma",
-            "candidates",
-            "leave it out, or remove the sigma",
-        )
 
 
 def rates_of_losses(at: Solved, losses: Sequence[Loss]) -> Array:

@@ -1,29 +1,38 @@
-"""A robot with the modes measured on it, checked once: coordinates, set values, and poses."""
+"""A robot with the modes measured on it, checked once: coordinates, set values, poses, and priors of candidates."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from decimal import Decimal
 from os import PathLike
+from typing import NoReturn
 
 import numpy as np
+from numpy.typing import NDArray
 
-from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, PkmodesError, PoseError, nearest, shown
+from pkmodes.core.mechanism.poses import LARGE, check_poses, placed
 from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
+from pkmodes.core.robot.units import NUMBER, QuantityError, base_units
 from pkmodes.diagnosis.arguments import check_measurements
-from pkmodes.diagnosis.problem import Loss
+from pkmodes.diagnosis.problem import Candidate, Loss, Parameter
 from pkmodes.measured.header import OTHER_MACHINE, SPREAD, in_words, owners
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.rules import SHAPE
 from pkmodes.updating.candidates import suspects
-from pkmodes.updating.load_cases import LoadCases, load_cases
+from pkmodes.updating.load_cases import LoadCases, load_cases, of_columns
 from pkmodes.updating.losses import is_loss, losses_of, without_losses
-from pkmodes.updating.poses import check_reachable
-from pkmodes.updating.priors import with_priors
 from pkmodes.updating.robot_structure import RobotStructure, channels
 from pkmodes.updating.usual import of_frame
+
+#: Factors for lengths in another unit than stated, and the remedy.
+OTHER_LENGTHS = {
+    1e-3: "the numbers look like millimetres: write {0} in the header",
+    1e3: "the numbers look like metres, but the header says otherwise: write {1} there",
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,3 +137,130 @@ def robot_of(given: Robot | Model) -> Robot:
         )
         raise PkmodesError(f"expected a robot or a model, found {shown(given)}", "robot", remedy)
     return given
+
+
+def with_priors(
+    robot: Robot,
+    parameters: Sequence[Parameter],
+    candidates: Sequence[Candidate],
+    priors: Mapping[str, float | str],
+) -> list[Candidate]:
+    """Return the candidates with priors, given by candidate name.
+
+    Raises
+    ------
+    PkmodesError
+        If there is no such candidate, or a prior is not a standard deviation of its parameters.
+    """
+    if not isinstance(priors, Mapping):
+        what = f"expected standard deviations by candidate, found {shown(priors)}"
+        raise PkmodesError(what, "priors", 'write for example {"parameter:link.length": "1 mm"}')
+    by_name = {parameter.name: parameter for parameter in parameters}
+    with_sigma = {candidate.name: candidate for candidate in candidates}
+    known = [candidate.name for candidate in candidates if candidate.claimable]
+    for name, given in priors.items():
+        if name not in known:
+            _refuse(robot, name, known)
+        sigmas = tuple(_deviation(given, by_name[each], name) for each in with_sigma[name].parameters)
+        with_sigma[name] = replace(with_sigma[name], sigma=sigmas)
+    return list(with_sigma.values())
+
+
+def _refuse(robot: Robot, name: object, known: Sequence[str]) -> NoReturn:
+    """Raise an error that says why there is no such candidate."""
+    path = str(name).removeprefix("parameter:")
+    quantity = robot.quantities.get(path)
+    if quantity is not None and quantity.sigma is not None:
+        state = "refitted anyway, within its sigma" if quantity.sigma else "known exactly"
+        what = f"{path} is not a candidate: the robot file gives a sigma, so it is {state}"
+        raise PkmodesError(what, "priors", "leave it out, or remove the sigma from the robot file")
+    raise PkmodesError(f"there is no candidate {shown(name)} for a prior", "priors", nearest(name, known))
+
+
+def _deviation(given: float | str, parameter: Parameter, name: str) -> float:
+    """Return a standard deviation in the unit of a parameter, from a number, text with a unit, or a percentage.
+
+    Raises
+    ------
+    PkmodesError
+        If it is not above 0.
+    """
+    where, example = f"priors: {name}", f'"0.01 {parameter.unit}"' if parameter.unit != "1" else "0.01"
+    remedy = f"write a number in {parameter.unit}, or text with a unit such as {example}"
+    value = given
+    if isinstance(given, str):
+        number, unit = NUMBER.fullmatch(given), ""
+        if number is not None:
+            value, unit = float(number[1]), number[2]
+        try:
+            if number is None or not unit:
+                raise QuantityError(f"{shown(given)} is not a number with a unit")
+            if unit == "%":
+                value = float(value) / 100.0 * abs(parameter.value)
+            else:
+                factor, powers = base_units(unit)
+                own, same = base_units(parameter.unit)
+                if powers != same:
+                    raise QuantityError(f"{shown(given)} has the wrong dimension")
+                value = float(Decimal(number[1]) * factor / own)
+        except QuantityError as error:
+            what = f"expected a standard deviation in {parameter.unit}: {error}"
+            raise PkmodesError(what, where, remedy) from None
+    if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
+        raise PkmodesError(f"expected a standard deviation, found {shown(given)}", where, remedy)
+    if not 0.0 < value < np.inf:
+        raise PkmodesError(f"expected a standard deviation above 0, found {shown(given)}", where, remedy)
+    return float(value)
+
+
+def check_reachable(robot: Robot, data: Measurements, loads: LoadCases) -> None:
+    """Refuse the first pose that cannot be evaluated, with the line of its first row.
+
+    Raises
+    ------
+    MeasurementError
+    """
+    valid = np.ones(len(data.points), dtype=bool)
+    for c, case in enumerate(loads.cases):
+        rows = np.flatnonzero(loads.of == c)
+        valid[rows] = _reached(case.robot, data.points[rows])
+    if valid.all():
+        return
+    mechanism, columns = robot.mechanism, f"columns {in_words(data.components)}"
+    first = int(np.argmin(valid))
+    line = data.lines[int(np.argmax(data.pose == first))]
+    where = f"{data.source}: line {line}, {columns}"
+    if (bad := int((~valid).sum())) > 1:
+        where += f", the first of {bad} bad poses"
+    if not valid.any():
+        _refuse_another_unit(robot, data, where)
+    load, remedy = data.load(first), f"check the row and {robot.source}"
+    if _reached(robot, data.points[first]).all():  # as declared, the robot reaches it
+        where, remedy = where.replace(columns, of_columns(load)), "check the set values"
+    loaded = loads.cases[loads.of[first]].robot
+    try:
+        check_poses(data.points[first], mechanism, loaded.parameters, "raise")
+    except PoseError as error:
+        label, place = shown(data.labels[first]), placed(mechanism, data.points[first])
+        set_values = " with the set values" if load else ""
+        what = f"pose {label} at {place} cannot be reached{set_values}: {error.what}"
+        raise MeasurementError(what, where, f"{error.remedy}; {remedy}") from None
+
+
+def _refuse_another_unit(robot: Robot, data: Measurements, where: str) -> None:
+    """Refuse poses that can all be reached with lengths in another unit than stated."""
+    lengths = [component.unit == "m" for component in robot.mechanism.pose]
+    large = np.abs(data.points[:, lengths]).max(initial=0.0) >= LARGE
+    for factor, remedy in OTHER_LENGTHS.items():
+        scaled = data.points * np.where(lengths, factor, 1.0)
+        if (factor > 1.0 or large) and _reached(robot, scaled).all():
+            columns = ",".join(
+                f"{name} [mm]" if length else name
+                for name, length in zip(data.components, lengths, strict=True)
+            )
+            what = f"no pose can be reached, but all can if multiplied by {factor:g}"
+            raise MeasurementError(what, where, remedy.format(columns, ",".join(data.components)))
+
+
+def _reached(robot: Robot, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+    return check_poses(points, robot.mechanism, robot.parameters, "nan").valid
