@@ -18,7 +18,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.shapes import ShapeRows
 from pkmodes.diagnosis.match.pairing import Pairing
-from pkmodes.updating.robot_structure import channels
+from pkmodes.updating.channels import channels
 from pkmodes_rig.robots import POSES, read
 
 CRITERIA = Criteria()

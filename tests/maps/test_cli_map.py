@@ -20,8 +20,8 @@ from helpers.commands.answers import printed, refused
 from helpers.commands.map_runs import PROGRAM
 from helpers.robots.robot_text import PUBLISHED, edited
 from helpers.runs.processes import ROOT, environment
-from pkmodes.maps.ranges import parse_settings
 from pkmodes.core.robot.declaration import changeable
+from pkmodes.maps.ranges import parse_settings
 
 ROBOT = str(PUBLISHED)
 LINE = "x=0.3:0.8:11,y=0,z=-0.245"

@@ -25,8 +25,9 @@ from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.paths import ParameterPath
 from pkmodes.updating import frame
+from pkmodes.updating.channels import channels
 from pkmodes.updating.measured_robot import MeasuredRobot
-from pkmodes.updating.robot_structure import RobotStructure, channels
+from pkmodes.updating.robot_structure import RobotStructure
 
 KIND = known._read("planar_pair")
 SAMPLE = sample(KIND)

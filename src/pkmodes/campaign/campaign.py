@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from os import PathLike, fspath
 from pathlib import Path
@@ -24,10 +24,10 @@ from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, sh
 from pkmodes.core.model import Model
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.report_fields import read_report
-from pkmodes.identification.asked import Asked
+from pkmodes.identification.asked import NOTHING, Asked
 from pkmodes.measured.rules import PRINTABLE, is_label
+from pkmodes.updating.channels import channels
 from pkmodes.updating.load_cases import settable
-from pkmodes.updating.robot_structure import channels
 
 #: What `repeatability` may say instead of a share: it is estimated from poses that were measured twice.
 REVISITS = "revisits"
@@ -73,15 +73,6 @@ class Record:
 
 
 @dataclass(frozen=True)
-class Edit:
-    """What the user decides about the modes of a record: frequencies [Hz]."""
-
-    pose: str
-    strike: tuple[float, ...]
-    add: tuple[float, ...]
-
-
-@dataclass(frozen=True)
 class Campaign:
     """A campaign.
 
@@ -96,6 +87,8 @@ class Campaign:
         Relative standard deviation of a frequency when a pose is approached again; None to estimate it.
     tones : tuple of float
         Of mains, fans and motors [Hz]: these and their multiples are not modes.
+    edits : mapping of str to Asked
+        What the user decides about the modes of records, by their labels.
     report : mapping of str to str
         Fields of the head of its report, which prevail over those of the robot.
     """
@@ -108,7 +101,7 @@ class Campaign:
     sensors: tuple[Sensor, ...]
     forces: tuple[Place, ...]
     records: tuple[Record, ...]
-    edits: tuple[Edit, ...]
+    edits: Mapping[str, Asked]
     report: Mapping[str, str] = field(default_factory=dict)
 
     def sensors_in(self, setup: str) -> dict[str, Sensor]:
@@ -129,10 +122,7 @@ class Campaign:
 
     def asked(self, record: Record) -> Asked:
         """Return what the user asks of the modes of a record."""
-        own = [edit for edit in self.edits if edit.pose == record.pose]
-        return Asked(
-            tuple(f for edit in own for f in edit.strike), tuple(f for edit in own for f in edit.add)
-        )
+        return self.edits.get(record.pose, NOTHING)
 
     @property
     def places(self) -> dict[str, Place]:
@@ -197,9 +187,7 @@ def campaign_of(table: CampaignTable, source: str) -> Campaign:
         sensors=sensors_of(table.sensor, known, directions, used, source),
         forces=forces_of(table.force, known, directions, used, source),
         records=records,
-        edits=tuple(
-            _edit(edit, records, f"{source}: edit.{i}") for i, edit in enumerate(table.edit, start=1)
-        ),
+        edits=_edits(table.edit, records, source),
         report=_report(table, source),
     )
 
@@ -335,13 +323,16 @@ def _check_labels(records: tuple[Record, ...], source: str) -> None:
             raise MeasurementError(what, f"{source}: record.{record.number}.pose", remedy)
 
 
-def _edit(given: EditTable, records: tuple[Record, ...], where: str) -> Edit:
+def _edits(given: Sequence[EditTable], records: tuple[Record, ...], source: str) -> dict[str, Asked]:
     labels = [record.pose for record in records]
-    if given.pose.strip() not in labels:
-        what = f"no record has the label {shown(given.pose)}"
-        raise MeasurementError(what, f"{where}.pose", nearest(given.pose, labels))
-    return Edit(
-        given.pose.strip(),
-        tuple(frequency(text, f"{where}.strike") for text in given.strike),
-        tuple(frequency(text, f"{where}.add") for text in given.add),
-    )
+    found: dict[str, Asked] = {}
+    for i, edit in enumerate(given, start=1):
+        where, label = f"{source}: edit.{i}", edit.pose.strip()
+        if label not in labels:
+            what = f"no record has the label {shown(edit.pose)}"
+            raise MeasurementError(what, f"{where}.pose", nearest(edit.pose, labels))
+        strike = tuple(frequency(text, f"{where}.strike") for text in edit.strike)
+        add = tuple(frequency(text, f"{where}.add") for text in edit.add)
+        before = found.get(label, NOTHING)
+        found[label] = Asked(before.strike + strike, before.add + add)
+    return found

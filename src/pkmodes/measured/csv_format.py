@@ -24,8 +24,7 @@ def read(path: str | PathLike[str], machine: Machine) -> Measurements:
     lines = read_lines(read_text(Path(path), source), source)
     where, cells = lines.header(source, "start with the names of the columns")
     components = components_of(cells, machine.components, machine.channels)
-    given = machine.channels, machine.positions, components, machine.settings, machine.others
-    columns = read_header(cells, where, *given)
+    columns = read_header(cells, where, machine, components)
     return read_table(columns, lines, source, components, machine.drives)
 
 
@@ -67,9 +66,7 @@ def read_text(
         If it cannot be read, or is not UTF-8 text.
     """
     try:
-        if path.exists() and not path.is_file():
-            kind = "a folder" if path.is_dir() else "not a regular file"
-            _refuse(f"cannot read {what}: it is {kind}", source, remedy)
+        check_regular(path, source, what, remedy)
         if path.stat().st_size > largest:
             _refuse(f"cannot read {what}: it is larger than {largest / 1e6:g} MB", source, remedy)
         content = path.read_bytes()
@@ -82,6 +79,23 @@ def read_text(
         what = f"expected UTF-8 text, found the byte 0x{error.object[error.start]:02x}"
         _refuse(what, f"{source}: line {line}", "save the file as UTF-8")
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
-        reason = getattr(error, "strerror", None) or str(error)
-        remedy = "check its permissions" if isinstance(error, PermissionError) else "check the path"
-        _refuse(f"cannot read {what}: {reason.lower()}", source, remedy)
+        raise unreadable(error, source, what) from None
+
+
+def check_regular(path: Path, source: str, what: str, remedy: str) -> None:
+    """Refuse what is there but no file.
+
+    Raises
+    ------
+    MeasurementError
+    """
+    if path.exists() and not path.is_file():
+        kind = "a folder" if path.is_dir() else "not a regular file"
+        _refuse(f"cannot read {what}: it is {kind}", source, remedy)
+
+
+def unreadable(error: Exception, source: str, what: str) -> MeasurementError:
+    """Return the error of a file that cannot be read."""
+    reason = getattr(error, "strerror", None) or str(error)
+    remedy = "check its permissions" if isinstance(error, PermissionError) else "check the path"
+    return MeasurementError(f"cannot read {what}: {reason.lower()}", source, remedy)

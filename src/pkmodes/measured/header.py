@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from decimal import Decimal
 from typing import NamedTuple, NoReturn
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.robot.columns import factor_of, parted, unit_remedy
+from pkmodes.measured.formats import Machine
 from pkmodes.measured.quantities import (
     QUANTITIES,
     SHAPE_SIGMA,
@@ -56,13 +57,7 @@ def components_of(
 
 
 def read_header(
-    cells: Sequence[str],
-    where: str,
-    channels: Collection[str] | Mapping[str, str],
-    positions: bool,
-    components: Mapping[str, str],
-    settings: Mapping[str, str],
-    others: Callable[[], Mapping[str, Collection[str]]],
+    cells: Sequence[str], where: str, machine: Machine, components: Mapping[str, str]
 ) -> list[Column]:
     """Read the columns of a header; each must be known and occur only once.
 
@@ -70,21 +65,16 @@ def read_header(
     ----------
     where : str
         File and line.
-    channels : collection of str, or mapping of str to str
-        Coordinates that a shape column may name; a mapping gives their SI units.
-    positions : bool
-        Whether the pose components are required.
+    machine : Machine
+        Whose columns it may have.
     components : mapping of str to str
-        Names and SI units of the pose components.
-    settings : mapping of str to str
-        Paths that a column ``set:<path>`` may name, with their SI units.
-    others : callable
-        Returns the columns of other machines, by what such a machine is called.
+        Names and SI units of the pose components: one of the machine's sets.
 
     Raises
     ------
     MeasurementError
     """
+    channels, positions, settings = machine.channels, machine.positions, machine.settings
     needed = required_columns()
     required = ("pose", *(components if positions else ()), *needed)
     spreads = {f"{SPREAD}{name}": unit for name, unit in components.items()}
@@ -112,7 +102,7 @@ def read_header(
         place = f"{where}, column {i + 1}"
         if name not in known:
             unknown = [one for one in names if one not in known]
-            if whose := owners(unknown, others()):
+            if whose := owners(unknown, machine.others()):
                 _refuse(f"{shown(name)} is a column of another machine: {whose}", place, OTHER_MACHINE)
             _refuse_unknown(name, place, known)
         if name in names[:i]:

@@ -21,9 +21,9 @@ from pkmodes.diagnosis.verdict.rows import Row
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.ordering import in_order
 from pkmodes.updating import frame
+from pkmodes.updating.channels import channels
 from pkmodes.updating.corrected_robot import corrected_robot
 from pkmodes.updating.load_cases import settable
-from pkmodes.updating.robot_structure import channels
 from pkmodes.view import Scene
 from pkmodes.view.evaluating import scene_of
 from pkmodes.view.measured_modes import Channel, MeasuredMode

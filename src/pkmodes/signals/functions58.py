@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -58,23 +59,16 @@ class Abscissas:
         return self.known[key]
 
 
-@dataclass(frozen=True)
-class Load:
-    """Reads the values of a function from its file."""
-
-    stored: Stored
-    kind: Kind
-
-    def __call__(self) -> Array | Complex:
-        """Return the values in double precision."""
-        return converted(self.stored.read("y"), self.kind)
-
-
 def converted(values: Array | Complex, kind: Kind) -> Array | Complex:
     """Return values as their kind has them: a cross spectrum by its magnitude, a coherence real."""
     if kind is Kind.FRF or not np.iscomplexobj(values):
         return values
     return np.abs(values) if kind is Kind.SPECTRUM else np.real(values).copy()
+
+
+def _loaded(stored: Stored, kind: Kind) -> Array | Complex:
+    """Return the values of a function from its file, in double precision."""
+    return converted(stored.read("y"), kind)
 
 
 def function_of(
@@ -129,7 +123,7 @@ def function_of(
         "force": force,
     }
     if isinstance(points.values, Stored):
-        return StoredFunction(load=Load(points.values, kind), **known)
+        return StoredFunction(load=partial(_loaded, points.values, kind), **known)
     return Function(values=converted(points.values, kind), **known)
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from os import PathLike, fspath
 from pathlib import Path
 
 from pkmodes.core.base.errors import MeasurementError
+from pkmodes.measured.csv_format import check_regular, unreadable
 from pkmodes.signals.formats import Asked, SignalFormat
 from pkmodes.signals.functions import SignalFile
 from pkmodes.signals.matlab import MATLAB
@@ -18,7 +18,7 @@ FORMATS = {known.name: known for known in (UNIVERSAL_FILE, MATLAB, TABLE)}
 #: Number of bytes from which a format is recognised.
 HEAD = 4096
 EVERYTHING = Asked()
-REMEDY = "give a universal file, a MATLAB file or a table in text"
+WHAT, REMEDY = "the signals", "give a universal file, a MATLAB file or a table in text"
 
 
 def format_of(path: Path, head: bytes) -> SignalFormat | None:
@@ -63,22 +63,14 @@ def read_signals(path: str | PathLike[str], asked: Asked = EVERYTHING) -> Signal
     try:
         return known.read(place, asked)
     except OSError as error:
-        raise _unreadable(error, source) from None
+        raise unreadable(error, source, WHAT) from None
 
 
 def _head(path: Path, source: str) -> bytes:
     """Return the first bytes of a file."""
     try:
-        if path.exists() and not path.is_file():
-            kind = "a folder" if path.is_dir() else "not a regular file"
-            raise MeasurementError(f"cannot read the signals: it is {kind}", source, REMEDY)
+        check_regular(path, source, WHAT, REMEDY)
         with path.open("rb") as file:
             return file.read(HEAD)
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
-        raise _unreadable(error, source) from None
-
-
-def _unreadable(error: Exception, source: str) -> MeasurementError:
-    reason = (os.strerror(error.errno) if isinstance(error, OSError) and error.errno else str(error)).lower()
-    remedy = "check its permissions" if isinstance(error, PermissionError) else "check the path"
-    return MeasurementError(f"cannot read the signals: {reason}", source, remedy)
+        raise unreadable(error, source, WHAT) from None

@@ -1,6 +1,7 @@
 """Load cases: what is known to differ in some setups, such as a payload, or motors that are held.
 
 A value set in a setup is known there: no parameter moves it, even as an element of a whole or of a shared value.
+Plausible payloads for another measurement are parts of the mass of the platform.
 """
 
 from __future__ import annotations
@@ -15,16 +16,25 @@ from pkmodes.core.base.drives import FREE, HELD, other_drives
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.declaration import changeable
-from pkmodes.core.robot.layout import Slot, effect_parameters, items
+from pkmodes.core.robot.layout import EFFECTS, Slot, effect_parameters, items
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.core.system.motors import solved_system
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.rules import SET
+from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.paths import ParameterPath, resolve
 
 Index = NDArray[np.intp]
 Known = frozenset[Slot]
+Array = NDArray[np.float64]
+#: The effect of a mass on the platform, and its parameter.
+PAYLOAD = "payload"
+PATH = f"{EFFECTS}.{PAYLOAD}.mass"
+#: Payloads as parts of the platform's mass.
+PARTS = (0.1, 0.3, 1.0)
+#: Significant digits of a payload.
+DIGITS = 3
 
 
 @dataclass(frozen=True)
@@ -188,3 +198,35 @@ def _place(data: Measurements, pose: int, error: PkmodesError) -> str:
     line = data.lines[int(np.argmax(data.pose == pose))]
     one = {path: values[path]} if path in values else values
     return f"{data.source}: line {line}, {of_columns(one)}"
+
+
+def payloads(robot: Robot, points: Array) -> list[dict[str, float]]:
+    """Return payloads as values to set, added to the declared one; empty if the mechanism has no payload effect.
+
+    Parameters
+    ----------
+    points : ndarray, shape (P, d)
+        Poses that can be evaluated.
+    """
+    platform = platform_mass(robot, points)
+    if platform is None:
+        return []
+    there = robot.effects.get(PATH.removeprefix(f"{EFFECTS}."), 0.0)
+    return [{PATH: there + float(f"{part * platform.value:.{DIGITS}g}")} for part in PARTS]
+
+
+def platform_mass(robot: Robot, points: Array) -> ParameterPath | None:
+    """Return the path of the mass that acts like a payload; None if there is none."""
+    mechanism = robot.mechanism
+    if PAYLOAD not in mechanism.effects or not len(points):
+        return None
+    names = [
+        item.path for item in items(mechanism) if item.key.dimension == "mass" and item.index is not None
+    ]
+    paths = [resolve(robot, path) for path in (PATH, *names)]
+    dM, dK = MatrixDerivatives(ExtendedSystem.of(robot), points[:1], [paths]).dense()
+    for place, path in enumerate(paths[1:], start=1):
+        alike = (np.allclose(d[0, place], d[0, 0], atol=1e-9 * np.abs(d[0, 0]).max()) for d in (dM, dK))
+        if all(alike):
+            return path
+    return None

@@ -23,9 +23,10 @@ from pkmodes.measured.header import OTHER_MACHINE, SPREAD, in_words, owners
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.rules import SHAPE
 from pkmodes.updating.candidates import suspects
+from pkmodes.updating.channels import channels
 from pkmodes.updating.load_cases import LoadCases, load_cases, of_columns
 from pkmodes.updating.losses import is_loss, losses_of, without_losses
-from pkmodes.updating.robot_structure import RobotStructure, channels
+from pkmodes.updating.robot_structure import RobotStructure
 from pkmodes.updating.usual import of_frame
 
 #: Factors for lengths in another unit than stated, and the remedy.

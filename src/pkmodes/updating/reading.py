@@ -14,9 +14,9 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
+from pkmodes.updating.channels import channels
 from pkmodes.updating.load_cases import settable
 from pkmodes.updating.measured_robot import columns_of_others, robot_of
-from pkmodes.updating.robot_structure import channels
 
 
 def read(

@@ -22,11 +22,10 @@ from pkmodes.sensitivity.matrices import POSE, locked_joints
 from pkmodes.sensitivity.paths import ParameterPath, moved
 from pkmodes.updating import frame
 from pkmodes.updating.candidates import EFFECTS
-from pkmodes.updating.load_cases import LoadCase, LoadCases
+from pkmodes.updating.channels import channels, sensors
+from pkmodes.updating.load_cases import LoadCase, LoadCases, payloads
 from pkmodes.updating.losses import rates_of_losses
-from pkmodes.updating.payloads import payloads
 from pkmodes.updating.predictions import Moves, Solved, derived, joined, solved
-from pkmodes.updating.sensors import PLATFORM, sensors
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -36,14 +35,6 @@ DRAWS, SEED = 400, 7
 LEAST_ANGLE = float(np.radians(10.0))
 #: Kinds of keys of the robot file that define a location or orientation, whatever their dimension.
 WHERE = ("direction", "choice", "signs", "pair")
-
-
-def channels(mechanism: Mechanism) -> dict[str, str]:
-    """Return the shape components of a robot with their units: all coordinates, released or not, and the platform."""
-    units = {component.name: component.unit for component in mechanism.pose}
-    extended = mechanism.extended
-    coordinates = dict(zip(extended.COORDINATES, extended.COORDINATE_UNITS, strict=True))
-    return coordinates | {f"{PLATFORM}{name}": units[name] for name in mechanism.directions}
 
 
 class _Machines(NamedTuple):

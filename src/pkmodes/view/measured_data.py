@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.updating.sensors import PLATFORM
+from pkmodes.updating.channels import PLATFORM
 from pkmodes.view.measured_modes import MeasuredMode, scale_factor, weights_of
 from pkmodes.view.scene import Scene
 

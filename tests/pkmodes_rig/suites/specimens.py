@@ -21,7 +21,7 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
 from pkmodes.sensitivity.paths import moved, resolve
-from pkmodes.updating.robot_structure import channels as channels_of
+from pkmodes.updating.channels import channels as channels_of
 from pkmodes_rig import (
     BASE_RIGID,
     POSES,

@@ -1,4 +1,7 @@
-"""Channels of a robot that are axes of one sensor, which may be mounted in another direction than the file says."""
+"""Channels of a robot, which shapes are measured in, and those that are axes of one sensor.
+
+A sensor may be mounted in another direction than the file says.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,14 @@ from pkmodes.diagnosis.problem import Sensor
 
 #: Prefix of the channels of the platform's absolute motion.
 PLATFORM = "p_"
+
+
+def channels(mechanism: Mechanism) -> dict[str, str]:
+    """Return the shape components of a robot with their units: all coordinates, released or not, and the platform."""
+    units = {component.name: component.unit for component in mechanism.pose}
+    extended = mechanism.extended
+    coordinates = dict(zip(extended.COORDINATES, extended.COORDINATE_UNITS, strict=True))
+    return coordinates | {f"{PLATFORM}{name}": units[name] for name in mechanism.directions}
 
 
 def sensors(mechanism: Mechanism) -> tuple[Sensor, ...]:
