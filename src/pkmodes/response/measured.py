@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from os import PathLike, fspath
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,9 +14,6 @@ from pkmodes.signals.functions import Kind
 from pkmodes.signals.reading import read_signals
 
 Array = NDArray[np.float64]
-STATEMENT = re.compile(r"#\s*(unit|quantity|drives)\s*:\s*(.+?)\s*", re.IGNORECASE)
-#: Characters in which a table states what it is of.
-HEAD = 100_000
 REMEDY = "a table has the columns frequency [Hz], and re:OUTPUT/INPUT and im:OUTPUT/INPUT for each channel"
 
 
@@ -34,14 +29,14 @@ class MeasuredResponse:
         Ascending [Hz].
     channels : dict of str to ndarray, complex128, shape (F,)
         By ``OUTPUT/INPUT``, in the units of the model's response.
-    stated : dict of str to str
+    stated : mapping of str to str
         What the table's comments say of it: ``quantity``, ``drives``, and ``unit OUTPUT/INPUT``.
     """
 
     source: str
     frequencies: Array
     channels: dict[str, NDArray[np.complex128]]
-    stated: dict[str, str] = field(default_factory=dict)
+    stated: Mapping[str, str] = field(default_factory=dict)
 
     def check(self, known: Mapping[str, str]) -> None:
         """Refuse a table that says itself that it is of something else.
@@ -97,7 +92,8 @@ def read_response(path: str | PathLike[str]) -> MeasuredResponse:
         If the file cannot be read or is invalid, with the place in it, or has no frequency responses.
     """
     source = fspath(path)
-    functions = [one for one in read_signals(path).functions if one.kind is Kind.FRF]
+    read = read_signals(path)
+    functions = [one for one in read.functions if one.kind is Kind.FRF]
     if not functions:
         raise MeasurementError("expected frequency response functions, found none", source, REMEDY)
     f, channels = functions[0].abscissa, {}
@@ -107,23 +103,4 @@ def read_response(path: str | PathLike[str]) -> MeasuredResponse:
             what = f"the frequencies of {shown(name)} differ from those of the first function"
             raise MeasurementError(what, source, "give functions of the same frequencies")
         channels[name] = np.asarray(one.values, dtype=complex)
-    return MeasuredResponse(source, f, channels, _stated(Path(path)))
-
-
-def _stated(path: Path) -> dict[str, str]:
-    """Return what the comments at the beginning of a table state; other files have none."""
-    found = {}
-    with path.open(encoding="latin-1") as file:
-        head = file.read(HEAD)
-    for line in head.splitlines():
-        match = STATEMENT.fullmatch(line.rstrip(" ,;\t"))
-        if match is None:
-            continue
-        word, value = match[1].lower(), match[2]
-        if word == "unit":
-            channel, equals, value = (part.strip() for part in value.partition("="))
-            if not equals:
-                continue
-            word = f"unit {channel}"
-        found[word] = value
-    return found
+    return MeasuredResponse(source, f, channels, read.stated)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -112,9 +112,12 @@ class SignalFile:
         In the order of the file.
     messages : tuple of str
         What the user must know of a file that could be read: lost samples that it states, parts that were skipped.
+    stated : mapping of str to str
+        What comments of a table state of it: ``quantity``, ``drives``, and ``unit OUTPUT/INPUT``.
     """
 
     source: str
     functions: tuple[Function, ...]
     modes: tuple[ModeShape, ...]
     messages: tuple[str, ...]
+    stated: Mapping[str, str] = field(default_factory=dict)

@@ -32,7 +32,7 @@ HEAD = 4096
 LOSS = re.compile(r"\b(?:drop|overflow|over-?run|overrange|lost|loss|miss(?:ed|ing)|gap|clip)", re.IGNORECASE)
 NONE_LOST = re.compile(r"\b(?:no|none|without|never)\b", re.IGNORECASE)
 NUMBERS = re.compile(r"\d+(?:\.\d+)?")
-UNIT = re.compile(r"#\s*unit\s*:\s*(.+?)\s*=\s*(.+?)\s*", re.IGNORECASE)
+STATEMENT = re.compile(r"#\s*(unit|quantity|drives)\s*:\s*(.+?)\s*", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -177,9 +177,10 @@ def read(path: Path, asked: Asked) -> SignalFile:
     for column in layout.columns:
         if column.kind is Kind.COHERENCE:
             _check_coherence(column, numbers, text)
-    stated = _units(text.comments)
+    stated = _stated(text.comments)
     functions = tuple(_function(column, numbers, abscissa, stated) for column in layout.columns)
-    return SignalFile(source, functions, (), tuple(f"{source}: {one}" for one in _losses(text.comments)))
+    messages = tuple(f"{source}: {one}" for one in _losses(text.comments))
+    return SignalFile(source, functions, (), messages, stated)
 
 
 def _abscissa(layout: Layout, numbers: dict[int, Array], rows: int, text: TableText, asked: Asked) -> Array:
@@ -226,7 +227,7 @@ def _function(column: Column, numbers: dict[int, Array], abscissa: Array, stated
     if column.kind is Kind.FRF:
         values = values + 1j * numbers[column.places[1]]
         channel = f"{column.response}/{column.reference}".removesuffix("/")
-        unit, reference_unit = quotient(column.label or stated.get(channel, ""))
+        unit, reference_unit = quotient(column.label or stated.get(f"unit {channel}", ""))
     if column.kind is Kind.COHERENCE:
         unit = None
     return Function(
@@ -241,10 +242,20 @@ def _function(column: Column, numbers: dict[int, Array], abscissa: Array, stated
     )
 
 
-def _units(comments: Sequence[str]) -> dict[str, str]:
-    """Return the units by channel in comments such as pkmodes itself writes."""
-    matches = (UNIT.fullmatch(text.rstrip(" ,;\t")) for text in comments)
-    return {match[1]: match[2] for match in matches if match is not None}
+def _stated(comments: Sequence[str]) -> dict[str, str]:
+    """Return what comments such as pkmodes itself writes state: quantity, drives, and the unit of each channel."""
+    found = {}
+    for match in (STATEMENT.fullmatch(text.rstrip(" ,;\t")) for text in comments):
+        if match is None:
+            continue
+        word, value = match[1].lower(), match[2]
+        if word == "unit":
+            channel, equals, value = (part.strip() for part in value.partition("="))
+            if not equals:
+                continue
+            word = f"unit {channel}"
+        found[word] = value
+    return found
 
 
 def _losses(comments: Sequence[str]) -> list[str]:
