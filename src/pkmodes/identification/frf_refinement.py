@@ -196,7 +196,7 @@ def group_fit(data: Lines, modes: Modes, members: NDArray[np.int64]) -> GroupFit
     """Fit some of the modes to the lines around them, with the others subtracted."""
     poles = modes.poles
     lines = lines_around(data.frequencies, poles[members])
-    H = alone(data, modes, members, lines)
+    H = without_others(data, modes, members, lines)
     variance = data.variance[lines].mean(axis=0)
     at = window(data.frequencies[lines], H, _inverse(variance), np.ones(len(lines)))
     fit = polish(at, poles[members], modes.participation[members])
@@ -205,7 +205,7 @@ def group_fit(data: Lines, modes: Modes, members: NDArray[np.int64]) -> GroupFit
     return GroupFit(members, at, data.place[lines], lines, polish(at, fit.poles, fit.participation))
 
 
-def alone(
+def without_others(
     data: Lines, modes: Modes, members: NDArray[np.int64], lines: NDArray[np.int64] | NDArray[np.bool_]
 ) -> Complex:
     """Return the functions at some lines without the other modes, and without the conjugates of all."""

@@ -23,7 +23,7 @@ from scipy.stats import gamma
 from pkmodes.identification.frf_lines import SPREAD, Lines
 from pkmodes.identification.frf_noise import MEDIAN
 from pkmodes.identification.frf_polish import basis, polish, window
-from pkmodes.identification.frf_refinement import alone
+from pkmodes.identification.frf_refinement import without_others
 from pkmodes.identification.modes import Modes
 
 Array = NDArray[np.float64]
@@ -94,7 +94,7 @@ def _single(
     centre = float(modes.poles[cluster].imag.mean()) / (2.0 * math.pi)
     near = np.abs(data.frequencies - centre) < BEYOND * step
     f = data.frequencies[near]
-    H = alone(data, modes, cluster, near)
+    H = without_others(data, modes, cluster, near)
     variance = np.where(np.isfinite(H).all(axis=0), (np.abs(H) ** 2).mean(axis=0), np.inf)
     if len(cluster) == 1:
         return (f, H), complex(modes.poles[cluster[0]])

@@ -26,7 +26,7 @@ Complex = NDArray[np.complex128]
 
 @dataclass(frozen=True, eq=False)
 class Residues(Modes):
-    """Modes, their shapes phi those of the displacement, with residual terms.
+    """Modes with residual terms: shapes phi, which are those of the displacement, and participations L.
 
     Attributes
     ----------
