@@ -7,8 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pkmodes.signals.formats import Asked
-from pkmodes.signals.functions import Kind
+from pkmodes.signals.functions import Asked, Kind
 from pkmodes.signals.reading import read_signals
 from pkmodes_rig.engine import TrueModes
 from pkmodes_rig.signals import adxl345, excitation

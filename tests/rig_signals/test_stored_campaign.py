@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pkmodes.cli import run
-from pkmodes.signals.formats import Asked
+from pkmodes.signals.functions import Asked
 from pkmodes.signals.reading import read_signals
 from pkmodes_rig.signals import example
 

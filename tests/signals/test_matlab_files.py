@@ -11,8 +11,7 @@ from scipy.io import savemat
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals import matlab
-from pkmodes.signals.formats import Asked
-from pkmodes.signals.functions import Kind, SignalFile
+from pkmodes.signals.functions import Asked, Kind, SignalFile
 from pkmodes.signals.reading import read_signals
 
 TIME = np.array([0.0, 0.5, 1.0])

@@ -10,8 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.formats import Asked
-from pkmodes.signals.functions import Kind, SignalFile
+from pkmodes.signals.functions import Asked, Kind, SignalFile
 from pkmodes.signals.reading import read_signals
 
 

@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.formats import Asked
-from pkmodes.signals.functions import Function, Kind
+from pkmodes.signals.functions import Asked, Function, Kind
 from pkmodes.signals.reading import read_signals
 from signals.universal import END, dataset, dataset58, dataset58b, header58, packed
 

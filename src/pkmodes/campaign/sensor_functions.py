@@ -15,8 +15,7 @@ from pkmodes.campaign.motion import Motion, motion
 from pkmodes.campaign.sensors import Sensor, check_motion
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.core.robot.units import LARGEST, SMALLEST
-from pkmodes.signals.formats import Asked
-from pkmodes.signals.functions import Function, Kind, SignalFile
+from pkmodes.signals.functions import Asked, Function, Kind, SignalFile
 from pkmodes.signals.reading import read_signals
 
 #: Sensors are brought to accelerations: what most of them measure.

@@ -1,4 +1,4 @@
-"""A file format of measurements: how its files are recognised, and how they are read."""
+"""A file format, of measurements or of signals: how its files are recognised, and how they are read."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
 from types import MappingProxyType
+from typing import Generic, TypeVar
 
 from pkmodes.measured.columns import POSITION
 from pkmodes.measured.measurements import Measurements
@@ -40,8 +41,13 @@ class Machine:
     others: Callable[[], Mapping[str, Collection[str]]] = dict
 
 
+#: How a format of measurements is read: from the path of a file, and the machine.
+Reader = Callable[[str | PathLike[str], Machine], Measurements]
+Read_co = TypeVar("Read_co", bound=Callable[..., object], covariant=True)
+
+
 @dataclass(frozen=True)
-class Format:
+class Format(Generic[Read_co]):
     """A file format.
 
     Attributes
@@ -53,10 +59,10 @@ class Format:
     recognises : callable
         Whether a file that begins with some bytes is of this format.
     read : callable
-        The measurements in a file, from its path and the machine.  Raises `MeasurementError`.
+        What a file holds, from its path and what is asked of it.  Raises `MeasurementError`.
     """
 
     name: str
     suffixes: tuple[str, ...]
     recognises: Callable[[bytes], bool]
-    read: Callable[[str | PathLike[str], Machine], Measurements]
+    read: Read_co

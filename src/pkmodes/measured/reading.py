@@ -9,16 +9,16 @@ from types import MappingProxyType
 
 from pkmodes.measured.columns import POSITION
 from pkmodes.measured.csv_format import CSV
-from pkmodes.measured.formats import Format, Machine
+from pkmodes.measured.formats import Format, Machine, Reader
 from pkmodes.measured.measurements import Measurements
 
 #: Formats by name.  The first one is tried on files of no known format: its errors say what is expected.
-FORMATS = {known.name: known for known in (CSV,)}
+FORMATS: dict[str, Format[Reader]] = {known.name: known for known in (CSV,)}
 #: Number of bytes from which a format is recognised.
 HEAD = 4096
 
 
-def format_of(path: str | PathLike[str]) -> Format:
+def format_of(path: str | PathLike[str]) -> Format[Reader]:
     """Return the format of a file, by its content, else by its suffix."""
     place, head = Path(path), b""
     try:

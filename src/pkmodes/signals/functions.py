@@ -1,4 +1,4 @@
-"""What a file of measured signals holds: functions of time or frequency, and identified mode shapes."""
+"""What a file of measured signals holds: functions of time or frequency, and mode shapes; and what is asked of it."""
 
 from __future__ import annotations
 
@@ -121,3 +121,23 @@ class SignalFile:
     modes: tuple[ModeShape, ...]
     messages: tuple[str, ...]
     stated: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What is wanted of a file.
+
+    Attributes
+    ----------
+    rate : float, optional
+        Sampling rate [Hz] of signals without a column of times.
+    sensors : frozenset of str, optional
+        Names of the sensors whose functions are wanted; all by default.  Forces in time are always read.
+    """
+
+    rate: float | None = None
+    sensors: frozenset[str] | None = None
+
+    def wants(self, *names: str) -> bool:
+        """Return whether a sensor that has any of these names is wanted."""
+        return self.sensors is None or not self.sensors.isdisjoint(names)

@@ -11,8 +11,7 @@ import numpy as np
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.checks import FEWEST, check_abscissa, check_coherence
 from pkmodes.signals.dataset58 import Axis, Header, Points, Stored, name_of, rotates
-from pkmodes.signals.formats import Asked
-from pkmodes.signals.functions import Array, Complex, Function, Kind, StoredFunction
+from pkmodes.signals.functions import Array, Asked, Complex, Function, Kind, StoredFunction
 from pkmodes.signals.units import NO_UNIT, FileUnits, hertz_in, quotient, seconds_in, unit_text
 
 #: Function types that are read.

@@ -14,9 +14,9 @@ from typing import Any, BinaryIO, TypeVar
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
+from pkmodes.measured.formats import Format
 from pkmodes.signals.checks import FEWEST, check_abscissa, check_finite
-from pkmodes.signals.formats import Asked, SignalFormat
-from pkmodes.signals.functions import Array, Complex, Function, Kind, SignalFile
+from pkmodes.signals.functions import Array, Asked, Complex, Function, Kind, SignalFile
 from pkmodes.signals.matlab_arrays import Variable, variables
 
 T = TypeVar("T")
@@ -200,4 +200,4 @@ def recognises(head: bytes) -> bool:
     return head.startswith((b"MATLAB 5.0 MAT-file", b"MATLAB 7.3 MAT-file", HDF5))
 
 
-MATLAB = SignalFormat("MATLAB", (".mat",), recognises, read)
+MATLAB = Format("MATLAB", (".mat",), recognises, read)

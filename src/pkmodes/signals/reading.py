@@ -2,26 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from os import PathLike, fspath
 from pathlib import Path
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.csv_format import check_regular, unreadable
-from pkmodes.signals.formats import Asked, SignalFormat
-from pkmodes.signals.functions import SignalFile
+from pkmodes.measured.formats import Format
+from pkmodes.signals.functions import Asked, SignalFile
 from pkmodes.signals.matlab import MATLAB
 from pkmodes.signals.table import TABLE
 from pkmodes.signals.universal_file import UNIVERSAL_FILE
 
+Reader = Callable[[Path, Asked], SignalFile]
 #: Formats by name, in the order in which they are tried.
-FORMATS = {known.name: known for known in (UNIVERSAL_FILE, MATLAB, TABLE)}
+FORMATS: dict[str, Format[Reader]] = {known.name: known for known in (UNIVERSAL_FILE, MATLAB, TABLE)}
 #: Number of bytes from which a format is recognised.
 HEAD = 4096
 EVERYTHING = Asked()
 WHAT, REMEDY = "the signals", "give a universal file, a MATLAB file or a table in text"
 
 
-def format_of(path: Path, head: bytes) -> SignalFormat | None:
+def format_of(path: Path, head: bytes) -> Format[Reader] | None:
     """Return the format of a file: by its first bytes, then by its suffix; None if neither is known.
 
     Any text may be a table, so there the suffix decides first: a universal file whose beginning is lost is none.

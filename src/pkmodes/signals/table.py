@@ -15,9 +15,9 @@ import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.robot.columns import IN_BRACKETS
+from pkmodes.measured.formats import Format
 from pkmodes.signals.checks import FEWEST, outside_coherence
-from pkmodes.signals.formats import Asked, SignalFormat
-from pkmodes.signals.functions import Array, Complex, Function, Kind, SignalFile
+from pkmodes.signals.functions import Array, Asked, Complex, Function, Kind, SignalFile
 from pkmodes.signals.table_text import TableText, check_text, split_table
 from pkmodes.signals.units import hertz_in, quotient, seconds_in, unit_text
 
@@ -282,4 +282,4 @@ def looks_like_text(head: bytes) -> bool:
     return strange == 0 and any(one.isalpha() for one in text)
 
 
-TABLE = SignalFormat("table", (".csv", ".tsv", ".txt", ".dat"), looks_like_text, read)
+TABLE = Format("table", (".csv", ".tsv", ".txt", ".dat"), looks_like_text, read)

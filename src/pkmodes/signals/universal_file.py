@@ -16,9 +16,9 @@ from pathlib import Path
 import numpy as np
 
 from pkmodes.core.base.errors import shown
+from pkmodes.measured.formats import Format
 from pkmodes.signals.dataset58 import DIRECTIONS, read_points
-from pkmodes.signals.formats import Asked, SignalFormat
-from pkmodes.signals.functions import Array, Function, ModeShape, SignalFile
+from pkmodes.signals.functions import Array, Asked, Function, ModeShape, SignalFile
 from pkmodes.signals.functions58 import Abscissas, function_of
 from pkmodes.signals.scanning import Binary, Scanner, begins_with_a_dataset, is_delimiter, numbers_in, text_of
 from pkmodes.signals.units import FileUnits
@@ -190,4 +190,4 @@ def _units(scanner: Scanner) -> FileUnits:
     return FileUnits.of(float(factors[0]), float(factors[1]))
 
 
-UNIVERSAL_FILE = SignalFormat("universal file", (".uff", ".unv", ".ufb", ".uf"), begins_with_a_dataset, read)
+UNIVERSAL_FILE = Format("universal file", (".uff", ".unv", ".ufb", ".uf"), begins_with_a_dataset, read)
