@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from campaign.structures import HEAD, Frame, accelerations, identify, record, refused, sensors, write_frf
+from pkmodes.campaign.campaign import read_campaign
 from pkmodes.campaign.edits import edited
 from pkmodes.campaign.results import IdentifiedMode, Parts
 from pkmodes.identification.asked import Asked
@@ -95,6 +96,14 @@ def test_an_added_mode_replaces_only_the_reported_one_within_one_per_cent() -> N
     kept, struck = edited(reported, [mode(50.0, "added")], Asked((50.6,), (50.0,)), "P1", "c.toml")
     assert [(one.frequency, one.edited) for one in kept] == [(49.4, None), (50.0, "added")]
     assert struck == [50.6]
+
+
+def test_what_several_edits_ask_of_one_record_adds_up(tmp_path: Path) -> None:
+    text = ALIKE + record("frf", "r.csv")
+    edits = edit(strike=["41 Hz"], add=["97 Hz"]) + edit(strike=["163 Hz"])
+    (tmp_path / "c.toml").write_text(text + edits, encoding="utf-8")
+    campaign = read_campaign(tmp_path / "c.toml")
+    assert campaign.asked(campaign.records[0]) == Asked((41.0, 163.0), (97.0,))
 
 
 def test_a_mode_that_is_struck_and_added_is_fitted_again(tmp_path: Path) -> None:
