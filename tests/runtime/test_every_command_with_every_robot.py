@@ -17,7 +17,7 @@ from helpers.robots.damped_robots import DAMPING, EFFECTS
 from helpers.robots.one_of_each import POSES
 from pkmodes.cli import run
 from pkmodes.figures import files
-from pkmodes.maps import reached, usable
+from pkmodes.maps import workspace
 from pkmodes.report import blocks
 from pkmodes.report import map as report_of_maps
 from pkmodes.robot_files.saving import Correction, corrected_text
@@ -42,8 +42,7 @@ def _drawn_only(monkeypatch: pytest.MonkeyPatch) -> None:
 
     The viewer has few poses: with every effect NumPy solves each.  Few are drawn to find the workspace, too.
     """
-    for module in (reached, usable):
-        monkeypatch.setattr(module, "DRAWS", 20_000)
+    monkeypatch.setattr(workspace, "DRAWS", 20_000)
     monkeypatch.setattr(viewed, "LEVELS", dict.fromkeys((2, 3), 2))
     monkeypatch.setattr(blocks, "inline", lambda *_, **__: SVG)
     monkeypatch.setattr(blocks, "inline_narrow", lambda *_, **__: "")
