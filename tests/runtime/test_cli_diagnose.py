@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 from typing import NamedTuple
 
+import jsonschema
 import pytest
 
 import pkmodes
@@ -21,6 +22,7 @@ from helpers.diagnoses.diagnose_command import (
     write,
 )
 from helpers.diagnoses.verdict_examples import VERDICTS, given, judged
+from helpers.runs.processes import ROOT
 
 pytestmark = pytest.mark.usefixtures("backend")
 
@@ -49,8 +51,9 @@ def verdict(
 
 
 def test_what_is_claimed_and_proposed_is_whole(verdict: Verdict) -> None:
-    """The types of all keys are those of docs/schemas, which tests/test_json_schemas.py compares."""
     found = verdict.answer.json
+    described = json.loads((ROOT / "docs/schemas/diagnose.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator(described).validate(found)
     assert "\n" not in found["reason"]
     for effect in found["effects"]:
         assert effect["name"] in effect["class"]
