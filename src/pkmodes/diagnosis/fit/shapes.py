@@ -45,7 +45,7 @@ class ShapeRows:
     units : sequence of str, length C
         Units of the measured channels.
     moves : ndarray, shape (S, C)
-        Motion of each channel in the declared model, see `linalg.mac.channel_motion`.
+        Motion of each channel in the declared model, see `support.mac.channel_motion`.
     scatter : float
         Standard deviation of the components of rows without a stated one.
 

@@ -2,7 +2,7 @@
 
 Each setup is an assignment problem: measured modes are assigned one-to-one to modes of the model with the least sum
 of distances.  The distance is the squared logarithm of the frequency ratio plus, if there are shapes, a multiple of
-one minus the modal assurance criterion (`linalg.mac`).
+one minus the modal assurance criterion (`support.mac`).
 """
 
 from __future__ import annotations
