@@ -9,7 +9,7 @@ import pytest
 
 from helpers.robots.small_structures import LOADS, STIFFNESS, altered, frame, frame_matrices, frame_measured
 from pkmodes.diagnosis import Criteria, MatrixStructure, Measurements, diagnose, update
-from pkmodes.diagnosis.criteria import Fits
+from pkmodes.diagnosis.criteria import FitCriteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
@@ -66,7 +66,9 @@ def test_a_step_that_is_too_long_is_not_reported_as_blocked() -> None:
     structure, data = walled(lambda values: values["storey"] < 0.95 * STIFFNESS), measured()
     fitter, far = Fitter(structure, data), np.array([p.value for p in structure.parameters])
     far[1] = 1.5 * STIFFNESS
-    (descent,) = Fitter(structure, data, Criteria(fits=Fits(rough_steps=0))).roughly([(Hypothesis(), far)])
+    (descent,) = Fitter(structure, data, Criteria(fits=FitCriteria(rough_steps=0))).roughly(
+        [(Hypothesis(), far)]
+    )
     fit = fitter.rough_fit(Hypothesis(), descent)
     assert fit is not None
     assert fit.values[1] == 1.5 * STIFFNESS

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
-class Pairing:
+class PairingCriteria:
     """Pairing measured modes with modes of the model."""
 
     #: Largest difference at which a measured mode is paired with a mode of the model: a factor of 1.8.
@@ -30,7 +30,7 @@ class Pairing:
 
 
 @dataclass(frozen=True)
-class Shapes:
+class ShapeCriteria:
     """Shapes, their errors, and those that are another mode's."""
 
     #: Least error of a component of a shape.  A smaller stated one is that of the identification alone: sensors are
@@ -54,7 +54,7 @@ class Shapes:
 
 
 @dataclass(frozen=True)
-class Fits:
+class FitCriteria:
     """Fits of hypotheses."""
 
     #: Steps of a fit; well-determined parameters need four or five.  A rough fit shows whether more are worthwhile.
@@ -69,7 +69,7 @@ class Fits:
 
 
 @dataclass(frozen=True)
-class Gates:
+class GateCriteria:
     """The tests whether a residual is noise, and of modes that were not measured."""
 
     #: Level of each of its tests.
@@ -86,7 +86,7 @@ class Gates:
 
 
 @dataclass(frozen=True)
-class Searches:
+class SearchCriteria:
     """The search for additions, their prices, and rows set aside."""
 
     #: A rival survives up to this difference of the criterion: three standard deviations.
@@ -126,7 +126,7 @@ class Searches:
 
 
 @dataclass(frozen=True)
-class Claims:
+class ClaimCriteria:
     """What a claim needs, its class, its stability, and what would be measured next."""
 
     #: Largest p-value, among all candidates, of a cause that is claimed.
@@ -177,7 +177,7 @@ class Claims:
 
 
 @dataclass(frozen=True)
-class Damping:
+class DampingCriteria:
     """The diagnosis of damping."""
 
     #: Least relative error of a damping ratio: halves of one modal test differ by 10 to 50 % in damping, whatever
@@ -206,7 +206,7 @@ class Damping:
 
 
 @dataclass(frozen=True)
-class Reasons:
+class ReasonCriteria:
     """Reasons of a verdict, and notes."""
 
     #: Nuisances farther than this from their declared values are reported, in standard deviations.
@@ -227,7 +227,7 @@ class Reasons:
 
 
 @dataclass(frozen=True)
-class Readings:
+class ReadingCriteria:
     """Other readings of the data: units, drives, wiring, copies."""
 
     #: Shapes whose mutual MAC is above this are the same.
@@ -274,15 +274,15 @@ class Criteria:
     """Thresholds of pairing, fits, search and verdict.
 
     The error rates in docs/diagnosis-measured.md were measured with the defaults.  One threshold is changed by
-    ``Criteria(claim=Claims(told_apart=16.0))``.
+    ``Criteria(claim=ClaimCriteria(told_apart=16.0))``.
     """
 
-    pairing: Pairing = Pairing()
-    shapes: Shapes = Shapes()
-    fits: Fits = Fits()
-    gate: Gates = Gates()
-    search: Searches = Searches()
-    claim: Claims = Claims()
-    damping: Damping = Damping()
-    reasons: Reasons = Reasons()
-    readings: Readings = Readings()
+    pairing: PairingCriteria = PairingCriteria()
+    shapes: ShapeCriteria = ShapeCriteria()
+    fits: FitCriteria = FitCriteria()
+    gate: GateCriteria = GateCriteria()
+    search: SearchCriteria = SearchCriteria()
+    claim: ClaimCriteria = ClaimCriteria()
+    damping: DampingCriteria = DampingCriteria()
+    reasons: ReasonCriteria = ReasonCriteria()
+    readings: ReadingCriteria = ReadingCriteria()

@@ -30,7 +30,7 @@ from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
 from pkmodes.diagnosis.verdict.evidence import Evidence, Start
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.diagnosis.verdict.rules import decide, without_search
+from pkmodes.diagnosis.verdict.rules import decide, decide_before_search
 from pkmodes.measured.measurements import Measurements
 
 #: By default, one in this many poses is held out.
@@ -88,7 +88,7 @@ def _of_frequencies(
     fitted, held = split(data, holdout)
     fitter = Fitter(structure.subset(fitted), data.at(fitted), criteria)
     start = Start(AllSetups(structure, data, fitter, held))
-    builder, early = DiagnosisBuilder(start.setups), without_search(start)
+    builder, early = DiagnosisBuilder(start.setups), decide_before_search(start)
     if early is not None:
         return builder.before_search(start, early)
     search, outcome = _searched(start.plain, structure, progress)

@@ -32,6 +32,12 @@ from pkmodes.diagnosis.verdict.verdicts import (
 
 #: Squared difference below which two explanations are the same to any measurement.
 SAME = 1.0
+#: Number of laws drawn, and their seed.
+DRAWS, SEED = 200, 5
+#: Steps of Gauss and Newton, and the largest change of a logarithm in one.
+STEPS, LARGEST = 20, 1.0
+#: Smallest curvature of a logarithm that a step trusts: of a loss that has become nothing.
+FLAT = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
@@ -231,14 +237,6 @@ def nearest(fitter: LossFitter) -> str:
 def names_of(fitter: LossFitter, fit: LossFit) -> str:
     """Return the names of the causes of a fit."""
     return " + ".join(fitter.losses[j].candidate for j in fit.causes)
-
-
-#: Number of laws drawn, and their seed.
-DRAWS, SEED = 200, 5
-#: Steps of Gauss and Newton, and the largest change of a logarithm in one.
-STEPS, LARGEST = 20, 1.0
-#: Smallest curvature of a logarithm that a step trusts: of a loss that has become nothing.
-FLAT = 1e-3
 
 
 def p_coincidence(fitter: LossFitter, fit: LossFit) -> float:

@@ -35,6 +35,11 @@ from pkmodes.diagnosis.verdict.verdicts import (
 )
 from pkmodes.measured.measurements import Measurements
 
+#: Explanations beside which limits are found.
+MOST = 4
+#: Steps of a factor of two in which the end of a profile is bracketed.
+DOUBLINGS = 60
+
 
 def undiagnosed(losses: Sequence[Loss], reason: str, notes: Sequence[str] = ()) -> Damping:
     """Return what is said where the damping was measured, but not diagnosed."""
@@ -178,12 +183,6 @@ def _corrected(stage: Stage) -> tuple[Corrected, ...]:
         at_bound = value.value >= NEARLY * p.upper
         corrected.append(Corrected(value.name, value.value, value.sigma, p.unit, p.value, p.sigma, at_bound))
     return tuple(corrected)
-
-
-#: Explanations beside which limits are found.
-MOST = 4
-#: Steps of a factor of two in which the end of a profile is bracketed.
-DOUBLINGS = 60
 
 
 def findings(fitter: LossFitter, judged: DampingJudgement) -> tuple[Finding, ...]:

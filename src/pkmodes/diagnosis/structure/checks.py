@@ -10,6 +10,9 @@ import numpy as np
 from pkmodes.core.base.errors import PkmodesError, listed, shown
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter
 
+#: What to do about a map that is not a matrix of the right form.
+REMEDY = "give each channel a row and each coordinate of the model a column"
+
 
 def check_names(kind: str, names: Sequence[str]) -> None:
     """Refuse repeated names."""
@@ -60,9 +63,6 @@ def check_candidate(candidate: Candidate, parameters: Mapping[str, Parameter]) -
             state = "refitted under every hypothesis" if sigma else "known exactly"
             what = f"its parameter {shown(name)} has a sigma: it is {state}"
             raise PkmodesError(what, where, "leave out the candidate, or the sigma")
-
-
-REMEDY = "give each channel a row and each coordinate of the model a column"
 
 
 def sensor_map(channels: Sequence[str], coordinates: Sequence[str] | None, sensors: Any) -> Array | None:

@@ -24,6 +24,8 @@ from pkmodes.support.expansion import modal_expansion
 
 #: Smaller pivots of a matrix scaled to a unit diagonal are zero up to rounding.
 SINGULAR = 1e-13
+#: Eigenvalues below zero by less than this fraction of the largest are zero up to rounding.
+STABLE = 1e-9
 
 
 class UnusableError(PkmodesError):
@@ -112,10 +114,6 @@ def definite(scaled: Array) -> bool:
     except np.linalg.LinAlgError:
         return False
     return bool((np.diagonal(factor) ** 2 > SINGULAR).all())
-
-
-#: Eigenvalues below zero by less than this fraction of the largest are zero up to rounding.
-STABLE = 1e-9
 
 
 class Modes(NamedTuple):

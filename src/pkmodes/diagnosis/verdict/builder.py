@@ -34,17 +34,13 @@ class DiagnosisBuilder:
     def __init__(self, setups: AllSetups) -> None:
         self.setups, self.fitter = setups, setups.fitter
 
-    def before_search(self, start: Start, decision: Decision) -> Diagnosis:
+    def before_search(self, start: Start, decision: Decision[Start]) -> Diagnosis:
         """Return the result for too few data, or for an obvious mistake in these: nothing is searched for."""
         text, verdict, store = decision.says.text, decision.verdict, start.plain
         if verdict is not INSUFFICIENT_DATA:
-            names, bounded = (
-                tuple(one.name for one in start.suspected),
-                limits.unknown(store, start.suspected),
-            )
-            return self.without_search(
-                verdict, text, store, None, names, (text,), unchanged(verdict), bounded
-            )
+            names = tuple(one.name for one in start.suspected)
+            bounded = limits.unknown(store, start.suspected)
+            return self._result(verdict, text, store, None, names, (text,), unchanged(verdict), bounded)
         fit, drives = start.first, seemingly_wrong_drives(self.fitter)
         about = (*((drives,) if drives else ()), *(() if fit is None else remarks(self.setups, fit)))
         if fit is None:
@@ -53,9 +49,9 @@ class DiagnosisBuilder:
             bounded = limits.beside(store, [fit], start.suspected, noise=not start.contradicted)
         known = {*bounded.limited, *start.hints}
         unseen = tuple(one.name for one in start.suspected if one.name not in known)
-        return self.without_search(verdict, text, store, fit, unseen, about, unchanged(verdict), bounded)
+        return self._result(verdict, text, store, fit, unseen, about, unchanged(verdict), bounded)
 
-    def after_search(self, evidence: Evidence, decision: Decision) -> Diagnosis:
+    def after_search(self, evidence: Evidence, decision: Decision[Evidence]) -> Diagnosis:
         """Return the result of a search and its verdict."""
         search, outcome, claim = evidence.search, evidence.outcome, evidence.claim
         verdict, final = decision.verdict, claim.final
@@ -89,7 +85,7 @@ class DiagnosisBuilder:
             unbounded=bounded.unbounded - shown,
         )
         undetectable = tuple(one.name for one in tested if not one.detectable)
-        diagnosis = self.without_search(
+        diagnosis = self._result(
             verdict,
             decision.says.text,
             search.store,
@@ -125,13 +121,15 @@ class DiagnosisBuilder:
             notes=(*diagnosis.notes, *claim.left_out, *contradictions),
         )
 
-    def _remarks(self, evidence: Evidence, decision: Decision) -> tuple[str, ...]:
+    def _remarks(self, evidence: Evidence, decision: Decision[Evidence]) -> tuple[str, ...]:
         """Return notes on the data: another reading that decided, mistakes seen in all setups, held-out rows."""
-        reading = (decision.says.text,) if decision.rule in (rule.name for rule in READINGS) else ()
+        reading = (decision.says.text,) if decision.rule in READINGS else ()
         held_out = evidence.held_out.notes if decision.verdict.settled else ()
         return (*reading, *remarks(self.setups, evidence.final), *held_out)
 
-    def _with_caveats(self, evidence: Evidence, decision: Decision, diagnosis: Diagnosis) -> tuple[str, str]:
+    def _with_caveats(
+        self, evidence: Evidence, decision: Decision[Evidence], diagnosis: Diagnosis
+    ) -> tuple[str, str]:
         """Return the reason with what belongs beside a settled verdict, and what of this is in the headline."""
         if not decision.verdict.settled:
             return diagnosis.reason, ""
@@ -149,7 +147,7 @@ class DiagnosisBuilder:
         )
         return "; ".join(part for part in parts if part), headline
 
-    def without_search(
+    def _result(
         self,
         verdict: Verdict,
         reason: str,
@@ -161,7 +159,7 @@ class DiagnosisBuilder:
         bounded: Limits,
         causes: Fit | None = None,
     ) -> Diagnosis:
-        """Return the result without what a search adds: for too few data, or an obvious mistake in these.
+        """Return the result without what a search adds.
 
         Parameters
         ----------

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Generic, TypeVar
 
@@ -74,6 +74,11 @@ class Evidence:
         self.claim = claim_of(search, outcome)
         self.final = self.claim.final
 
+    @property
+    def explains(self) -> str:
+        """The beginning of a clause: the causes would explain, or the declared model explains."""
+        return reasons.explains(self.final.causes)
+
     @cached_property
     def trials(self) -> list[Trial]:
         """What becomes of the explanations with other errors and priors."""
@@ -130,7 +135,7 @@ class Says:
     """
 
     text: str
-    named: frozenset[str] = field(default=frozenset())
+    named: frozenset[str] = frozenset()
     instead: Fit | None = None
 
     @classmethod
@@ -172,15 +177,19 @@ class Rule(Generic[T]):
 
 
 @dataclass(frozen=True)
-class Decision:
-    """The verdict, the rule that gave it, and its answer."""
+class Decision(Generic[T]):
+    """The rule that gave the verdict, and its answer."""
 
-    verdict: Verdict
-    rule: str
+    rule: Rule[T]
     says: Says
 
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict."""
+        return self.rule.verdict
 
-def first(rules: Sequence[Rule[T]], evidence: T) -> Decision | None:
+
+def first(rules: Sequence[Rule[T]], evidence: T) -> Decision[T] | None:
     """Return the decision of the first rule that applies; None if none does."""
     answers = ((rule, rule.of(evidence)) for rule in rules)
-    return next((Decision(rule.verdict, rule.name, says) for rule, says in answers if says is not None), None)
+    return next((Decision(rule, says) for rule, says in answers if says is not None), None)

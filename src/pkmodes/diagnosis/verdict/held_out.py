@@ -24,7 +24,7 @@ from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
-from pkmodes.diagnosis.verdict.reasons import names
+from pkmodes.diagnosis.verdict.reasons import explains, names
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.numbers import p_in_words
@@ -58,10 +58,10 @@ def predicted(setups: AllSetups, search: Search, final: Fit) -> HeldOut:
     """
     if not setups.is_held.any():
         return HeldOut()
-    c = search.criteria
+    c, fitted = search.criteria, f"{explains(final.causes)} the fitted poses"
     every, again = _fitted_to_all(setups, search, final)
     if again is None:
-        return HeldOut(f"{_explains(final)}, but with these values the held-out ones cannot be evaluated")
+        return HeldOut(f"{fitted}, but with these values the held-out ones cannot be evaluated")
     p_value = p_held_out(setups, every.store.fitter, again.hypothesis, final)
     if p_value <= c.gate.surely:
         again, p_value = _without_one_row(setups, every.store, again, final, p_value)
@@ -76,12 +76,7 @@ def predicted(setups: AllSetups, search: Search, final: Fit) -> HeldOut:
         return HeldOut(notes=tuple(_check(setups.data, row) for row in aside))
     instead = better or _explaining(every, again)
     other = f"; {names(instead.causes)} would explain all poses: look there" if instead else ""
-    return HeldOut(f"{_explains(final)}, but not the held-out ones ({p_in_words(p_value)}){other}")
-
-
-def _explains(final: Fit) -> str:
-    who = f"{names(final.causes)} would explain" if final.causes else "the declared model explains"
-    return f"{who} the fitted poses"
+    return HeldOut(f"{fitted}, but not the held-out ones ({p_in_words(p_value)}){other}")
 
 
 def p_held_out(setups: AllSetups, every: Fitter, hypothesis: Hypothesis, final: Fit) -> float:

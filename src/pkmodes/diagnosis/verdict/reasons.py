@@ -18,6 +18,11 @@ def names(causes: Sequence[Candidate]) -> str:
     return " and ".join(cause.name for cause in causes)
 
 
+def explains(causes: Sequence[Candidate]) -> str:
+    """Return who explains something, as the beginning of a clause: the causes would, or the declared model does."""
+    return f"{names(causes)} would explain" if causes else "the declared model explains"
+
+
 def noise(fit: Fit, lines: NDArray[np.int_]) -> str:
     """Return what a fit attributes to measurement errors."""
     parts, excluded = [], [str(lines[row]) for row in sorted(fit.hypothesis.excluded)]

@@ -22,6 +22,11 @@ from pkmodes.diagnosis.problem import Array, Index, Prediction, Sensor
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.mac import channel_motion
 
+#: Numbers in the largest array that is evaluated at once.
+AT_ONCE = 2_000_000
+#: Number of setups, those with the worst shapes, that show whether another wiring may fit.
+WORST = 3
+
 
 @dataclass(frozen=True)
 class Wiring:
@@ -99,12 +104,6 @@ def _turned(right: Wiring, sensors: Sequence[Sensor]) -> Iterator[Wiring]:
                 for i, name, sign in zip(place, order, signs, strict=True):
                     channels[i], each[i] = name, sign
                 yield Wiring(tuple(channels), tuple(each))
-
-
-#: Numbers in the largest array that is evaluated at once.
-AT_ONCE = 2_000_000
-#: Number of setups, those with the worst shapes, that show whether another wiring may fit.
-WORST = 3
 
 
 @dataclass(frozen=True)

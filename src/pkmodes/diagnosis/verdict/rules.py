@@ -35,12 +35,12 @@ from pkmodes.support.numbers import p_in_words, p_text
 MENTIONED = 4
 
 
-def without_search(start: Start) -> Decision | None:
+def decide_before_search(start: Start) -> Decision[Start] | None:
     """Return the verdict that needs no search; None if one is needed."""
     return first(BEFORE, start)
 
 
-def decide(evidence: Evidence) -> Decision:
+def decide(evidence: Evidence) -> Decision[Evidence]:
     """Return the verdict after a search, and why it is given."""
     of_noise = CLAIMS if evidence.final.causes else ADEQUACY
     decision = first((*READINGS, *(of_noise if evidence.outcome.last.passed else OPEN)), evidence)
@@ -80,7 +80,7 @@ def too_few(start: Start) -> str:
 
 
 def other_drives(start: Start) -> str:
-    """The frequencies fit far better, or only then, with motors held instead of free, or free instead of held."""
+    """The frequencies fit far better, or fit only, with motors held instead of free, or free instead of held."""
     return wrong_drives(start.plain)
 
 
@@ -105,11 +105,11 @@ def modes_of_other_shapes(e: Evidence) -> str:
     """The measured shapes are not those of the modes with their frequencies."""
     if not shapes_disagree(e.store, e.final):
         return ""
-    return f"{_explains(e)} the frequencies, but not the shapes of some of these modes (MAC)"
+    return f"{e.explains} the frequencies, but not the shapes of some of these modes (MAC)"
 
 
 def extra_modes(e: Evidence) -> str:
-    """A row could only be set aside as a mode that the model lacks: it has none left near it."""
+    """A row was set aside near which the model has no mode left: it is a mode that the model lacks."""
     lines = _extra_lines(e)
     if not lines:
         return ""
@@ -136,7 +136,7 @@ def _extra_lines(e: Evidence) -> list[int]:
 
 
 def unstated_error(e: Evidence) -> str:
-    """Only with an error that the modes of a pose share and the file does not state: it may as well be an effect."""
+    """The residual is noise only with an error that the modes of a pose share and the file does not state."""
     if not e.final.hypothesis.scatter:
         return ""
     pattern = drift(e.fitter, e.final)
@@ -182,7 +182,10 @@ def remote_cause(e: Evidence) -> str:
 
 
 def in_one_joint(e: Evidence) -> str:
-    """The cause in one of its joints alone explains as much: all joints need the same evidence as another class."""
+    """The cause in one of its joints alone explains as much as in all of them.
+
+    A claim for all joints needs the same evidence against each joint alone as against another class.
+    """
     store, c, final = e.store, e.criteria, e.final
     if len(final.causes) != 1:
         return ""
@@ -190,7 +193,7 @@ def in_one_joint(e: Evidence) -> str:
     single = next((fit for fit in fits if fit.deviance < limit and store.p_value(fit) > c.gate.surely), None)
     if single is None:
         return ""
-    return f"{_explains(e)} the residual, and so would {names(single.causes)}: look there, and measure more"
+    return f"{e.explains} the residual, and so would {names(single.causes)}: look there, and measure more"
 
 
 def better_shapes(e: Evidence) -> str:
@@ -200,7 +203,7 @@ def better_shapes(e: Evidence) -> str:
         return ""
     other = names(rival.causes) if rival.causes else "the declared model"
     verb = "fit" if len(rival.causes) > 1 else "fits"
-    return f"{_explains(e)} the frequencies, but {other} {verb} the shapes significantly better"
+    return f"{e.explains} the frequencies, but {other} {verb} the shapes significantly better"
 
 
 def general_cause(e: Evidence) -> str:
@@ -238,7 +241,7 @@ def measurement_errors(e: Evidence) -> str:
     """Errors of the measurement explain the residual nearly as well."""
     if not e.errors:
         return ""
-    return f"{_explains(e)} the residual, but measurement errors would do so nearly as well: {e.errors}"
+    return f"{e.explains} the residual, but measurement errors would do so nearly as well: {e.errors}"
 
 
 def not_specific(e: Evidence) -> str:
@@ -249,7 +252,7 @@ def not_specific(e: Evidence) -> str:
     others = _also(e)
     also = f" (and so would {', '.join(others)})" if others else ""
     return (
-        f"{_explains(e)} the residual{also}, but the data are too few to rule out a cause outside the candidates: "
+        f"{e.explains} the residual{also}, but the data are too few to rule out a cause outside the candidates: "
         f"{100 * p_value:.2g} % of such causes would look like a candidate; measure more"
     )
 
@@ -300,11 +303,11 @@ def several_explanations(e: Evidence) -> Says | None:
 
 
 def another_with_other_errors(e: Evidence) -> Says | None:
-    """With errors halved or doubled, or wider priors, another cause takes the place of a cause."""
+    """With errors halved or doubled, or priors twice as wide, another cause takes the place of a claimed one."""
     for trial in e.trials:
         if trial.instead is not None:
             text = (
-                f"{_explains(e)} the residual, but with {trial.entry.change}, {names(trial.instead.causes)} would do "
+                f"{e.explains} the residual, but with {trial.entry.change}, {names(trial.instead.causes)} would do "
                 "so better"
             )
             return Says.naming(text, e.final.causes, trial.instead)
@@ -317,7 +320,7 @@ def held_by_priors(e: Evidence) -> str:
         return ""
     value = "its value changes" if len(e.final.causes) == 1 else "their values change"
     return (
-        f"{_explains(e)} the residual, but {value} with priors twice as wide: some uncertain parameter is far from "
+        f"{e.explains} the residual, but {value} with priors twice as wide: some uncertain parameter is far from "
         "its declared value and compensates for something else"
     )
 
@@ -329,11 +332,6 @@ def causes_found(e: Evidence) -> Says:
     aside = f"; {setting_aside}" if setting_aside else ""
     found = explained(e.claim.findings(e.fitter))
     return Says(f"the residual of the declared model is not noise ({p_in_words(smallest)}); {found}{aside}")
-
-
-def _explains(e: Evidence) -> str:
-    causes = e.final.causes
-    return f"{names(causes)} would explain" if causes else "the declared model explains"
 
 
 # The tables ----------------------------------------------------------------------------------------------------

@@ -23,6 +23,10 @@ from pkmodes.diagnosis.search.search import Search
 
 #: Relative singular value below which signatures differ by their numerical errors only.
 SAME = 1e-3
+#: Number of draws of each kind, and their seed.
+DRAWS, SEED = 2_000, 20_221_107
+#: Modes beyond the highest measured one whose shapes are mixed into it.
+ABOVE = 3
 
 
 @dataclass(frozen=True)
@@ -82,10 +86,6 @@ class Plausible:
     def squares(self, white: Array) -> float:
         """Return the squares of a residual in the resolved directions."""
         return float(self.weights @ (self.axes.T @ white) ** 2)
-
-
-#: Number of draws of each kind, and their seed.
-DRAWS, SEED = 2_000, 20_221_107
 
 
 def p_coincidence(search: Search, final: Fit) -> float:
@@ -158,10 +158,6 @@ def _gain(residuals: Array, causes: Directions) -> Array:
     basis = axes if not others else orthonormal(np.hstack([axes for axes, _ in causes]))
     gain: Array = ((basis.T @ residuals) ** 2).sum(axis=0)
     return gain
-
-
-#: Modes beyond the highest measured one whose shapes are mixed into it.
-ABOVE = 3
 
 
 def arbitrary_draws(fitter: Fitter, plain: Fit, count: int, rng: np.random.Generator) -> Array:

@@ -14,7 +14,7 @@ from pkmodes.support.numbers import plain, rounded
 
 
 def no_value(search: Search, final: Fit) -> str:
-    """Return which cause has a value at a bound, or the declared value; empty if none has."""
+    """Return which cause has a value at a bound, or one that may be the declared one; empty if none has."""
     fitter, c = search.store.fitter, search.criteria
     for cause in final.causes:
         for i in fitter.indices(cause):
