@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from pkmodes.core.base.errors import OutputError, shown
+from pkmodes.support.ordering import listed
 from pkmodes.support.places import resolved
 from pkmodes.support.writing import refusal
 
@@ -61,9 +62,8 @@ def check_place(out: Path, beside: Sequence[Path], recorded: Mapping[str, Any] |
             "choose another place or make it readable",
         ) from None
     if foreign:
-        others = f" and {len(foreign) - 1} more" if len(foreign) > 1 else ""
         raise OutputError(
-            f"the folder contains other files ({foreign[0]}{others}) and no manifest of a generated model",
+            f"the folder contains other files ({listed(foreign, 1)}) and no manifest of a generated model",
             str(out),
             ELSEWHERE,
         )

@@ -66,7 +66,7 @@ def dataset_of(
     # Shapes may have been needed for tracking only.
     kept = {field.variable for field in of_maps(layout.conditions)}
     shown = [name for name in arrays if name in kept or name == "code"]
-    fields = fields_of({name: arrays[name] for name in shown}, shape, np.array(codes(mechanism)), tracked)
+    fields = _fields_of({name: arrays[name] for name in shown}, shape, np.array(codes(mechanism)), tracked)
     if len(shown) < len(arrays):
         columns = [layout.coordinates.index(name) for name in coordinates]
         for field in of_maps(layout.conditions):
@@ -119,7 +119,7 @@ def _coordinates(robot: Robot, places: Places, variants: Variants) -> dict[str, 
     return coordinates
 
 
-def fields_of(
+def _fields_of(
     arrays: Mapping[str, Any], shape: tuple[int, ...], reasons: Array, tracked: Tracked | None = None
 ) -> dict[str, Any]:
     """Return the fields of a map.
@@ -137,9 +137,9 @@ def fields_of(
         Modes by shape instead of by rank.
     """
     fields = {name: _spaced(arrays[name], shape) for name in arrays}
-    codes = fields.pop("code")
-    fields["valid"] = _each(lambda part: part == 0, np.dtype(bool), codes)
-    fields["reason"] = _each(reasons.__getitem__, reasons.dtype, codes)
+    code = fields.pop("code")
+    fields["valid"] = _each(lambda part: part == 0, np.dtype(bool), code)
+    fields["reason"] = _each(reasons.__getitem__, reasons.dtype, code)
     return fields if tracked is None else fields | _tracked(fields, tracked, shape)
 
 

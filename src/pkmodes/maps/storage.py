@@ -98,6 +98,7 @@ def damage_refused(folder: Path) -> Iterator[None]:
     Raises
     ------
     OutputError
+        If a checksum is not that of the rows.
     """
     try:
         yield

@@ -108,7 +108,7 @@ def track(
         keep their sign from there.
     """
     good = arrays["code"][:] == 0
-    steps = compared(arrays["shape"], *_neighbours(shape, linked, good), masses)
+    steps = _compared(arrays["shape"], *_neighbours(shape, linked, good), masses)
     order, signs = _followed(steps, good, shape)
     events = np.zeros_like(order)
     _mark(events, steps, order)
@@ -130,7 +130,7 @@ def _neighbours(shape: tuple[int, ...], linked: tuple[bool, ...], good: Array) -
     return first[kept], second[kept]
 
 
-def compared(shapes: Array, first: Index, second: Index, masses: Masses) -> Steps:
+def _compared(shapes: Array, first: Index, second: Index, masses: Masses) -> Steps:
     """Pair the modes of neighbours.
 
     Parameters

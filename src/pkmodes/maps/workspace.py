@@ -67,13 +67,13 @@ def box_of(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
     reached = _drawn_and_reached(model, rng)
     if pose is None:
         pose = hanging(model, _some(model, reached))[0]
-    inside = on_branch(model, pose)
-    reached = np.vstack([pose, reached[inside(reached)]]) if len(reached) else pose[None]
+    of_branch = on_branch(model, pose)
+    reached = np.vstack([pose, reached[of_branch(reached)]]) if len(reached) else pose[None]
     low, high = reached.min(axis=0), reached.max(axis=0)
     for _ in range(ROUNDS):
         size = np.where(high > low, high - low, 1e-3)
         drawn = rng.uniform(low - BEYOND * size, high + BEYOND * size, (DRAWS, len(low)))
-        more = drawn[inside(drawn)]
+        more = drawn[of_branch(drawn)]
         if not len(more):
             break
         wider = np.minimum(low, more.min(axis=0)), np.maximum(high, more.max(axis=0))
@@ -110,7 +110,7 @@ def hanging(model: Model, poses: Array) -> Array:
     return chosen
 
 
-def workspace_in_words(model: Model) -> str:
+def _workspace_in_words(model: Model) -> str:
     """Return where the reachable workspace is."""
     low, high = box_of(model)
     names = [component.name for component in model.mechanism.pose]
@@ -150,19 +150,19 @@ def limits_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> tuple[Array,
 def inside(robot: Robot, points: Array) -> NDArray[np.bool_]:
     """Return which poses, (..., d), are within all usable limits of a robot."""
     mechanism, names = robot.mechanism, [component.name for component in robot.mechanism.pose]
-    within = np.ones(points.shape[:-1], dtype=bool)
+    good = np.ones(points.shape[:-1], dtype=bool)
     for name, bound in robot.usable.items():
         if isinstance(bound, Radius):
             across = points[..., [names.index(one) for one in ACROSS]] - bound.about
-            within &= np.hypot(across[..., 0], across[..., 1]) <= bound.value
+            good &= np.hypot(across[..., 0], across[..., 1]) <= bound.value
         elif isinstance(bound, SingularAngle):
-            angles = singular_angles(mechanism, robot.parameters, points[within])
-            within[within] = (angles >= bound.value).all(axis=-1)
+            angles = singular_angles(mechanism, robot.parameters, points[good])
+            good[good] = (angles >= bound.value).all(axis=-1)
         else:
             low, high = bound
             value = points[..., names.index(name)]
-            within &= (value >= low) & (value <= high)
-    return within
+            good &= (value >= low) & (value <= high)
+    return good
 
 
 def usable_box(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
@@ -224,7 +224,7 @@ def usable_poses(model: Model) -> Array:
             return drawn[good]
     limits = in_words(model.mechanism, model.robot.usable)
     what = f"no pose within the usable limits can be reached: {limits}"
-    remedy = f"check the limits: the workspace lies within {workspace_in_words(model)}"
+    remedy = f"check the limits: the workspace lies within {_workspace_in_words(model)}"
     raise PoseError(what, f"{model.robot.source}: {USABLE}", remedy)
 
 
@@ -312,7 +312,7 @@ def bounds_of(model: Model, tried: Array, in_millimetres: str) -> str:
         if model.check(smaller).valid.any():
             return f"the numbers look like millimetres: {in_millimetres}"
     try:
-        return f"the workspace lies within {workspace_in_words(model)}"
+        return f"the workspace lies within {_workspace_in_words(model)}"
     except PoseError as error:
         return error.remedy
 

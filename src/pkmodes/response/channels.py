@@ -1,4 +1,4 @@
-"""What responses and state space models of a robot have in common: poses, inputs and outputs."""
+"""What responses and state space models of a robot have in common: poses, inputs and outputs, and python-control."""
 
 from __future__ import annotations
 

@@ -84,7 +84,7 @@ class EquationsOfMotion:
         D = shapes @ self.C[np.ix_(~r, ~r)] @ shapes.T + np.diag(self.rates)
         moving = [(force != 0.0).any(axis=0) for force in forces]  # prescribed motions act at all three
         b = np.hstack([shapes @ force[:, some] for force, some in zip(forces, moving, strict=True)])
-        summands = receptance(Z, D, b, motion @ shapes.T, omega)
+        summands = _receptance(Z, D, b, motion @ shapes.T, omega)
         H = np.zeros((len(omega), *direct.shape), dtype=complex) + (direct + self.prescribed)
         ends = np.cumsum([some.sum() for some in moving])[:-1]
         for power, (some, part) in enumerate(zip(moving, np.split(summands, ends, axis=2), strict=True)):
@@ -158,7 +158,7 @@ def equations(
     )
 
 
-def receptance(Z: Complex, D: Array, b: Complex, l: Complex, omega: Array) -> Complex:  # noqa: E741
+def _receptance(Z: Complex, D: Array, b: Complex, l: Complex, omega: Array) -> Complex:  # noqa: E741
     """Return H, (F, outputs, inputs).
 
     Parameters

@@ -1,4 +1,4 @@
-"""Frequency response functions of a robot at poses."""
+"""Frequency response functions of a robot at poses, also as datasets, for python-control, and as CSV."""
 
 from __future__ import annotations
 

@@ -29,6 +29,7 @@ from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
+from pkmodes.core.system.evaluation import number_of_modes
 from pkmodes.response.channels import Asked, Channels, Index, control_library
 from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.ports import QUANTITIES, Output, Port, input_vectors, output_vectors, prescribed
@@ -251,7 +252,7 @@ def state_space(
     asked = Asked.of(model, inputs, outputs, quantity, drives)
     into, out = asked.inputs, asked.outputs
     system = model.solved(drives)
-    count = int(len(system.coordinates) - system.massless.sum())
+    count = number_of_modes(system)
     kept = _checked_modes(modes, count, system.rigid_modes)
     checked = model.checked(poses, on_error)
 

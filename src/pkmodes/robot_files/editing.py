@@ -1,7 +1,7 @@
 """Edit values of a TOML text in place; comments, order and layout of everything else are preserved.
 
 Keys are tuples of table names and array indices that end in a name or an index.  A quantity that replaces another one
-is written in the notation of that.
+keeps its notation.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Write a corrected robot: the robot file with some values changed and everything else kept.
 
-Corrections, which may be of groups, are split into those of single values of the file.
+The correction of a parameter group is split into those of single values of the file.
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
-"""Derivatives of modes from a solver that has them, the compiled evaluator, and from NumPy where it cannot.
+"""Derivatives of modes from the compiled evaluator, and from NumPy where modes coincide or joints are locked.
 
-It takes parameter paths as weighted entries of the gradient of an eigenvalue.  NumPy evaluates where modes coincide
-or joints are locked.
+The evaluator takes parameter paths as weighted entries of the gradient of an eigenvalue.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ from pkmodes.sensitivity.modes import ROUNDING, separate
 from pkmodes.sensitivity.paths import ParameterPath
 
 Array = NDArray[np.float64]
-#: The compiled evaluator's names of the fields of `pkmodes.Sensitivities` that it evaluates.
+#: The compiled evaluator's names of the fields of `sensitivity.sensitivities.Sensitivities` that it evaluates.
 RATES = {"eigenvalues": "eigenvalue_rates", "frequencies": "frequency_rates"}
 
 
@@ -40,11 +39,11 @@ def terms_of(system: ExtendedSystem, paths: Sequence[ParameterPath]) -> Terms:
         Of the robot, with or without effects.
     paths : sequence of ParameterPath
     """
-    terms = terms_of_all([system], [paths])
+    terms = _terms_of_all([system], [paths])
     return terms._replace(first=terms.first[0], effects=terms.effects[0])
 
 
-def terms_of_all(systems: Sequence[ExtendedSystem], paths: Sequence[Sequence[ParameterPath]]) -> Terms:
+def _terms_of_all(systems: Sequence[ExtendedSystem], paths: Sequence[Sequence[ParameterPath]]) -> Terms:
     """Return the terms of several robots with the same free coordinates, each with equally many paths."""
     system = systems[0]
     values, parameters = _places(system.mechanism)
@@ -229,7 +228,7 @@ def derivatives_of(
     """
     along = None
     if solver is not None:
-        along = solver.along(RobotAtPoses(system, p, "", {}), *modes, terms_of_all(systems, paths))
+        along = solver.along(RobotAtPoses(system, p, "", {}), *modes, _terms_of_all(systems, paths))
     if along is None:
         return MatrixDerivatives(system, p, paths, matrices)
     return CompiledDerivatives(system, p, paths, matrices, along)

@@ -105,7 +105,7 @@ def check_factors(kind: str, at: Ringing, where: str) -> int:
     Raises
     ------
     PkmodesError
-        If there are more of them.
+        If it has more factors than modes count.
     """
     count = len(factors(kind))
     if count > at.frequencies.shape[1]:

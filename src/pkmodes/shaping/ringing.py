@@ -13,6 +13,7 @@ from pkmodes.core.base.drives import HELD
 from pkmodes.core.base.errors import PkmodesError, PoseError
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
+from pkmodes.core.system.evaluation import number_of_modes
 from pkmodes.sensitivity.spread import spread_of
 from pkmodes.support.progress import say
 
@@ -125,7 +126,7 @@ def _count(model: Model, modes: int | None) -> int:
             f"with motors held the machine still has {held.rigid_modes} rigid modes: no shaper cancels these"
         )
         raise PkmodesError(what, model.robot.source, "check the drives of the mechanism")
-    available = len(held.coordinates) - int(np.count_nonzero(held.massless))
+    available = number_of_modes(held)
     if modes is None:
         return min(MODES, available)
     check_argument(modes, POSITIVE_INTEGER, "modes", "for example: 3")

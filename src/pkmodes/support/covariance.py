@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 
 def uncertain(robot: Robot) -> dict[str, float]:
-    """Return the standard deviations above 0 of a robot by path [SI]; a value that an effect takes, once."""
+    """Return the standard deviations above 0 of a robot by path [SI]; a value that an effect takes counts once."""
     twice = {path for path, own in lent(robot.mechanism).items() if own in robot.quantities}
     return {path: q.sigma for path, q in robot.quantities.items() if q.sigma and path not in twice}
 
@@ -73,7 +73,7 @@ def joined(tables: Sequence[Covariance], own: Mapping[str, float]) -> Covariance
     Parameters
     ----------
     own : mapping of str to float
-        Standard deviations of the values themselves, by path; those of the table if they are of each.
+        Standard deviations of the values themselves, by path, for tables that have none of their own.
     """
     if len(tables) == 1:
         return tables[0]

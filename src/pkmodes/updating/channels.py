@@ -1,4 +1,4 @@
-"""Channels of a robot, which shapes are measured in, and those that are axes of one sensor.
+"""The channels in which shapes of a robot are measured, and which of them are axes of one sensor.
 
 A sensor may be mounted in another direction than the file says.
 """

@@ -1,7 +1,7 @@
 """Load cases: what is known to differ in some setups, such as a payload, or motors that are held.
 
 A value set in a setup is known there: no parameter moves it, even as an element of a whole or of a shared value.
-Plausible payloads for another measurement are parts of the mass of the platform.
+Payloads that another measurement could have are fractions of the mass of the platform.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ Known = frozenset[Slot]
 Array = NDArray[np.float64]
 #: The effect of a mass on the platform, and its parameter.
 PAYLOAD = "payload"
-PATH = f"{EFFECTS}.{PAYLOAD}.mass"
-#: Payloads as parts of the platform's mass.
-PARTS = (0.1, 0.3, 1.0)
+PAYLOAD_MASS = f"{EFFECTS}.{PAYLOAD}.mass"
+#: Payloads as fractions of the platform's mass.
+FRACTIONS = (0.1, 0.3, 1.0)
 #: Significant digits of a payload.
 DIGITS = 3
 
@@ -208,14 +208,14 @@ def payloads(robot: Robot, points: Array) -> list[dict[str, float]]:
     points : ndarray, shape (P, d)
         Poses that can be evaluated.
     """
-    platform = platform_mass(robot, points)
+    platform = _platform_mass(robot, points)
     if platform is None:
         return []
-    there = robot.effects.get(PATH.removeprefix(f"{EFFECTS}."), 0.0)
-    return [{PATH: there + float(f"{part * platform.value:.{DIGITS}g}")} for part in PARTS]
+    there = robot.effects.get(PAYLOAD_MASS.removeprefix(f"{EFFECTS}."), 0.0)
+    return [{PAYLOAD_MASS: there + float(f"{one * platform.value:.{DIGITS}g}")} for one in FRACTIONS]
 
 
-def platform_mass(robot: Robot, points: Array) -> ParameterPath | None:
+def _platform_mass(robot: Robot, points: Array) -> ParameterPath | None:
     """Return the path of the mass that acts like a payload; None if there is none."""
     mechanism = robot.mechanism
     if PAYLOAD not in mechanism.effects or not len(points):
@@ -223,7 +223,7 @@ def platform_mass(robot: Robot, points: Array) -> ParameterPath | None:
     names = [
         item.path for item in items(mechanism) if item.key.dimension == "mass" and item.index is not None
     ]
-    paths = [resolve(robot, path) for path in (PATH, *names)]
+    paths = [resolve(robot, path) for path in (PAYLOAD_MASS, *names)]
     dM, dK = MatrixDerivatives(ExtendedSystem.of(robot), points[:1], [paths]).dense()
     for place, path in enumerate(paths[1:], start=1):
         alike = (np.allclose(d[0, place], d[0, 0], atol=1e-9 * np.abs(d[0, 0]).max()) for d in (dM, dK))

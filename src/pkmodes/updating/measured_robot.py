@@ -96,7 +96,7 @@ class MeasuredRobot:
         parameters, causes, moves = suspects(self.robot, without_losses(self.robot, candidates), self.loads)
         parameters = of_frame(parameters, self.data)
         if priors is not None:
-            causes = with_priors(self.robot, parameters, causes, priors)
+            causes = _with_priors(self.robot, parameters, causes, priors)
         return RobotStructure(self.robot, self.data.points, parameters, causes, moves, self.loads, losses)
 
     def _losses(self, chosen: Sequence[str] | None) -> tuple[Loss, ...]:
@@ -140,7 +140,7 @@ def robot_of(given: Robot | Model) -> Robot:
     return given
 
 
-def with_priors(
+def _with_priors(
     robot: Robot,
     parameters: Sequence[Parameter],
     candidates: Sequence[Candidate],
@@ -227,8 +227,7 @@ def check_reachable(robot: Robot, data: Measurements, loads: LoadCases) -> None:
         valid[rows] = _reached(case.robot, data.points[rows])
     if valid.all():
         return
-    mechanism, columns = robot.mechanism, f"columns {in_words(data.components)}"
-    first = int(np.argmin(valid))
+    columns, first = f"columns {in_words(data.components)}", int(np.argmin(valid))
     line = data.lines[int(np.argmax(data.pose == first))]
     where = f"{data.source}: line {line}, {columns}"
     if (bad := int((~valid).sum())) > 1:
@@ -240,9 +239,9 @@ def check_reachable(robot: Robot, data: Measurements, loads: LoadCases) -> None:
         where, remedy = where.replace(columns, of_columns(load)), "check the set values"
     loaded = loads.cases[loads.of[first]].robot
     try:
-        check_poses(data.points[first], mechanism, loaded.parameters, "raise")
+        check_poses(data.points[first], robot.mechanism, loaded.parameters, "raise")
     except PoseError as error:
-        label, place = shown(data.labels[first]), placed(mechanism, data.points[first])
+        label, place = shown(data.labels[first]), placed(robot.mechanism, data.points[first])
         set_values = " with the set values" if load else ""
         what = f"pose {label} at {place} cannot be reached{set_values}: {error.what}"
         raise MeasurementError(what, where, f"{error.remedy}; {remedy}") from None

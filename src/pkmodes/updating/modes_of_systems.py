@@ -1,6 +1,6 @@
 """Modes of several robots at once, for a diagnosis: with one solver where there is one for all of them.
 
-They have the same free coordinates, and differ only in numbers, so that they are one system.
+They have the same free coordinates and differ only in numbers, so that they are solved as one system.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.backends import AUTO, chosen, solver_of
 from pkmodes.core.solve.numpy_solver import NumpySolver, modes_of
 from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, UNSOLVED, Solver, UnavailableError
-from pkmodes.core.system.evaluation import ExtendedSystem
+from pkmodes.core.system.evaluation import ExtendedSystem, number_of_modes
 
 Array = NDArray[np.float64]
 MOTIONS = "platform_shapes"
@@ -176,8 +176,7 @@ def _by_solvers(
 ) -> ModesOfSystems | None:
     """Evaluate all robots with one solver, or each with its own; None if NumPy has to evaluate them together."""
     backend = chosen(AUTO)
-    massless = system.massless
-    if any((one.massless != massless).any() for one in systems):
+    if any((one.massless != system.massless).any() for one in systems):
         return None
     try:
         solver = solver_of(system, MAX_CONDITION, backend).inner
@@ -186,11 +185,7 @@ def _by_solvers(
         return None
     if isinstance(solver, NumpySolver) or not (checked or solver.checks_poses):
         return None
-    n, m, each = (
-        len(system.coordinates),
-        len(massless) - int(np.count_nonzero(massless)),
-        len(points) // len(systems),
-    )
+    n, m, each = len(system.coordinates), number_of_modes(system), len(points) // len(systems)
     tails = {EIGENVALUES: (m,), SHAPES: (m, n), MOTIONS: (m, len(system.mechanism.directions))}
     arrays = {name: np.empty((len(points), *tail)) for name, tail in tails.items()}
     codes = np.empty(len(points), dtype=np.int8)

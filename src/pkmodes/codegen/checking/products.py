@@ -1,7 +1,8 @@
 """Check whether generated code is up to date and correct.
 
-What is checked is a committed model, a generated folder, of a robot or of a user-defined mechanism, or a robot file.
-The fresh derivation is executed; other files are only compared.
+Targets are a committed model, a robot file, and a generated folder, of a robot or of a user-defined mechanism.  The
+fresh derivation is executed, and so is the definition of a mechanism that is stored in its folder; other files are
+only compared.
 """
 
 from __future__ import annotations
@@ -78,7 +79,7 @@ def check_committed(name: str) -> Report:
     """
     mechanism = registry.mechanism(name)
     folder = Path(str(files(mechanism.package)))
-    findings = findings_of(folder, derivation("emit.product").parametric(name))
+    findings = _findings_of(folder, derivation("emit.product").parametric(name))
     return Report(str(folder), findings, _checks_of_sample(mechanism), REGENERATE if findings else "")
 
 
@@ -94,14 +95,14 @@ def check_folder(folder: Path) -> Report:
     PkmodesError
         If the folder holds no generated code, its robot file is invalid, or its manifest does not record a robot.
     """
-    recorded = manifest_of(folder)
+    recorded = _manifest_of(folder)
     if "robot" not in recorded and recorded.get("product") in registry.supplied():
-        findings = findings_of(folder, derivation("emit.product").parametric(recorded["product"]))
+        findings = _findings_of(folder, derivation("emit.product").parametric(recorded["product"]))
         return Report(str(folder), findings, [], REGENERATE if findings else "")
     if "definition" not in recorded:
         return _check_model(folder, recorded)
     if "robot" not in recorded:
-        return check_mechanism(folder, recorded)
+        return _check_mechanism(folder, recorded)
     name = recorded.get("mechanism")
     if name in registry.names():
         return _check_model(folder, recorded)
@@ -114,7 +115,7 @@ def check_folder(folder: Path) -> Report:
         return _check_model(folder, recorded)
 
 
-def manifest_of(folder: Path) -> dict[str, Any]:
+def _manifest_of(folder: Path) -> dict[str, Any]:
     """Read the manifest of a generated folder.
 
     Raises
@@ -133,7 +134,7 @@ def manifest_of(folder: Path) -> dict[str, Any]:
     return content
 
 
-def findings_of(folder: Path, fresh: dict[str, str]) -> list[Any]:
+def _findings_of(folder: Path, fresh: dict[str, str]) -> list[Any]:
     """Return the reasons why a folder differs from a fresh derivation."""
     currency = derivation("emit.currency")
     if not (folder / MANIFEST).is_file():
@@ -146,7 +147,7 @@ def findings_of(folder: Path, fresh: dict[str, str]) -> list[Any]:
     return findings
 
 
-def check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
+def _check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
     """Check the folder of a mechanism that ``pkmodes generate --mechanism FILE.py`` wrote.
 
     Parameters
@@ -164,8 +165,8 @@ def check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
         remedy = "generate it again with: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
         raise PkmodesError("the manifest does not name a mechanism", str(folder / MANIFEST), remedy)
     fresh = parametric(read_definition(folder / DEFINITION, name), reference)
-    changed, unchecked = check_definition(folder, reference, name)
-    findings = [*findings_of(folder, fresh), *changed]
+    changed, unchecked = _check_definition(folder, reference, name)
+    findings = [*_findings_of(folder, fresh), *changed]
     with staged(name, fresh) as mechanism:
         checks = _checks_of_sample(mechanism)
     source = "FILE.py" if unchecked else pasted(folder / reference)
@@ -175,7 +176,7 @@ def check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
     return Report(str(folder), findings, checks, fix, tuple(unchecked))
 
 
-def check_definition(folder: Path, reference: str, name: str) -> tuple[list[Any], list[str]]:
+def _check_definition(folder: Path, reference: str, name: str) -> tuple[list[Any], list[str]]:
     """Check whether the file that a mechanism was derived from has changed; return findings and unchecked items."""
     try:
         given = read_definition(folder / reference, name)
@@ -203,9 +204,9 @@ def _check_model(folder: Path, recorded: dict[str, Any]) -> Report:
         robot, command = recorded_robot(recorded, str(folder / MANIFEST)), f"{command} ROBOT.toml"
         unchecked = [_without_robot_file(folder, reference, robot.name)]
     texts = specialised(specification(robot, reference, definition))
-    findings = findings_of(folder, texts)
+    findings = _findings_of(folder, texts)
     if definition and not (folder / definition).is_dir():
-        changed, left = check_definition(folder, definition, robot.mechanism_name)
+        changed, left = _check_definition(folder, definition, robot.mechanism_name)
         findings, unchecked = [*findings, *changed], [*unchecked, *left]
     fix = _fix(folder, findings, f"{command} --out {pasted(folder)}")
     return Report(str(folder), findings, _checks(texts, robot), fix, tuple(unchecked))

@@ -1,4 +1,8 @@
-"""The compiled evaluator of one robot, or of several: modes at poses, written into arrays of the caller."""
+"""The compiled evaluator of one robot, or of several: modes at poses, written into arrays.
+
+Those of several poses are the caller's; a single pose has a `Room`, so that a call needs no new arrays and looks up
+no addresses.
+"""
 
 from __future__ import annotations
 

@@ -174,15 +174,15 @@ class Tables:
             self.problem(path, f"unknown effect {shown(name)}", nearest(name, own))
 
     def _effect(
-        self, effect: Effect, table: Mapping[str, Any], lent: Mapping[str, Quantity]
+        self, effect: Effect, table: Mapping[str, Any], declared: Mapping[str, Quantity]
     ) -> dict[str, Quantity]:
-        """Read the table of an effect; `lent` are values that other tables of the file declare, by path."""
+        """Read the table of an effect; `declared` are values that other tables of the file declare, by path."""
         known = [parameter.name for parameter in effect.parameters]
         for key in table:
             if key not in known:
                 place = f"{EFFECTS}.{effect.name}"
                 self.problem(place, f"unknown parameter {shown(key)}", nearest(key, known))
-        own = [name for name in known if f"{EFFECTS}.{effect.name}.{name}" not in lent]
+        own = [name for name in known if f"{EFFECTS}.{effect.name}.{name}" not in declared]
         quantities: dict[str, Quantity] = {}
         for parameter in effect.parameters:
             path = f"{EFFECTS}.{effect.name}.{parameter.name}"
@@ -190,8 +190,8 @@ class Tables:
                 value = self._read(table[parameter.name], path, partial(_of_effect, parameter=parameter))
                 if value is not None:
                     quantities[path] = value
-            elif path in lent:
-                quantities[path] = lent[path]
+            elif path in declared:
+                quantities[path] = declared[path]
             elif len(own) > 1:  # if an effect has several parameters, missing ones are zero
                 quantities[path] = Quantity(0.0, parameter.unit)
             else:

@@ -224,7 +224,7 @@ def article(noun: str) -> str:
 
 
 def with_unit(value: float, unit: str) -> str:
-    """Return a number in an SI unit as text, such as ``0.4 m``; ``"1"`` is not written."""
+    """Return a number in an SI unit as text, such as ``0.4 m``; the unit ``"1"`` is not written."""
     return f"{value:g}" + ("" if unit == "1" else f" {unit}")
 
 

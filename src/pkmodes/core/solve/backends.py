@@ -1,6 +1,7 @@
 """The back ends that evaluate modes, and which of them is used.
 
-For held motors, any of them solves the system without the motors' coordinates, and shapes are given in all of them.
+For held motors, each of them solves the system without the coordinates of the motors; shapes are given in all
+coordinates.
 """
 
 from __future__ import annotations

@@ -66,12 +66,12 @@ def solve_held(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:
     where = np.flatnonzero(softly & ~_stiffer(system, parts, M))
     if not len(where):
         return
-    eigenvalues[where], shapes[where] = held_eigh(
+    eigenvalues[where], shapes[where] = _held_eigh(
         M[where], parts.machine[where], soft[where], system.first, system.held_motions
     )
 
 
-def held_eigh(M: Array, stiff: Array, soft: Array, first: int, motions: int) -> tuple[Array, Array]:
+def _held_eigh(M: Array, stiff: Array, soft: Array, first: int, motions: int) -> tuple[Array, Array]:
     """Solve (stiff + soft) phi = lambda M phi where `stiff` leaves some motions free.
 
     Parameters
