@@ -8,6 +8,7 @@ from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.search.limits import ONE_SIDED
 from pkmodes.diagnosis.verdict.findings import Corrected
 from pkmodes.support.numbers import plain
+from pkmodes.support.ordering import listed
 
 #: Standard deviations from the declared value, or by the fit alone, from which on a refitted value is conspicuous.
 FAR = Criteria.reasons.far
@@ -49,10 +50,10 @@ def unseen(undetectable: Sequence[str], limited: bool) -> str:
     limited : bool
         Whether others have limits.
     """
-    more = len(undetectable) - MOST_NAMES
-    names = ", ".join(undetectable[:MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
     if undetectable:
-        return f"it cannot see {names}" + (", nor what is below its limit" if limited else "")
+        return f"it cannot see {listed(undetectable, MOST_NAMES)}" + (
+            ", nor what is below its limit" if limited else ""
+        )
     return "it cannot see what is below its limit" if limited else ""
 
 

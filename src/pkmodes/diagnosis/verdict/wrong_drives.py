@@ -20,6 +20,7 @@ from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.match.pairing import Pairer
 from pkmodes.diagnosis.problem import Array, Driven, Structure
 from pkmodes.diagnosis.search.search import Search
+from pkmodes.support.ordering import listed
 
 #: Labels that the sentence lists.
 MOST = 6
@@ -133,9 +134,7 @@ def _sentence(fitter: Fitter, setups: Sequence[int], apart: _Apart | None) -> st
     if len(words) > 1:
         return f"the frequencies {fits} with free and held exchanged{size}: correct drives"
     every = len(setups) == len(data.labels)
-    labels = [data.labels[k] for k in setups]
-    more = f" and {len(labels) - MOST} more" if len(labels) > MOST else ""
-    of = "" if every else f" at {', '.join(labels[:MOST])}{more}"
+    of = "" if every else f" at {listed([data.labels[k] for k in setups], MOST)}"
     (word,) = words
     says, than = other_drives(word), ", not" if apart is None else " than"
     remedy = f"write # drives: {says}, or --drives {says}" if every else f"write {says} in the column drives"
