@@ -22,6 +22,7 @@ import importlib
 import math
 import tempfile
 from collections.abc import Iterator
+from unittest.mock import Mock
 
 import hypothesis
 import pytest
@@ -100,6 +101,14 @@ def shared(tmp_path_factory: pytest.TempPathFactory) -> Shared:
 def emission(shared: Shared) -> Emission:
     """The parametric models and the pages of the derivation: emitted once."""
     return Emission(shared)
+
+
+@pytest.fixture
+def subtests(subtests: pytest.Subtests) -> Iterator[pytest.Subtests]:
+    """Those of pytest; a test that tries none, because its table of cases has become empty, is an error."""
+    tried = subtests.test = Mock(wraps=subtests.test)
+    yield subtests
+    assert tried.called, "no case was tried"
 
 
 @pytest.fixture
