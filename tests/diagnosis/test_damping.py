@@ -96,7 +96,7 @@ def test_losses_that_do_not_predict_the_held_out_damping_are_not_claimed() -> No
     assert not found.corrected
 
 
-def test_losses_that_predict_it_are_claimed() -> None:
+def test_losses_that_predict_the_held_out_damping_are_claimed() -> None:
     found = updating.diagnose(ROBOT, measured({"rails": 50.0}), holdout=["P3"])
     assert [cause.name for cause in found.damping.effects] == ["rail_friction"]
     assert found.damping.held_out is not None
@@ -106,7 +106,7 @@ def test_losses_that_predict_it_are_claimed() -> None:
     assert not any(row.damping_used for row in held)
 
 
-def test_declared_damping_that_does_not_predict_it_is_noted() -> None:
+def test_declared_damping_that_does_not_predict_that_of_held_out_poses_is_noted() -> None:
     found = updating.diagnose(DECLARED, made(at_one_pose({"ratio": 0.01}, [4.0])), holdout=["P3"])
     assert found.damping.verdict == "adequate"
     (note,) = (note for note in found.damping.notes if "the held-out poses is not predicted" in note)

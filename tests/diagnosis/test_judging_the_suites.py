@@ -5,8 +5,10 @@ How often each verdict is right is measured by the whole suites, in docs/diagnos
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from dataclasses import replace
+from typing import Any
 
 import pytest
 from msgspec import structs
@@ -17,12 +19,14 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig.laboratory import Laboratory
 from pkmodes_rig.measurements import Identified
 from pkmodes_rig.robots import ROBOTS, read
-from pkmodes_rig.suites import clear_cases, clear_suites
+from pkmodes_rig.suites import campaign_machines, clear_cases, clear_suites, diagnosis
+from pkmodes_rig.suites.campaign_cases import CampaignOutcome
+from pkmodes_rig.suites.campaign_table import table
 from pkmodes_rig.suites.cases import Case, measured, tried
 from pkmodes_rig.suites.clear_cases import ClearCase, ClearOutcome
-from pkmodes_rig.suites.clear_suites import cases, split_cases
 from pkmodes_rig.suites.judging import MENTIONS, CaseOutcome, judged, physical, set_aside_blindly
 from pkmodes_rig.suites.requirements import requirements
+from pkmodes_rig.suites.running import _attempt
 from pkmodes_rig.suites.specimens import MACHINES, Specimen, measurements
 from pkmodes_rig.suites.strengths import signal
 from pkmodes_rig.suites.suites import SUITES
@@ -119,15 +123,15 @@ def outcomes(suite: str, *states: str, **changes: object) -> list[CaseOutcome]:
     return [replace(CaseOutcome(case, state, "", ()), **changes) for state in states]
 
 
-def lines(*groups: list[CaseOutcome]) -> list[str]:
+def required(*groups: list[CaseOutcome]) -> list[str]:
     by_suite = {suite: [o for group in groups for o in group if o.case.suite == suite] for suite in SUITES}
     return requirements(by_suite)
 
 
 def test_one_wrong_answer_from_few_rows_is_one_too_many() -> None:
-    (held,) = lines(outcomes("few rows", *["abstained"] * 99, "named"))
+    (held,) = required(outcomes("few rows", *["abstained"] * 99, "named"))
     assert held == "| few rows | confident and wrong: none | 0 of 100: 0.0 % | 0.0-3.6 % | met |"
-    (broken,) = lines(outcomes("few rows", *["abstained"] * 99, "wrong"))
+    (broken,) = required(outcomes("few rows", *["abstained"] * 99, "wrong"))
     assert broken.endswith("1 of 100: 1.0 % | 0.0-5.4 % | **NOT MET** |")
 
 
@@ -135,16 +139,35 @@ def test_only_clear_causes_have_to_be_named() -> None:
     suite = "one effect, realistic"
     clear = outcomes(suite, "named", "abstained", signal=6.1, values=(("a", 1.0, 0.1, 1.25),))
     hidden = outcomes(suite, "abstained", "adequate", signal=5.9)
-    named, right, wrong, cover = lines(clear, hidden)
+    named, right, wrong, cover = required(clear, hidden)
     assert "named >= 95 % | 1 of 2" in named
     assert "3 sigma >= 95 % | 1 of 1" in right
     assert "confident and wrong <= 2 % | 0 of 4" in wrong
     assert "0 of 2" in cover  # 2.5 standard deviations off, in both
 
 
+def test_an_exception_counts_as_a_clear_cause_that_was_not_named() -> None:
+    """On every page: in the requirements, and in the table of the power."""
+
+    def broken(case: object) -> Any:
+        raise RuntimeError("no")
+
+    failed = _attempt(broken, CaseOutcome, of_kind("one effect", "payload")[0])
+    assert (failed.state, failed.signal) == ("failed", math.inf)
+    assert failed.reason.strip().endswith("RuntimeError: no")
+    named, *_ = required([failed])
+    assert "named >= 95 % | 0 of 1" in named
+    assert diagnosis._power([failed])[-1] == "| over 20 | 1 | 0 % | 0 % | 0 % | 0 % |"
+    machine = next(case for case in campaign_machines.cases(1, 6) if case.names)
+    asked = {what: found for what, _, found, _ in table([_attempt(broken, CampaignOutcome, machine)])}
+    assert asked["cause named, signal > 8 sigma, at least 40 machines"].startswith("0 of 1")
+    with pytest.raises(RuntimeError, match="no"):
+        _attempt(broken, None, machine)
+
+
 def test_a_claim_that_contradicts_the_shapes_counts_where_the_truth_fits_them() -> None:
     suite = "shapes decide"
-    _, against = lines(
+    _, against = required(
         outcomes(suite, "named", mac=(0.89, 0.985)),
         outcomes(suite, "named", mac=(0.95, 0.985)),
         outcomes(suite, "named", mac=(0.5, 0.97)),
@@ -161,7 +184,7 @@ def test_mistakes_have_to_be_noted_and_no_cause_claimed() -> None:
         (o,) = outcomes(suite, "abstained", noted=noted)
         made.append(replace(o, case=replace(o.case, mistake=mistake)))
     made += outcomes(suite, "wrong", physical=True)
-    claimed, unit, channels, sigma, *_ = lines(made)
+    claimed, unit, channels, sigma, *_ = required(made)
     assert "| 1 of 4: 25.0 % |" in claimed
     assert "NOT MET" in claimed
     assert "| 1 of 2: 50.0 % |" in unit
@@ -181,12 +204,12 @@ def test_signed_orders_have_to_be_named_and_right_wirings_left_alone() -> None:
     ):
         (o,) = outcomes(suite, "abstained", rewired=rewired, misnamed=misnamed)
         made.append(replace(o, case=replace(o.case, mistake=mistake)))
-    *_, named, other, right = lines(made)
+    *_, named, other, right = required(made)
     assert "named >= 90 % | 1 of 2: 50.0 % |" in named
     assert "another order named: none | 1 of 2: 50.0 % |" in other
     assert "right wiring called wrong <= 1 % | 1 of 2: 50.0 % |" in right
     undecided = [replace(o, case=replace(o.case, kind="signed order, undecided")) for o in made[:2]]
-    *_, named, other, _ = lines([*undecided, *made[2:]])
+    *_, named, other, _ = required([*undecided, *made[2:]])
     assert "named >= 90 % | no cases |" in named
     assert "another order named: none | 1 of 2: 50.0 % |" in other
 
@@ -202,16 +225,17 @@ def page(*outcomes: ClearOutcome, split: tuple[tuple[ClearOutcome, ...], ...] = 
     return clear_suites._page(outcomes, split, 60.0, 2)
 
 
-def test_each_mechanism_has_forty_cases_of_each_suite_and_meets_all_effects() -> None:
-    count = Counter((c.mechanism, c.suite) for c in cases())
+def test_each_mechanism_has_forty_clear_cases_of_each_suite_and_meets_all_effects() -> None:
+    every = list(clear_suites.cases())
+    count = Counter((c.mechanism, c.suite) for c in every)
     assert set(count.values()) == {40}
     assert len(count) == 9
-    assert {c.machine for c in cases()} == {*ROBOTS, "rotary_delta", "corexy"}
+    assert {c.machine for c in every} == {*ROBOTS, "rotary_delta", "corexy"}
     for mechanism in ("linear_delta", "rotary_delta", "corexy"):
-        alone = {c.kinds[0] for c in cases() if (c.mechanism, c.suite) == (mechanism, "one effect")}
-        paired = {k for c in cases() if (c.mechanism, c.suite) == (mechanism, "two effects") for k in c.kinds}
+        alone = {c.kinds[0] for c in every if (c.mechanism, c.suite) == (mechanism, "one effect")}
+        paired = {k for c in every if (c.mechanism, c.suite) == (mechanism, "two effects") for k in c.kinds}
         assert alone == paired
-    assert len(list(split_cases())) == 36
+    assert len(list(clear_suites.split_cases())) == 36
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from helpers.diagnoses.robot_structures import declared
 from helpers.robots.robot_text import published
 from helpers.robots.small_structures import (
     SIGMA,
@@ -117,14 +118,14 @@ NAMES, SIGMAS = ("a", "b", "c"), np.array([0.5, 2.0, 1.0])
 TRUTH = np.array([0.4, -1.0, 0.7])
 
 
-def parameters(rate: float) -> list[Parameter]:
+def two_together(rate: float) -> list[Parameter]:
     """Return three parameters, of which the first two are correlated."""
     rates = {"a": (("b", rate),), "b": (("a", rate),), "c": ()}
     return [Parameter(n, 0.0, sigma=s, correlated=rates[n]) for n, s in zip(NAMES, SIGMAS, strict=True)]
 
 
 def correlated(rate: float) -> LogLinear:
-    found = log_linear(np.random.default_rng(11), 3, 4, parameters(rate), [])
+    found = log_linear(np.random.default_rng(11), 3, 4, two_together(rate), [])
     found.G *= SIGMA
     return found
 
@@ -142,7 +143,7 @@ def covariance(rate: float) -> np.ndarray:
 
 
 @pytest.mark.parametrize("rate", [-0.95, 0.0, 0.6])
-def test_they_pull_values_as_in_bayes_rule(rate: float) -> None:
+def test_correlated_priors_pull_values_as_in_bayes_rule(rate: float) -> None:
     model = correlated(rate)
     y = model.base + model.G @ TRUTH
     fit = fitted(model, y)
@@ -172,13 +173,13 @@ def test_exactly_proportional_values_stay_so(rate: float) -> None:
 
 
 def test_the_distance_of_a_single_value_is_in_its_own_sigma() -> None:
-    priors = Priors(parameters(-0.9), ())
+    priors = Priors(two_together(-0.9), ())
     values = np.array([0.5, 2.0, 3.0])
     assert priors.away(values) == pytest.approx([1.0, 1.0, 3.0])
     assert priors.residual(values) @ priors.residual(values) == pytest.approx(
         values @ np.linalg.inv(covariance(-0.9)) @ values
     )
-    wide = Priors(parameters(-0.9), (), widened=2.0).residual(values)
+    wide = Priors(two_together(-0.9), (), widened=2.0).residual(values)
     assert wide @ wide == pytest.approx(values @ np.linalg.inv(4.0 * covariance(-0.9)) @ values)
 
 
@@ -189,7 +190,7 @@ def test_correlations_that_cannot_be_are_refused() -> None:
     assert caught.value.where == "parameters a, b"
 
 
-def test_those_of_a_robot_file_are_the_priors_of_its_diagnosis(tmp_path: Path) -> None:
+def test_correlations_of_a_robot_file_are_those_of_the_priors_of_its_diagnosis(tmp_path: Path) -> None:
     """The variances are those of the values' sigmas, the covariances those of the table."""
     text = published().replace('"1.5 kg"', '{ value = "1.5 kg", sigma = "0.1 kg" }', 1)
     text = text.replace('"15 mm"', '{ value = "15 mm", sigma = "1 mm" }', 1)
@@ -211,14 +212,14 @@ def test_those_of_a_robot_file_are_the_priors_of_its_diagnosis(tmp_path: Path) -
     priors = Priors(built.parameters, ())
     names = [built.parameters[i].name for i in priors.index]
     assert names == ["platform.mass", "belt.width"]
-    values = np.array([p.value for p in built.parameters])
+    values = declared(built)
     values[priors.index] += [0.07, 0.0003]
     both = 0.8 * 0.05 * 0.0005
     expected = np.array([0.07, 0.0003]) @ np.linalg.solve([[0.1**2, both], [both, 0.001**2]], [0.07, 0.0003])
     assert priors.residual(values) @ priors.residual(values) == pytest.approx(expected)
 
 
-def test_losses_have_them_too() -> None:
+def test_losses_have_correlated_priors_too() -> None:
     """Two proportional losses move together; two independent ones would each move by their share."""
     count, rng = 8, np.random.default_rng(4)
     rates = 1.0 + rng.random((count, 2))

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 import pytest
 
+from helpers.diagnoses.robot_structures import declared
 from helpers.robots.small_structures import LOADS, STIFFNESS, altered, frame, frame_matrices, frame_measured
 from pkmodes.diagnosis import Criteria, MatrixStructure, Measurements, diagnose, update
 from pkmodes.diagnosis.criteria import FitCriteria
@@ -64,7 +65,7 @@ def test_a_cause_that_would_not_matter_is_not_mentioned() -> None:
 def test_a_step_that_is_too_long_is_not_reported_as_blocked() -> None:
     # From 1.5 times the stiffness a linear model leads to 1.5 (1 - ln 1.5) = 0.89, and the answer is 1.
     structure, data = walled(lambda values: values["storey"] < 0.95 * STIFFNESS), measured()
-    fitter, far = Fitter(structure, data), np.array([p.value for p in structure.parameters])
+    fitter, far = Fitter(structure, data), declared(structure)
     far[1] = 1.5 * STIFFNESS
     (descent,) = Fitter(structure, data, Criteria(fits=FitCriteria(rough_steps=0))).roughly(
         [(Hypothesis(), far)]

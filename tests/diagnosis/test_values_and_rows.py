@@ -12,6 +12,7 @@ from scipy.linalg import eigh
 from helpers.robots.small_structures import (
     LOADS,
     MASS,
+    SIGMA,
     STIFFNESS,
     directions,
     errors,
@@ -34,7 +35,6 @@ from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
 
 SETUPS, MODES = 10, 5
 DIRECTIONS = directions(SETUPS * MODES, 2)
-SIGMA = 0.002
 
 
 def all_setups(model: Structure, data: Measurements) -> AllSetups:

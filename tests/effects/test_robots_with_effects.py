@@ -99,7 +99,7 @@ def assert_pair(tmp_path: Path, pair: tuple[str, str]) -> None:
 
 
 def test_any_two_effects_solve_their_eigenproblem(subtests: pytest.Subtests, tmp_path: Path) -> None:
-    for pair in list(combinations(VALUES, 2)):
+    for pair in combinations(VALUES, 2):
         with subtests.test(" and ".join(pair)):
             assert_pair(tmp_path, pair)
 

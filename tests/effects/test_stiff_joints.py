@@ -118,7 +118,7 @@ def assert_equal_modes(name: str, effects: dict[str, float]) -> None:
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_modes_equal_eighty_digits_at_every_compliance(subtests: pytest.Subtests, name: str) -> None:
-    for case in list(CASES):
+    for case in CASES:
         with subtests.test(case=case):
             for compliance in COMPLIANCES:
                 assert_equal_modes(name, effects_of(case, compliance))
@@ -148,14 +148,12 @@ def test_sensitivities_equal_eighty_digits(effect: str, compliance: float) -> No
     listed = model.modes(sample(name).pose).shapes
     sign = np.sign(np.sum(rows * listed * np.abs(np.diagonal(found.mass_matrix[1])).clip(1e-9), axis=1))
     assert (np.diff(found.groups[3:]) == 1).all(), "no two modes of vibration are mistaken for one"
-    by = [
-        tuple(mp.matrix(a[t].tolist()) for a in (found.mass_matrix, found.stiffness_matrix)) for t in range(3)
-    ]
     dM, dK = mp.zeros(len(rows[0])), mp.zeros(len(rows[0]))
     for q in CATALOGUE[own.split(".")[0]].coordinates:
         i = model.coordinates.index(q.name)
         dK[i, i] = -1 / mp.mpf(compliance) ** 2
-    by[0] = dM, dK
+    others = zip(found.mass_matrix[1:3], found.stiffness_matrix[1:3], strict=True)
+    by = [(dM, dK), *(tuple(mp.matrix(a.tolist()) for a in pair) for pair in others)]
     for k in range(3, len(values)):
         for t, (rate, shape) in enumerate(exact_derivatives(modes, k, by)):
             assert found.eigenvalues[t, k] == pytest.approx(float(rate), rel=1e-9), (t, k)

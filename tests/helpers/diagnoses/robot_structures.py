@@ -15,10 +15,12 @@ from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes.updating.robot_structure import RobotStructure
 
 
-def measured_once(robot: Robot, points: np.ndarray, **columns: Any) -> Measurements:
-    """One row for each pose, of an arbitrary mode; `columns` as for `Measurements.from_rows`."""
+def structure_at(
+    robot: Robot, points: np.ndarray, candidates: Sequence[str] | None = None, **columns: Any
+) -> RobotStructure:
+    """The structure of a robot that was measured at these poses: one row each; `columns` as for `from_rows`."""
     count = len(points)
-    return Measurements.from_rows(
+    data = Measurements.from_rows(
         [f"P{i}" for i in range(count)],
         np.full(count, 50.0),
         np.full(count, 0.1),
@@ -26,13 +28,7 @@ def measured_once(robot: Robot, points: np.ndarray, **columns: Any) -> Measureme
         components={component.name: component.unit for component in robot.mechanism.pose},
         **columns,
     )
-
-
-def structure_at(
-    robot: Robot, points: np.ndarray, candidates: Sequence[str] | None = None, **columns: Any
-) -> RobotStructure:
-    """The structure of a robot that was measured at these poses."""
-    return MeasuredRobot.of(robot, measured_once(robot, points, **columns)).structure(candidates)
+    return MeasuredRobot.of(robot, data).structure(candidates)
 
 
 def suspected(robot: Robot, points: np.ndarray, candidates: Sequence[str] | None = None) -> RobotStructure:

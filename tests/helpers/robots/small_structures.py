@@ -3,7 +3,8 @@
 `LogLinear` has frequencies whose logarithms are linear in its parameters: least squares, covariances and
 chi-square are those of textbooks.  `log_linear` draws one at random, `of_signatures` has the signatures that are
 given in standard deviations; `with_changes` measures one that is given in the same way, `logs_measured` any.
-`frame` is a row of masses and springs, measured by `frame_measured`; `altered` is one with something else.
+`frame` is a row of masses and springs, measured by `frame_measured`, and `altered` one with other matrices.
+`relative_frame` has a factor for each mass and spring, and `relative_modes` are its modes.
 """
 
 from __future__ import annotations
@@ -252,10 +253,8 @@ def frame(
 
 def altered(plain: MatrixStructure, matrices: Callable, **changes: Any) -> MatrixStructure:
     """A structure with other matrices, and perhaps another of its arguments."""
-    given = {"parameters": plain.parameters, "candidates": plain.candidates}
-    return MatrixStructure(
-        matrices=matrices, **{**given, "channels": plain.channels, "setups": plain.setups, **changes}
-    )
+    kept = {name: getattr(plain, name) for name in ("parameters", "candidates", "channels", "setups")}
+    return MatrixStructure(matrices=matrices, **(kept | changes))
 
 
 def frame_measured(
@@ -342,6 +341,6 @@ def mixture(n: int, still: int, seed: int) -> tuple[np.ndarray, np.ndarray, np.n
     """M of rank n - still with directions of its own, K, and the motions without mass."""
     rng = np.random.default_rng(seed)
     A, B = rng.standard_normal((2, n, n))
-    directions = np.linalg.qr(B)[0]
-    M = (directions[:, still:] * rng.uniform(1.0, 3.0, n - still)) @ directions[:, still:].T
-    return 0.5 * (M + M.T), A @ A.T + n * np.eye(n), directions[:, :still]
+    Q = np.linalg.qr(B)[0]
+    M = (Q[:, still:] * rng.uniform(1.0, 3.0, n - still)) @ Q[:, still:].T
+    return 0.5 * (M + M.T), A @ A.T + n * np.eye(n), Q[:, :still]

@@ -122,7 +122,7 @@ class Case:
 
 @dataclass(frozen=True)
 class DampingOutcome(Outcome[Case]):
-    """What the diagnosis said of the damping of a case; `verdict` is that on the whole.
+    """What the diagnosis said of a case: `state`, `classes` and `reason` of the damping, `verdict` of the whole.
 
     Attributes
     ----------

@@ -71,8 +71,8 @@ def main() -> None:
 def _chosen(only: Sequence[str] | None, limit: int | None, drives: str) -> Iterable[Case]:
     for suite in only or SUITES:
         cases = list(_driven(drives, SUITES[suite]()))
-        count = min(limit or len(cases), len(cases))
-        yield from (cases[(2 * k + 1) * len(cases) // (2 * count)] for k in range(count))
+        number = min(limit or len(cases), len(cases))
+        yield from (cases[(2 * k + 1) * len(cases) // (2 * number)] for k in range(number))
 
 
 def _driven(drives: str, cases: Iterable[Case]) -> Iterator[Case]:
@@ -244,11 +244,10 @@ def _lacking(case: Case) -> str:
 def _power(outcomes: list[CaseOutcome]) -> list[str]:
     states, rows = ("named", "abstained", "adequate", "wrong"), []
     for low, high in itertools.pairwise(BINS):
-        group = [o for o in outcomes if low <= o.signal < high]
+        last = high == BINS[-1]  # with the infinite signals of failures
+        group = [o for o in outcomes if low <= o.signal and (last or o.signal < high)]
         parts = [f"{count(group, s) / len(group):.0%}".replace("%", " %") if group else "" for s in states]
-        rows.append(
-            (f"over {low:g}" if high == BINS[-1] else f"{low:g} to {high:g}", str(len(group)), *parts)
-        )
+        rows.append((f"over {low:g}" if last else f"{low:g} to {high:g}", str(len(group)), *parts))
     return table(("signal", "cases", *states), rows)
 
 

@@ -47,7 +47,7 @@ def _equivalent(*groups: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
     return {name: group for group in groups for name in group}
 
 
-#: The same for the other mechanisms.
+#: The same for the other machines.
 EQUIVALENT = {
     # Only inertia * gear_ratio^2 at phi_j enters the modes.
     "rotary_delta": _equivalent(("gearbox_inertia", *_inertias("")), _inertias("axis.2.")),
@@ -66,7 +66,7 @@ EQUIVALENT = {
 
 
 def same_of(machine: str) -> Mapping[str, tuple[str, ...]]:
-    """Return the candidates equivalent to the truth for one of `MACHINES`."""
+    """Return the candidates equivalent to the truth, for one of `specimens.MACHINES`."""
     return EQUIVALENT.get(machine, SAME)
 
 
@@ -135,7 +135,7 @@ class CaseOutcome(Outcome[Case]):
 def run(case: Case) -> CaseOutcome:
     """Measure, diagnose and judge a case."""
     test = tried(case)
-    diagnosis, said = diagnosed(case.names, case.truth.sizes, lambda: _of(case, test.text))
+    diagnosis, said = diagnosed(case.names, case.truth.sizes, lambda: _diagnosis(case, test.text))
     faulty = bool(case.edit or case.names or case.truth.outside)
     if diagnosis.verdict in ("adequate", "effect_found") and faulty and set_aside_blindly(case, diagnosis):
         said["state"] = "wrong"
@@ -161,7 +161,7 @@ def run(case: Case) -> CaseOutcome:
 def diagnosed(
     names: tuple[str, ...],
     sizes: Mapping[str, float],
-    diagnose: Callable[[], Diagnosis],
+    made: Callable[[], Diagnosis],
     same: Mapping[str, tuple[str, ...]] = SAME,
 ) -> tuple[Diagnosis, dict[str, Any]]:
     """Diagnose a specimen, and return what outcomes of all suites say of it.
@@ -172,12 +172,13 @@ def diagnosed(
         Candidates that should be named.
     sizes : mapping of str to float
         True values by parameter, see `Specimen.sizes`.
-    diagnose : callable
+    made : callable
+        Returns the diagnosis.
     same : mapping
         Equivalent candidates.
     """
     start = time.perf_counter()
-    diagnosis = diagnose()
+    diagnosis = made()
     seconds = time.perf_counter() - start
     return diagnosis, {
         "state": judged(names, diagnosis, same),
@@ -195,7 +196,7 @@ def diagnosed(
     }
 
 
-def _of(case: Case, text: str) -> Diagnosis:
+def _diagnosis(case: Case, text: str) -> Diagnosis:
     """Diagnose a specimen from the text of a file, as a user would."""
     if isinstance(case.truth, Building):
         return diagnose(case.truth.structure(), measurements(text, case.truth.channels))

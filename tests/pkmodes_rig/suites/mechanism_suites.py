@@ -15,6 +15,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pprint import pformat
 
+from pkmodes.core.mechanism.registry import mechanism
 from pkmodes.sensitivity.paths import resolve
 from pkmodes.updating.candidates import PREFIX
 from pkmodes_rig.suites.mechanism_cases import MechanismCase, MechanismOutcome, run
@@ -177,7 +178,7 @@ def _size(name: str, suite: str, kind: str, target: float, sign: float = 1.0) ->
         declared = abs(resolve(robot_of(name), kind).value) or 0.1
         most, start = declared * (MOST - 1.0 if sign > 0.0 else 1.0 - 1.0 / MOST), 1e-4 * declared
     elif suite == "one effect" and kind != "one alone":
-        parameter = robot_of(name).mechanism.effects[kind].parameters[0].name
+        parameter = mechanism(name).effects[kind].parameters[0].name
         start = STARTS.get(kind, STARTS.get(parameter, 1e-10 if parameter == "inertia" else 1e-4))
 
     def measured(size: float) -> float:

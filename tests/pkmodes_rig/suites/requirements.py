@@ -173,12 +173,12 @@ def headed(title: str, lines: Iterable[str]) -> list[str]:
     return [f"| {title} | requirement | measured | interval | |", "|---|---|---|---|---|", *lines]
 
 
-def line(suite: str, what: str, count: int, of: int, least: float = 0.0, most: float = 1.0) -> str:
+def line(suite: str, what: str, number: int, of: int, least: float = 0.0, most: float = 1.0) -> str:
     """Return a line of the table: how often, with its 95 % interval, and whether that is within the bounds."""
     if not of:
         return f"| {suite} | {what} | no cases | | |"
-    low = stats.beta.ppf(0.025, count, of - count + 1) if count else 0.0
-    high = stats.beta.ppf(0.975, count + 1, of - count) if count < of else 1.0
-    met = "met" if least <= count / of <= most else "**NOT MET**"
-    share = f"{count} of {of}: {100 * count / of:.1f} %"
+    low = stats.beta.ppf(0.025, number, of - number + 1) if number else 0.0
+    high = stats.beta.ppf(0.975, number + 1, of - number) if number < of else 1.0
+    met = "met" if least <= number / of <= most else "**NOT MET**"
+    share = f"{number} of {of}: {100 * number / of:.1f} %"
     return f"| {suite} | {what} | {share} | {100 * low:.1f}-{100 * high:.1f} % | {met} |"

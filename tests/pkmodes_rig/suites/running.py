@@ -36,11 +36,11 @@ class Outcome(Generic[C]):
     values : tuple of (name, estimate, sigma, true)
         Parameters of the causes that were named.
     signal : float
-        Predicted signal for the modes that were found; see `strengths`.
+        Predicted signal for the modes that were found, see `strengths`; infinite if an exception was raised.
     seconds : float
         Time of the diagnosis.
     reason : str
-        Or the traceback of a failure.
+        Of the diagnosis, or the traceback of the exception.
     """
 
     case: C
@@ -76,8 +76,9 @@ def run_all(
     Parameters
     ----------
     run, said, failed : callable
-        `said` describes an outcome in a line.  `failed` makes an outcome of a case in which an exception was raised,
-        which counts as one with a clear cause; without it the exception is not caught.
+        `said` describes an outcome in a line.  `failed` makes the outcome of a case in which an exception was raised:
+        its state is ``failed`` and its signal infinite, so that a cause counts as a clear one that was not named.
+        Without it the exception is not caught.
     cases : sequence
     jobs : int
         Processes.

@@ -20,7 +20,7 @@ OUTSIDE_TARGETS = (20.0, 50.0)
 #: Number of pairs of effects, and the range of the signal of each alone: clearly visible.
 PAIRS, PAIR_TARGETS = 24, (10.0, 25.0)
 
-#: Relative sizes of the three factors of `axis_belt_stiffness`: all different, one of opposite sign.
+#: Relative sizes of the factors of a group, such as `axis_belt_stiffness`: all different, one of opposite sign.
 UNEQUAL = (0.5, -1.0, 0.3)
 
 #: Causes of the rig that no combination in the catalogue can represent.  Left out are `rod_taper`, which is exactly a

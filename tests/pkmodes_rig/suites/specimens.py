@@ -36,11 +36,15 @@ from pkmodes_rig import (
 from pkmodes_rig import ROBOTS as DELTAS
 from pkmodes_rig.suites.sizes import UNEQUAL
 
+T = TypeVar("T")
+
 ROBOTS = Path(__file__).resolve().parents[3] / "robots"
+#: Sensor channels of a linear delta.
+CHANNELS = tuple(channels_of(mechanism("linear_delta")))
 #: Standard deviation of ln f, and the number of modes of a linear delta that are sought beyond the first three.
 SIGMA, MODES = 0.002, 6
-#: Band of the other mechanisms: lowest frequency [Hz], and highest relative to the highest frequency of the declared
-#: model at any pose.
+#: Band that is searched for modes of the other mechanisms: lowest frequency [Hz], and highest relative to the highest
+#: frequency of the declared model at any pose.
 LOWEST, HIGHEST = 2.0, 1.25
 
 
@@ -189,10 +193,6 @@ def with_wrong(machine: str, path: str, change: float) -> Specimen:
 def with_outside(machine: str, kind: str, size: float) -> Specimen:
     """Return a machine with one cause outside the catalogue."""
     return Specimen(machine, outside={kind: size})
-
-
-CHANNELS = tuple(channels_of(mechanism("linear_delta")))
-T = TypeVar("T")
 
 
 def measurements(text: str, channels: Sequence[str] = CHANNELS) -> Measurements:

@@ -21,6 +21,7 @@ from typing import Any
 
 import numpy as np
 
+from pkmodes.core.mechanism.registry import mechanism
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
@@ -122,7 +123,7 @@ def left_by_declared(
     beside: str | None = None,
     effects: Mapping[str, float] = {},
 ) -> float | None:
-    """Return what the declared model leaves of the frequencies, in standard deviations; None if it has no modes.
+    """Return what the declared model leaves of the frequencies, in standard deviations; None if it has no fit.
 
     An effect may be fitted `beside` it, from the values in `effects`.
     """
@@ -240,7 +241,7 @@ def two_effects() -> None:
 
 def start_of(effect: str) -> float:
     """Return the starting value of the search for the size of an effect."""
-    parameters = robot_of(next(iter(ROBOTS))).mechanism.effects[effect].parameters
+    parameters = mechanism("linear_delta").effects[effect].parameters
     return STARTS.get(parameters[0].name, 1e-4)
 
 
