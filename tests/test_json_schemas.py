@@ -14,8 +14,9 @@ import numpy as np
 import pytest
 from msgspec import field
 
+from helpers.commands.answers import answer, from_json
 from helpers.robots.robot_text import PUBLISHED, edited, published
-from pkmodes.cli import cli, run
+from pkmodes.cli import cli
 from pkmodes.cli.schemas import schema_files
 from pkmodes.support.documents import Document, schema_of
 from pkmodes_rig.robots import ROBOTS
@@ -40,15 +41,11 @@ def schema(command: str) -> dict[str, Any]:
     return json.loads(SCHEMAS[command].read_text(encoding="utf-8"))
 
 
-def result(capsys: pytest.CaptureFixture[str], *arguments: str, code: int = 0) -> dict[str, Any]:
-    """Return the JSON of a command, read strictly: NaN and Infinity are not JSON."""
-    capsys.readouterr()
-    assert run([*arguments, "--json", "-"]) == code
-    return json.loads(capsys.readouterr().out, parse_constant=refuse)
-
-
-def refuse(name: str) -> None:
-    pytest.fail(f"{name} is no JSON")
+def result(*arguments: str, code: int = 0) -> dict[str, Any]:
+    """Return the JSON of a command."""
+    found = answer(*arguments, "--json", "-")
+    assert found.code == code
+    return found.json
 
 
 def expect_described(command: str, content: Any) -> None:
@@ -122,85 +119,81 @@ def test_what_the_commands_wrote_agrees_with_their_schemas(subtests: pytest.Subt
     for file in files:
         command, case = file.parts[-3:-1]
         with subtests.test(f"{command}/{case}"):
-            content = json.loads(file.read_text(encoding="utf-8"), parse_constant=refuse)
+            content = from_json(file.read_text(encoding="utf-8"))
             expect_described(
                 "compare-robots" if (command, case) == ("compare", "robots") else command, content
             )
 
 
-def test_generate_and_check(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_generate_and_check(tmp_path: Path) -> None:
     robot, model = tmp_path / "robot.toml", str(tmp_path / "model")
     robot.write_text(published(), encoding="utf-8")
-    expect_described("generate", result(capsys, "generate", str(robot), "--out", model))
-    expect_described("check", result(capsys, "check", str(robot), model))
+    expect_described("generate", result("generate", str(robot), "--out", model))
+    expect_described("check", result("check", str(robot), model))
     robot.write_text(edited("1.5 kg", "1.6 kg"), encoding="utf-8")
-    changed = result(capsys, "check", model, code=1)
+    changed = result("check", model, code=1)
     assert changed["targets"][0]["findings"]
     expect_described("check", changed)
     robot.unlink()
-    copied = result(capsys, "check", model)
+    copied = result("check", model)
     assert copied["targets"][0]["unchecked"]
     expect_described("check", copied)
 
 
-def test_a_robot_without_a_regular_pose(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_robot_without_a_regular_pose(tmp_path: Path) -> None:
     """The error of that check is infinite, which JSON cannot represent."""
     robot = tmp_path / "robot.toml"
     robot.write_text(published().replace('"400 mm"', '"1 mm"'), encoding="utf-8")
-    found = result(capsys, "check", str(robot), code=1)
+    found = result("check", str(robot), code=1)
     assert [check["error"] for check in found["targets"][0]["consistency"]] == [None]
     expect_described("check", found)
 
 
-def test_compare_with_a_mode_that_no_mode_of_the_model_is_near(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_compare_with_a_mode_that_no_mode_of_the_model_is_near(tmp_path: Path) -> None:
     lonely = tmp_path / "lonely.csv"
     lonely.write_text("pose,x,y,z,frequency,sigma\nA,0.6,0,-0.245,9000,1\n", encoding="utf-8")
-    alone = result(capsys, "compare", str(PUBLISHED), str(lonely))
+    alone = result("compare", str(PUBLISHED), str(lonely))
     assert alone["p_value"] is None
     assert alone["rows"][0]["partner"] is None
     expect_described("compare", alone)
 
 
-def test_compare_of_two_robots_of_which_one_has_an_effect(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_compare_of_two_robots_of_which_one_has_an_effect(tmp_path: Path) -> None:
     grid = ["--grid", "x=0.5:0.7:3,y=0:0.02:2,z=-0.245"]
     other = tmp_path / "other.toml"
     text = edited("1.5 kg", "1.6 kg") + '\n[effects.servo_stiffness]\nstiffness = "300 N*m/rad"\n'
     other.write_text(text, encoding="utf-8")
     for files in ([str(PUBLISHED), str(other)], [str(other), str(PUBLISHED)]):
-        found = result(capsys, "compare", *files, *grid)
+        found = result("compare", *files, *grid)
         assert found["values"]
         expect_described("compare-robots", found)
 
 
-def test_what_is_set_is_described(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_is_set_is_described(tmp_path: Path) -> None:
     header = "pose,x,y,z,frequency,sigma,set:effects.payload.mass"
     rows = "A,0.6,0,-0.245,55.6,0.1,", "B,0.6,0,-0.245,50,0.1,0.3"
     (tmp_path / "modes.csv").write_text("\n".join([header, *rows, ""]), encoding="utf-8")
     files = [str(PUBLISHED), str(tmp_path / "modes.csv")]
     for command in ("compare", "diagnose"):
-        found = result(capsys, command, *files)
+        found = result(command, *files)
         assert [row.get("set") for row in found["rows"]] == [None, {"effects.payload.mass": 0.3}]
         expect_described(command, found)
 
 
-def test_a_diagnosis_of_too_few_data(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_diagnosis_of_too_few_data(tmp_path: Path) -> None:
     few, robot = tmp_path / "few.csv", tmp_path / "robot.toml"
     few.write_text(
         "pose,x,y,z,frequency,sigma\nA,0.6,0,-0.245,55.6,0.1\nA,0.6,0,-0.245,9000,1\n", encoding="utf-8"
     )
     robot.write_text(ROBOTS["published"], encoding="utf-8")
-    found = result(capsys, "diagnose", str(robot), str(few), "--candidates", "payload")
+    found = result("diagnose", str(robot), str(few), "--candidates", "payload")
     assert found["verdict"] == "insufficient_data"
     expect_described("diagnose", found)
 
 
-def test_a_result_that_lacks_a_key_or_has_a_wrong_type_is_seen(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_result_that_lacks_a_key_or_has_a_wrong_type_is_seen() -> None:
     """The checks above can fail."""
-    found = result(capsys, "modes", str(PUBLISHED), *POSE)
+    found = result("modes", str(PUBLISHED), *POSE)
     for wrong in (
         {key: value for key, value in found.items() if key != "pose"},
         {**found, "rigid_modes": None},

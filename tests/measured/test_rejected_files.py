@@ -70,6 +70,7 @@ BAD_ROWS = [
     ("A,0.6,0,-0.245,1_0,0.05,,,,,,,", "frequency", 'finite number, found "1_0"'),
     ("A,0.6,0,-0.245,\u0665,0.05,,,,,,,", "frequency", "finite number"),
     ("A,0.6,0,-0.245,0,0.05,,,,,,,", "frequency", "above 0 Hz, found 0"),
+    ("A,0.6,0,-0.245,0,0.05,,,,,,,", "frequency", "; leave out rigid-body modes"),
     ("A,0.6,0,-0.245,-3,0.05,,,,,,,", "frequency", "above 0 Hz, found -3"),
     ("A,0.6,0,-0.245,1e300,0.05,,,,,,,", "frequency", "above 0 Hz (at most 1e+30), found 1e+300"),
     ("A,0.6,0,-0.245,55.5,0,,,,,,,", "sigma", "above 0 Hz, found 0"),

@@ -21,7 +21,7 @@ HEAD = 'format = 1\nchannels = ["u1", "u2", "u3"]\nband = ["20 Hz", "200 Hz"]\nt
 SENSORS = "".join(f'[[sensor]]\nname = "a{k}"\nchannel = "u{k}"\nunit = "m/s^2"\n' for k in (1, 2, 3))
 
 
-#: A label that a careless page would execute, as of a pose of every page here.
+#: Label of the first pose of the campaign: a careless page would execute it.
 LABEL = f"P1 {' '.join(HOSTILE[:6])}"
 
 

@@ -69,7 +69,7 @@ def shown(page: Path) -> Iterator[Opened]:
 
 @pytest.fixture
 def seen(shown: Opened) -> Opened:
-    """Each report, opened once for the tests that change only the size of the window and the colours."""
+    """Each report, opened once for the tests that change only the size of the window, the colours, and the focus."""
     shown.page.set_viewport_size({"width": 1280, "height": 900})
     shown.page.emulate_media(color_scheme="light", media="screen")
     return shown

@@ -1,4 +1,4 @@
-"""What several test files share: the published robot, its generated model, and a diagnosis."""
+"""What several test files share: a terminal, the published robot, its generated model, and a diagnosis."""
 
 from __future__ import annotations
 
@@ -30,6 +30,12 @@ def pristine(shared: Shared) -> Path:
 @pytest.fixture
 def copy(pristine: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(pristine, tmp_path / "copy"))
+
+
+@pytest.fixture
+def eighty(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A terminal of 80 columns."""
+    monkeypatch.setenv("COLUMNS", "80")
 
 
 @pytest.fixture(scope="session")

@@ -214,16 +214,18 @@ def test_fields_read_later_are_those_asked_for_by_name(
     model: pkmodes.Model, kind: str, drives: str, backend: str
 ) -> None:
     model, poses = model.with_values(KINDS[kind]), np.array([*POSES, BAD, [np.nan, 0.0, 0.0]])
-    together, names = (
-        model.modes(poses, "nan", drives=drives, backend=backend),
-        Modes.fields_of(model.mechanism),
-    )
+    names = Modes.fields_of(model.mechanism)
+    together = model.modes(poses, "nan", drives=drives, backend=backend)
+    by_name = model.modes(poses, "nan", fields=names, drives=drives, backend=backend)
     assert not WAITING & vars(together).keys() - {*(WAITING if backend == "numpy" else ())}
     for name in names:
-        by_name = model.modes(poses, "nan", fields=names, drives=drives, backend=backend)
-        np.testing.assert_array_equal(getattr(together, name), getattr(by_name, name))
         alone = model.modes(poses, "nan", fields=[name], drives=drives, backend=backend)
-        np.testing.assert_array_equal(getattr(together, name), getattr(alone, name))
+        for one in (by_name, alone):
+            np.testing.assert_array_equal(getattr(together, name), getattr(one, name), strict=True)
+            np.testing.assert_array_equal(one.poses, poses)
+            assert (one.coordinates, one.rigid_modes) == (together.coordinates, together.rigid_modes)
+    frequencies = model.frequencies(poses, "nan", drives=drives, backend=backend)
+    np.testing.assert_array_equal(frequencies, together.frequencies, strict=True)
     assert np.isnan(together.mass_matrix[3:]).all()
 
 

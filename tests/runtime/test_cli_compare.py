@@ -12,7 +12,8 @@ import pytest
 
 import pkmodes
 from helpers.commands import answers
-from helpers.diagnoses.diagnose_command import HEADER, Answer, csv_of, rows_of
+from helpers.commands.answers import Answer
+from helpers.diagnoses.diagnose_command import HEADER, csv_of, rows_of
 from helpers.robots.robot_text import PUBLISHED
 from helpers.runs.processes import printed_by_a_process
 from pkmodes_rig.measurements import measure
@@ -25,7 +26,7 @@ ROW = "A,0.6,0,-0.245,55.5,0.1"
 
 
 def call(*arguments: object) -> Answer:
-    return Answer(*answers.answer("compare", *arguments))
+    return answers.answer("compare", *arguments)
 
 
 def rows_below(found: Answer, sentence: str) -> list[str]:
@@ -64,6 +65,7 @@ def test_json_holds_the_result_and_every_row(tmp_path: Path) -> None:
     answer = call(PUBLISHED, modes, "--json", "-")
     assert (answer.code, answer.err) == (0, "")
     found = answer.json
+    assert (found["robot"], found["unpaired"]) == ("linear-delta-2022", 0)
     assert len(found["rows"]) == 18
     model = pkmodes.load(PUBLISHED)
     differences, sigmas = [], []

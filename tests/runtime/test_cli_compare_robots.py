@@ -15,15 +15,12 @@ from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
 from pkmodes.plots.changes import scale_of
 
+pytestmark = pytest.mark.usefixtures("eighty")
+
 ROOT = Path(__file__).parents[2]
 PRINTER = str(ROOT / "robots/corexy-printer.toml")
 VORON = str(ROOT / "examples/voron/robot.toml")
 GRID = ("--grid", "x=0.05:0.25:5,y=0.05:0.25:5")
-
-
-@pytest.fixture(autouse=True)
-def eighty(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("COLUMNS", "80")
 
 
 @pytest.mark.parametrize(

@@ -10,8 +10,8 @@ import jsonschema
 import pytest
 
 import pkmodes
+from helpers.commands.answers import Answer
 from helpers.diagnoses.diagnose_command import (
-    Answer,
     bare,
     call,
     csv_of,

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from helpers.commands.answers import printed
 from helpers.diagnoses.diagnose_command import (
     PUBLISHED,
     UNEQUAL,
@@ -22,6 +23,59 @@ from helpers.diagnoses.diagnose_command import (
 )
 from helpers.pages.page_reading import read
 from helpers.runs.processes import printed_by_a_process, without_progress
+
+
+def test_the_table_of_a_cause_has_the_numbers_of_the_json(tmp_path: Path) -> None:
+    robot = (
+        PUBLISHED + '\n[effects.belt_end_compliance]\ncompliance = { value = "1e-9 m/N", sigma = "20 %" }\n'
+    )
+    inputs, out = files(tmp_path, robot, measured(effects=WIND_UP)), tmp_path / "result.json"
+    options = ("--candidates", "gearbox_compliance,payload", "--holdout", "P3", "--json", out)
+    text = printed("diagnose", *inputs, *options)
+    found, lines = json.loads(out.read_text(encoding="utf-8")), text.splitlines()
+    assert max(map(len, lines)) <= 80
+    assert "\u2026" not in text
+    assert lines[0] == "linear-delta-2022: effect_found"
+    assert lines[1].startswith("  the residual of the declared model is not noise (p < 1e-6); ")
+    assert "18 measured modes fitted, motors free (held out: P3)" in lines
+    cause = re.search(r"^  gearbox_compliance\.compliance = \((\S+) \+- (\S+)\)e-4 rad/\(N\*m\)$", text, re.M)
+    assert cause is not None
+    compliance = found["effects"][0]["parameters"]["compliance"]
+    assert 4e-4 < compliance["value"] < 6e-4
+    assert [*map(float, cause.groups())] == [
+        pytest.approx(1e4 * compliance[key], abs=0.0051) for key in ("value", "sigma")
+    ]
+    (start,) = (i for i, line in enumerate(lines) if line.startswith("error "))
+    assert " ".join(lines[start].split()) == "error rms [%] held out [%] chi2 per dof"
+    for line, (stage, name) in zip(
+        lines[start + 1 : start + 4],
+        {
+            "before": "before: as declared",
+            "refit": "refit of the uncertain values only",
+            "after": "after: with the cause",
+        }.items(),
+        strict=True,
+    ):
+        assert line.startswith(f"{name} ")
+        error = found["error"][stage]
+        expected = (100 * error["rms_relative"], 100 * error["held_out_rms_relative"], error["chi2_per_dof"])
+        assert [*map(float, line.split()[-3:])] == [pytest.approx(one, rel=5e-3) for one in expected]
+    (start,) = (i for i, line in enumerate(lines) if line.startswith("uncertain value"))
+    rows, refitted = lines[start + 1 : start + 5], found["refitted"]
+    assert [line.split()[0] for line in rows] == [path.removeprefix("effects.") for path in refitted]
+    assert [*refitted][-1] == "effects.belt_end_compliance.compliance"
+    for column in ("before", "after"):  # right ends of the numbers
+        end = lines[start].index(column) + len(column)
+        assert all(line[end - 1] != " " and line[end] == " " for line in rows)
+    for line, value in zip(rows, refitted.values(), strict=True):
+        shown = re.search(r"  (\S+)  +\(?(\S+) \+- ([^ )]+)\)?(e\S+)?  +(\S+)  (\S+)$", line)
+        assert shown is not None
+        before, after, sigma, exponent, of_fit, unit = shown.groups(default="")
+        assert (float(before), unit) == (value["before"], value["unit"])
+        assert float(after + exponent) == pytest.approx(value["after"], abs=0.05 * value["saved_sigma"])
+        assert float(sigma + exponent) == pytest.approx(value["saved_sigma"], rel=0.05)
+        assert float(of_fit) == pytest.approx(value["sigma"], rel=0.05)
+    assert any(line.startswith("stable: the same cause with ") for line in lines)
 
 
 @pytest.mark.usefixtures("no_drawing")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import click
 import pytest
 
 from helpers.runs.processes import ROOT
@@ -19,6 +20,11 @@ def test_help_fits_80_columns_and_shows_an_example(
     lines = capsys.readouterr().out.splitlines()
     assert max(map(len, lines)) <= 80
     assert any(line.startswith(f"    pkmodes {command}") for line in lines)
+    words = " ".join(lines).replace(",", " ").split()
+    options = cli.commands[command].params if command else []
+    assert [
+        one.opts for one in options if isinstance(one, click.Option) and not {*one.opts} <= {*words}
+    ] == []
 
 
 #: Of commands that take a moment: the beginning of what each example prints.

@@ -30,17 +30,22 @@ def test_json_holds_the_numbers_of_the_model(
     out = tmp_path / "modes.json"
     arguments = ["modes", ROBOT, "--pose", POSE, "--drives", drives, "--json"]
     assert run([*arguments, str(out)]) == 0
+    printed = capsys.readouterr().out
+    assert printed.startswith(f"linear-delta-2022 at [0.6, 0.03, -0.245] m, motors {drives}\n")
+    assert ("rigid" in printed) == (drives == "free")
     content = json.loads(out.read_text(encoding="utf-8"))
     model, pose = pkmodes.load(ROBOT), [0.6, 0.03, -0.245]
     result = model.modes(pose, drives=drives)
-    assert content["pose"] == pose
+    assert (content["robot"], content["pose"], content["drives"]) == ("linear-delta-2022", pose, drives)
+    assert content["rigid_modes"] == (3 if drives == "free" else 0)
+    joints = ["x_1", "x_2", "x_3"]
+    assert content["coordinates"] == joints + [f"theta_{j}_{k}" for k in (1, 2) for j in (1, 2, 3)]
     np.testing.assert_array_equal(content["frequencies_hz"], result.frequencies)
     for name in ("shapes", "platform_shapes", "mass_matrix", "stiffness_matrix"):
         np.testing.assert_array_equal(content[name], getattr(result, name))
     np.testing.assert_array_equal(content["static_torques"], model.statics(pose).torques)
     np.testing.assert_array_equal(content["carriage_positions"], result.joint_positions)
-    assert list(content["joint_positions"].values()) == content["carriage_positions"]
-    capsys.readouterr()
+    assert content["joint_positions"] == dict(zip(joints, content["carriage_positions"], strict=True))
     assert run([*arguments, "-"]) == 0
     assert capsys.readouterr() == (json.dumps(content, indent=1) + "\n", "")
 

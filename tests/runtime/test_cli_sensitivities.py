@@ -67,6 +67,30 @@ def test_an_absent_effect_has_the_derivative_of_a_little_of_it(tmp_path: Path) -
     assert found["relative_derivatives"] == [[None] * 9]
 
 
+def test_json_has_every_parameter_and_mode_of_the_model() -> None:
+    found, model = as_json(), pkmodes.load(PUBLISHED)
+    expected = model.sensitivities(POINT)
+    assert (found["robot"], found["pose"], found["drives"]) == ("linear-delta-2022", POINT, "free")
+    assert (found["rigid_modes"], len(found["groups"])) == (3, 9)
+    assert {"platform.mass", "axis.2.origin.y", "effects.link_compliance.compliance"} <= set(
+        found["parameters"]
+    )
+    assert found["parameters"] == list(expected.parameters)
+    assert found["units"] == list(expected.units)
+    np.testing.assert_array_equal(found["values"], expected.values)
+    np.testing.assert_array_equal(found["frequencies_hz"], model.frequencies(POINT))
+    # None, of rigid modes and relative to 0, becomes NaN.
+    by_frequency, by_eigenvalue, relative = (
+        np.array(found[f"{kind}_derivatives"], dtype=float)
+        for kind in ("frequency", "eigenvalue", "relative")
+    )
+    np.testing.assert_array_equal(by_frequency, expected.frequencies)
+    np.testing.assert_array_equal(by_eigenvalue, expected.eigenvalues)
+    values = np.where(expected.values == 0.0, np.nan, expected.values)
+    shares = expected.frequencies * values[:, None] / model.frequencies(POINT)
+    np.testing.assert_allclose(relative, shares, rtol=1e-14)
+
+
 def test_the_table_is_sorted_by_what_a_percent_does() -> None:
     paths = [
         "platform.mass",
@@ -218,4 +242,7 @@ def test_motors_are_held_if_asked() -> None:
     expected = model.sensitivities(POINT, ["platform.mass", "motor.inertia"], drives="held")
     np.testing.assert_array_equal(found["frequencies_hz"], model.frequencies(POINT, drives="held"))
     np.testing.assert_array_equal(found["frequency_derivatives"], expected.frequencies)
-    assert "no frequency depends on: motor.inertia\n" in sensitivities(*some)
+    assert (found["drives"], found["rigid_modes"]) == ("held", 0)
+    out = sensitivities(*some)
+    assert out.startswith("linear-delta-2022 at [0.6, 0.03, -0.245] m, motors held\n")
+    assert "no frequency depends on: motor.inertia\n" in out

@@ -89,12 +89,14 @@ def test_roots_home_and_repositories_are_no_place_for_a_model(
     assert "an empty name" in refused("generate", PUBLISHED, "--out", "")
 
 
-def test_a_folder_with_other_things_is_left_as_it_was(tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["chapter.tex", MODULE])
+def test_a_folder_with_other_things_is_left_as_it_was(tmp_path: Path, name: str) -> None:
+    """Also with a file that has the name of a generated one."""
     (tmp_path / "thesis").mkdir()
-    (tmp_path / "thesis" / "chapter.tex").write_text("years of work", encoding="utf-8")
+    (tmp_path / "thesis" / name).write_text("years of work", encoding="utf-8")
     before = contents(tmp_path)
     error = refused("generate", PUBLISHED, "--out", tmp_path / "thesis")
-    assert "the folder contains other files (chapter.tex) and no manifest of a generated model" in error
+    assert f"the folder contains other files ({name}) and no manifest of a generated model" in error
     assert "; name a new or empty folder, such as --out " in error
     assert contents(tmp_path) == before
 

@@ -12,6 +12,8 @@ import pkmodes
 from helpers.commands.answers import printed
 from helpers.robots.robot_text import published
 
+pytestmark = pytest.mark.usefixtures("eighty")
+
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 #: A zero but for rounding, or three decimals; a frequency of 100 kHz or more has an exponent.
 NUMBER = re.compile(r"0|-?\d+\.\d{3}|-?\d\.\d\de\+\d\d")
@@ -35,11 +37,6 @@ compliance = "1e-7 m/N"
 [effects.frame_compliance]
 compliance = "1e-7 m/N"
 """
-
-
-@pytest.fixture(autouse=True)
-def eighty(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("COLUMNS", "80")
 
 
 def cells(out: str) -> dict[str, list[str]]:

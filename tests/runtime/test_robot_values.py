@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import multiprocessing
 import pickle
 from dataclasses import replace
 from pathlib import Path
@@ -336,6 +337,15 @@ def test_models_with_effects_are_pickled_and_copied(rich: pkmodes.Robot) -> None
         assert (twin.robot, twin.max_condition, twin.coordinates) == (model.robot, 1e5, model.coordinates)
         assert not twin.robot.parameters.link_length.flags.writeable
         np.testing.assert_array_equal(twin.modes(POSE).shapes, expected.shapes)
+
+
+@pytest.mark.usefixtures("backend")
+def test_models_travel_to_other_processes(robot: pkmodes.Robot) -> None:
+    model = pkmodes.Model(robot.with_values({"effects.payload.mass": "350 g"}))
+    poses = [np.array(POSE), np.array(POSE) + 0.01]
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        found = pool.map(model.frequencies, poses)
+    np.testing.assert_array_equal(found, [model.frequencies(p) for p in poses])
 
 
 def assert_changed(rich: pkmodes.Robot, path: str) -> None:

@@ -3,10 +3,18 @@
 from __future__ import annotations
 
 import io
+import json
 from contextlib import redirect_stderr, redirect_stdout
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import pytest
 
 from pkmodes.cli import run
+
+
+def from_json(text: str) -> Any:
+    """Read JSON strictly: NaN and Infinity are not JSON."""
+    return json.loads(text, parse_constant=lambda name: pytest.fail(f"{name} is no JSON"))
 
 
 class Answer(NamedTuple):
@@ -15,6 +23,11 @@ class Answer(NamedTuple):
     code: int
     out: str
     err: str
+
+    @property
+    def json(self) -> dict[str, Any]:
+        """Return the JSON on standard output."""
+        return from_json(self.out)
 
 
 def answer(*arguments: object) -> Answer:

@@ -4,57 +4,35 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import os
 import re
 import tomllib
 from collections.abc import Mapping
-from contextlib import redirect_stderr, redirect_stdout
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from pkmodes.cli import run
+from helpers.commands.answers import Answer, answer
 from pkmodes.core.robot.reading import robot_from_document
 from pkmodes_rig.measurements import measure
 from pkmodes_rig.robots import POSES, ROBOTS
 
 PUBLISHED, TOWER = ROBOTS["published"], ROBOTS["tower"]
-
-
+HEADER = "pose,x,y,z,frequency,sigma"
 SHAPES = ("x_1", "x_2", "x_3", "p_x", "p_y", "p_z")
-
-
 #: Belts that are 10 % too soft on one axis, and 5 % too stiff on another.
 UNEQUAL = {
     "axis_belt_stiffness.factor_1": -0.1,
     "axis_belt_stiffness.factor_2": 0.05,
     "axis_belt_stiffness.factor_3": 0.0,
 }
-
-
 WIND_UP = {"gearbox_compliance.compliance": 5e-4}
 
 
-class Answer(NamedTuple):
-    """Exit code and output of a command."""
-
-    code: int
-    out: str
-    err: str
-
-    @property
-    def json(self) -> dict[str, Any]:
-        return json.loads(self.out)
-
-
 def call(*arguments: object) -> Answer:
-    out, err = io.StringIO(), io.StringIO()
-    with redirect_stdout(out), redirect_stderr(err):
-        code = run(["diagnose", *map(str, arguments)])
-    return Answer(code, out.getvalue(), err.getvalue())
+    return answer("diagnose", *arguments)
 
 
 def edited(text: str, *changes: tuple[str, str]) -> str:
@@ -123,24 +101,17 @@ def files(folder: Path, robot: str = PUBLISHED, modes: str | None = None) -> tup
     return write(folder, robot, "robot.toml"), write(folder, modes or measured(), "modes.csv")
 
 
-def names(value: object) -> bool:
-    return isinstance(value, list) and all(isinstance(name, str) and name for name in value)
-
-
-HEADER = "pose,x,y,z,frequency,sigma"
-
-
-def refusal(answer: Answer, *parts: str) -> None:
-    assert answer.code == 2
-    assert answer.out == ""
-    assert answer.err.startswith("error: ")
-    assert answer.err.count("\n") == 1
-    assert re.search(r" \([^;]*\); \S", answer.err), "where or what to do is missing"
+def refusal(found: Answer, *parts: str) -> None:
+    assert found.code == 2
+    assert found.out == ""
+    assert found.err.startswith("error: ")
+    assert found.err.count("\n") == 1
+    assert re.search(r" \([^;]*\); \S", found.err), "where or what to do is missing"
     for part in parts:
-        assert part in answer.err
+        assert part in found.err
 
 
 def diagnosed(folder: Path, robot: str, modes: str, *options: str) -> dict[str, Any]:
-    answer = call(*files(folder, robot, modes), *options, "--json", "-")
-    assert (answer.code, answer.err) == (0, "")
-    return answer.json
+    found = call(*files(folder, robot, modes), *options, "--json", "-")
+    assert (found.code, found.err) == (0, "")
+    return found.json

@@ -178,7 +178,9 @@ def test_names_that_cannot_be(copy: Path, name: str, message: str) -> None:
 def test_nothing_is_written_for_a_wrong_robot(copy: Path) -> None:
     (copy / "robot.toml").write_text(ROBOT.replace("link", "rod"))
     arguments = ["generate", "--mechanism", "five_bar.py", "robot.toml", "--out", "new"]
-    assert 'unknown key "rod"' in answer(*arguments).err
+    code, out, err = answer(*arguments)
+    assert (code, out) == (2, "")
+    assert 'unknown key "rod"' in err
     shutil.copy(Path(__file__).parents[3] / "robots/corexy-printer.toml", copy / "robot.toml")
     assert "the robot is a corexy, not a five_bar (robot.toml: mechanism)" in refused(*arguments)
     assert not (copy / "new").exists()
