@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from scipy import signal
 
-from pkmodes.cli import run
+from helpers.commands.answers import answer
 
 CHANNELS = ("floor_1", "floor_2", "floor_3")
 HEAD = f'format = 1\nchannels = {json.dumps(CHANNELS)}\nband = ["20 Hz", "200 Hz"]\n'
@@ -30,10 +30,11 @@ def record(kind: str, *files: str, pose: str = "P1") -> str:
 
 
 class Identified(NamedTuple):
-    """What ``pkmodes identify`` writes: its JSON, and the file of modes."""
+    """What ``pkmodes identify`` writes, its JSON and the file of modes, and what it remarks."""
 
     document: dict[str, Any]
     file: Path
+    remarks: str
 
     @property
     def record(self) -> dict[str, Any]:
@@ -41,28 +42,32 @@ class Identified(NamedTuple):
         return self.document["records"][0]
 
 
-def _run(folder: Path, campaign: str) -> tuple[int, Path, Path]:
+MODES, DOCUMENT = "modes.csv", "modes.json"
+
+
+def _answer(folder: Path, campaign: str) -> tuple[int, str]:
+    """Return the exit code, and what is said beside the result, on one line."""
     (folder / "c.toml").write_text(campaign, encoding="utf-8")
-    out, document = folder / "modes.csv", folder / "modes.json"
-    out.unlink(missing_ok=True)
+    (folder / MODES).unlink(missing_ok=True)
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
-        return run(["identify", "c.toml", "--out", out.name, "--json", document.name]), document, out
+        found = answer("identify", "c.toml", "--out", MODES, "--json", DOCUMENT)
+    return found.code, " ".join(found.err.split())
 
 
 def identify(folder: Path, campaign: str) -> Identified:
     """Identify the modes of a campaign, whose files are in the folder."""
-    code, document, out = _run(folder, campaign)
+    code, remarks = _answer(folder, campaign)
     assert code == 0
-    return Identified(json.loads(document.read_text(encoding="utf-8")), out)
+    return Identified(json.loads((folder / DOCUMENT).read_text(encoding="utf-8")), folder / MODES, remarks)
 
 
-def refused(folder: Path, campaign: str, capsys: pytest.CaptureFixture[str]) -> str:
-    """Return why a campaign cannot be identified, on one line; nothing is written."""
-    code, _, out = _run(folder, campaign)
+def refused(folder: Path, campaign: str) -> str:
+    """Return why a campaign cannot be identified; nothing is written."""
+    code, error = _answer(folder, campaign)
     assert code == 2
-    assert not out.exists()
-    return " ".join(capsys.readouterr().err.split())
+    assert not (folder / MODES).exists()
+    return error
 
 
 @dataclass(frozen=True)

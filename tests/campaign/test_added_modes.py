@@ -66,11 +66,9 @@ def test_a_mode_too_weak_to_be_found_is_fitted_from_the_given_frequency(tmp_path
 
 
 @pytest.mark.parametrize("files", [1, 3])
-def test_a_frequency_where_nothing_vibrates_is_refused(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], files: int
-) -> None:
+def test_a_frequency_where_nothing_vibrates_is_refused(tmp_path: Path, files: int) -> None:
     """A single file is what noise imitates a mode in most easily."""
-    message = refused(tmp_path, write_repeats(tmp_path, 12, 0.0, files) + edit(add=["70 Hz"]), capsys)
+    message = refused(tmp_path, write_repeats(tmp_path, 12, 0.0, files) + edit(add=["70 Hz"]))
     assert "no mode can be added at 70 Hz" in message
     assert "(P1)" in message
     assert "c.toml: edit" in message
@@ -116,24 +114,22 @@ def test_a_mode_that_is_struck_and_added_is_fitted_again(tmp_path: Path) -> None
     assert added["frequency"] == pytest.approx(near(plain, 128.0)["frequency"], rel=1e-6)
 
 
-def test_a_mode_that_most_files_lack_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_mode_that_most_files_lack_is_refused(tmp_path: Path) -> None:
     text = write_repeats(tmp_path, 15, 0.0)
     rng = np.random.default_rng(16)
     write_frf(tmp_path / "r0.csv", F, {f"a{k + 1}": accelerances(1.0)[:, k] for k in range(3)}, 0.03, rng)
-    message = refused(tmp_path, text + edit(add=["128 Hz"]), capsys)
+    message = refused(tmp_path, text + edit(add=["128 Hz"]))
     assert "no mode can be added at 128 Hz: it is found in 1 of 3 files only (P1)" in message
 
 
-def test_frequencies_outside_the_band_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    message = refused(tmp_path, write_repeats(tmp_path, 17, 1.0, 1) + edit(add=["210 Hz"]), capsys)
+def test_frequencies_outside_the_band_are_refused(tmp_path: Path) -> None:
+    message = refused(tmp_path, write_repeats(tmp_path, 17, 1.0, 1) + edit(add=["210 Hz"]))
     assert "no mode can be added at 210 Hz: the band of P1 is 20 Hz to 200 Hz" in message
 
 
-def test_two_frequencies_that_lead_to_one_mode_are_refused(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_two_frequencies_that_lead_to_one_mode_are_refused(tmp_path: Path) -> None:
     text = write_repeats(tmp_path, 18, 1.0, 1)
-    message = refused(tmp_path, text + edit(add=["97 Hz", "97.4 Hz"]), capsys)
+    message = refused(tmp_path, text + edit(add=["97 Hz", "97.4 Hz"]))
     assert "no mode can be added at 97.4 Hz" in message
 
 
@@ -173,9 +169,7 @@ def test_a_mode_of_impacts_is_added(tmp_path: Path) -> None:
     assert len(found["struck"]) == 1
 
 
-def test_a_mode_of_responses_alone_is_added_or_refused(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_mode_of_responses_alone_is_added_or_refused(tmp_path: Path) -> None:
     frame, rng, step = Frame.build(), np.random.default_rng(21), 1.0 / 512.0
     count = round(40.0 / step)
     a = sum(accelerations(frame, step, rng.normal(size=count), floor) for floor in range(3))
@@ -193,10 +187,10 @@ def test_a_mode_of_responses_alone_is_added_or_refused(
             before["frequency"], abs=0.1 * before["sigma_parts"]["fit"]
         )
         assert added["sigma_parts"]["fit"] == pytest.approx(before["sigma_parts"]["fit"], rel=0.1)
-    assert "no mode can be added at 170 Hz" in refused(tmp_path, text + edit(add=["170 Hz"]), capsys)
+    assert "no mode can be added at 170 Hz" in refused(tmp_path, text + edit(add=["170 Hz"]))
 
 
-def test_a_peak_of_a_spectrum_is_added_or_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_peak_of_a_spectrum_is_added_or_refused(tmp_path: Path) -> None:
     """A peak too low beside the strongest to be taken for a mode."""
     f = np.arange(10.0, 220.0, 1.6)
     power = sum(
@@ -213,5 +207,5 @@ def test_a_peak_of_a_spectrum_is_added_or_refused(tmp_path: Path, capsys: pytest
     added = near(found, 120.4)
     assert added["edited"] == "added"
     assert abs(added["frequency"] - 120.4) < 2.0 * added["sigma_parts"]["fit"]
-    message = refused(tmp_path, text + edit(add=["90 Hz"]), capsys)
+    message = refused(tmp_path, text + edit(add=["90 Hz"]))
     assert "no mode can be added at 90 Hz: the spectrum has no peak within 3 % of it (P1)" in message

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from helpers.commands.answers import printed
 from helpers.diagnoses.diagnose_command import (
     PUBLISHED,
     UNEQUAL,
@@ -31,7 +30,8 @@ def test_the_table_of_a_cause_has_the_numbers_of_the_json(tmp_path: Path) -> Non
     )
     inputs, out = files(tmp_path, robot, measured(effects=WIND_UP)), tmp_path / "result.json"
     options = ("--candidates", "gearbox_compliance,payload", "--holdout", "P3", "--json", out)
-    text = printed("diagnose", *inputs, *options)
+    code, text, said = call(*inputs, *options)
+    assert (code, without_progress(said)) == (0, "")
     found, lines = json.loads(out.read_text(encoding="utf-8")), text.splitlines()
     assert max(map(len, lines)) <= 80
     assert "\u2026" not in text
