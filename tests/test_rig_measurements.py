@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-import csv
 from collections import Counter
 from functools import cache
 
 import numpy as np
 import pytest
 
+from helpers.diagnoses.diagnose_command import SHAPES, rows_of
 from pkmodes_generated.linear_delta import belt_spans, jacobian_condition
 from pkmodes_rig.engine import TrueModes, true_modes
 from pkmodes_rig.measurements import measure, measure_modes
 from pkmodes_rig.robots import POSES, ROBOTS, read
 
-SHAPES = ("x_1", "x_2", "x_3", "p_x", "p_y", "p_z")
 POSE = POSES["published"]["grid"][4]
-
-
-def rows(text: str) -> list[dict[str, str]]:
-    return list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
 
 
 @cache
@@ -30,7 +25,7 @@ def modes() -> TrueModes:
 def many(count: int, seed: int = 1, **options: object) -> list[dict[str, str]]:
     """The same modes measured at one pose under many labels."""
     rng = np.random.default_rng(seed)
-    return rows(measure_modes([modes()] * count, [POSE] * count, rng=rng, **options))
+    return rows_of(measure_modes([modes()] * count, [POSE] * count, rng=rng, **options))
 
 
 def errors(found: list[dict[str, str]]) -> np.ndarray:
@@ -77,7 +72,7 @@ def test_seeds_reproduce_and_differ() -> None:
 def test_poses_keep_their_labels() -> None:
     parameters, poses = read("tower").parameters, POSES["tower"]["line"][:3]
     text = measure(parameters, poses, rng=np.random.default_rng(0), labels=["a", "b", "c"], modes=4)
-    found = rows(text)
+    found = rows_of(text)
     assert Counter(row["pose"] for row in found) == {"a": 4, "b": 4, "c": 4}
     for row in found:
         p = poses["abc".index(row["pose"])]
@@ -105,13 +100,13 @@ def test_shapes_are_scaled_arbitrarily_and_noisy() -> None:
 def test_modes_that_were_rigid_are_found_when_something_ties_the_robot_to_ground() -> None:
     parameters, rng = read("published").parameters, np.random.default_rng(0)
     effects = {"cable_stiffness.stiffness": 2e4}
-    found = rows(measure(parameters, [POSE], effects=effects, rng=rng, sigma=1e-6))
+    found = rows_of(measure(parameters, [POSE], effects=effects, rng=rng, sigma=1e-6))
     true = true_modes(parameters, POSE, effects)
     assert true.rigid == 0
     expected = true.frequencies[true.frequencies > 2.0]
     np.testing.assert_allclose(sorted(float(row["frequency"]) for row in found), expected, rtol=1e-5)
     assert len(found) == 9
-    hose = rows(measure(parameters, [POSE], outside={"hose": 2e4}, rng=rng))
+    hose = rows_of(measure(parameters, [POSE], outside={"hose": 2e4}, rng=rng))
     assert len(hose) == 7  # one of the three only
 
 
@@ -120,7 +115,7 @@ def test_a_robot_that_warms_up_drifts_in_the_order_of_measuring() -> None:
     text = measure(
         parameters, [POSE] * 3, outside={"thermal_drift": -0.01}, rng=rng, sigma=1e-9, shapes=("x_1",)
     )
-    for row in rows(text):
+    for row in rows_of(text):
         ratio = float(row["frequency"]) / modes().frequencies[3:]
         assert np.abs(ratio - (1 - 0.01 * (int(row["pose"][1:]) - 1))).min() < 1e-7
 

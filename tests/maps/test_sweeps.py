@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,7 +12,6 @@ import xarray
 import pkmodes
 from pkmodes.core.base.errors import PkmodesError
 
-PUBLISHED = Path(__file__).parents[2] / "robots" / "linear-delta-2022.toml"
 GRID = {"x": [0.45, 0.6], "y": [0.0, 0.05], "z": -0.245}
 SERVO, GEARBOX = "effects.servo_stiffness.stiffness", "effects.gearbox_compliance.compliance"
 CLAMP = "effects.clamp_compliance.compliance"

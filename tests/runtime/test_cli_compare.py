@@ -13,7 +13,7 @@ import pytest
 import pkmodes
 from helpers.commands import answers
 from helpers.commands.answers import Answer
-from helpers.diagnoses.diagnose_command import HEADER, csv_of, rows_of
+from helpers.diagnoses.diagnose_command import HEADER, csv_of, rows_of, write
 from helpers.robots.robot_text import PUBLISHED
 from helpers.runs.processes import printed_by_a_process
 from pkmodes_rig.measurements import measure
@@ -51,12 +51,6 @@ def measured(poses: int = 3, shapes: bool = True, servo: float = 0.0) -> str:
         rng=np.random.default_rng(3),
         shapes=("x_1", "x_2", "x_3", "p_x", "p_y", "p_z") if shapes else (),
     )
-
-
-def write(folder: Path, text: str, name: str = "modes.csv") -> Path:
-    path = folder / name
-    path.write_bytes(text.encode("utf-8"))
-    return path
 
 
 @both_back_ends

@@ -83,7 +83,7 @@ def csv_of(rows: list[dict[str, str]]) -> str:
     return text.getvalue()
 
 
-def write(folder: Path, text: str, name: str) -> Path:
+def write(folder: Path, text: str, name: str = "modes.csv") -> Path:
     path = folder / name
     path.write_bytes(text.encode("utf-8"))
     return path
@@ -98,7 +98,7 @@ def unwritable(folder: Path, name: str) -> Path:
 
 
 def files(folder: Path, robot: str = PUBLISHED, modes: str | None = None) -> tuple[Path, Path]:
-    return write(folder, robot, "robot.toml"), write(folder, modes or measured(), "modes.csv")
+    return write(folder, robot, "robot.toml"), write(folder, modes or measured())
 
 
 def refusal(found: Answer, *parts: str) -> None:
