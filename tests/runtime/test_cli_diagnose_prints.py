@@ -25,6 +25,7 @@ from helpers.runs.processes import printed_by_a_process, without_progress
 
 
 def test_the_table_of_a_cause_has_the_numbers_of_the_json(tmp_path: Path) -> None:
+    """Errors have three digits, standard deviations two, and values the last digit of theirs."""
     robot = (
         PUBLISHED + '\n[effects.belt_end_compliance]\ncompliance = { value = "1e-9 m/N", sigma = "20 %" }\n'
     )
