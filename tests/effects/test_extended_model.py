@@ -16,7 +16,6 @@ from pkmodes_generated.linear_delta import Parameters, extended, model
 SEEDS = range(4)
 BASE = len(model.COORDINATES)
 CATALOGUE = mechanism("linear_delta").effects
-NAMES = list(CATALOGUE)
 RELEASED = {name: tuple(q.name for q in e.coordinates) for name, e in CATALOGUE.items() if e.coordinates}
 
 

@@ -15,7 +15,6 @@ from pkmodes_generated.rotary_delta import extended, model
 #: (test_oracle); another description of a robot rounds its coordinates once more, to some 1e-16 of a metre
 #: for links of half a metre, which is multiplied by the condition number twice.
 SAME = 1e-13
-SIX = np.arange(6)
 CENTRE, ASIDE = (0.0, 0.0, -0.45), (0.06, 0.03, -0.5)
 
 
