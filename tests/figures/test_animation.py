@@ -15,6 +15,7 @@ from pkmodes.plots import animation as module
 from pkmodes.plots.animation import FRAMES, animation
 from pkmodes.plots.style import VERMILLION
 from pkmodes.view import scene
+from pkmodes.view.projection import camera
 
 POSES = {
     "linear-delta-2022": "0.6,0,-0.245",
@@ -66,12 +67,12 @@ def test_points_and_wheels_move_as_the_mode_by_the_amplitude(
     monkeypatch.setattr(
         module,
         "_draw",
-        lambda _axes, _scene, points, view, _mode, turned: drawn.append((points, view, turned)),
+        lambda _axes, _scene, points, _mode, turned: drawn.append((points, turned)),
     )
     animation(still, index, 0.05)
     assert len(drawn) == FRAMES
-    points = np.array([one @ view for one, view, _ in drawn])  # turned back from the view
-    turned = np.array([angles for _, _, angles in drawn])
+    points = np.array([one @ camera(still) for one, _ in drawn])  # turned back from the view
+    turned = np.array([angles for _, angles in drawn])
     np.testing.assert_allclose(points[0], still.points[0], atol=1e-12)
     phase = np.sin(2.0 * np.pi * np.arange(FRAMES) / FRAMES)
     quarter = FRAMES // 4

@@ -102,7 +102,7 @@ def averaged(groups: Sequence[dict[int, Found]]) -> list[Mean]:
 
 
 def grouped_means(listed: Sequence[Sequence[Mean]]) -> list[dict[int, Mean]]:
-    """Return the means of several setups or labels that are of one mode, by their place in the list: as `grouped`."""
+    """Return groups of means that are of one mode, each by the place of its setup or label in the list."""
     return [
         {i: next(mean for mean in listed[i] if mean.mode is mode) for i, mode in group.items()}
         for group in grouped([[mean.mode for mean in each] for each in listed])

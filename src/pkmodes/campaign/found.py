@@ -142,7 +142,7 @@ def found_of(mode: Mode, names: Sequence[str]) -> Found:
 def modes_of_fit(
     fit: Fit, messages: Sequence[str], seen: frozenset[str], found: Callable[[Mode], Found] | None = None
 ) -> FileModes:
-    """Return what a file gives by its fit; `found` makes a mode of one of the fit, by default `found_of`."""
+    """Return what a file gives by its fit; `found` turns a mode of the fit into one of the file: `found_of`."""
     made = found or (lambda mode: found_of(mode, fit.responses))
     return FileModes(
         tuple(made(mode) for mode in fit.estimate.modes),

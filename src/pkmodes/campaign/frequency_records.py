@@ -87,7 +87,7 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
 
 
 def frf_fit(given: Responses, averages: int | None, record: Record, campaign: Campaign) -> Fit:
-    """Return the fit of frequency response functions in the band of a record; `averages` are those behind them."""
+    """Return the fit of frequency response functions, each of so many averages if known, in the band of a record."""
     estimate = identify_frf(
         given.frequencies,
         given.values,

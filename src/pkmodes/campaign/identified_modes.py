@@ -18,7 +18,7 @@ from pkmodes.campaign.found import FileModes, Found, check_shape
 from pkmodes.campaign.grouping import APART
 from pkmodes.campaign.shapes import by_channel
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
-from pkmodes.core.robot.columns import IN_BRACKETS, frequency_factor
+from pkmodes.core.robot.columns import frequency_factor, parted
 from pkmodes.core.robot.units import QuantityError, base_units
 from pkmodes.measured.cells import Notation
 from pkmodes.measured.csv_format import read_text
@@ -160,8 +160,7 @@ def _places(
         _refuse("two entries of columns name the same column", where, "give each its own")
     found: dict[str, tuple[int, Decimal | None]] = {}
     for i, cell in enumerate(names):
-        match = None if cell in theirs else IN_BRACKETS.fullmatch(cell)
-        name, unit = (match[1], match[2].strip()) if match else (cell, "")
+        name, unit = parted(cell, list(theirs))
         name = theirs.get(name, theirs.get(cell, name))
         if name.startswith(SHAPE) and name.removeprefix(SHAPE) not in channels:
             wanted = name.removeprefix(SHAPE)

@@ -210,8 +210,8 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
         values = functions.H * given.as_accelerations(2j * np.pi * f)[:, :, None]
         responses = Responses(f, values, functions.coherence, given.names, (), ("force",))
         fit = frf_fit(responses, functions.averages, record, campaign)
-    blows = (f"{given.source}: {message}" for message in functions.messages)
-    said = (*given.messages, *blows, *tones_of(fit, given.source))
+    of_blows = [f"{given.source}: {message}" for message in functions.messages]
+    said = (*given.messages, *of_blows, *tones_of(fit, given.source))
     return _with_levels(fit, said, given, campaign.unsigned_forces_in(setup), record.exponential)
 
 

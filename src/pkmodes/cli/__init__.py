@@ -1,7 +1,7 @@
 """The command line: one module for each command, registered here.
 
-Errors go to stderr as ``error: <what> (<where>); <what to do>``.  Exit codes: 0 success, 1 a check failed, 2 bad
-input or usage.
+A repeated option is refused, and an interrupt ends a command without a traceback.  Errors go to stderr as ``error:
+<what> (<where>); <what to do>``.  Exit codes: 0 success, 1 a check failed, 2 bad input or usage, 130 interrupted.
 """
 
 from __future__ import annotations

@@ -30,6 +30,7 @@ from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.errors import PkmodesError, nearest, shown
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.support.numbers import plain
+from pkmodes.support.ordering import listed
 from pkmodes.support.pasting import pasted
 from pkmodes.support.progress import say
 
@@ -173,14 +174,13 @@ def _widened(result: Diagnosis) -> list[str]:
     shown = [
         f"{value.name.removeprefix('effects.')} {plain(value.saved_sigma, 2)} instead of "
         f"{plain(value.sigma, 2)} {value.unit} ({value.unseen.candidate})"
-        for value in values[:MOST_WIDENED]
+        for value in values
         if value.unseen is not None
     ]
-    more = f", and {len(values) - MOST_WIDENED} more" if len(values) > MOST_WIDENED else ""
     what = (
         "the sigmas in it include what a candidate that these data do not show could have done to the values"
     )
-    return [f"{what}: {', '.join(shown)}{more}"] if shown else []
+    return [f"{what}: {listed(shown, MOST_WIDENED, last=', and ')}"] if shown else []
 
 
 def _chosen(result: Diagnosis) -> list[str]:

@@ -83,7 +83,7 @@ class Terminal:
         described_by : int
             Columns that describe a row, all of which are in the first part; by default those that are repeated.
         even : bool
-            Whether all parts have about as many columns, if that takes no further part.
+            Whether all parts have about the same number of columns, where that takes no further part.
         above : sequence of str
             A line above each row, if any; empty for none.
         """

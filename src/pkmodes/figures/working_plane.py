@@ -68,7 +68,7 @@ def working_plane(model: Model) -> Grid:
 
 
 def best_conditioned(dataset: xarray.Dataset, normal: str) -> float:
-    """Return where along an axis a map has the lowest mean condition number, among planes of at least `WIDE` area."""
+    """Return where along an axis the mean condition number is lowest, among planes of `WIDE` of the largest area."""
     others = [dim for dim in dataset["condition"].dims if dim != normal]
     area = dataset["valid"].sum(others)
     mean = dataset["condition"].mean(others).where(area >= WIDE * area.max())

@@ -11,9 +11,9 @@ parameters are circular: half of the variance is that of each real part.
 
 What one reference's residual cannot show is the scatter of the poles between references.  A mode that is not at the
 same place for all references, since the structure or its sensors have changed in between, leaves each reference with
-a good fit of its own.  Poles are therefore fitted for each reference alone as well.  What their scatter exceeds that
-of their fits by, pooled over all modes relative to frequency as there are only two or three references, is a variance
-between references (Paule and Mandel, Journal of Research of the National Bureau of Standards 87, 1982).
+a good fit of its own.  Poles are therefore fitted for each reference alone as well.  Scatter that their fits do not
+explain, pooled over all modes relative to frequency as there are only two or three references, is a variance between
+references (Paule and Mandel, Journal of Research of the National Bureau of Standards 87, 1982).
 """
 
 from __future__ import annotations
@@ -109,7 +109,7 @@ def uncertainty(
     """
     N, S = fit.shapes.shape
     E = basis(at, fit.poles)
-    functions, vectors = columns(fit.poles, fit.shapes, fit.participation)
+    functions, vectors = columns(fit.shapes, fit.participation)
     P = len(functions)
     gram, spread = E.conj().T @ E, E.conj().T @ correlated(E, place, correlation)
     weighted = (vectors * at.weights).reshape(P, -1)

@@ -144,7 +144,7 @@ def polish(at: Window, poles: Complex, participation: Complex) -> Fit:
     return Fit(*state, cost, converged)
 
 
-def columns(poles: Complex, shapes: Complex, participation: Complex) -> tuple[NDArray[np.int64], Complex]:
+def columns(shapes: Complex, participation: Complex) -> tuple[NDArray[np.int64], Complex]:
     """Return the derivatives of the model by its parameters as products of a basis function and a channel vector.
 
     The parameters are the poles, the shapes (mode by mode), and the participations except the largest of each mode,
@@ -184,7 +184,7 @@ def _normal(
     residues = shapes[:, :, None] * participation[:, None, :]
     left = X - np.tensordot(gram[:, :N], residues, 1)
     explained = (residues.conj() * at.weights * (X[:N] + left[:N])).sum().real
-    functions, channels = columns(poles, shapes, participation)
+    functions, channels = columns(shapes, participation)
     P = len(functions)
     weighted = (channels.conj() * at.weights).reshape(P, -1)
     gradient = (weighted * left[functions].reshape(P, -1)).sum(axis=1)

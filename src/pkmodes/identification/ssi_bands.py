@@ -1,4 +1,4 @@
-r"""Correlation functions of narrow parts of a band, from spectral lines of the records.
+r"""Records of responses as spectral lines, and their correlation functions in narrow parts of a band.
 
 The lines Y(f) of a record in a part of the band are those of an analytic signal, and after a shift by its lower end
 f0 this signal has a low rate: its correlations are

@@ -7,7 +7,7 @@ of a mode has a mean near zero.  This is the distinction by statistics of the am
 Brincker, Proceedings of IOMAC 2007, who use the kurtosis) but needs no long record.  Tones are fitted by least
 squares and subtracted, which leaves modes beside them.
 
-A record may hold nothing but tones and the rounding of its numbers, as that of an instrument is a multiple of a step.
+A record may hold nothing but tones and the rounding of its numbers, which instruments give as multiples of a step.
 The rounding of a tone is not noise: it repeats with the tone, and its power, that of an even distribution over a step
 (Widrow and Kollar, Quantization Noise, 2008), lies in lines and bands that look like modes.  Sensor noise, or modes,
 add power of their own.
@@ -181,7 +181,7 @@ def _constant_share(signal: Array, t_step: float, frequency: float) -> float:
 
 
 def step_of(signal: Array) -> float:
-    """Return the step that all values of a signal, (N,), are multiples of apart; 0 if there is none."""
+    """Return the step of which all differences in a signal, (N,), are multiples; 0 if there is none."""
     levels = np.unique(signal)
     apart = np.diff(levels)
     apart = apart[apart > ARITHMETIC * (levels[-1] - levels[0])]

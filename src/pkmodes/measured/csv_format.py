@@ -83,11 +83,19 @@ def read_text(
 
 
 def check_regular(path: Path, source: str, what: str, remedy: str) -> None:
-    """Refuse what is there but no file.
+    """Refuse a path that exists but is not a regular file.
+
+    Parameters
+    ----------
+    source : str
+        The path, for messages.
+    what, remedy : str
+        What it should contain, and what to give instead.
 
     Raises
     ------
     MeasurementError
+        If it is a folder, a device or the like.
     """
     if path.exists() and not path.is_file():
         kind = "a folder" if path.is_dir() else "not a regular file"

@@ -77,7 +77,7 @@ def animation(scene: Scene, mode: int | None = None, amplitude: float = AMPLITUD
             axes.set_ylim(low[1], high[1])
             phase = np.sin(2.0 * np.pi * k / FRAMES)
             _ghost(axes, scene, rest)
-            _draw(axes, scene, points, view, mode, phase * turned)
+            _draw(axes, scene, points, mode, phase * turned)
             drawn.text(0.02, 1.0 - 0.28 / (tall + HEAD), title, fontsize=14, fontweight="bold")
             legend = "orange: the belts and other springs with most of the strain energy; pale: at rest"
             drawn.text(0.02, 1.0 - 0.52 / (tall + HEAD), legend, fontsize=10.5)
@@ -120,7 +120,7 @@ def _ghost(axes: Axes, scene: Scene, points: Array) -> None:
             )
 
 
-def _draw(axes: Axes, scene: Scene, points: Array, view: Array, mode: int, turned: Array) -> None:
+def _draw(axes: Axes, scene: Scene, points: Array, mode: int, turned: Array) -> None:
     """Draw the elements from back to front."""
     shares = scene.shares[scene.chosen, mode]
     largest = float(np.nanmax(shares)) if np.isfinite(shares).any() else 1.0

@@ -60,7 +60,7 @@ def decades(axis: Axis, write: Callable[[float], str] = lambda value: typeset(f"
     Parameters
     ----------
     write : callable
-        Returns the label of a value; by default as a power of ten.
+        Returns the label of a value; by default one digit and a power of ten.
     """
     from matplotlib.ticker import LogLocator, NullFormatter
 

@@ -67,7 +67,7 @@ def responses(
                 words = "no response in the model"
                 above.axes.annotate(words, (0.5, 0.5), xycoords="axes fraction", ha="center")
             _channel(above, below, curves, (float(frequencies[0]), float(frequencies[-1])))
-            # Magnitudes have units of their own.
+            # Each channel has units of its own, so that every panel keeps the label of its vertical axis.
             above.inner, below.inner = {"x"}, {"title"} if k // columns == rows - 1 else {"title", "x"}
             above.label(name, x=FREQUENCY, y=f"magnitude [{units[name]}]")
             below.label(name, x=FREQUENCY, y="phase [\u00b0]")

@@ -59,10 +59,10 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
         glossary(diagnosed=True),
         _origin(result, evidence, setting),
     ]
-    return page(_summary(result, evidence, setting), sections)
+    return page(_summary(result, setting), sections)
 
 
-def _summary(result: Diagnosis, evidence: Evidence, setting: Setting) -> Summary:
+def _summary(result: Diagnosis, setting: Setting) -> Summary:
     facts = [(name, cell) for name, cell in _facts(result, setting) if cell.value is not None]
     return Summary(
         subject=setting.title(row.drives for row in result.rows),

@@ -60,10 +60,10 @@ def identification_report(
     ]
     repeatability = number(found.repeatability, ".2g", pointer("repeatability"), scale=100.0)
     sections.append(origin(sources, None, [("repeatability [%]", [repeatability])]))
-    return page(_summary(found, campaign, content), sections)
+    return page(_summary(found, campaign), sections)
 
 
-def _summary(found: Identification, campaign: Campaign, content: Mapping[str, Any]) -> Summary:
+def _summary(found: Identification, campaign: Campaign) -> Summary:
     modes = [mode for result in found.records for mode in result.modes]
     count, poses = plural(len(modes), "mode"), plural(len(found.records), "pose")
     attention = _attention(found)

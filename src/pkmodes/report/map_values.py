@@ -32,7 +32,7 @@ class MapValues:
     dataset : xarray.Dataset
         The map, thinned.
     steps : mapping of str to int
-        For each axis n, where every n-th of its values was kept.
+        By axis, the n of which every n-th value was kept.
     packed : str
         Base64 of a zlib stream, from `pack`.
     """
@@ -72,7 +72,7 @@ def values_of(dataset: xarray.Dataset, most: int = MOST, longest: int = LONGEST)
 
 
 def _steps(sizes: Mapping[str, int], most: int) -> dict[str, int]:
-    """Return for each axis n, where every n-th of its values is kept, so that at most this many poses are left."""
+    """Return by axis the n for which every n-th value is kept, so that at most this many poses are left."""
     steps = dict.fromkeys(sizes, 1)
 
     def left() -> dict[str, int]:

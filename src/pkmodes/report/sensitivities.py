@@ -64,7 +64,7 @@ def sensitivities_report(
     sigma = changes_at(model, pose, drives, SIGMA) if stated_sigmas(model.robot) else None
     sections = [
         Section("percent", "One per cent of each quantity", _per_cent(model, percent, content)),
-        Section("sigma", "Standard deviations of the robot file", _per_sigma(model, sigma, content)),
+        Section("sigma", "Standard deviations of the robot file", _per_sigma(model, sigma)),
         origin(sources, model.mechanism, [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]),
     ]
     return page(_summary(model, percent, sigma, content), sections)
@@ -149,7 +149,7 @@ def _per_cent(model: Model, changes: Changes, content: dict[str, Any]) -> list[B
     return [*_pictures(changes), *_tables(caption, titles, rows, len(changes.frequencies), note)]
 
 
-def _per_sigma(model: Model, changes: Changes | None, content: dict[str, Any]) -> list[Block]:
+def _per_sigma(model: Model, changes: Changes | None) -> list[Block]:
     if changes is None or changes.together is None:
         return [
             Paragraph(

@@ -13,7 +13,7 @@ from pkmodes.core.robot.units import SHOWN
 from pkmodes.plots import shapers
 from pkmodes.plots.labels import typeset
 from pkmodes.report.blocks import Cell, Column, Facts, Lines, Paragraph, Picture, Section, Summary, Table
-from pkmodes.report.formatting import clean, number, pointer, thousands
+from pkmodes.report.formatting import clean, number, pointer, sentence, thousands
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source, known_sources
@@ -110,10 +110,9 @@ def _why(choice: Choice) -> str:
 
 
 def _sentence(text: str) -> str:
-    """Begin with a capital, except where a name stands first, and end with a full stop."""
-    first = text.partition(" ")[0]
-    text = text[:1].upper() + text[1:] if first.isalpha() else text
-    return text if text.endswith(".") else f"{text}."
+    """Return a note as a sentence; a name that stands first keeps its small letter."""
+    whole = sentence(text)
+    return whole if text.partition(" ")[0].isalpha() else text[:1] + whole[1:]
 
 
 def _per_cent(share: float) -> str:

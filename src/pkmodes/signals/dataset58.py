@@ -22,7 +22,9 @@ from pkmodes.signals.checks import check_abscissa, check_finite
 from pkmodes.signals.functions import Array, Complex
 from pkmodes.signals.scanning import INCOMPLETE, Binary, Scanner, read_numbers, text_of
 
+#: Lines of the header at least.
 LINES = 11
+#: Suffixes of the names of degrees of freedom by the number of their direction.
 DIRECTIONS = {
     one * number: f":{sign}{name}"
     for number, name in enumerate(("X", "Y", "Z", "RX", "RY", "RZ"), start=1)
@@ -33,10 +35,10 @@ ORDINATES = {2: (False, False), 4: (False, True), 5: (True, False), 6: (True, Tr
 #: Columns in which the fields of a line begin and end.
 DOFS = ((0, 5), (20, 30), (41, 51), (51, 55), (66, 76), (76, 80))
 FORM = ((0, 10), (10, 20), (20, 30), (30, 43), (43, 56))
-
-T = TypeVar("T")
 #: Points that are converted at once.
 CHUNK = 1_000_000
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ A dataset is opened and closed by a line ``-1`` in the first six columns; its nu
 the line after the opening.  A ``b`` in column seven marks a binary dataset, which states its numbers of header lines
 and of bytes (https://www.ceas3.uc.edu/sdrluff/files/58b.asc): there, a delimiter may be part of the data.
 
-Fortran may have written the numbers of text without blanks between them.
+Numbers in text may touch: Fortran writes them into columns, without blanks between them.
 """
 
 from __future__ import annotations

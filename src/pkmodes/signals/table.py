@@ -1,6 +1,6 @@
 """Tables of signals, frequency responses or spectra in text, such as data loggers, Klipper and pkmodes write.
 
-What a column is, its name says: ``time``, ``force``, ``re:acc_1/hammer``, ``psd_x``, a sensor.
+The name of a column says what it is: ``time``, ``force``, ``re:acc_1/hammer``, ``psd_x``, or a sensor.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.core.robot.columns import IN_BRACKETS
+from pkmodes.core.robot.columns import parted
 from pkmodes.measured.formats import Format
 from pkmodes.signals.checks import FEWEST, outside_coherence
 from pkmodes.signals.functions import Array, Asked, Complex, Function, Kind, SignalFile
@@ -74,7 +74,7 @@ def layout_of(cells: Sequence[str], where: str, asked: Asked) -> Layout:
     MeasurementError
         If there is no time or frequency, or more than one; if a wanted column occurs twice or lacks its other part.
     """
-    parts = [_parted(cell) for cell in cells]
+    parts = [parted(cell, ()) for cell in cells]
     times = [i for i, (name, _) in enumerate(parts) if name.lower() == TIME]
     frequencies = [i for i, (name, _) in enumerate(parts) if name.lower() in FREQUENCIES]
     found = times + frequencies
@@ -85,7 +85,7 @@ def layout_of(cells: Sequence[str], where: str, asked: Asked) -> Layout:
         remedy = 'name the column of times "time" or that of frequencies "frequency", or give the rate in the record'
         raise MeasurementError("expected a column of times or frequencies, found none", where, remedy)
     others = {i: name for i, (name, _) in enumerate(parts) if i not in found and name}
-    labels = [label for _, label in parts]
+    labels = [label or "" for _, label in parts]
     columns = _spectral(others, labels, where, asked) if frequencies else _signals(others, labels, asked)
     _refuse_repeated(columns, cells, where)
     kind = Kind.FRF if frequencies else Kind.TIME
@@ -142,12 +142,6 @@ def _refuse_repeated(columns: Sequence[Column], cells: Sequence[str], where: str
         if first is not column:
             what = f"the column {shown(cells[column.places[0]])} is repeated, first as column {first.places[0] + 1}"
             raise MeasurementError(what, f"{where}, column {column.places[0] + 1}", "remove one of them")
-
-
-def _parted(cell: str) -> tuple[str, str]:
-    """Split a cell into its name and the label of its unit."""
-    match = IN_BRACKETS.fullmatch(cell)
-    return (cell, "") if match is None else (match[1].strip(), match[2].strip())
 
 
 def read(path: Path, asked: Asked) -> SignalFile:

@@ -23,11 +23,13 @@ from pkmodes.signals.functions58 import Abscissas, function_of
 from pkmodes.signals.scanning import Binary, Scanner, begins_with_a_dataset, is_delimiter, numbers_in, text_of
 from pkmodes.signals.units import FileUnits
 
+#: Numbers of the datasets that are read.
+MODES, FUNCTIONS, UNITS = 55, 58, 164
+#: In dataset 55: the analysis types of modes, and the data types of their values.
 NORMAL, COMPLEX_FIRST_ORDER, COMPLEX_SECOND_ORDER = 2, 3, 7
 REAL, COMPLEX = 2, 5
-#: Numbers of components at a node by what the dataset calls their characteristic: translations, with rotations.
+#: Components at a node by the data characteristic of dataset 55: translations, or translations and rotations.
 COMPONENTS = {2: 3, 3: 6}
-MODES, FUNCTIONS, UNITS = 55, 58, 164
 
 
 def read_mode(scanner: Scanner) -> ModeShape | str:
