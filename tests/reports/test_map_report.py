@@ -18,7 +18,8 @@ from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.reading import robot_from_document
 from pkmodes.maps.poses import Grid
-from pkmodes.report.map import _headline, map_report
+from pkmodes.report.map import map_report
+from pkmodes.report.map_summary import _headline
 
 PLANE = ["--grid", "x=0.3:0.9:13,y=-0.1:0.1:9,z=-0.245"]
 ROBOT = "robots/linear-delta-2022.toml"

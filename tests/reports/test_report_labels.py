@@ -68,7 +68,7 @@ def facts(section: Element) -> dict[str, str]:
 
 def test_each_stage_has_its_errors(page: Element) -> None:
     titles, rows = table(page.by_id("errors"))
-    assert titles == ["model", "rms, fitted [%]", "rms, held out [%]", "chi\u00b2 per dof"]
+    assert titles == ["model", "rms [%]", "held out [%]", "chi\u00b2 per dof"]
     assert rows == [
         ["before: as declared", "2.000", "2.100", "180"],
         ["refit of the uncertain values only", "1.000", "1.100", "61.0"],
@@ -89,11 +89,11 @@ def test_the_head_has_the_first_and_the_last_error(page: Element) -> None:
 def test_a_fitted_value_stands_below_what_it_is(page: Element) -> None:
     titles, (row,) = table(page.by_id("values"))
     assert dict(zip(titles, row, strict=True)) == {
-        "value": "effects.payload.mass",
+        "value": "payload.mass",
         "role": "cause",
         "before": "0",
         "after": "0.300 \u00b1 0.010",
-        "\u03c3 of the fit": "0.01",
+        "\u03c3 of fit": "0.01",
         "unit": "kg",
         "prior \u03c3": "0.2",
         "moved [prior\u00a0\u03c3]": "+1.5",
@@ -172,12 +172,10 @@ def test_what_remains_has_the_number_of_its_explanation(undecided: Element) -> N
 
 
 def test_the_stability_says_what_was_changed(undecided: Element) -> None:
-    _, rows = table(undecided.by_id("stability"))
-    assert rows == [
-        ["\u03c3 halved", "unexplained", "payload", "usual where the stated sigma is right"],
-        ["\u03c3 doubled", "adequate", "\u2013", "errors twice as large would explain the residual"],
-        ["priors twice as wide", "effect_found", "belt_mass + payload", "\u2013"],
-    ]
+    text = undecided.by_id("stability").text
+    assert "unexplained with sigma halved (usual where the stated sigma is right)" in text
+    assert "adequate with sigma doubled (errors twice as large would explain the residual)" in text
+    assert "is belt_mass and payload with priors twice as wide." in text
 
 
 def test_the_next_measurement_has_its_pose_and_load(undecided: Element) -> None:

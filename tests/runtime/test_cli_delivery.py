@@ -25,6 +25,7 @@ from pkmodes.cli.printing import echo
 from pkmodes.cli.terminal import Terminal
 from pkmodes.diagnosis import Diagnosis
 from pkmodes.diagnosis.verdict import verdicts
+from pkmodes.report.blocks import Cell, Column, Table
 
 ROBOT = ROOT / "examples" / "closed_loop" / "robot.toml"
 MODES = ROOT / "examples" / "closed_loop" / "measured.csv"
@@ -366,7 +367,7 @@ def test_sentences_and_tables_cannot_control_the_terminal(capsys: pytest.Capture
     terminal = Terminal()
     terminal.heading(HOSTILE)
     terminal.line(HOSTILE)
-    terminal.table(["name"], [[HOSTILE]])
+    terminal.table(Table("", [Column("name")], [[Cell(HOSTILE)]]))
     echo(f"\n{HOSTILE}")
     printed = capsys.readouterr().out
     assert harmless(printed)

@@ -30,8 +30,8 @@ def test_help_fits_80_columns_and_shows_an_example(
 #: Of commands that take a moment: the beginning of what each example prints.
 EXAMPLES = {
     "modes": ["linear-delta-2022 at "],
-    "sensitivities": ["linear-delta-2022 at "],
-    "compare": ["workshop-delta compared with ", "first:  linear-delta-2022 "],
+    "sensitivities": ["linear-delta-2022: Mode 4 depends most on "],
+    "compare": ["workshop-delta, motors free: ", "first:  linear-delta-2022 "],
     "diagnose": ["workshop-delta: effect_found"],
 }
 

@@ -145,7 +145,7 @@ def test_a_map_is_swept_over_a_damping_ratio(tmp_path: Path, capsys: pytest.Capt
     page = tmp_path / "page.html"
     sweep = ["--set", "damping.ratio=0.01:0.03:2", "--grid", "x=0.1,y=0.05"]
     printed = done(["map", str(robot), *sweep, "--report", str(page)], capsys)
-    assert "damping.ratio from 0.01 to 0.03, 2 values" in printed
+    assert "damping.ratio 0.01 to 0.03" in printed
     assert "damping.ratio" in page.read_text(encoding="utf-8")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -23,6 +24,14 @@ from pkmodes.cli.poses import grid_option, poses_option
 from pkmodes.cli.reporting import page_of, report_file, sources_of
 from pkmodes.cli.targets import check_targets, report_target
 from pkmodes.core.robot.reading import read_robot
+
+if TYPE_CHECKING:
+    from pkmodes.core.robot.robot import Robot
+    from pkmodes.diagnosis import Comparison, Measurements
+
+
+#: Rows that are printed without ``--all``.
+WORST = 5
 
 
 @click.command(
@@ -73,16 +82,30 @@ def compare(
     _refuse(grid, "--grid", "is for two robots; measurements have their own poses")
     _refuse(poses, "--poses", "is for two robots; measurements have their own poses")
     from pkmodes import updating  # SciPy is loaded only where it is used
-    from pkmodes.cli.comparison_tables import show
 
     declared = read_robot(robot)
     data = updating.read(modes, band_of(band), declared, drives=drives)
     sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
     result = updating.compare(declared, data)
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))
-    deliver(
-        json_file, result.as_json(declared.name), lambda: show(declared, modes, result, everything), report
-    )
+    content, most = result.as_json(declared.name), len(result.rows) if everything else WORST
+    deliver(json_file, content, lambda: _print(declared, data, result, most), report)
+
+
+def _print(robot: Robot, data: Measurements, result: Comparison, most: int) -> None:
+    from pkmodes.cli.terminal import Terminal
+    from pkmodes.plots.evidence import Evidence
+    from pkmodes.report.comparison import by_mode, summary
+    from pkmodes.report.mode_table import mode_table
+    from pkmodes.report.setting import Setting
+
+    terminal, setting = Terminal(), Setting(robot.name, robot, data, (), None)
+    head = summary(result, setting)
+    terminal.summary(head)
+    terminal.show(*by_mode(result), mode_table(result, Evidence.of(result, data), setting, most))
+    if most < len(result.rows):
+        terminal.line("every row: --all, --json or --report")
+    terminal.notes(head)
 
 
 def _refuse(value: object, option: str, why: str) -> None:

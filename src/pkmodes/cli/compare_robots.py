@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,20 +13,15 @@ from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import named_as_options
 from pkmodes.cli.poses import places_given
-from pkmodes.cli.printing import signed
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.support.motors import motors_of_both
-from pkmodes.support.ordering import listed
 from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
     from pkmodes.maps.poses import Grid, Places
-    from pkmodes.maps.robots_compared import ModeChange, RobotsCompared
     from pkmodes.report.sources import Source
-    from pkmodes.robot_files.differences import ValueDifference
 
 #: Poses of the workspace, about, and poses at most: all of them are held at once.
 POSES, MOST = 20_000, 1_000_000
@@ -44,7 +39,7 @@ def compare_robot_files(
     json_file: str | None,
 ) -> None:
     """Compare two robot files, and print, write and draw what differs."""
-    from pkmodes.maps.robots_compared import compare_robots, headline
+    from pkmodes.maps.robots_compared import compare_robots
     from pkmodes.robot_files.differences import check_one_mechanism
 
     sources = sources_of(report_to, dict(zip(("first robot file", "second robot file"), files, strict=True)))
@@ -53,14 +48,10 @@ def compare_robot_files(
     places = places_given(first, grid, poses)
     with named_as_options("grid", poses="--poses" if poses else "--grid"):
         document = compare_robots(first, second, _points(first, second, places), drives or FREE)
-    doing = motors_of_both(first.robot, second.robot, document.drives)
-    report = report_file(report_to, lambda: _page(first, second, document, sources, _plane(places)))
-    deliver(
-        json_file,
-        document.as_json(),
-        lambda: _print(files, document, everything, headline(document.modes), doing),
-        report,
-    )
+    content = document.as_json()
+    report = report_file(report_to, lambda: _page(first, second, content, sources, _plane(places)))
+    most = None if everything else LARGEST
+    deliver(json_file, content, lambda: _print(files, (first, second), content, most), report)
 
 
 def _points(first: Model, second: Model, places: Places | None) -> np.ndarray:
@@ -86,96 +77,24 @@ def _plane(places: Places | None) -> Grid | None:
 
 
 def _page(
-    first: Model, second: Model, document: RobotsCompared, sources: Sequence[Source], plane: Grid | None
+    first: Model, second: Model, content: dict[str, Any], sources: Sequence[Source], plane: Grid | None
 ) -> str:
     from pkmodes.report.robots import robots_report
 
     say("drawing the differences over the working plane")
-    return robots_report(first, second, document.as_json(), sources, plane)
+    return robots_report(first, second, content, sources, plane)
 
 
 def _print(
-    files: tuple[Path, Path], document: RobotsCompared, everything: bool, headline: str, doing: str
+    files: tuple[Path, Path], models: tuple[Model, Model], content: dict[str, Any], most: int | None
 ) -> None:
     from pkmodes.cli.terminal import Terminal
+    from pkmodes.report.robot_values import frequencies, summary, values
 
-    terminal = Terminal()
-    terminal.heading(f"first:  {document.first} ({files[0]})")
-    terminal.heading(f"second: {document.second} ({files[1]})")
+    terminal, head = Terminal(), summary(*models, content)
+    terminal.heading(f"first:  {content['first']} ({files[0]})")
+    terminal.heading(f"second: {content['second']} ({files[1]})")
     terminal.line()
-    values = document.values
-    differ = "differs:" if len(values) == 1 else "differ:" if values else "differ"
-    terminal.line(f"{len(values)} of {document.compared} declared values {differ}")
-    shown = values if everything else sorted(values, key=_size)[:LARGEST]
-    rows = [
-        [
-            value.path.removeprefix("effects."),
-            _value(value.first),
-            _value(value.second),
-            "" if value.relative is None else signed(100.0 * value.relative),
-            "" if value.unit == "1" else value.unit,
-        ]
-        for value in shown
-    ]
-    if rows:
-        terminal.table(["value", "first", "second", "diff [%]", "unit"], rows, ("value", "unit"))
-    if len(shown) < len(values):
-        terminal.line(f"and {len(values) - len(shown)} more: --all, --json or --report")
-    spread = [value.path for value in values if _other_sigma(value)]
-    if spread:
-        most = len(spread) if everything else LARGEST
-        terminal.line(f"other standard deviations: {listed(spread, most)}")
-    for choice in document.choices:
-        terminal.line(f"{choice.path}: {choice.first}, then {choice.second}")
-    for what, names in (("added", document.effects_added), ("removed", document.effects_removed)):
-        if names:
-            terminal.line(f"effects {what}: {', '.join(names)}")
-    terminal.line()
-    terminal.line(headline)
-    poses = document.poses
-    terminal.line(
-        f"frequencies at {_places(poses.both)} that both reach (the first only: {poses.first_only:,}, the second "
-        f"only: {poses.second_only:,}), {doing}, second minus first in per cent of the first:"
-    )
-    terminal.table(
-        ["mode", "partner", "2 %", "median", "98 %", "exchanged", "MAC"],
-        [_mode(mode) for mode in document.modes],
-    )
-    for note in document.notes:
-        terminal.line()
-        terminal.line(f"note: {note}")
-    terminal.line()
-    terminal.line(
-        "mode: by frequency in the first robot, paired at each pose with a mode of the second by shape (MAC: median "
-        "of the pairs); 2 %, 98 %: below it lies that share of the poses; partner: its most frequent number; "
-        "exchanged: per cent of the poses at which it has another"
-    )
-
-
-def _places(count: int) -> str:
-    return "the one pose" if count == 1 else f"the {count:,} poses"
-
-
-def _other_sigma(value: ValueDifference) -> bool:
-    """Return whether the standard deviations differ, also relative to the values, which a file may state."""
-    ours, theirs = value.first_sigma, value.second_sigma
-    if ours is None or theirs is None:
-        return ours is not theirs
-    same = math.isclose(ours * (value.second or 0.0), theirs * (value.first or 0.0), rel_tol=1e-9)
-    return ours != theirs and not (same and value.first is not None)
-
-
-def _size(value: ValueDifference) -> tuple[int, float]:
-    """Return the key by which values are sorted: those without a relative difference first, then the largest ones."""
-    return (0, 0.0) if value.relative is None else (1, -abs(value.relative))
-
-
-def _value(value: float | None) -> str:
-    return "-" if value is None else f"{value:.6g}"
-
-
-def _mode(mode: ModeChange) -> list[str]:
-    ends = ["-" if value is None else signed(100.0 * value) for value in (mode.low, mode.median, mode.high)]
-    partner = "-" if mode.partner is None else str(mode.partner)
-    exchanged = "-" if mode.exchanged is None else f"{100.0 * mode.exchanged:.1f}"
-    return [str(mode.mode), partner, *ends, exchanged, "-" if mode.mac is None else f"{mode.mac:.3f}"]
+    terminal.summary(head)
+    terminal.show(*values(models[0], content, most), *frequencies(content))
+    terminal.notes(head)

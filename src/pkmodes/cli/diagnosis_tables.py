@@ -3,27 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from statistics import median
 
-from pkmodes.cli.stability_text import stability_sentence
 from pkmodes.cli.terminal import Terminal
 from pkmodes.core.base.drives import HELD
-from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.verdict import naming
 from pkmodes.diagnosis.verdict.findings import (
-    NOTICEABLE,
     Corrected,
     Finding,
-    Refitted,
     Value,
     believed,
     saved_as,
     why_larger,
 )
-from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.diagnosis.verdict.rows import Error, Row
+from pkmodes.diagnosis.verdict.result import Damping, Diagnosis
+from pkmodes.diagnosis.verdict.rows import Row
+from pkmodes.report.damping import factors, refitted
+from pkmodes.report.numbers import errors, next_measurement, values
+from pkmodes.report.setting import Setting
+from pkmodes.report.stability import stability_sentence
 from pkmodes.support.motors import motors_in_words
 from pkmodes.support.numbers import p_in_words, plain, rounded
 from pkmodes.support.ordering import listed, sorted_labels
@@ -37,21 +36,22 @@ MOST_LIMITS = 5
 
 def show(robot: Robot, result: Diagnosis) -> None:
     """Print the diagnosis of a robot."""
-    terminal = Terminal()
+    terminal, setting = Terminal(), Setting(robot.name, robot, None, (), None)
     terminal.heading(f"{robot.name}: {result.verdict}")
     terminal.line(result.reason, "  ")
+    _explained(terminal, result)
+    terminal.show(*errors(result))
+    _damping(terminal, result, setting)
+    _counts(terminal, robot, result)
+    terminal.show(*values(result, setting))
+    _remarks(terminal, setting, result)
+
+
+def _explained(terminal: Terminal, result: Diagnosis | Damping) -> None:
+    """Print the causes found, and the explanations that remain."""
     _causes(terminal, result.effects, result.corrected)
     for group in result.survivors:
         terminal.line(f"remains: {' or '.join(group)}", "  ")
-    terminal.line()
-    _errors(terminal, result)
-    _damping(terminal, result)
-    _counts(terminal, robot, result)
-    of_losses = {value.name for value in result.damping.refitted}  # the damping says more of them
-    if refitted := [value for value in result.refitted if value.name not in of_losses]:
-        terminal.line()
-        _refitted(terminal, refitted)
-    _remarks(terminal, robot, result)
 
 
 def _causes(terminal: Terminal, effects: Sequence[Finding], corrected: Sequence[Corrected]) -> None:
@@ -110,27 +110,7 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
         terminal.line(each, "    ")
 
 
-def _errors(terminal: Terminal, result: Diagnosis) -> None:
-    held = any(error.held_out_rms_relative is not None for _, error in result.errors.values())
-    titles = ("error", "rms [%]", *(("held out [%]",) if held else ()), "chi2 per dof")
-    rows = [(title, *_row(error, held)) for title, error in result.errors.values()]
-    terminal.table(titles, rows, left=("error",))
-
-
-def _row(error: Error, held: bool) -> tuple[str, ...]:
-    chi2 = error.chi2_per_dof
-    return (
-        _percent(error.rms_relative),
-        *((_percent(error.held_out_rms_relative),) if held else ()),
-        f"{chi2:.3g}" if chi2 < 999.5 else f"{chi2:.0f}",
-    )
-
-
-def _percent(relative: float | None) -> str:
-    return "" if relative is None else f"{100.0 * relative:.3f}"
-
-
-def _damping(terminal: Terminal, result: Diagnosis) -> None:
+def _damping(terminal: Terminal, result: Diagnosis, setting: Setting) -> None:
     """Print what the damping says, which changes nothing above."""
     found = result.damping
     if not found.measured:
@@ -138,43 +118,18 @@ def _damping(terminal: Terminal, result: Diagnosis) -> None:
     terminal.line()
     terminal.line(f"damping: {found.verdict}")
     terminal.line(found.reason, "  ")
-    _causes(terminal, found.effects, found.corrected)
-    for group in found.survivors:
-        terminal.line(f"remains: {' or '.join(group)}", "  ")
-    if found.fitted:
-        _ratios(terminal, result)
-    if found.refitted:
-        terminal.line()
-        _refitted(terminal, found.refitted)
+    _explained(terminal, found)
+    terminal.show(*factors(result), *refitted(found, setting))
     for note in found.notes:
         terminal.line()
         terminal.line(f"note on the damping: {note}")
 
 
-def _ratios(terminal: Terminal, result: Diagnosis) -> None:
-    """Print how far the damping ratios of the model are from the measured ones, and with which errors."""
-    found = result.damping
-    factors = {"as declared": found.before, "as diagnosed": found.after, "held out": found.held_out}
-    parts = [f"{factor:.3g} {name}" for name, factor in factors.items() if factor is not None]
-    if found.before is None:
-        parts.insert(0, "nothing dissipates as declared")
-    errors = [
-        row.sigma_damping_used / row.damping
-        for row in result.rows
-        if row.damping_used and row.damping and row.sigma_damping_used is not None
-    ]
-    count = f"{found.fitted} ratio{'' if found.fitted == 1 else 's'} fitted"
-    each = f" with a sigma of {100.0 * median(errors):.0f} % (median)" if errors else ""
-    terminal.line()
-    terminal.line(f"{count}{each}; rms factor between model and measurement: {', '.join(parts)}")
-
-
 def _counts(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
     count = sum(not (row.held_out or row.outlier) for row in result.rows)
-    held = f" (held out: {', '.join(sorted_labels(result.held_out_poses))})" if result.held_out_poses else ""
     terminal.line()
     did = motors_in_words(robot, [row.drives for row in result.rows])
-    terminal.line(f"{count} measured mode{'' if count == 1 else 's'} fitted, {did}{held}")
+    terminal.line(f"{count} measured mode{'' if count == 1 else 's'} fitted, {did}")
     if len({row.drives for row in result.rows}) > 1:
         labels = sorted_labels(dict.fromkeys(row.pose for row in result.rows if row.drives == HELD))
         terminal.line(f"motors held: {_poses(labels)}")
@@ -191,25 +146,7 @@ def _poses(labels: Sequence[str]) -> str:
     return f"pose{'' if len(labels) == 1 else 's'} {listed(labels, MOST_LISTED)}"
 
 
-def _refitted(terminal: Terminal, values: Sequence[Refitted]) -> None:
-    widened = any(value.saved_sigma > NOTICEABLE * value.sigma for value in values)
-    rows = [
-        (
-            value.name.removeprefix("effects."),
-            plain(value.before),
-            str(rounded(value.after, value.saved_sigma)),
-            *((rounded(value.after, value.sigma).columns[1],) if widened else ()),
-            "" if value.unit == "1" else value.unit,
-        )
-        for value in values
-    ]
-    fit = ("+- of fit",) if widened else ()
-    terminal.table(("uncertain value", "before", "after", *fit, "unit"), rows, ("uncertain value", "unit"))
-    if widened:
-        terminal.line("after: with what candidates that these data do not show could have done to the values")
-
-
-def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
+def _remarks(terminal: Terminal, setting: Setting, result: Diagnosis) -> None:
     remarks = []
     if result.outliers:
         remarks.append(f"set aside as outliers: {_listed(result.outliers)}")
@@ -221,21 +158,12 @@ def _remarks(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
         remarks.append(f"not detectable with these data: {', '.join(result.undetectable)}")
     if limits := largest_limits(result):
         remarks.append(f"not excluded at 95 %: {', '.join(limits)}; all limits: --json or --report")
-    if (proposed := result.next_measurement) is not None:
-        place = placed(robot.mechanism, proposed.pose, ".4f")
-        load = setting(robot.mechanism, proposed.load)
-        place += f" with {load}" if load else ""
-        place += f", {motors_in_words(robot, proposed.drives)}" if proposed.drives else ""
-        differ = f"{' and '.join(proposed.separates)} differ there by {proposed.sigmas:.0f} sigma"
-        caveat = f"; {proposed.caveat}" if proposed.caveat else ""
-        remarks.append(f"measure next at {place}: {differ}{caveat}")
-    elif result.next_measurement_reason:
-        remarks.append(f"no next measurement is proposed: {result.next_measurement_reason}")
     remarks += [f"note: {text}" for text in result.notes]
     remarks += [text] if (text := stability_sentence(result)) else []
     for remark in remarks:
         terminal.line()
         terminal.line(remark)
+    terminal.show(*next_measurement(result, setting))
 
 
 def largest_limits(result: Diagnosis) -> list[str]:

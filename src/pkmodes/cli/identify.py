@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
-import numpy as np
 
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.options import FILE, json_option, mechanism_option, report_option
@@ -15,7 +15,6 @@ from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.drives import motors
 from pkmodes.support.motors import motors_in_words
-from pkmodes.support.numbers import plain, rounded
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -68,7 +67,7 @@ def identify(
     rows = len(found.measurements.frequency)
     file = ResultFile(out, lambda path: write_file(path, text), lambda path: (f"wrote {path}: {rows} modes",))
     report = report_file(report_to, lambda: _page(found, declared, content, sources))
-    deliver(json_file, content, lambda: _print(found, declared), file, report)
+    deliver(json_file, content, lambda: _print(found, declared, content), file, report)
 
 
 def _page(
@@ -87,29 +86,17 @@ def _said(found: Identification) -> list[str]:
     return [*lines, *(f"note: {message}" for message in found.messages)]
 
 
-def _print(found: Identification, campaign: Campaign) -> None:
+def _print(found: Identification, campaign: Campaign, content: dict[str, Any]) -> None:
     from pkmodes.cli.terminal import Terminal
+    from pkmodes.report.identified_record import meanings, modes_table
 
     terminal = Terminal()
-    for one in found.records:
+    for index, one in enumerate(found.records):
         drives, model = one.record.drives, campaign.model
         doing = motors([drives]) if model is None else motors_in_words(model.robot, drives)
         terminal.heading(f"{one.record.pose}, {one.record.kind}, {doing}")
-        rows = []
-        for number, mode in enumerate(one.modes, start=1):
-            damping, its_sigma = rounded(100.0 * mode.damping, 100.0 * mode.sigma_damping).columns
-            known, stated = np.isfinite(mode.damping), np.isfinite(mode.sigma_damping)
-            rows.append(
-                [
-                    str(number),
-                    *rounded(mode.frequency, mode.sigma).columns,
-                    (damping if stated else plain(100.0 * mode.damping, 3)) if known else "-",
-                    its_sigma if known and stated else "-",
-                    str(len(mode.shape)),
-                    str(mode.files),
-                ]
-            )
-        titles = ["mode", "frequency [Hz]", "sigma", "damping [%]", "sigma", "components", "files"]
-        terminal.table(titles, rows)
+        terminal.table(replace(modes_table(index, content["records"][index]["modes"]), caption=""))
         terminal.line()
     terminal.line(f"repeatability {100.0 * found.repeatability:.2g} % of each frequency, in its sigma")
+    for text in meanings([mode for one in content["records"] for mode in one["modes"]]):
+        terminal.line(text)

@@ -155,6 +155,7 @@ def _in_json(field: Field, result: Modes, model: Model) -> Any:
 def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) -> None:
     """Print one column per mode and one row per component; more modes than fit go below."""
     from pkmodes.cli.terminal import Terminal
+    from pkmodes.report.blocks import Cell, Column, Table
 
     terminal = Terminal()
     at, rigid = placed(model.mechanism, result.poses, "g"), result.rigid_modes
@@ -180,7 +181,8 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
     names += [f"p_{name}" for name in model.mechanism.directions]
     components = np.concatenate([scaled, directions], axis=1).T
     rows += [[name, *map(_fixed, row)] for name, row in zip(names, components, strict=True)]
-    terminal.table(["mode", *numbers], rows, left=("mode",), gap=1, repeated=1)
+    columns = [Column("mode", numbers=False), *map(Column, numbers)]
+    terminal.table(Table("", columns, [list(map(Cell, row)) for row in rows]))
     terminal.line()
     terminal.line("p: direction in which the platform moves, a unit vector in the base frame")
     if sigmas is not None:

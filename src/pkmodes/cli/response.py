@@ -29,7 +29,7 @@ from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.drives import Drives
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.mechanism.poses import placed
-from pkmodes.response.channels import without_response
+from pkmodes.report.blocks import Paragraph
 from pkmodes.response.ports import QUANTITIES
 from pkmodes.support.documents import Document
 from pkmodes.support.motors import motors_in_words
@@ -254,38 +254,12 @@ def _frequencies(text: str, log: bool) -> NDArray[np.float64]:
 
 def _print(mechanism: Mechanism, found: FrequencyResponse) -> None:
     from pkmodes.cli.terminal import Terminal
+    from pkmodes.report.response import largest, notes
+    from pkmodes.response.drawn_channels import DrawnChannels
 
-    terminal = Terminal()
+    terminal, drawn = Terminal(), DrawnChannels.of(found)
     at = placed(mechanism, found.poses, "g")
     terminal.heading(
         f"{found.robot.name} at {at}, {motors_in_words(found.robot, found.drives)}, {found.quantity}"
     )
-    terminal.line()
-    channels = {
-        f"{output}/{into}": found.values[:, o, i]
-        for o, output in enumerate(found.outputs)
-        for i, into in enumerate(found.inputs)
-    }
-    units = dict(zip(channels, (unit for row in found.units for unit in row), strict=True))
-    silent = without_response(channels, units)
-    rows = []
-    for name, values in channels.items():
-        size = np.abs(values)
-        peak = int(size.argmax())
-        cells = ["0", "0", "", ""]
-        if name not in silent:
-            cells = [f"{size[0]:.4g}", f"{size[peak]:.4g}", f"{found.frequencies[peak]:.3f}"]
-            cells.append(f"{np.degrees(np.angle(values[peak])):.0f}")
-        rows.append([name, units[name], *cells])
-    titles = ["channel", "unit", "first", "largest", "at [Hz]", "phase [deg]"]
-    terminal.table(titles, rows, left=("channel", "unit"), repeated=1)
-    terminal.line()
-    first, last = found.frequencies[0], found.frequencies[-1]
-    terminal.line(
-        f"magnitude at the first frequency and the largest of {len(found.frequencies)} from {first:g} to {last:g} "
-        "Hz, with its phase, for exp(+i omega t)"
-    )
-    if silent:
-        terminal.line(f"no response, but for rounding, in {', '.join(silent)}")
-    if not found.robot.dissipates:
-        terminal.line("the robot file has no damping: a resonance has no height of its own; see [damping]")
+    terminal.show(largest(drawn), *map(Paragraph, notes(found.robot, drawn)))

@@ -25,21 +25,25 @@ from pkmodes.cli.poses import pose_of, pose_option
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import check_targets, report_target
 from pkmodes.core.base.drives import Drives
+from pkmodes.report.blocks import Paragraph
 from pkmodes.sensitivity.relative import relative_of
+from pkmodes.sensitivity.spread import stated_sigmas
 from pkmodes.support.documents import Count, Document, Matrix
 from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
-    from pkmodes.core.solve.results import Modes
     from pkmodes.report.sources import Source
-    from pkmodes.sensitivity.sensitivities import Sensitivities
 
 Array = NDArray[np.float64]
 #: Of --parameters, for messages.
 EXAMPLE = "--parameters platform.mass,axis.span; or omit the option"
-#: Quantities that are printed without a choice.
+#: Quantities that are printed without a choice, and what is then left out.
 MOST = 10
+ALL = (
+    "--all prints everything: also coordinates, of which a per cent depends on where the origin lies, effects that "
+    "the file does not have, and Hz per unit of the value."
+)
 
 
 class SensitivitiesDocument(Document, frozen=True):
@@ -139,7 +143,7 @@ def sensitivities(
     say("differentiating the modes")
     derivatives = model.sensitivities(point, paths, drives=drives)
     relative = relative_of(derivatives.frequencies, derivatives.values, modes.frequencies)
-    document = SensitivitiesDocument.of(
+    content = SensitivitiesDocument.of(
         derivatives,
         robot=model.robot.name,
         pose=modes.poses.tolist(),
@@ -148,13 +152,13 @@ def sensitivities(
         frequency_derivatives=derivatives.frequencies.tolist(),
         relative_derivatives=relative.tolist(),
         eigenvalue_derivatives=derivatives.eigenvalues.tolist(),
-    )
+    ).as_json()
     asked = paths is not None
     deliver(
         json_file,
-        document.as_json(),
-        lambda: _print(model, modes, derivatives, relative, asked, everything),
-        report_file(report_to, lambda: _page(model, document.as_json(), sources)),
+        content,
+        lambda: _print(model, content, asked, everything),
+        report_file(report_to, lambda: _page(model, content, sources)),
     )
 
 
@@ -164,9 +168,29 @@ def _page(model: Model, content: dict[str, Any], sources: Sequence[Source]) -> s
     return sensitivities_report(model, content, sources)
 
 
-def _print(
-    model: Model, modes: Modes, derivatives: Sensitivities, relative: Array, asked: bool, everything: bool
-) -> None:
-    from pkmodes.cli.sensitivity_tables import print_tables
+def _print(model: Model, content: dict[str, Any], asked: bool, everything: bool) -> None:
+    from pkmodes.cli.terminal import Terminal
+    from pkmodes.report.sensitivity_tables import acting, per_cent, per_sigma, per_unit, summary
+    from pkmodes.sensitivity.changes import PERCENT, SIGMA, changes_at
 
-    print_tables(model, modes, derivatives, relative, most=None if asked or everything else MOST, asked=asked)
+    terminal, pose, drives = Terminal(), content["pose"], content["drives"]
+    depends, paths = acting(content), content["parameters"]
+    every = asked or everything
+    chosen = [paths[t] for t in depends if content["values"][t]] if every else None
+    whole = changes_at(model, pose, drives, PERCENT)
+    percent = whole if chosen is None else changes_at(model, pose, drives, PERCENT, chosen)
+    sigma = changes_at(model, pose, drives, SIGMA) if stated_sigmas(model.robot) else None
+    head = summary(model, whole, sigma, content)
+    terminal.summary(head)
+    if percent.largest_of_all():
+        terminal.show(per_cent(model, percent, content, None if every else MOST))
+    if sigma is not None and not asked:
+        terminal.show(per_sigma(model, sigma))
+    if depends and every:
+        terminal.show(per_unit(model, content))
+    if every and len(depends) < len(paths):
+        still = [path for t, path in enumerate(paths) if t not in depends]
+        terminal.show(Paragraph(f"No frequency depends on {', '.join(still)}."))
+    if not every:
+        terminal.show(Paragraph(ALL))
+    terminal.notes(head)

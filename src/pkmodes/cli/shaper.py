@@ -181,9 +181,9 @@ def shaper(
         choice = model.shapers(
             points, names, modes=modes, left=left, length=length, tick=tick, firmware=firmware
         )
-    document = _document(model, choice)
-    report = report_file(report_to, lambda: _page(model, choice, document.as_json(), sources))
-    deliver(json_file, document.as_json(), lambda: _print(model, choice, document), report)
+    content = _document(model, choice).as_json()
+    report = report_file(report_to, lambda: _page(model, choice, content, sources))
+    deliver(json_file, content, lambda: _print(model, choice, content), report)
 
 
 def _points(model: Model, grid: str | None, poses: Path | None) -> NDArray[np.float64]:
@@ -241,55 +241,11 @@ def _page(model: Model, choice: Choice, content: dict[str, Any], sources: Any) -
     return shaper_report(model, choice, content, sources)
 
 
-def _print(model: Model, choice: Choice, document: ShaperDocument) -> None:
+def _print(model: Model, choice: Choice, content: dict[str, Any]) -> None:
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.core.mechanism.poses import placed
-    from pkmodes.shaping.firmware import NAMES
+    from pkmodes.report.shaper import firmware_lines, machine, shapers_table, summary
 
-    terminal = Terminal()
-    at, unshaped = choice.ringing, choice.unshaped
-    low, high = at.frequencies.min(axis=0), at.frequencies.max(axis=0)
-    poses = "one pose" if document.poses == 1 else f"{document.poses:,} poses"
-    terminal.heading(f"{document.robot}, motors {document.drives}: {poses}")
-    pairs = [tuple(dict.fromkeys(f"{f:.1f}" for f in ends)) for ends in zip(low, high, strict=True)]
-    ranges = ", ".join(" to ".join(pair) for pair in pairs)
-    terminal.line(f"modes that count [Hz]: {ranges}", "  ")
-    place = placed(model.mechanism, unshaped.pose, ".4g")
-    terminal.line(
-        f"without a shaper {1e6 * unshaped.rms:.3g} um of vibration for a step of 1 m/s^2 (rms), at most "
-        f"{1e6 * unshaped.worst:.3g} um, at {place}",
-        "  ",
-    )
-    terminal.line()
-    uncertain = any(one.left.rms_uncertain is not None for one in choice.candidates)
-    titles = [
-        "shaper",
-        "design [Hz]",
-        "lasts [ms]",
-        "left, rms",
-        "worst",
-        *(["uncertain"] if uncertain else []),
-    ]
-    rows = [_row(i, one, choice, uncertain) for i, one in enumerate(choice.candidates)]
-    terminal.table(titles, rows, left=("shaper", "design [Hz]"))
-    terminal.line()
-    terminal.line(
-        "left, in per cent: root mean square over the poses, relative to that without a shaper; worst: the largest "
-        "value, relative to the largest without a shaper; * is recommended"
-    )
-    for name, lines in document.firmware.items():
-        terminal.line()
-        terminal.line(f"{NAMES[name]}:" if lines else f"{NAMES[name]}: has no such shaper")
-        for line in (lines or "").splitlines():
-            terminal.line(line, "  ")
-    for note in document.notes:
-        terminal.line()
-        terminal.line(f"note: {note}")
-
-
-def _row(i: int, one: Candidate, choice: Choice, uncertain: bool) -> list[str]:
-    left = one.left
-    design = "of the pose" if one.follows_pose else ", ".join(f"{f:.2f}" for f in one.frequencies)
-    cells = [f"{one.kind}{' *' if i == choice.recommended else ''}", design, f"{1e3 * one.duration:.1f}"]
-    numbers = [left.rms, left.worst, *([left.rms_uncertain] if uncertain else [])]
-    return cells + ["-" if value is None else f"{100.0 * value:.2f}" for value in numbers]
+    terminal, head = Terminal(), summary(model, choice, content)
+    terminal.summary(head)
+    terminal.show(machine(model, choice, content), shapers_table(content), *firmware_lines(content))
+    terminal.notes(head)

@@ -1,7 +1,8 @@
-"""Sentences and tables on standard output."""
+"""Sentences and the blocks of a result on standard output."""
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Sequence
 
@@ -9,11 +10,44 @@ from rich.cells import cell_len
 from rich.console import Console
 
 from pkmodes.core.base.errors import printable
+from pkmodes.plots.labels import RAISED, TIMES
+from pkmodes.report.blocks import Cell, Facts, Lines, Listing, Paragraph, Summary, Table
 
 #: Sentences are never wrapped to lines shorter than this.
 NARROWEST = 40
+#: Spaces between two columns, and between those of a table that fits the terminal only with them.
+GAP, NARROW_GAP = 2, 1
 #: Characters in a line where nobody says how many there are.
 UNKNOWN = 80
+#: First columns wider than this share of the terminal stand on a line above their row, where a table is too wide.
+WIDE = 0.3
+#: What our own titles and sentences have on a page, and how it is typed.
+TYPED = {
+    "chi\u00b2": "chi2",
+    "\u00b2": "^2",
+    "\u00b3": "^3",
+    "\u00b7": "*",
+    "\u00b5": "u",
+    "\u00b0": "deg",
+    "\u00b1": "+-",
+    "\u03c3": "sigma",
+    "\u2212": "-",
+    "\u2013": "-",
+    "\u2019": "'",
+    "\u03c9": " omega ",
+    "\u00a0": " ",
+    "\u2009": ",",
+}
+SYMBOL = re.compile("|".join(TYPED))
+#: A power of ten as in print, perhaps after the digits that it multiplies.
+POWER = re.compile(f"({TIMES})?10([{''.join(map(chr, RAISED.values()))}]+)")
+UPRIGHT = {raised: digit for digit, raised in RAISED.items()}
+
+
+def typed(text: str) -> str:
+    """Return a title or sentence of a page in characters that every terminal has."""
+    powers = POWER.sub(lambda found: f"{'' if found[1] else '1'}e{found[2].translate(UPRIGHT)}", text)
+    return SYMBOL.sub(lambda found: TYPED[found[0]], powers)
 
 
 class Terminal:
@@ -53,84 +87,110 @@ class Terminal:
             break_on_hyphens=False,
         )
 
-    def table(
-        self,
-        titles: Sequence[str],
-        rows: Sequence[Sequence[str]],
-        left: Sequence[str] = (),
-        *,
-        gap: int = 2,
-        repeated: int = 0,
-        described_by: int = 0,
-        even: bool = False,
-        above: Sequence[str] = (),
-    ) -> None:
-        """Print a table.
+    def summary(self, summary: Summary) -> None:
+        """Print the head of a result; `notes` ends it."""
+        self.line(f"{summary.subject}: {typed(summary.headline)}")
+        if summary.reason:
+            self.line(typed(summary.reason), "  ")
+        for name, cell in summary.facts:
+            self.line(f"{typed(name)}: {typed(cell.typed)}", "  ")
 
-        Parameters
-        ----------
-        titles : sequence of str
-            Of the columns.
-        rows : sequence of sequence of str
-            Their cells.
-        left : sequence of str
-            Titles of the columns that hold text, the others hold numbers.
-        gap : int
-            Spaces between two columns.
-        repeated : int
-            Where the table is wider than the terminal, columns that do not fit go below, after this number of its
-            first columns once more; 0 keeps it in one piece.
-        described_by : int
-            Columns that describe a row, all of which are in the first part; by default those that are repeated.
-        even : bool
-            Whether all parts have about the same number of columns, where that takes no further part.
-        above : sequence of str
-            A line above each row, if any; empty for none.
+    def notes(self, summary: Summary) -> None:
+        """Print what the reader should know."""
+        for note in summary.notes:
+            self.line()
+            self.line(f"note: {typed(note)}")
+
+    def show(self, *blocks: Paragraph | Listing | Facts | Lines | Table) -> None:
+        """Print blocks of a result as on its page, with an empty line before each but what a sentence announces."""
+        announced = False
+        for block in blocks:
+            if not announced:
+                self.line()
+            announced = isinstance(block, Paragraph) and block.text.endswith(":")
+            if isinstance(block, Table):
+                self.table(block)
+            elif isinstance(block, Paragraph):
+                self.line(typed(block.text))
+            elif isinstance(block, Listing):
+                for entry in [", ".join(block.entries)] if block.names else block.entries:
+                    self.line(entry, "  ")
+            elif isinstance(block, Facts):
+                for name, cells in block.entries:
+                    self.line(f"{typed(name)}: {' '.join(filter(None, map(_cell, cells)))}", "  ")
+            else:
+                self.line(f"{block.name}:")
+                for entry in block.lines:
+                    self.line(entry, "  ")
+
+    def table(self, table: Table) -> None:
+        """Print a table with its caption and its note.
+
+        Where it is wider than the terminal, columns that do not fit go below, after the first one once more: about as
+        many in each part, where that takes no further part.
         """
-        cells = [[printable(cell) for cell in row] for row in (titles, *rows)]
-        widths = [max(cell_len(row[k]) for row in cells) for k in range(len(titles))]
-        parts = [list(range(len(titles)))]
-        if repeated:
-            parts = self._parts(widths, gap, repeated, max(described_by, repeated), even)
-        for number, part in enumerate(parts):
+        kept = [k for k, column in enumerate(table.columns) if not column.page_only]
+        over = [title for title, count in table.groups for _ in range(count)]
+        titles = [typed(table.columns[k].title) for k in kept]
+        groups = [typed(over[k]) if over else "" for k in kept]
+        rows = [[_cell(row[k]) for k in kept] for row in table.rows]
+        numbers = [table.columns[k].numbers for k in kept]
+        widths = [max(cell_len(row[c]) for row in (titles, *rows)) for c in range(len(kept))]
+        if table.caption:
+            self.line(typed(table.caption))
+        spaces, rest = len(widths) - 1, self._width - sum(widths)
+        gap = NARROW_GAP if NARROW_GAP * spaces <= rest < GAP * spaces else GAP
+        if gap * spaces > rest and widths[0] > WIDE * self._width:
+            above, first = [row[0] for row in rows], 1
+        else:
+            above, first = [""] * len(rows), 0
+        for number, part in enumerate(self._parts(widths, first, gap)):
             if number:
                 self.line()
-            for i, row in enumerate(cells):
-                if i and above and above[i - 1]:
-                    self.line(above[i - 1])
-                padded = [_aligned(row[k], widths[k], titles[k] in left) for k in part]
-                self._console.print((gap * " ").join(padded).rstrip(), soft_wrap=True)
+            if any(groups[c] for c in part):
+                self._print(_over([groups[c] for c in part], [widths[c] + gap for c in part]))
+            for row, label in zip((titles, *rows), ("", *above), strict=True):
+                if label:
+                    self.line(label)
+                cells = (_aligned(row[c], widths[c], not numbers[c]) for c in part)
+                self._print((gap * " ").join(cells))
+        if table.note:
+            self.line(typed(table.note))
 
-    def fits(self, titles: Sequence[str], rows: Sequence[Sequence[str]], gap: int = 2) -> bool:
-        """Return whether a table is not wider than the terminal."""
-        widths = [max(cell_len(printable(row[k])) for row in (titles, *rows)) for k in range(len(titles))]
-        return sum(widths) + gap * (len(widths) - 1) <= self._width
+    def _print(self, text: str) -> None:
+        self._console.print(text.rstrip(), soft_wrap=True)
 
-    def _parts(
-        self, widths: Sequence[int], gap: int, repeated: int, described_by: int, even: bool
-    ) -> list[list[int]]:
-        """Return the columns of each part of a table, every part as wide as the terminal at most."""
-        count = len(widths) - described_by
-        parts = self._filled(widths, gap, repeated, described_by, count)
-        if not even:
-            return parts
-        alike = self._filled(widths, gap, repeated, described_by, -(-count // len(parts)))
+    def _parts(self, widths: Sequence[int], first: int, gap: int) -> list[list[int]]:
+        """Return the columns of each part of a table from the first on, which is in all of them."""
+        count = len(widths) - first - 1
+        parts = self._filled(widths, first, gap, count)
+        alike = self._filled(widths, first, gap, -(-count // len(parts)))
         return alike if len(alike) == len(parts) else parts
 
-    def _filled(
-        self, widths: Sequence[int], gap: int, repeated: int, described_by: int, most: int
-    ) -> list[list[int]]:
-        """Fill one part after the other with at most so many columns beside those that describe a row."""
-        parts = [list(range(described_by))]
-        added = 0
-        for k in range(described_by, len(widths)):
+    def _filled(self, widths: Sequence[int], first: int, gap: int, most: int) -> list[list[int]]:
+        """Fill one part after the other with at most so many columns beside the first."""
+        parts = [[first]]
+        for k in range(first + 1, len(widths)):
             width = sum(widths[i] for i in parts[-1]) + gap * len(parts[-1]) + widths[k]
-            if added and (width > self._width or added == most):
-                parts.append(list(range(repeated)))
-                added = 0
+            if len(parts[-1]) > 1 and (width > self._width or len(parts[-1]) > most):
+                parts.append([first])
             parts[-1].append(k)
-            added += 1
         return parts
+
+
+def _cell(cell: Cell) -> str:
+    """Return the text of a cell; that of a file, such as a label, as it is there."""
+    return printable(cell.typed if cell.value is None else typed(cell.typed))
+
+
+def _over(groups: Sequence[str], widths: Sequence[int]) -> str:
+    """Return the line above the titles: the title of a group begins above its first column."""
+    line, place = "", 0
+    for k, (group, width) in enumerate(zip(groups, widths, strict=True)):
+        if group and (k == 0 or groups[k - 1] != group):
+            line = f"{line.ljust(place)}{'' if len(line) < place or not line else ' '}{group}"
+        place += width
+    return line
 
 
 def _aligned(text: str, width: int, left: bool) -> str:

@@ -13,7 +13,7 @@ from pkmodes.plots.labels import decades
 from pkmodes.plots.panel import Panel
 from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLUE, VERMILLION
-from pkmodes.response.channels import without_response
+from pkmodes.response.drawn_channels import without_response
 
 Array = NDArray[Any]
 #: Height of a channel [inch], and channels drawn at most: more cannot be read.

@@ -5,9 +5,7 @@
 makes other pages from `pkmodes.report.blocks`.
 """
 
-from pkmodes.report.map import map_report
-from pkmodes.report.measured_report import report
-from pkmodes.report.model_view import view_of, view_of_result
-from pkmodes.report.sources import Source
+import lazy_loader
 
-__all__ = ["Source", "map_report", "report", "view_of", "view_of_result"]
+# The command line shows tables of this package without loading what draws the figures of its pages.
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,7 +1,7 @@
 """The parts of a report: sections of paragraphs, tables, figures and differences between files.
 
-They hold text for a person and exact numbers for a script; the templates only place them.  Text is arbitrary: the
-templates escape it.
+They hold text for a person and exact numbers for a script; the templates only place them, on a page, and
+`pkmodes.cli.terminal` on a terminal.  Text is arbitrary: the templates escape it.
 """
 
 from __future__ import annotations
@@ -11,18 +11,19 @@ import zlib
 from base64 import b64encode
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
-from pkmodes.diagnosis.verdict.verdicts import Colour
-from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.svg import inline, inline_narrow
+
+if TYPE_CHECKING:
+    from pkmodes.diagnosis.verdict.verdicts import Colour
+    from pkmodes.plots.drawing import Drawing
 
 #: Cells with at most this number of characters are not broken into lines.
 SHORT = 26
 #: Height over width from which on a figure is tall.
 TALL = 0.85
 VIEW_BOX = re.compile(r'viewBox="\S+ \S+ (\S+) (\S+)"')
-Tone = Colour
 
 
 @dataclass(frozen=True)
@@ -54,7 +55,7 @@ class Cell:
     Attributes
     ----------
     text : str
-        As shown.
+        As shown on a page.
     value : float or None
         The exact number, if it is one.
     at : str
@@ -64,7 +65,9 @@ class Cell:
     spread : Spread or None
         The standard deviation that its text contains.
     name : str
-        Identifier of what the text says in words, shown below it; empty for none.
+        Identifier of what the text says in words, shown below it, and on a terminal instead of it; empty for none.
+    plain : str
+        The text on a terminal: a number or a unit as it can be typed, a label in full; empty where `text` is that.
     """
 
     text: str
@@ -73,6 +76,7 @@ class Cell:
     strong: bool = False
     spread: Spread | None = None
     name: str = ""
+    plain: str = ""
 
     @classmethod
     def named(cls, words: str, name: str) -> Cell:
@@ -84,13 +88,19 @@ class Cell:
         """Whether it is short enough for one line on a small screen."""
         return len(self.text) <= SHORT
 
+    @property
+    def typed(self) -> str:
+        """As shown on a terminal."""
+        return self.plain or self.name or self.text
+
 
 @dataclass(frozen=True)
 class Column:
-    """A column of a table: its title with the unit, and whether it holds numbers."""
+    """A column of a table: its title with the unit, whether it holds numbers, and whether only a page has it."""
 
     title: str
     numbers: bool = True
+    page_only: bool = False
 
 
 class Placed:
@@ -323,7 +333,7 @@ class Summary:
     verdict: str = ""
     headline: str = ""
     reason: str = ""
-    tone: Tone = "plain"
+    tone: Colour = "plain"
     notes: Sequence[str] = ()
     facts: Sequence[tuple[str, Cell]] = ()
     head: Sequence[tuple[str, str]] = ()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from statistics import median
+
 from pkmodes.diagnosis.verdict.findings import Examined
 from pkmodes.diagnosis.verdict.result import Damping, Diagnosis, key
 from pkmodes.diagnosis.verdict.rows import Row
@@ -20,8 +22,8 @@ from pkmodes.report.formatting import (
     uncertain,
     unit,
 )
-from pkmodes.report.numbers import CHANGES
 from pkmodes.report.setting import Setting
+from pkmodes.report.stability import CHANGES
 from pkmodes.report.tables import table
 
 #: Key of the damping in the JSON.
@@ -40,9 +42,9 @@ def damping(result: Diagnosis, setting: Setting) -> list[Block]:
     blocks: list[Block] = [
         Paragraph(f"Verdict on the damping: {found.verdict}. {prose(sentence(found.reason))}"),
         *explanations.causes(found, setting, TOP),
-        *_refitted(found, setting),
+        *refitted(found, setting),
         *_stability(found),
-        *_factors(found),
+        *factors(result),
         *([Listing([prose(sentence(note)) for note in found.notes])] if found.notes else []),
     ]
     rows = [(i, row) for i, row in enumerate(result.rows) if row.damping is not None]
@@ -53,7 +55,7 @@ def damping(result: Diagnosis, setting: Setting) -> list[Block]:
     return blocks
 
 
-def _refitted(found: Damping, setting: Setting) -> list[Block]:
+def refitted(found: Damping, setting: Setting) -> list[Paragraph | Facts]:
     """Return the uncertain losses, fitted within their priors."""
     entries = []
     for value in found.refitted:
@@ -81,18 +83,27 @@ def _stability(found: Damping) -> list[Block]:
     return [Paragraph(f"It changes with {'; '.join(map(clean, parts))}.")]
 
 
-def _factors(found: Damping) -> list[Block]:
-    """Return how far the model is from the measured ratios."""
-    factors = {
+def factors(result: Diagnosis) -> list[Paragraph]:
+    """Return how far the damping ratios of the model are from the measured ones, and with which errors."""
+    found = result.damping
+    if not found.fitted:
+        return []
+    named = {
         "as declared": found.before,
         "as diagnosed": found.after,
         "at the held-out poses": found.held_out,
     }
-    parts = [f"{factor:.3g} {name}" for name, factor in factors.items() if factor is not None]
-    if not parts:
-        return []
-    count = plural(found.fitted, "fitted ratio")
-    return [Paragraph(f"Root mean square factor between model and measurement, {count}: {', '.join(parts)}.")]
+    parts = [f"{factor:.3g} {name}" for name, factor in named.items() if factor is not None]
+    if found.before is None:
+        parts.insert(0, "nothing dissipates as declared")
+    errors = [
+        row.sigma_damping_used / row.damping
+        for row in result.rows
+        if row.damping_used and row.damping and row.sigma_damping_used is not None
+    ]
+    each = f" with a \u03c3 of {100.0 * median(errors):.0f} % (median)" if errors else ""
+    text = f"{plural(found.fitted, 'ratio')} fitted{each}; rms factor between model and measurement"
+    return [Paragraph(f"{text}: {', '.join(parts)}.")]
 
 
 def _ratios(rows: list[tuple[int, Row]]) -> Table:

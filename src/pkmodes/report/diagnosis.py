@@ -30,6 +30,7 @@ from pkmodes.report.mode_table import mode_table
 from pkmodes.report.page import page
 from pkmodes.report.sections import glossary, view_section
 from pkmodes.report.setting import Setting
+from pkmodes.report.stability import stability_sentence
 from pkmodes.updating.corrected_robot import corrected_robot
 
 #: Most values of causes in the head.
@@ -44,14 +45,15 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
     title = (
         "Remaining explanations" if result.survivors else "Cause" + ("s" if len(result.effects) > 1 else "")
     )
+    fitted = [*numbers.values(result, setting), *numbers.pulls(result, setting)]
     sections = [
         Section("errors", "Error before and after", numbers.errors(result)),
         *([Section("causes", title, causes)] if causes else []),
         *figures.sections(evidence),
         *([Section("damping", "Damping", ratios)] if (ratios := damping(result, setting)) else []),
         Section("candidates", "Candidates", explanations.candidates(result)),
-        Section("values", "Values before and after", numbers.values(result, setting)),
-        *([Section("stability", "Stability", trials)] if (trials := numbers.stability(result)) else []),
+        Section("values", "Values before and after", fitted),
+        *_stability(result),
         Section("next", "Next measurement", numbers.next_measurement(result, setting)),
         Section("correction", "Correction", _correction(result, setting.robot)),
         *view_section(setting.view),
@@ -60,6 +62,12 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
         _origin(result, evidence, setting),
     ]
     return page(_summary(result, setting), sections)
+
+
+def _stability(result: Diagnosis) -> list[Section]:
+    """Return what other errors and priors make of the verdict."""
+    tried = stability_sentence(result)
+    return [Section("stability", "Stability", [Paragraph(sentence(clean(tried, SENTENCE)))])] if tried else []
 
 
 def _summary(result: Diagnosis, setting: Setting) -> Summary:

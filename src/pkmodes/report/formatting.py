@@ -6,10 +6,10 @@ import math
 import re
 from collections.abc import Callable, Mapping
 
-from pkmodes.plots.labels import RAISED, TIMES, typeset, visible
+from pkmodes.plots.labels import MINUS, RAISED, TIMES, typeset, visible
 from pkmodes.report.blocks import Cell, Spread
 from pkmodes.support import numbers
-from pkmodes.support.numbers import p_text, plain, rounded
+from pkmodes.support.numbers import p_text, plain, rounded, unsigned
 
 #: Labels and names longer than this are shortened; the JSON has them whole.
 LONGEST = 100
@@ -86,8 +86,9 @@ def p_value(value: float | None, at: str = "") -> Cell:
 
 def _cell(value: float | None, write: Callable[[float], str], at: str, strong: bool = False) -> Cell:
     if value is None or math.isnan(value):
-        return Cell(NOTHING, None, at)
-    return Cell(typeset(write(value)), float(value), at, strong)
+        return Cell(NOTHING, None, at, plain="-")
+    text = write(value)
+    return Cell(typeset(text), float(value), at, strong, plain=unsigned(text))
 
 
 def uncertain(value: float, sigma: float, at: str = "", at_sigma: str = "", *, scale: float = 1.0) -> Cell:
@@ -104,7 +105,17 @@ def uncertain(value: float, sigma: float, at: str = "", at_sigma: str = "", *, s
     power = f"{TIMES}10{str(found.exponent).translate(RAISED)}" if found.exponent else ""
     digits, of_sigma = typeset(found.value), typeset(found.sigma)
     spread = Spread(float(sigma), at_sigma, digits, of_sigma, power)
-    return Cell(typeset(str(found)), float(value), at, spread=spread)
+    return Cell(typeset(str(found)), float(value), at, spread=spread, plain=str(found))
+
+
+def label(text: str) -> Cell:
+    """Return a label of a file as a cell; a page shortens it."""
+    return Cell(clean(text), plain=text)
+
+
+def minus(text: str) -> Cell:
+    """Return text of numbers and units as a cell, with minus signs as in print on a page."""
+    return Cell(text.replace("-", MINUS), plain=text)
 
 
 def named(explanation: str, sentences: Mapping[str, str]) -> str:
@@ -119,6 +130,11 @@ def unit(name: str) -> str:
     """Return a unit as it is shown after a number; nothing for a number without one."""
     product = re.sub(r"[* ]+", "\u00b7", clean(name))
     return "" if name == "1" else product.replace("^2", "\u00b2").replace("^3", "\u00b3")
+
+
+def unit_cell(name: str) -> Cell:
+    """Return a unit as a cell."""
+    return Cell(unit(name), plain="" if name == "1" else clean(name))
 
 
 def thousands(count: int) -> str:

@@ -49,7 +49,7 @@ def record_section(
     """
     record = result.record
     blocks: list[Block] = [Facts(_facts(index, result, campaign))]
-    blocks.append(_table(index, content["modes"]) if result.modes else Paragraph("No mode was found."))
+    blocks.append(modes_table(index, content["modes"]) if result.modes else Paragraph("No mode was found."))
     if result.messages:
         said = [clean(message, SENTENCE) for message in result.messages[:MOST_MESSAGES]]
         more = len(result.messages) - len(said)
@@ -88,14 +88,14 @@ def _facts(index: int, result: RecordResult, campaign: Campaign) -> list[tuple[s
     return facts
 
 
-def _table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
-    """Return the modes with their standard deviations."""
+def modes_table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
+    """Return the modes of a record with their standard deviations."""
     damped = any(mode["damping"] is not None for mode in modes)
     shaped = any(mode["complexity"] is not None for mode in modes)
     ordered = any(mode["found_in"] is not None for mode in modes)
     edited = any(mode["edited"] for mode in modes)
     columns = [Column("mode"), Column("f [Hz]")]
-    columns += [Column("scatter"), Column("fit"), Column("repeatability")]
+    columns += [Column(title, page_only=True) for title in ("scatter", "fit", "repeatability")]
     groups = [("", 2), ("parts of \u03c3 [Hz]", 3)]
     if damped:
         columns.append(Column("damping ratio [%]"))
@@ -121,10 +121,17 @@ def _table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
         cells.append(number(mode["files"], ".0f", pointer(*at, "files")))
         cells += [Cell(mode["edited"] or "")] if edited else []
         rows.append(cells)
-    meanings = ["\u03c3 is one standard deviation, the root of the sum of the squares of its parts"]
-    meanings += ["MPC is the modal phase collinearity, 1 for a real shape"] if shaped else []
-    meanings += ["orders: in how many model orders the pole was found"] if ordered else []
-    return table("Modes.", columns, rows, groups, "; ".join(meanings) + ".")
+    caption = "\u03c3 is one standard deviation, the root of the sum of the squares of its parts"
+    return table(f"Modes. {sentence('; '.join((caption, *meanings(modes))))}", columns, rows, groups)
+
+
+def meanings(modes: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return what columns of the table mean."""
+    said = {
+        "complexity": "MPC is the modal phase collinearity, 1 for a real shape",
+        "found_in": "orders: in how many model orders the pole was found",
+    }
+    return [text for key, text in said.items() if any(mode[key] is not None for mode in modes)]
 
 
 def _two_digits(sigma: float | None, at: str) -> Cell:

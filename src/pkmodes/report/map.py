@@ -7,33 +7,26 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from pkmodes.core.robot.declaration import changeable
-from pkmodes.core.robot.report_fields import head_of
-from pkmodes.core.robot.units import SHOWN
-from pkmodes.core.solve.fields import FIELDS
 from pkmodes.figures.pictures import pictures
-from pkmodes.maps.left_out import sentences, shown
+from pkmodes.maps.left_out import shown
 from pkmodes.maps.spread import spread_along
-from pkmodes.maps.summary import FEW, SHARES, quantiles_in_words, summary_of
+from pkmodes.maps.summary import summary_of
 from pkmodes.plots import sweeps
-from pkmodes.plots.labels import MINUS, typeset
 from pkmodes.report.blocks import (
     Block,
     Cell,
-    Column,
     Listing,
     Paragraph,
     Picture,
     Section,
-    Summary,
-    Table,
 )
 from pkmodes.report.explorer import explorer_of
-from pkmodes.report.formatting import clean, hertz, number, plural, pointer, thousands, unit
+from pkmodes.report.formatting import clean
 from pkmodes.report.map_planes import declared_values, plane_of, swept_paths, swept_pictures
+from pkmodes.report.map_summary import axis_units, ranges, summary
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin, view_section
 from pkmodes.report.sources import Source, known_sources
-from pkmodes.support import numbers
 from pkmodes.support.motors import motors_in_words
 
 if TYPE_CHECKING:
@@ -41,7 +34,6 @@ if TYPE_CHECKING:
 
     from pkmodes.core.model import Model
 
-NO_BREAK_PER_CENT = "\N{NO-BREAK SPACE}%"
 #: What the bands are where the robot file states standard deviations.
 BAND = (
     "the band is one standard deviation on either side, to first order from those that the robot file states"
@@ -84,14 +76,14 @@ def map_report(
     content = summary_of(dataset, None).as_json() if content is None else content
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     sections = [
-        Section("modes", "Range of each frequency", _ranges(model, content)),
+        Section("modes", "Range of each frequency", [ranges(model, content)]),
         *_explored(model, dataset, view),
         *view_section(view),
         *_changes(model, dataset, shown(dataset)),
         *_figures(model, dataset),
         origin(sources, model.mechanism, _about(content), str(dataset.attrs["version"])),
     ]
-    return page(_summary(model, content), sections)
+    return page(summary(model, content), sections)
 
 
 def middle_of(model: Model, dataset: xarray.Dataset) -> list[float] | None:
@@ -103,115 +95,9 @@ def middle_of(model: Model, dataset: xarray.Dataset) -> list[float] | None:
     return pose if model.check(pose).valid else None
 
 
-def _summary(model: Model, content: dict[str, Any]) -> Summary:
-    headline = _headline(content)
-    share = content["valid"] / content["poses"]
-    notes = [
-        f"{plural(count, 'pose')} cannot be evaluated: {model.reasons[code]}."
-        for code, count in content["reasons"].items()
-    ]
-    notes += [one.replace("= -", f"= {MINUS}") for one in sentences(content, _si_units(model))]
-    facts = [
-        ("poses", Cell(thousands(content["poses"]), content["poses"], pointer("poses"))),
-        (
-            "can be evaluated",
-            Cell(f"{thousands(content['valid'])} ({100 * share:.3g} %)", content["valid"], pointer("valid")),
-        ),
-        ("vibration modes", Cell(str(len(content["modes"])), len(content["modes"]))),
-    ]
-    return Summary(
-        subject=clean(content["robot"]),
-        kind="Map",
-        headline=headline,
-        reason=_extent(model, content),
-        notes=notes,
-        facts=facts,
-        head=head_of(model.robot.report),
-    )
-
-
-def _headline(content: dict[str, Any]) -> str:
-    """Return where the lowest frequency lies, without what a few poses at the edge of the workspace add."""
-    first, count = content["modes"][0], content["counted"]
-    if first["minimum_hz"] is None:
-        return "The machine is stable at no pose" if content["valid"] else "No pose could be evaluated"
-    lowest = "Mode 1" if content["tracked"] else "The lowest frequency of vibration"
-    if count < FEW:
-        low, high, where = first["minimum_hz"], first["maximum_hz"], ""
-    else:
-        low, high, where = first["quantile_2_hz"], first["quantile_98_hz"], " at 96 % of the poses"
-    if count == 1:
-        return f"{lowest} is {numbers.hertz(low)} Hz"
-    return f"{lowest} lies between {numbers.hertz(low)} and {numbers.hertz(high)} Hz{where}"
-
-
-def _extent(model: Model, content: dict[str, Any]) -> str:
-    """Return what was mapped, as a sentence."""
-    units, parts = _units(model), []
-    for dim, (low, high) in content["ranges"].items():
-        count = content["dimensions"][dim]
-        if isinstance(low, str) or dim in ("pose", "sample"):
-            parts.append(plural(count, "pose" if dim == "pose" else "sampled robot"))
-            continue
-        name, factor = units.get(dim, ("", 1.0))
-        ends = _value(low * factor) if count == 1 else f"{_value(low * factor)} to {_value(high * factor)}"
-        parts.append(f"{dim} {ends} {name}".rstrip())
-    return f"Mapped with {motors_in_words(model.robot, content['drives'])}: {', '.join(parts)}."
-
-
-def _si_units(model: Model) -> dict[str, str]:
-    return {component.name: component.unit for component in model.mechanism.pose}
-
-
-def _units(model: Model) -> dict[str, tuple[str, float]]:
-    """Return the unit of each axis as shown, with the factor from SI."""
-    units = {path: (unit(name), 1.0) for path, name in changeable(model.robot).items()}
-    return units | {component.name: SHOWN[component.unit] for component in model.mechanism.pose}
-
-
-def _value(value: float) -> str:
-    return typeset(f"{value:.5g}")
-
-
-def _ranges(model: Model, content: dict[str, Any]) -> list[Block]:
-    units = _units(model)
-    dims = [dim for dim in content["ranges"] if content["dimensions"][dim] > 1]
-    axes = [f"{dim} [{units[dim][0]}]" if units.get(dim, ("",))[0] else dim for dim in dims]
-    places = [Column(axis, numbers=dim != "pose") for dim, axis in zip(dims, axes, strict=True)]
-    rows = []
-    for i, mode in enumerate(content["modes"]):
-        cells = [Cell(str(mode["mode"])), *(_frequency(mode, i, key) for key in SHARES)]
-        for end in ("minimum", "maximum"):
-            at = mode[f"{end}_at"] or {}
-            cells.append(_frequency(mode, i, f"{end}_hz"))
-            cells += [_place(at.get(dim), units.get(dim, ("", 1.0))[1]) for dim in dims]
-        rows.append(cells)
-    frequency = Column(FIELDS["frequencies"].heading)
-    shares = [Column(title) for title in ("2 %", "median", "98 %")]
-    columns = [Column("mode"), *shares, frequency, *places, frequency, *places]
-    ends = [("lowest", 1 + len(dims)), ("highest", 1 + len(dims))]
-    groups = [("", 1), ("quantiles [Hz]", 3), *ends]
-    caption = (
-        f"{quantiles_in_words(content).replace(' %', NO_BREAK_PER_CENT)}. Its lowest and its highest value stand "
-        "beside them, with their poses."
-    )
-    return [Table(caption, columns, rows, groups)]
-
-
-def _frequency(mode: dict[str, Any], index: int, key: str) -> Cell:
-    value = mode[key]
-    return hertz(value, pointer("modes", index, key))
-
-
-def _place(value: Any, factor: float) -> Cell:
-    if value is None or isinstance(value, str):
-        return Cell(clean(value or "\u2013"))
-    return number(float(value), ".5g", scale=factor)
-
-
 def _explored(model: Model, dataset: xarray.Dataset, view: str | None) -> list[Section]:
     """Return the section of the interactive map, where there are poses to choose from."""
-    explorer = explorer_of(model, dataset, _units(model), machine=view is not None)
+    explorer = explorer_of(model, dataset, axis_units(model), machine=view is not None)
     return [] if explorer is None else [Section("explore", "Pose by pose", [explorer])]
 
 

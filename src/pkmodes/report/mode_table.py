@@ -10,7 +10,7 @@ from pkmodes.diagnosis.verdict.rows import Row
 from pkmodes.measured.quantities import FREQUENCY
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report.blocks import Cell, Column, Table
-from pkmodes.report.formatting import clean, hertz, number, plural, pointer
+from pkmodes.report.formatting import hertz, label, number, plural, pointer
 from pkmodes.report.setting import Setting
 from pkmodes.report.tables import table
 
@@ -20,14 +20,16 @@ MOST = 300
 MEASURED = {Diagnosis: ("frequency_hz", "sigma_hz"), Comparison: ("measured", "sigma")}
 
 
-def mode_table(result: Diagnosis | Comparison, evidence: Evidence, setting: Setting) -> Table:
-    """Return all measured modes in the order of their poses, or the worst first if there are many."""
+def mode_table(
+    result: Diagnosis | Comparison, evidence: Evidence, setting: Setting, most: int = MOST
+) -> Table:
+    """Return all measured modes in the order of their poses, or the worst first if there are more than asked for."""
     rows: list[Row | ComparedRow] = [*result.rows]
     chosen, note = _order(evidence), ""
-    if len(rows) > MOST:
-        chosen = _worst(evidence)[:MOST]
+    if len(rows) > most:
+        chosen = _worst(evidence)[:most]
         note = (
-            f"The table has the {MOST} measured modes that differ most from the model, the worst first. All "
+            f"The table has the {most} measured modes that differ most from the model, the worst first. All "
             f"{plural(len(rows), 'mode')} are in the output of --json, under rows."
         )
     own = any(row.mode for row in rows)
@@ -55,9 +57,9 @@ def mode_table(result: Diagnosis | Comparison, evidence: Evidence, setting: Sett
     lines = []
     for i in chosen:
         row = rows[i]
-        cells = [Cell(clean(row.pose)), *([Cell(row.drives or "")] if mixed else [])]
+        cells = [label(row.pose), *([Cell(row.drives or "")] if mixed else [])]
         cells += [Cell(str(row.line), row.line, pointer("rows", i, "line"))]
-        cells += [Cell(clean(row.mode))] if own else []
+        cells += [label(row.mode)] if own else []
         cells += _numbers(result, evidence, i)
         cells += _damping(row, i) if damped and isinstance(row, ComparedRow) else []
         cells += [number(row.mac, ".3f", pointer("rows", i, "mac"))] if shapes else []

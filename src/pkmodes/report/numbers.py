@@ -4,30 +4,25 @@ from __future__ import annotations
 
 from pkmodes.diagnosis.verdict.findings import Corrected
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
-from pkmodes.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, meaning, same
 from pkmodes.plots import scores
-from pkmodes.report.blocks import Block, Cell, Column, Facts, Paragraph, Picture, Table
+from pkmodes.report.blocks import Cell, Column, Facts, Paragraph, Picture, Table
 from pkmodes.report.formatting import (
-    NOTHING,
     clean,
     figures,
-    named,
     number,
     plural,
     pointer,
     three_digits,
     uncertain,
     unit,
+    unit_cell,
 )
 from pkmodes.report.setting import Setting
 from pkmodes.report.tables import table
 from pkmodes.support.ordering import listed, sorted_labels
 
-CHANGES = {HALVED: "\u03c3 halved", DOUBLED: "\u03c3 doubled", WIDENED: "priors twice as wide"}
-SAME = "no change"
 
-
-def errors(result: Diagnosis) -> list[Block]:
+def errors(result: Diagnosis) -> list[Table | Paragraph]:
     """Return the errors of the stages, over fitted and held-out rows."""
     stages, rows = result.errors, []
     for name, (title, error) in stages.items():
@@ -41,12 +36,12 @@ def errors(result: Diagnosis) -> list[Block]:
                 three_digits(error.chi2_per_dof, pointer(*at, "chi2_per_dof"), strong=strong),
             ]
         )
-    columns = [Column("model", False), Column("rms, fitted [%]"), Column("rms, held out [%]")]
+    columns = [Column("model", False), Column("rms [%]"), Column("held out [%]")]
     columns.append(Column("chi\u00b2 per dof"))
     if not result.held_out_poses:
         rows, columns = [[*row[:2], row[3]] for row in rows], [*columns[:2], columns[3]]
     caption = "Errors of the model: rms of model / measurement \u2212 1, and chi\u00b2 per degree of freedom."
-    blocks: list[Block] = [Table(caption, columns, rows)]
+    blocks: list[Table | Paragraph] = [Table(caption, columns, rows)]
     if result.held_out_poses:
         poses = listed([clean(label) for label in sorted_labels(result.held_out_poses)], 20)
         blocks.append(
@@ -64,41 +59,50 @@ def percent(relative: float | None, at: str = "", strong: bool = False) -> Cell:
     return number(relative, form, at, scale=100.0, strong=strong)
 
 
-def values(result: Diagnosis, setting: Setting) -> list[Block]:
+def values(result: Diagnosis, setting: Setting) -> list[Table | Paragraph]:
     """Return the fitted values, with what was declared about them."""
-    of_losses = {value.name for value in result.damping.refitted}  # the damping says more of them
-    corrected = [value for value in result.corrected if value.name not in of_losses]
+    corrected = _corrected(result)
     if not corrected:
         return [Paragraph("No value was uncertain, and none was fitted.")]
     rows = [_value(result, value, setting) for value in corrected]
-    columns = [Column("value", False), Column("role", False), Column("before")]
+    columns = [Column("value", False), Column("role", False, page_only=True), Column("before")]
     columns += [
         Column("after"),
-        Column("\u03c3 of the fit"),
+        Column("\u03c3 of fit"),
         Column("unit", False),
-        Column("prior \u03c3"),
-        Column("moved [prior\u00a0\u03c3]"),
+        Column("prior \u03c3", page_only=True),
+        Column("moved [prior\u00a0\u03c3]", page_only=True),
     ]
     caption = (
         "Fitted values: as declared, and after the fit with the standard deviations of the corrected robot file, "
         "which include what a candidate that these data do not show could have done to the value; beside them those "
         "of the fit alone."
     )
-    blocks: list[Block] = [table(caption, columns, rows)]
+    return [table(caption, columns, rows)]
+
+
+def _corrected(result: Diagnosis) -> list[Corrected]:
+    of_losses = {value.name for value in result.damping.refitted}  # the damping says more of them
+    return [value for value in result.corrected if value.name not in of_losses]
+
+
+def pulls(result: Diagnosis, setting: Setting) -> list[Picture]:
+    """Return the figure of how far the fit moved each uncertain value; nothing where none has a prior."""
+    corrected = _corrected(result)
     figure = scores.pulls(corrected, setting.words)
-    if figure is not None:
-        count = plural(sum(v.prior_sigma is not None for v in corrected), "value")
-        blocks.append(
-            Picture.of(
-                figure,
-                "Movement of the uncertain values",
-                f"{count} with a prior, and how far each moved.",
-                "How far the fit moved each uncertain value, in standard deviations of its prior. Beyond 3 the "
-                "declared value or its sigma is wrong, or the value makes up for a cause; a bar as wide as the "
-                "shaded prior means that the data say nothing about it.",
-            )
+    if figure is None:
+        return []
+    count = plural(sum(v.prior_sigma is not None for v in corrected), "value")
+    return [
+        Picture.of(
+            figure,
+            "Movement of the uncertain values",
+            f"{count} with a prior, and how far each moved.",
+            "How far the fit moved each uncertain value, in standard deviations of its prior. Beyond 3 the "
+            "declared value or its sigma is wrong, or the value makes up for a cause; a bar as wide as the "
+            "shaded prior means that the data say nothing about it.",
         )
-    return blocks
+    ]
 
 
 def _value(result: Diagnosis, value: Corrected, setting: Setting) -> list[Cell]:
@@ -117,47 +121,22 @@ def _value(result: Diagnosis, value: Corrected, setting: Setting) -> list[Cell]:
             after, sigma, saved = (pointer(*at, name) for name in ("value", "sigma", "saved_sigma"))
     prior = value.prior_sigma
     return [
-        Cell.named(setting.words(value.name), clean(value.name)),
+        Cell.named(setting.words(value.name), clean(value.name.removeprefix("effects."))),
         Cell(f"{role}, at a bound" if value.at_bound else role),
         figures(value.declared, 6, before),
         uncertain(value.value, value.saved_sigma, after, saved),
         figures(value.sigma, 2, sigma),
-        Cell(unit(value.unit)),
+        unit_cell(value.unit),
         figures(prior, 2),
         number((value.value - value.declared) / prior if prior else None, "+.1f"),
     ]
 
 
-def stability(result: Diagnosis) -> list[Block]:
-    """Return what the verdict becomes with other errors or priors."""
-    if not result.stability:
-        return []
-    if all(same(result, s) for s in result.stability):
-        *first, last = (f"with {CHANGES.get(s.change, s.change)}" for s in result.stability)
-        changes = " and ".join([", ".join(first), last] if first else [last])
-        kept = "The verdict and its causes stay" if result.effects else "The verdict stays"
-        return [Paragraph(f"{kept} the same {changes}.")]
-    sentences = {one.name: one.sentence for one in result.candidates}
-    rows = [
-        [
-            Cell(CHANGES.get(s.change, s.change)),
-            Cell(s.verdict),
-            Cell(" + ".join(named(name, sentences) for name in s.effects) or NOTHING),
-            Cell(SAME if same(result, s) else meaning(result, s) or NOTHING),
-        ]
-        for s in result.stability
-    ]
-    columns = [Column("change", False), Column("verdict", False), Column("best explanation", False)]
-    columns.append(Column("why it differs", False))
-    caption = "The explanations tried, fitted again with other errors and priors."
-    return [table(caption, columns, rows)]
-
-
-def next_measurement(result: Diagnosis, setting: Setting) -> list[Block]:
+def next_measurement(result: Diagnosis, setting: Setting) -> list[Paragraph | Facts]:
     """Return where two remaining explanations differ most; nothing if nothing is left to separate."""
     proposed = result.next_measurement
     if proposed is None:
-        return [Paragraph(f"None is proposed: {clean(result.next_measurement_reason)}.")]
+        return [Paragraph(f"No next measurement is proposed: {clean(result.next_measurement_reason)}.")]
     at = "next_measurement"
     entries: list[tuple[str, list[Cell]]] = [
         (f"{name} [{unit(symbol)}]" if unit(symbol) else name, [number(value, ".4f", pointer(at, "pose", k))])

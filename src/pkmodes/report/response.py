@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,10 +10,9 @@ from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.robot.report_fields import head_of
-from pkmodes.figures.response_picture import DrawnChannels
 from pkmodes.plots.labels import MINUS
 from pkmodes.plots.responses import responses
-from pkmodes.report.blocks import Block, Cell, Column, Picture, Section, Summary
+from pkmodes.report.blocks import Block, Cell, Column, Picture, Section, Summary, Table
 from pkmodes.report.formatting import (
     clean,
     hertz,
@@ -23,12 +22,13 @@ from pkmodes.report.formatting import (
     three_digits,
     uncertain,
     unit,
+    unit_cell,
 )
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.report.tables import table
-from pkmodes.response.channels import most_responsive
+from pkmodes.response.drawn_channels import DrawnChannels, most_responsive
 from pkmodes.response.measured import MeasuredResponse
 from pkmodes.sensitivity.spread import spread_of
 from pkmodes.support import numbers
@@ -36,6 +36,7 @@ from pkmodes.support.motors import motors_in_words
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
+    from pkmodes.core.robot.robot import Robot
     from pkmodes.response.frequency_response import FrequencyResponse
 
 #: Channels in one figure: two by two.
@@ -81,7 +82,7 @@ def response_report(
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     drawn = DrawnChannels.of(response, measured)
     sections = [
-        Section("responses", "Frequency responses", [*_pictures(drawn), _largest(drawn)]),
+        Section("responses", "Frequency responses", [*_pictures(drawn), largest(drawn)]),
         Section("modes", "Modes of the model", [_modes(model, response)]),
         origin(sources, model.mechanism),
     ]
@@ -116,20 +117,25 @@ def _summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) ->
         reason += f" Of the {which} in {unit(drawn.units[name])} this one has the largest response."
     if meanings := [f"{clean(one)} is {words}" for one in (output, into) if (words := _meaning(one))]:
         reason += f" Here {', '.join(meanings)}."
-    notes = [] if model.robot.dissipates else [UNDAMPED]
-    if drawn.prescribed:
-        notes.append(f"{clean(', '.join(drawn.prescribed), None)} is left out: the motion is prescribed.")
-    if drawn.silent:
-        notes.append(f"No response in {clean(', '.join(drawn.silent), None)}.")
     return Summary(
         subject=clean(model.robot.name),
         kind="Frequency responses",
         headline=headline,
         reason=reason,
-        notes=notes,
+        notes=[*notes(model.robot, drawn)],
         facts=facts,
         head=head_of(model.robot.report),
     )
+
+
+def notes(robot: Robot, drawn: DrawnChannels) -> Iterator[str]:
+    """Yield what to know of the responses."""
+    if not robot.dissipates:
+        yield UNDAMPED
+    if drawn.prescribed:
+        yield f"{clean(', '.join(drawn.prescribed), None)} is left out: the motion is prescribed."
+    if drawn.silent:
+        yield f"No response in {clean(', '.join(drawn.silent), None)}."
 
 
 def _meaning(port: str) -> str:
@@ -170,22 +176,25 @@ def _pictures(drawn: DrawnChannels) -> list[Block]:
     return blocks
 
 
-def _largest(drawn: DrawnChannels) -> Block:
-    """Return the table of the largest response in each channel."""
-    over = drawn.measured
-    groups = [("", 2), ("model", 3), *([("measured", 3)] if over is not None else [])]
-    titles = [Column("channel", False), Column("unit", False)]
-    titles += [Column(title) for _ in groups[1:] for title in ("largest", "at [Hz]", "phase [\u00b0]")]
+def largest(drawn: DrawnChannels) -> Table:
+    """Return the table of the first and the largest response in each channel."""
+    over, f = drawn.measured, drawn.frequencies
+    groups = [("", 2), ("model", 4), *([("measured", 3)] if over is not None else [])]
+    peaks = [Column(title) for title in ("largest", "at [Hz]", "phase [\u00b0]")]
+    titles = [Column("channel", False), Column("unit", False), Column("first"), *peaks]
+    titles += peaks if over is not None else []
     rows = []
     for name, values in drawn.model.items():
         peak = int(np.abs(values).argmax())
-        row = [Cell(clean(name)), Cell(unit(drawn.units[name]))]
-        row += _cells(drawn.frequencies, values, peak, pointer("frequencies_hz", peak))
+        row = [Cell(clean(name, None)), unit_cell(drawn.units[name]), _four_digits(abs(values[0]))]
+        row += _cells(f, values, peak, pointer("frequencies_hz", peak))
         if over is not None:
             place = _within(drawn, over[1][name]) if name in over[1] else None
             row += [number(None)] * 3 if place is None else _cells(over[0], over[1][name], place)
         rows.append(row)
-    return table("The largest response in each channel.", titles, rows, groups)
+    of = f"{len(f)} frequencies from {f[0]:g} to {f[-1]:g} Hz" if len(f) > 1 else f"{f[0]:g} Hz"
+    caption = f"Magnitudes at the first of {of}, and the largest of each channel with its phase, for exp(+i\u03c9t)."
+    return table(caption, titles, rows, groups if over is not None else [])
 
 
 def _cells(f: NDArray[Any], values: NDArray[Any], peak: int, at: str = "") -> list[Cell]:

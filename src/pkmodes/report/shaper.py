@@ -13,7 +13,7 @@ from pkmodes.core.robot.units import SHOWN
 from pkmodes.plots import shapers
 from pkmodes.plots.labels import typeset
 from pkmodes.report.blocks import Cell, Column, Facts, Lines, Paragraph, Picture, Section, Summary, Table
-from pkmodes.report.formatting import clean, number, pointer, sentence, thousands
+from pkmodes.report.formatting import clean, minus, number, pointer, sentence, thousands
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source, known_sources
@@ -61,17 +61,18 @@ def shaper_report(
     need_report()
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     sections = [
-        Section("shapers", "Shapers", [_table(content)]),
-        Section("machine", "The machine", [_machine(model, choice, content)]),
+        Section("shapers", "Shapers", [shapers_table(content)]),
+        Section("machine", "The machine", [machine(model, choice, content)]),
         Section("workspace", "Over the workspace", [_over_workspace(model, choice)]),
         Section("errors", "Where frequencies differ from the model's", [_against_error(choice)]),
-        Section("firmware", "Lines for firmware", _firmware(content)),
+        Section("firmware", "Lines for firmware", firmware_lines(content)),
         origin(sources, model.mechanism),
     ]
-    return page(_summary(model, choice, content), sections)
+    return page(summary(model, choice, content), sections)
 
 
-def _summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
+def summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
+    """Return the recommended shaper, and what it leaves."""
     best, unshaped = choice.candidates[choice.recommended], choice.unshaped
     at = pointer("shapers", choice.recommended, "left", "worst")
     share = float(best.left_at.max())
@@ -119,13 +120,13 @@ def _per_cent(share: float) -> str:
     return f"{100.0 * share:.3g} %" if share >= 1e-6 else "nothing"
 
 
-def _machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
+def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
     """Return the poses and the modes that count."""
     at = choice.ringing
     entries = [("poses", [Cell(thousands(content["poses"]), content["poses"], pointer("poses"))])]
     for i, component in enumerate(model.mechanism.pose):
         unit, factor = SHOWN[component.unit]
-        entries.append((component.name, [Cell(f"{_range(at.poses[:, i] * factor, '.5g')} {unit}")]))
+        entries.append((component.name, [minus(f"{_range(at.poses[:, i] * factor, '.5g')} {unit}")]))
     for k in range(at.frequencies.shape[1]):
         text = f"{_range(at.frequencies[:, k], '.1f')} Hz"
         cells = [Cell(text)]
@@ -138,7 +139,7 @@ def _machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
 
 def _range(values: NDArray[np.float64], form: str) -> str:
     ends = dict.fromkeys(format(end, form) for end in (values.min() + 0.0, values.max() + 0.0))
-    return " to ".join(typeset(end) for end in ends)
+    return " to ".join(ends)
 
 
 def _design(one: Candidate) -> str:
@@ -146,7 +147,8 @@ def _design(one: Candidate) -> str:
     return f"{', '.join(first)} and {last} Hz" if first else f"{last} Hz"
 
 
-def _table(content: dict[str, Any]) -> Table:
+def shapers_table(content: dict[str, Any]) -> Table:
+    """Return all shapers, and what each leaves."""
     keys = {"rms": "left, rms [%]", "worst": "worst [%]", "rms_uncertain": "rms, uncertain [%]"}
     uncertain = any(one["left"]["rms_uncertain"] is not None for one in content["shapers"])
     if not uncertain:
@@ -162,7 +164,7 @@ def _table(content: dict[str, Any]) -> Table:
         design = one["frequencies_hz"]
         left, strong = one["left"], i == content["recommended"]
         cells = [
-            Cell(clean(one["kind"]), strong=strong),
+            Cell(clean(one["kind"]) + (" *" if strong else ""), strong=strong),
             Cell("of the pose" if design is None else ", ".join(f"{f:.2f}" for f in design)),
             number(one["duration_s"], ".1f", scale=1e3),
         ]
@@ -177,7 +179,7 @@ def _table(content: dict[str, Any]) -> Table:
             "; the root mean square where frequencies are spread by the standard deviations of the robot file"
         )
     note = (
-        "The recommended one is bold. Those of the pose are judged at rest and for the model as it is: a move, and "
+        "* The recommended one. Those of the pose are judged at rest and for the model as it is: a move, and "
         "frequencies that differ from the model's, add to what they leave."
     )
     return Table(f"{caption}.", columns, rows, note=note)
@@ -266,7 +268,8 @@ def _against_error(choice: Choice) -> Picture:
     )
 
 
-def _firmware(content: dict[str, Any]) -> list[Paragraph | Lines]:
+def firmware_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
+    """Return the lines for each firmware that has the recommended shaper."""
     blocks: list[Paragraph | Lines] = [
         Paragraph(
             "For the recommended shaper. Check which axes your firmware shapes: usually x and y, not z."

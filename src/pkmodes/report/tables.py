@@ -58,7 +58,7 @@ def _same(cells: Sequence[Cell]) -> bool:
         return False
     if texts <= set(BLANK):
         return True
-    plain = all(cell.value is None or float(cell.value).is_integer() for cell in cells)
+    plain = all(cell.value is None or cell.text.isdigit() for cell in cells)
     return len(cells) > 1 and plain and not any(cell.spread for cell in cells)
 
 

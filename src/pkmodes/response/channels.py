@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,32 +21,6 @@ from pkmodes.response.ports import QUANTITIES, Output, Port, inputs_of, outputs_
 from pkmodes.support.extras import require
 
 Index = tuple[int, ...] | int
-#: A response below this fraction of the largest one of the same unit is rounding.
-NOTHING = 1e-10
-
-
-def without_response(model: Mapping[str, NDArray[Any]], units: Mapping[str, str]) -> list[str]:
-    """Return the channels in which nothing but rounding is seen, beside the others of the same unit.
-
-    Parameters
-    ----------
-    model : mapping of str to ndarray, shape (F,)
-        Responses by channel.
-    units : mapping of str to str
-        Of the channels.
-    """
-    largest: dict[str, float] = {}
-    for name, values in model.items():
-        largest[units[name]] = max(largest.get(units[name], 0.0), float(np.abs(values).max()))
-    return [name for name, values in model.items() if np.abs(values).max() <= NOTHING * largest[units[name]]]
-
-
-def most_responsive(model: Mapping[str, NDArray[Any]], units: Mapping[str, str]) -> str:
-    """Return the channel with the largest response among those of the unit of the first one."""
-    unit = units[next(iter(model))]
-    return max(
-        (name for name in model if units[name] == unit), key=lambda name: float(np.abs(model[name]).max())
-    )
 
 
 @dataclass(frozen=True, repr=False, eq=False)

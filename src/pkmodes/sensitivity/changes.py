@@ -96,7 +96,9 @@ class Changes:
         return order[:most]
 
 
-def changes_at(model: Model, pose: ArrayLike, drives: str, by: str = PERCENT) -> Changes:
+def changes_at(
+    model: Model, pose: ArrayLike, drives: str, by: str = PERCENT, paths: Sequence[str] | None = None
+) -> Changes:
     """Compute what a change of each quantity does to the frequencies of vibration.
 
     Parameters
@@ -105,6 +107,8 @@ def changes_at(model: Model, pose: ArrayLike, drives: str, by: str = PERCENT) ->
         In SI units.
     by : {"percent", "sigma"}
         By sigma, only the quantities with a standard deviation count.
+    paths : sequence of str, optional
+        Quantities to change by one per cent, none of them 0; by default those of which a per cent means something.
 
     Raises
     ------
@@ -113,11 +117,11 @@ def changes_at(model: Model, pose: ArrayLike, drives: str, by: str = PERCENT) ->
     """
     rigid = model.solved(drives).rigid_modes
     if by == PERCENT:
-        every, together = scalable(model.robot), None
+        every, together = scalable(model.robot) if paths is None else list(paths), None
         found = alike_around(model, pose, every, drives)
         members = tuple(tuple(every[i] for i in one.members) for one in found)
         names = tuple(tuple(one.names(every)) for one in found)
-        values = resolve_all(model.robot, [paths[0] for paths in members])
+        values = resolve_all(model.robot, [one[0] for one in members])
         steps = [0.01 * path.value for path in values]
     elif by == SIGMA:
         together = frequency_sigmas(model, pose, drives=drives)[rigid:]
@@ -128,6 +132,6 @@ def changes_at(model: Model, pose: ArrayLike, drives: str, by: str = PERCENT) ->
         raise PkmodesError(
             f'expected "{PERCENT}" or "{SIGMA}", found {by!r}', "by", f'for example: by="{SIGMA}"'
         )
-    rates = rates_of(model, pose, [paths[0] for paths in members], drives, "raise")[:, rigid:]
+    rates = rates_of(model, pose, [one[0] for one in members], drives, "raise")[:, rigid:]
     frequencies = model.frequencies(pose, drives=drives)[rigid:]
     return Changes(by, members, names, frequencies, rates * np.array(steps)[:, None], together)

@@ -86,7 +86,7 @@ def rounded(value: float, sigma: float) -> Rounded:
     if decimals > MOST_DECIMALS:
         return Rounded(plain(value, MOST_DECIMALS), plain(sigma, 2))
     texts = (f"{round(_scaled(one, shift), decimals):.{max(decimals, 0)}f}" for one in (value, sigma))
-    first, second = (_unsigned(text) for text in texts)
+    first, second = (unsigned(text) for text in texts)
     return Rounded(first, second, shift)
 
 
@@ -127,6 +127,8 @@ def _scaled(value: float, shift: int) -> float:
     return float(Decimal(repr(float(value))).scaleb(-shift))
 
 
-def _unsigned(text: str) -> str:
+def unsigned(text: str) -> str:
     """Return the text of a number without the sign of a zero."""
-    return text.lstrip("-") if not any(c in "123456789" for c in text.partition("e")[0]) else text
+    digits = text.partition("e")[0]
+    zero = "0" in digits and not any(c in "123456789" for c in digits)
+    return text.lstrip("+-") if zero else text

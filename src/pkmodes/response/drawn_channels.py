@@ -1,0 +1,122 @@
+"""The channels of a response at a pose that are drawn and tabulated, with measured responses beside them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.mechanism.poses import placed
+from pkmodes.response.channels import Index
+from pkmodes.response.frequency_response import FrequencyResponse
+from pkmodes.response.measured import MeasuredResponse
+from pkmodes.support.motors import motors_in_words
+
+Array = NDArray[Any]
+#: A response below this fraction of the largest one of the same unit is rounding.
+NOTHING = 1e-10
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnChannels:
+    """Responses at a pose by channel, ``OUTPUT/INPUT``.
+
+    Attributes
+    ----------
+    frequencies : ndarray, shape (F,)
+        Of the model [Hz].
+    model : mapping of str to ndarray, complex128, shape (F,)
+        In the order in which they are drawn.
+    units : mapping of str to str
+        Of the magnitudes.
+    measured : tuple of ndarray and mapping, or None
+        Frequencies, and responses by channel.
+    silent : tuple of str
+        Channels without a response, which are left out.
+    prescribed : tuple of str
+        Channels from a prescribed motion to itself, which are left out.
+    text : str
+        What is drawn: quantity, robot, pose, and what the motors do.
+    """
+
+    frequencies: Array
+    model: Mapping[str, Array]
+    units: Mapping[str, str]
+    measured: tuple[Array, Mapping[str, Array]] | None
+    silent: tuple[str, ...]
+    prescribed: tuple[str, ...]
+    text: str
+
+    @classmethod
+    def of(
+        cls, response: FrequencyResponse, measured: MeasuredResponse | None = None, index: Index = ()
+    ) -> DrawnChannels:
+        """Choose the channels of a response.
+
+        Raises
+        ------
+        PkmodesError
+            If the index selects no pose, no measured channel is one of the response, or the table states that it is
+            of something else.
+        """
+        where = response.one(index)
+        values = response.values[where]
+        model, units = {}, {}
+        for o, output in enumerate(response.outputs):
+            for i, into in enumerate(response.inputs):
+                name = f"{output}/{into}"
+                model[name], units[name] = values[:, o, i], response.units[o][i]
+        if measured is not None:
+            stated = {"quantity": response.quantity, "drives": response.drives}
+            measured.check(stated | {f"unit {name}": unit for name, unit in units.items()})
+        over = None if measured is None else (measured.frequencies, measured.among(list(model)))
+        silent = without_response(model, units)
+        if over is not None:  # these first: only so many are drawn
+            model = {**{name: model[name] for name in over[1]}, **model}
+            silent = [name for name in silent if name not in over[1]]
+        over_names = () if over is None else tuple(over[1])
+        prescribed = [f"{one}/{one}" for one in response.outputs if one in response.inputs]
+        prescribed = [name for name in prescribed if name not in over_names]
+        if len(prescribed) + len(silent) < len(model):
+            model = {name: values for name, values in model.items() if name not in prescribed}
+        else:
+            prescribed = []
+        if len(silent) < len(model):
+            model = {name: values for name, values in model.items() if name not in silent}
+        else:
+            silent = []
+        at = placed(response.robot.mechanism, response.poses[where], "g")
+        also = "" if over is None else ", with measured responses"
+        quantity = response.quantity.capitalize()
+        doing = motors_in_words(response.robot, response.drives)
+        text = f"{quantity} of {response.robot.name} at {at}, {doing}{also}."
+        if silent:
+            text += f" No response in {', '.join(silent)}."
+        return cls(response.frequencies, model, units, over, tuple(silent), tuple(prescribed), text)
+
+
+def without_response(model: Mapping[str, NDArray[Any]], units: Mapping[str, str]) -> list[str]:
+    """Return the channels in which nothing but rounding is seen, beside the others of the same unit.
+
+    Parameters
+    ----------
+    model : mapping of str to ndarray, shape (F,)
+        Responses by channel.
+    units : mapping of str to str
+        Of the channels.
+    """
+    largest: dict[str, float] = {}
+    for name, values in model.items():
+        largest[units[name]] = max(largest.get(units[name], 0.0), float(np.abs(values).max()))
+    return [name for name, values in model.items() if np.abs(values).max() <= NOTHING * largest[units[name]]]
+
+
+def most_responsive(model: Mapping[str, NDArray[Any]], units: Mapping[str, str]) -> str:
+    """Return the channel with the largest response among those of the unit of the first one."""
+    unit = units[next(iter(model))]
+    return max(
+        (name for name in model if units[name] == unit), key=lambda name: float(np.abs(model[name]).max())
+    )
