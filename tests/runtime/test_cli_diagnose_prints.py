@@ -42,7 +42,9 @@ def test_the_table_of_a_cause_has_the_numbers_of_the_json(
     assert lines[0] == "linear-delta-2022: effect_found"
     assert lines[1].startswith("  the residual of the declared model is not noise (p < 1e-6); ")
     assert "18 measured modes fitted, motors free" in lines
-    assert any(line.startswith("Held out, so that no choice and no fit has seen them: P3. ") for line in lines)
+    assert any(
+        line.startswith("Held out, so that no choice and no fit has seen them: P3. ") for line in lines
+    )
     cause = re.search(r"^  gearbox_compliance\.compliance = \((\S+) \+- (\S+)\)e-4 rad/\(N\*m\)$", text, re.M)
     assert cause is not None
     compliance = found["effects"][0]["parameters"]["compliance"]

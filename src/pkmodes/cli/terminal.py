@@ -141,10 +141,10 @@ class Terminal:
         spaces, rest = len(widths) - 1, self._width - sum(widths)
         gap = NARROW_GAP if NARROW_GAP * spaces <= rest < GAP * spaces else GAP
         if gap * spaces > rest and widths[0] > WIDE * self._width:
-            above, first = [row[0] for row in rows], 1
+            above, begin = [row[0] for row in rows], list[int]()
         else:
-            above, first = [""] * len(rows), 0
-        for number, part in enumerate(self._parts(widths, first, gap)):
+            above, begin = [""] * len(rows), [0]
+        for number, part in enumerate(self._parts(widths, begin, gap)):
             if number:
                 self.line()
             if any(groups[c] for c in part):
@@ -160,21 +160,22 @@ class Terminal:
     def _print(self, text: str) -> None:
         self._console.print(text.rstrip(), soft_wrap=True)
 
-    def _parts(self, widths: Sequence[int], first: int, gap: int) -> list[list[int]]:
-        """Return the columns of each part of a table from the first on, which is in all of them."""
-        count = len(widths) - first - 1
-        parts = self._filled(widths, first, gap, count)
-        alike = self._filled(widths, first, gap, -(-count // len(parts)))
+    def _parts(self, widths: Sequence[int], begin: list[int], gap: int) -> list[list[int]]:
+        """Return the columns of each part of a table: the first where all begin with it, and some of the others."""
+        parts = self._filled(widths, begin, gap, len(widths))
+        alike = self._filled(widths, begin, gap, -(-(len(widths) - 1) // len(parts)))
         return alike if len(alike) == len(parts) else parts
 
-    def _filled(self, widths: Sequence[int], first: int, gap: int, most: int) -> list[list[int]]:
-        """Fill one part after the other with at most so many columns beside the first."""
-        parts = [[first]]
-        for k in range(first + 1, len(widths)):
-            width = sum(widths[i] for i in parts[-1]) + gap * len(parts[-1]) + widths[k]
-            if len(parts[-1]) > 1 and (width > self._width or len(parts[-1]) > most):
-                parts.append([first])
+    def _filled(self, widths: Sequence[int], begin: list[int], gap: int, most: int) -> list[list[int]]:
+        """Fill one part after the other with at most so many columns beside those with which it begins."""
+        parts, added = [[*begin]], 0
+        for k in range(1, len(widths)):
+            width = sum(widths[i] + gap for i in parts[-1]) + widths[k]
+            if added and (width > self._width or added == most):
+                parts.append([*begin])
+                added = 0
             parts[-1].append(k)
+            added += 1
         return parts
 
 
