@@ -15,8 +15,8 @@ from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS
 PAGE = Path(__file__).parents[2] / "docs/diagnosis.md"
 #: What the page calls the tables, in its order.
 TABLES = {
-    "Before a search": rules.BEFORE,
-    "Whatever a search found": rules.READINGS,
+    "Before a search": rules.before(),
+    "Whatever a search found": rules.after(),
     "The declared model leaves noise": rules.ADEQUACY,
     "Causes leave noise": rules.CLAIMS,
     "Nothing leaves noise": unexplained.OPEN,
@@ -27,7 +27,9 @@ BEGIN, END = "<!-- begin: written by tests/diagnosis/test_rules.py --update-gold
 def printed() -> str:
     parts = []
     for title, table in TABLES.items():
-        rows = [f"| `{rule.name}` | {rule.about} | `{rule.verdict.word}` |" for rule in table]
+        rows = [
+            f"| `{rule.name.partition('.')[2]}` | {rule.about} | `{rule.verdict.word}` |" for rule in table
+        ]
         parts.append("\n".join([f"| {title} | when | verdict |", "| --- | --- | --- |", *rows]))
     return "\n\n".join(parts)
 
@@ -59,7 +61,7 @@ def test_an_added_rule_decides_before_those_behind_it(
         causes = [cause.name for cause in e.final.causes]
         return f"somebody wound up {causes[0]}" if causes == ["gearbox_compliance"] else ""
 
-    monkeypatch.setattr(rules, "CLAIMS", (Rule("wound_up", AMBIGUOUS, wound_up), *rules.CLAIMS))
+    monkeypatch.setattr(rules, "CLAIMS", (Rule("claims.wound_up", AMBIGUOUS, wound_up), *rules.CLAIMS))
     options = ("--candidates", "gearbox_compliance,payload")
     found = diagnosed(tmp_path, PUBLISHED, measured(poses=7, effects=WIND_UP), *options)
     assert (found["verdict"], found["reason"]) == ("ambiguous", "somebody wound up gearbox_compliance")

@@ -18,9 +18,10 @@ from pkmodes import updating
 from pkmodes.diagnosis.diagnose import diagnose, split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
-from pkmodes.diagnosis.verdict.mistakes import certain_wiring, other_wiring
-from pkmodes.diagnosis.verdict.rewired import Misfit, Wiring
-from pkmodes.diagnosis.verdict.wiring import rewired
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.readings.misfits import Misfit
+from pkmodes.diagnosis.readings.wiring import certain_wiring, other_wiring, rewired
+from pkmodes.diagnosis.readings.wirings import Wiring
 from pkmodes.measured.measurements import Measurements
 from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes_rig import ORDERS, POSES, SENSORS, followed, measure_modes, read
@@ -84,7 +85,7 @@ def declared_fit(data: Measurements, robot: str = "tower", fitted: Sequence[int]
 
 def advice(data: Measurements, robot: str = "tower") -> str:
     """What a diagnosis says of the wiring before it searches for causes."""
-    return certain_wiring(*declared_fit(data, robot))
+    return certain_wiring(FitStore(declared_fit(data, robot)[0]))
 
 
 @pytest.mark.parametrize("plan", PLANS)

@@ -15,9 +15,8 @@ from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.problem import Structure
-from pkmodes.diagnosis.verdict.mistakes import other_unit
+from pkmodes.diagnosis.readings.table import declared_otherwise
 from pkmodes.diagnosis.verdict.rows import ModeName, MotorsDid, Place, drives_of
-from pkmodes.diagnosis.verdict.wrong_drives import seemingly_wrong_drives
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.documents import Count, Document, Number, Probability, Settings, Size
 
@@ -183,7 +182,7 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
         )
         for i in range(len(paired))
     )
-    notes = tuple(text for text in (other_unit(fitter) or seemingly_wrong_drives(fitter),) if text)
+    notes = declared_otherwise(fitter)
     prediction = structure.predict(fitter.declared, ())
     stage, rigid = Predicted.of(fitter.pairer, data, prediction, pairing, sigma), prediction.rigid
     if not paired.any():

@@ -23,12 +23,10 @@ from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.solver import correlation
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Candidate, Structure, reached_bounds
-from pkmodes.diagnosis.verdict import whole_data
+from pkmodes.diagnosis.readings.table import declared_otherwise, explained_otherwise, remarks
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
-from pkmodes.diagnosis.verdict.mistakes import other_unit, other_wiring
 from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.rows import Error, Row
-from pkmodes.diagnosis.verdict.wrong_drives import seemingly_wrong_drives
 from pkmodes.measured.measurements import Measurements
 
 #: Largest number of rounds to estimate the scatter of shapes without a stated one.
@@ -145,15 +143,17 @@ def update(
     declared, after = setups.stage(fitter.declared), setups.stage(fit.values)
     squares, degrees = store.frequency_misfit(fit)
     updated = tuple(_updated(fitter, fit, i) for i in chosen)
-    mistakes = (other_unit(fitter) or seemingly_wrong_drives(fitter), other_wiring(fitter, fit))
-    remarks = [text for text in mistakes if text]
-    remarks += whole_data.remarks(setups, fit)
+    found = [
+        *declared_otherwise(fitter),
+        *explained_otherwise(fitter, fit),
+        *remarks(setups.stage(fit.values), fitter.criteria.readings),
+    ]
     held_by_prior = [p.name for p in updated if p.resolution < 0.05]
     if held_by_prior:
         priors = "only its prior does" if len(held_by_prior) == 1 else "only their priors do"
-        remarks.append(f"these data do not determine {', '.join(held_by_prior)}: {priors}")
+        found.append(f"these data do not determine {', '.join(held_by_prior)}: {priors}")
     if stats.chi2.sf(squares, max(degrees, 1.0)) < fitter.criteria.gate.surely:
-        remarks.append("the residual still exceeds the stated errors: something else is missing")
+        found.append("the residual still exceeds the stated errors: something else is missing")
     return Update(
         parameters=updated,
         correlation=correlation(fit.covariance_of(chosen)),
@@ -163,7 +163,7 @@ def update(
         held_out_poses=setups.held_out_poses,
         rows=setups.rows(declared, after, after, nothing),
         shape_scatter=store.shape_scatter(fit),
-        notes=(*remarks, *notes(store, fit, adequate=False)),
+        notes=(*found, *notes(store, fit, adequate=False)),
     )
 
 

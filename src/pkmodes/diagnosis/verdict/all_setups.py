@@ -1,62 +1,16 @@
-"""A model beside all measured modes, including the held-out ones, at its stages: declared, refitted, with causes."""
+"""A model beside all measured modes, including the held-out ones, and its errors."""
 
 from __future__ import annotations
-
-from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.match.pairing import Pairer, Pairing
-from pkmodes.diagnosis.match.predicted import Predicted
-from pkmodes.diagnosis.problem import Array, Prediction, Structure
+from pkmodes.diagnosis.match.pairing import Pairer
+from pkmodes.diagnosis.match.stage import Stage
+from pkmodes.diagnosis.problem import Array, Structure
 from pkmodes.diagnosis.verdict.rows import Error, Row, drives_of
 from pkmodes.measured.measurements import Measurements
-
-
-@dataclass(frozen=True, eq=False)
-class Stage:
-    """A structure with some values of its parameters, and the partners of all R rows."""
-
-    structure: Structure
-    data: Measurements
-    pairer: Pairer
-    values: Array
-
-    @cached_property
-    def prediction(self) -> Prediction:
-        """Modes of all setups."""
-        return self.structure.predict(self.values, ())
-
-    @cached_property
-    def pairing(self) -> Pairing:
-        """Partners of all rows."""
-        return self.pairer.pair(self.prediction, np.ones(len(self.data.lines), dtype=bool))
-
-    @cached_property
-    def frequencies(self) -> Array:
-        """Frequencies of the partners [Hz], (R,); NaN if unmatched."""
-        partner = self.pairing.partner
-        logs = self.prediction.log_frequencies[self.data.pose, np.maximum(partner, 0)]
-        return np.where(partner >= 0, np.exp(logs), np.nan)
-
-    @cached_property
-    def sigma(self) -> Array:
-        """Relative standard deviations of the measured frequencies, (R,), including position errors."""
-        data = self.data
-        variance: Array = (data.sigma / data.frequency) ** 2
-        moved = self.structure.position_rates(self.values) if data.point_sigma.any() else None
-        if moved is not None:
-            rates = moved.log_rates[data.pose, np.maximum(self.pairing.partner, 0)]
-            variance = variance + ((rates * data.point_sigma[data.pose]) ** 2).sum(axis=1)
-        return np.sqrt(variance)
-
-    @cached_property
-    def predicted(self) -> Predicted:
-        """Partners, differences and MAC, for figures."""
-        return Predicted.of(self.pairer, self.data, self.prediction, self.pairing, self.sigma)
 
 
 class AllSetups:

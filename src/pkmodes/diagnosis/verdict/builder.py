@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import reached_bounds
+from pkmodes.diagnosis.readings.table import declared_otherwise, remarks
 from pkmodes.diagnosis.search.ranges import plausible_sizes
 from pkmodes.diagnosis.verdict import caveats, held_out, limits, misfit
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
@@ -21,11 +23,8 @@ from pkmodes.diagnosis.verdict.limits import Limits
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.result import Diagnosis, Stages
-from pkmodes.diagnosis.verdict.rules import READINGS
 from pkmodes.diagnosis.verdict.stability import unchanged
-from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA, Verdict
-from pkmodes.diagnosis.verdict.whole_data import remarks
-from pkmodes.diagnosis.verdict.wrong_drives import seemingly_wrong_drives
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA
 
 
 class DiagnosisBuilder:
@@ -36,20 +35,21 @@ class DiagnosisBuilder:
 
     def before_search(self, start: Start, decision: Decision[Start]) -> Diagnosis:
         """Return the result for too few data, or for an obvious mistake in these: nothing is searched for."""
-        text, verdict, store = decision.says.text, decision.verdict, start.plain
+        verdict, store = decision.verdict, start.plain
         if verdict is not INSUFFICIENT_DATA:
             names = tuple(one.name for one in start.suspected)
             bounded = limits.unknown(store, start.suspected)
-            return self._result(verdict, text, store, None, names, (text,), unchanged(verdict), bounded)
-        fit, drives = start.first, seemingly_wrong_drives(self.fitter)
-        about = (*((drives,) if drives else ()), *(() if fit is None else remarks(self.setups, fit)))
+            said = (decision.says.text,)
+            return self._result(decision, store, None, names, said, unchanged(verdict), bounded)
+        fit = start.first
+        about = (*declared_otherwise(self.fitter), *(() if fit is None else self._remarked(fit)))
         if fit is None:
             bounded = limits.unknown(store, start.suspected)
         else:
             bounded = limits.beside(store, [fit], start.suspected, noise=not start.contradicted)
         known = {*bounded.limited, *start.hints}
         unseen = tuple(one.name for one in start.suspected if one.name not in known)
-        return self._result(verdict, text, store, fit, unseen, about, unchanged(verdict), bounded)
+        return self._result(decision, store, fit, unseen, about, unchanged(verdict), bounded)
 
     def after_search(self, evidence: Evidence, decision: Decision[Evidence]) -> Diagnosis:
         """Return the result of a search and its verdict."""
@@ -86,8 +86,7 @@ class DiagnosisBuilder:
         )
         undetectable = tuple(one.name for one in tested if not one.detectable)
         diagnosis = self._result(
-            verdict,
-            decision.says.text,
+            decision,
             search.store,
             final if verdict is ADEQUATE else outcome.nuisances,
             undetectable,
@@ -123,9 +122,12 @@ class DiagnosisBuilder:
 
     def _remarks(self, evidence: Evidence, decision: Decision[Evidence]) -> tuple[str, ...]:
         """Return notes on the data: another reading that decided, mistakes seen in all setups, held-out rows."""
-        reading = (decision.says.text,) if decision.rule in READINGS else ()
+        reading = (decision.says.text,) if decision.says.noted else ()
         held_out = evidence.held_out.notes if decision.verdict.settled else ()
-        return (*reading, *remarks(self.setups, evidence.final), *held_out)
+        return (*reading, *self._remarked(evidence.final), *held_out)
+
+    def _remarked(self, fit: Fit) -> tuple[str, ...]:
+        return remarks(self.setups.stage(fit.values), self.fitter.criteria.readings)
 
     def _with_caveats(
         self, evidence: Evidence, decision: Decision[Evidence], diagnosis: Diagnosis
@@ -149,8 +151,7 @@ class DiagnosisBuilder:
 
     def _result(
         self,
-        verdict: Verdict,
-        reason: str,
+        decision: Decision[Any],
         store: FitStore,
         fit: Fit | None,
         undetectable: tuple[str, ...],
@@ -186,8 +187,8 @@ class DiagnosisBuilder:
             for one, stage in ((fit, refit), (causes, after))
         ]
         return Diagnosis(
-            verdict=verdict.word,
-            reason=reason,
+            verdict=decision.verdict.word,
+            reason=decision.says.text,
             effects=(),
             survivors=(),
             refitted=() if last is None else self.refitted(last, bounded),
@@ -202,10 +203,11 @@ class DiagnosisBuilder:
             scatter=0.0 if last is None else last.scatter,
             corrected=() if last is None else self.corrected(last, bounded),
             correlation=() if last is None else tuple(map(tuple, last.correlation.tolist())),
-            notes=(*remarks, *(() if last is None else notes(store, last, verdict.settled))),
+            notes=(*remarks, *(() if last is None else notes(store, last, decision.verdict.settled))),
             stability=stability,
             shape_scatter=None if last is None else store.shape_scatter(last),
             limits=bounded.of,
+            rule=decision.rule.name,
             stages=Stages(
                 declared.predicted,
                 None if refit is None else refit.predicted,

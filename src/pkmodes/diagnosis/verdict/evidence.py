@@ -132,11 +132,14 @@ class Says:
         Candidates to which it says that the data point, without a claim: what they show cannot be undetectable.
     instead : Fit or None
         An explanation that is better with other errors or priors.
+    noted : bool
+        Whether it is the first note, too: the file has something wrong.
     """
 
     text: str
     named: frozenset[str] = frozenset()
     instead: Fit | None = None
+    noted: bool = False
 
     @classmethod
     def naming(cls, text: str, causes: Iterable[Candidate], instead: Fit | None = None) -> Says:
@@ -153,6 +156,8 @@ class Rule(Generic[T]):
 
     Attributes
     ----------
+    name : str
+        With that of its table: "claims.found".
     ask : callable
         Its question: the answer to it, or None or an empty text if it does not apply.  A text names the causes that
         would be claimed.

@@ -12,8 +12,8 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import reached_bounds
+from pkmodes.diagnosis.readings.copies import all_alike
 from pkmodes.diagnosis.search.unmeasured import never_measured
-from pkmodes.diagnosis.verdict.mistakes import all_alike
 from pkmodes.diagnosis.verdict.shapes import strange_shapes
 from pkmodes.diagnosis.verdict.unevaluated import unevaluated
 from pkmodes.support.numbers import plain

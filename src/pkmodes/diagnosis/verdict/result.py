@@ -154,6 +154,8 @@ class Diagnosis:
         What the damping says; its ratios are among the rows.
     headline : str
         What of the refitted values a headline says beside the verdict; empty for nothing.
+    rule : str
+        The rule that decided, with its table (`rules`): "claims.found".  For tests and studies; not part of the JSON.
     """
 
     verdict: Word
@@ -180,6 +182,7 @@ class Diagnosis:
     correlation: tuple[tuple[float, ...], ...] = field(default=(), repr=False)
     not_separated: str = ""
     headline: str = ""
+    rule: str = field(default="", compare=False)
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]

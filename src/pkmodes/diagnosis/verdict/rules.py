@@ -1,19 +1,22 @@
 """The rules of the verdict, in tables: of those that are asked, the first that applies decides.
 
-A rule has a name, the verdict that it gives, and a question of the evidence.  The docstring of the question says when
-the rule applies, and its answer is the reason of the verdict, for a person.  `BEFORE` is asked before any search, and
-may be all; after it `READINGS`, then `ADEQUACY` where the declared model leaves noise, `CLAIMS` where causes do, and
-`OPEN` (`unexplained`) where nothing does.  docs/diagnosis.md has the tables.
+A rule has a name, which begins with that of its table, the verdict that it gives, and a question of the evidence.
+The docstring of the question says when the rule applies, and its answer is the reason of the verdict, for a person.
+`before` is asked before any search, and may be all; after it `after`, then `ADEQUACY` where the declared model leaves
+noise, `CLAIMS` where causes do, and `OPEN` (`unexplained`) where nothing does.  docs/diagnosis.md has the tables.
 """
 
 from __future__ import annotations
 
+import functools
+from collections.abc import Callable, Iterator
+
 import numpy as np
 
+from pkmodes.diagnosis.readings import table
 from pkmodes.diagnosis.verdict import misfit
 from pkmodes.diagnosis.verdict.classes import more_general
-from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Rule, Says, Start, first
-from pkmodes.diagnosis.verdict.mistakes import certain_wiring, other_unit, other_wiring
+from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Rule, Says, Start, T, first
 from pkmodes.diagnosis.verdict.naming import explained
 from pkmodes.diagnosis.verdict.notes import drift
 from pkmodes.diagnosis.verdict.reasons import names, noise
@@ -28,7 +31,6 @@ from pkmodes.diagnosis.verdict.verdicts import (
     INSUFFICIENT_DATA,
     UNEXPLAINED,
 )
-from pkmodes.diagnosis.verdict.wrong_drives import wrong_drives
 from pkmodes.support.numbers import p_in_words, p_text
 
 #: Largest number of other causes that a reason mentions.
@@ -37,23 +39,18 @@ MENTIONED = 4
 
 def decide_before_search(start: Start) -> Decision[Start] | None:
     """Return the verdict that needs no search; None if one is needed."""
-    return first(BEFORE, start)
+    return first(before(), start)
 
 
 def decide(evidence: Evidence) -> Decision[Evidence]:
     """Return the verdict after a search, and why it is given."""
     of_noise = CLAIMS if evidence.final.causes else ADEQUACY
-    decision = first((*READINGS, *(of_noise if evidence.outcome.last.passed else OPEN)), evidence)
+    decision = first((*after(), *(of_noise if evidence.outcome.last.passed else OPEN)), evidence)
     assert decision is not None  # the last rule of each table always applies
     return decision
 
 
 # Before a search -----------------------------------------------------------------------------------------------
-
-
-def another_unit(start: Start) -> str:
-    """The frequencies fit the declared model far better in another unit, or as periods."""
-    return other_unit(start.fitter)
 
 
 def too_few(start: Start) -> str:
@@ -77,25 +74,6 @@ def too_few(start: Start) -> str:
     they, verb = ("it", "contradicts") if one else ("they", "contradict")
     would = f"; {they} would not with {' or '.join(start.hints)}" if start.hints else ""
     return f"{text}; yet {they} {verb} the declared model and its uncertain values ({p}){would}"
-
-
-def other_drives(start: Start) -> str:
-    """The frequencies fit far better, or fit only, with motors held instead of free, or free instead of held."""
-    return wrong_drives(start.plain)
-
-
-def certainly_wired_otherwise(start: Start) -> str:
-    """Another wiring of the sensors brings the shapes near to their errors."""
-    return "" if start.first is None else certain_wiring(start.fitter, start.first)
-
-
-# After a search: other readings --------------------------------------------------------------------------------
-
-
-def wired_otherwise(e: Evidence) -> Says | None:
-    """The shapes fit far better with another wiring of the sensors, or a channel is dead."""
-    text = other_wiring(e.fitter, e.final)
-    return Says(text) if text else None
 
 
 # The declared model leaves noise -------------------------------------------------------------------------------
@@ -336,43 +314,65 @@ def causes_found(e: Evidence) -> Says:
 
 # The tables ----------------------------------------------------------------------------------------------------
 
-#: Asked before a search.
-BEFORE = (
-    Rule("unit", UNEXPLAINED, another_unit),
-    Rule("too_few", INSUFFICIENT_DATA, too_few),
-    Rule("drives", UNEXPLAINED, other_drives),
-    Rule("wiring", UNEXPLAINED, certainly_wired_otherwise),
-)
 
-#: Asked whatever the search found: other readings of the data.
-READINGS = (Rule("wiring", UNEXPLAINED, wired_otherwise),)
+def before() -> tuple[Rule[Start], ...]:
+    """Return the rules that are asked before a search."""
+    return (
+        *_of_readings("before", lambda one: None if one.refitted else one.declared, lambda s: (s.fitter,)),
+        Rule("before.too_few", INSUFFICIENT_DATA, too_few),
+        *_of_readings("before", lambda one: one.refitted, lambda s: (s.plain,)),
+    )
+
+
+def after() -> tuple[Rule[Evidence], ...]:
+    """Return the rules that are asked whatever a search found."""
+    return tuple(_of_readings("after", lambda one: one.explained, lambda e: (e.fitter, e.final)))
+
+
+def _of_readings(
+    prefix: str,
+    question: Callable[[table.Reading], Callable[..., str] | None],
+    of: Callable[[T], tuple[object, ...]],
+) -> Iterator[Rule[T]]:
+    """Yield the rules that ask for other readings of the data."""
+    for reading in table.READINGS:
+        if ask := question(reading):
+            says = functools.partial(_says, ask, of)
+            yield Rule(f"{prefix}.{reading.name}", UNEXPLAINED, functools.wraps(ask)(says))
+
+
+def _says(ask: Callable[..., str], of: Callable[[T], tuple[object, ...]], evidence: T) -> Says | None:
+    """Return what is wrong in the file: nothing is claimed, and no cause named."""
+    text = ask(*of(evidence))
+    return Says(text, noted=True) if text else None
+
 
 #: Asked if the declared model leaves noise.
 ADEQUACY = (
-    Rule("shapes", UNEXPLAINED, modes_of_other_shapes),
-    Rule("extra_modes", UNEXPLAINED, extra_modes),
-    Rule("unstated_error", UNEXPLAINED, unstated_error),
-    Rule("held_out", UNEXPLAINED, not_predicted),
-    Rule("adequate", ADEQUATE, nothing_missing),
+    Rule("adequacy.shapes", UNEXPLAINED, modes_of_other_shapes),
+    Rule("adequacy.extra_modes", UNEXPLAINED, extra_modes),
+    Rule("adequacy.unstated_error", UNEXPLAINED, unstated_error),
+    Rule("adequacy.held_out", UNEXPLAINED, not_predicted),
+    Rule("adequacy.adequate", ADEQUATE, nothing_missing),
 )
 
 #: Asked if causes leave noise.
 CLAIMS = (
-    Rule("remote", UNEXPLAINED, remote_cause),
-    Rule("one_joint", UNEXPLAINED, in_one_joint),
-    Rule("shapes", UNEXPLAINED, modes_of_other_shapes),
-    Rule("better_shapes", UNEXPLAINED, better_shapes),
-    Rule("more_general", UNEXPLAINED, general_cause),
-    Rule("not_significant", UNEXPLAINED, not_significant),
-    Rule("two_of_few", UNEXPLAINED, two_of_few),
-    Rule("errors", UNEXPLAINED, measurement_errors),
-    Rule("not_specific", UNEXPLAINED, not_specific),
-    Rule("no_value", UNEXPLAINED, value_without_support),
-    Rule("one_row", UNEXPLAINED, one_row),
-    Rule("not_settled", UNEXPLAINED, not_settled),
-    Rule("several", AMBIGUOUS, several_explanations),
-    Rule("other_errors", AMBIGUOUS, another_with_other_errors),
-    Rule("priors", UNEXPLAINED, held_by_priors),
-    Rule("held_out", UNEXPLAINED, not_predicted),
-    Rule("found", EFFECT_FOUND, causes_found),
+    Rule("claims.remote", UNEXPLAINED, remote_cause),
+    Rule("claims.one_joint", UNEXPLAINED, in_one_joint),
+    Rule("claims.shapes", UNEXPLAINED, modes_of_other_shapes),
+    Rule("claims.better_shapes", UNEXPLAINED, better_shapes),
+    Rule("claims.more_general", UNEXPLAINED, general_cause),
+    Rule("claims.not_significant", UNEXPLAINED, not_significant),
+    Rule("claims.two_of_few", UNEXPLAINED, two_of_few),
+    Rule("claims.errors", UNEXPLAINED, measurement_errors),
+    Rule("claims.not_specific", UNEXPLAINED, not_specific),
+    Rule("claims.no_value", UNEXPLAINED, value_without_support),
+    Rule("claims.one_row", UNEXPLAINED, one_row),
+    Rule("claims.not_settled", UNEXPLAINED, not_settled),
+    Rule("claims.several", AMBIGUOUS, several_explanations),
+    Rule("claims.other_errors", AMBIGUOUS, another_with_other_errors),
+    Rule("claims.priors", UNEXPLAINED, held_by_priors),
+    Rule("claims.held_out", UNEXPLAINED, not_predicted),
+    Rule("claims.found", EFFECT_FOUND, causes_found),
 )

@@ -157,15 +157,15 @@ def real(e: Evidence) -> Says:
 
 #: Asked if nothing leaves noise.
 OPEN = (
-    Rule("added_modes", UNEXPLAINED, added_modes),
-    Rule("unmatched", UNEXPLAINED, unmatched_modes),
-    Rule("value_far_away", UNEXPLAINED, value_far_away),
-    Rule("shapes_differ", UNEXPLAINED, shapes_differ),
-    Rule("beyond_prior", UNEXPLAINED, beyond_prior),
-    Rule("nearly_all", UNEXPLAINED, nearly_all),
-    Rule("no_direction", UNEXPLAINED, no_direction),
-    Rule("small", UNEXPLAINED, small),
-    Rule("real", UNEXPLAINED, real),
+    Rule("open.added_modes", UNEXPLAINED, added_modes),
+    Rule("open.unmatched", UNEXPLAINED, unmatched_modes),
+    Rule("open.value_far_away", UNEXPLAINED, value_far_away),
+    Rule("open.shapes_differ", UNEXPLAINED, shapes_differ),
+    Rule("open.beyond_prior", UNEXPLAINED, beyond_prior),
+    Rule("open.nearly_all", UNEXPLAINED, nearly_all),
+    Rule("open.no_direction", UNEXPLAINED, no_direction),
+    Rule("open.small", UNEXPLAINED, small),
+    Rule("open.real", UNEXPLAINED, real),
 )
 
 

@@ -1,4 +1,4 @@
-"""Mistakes visible in all measurements, including held-out ones: copied shapes, and poses with a wrong label."""
+"""Shapes that were copied, and poses with a wrong label: what all measurements show, including held-out ones."""
 
 from __future__ import annotations
 
@@ -6,49 +6,31 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from pkmodes.diagnosis.fit.hypothesis import Fit
-from pkmodes.diagnosis.verdict.all_setups import AllSetups, Stage
-from pkmodes.diagnosis.verdict.mistakes import all_alike
+from pkmodes.diagnosis.criteria import ReadingCriteria
+from pkmodes.diagnosis.match.stage import Stage
+from pkmodes.diagnosis.problem import Array
 from pkmodes.measured.measurements import Measurements
+from pkmodes.support.mac import mac
 
 #: Positions nearer than this are the same [m].
 NEAR = 1e-6
-#: Largest number of remarks of each kind.
-MOST = 4
 
 
-def remarks(setups: AllSetups, fit: Fit) -> tuple[str, ...]:
-    """Return sentences about the measurements.
-
-    Parameters
-    ----------
-    fit : Fit
-        Its values determine which rows are the same mode.
-    """
-    copies, criteria = [], setups.fitter.criteria
-    if not all_alike(setups.data, criteria.readings.same_shape):  # reported separately
-        copies = [
-            f"the shapes in lines {one} and {other} are identical: was one copied?"
-            for one, other in copied(setups.data)
-        ]
-    displaced = list(_same_place(setups.stage(fit.values), criteria.readings.same_place))
-    return *displaced[:MOST], *copies[:MOST]
-
-
-def copied(data: Measurements) -> list[tuple[int, int]]:
-    """Return pairs of lines whose shapes are identical, which never happens in real measurements."""
-    first: dict[bytes, int] = {}
-    pairs = []
+def copied_shapes(stage: Stage, c: ReadingCriteria) -> Iterator[str]:
+    """Yield a sentence for each two rows whose shapes are identical, which never happens in real measurements."""
+    data, first = stage.data, dict[bytes, int]()
+    if all_alike(data, c.same_shape):  # reported separately
+        return
     for row, shape in enumerate(data.shapes):
         if np.count_nonzero(np.nan_to_num(shape)) < 2:
             continue
         before = first.setdefault(shape.tobytes(), row)
         if before != row:
-            pairs.append((int(data.lines[before]), int(data.lines[row])))
-    return pairs
+            lines = f"lines {data.lines[before]} and {data.lines[row]}"
+            yield f"the shapes in {lines} are identical: was one copied?"
 
 
-def _same_place(stage: Stage, clearly: tuple[float, float]) -> Iterator[str]:
+def same_place(stage: Stage, c: ReadingCriteria) -> Iterator[str]:
     """Yield a sentence for each pair of poses, measured alike at one position, whose common modes mostly differ."""
     data = stage.data
     if not data.points.any():  # setups without positions
@@ -63,7 +45,7 @@ def _same_place(stage: Stage, clearly: tuple[float, float]) -> Iterator[str]:
         apart = np.linalg.norm(data.points[rest] - data.points[i], axis=1)
         for k in rest[apart <= NEAR]:
             one, other = sorted((int(i), int(k)))
-            most = _difference(stage, clearly, one, other)
+            most = _difference(stage, c.same_place, one, other)
             if most:
                 yield (
                     f"poses {data.labels[one]} and {data.labels[other]} are at the same position, but their "
@@ -83,3 +65,19 @@ def _difference(stage: Stage, clearly: tuple[float, float], one: int, other: int
     apart = np.abs(np.log(data.frequency[a] / data.frequency[b]))
     clear = (apart > sigmas * np.hypot(sigma[a], sigma[b])) & (apart > least)
     return float(np.expm1(apart.max())) if clear.mean() >= 0.5 else 0.0
+
+
+def all_alike(data: Measurements, same: float) -> tuple[str, ...]:
+    """Return the labels of setups with three or more shapes whose mutual MAC is always above a limit."""
+    labels = []
+    for setup, label in enumerate(data.labels):
+        shapes = data.shapes[data.pose == setup]
+        common = np.isfinite(shapes).all(axis=0)
+        some: Array = shapes[:, common]
+        if len(some) < 3 or common.sum() < 2:
+            continue
+        largest = np.abs(some).max(axis=1, keepdims=True)  # shapes have any scale
+        some = some / np.where(largest > 0.0, largest, 1.0)
+        if mac(some, some, np.ones(some.shape, dtype=bool)).min() > same:
+            labels.append(label)
+    return tuple(labels)

@@ -1,0 +1,108 @@
+"""Motors that were held although the measurements say free, or the reverse.
+
+Held motors change every frequency, and no cause is needed to explain that.  Where the declared model fits far better
+with the other word, or only with it, and no single cause does better, that is what is reported.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from pkmodes.core.base.drives import other_drives as other
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.problem import Array, Driven
+from pkmodes.diagnosis.readings.comparison import Apart, differences
+from pkmodes.diagnosis.search.search import Search
+from pkmodes.support.ordering import listed
+
+#: Labels that the sentence lists.
+MOST = 6
+#: The other word is tried at some setups if it brings their declared frequencies nearer by this factor, perhaps by
+#: chance.
+PERHAPS = 2.0
+
+
+def nearer_drives(fitter: Fitter) -> str:
+    """The declared frequencies are far nearer with motors held instead of free, or free instead of held."""
+    c = fitter.criteria.readings
+    for setups, apart in _suspected(fitter).items():
+        if apart.far_better(c.drives_gain, c.drives_difference):
+            return _sentence(fitter, setups, apart)
+    return ""
+
+
+def other_drives(plain: FitStore) -> str:
+    """The frequencies fit far better, or fit only, with motors held instead of free, or free instead of held."""
+    fitter, c, structure = plain.fitter, plain.fitter.criteria, plain.fitter.structure
+    first = plain.fit(Hypothesis())
+    if not isinstance(structure, Driven) or (first is not None and plain.p_value(first) > c.gate.surely):
+        return ""
+    for setups, declared in _suspected(fitter).items():
+        store = FitStore(Fitter(structure.with_other_drives(setups), fitter.data, c, fitter.shape_scatter))
+        fit = store.fit(Hypothesis())
+        if fit is None:
+            continue
+        explains = store.p_value(fit) > c.gate.level
+        there = _mean(fitter, setups, fit.residual)
+        apart = Apart(declared.here if first is None else _mean(fitter, setups, first.residual), there)
+        if explains or apart.far_better(c.readings.drives_gain, c.readings.drives_difference):
+            # What holds the motors a little, or makes them heavy, is a cause, and nearly the same.
+            singles = Search(plain, structure.candidates).additions.would_do()
+            least = min((plain.criterion(single) for single in singles), default=np.inf)
+            if store.criterion(fit) <= least + (c.search.survives if explains else 0.0):
+                return _sentence(fitter, setups, None if explains else apart)
+    return ""
+
+
+def _suspected(fitter: Fitter) -> dict[tuple[int, ...], Apart]:
+    """Return all setups, and those whose declared frequencies are nearer with the motors doing something else."""
+    structure, data, every = fitter.structure, fitter.data, tuple(range(len(fitter.data.labels)))
+    if not isinstance(structure, Driven):
+        return {}
+    predictions = (
+        one.predict(fitter.declared, ()) for one in (structure, structure.with_other_drives(every))
+    )
+    here, there = (differences(fitter, prediction, data)[0] for prediction in predictions)
+
+    def apart(setups: Sequence[int]) -> Apart:
+        return Apart(_mean(fitter, setups, here), _mean(fitter, setups, there))
+
+    some = tuple(k for k in every if apart([k]).far_better(PERHAPS))
+    enough = np.isin(data.pose, some).sum() >= fitter.criteria.readings.drives_rows
+    return {setups: apart(setups) for setups in ((every, some) if enough else (every,))}
+
+
+def _mean(fitter: Fitter, setups: Sequence[int], residual: Array) -> float:
+    """Return the mean difference of the frequencies at some setups."""
+    return float(np.abs(residual[fitter.frequency_rows][np.isin(fitter.data.pose, setups)]).mean())
+
+
+def _sentence(fitter: Fitter, setups: Sequence[int], apart: Apart | None) -> str:
+    """Return what was noticed, and what to write.
+
+    Parameters
+    ----------
+    apart : Apart, optional
+        How much nearer the frequencies are; None if the declared model explains them.
+    """
+    data = fitter.data
+    words = {data.drives[k] for k in setups}
+    fits, size = "are explained by the declared model", ""
+    if apart is not None:
+        fits = "fit the declared model far better"
+        size = f" ({100 * apart.there:.2g} % instead of {100 * apart.here:.2g} %)"
+    if len(words) > 1:
+        return f"the frequencies {fits} with free and held exchanged{size}: correct drives"
+    every = len(setups) == len(data.labels)
+    of = "" if every else f" at {listed([data.labels[k] for k in setups], MOST)}"
+    (word,) = words
+    says, than = other(word), ", not" if apart is None else " than"
+    remedy = f"write # drives: {says}, or --drives {says}" if every else f"write {says} in the column drives"
+    return (
+        f"the frequencies{of} {fits} with motors {says}{than} with motors {word}{size}: "
+        f"if they were {says}, {remedy}"
+    )

@@ -1,0 +1,189 @@
+"""How well wirings of the sensors fit.
+
+A wrong wiring changes the shapes, and with them the pairing: modes of nearly equal frequency are told apart by their
+shapes alone.  So every wiring has its own pairing, and frequencies count as well as shapes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.problem import Array, Prediction
+from pkmodes.diagnosis.readings.comparison import Apart
+from pkmodes.diagnosis.readings.wirings import Wiring, as_in_file
+from pkmodes.support.mac import channel_motion
+
+#: Numbers in the largest array that is evaluated at once.
+AT_ONCE = 2_000_000
+#: Number of setups, those with the worst shapes, that show whether another wiring may fit.
+WORST = 3
+
+
+@dataclass(frozen=True)
+class Misfit:
+    """Misfit of the measurements with one wiring.
+
+    Attributes
+    ----------
+    squares : ndarray, shape (3,)
+        Whitened sums of squares: of the frequencies, of shapes with stated errors, of the other shapes.
+    count : ndarray, shape (3,)
+        Numbers of these data.
+    least : ndarray, shape (3,)
+        Sums of squares of the smallest errors that measurements have; smaller ones count as these.
+    difference : float
+        Root mean square of the differences of the shapes, relative to the largest component of each.
+    """
+
+    squares: Array
+    count: Array
+    least: Array
+    difference: float
+
+    @classmethod
+    def of(cls, fitter: Fitter, used: NDArray[np.bool_], residual: Array) -> Misfit:
+        """Return the misfit of unwhitened residuals of all data, (R + R C,), of which some rows count."""
+        shapes, white = fitter.shapes, residual / fitter.noise.stated
+        known = used & shapes.known
+        masks = known & shapes.stated, known & ~shapes.stated
+        each = (white[fitter.shape_rows].reshape(shapes.sigma.shape) ** 2).sum(axis=1)
+        frequencies = (white[fitter.frequency_rows][used] ** 2).sum()
+        count = np.array([used.sum(), *(shapes.count[mask].sum() for mask in masks)], dtype=float)
+        smallest = fitter.criteria.shapes.least_scatter / fitter.shape_scatter
+        apart = (residual[fitter.shape_rows] ** 2).sum() / max(count[1:].sum(), 1.0)
+        return cls(
+            squares=np.array([frequencies, *(each[mask].sum() for mask in masks)]),
+            count=count,
+            least=np.maximum(count * [1.0, 1.0, smallest**2], 1e-300),
+            difference=float(np.sqrt(apart)),
+        )
+
+    def evidence(self, frequencies: bool = True) -> float:
+        """Return the deviance, with errors of the size that the misfit shows, whether they are stated or not.
+
+        Parameters
+        ----------
+        frequencies : bool, optional
+            Whether the frequencies count: not if something else is missing in the model, because modes paired
+            wrongly may then seem to fit better.
+        """
+        some = self.count > 0
+        some[0] &= frequencies
+        squares = np.maximum(self.squares, self.least)[some]
+        return float((self.count[some] * np.log(squares / self.least[some])).sum())
+
+    @property
+    def shapes(self) -> float:
+        """Sum of squares of the shapes relative to the least one."""
+        return float(np.maximum(self.squares, self.least)[1:].sum())
+
+    @property
+    def per_value(self) -> tuple[float, float]:
+        """Sums of squares per value of the frequencies and of the shapes with stated errors; 0 if there are none."""
+        frequency, stated = (self.squares / np.maximum(self.count, 1.0))[:2]
+        return float(frequency), float(stated)
+
+
+def at_prediction(
+    fitter: Fitter, used: NDArray[np.bool_], prediction: Prediction, wirings: Sequence[Wiring]
+) -> list[Misfit]:
+    """Return the misfit of each wiring with the modes of a model, many evaluated together; none without modes."""
+    if not np.isfinite(prediction.eigenvalues).all():
+        return []
+    motion = channel_motion(fitter.structure.predict(fitter.declared, ()).shapes)
+    numbers = len(fitter.log) * prediction.shapes.shape[1] * len(fitter.data.channels)
+    most, found = max(AT_ONCE // max(numbers, 1), 1), list[Misfit]()
+    for some in (wirings[start : start + most] for start in range(0, len(wirings), most)):
+        rows, tiled = fitter.rows.tiled(len(some)), np.tile(used, len(some))
+        order = [[fitter.structure.channels.index(name) for name in w.channels] for w in some]
+        rows.pairer.moves = np.concatenate([motion[:, columns] for columns in order])
+        # The modes once for each wiring, with what its columns measure in the place of the file's.
+        shapes = np.tile(prediction.shapes, (len(some), 1, 1, 1))
+        for each, columns, wiring in zip(shapes, order, some, strict=True):
+            each[..., fitter.pairer.columns] = prediction.shapes[..., columns] * wiring.signs
+        eigenvalues = np.tile(prediction.eigenvalues, (len(some), 1))
+        together = _modes(eigenvalues, np.concatenate(shapes), prediction.rigid)
+        pairing = rows.pairer.pair(together, tiled, compare=False)
+        residuals = rows.of_each(rows.residual(together, pairing, tiled))
+        found += [Misfit.of(fitter, used, residual) for residual in residuals]
+    return found
+
+
+def promising(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> bool:
+    """Return whether some other wiring fits the shapes better where they fit worst.
+
+    At these few setups a wrong wiring is plain, and no wiring helps if there is only noise: most files need no more.
+    """
+    shapes, setups, pose = fitter.shapes, len(fitter.data.labels), fitter.data.pose
+    if setups <= 2 * WORST:
+        return True
+    squares = (fit.white[fitter.shape_rows].reshape(shapes.sigma.shape) ** 2).sum(axis=1)
+    sums = np.bincount(pose, squares, setups) / np.maximum(np.bincount(pose, shapes.count, setups), 1.0)
+    some = np.sort(np.argsort(sums)[-WORST:])
+    at = some.tolist()
+    part = Fitter(
+        fitter.structure.subset(at),
+        fitter.data.at(at),
+        fitter.criteria,
+        fitter.shape_scatter,
+        parameters=fitter.parameters,
+    )
+    every, used = [as_in_file(fitter.data.channels), *wirings], np.ones(len(part.log), dtype=bool)
+    there = _modes(fit.prediction.eigenvalues[some], fit.prediction.shapes[some], fit.prediction.rigid)
+    declared = part.structure.predict(part.declared, ())
+    found = [at_prediction(part, used, one, every) for one in (declared, there)]
+    least = [min(one.shapes for one in each) for each in zip(*filter(None, found), strict=True)]
+    return bool(least) and Apart(least[0], min(least[1:])).far_better(
+        fitter.criteria.readings.rewired_perhaps
+    )
+
+
+def misfits(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring, Misfit]:
+    """Return the misfit of the file and of other wirings, each with the values that suit it best.
+
+    These are the declared ones, those of the fit, and those refitted with the best few wirings.
+    """
+    c, own, used = fitter.criteria.readings, as_in_file(fitter.data.channels), fitter.used(fit.hypothesis)
+    every = [own, *wirings]
+    found = {own: Misfit.of(fitter, used, fit.residual)}
+
+    def keep(misfits: Iterable[tuple[Wiring, Misfit]]) -> None:
+        for wiring, misfit in misfits:
+            if wiring not in found or misfit.evidence() < found[wiring].evidence():
+                found[wiring] = misfit
+
+    for prediction in (fitter.structure.predict(fitter.declared, ()), fit.prediction):
+        keep(zip(every, at_prediction(fitter, used, prediction, every), strict=False))
+    best = sorted((w for w in found if w != own), key=lambda wiring: found[wiring].evidence())
+    near = found[best[0]].evidence() + c.rewired_near
+    hypotheses = [Hypothesis(excluded=fit.hypothesis.excluded), *([fit.hypothesis] if fit.causes else [])]
+    again: list[tuple[float, Prediction]] = []
+    for wiring in [w for w in best if found[w].evidence() < near][: c.rewired_refits]:
+        rewired = Fitter(
+            fitter.structure,
+            wiring.of(fitter.data),
+            fitter.criteria,
+            fitter.shape_scatter,
+            parameters=fitter.parameters,
+        )
+        for hypothesis in hypotheses:
+            other = rewired.fit(hypothesis, fit.values if hypothesis.causes else None)
+            if other is not None:
+                misfit = Misfit.of(fitter, used, other.residual)
+                keep([(wiring, misfit)])
+                again.append((misfit.evidence(), other.prediction))
+    if again:  # the parameters are the same with whatever wiring
+        prediction = min(again, key=lambda one: one[0])[1]
+        keep(zip(every, at_prediction(fitter, used, prediction, every), strict=False))
+    return found
+
+
+def _modes(eigenvalues: Array, shapes: Array, rigid: int) -> Prediction:
+    """Return modes without derivatives."""
+    return Prediction(eigenvalues, np.zeros((*eigenvalues.shape, 0)), shapes, rigid)

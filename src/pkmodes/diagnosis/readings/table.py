@@ -1,0 +1,82 @@
+"""The readings, in the order in which they are asked: what a file may have wrong, and when that is seen.
+
+A question answers with what is wrong and what to do, or with an empty text where the file is right.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+from pkmodes.diagnosis.criteria import ReadingCriteria
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.match.stage import Stage
+from pkmodes.diagnosis.readings.copies import copied_shapes, same_place
+from pkmodes.diagnosis.readings.drives import nearer_drives, other_drives
+from pkmodes.diagnosis.readings.units import other_unit
+from pkmodes.diagnosis.readings.wiring import certain_wiring, dead_channels, other_wiring
+
+#: Largest number of remarks of each kind.
+MOST = 4
+
+
+@dataclass(frozen=True)
+class Reading:
+    """Another reading of the data, with a question for each moment at which it can be told from that of the file.
+
+    Attributes
+    ----------
+    name : str
+    declared : callable, optional
+        Asked of the declared model, nothing fitted.  It decides a diagnosis unless there is `refitted`; otherwise it
+        is a note, of comparisons and of data that are too few.
+    refitted : callable, optional
+        Asked of the store of the declared model, whose uncertain values are refitted, before any search.
+    explained : callable, optional
+        Asked of the final fit.
+    remarks : callable, optional
+        Asked of all measurements, including held-out ones: notes, which decide nothing.
+    """
+
+    name: str
+    declared: Callable[[Fitter], str] | None = None
+    refitted: Callable[[FitStore], str] | None = None
+    explained: Callable[[Fitter, Fit], str] | None = None
+    remarks: Callable[[Stage, ReadingCriteria], Iterable[str]] | None = None
+
+
+READINGS = (
+    Reading("unit", declared=other_unit),
+    Reading("drives", declared=nearer_drives, refitted=other_drives),
+    Reading("dead_channel", explained=dead_channels),
+    Reading("wiring", refitted=certain_wiring, explained=other_wiring),
+    Reading("pose", remarks=same_place),
+    Reading("copies", remarks=copied_shapes),
+)
+
+
+def declared_otherwise(fitter: Fitter) -> tuple[str, ...]:
+    """Return what the first reading says with which the declared model fits far better; none if it fits as it is."""
+    answers = (reading.declared(fitter) for reading in READINGS if reading.declared)
+    return tuple(itertools.islice(filter(None, answers), 1))
+
+
+def explained_otherwise(fitter: Fitter, fit: Fit) -> tuple[str, ...]:
+    """Return what the first reading says that a final fit shows; none if it shows none."""
+    answers = (reading.explained(fitter, fit) for reading in READINGS if reading.explained)
+    return tuple(itertools.islice(filter(None, answers), 1))
+
+
+def remarks(stage: Stage, criteria: ReadingCriteria) -> tuple[str, ...]:
+    """Return sentences about all measurements.
+
+    Parameters
+    ----------
+    stage : Stage
+        Its values determine which rows are the same mode.
+    """
+    found = (reading.remarks(stage, criteria) for reading in READINGS if reading.remarks)
+    return tuple(text for texts in found for text in itertools.islice(texts, MOST))
