@@ -16,7 +16,7 @@ from helpers.diagnoses.damped_cases import bare, columns, made, of_frequencies, 
 from helpers.diagnoses.diagnose_command import call
 from helpers.pages.page_reading import read
 from pkmodes import read_robot, updating
-from pkmodes.cli.comparison_tables import show
+from pkmodes.cli.compare import show as print_comparison
 from pkmodes.cli.diagnosis_tables import show as print_diagnosis
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
@@ -152,15 +152,18 @@ def test_a_ratio_of_another_shape_is_no_evidence() -> None:
     assert [cause.name for cause in found.damping.effects] == ["rail_friction"]
 
 
-def test_a_comparison_remarks_a_ratio_of_another_shape(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_comparison_remarks_a_ratio_of_another_shape(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     data, row = with_another_shape()
     robot = robot_of("published")
     compared = updating.compare(robot, data)
     assert [i for i, one in enumerate(compared.rows) if one.no_evidence] == [row]
-    show(robot, Path("modes.csv"), compared, everything=True)
+    monkeypatch.setenv("COLUMNS", "160")
+    print_comparison(robot, data, compared, len(compared.rows))
     (line,) = (text for text in capsys.readouterr().out.splitlines() if "another shape" in text)
-    assert line.split()[0] == str(compared.rows[row].line)
-    assert line.endswith(f"another shape (MAC {compared.rows[row].mac:.2f})")
+    assert line.split()[1] == str(compared.rows[row].line)
+    assert line.endswith(f" {compared.rows[row].mac:.3f}  damping of another shape")
 
 
 def test_unexplained_damping_refuses_no_correction(tmp_path: Path) -> None:

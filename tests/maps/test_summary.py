@@ -9,12 +9,11 @@ import pytest
 from scipy.linalg import eigvalsh
 
 import pkmodes
-from pkmodes.cli.map import _hertz
 from pkmodes.maps import dataset
 from pkmodes.maps.left_out import sentences
 from pkmodes.maps.quantiles import quantiles
 from pkmodes.maps.summary import quantiles_in_words, summary_of
-from pkmodes.report.map import _headline
+from pkmodes.report.map_summary import _headline
 
 PUBLISHED = Path(__file__).parents[2] / "robots" / "linear-delta-2022.toml"
 
@@ -70,11 +69,6 @@ def test_quantiles_of_parts_are_those_of_the_whole(rows: int) -> None:
     assert np.isnan(found[5]).all()
     expected = np.nanquantile(whole[:, :5], shares, axis=0).T
     np.testing.assert_allclose(found[:5], expected, rtol=1e-15, atol=0.0)
-
-
-def test_a_frequency_that_no_pose_has_is_a_dash_on_the_terminal() -> None:
-    assert _hertz(None) == "-"
-    assert _hertz(9041462019.1) == "9.04e9"
 
 
 #: Of the published robot with motors held: three poses of the working plane; then one where the links lie almost in

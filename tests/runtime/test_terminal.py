@@ -116,6 +116,7 @@ def test_the_head_is_that_of_the_page(capsys: pytest.CaptureFixture[str]) -> Non
 
 
 def test_what_is_set_as_in_print_is_typed() -> None:
+    assert [hertz(value).typed for value in (None, 9041462019.1, 2.0)] == ["-", "9.04e9", "2.000"]
     assert (
         typed("1.2\u2009\u00d7\u200910\u207b\u00b9\u00b2 N\u00b7m/rad\u00b2 < 10\u207b\u2076")
         == "1.2e-12 N*m/rad^2 < 1e-6"

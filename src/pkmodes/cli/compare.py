@@ -89,10 +89,11 @@ def compare(
     result = updating.compare(declared, data)
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))
     content, most = result.as_json(declared.name), len(result.rows) if everything else WORST
-    deliver(json_file, content, lambda: _print(declared, data, result, most), report)
+    deliver(json_file, content, lambda: show(declared, data, result, most), report)
 
 
-def _print(robot: Robot, data: Measurements, result: Comparison, most: int) -> None:
+def show(robot: Robot, data: Measurements, result: Comparison, most: int) -> None:
+    """Print a comparison, with the measured modes that differ most, or all in the order of the poses."""
     from pkmodes.cli.terminal import Terminal
     from pkmodes.plots.evidence import Evidence
     from pkmodes.report.comparison import by_mode, summary

@@ -7,33 +7,24 @@ damping is not diagnosed.
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 
 import numpy as np
 
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.damping import words
-from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
-from pkmodes.diagnosis.damping.judgement import DampingJudgement, judge_damping, names_of, too_few
+from pkmodes.diagnosis.damping.evidence import DampingJudgement, LossEvidence
+from pkmodes.diagnosis.damping.fit import LossFitter
 from pkmodes.diagnosis.damping.outcome import undiagnosed, with_outcome
 from pkmodes.diagnosis.damping.rows import damping_rows, usable
+from pkmodes.diagnosis.damping.rules import DOUBTS, LOSSES, ROUGH_DOUBTS, ROUGHLY, judge
 from pkmodes.diagnosis.damping.stage import Stage
 from pkmodes.diagnosis.problem import Array, Damped, Parameter, Structure
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.diagnosis.verdict.verdicts import (
-    ADEQUATE,
-    AMBIGUOUS,
-    EFFECT_FOUND,
-    INSUFFICIENT_DATA,
-    UNEXPLAINED,
-)
 from pkmodes.measured.measurements import Measurements
 
 #: Factors of the errors and of the priors, as for the frequencies.
 CHANGES = {"sigma x 0.5": (0.5, 1.0), "sigma x 2": (2.0, 1.0), "priors x 2": (1.0, 2.0)}
-#: Verdicts without an explanation, which a scatter may give.
-OPEN = UNEXPLAINED, INSUFFICIENT_DATA
 #: Logarithm within which a common factor is a hundred.
 HUNDRED, CLOSE = float(np.log(100.0)), 0.7
 
@@ -67,12 +58,11 @@ def with_damping(
     median = float(np.median(rows.ratio[rows.above])) if rows.above.any() else 0.0
     if median > c.damping.most:
         return replace(result, damping=undiagnosed(structure.losses, words.per_cent(median), notes))
-    judged = _of_repeated_tests(fitter, judge_damping(fitter))
-    trials = {}
-    for change, (errors, priors) in CHANGES.items():
-        other = fitter.with_errors(errors).with_priors(priors)
-        trials[change] = _of_repeated_tests(other, judge_damping(other, roughly=True))
-    judged = _stable(fitter, judged, trials)
+    trials = {
+        change: judge(LossEvidence(fitter.with_errors(errors).with_priors(priors), ROUGH_DOUBTS), ROUGHLY)
+        for change, (errors, priors) in CHANGES.items()
+    }
+    judged = judge(LossEvidence(fitter, DOUBTS, trials, every.some(held & good)), LOSSES)
     if judged.final.outlier is not None:
         i = int(rows.index[judged.final.outlier])
         notes.append(words.set_aside(int(data.lines[i]), data.labels[data.pose[i]], float(data.damping[i])))
@@ -100,74 +90,6 @@ def _moved(p: Parameter, value: float, sigma: float) -> float:
     """Return a value moved by a standard deviation within its bounds, to the side where it can move farther."""
     up, down = min(p.upper, value + sigma), max(p.lower, value - sigma)
     return up if up - value >= value - down else down
-
-
-def _stable(
-    fitter: LossFitter, judged: DampingJudgement, trials: dict[str, DampingJudgement]
-) -> DampingJudgement:
-    """Withdraw a claim that other errors or priors would change."""
-    if judged.verdict is not EFFECT_FOUND:
-        return judged
-    members = [{j for fit in place for j in fit.causes} for place in judged.places]
-    known = set().union(*members)
-    for change, trial in trials.items():
-        other = set(trial.final.causes)
-        if trial.verdict is EFFECT_FOUND and not other <= known:
-            what = f"with {change}, {names_of(fitter, trial.final)} would explain it better"
-            again = fitter.fit(trial.final.causes)
-            return replace(judged, verdict=AMBIGUOUS, rivals=(judged.final, again), why=what)
-    return judged
-
-
-def _of_repeated_tests(fitter: LossFitter, judged: DampingJudgement) -> DampingJudgement:
-    """Return that nothing is missing where the ratios agree with the model as those of repeated tests do.
-
-    Tests of one machine find ratios that scatter by more than each states, mode by mode.  A model that declares no
-    loss says nothing about damping, so that a ratio common to all modes contradicts nothing either, and names no
-    joint.  Nor does one that differs from the declared ratio by no more than repeated tests do.
-    """
-    if too_few(fitter):
-        return judged
-    enough = replace(judged, verdict=ADEQUATE, final=judged.base, places=(), rivals=(), p_values=())
-    common = next((j for j, loss in enumerate(fitter.losses) if not loss.effect), None)
-    if any(loss.declared for loss in fitter.losses):
-        if judged.verdict is EFFECT_FOUND and (fit := _only_common(judged, common)) is not None:
-            ratio, declared = words.ratio_of(fit, fit.causes[0]), float(fitter.declared[fit.causes[0]])
-            if not declared or abs(math.log(ratio[0] / declared)) > fitter.criteria.damping.scatter:
-                return judged
-            return replace(
-                enough, why=words.nearly_declared(*ratio, declared), scatter=_scatter(fitter, judged.base)
-            )
-        scatter = _scatter(fitter, judged.base)
-        if judged.verdict not in OPEN or scatter > fitter.criteria.damping.scatter:
-            return judged
-        return replace(enough, why=words.scattered(None, scatter), scatter=scatter)
-    if common is None or (judged.verdict is EFFECT_FOUND and judged.final.causes != (common,)):
-        return judged
-    fit = fitter.fit((common,))  # also where it is not among the chosen candidates
-    value, scatter = words.ratio_of(fit, common), _scatter(fitter, fit)
-    if judged.verdict is EFFECT_FOUND:
-        return judged if fitter.losses[common].claimable else replace(enough, why=words.common_ratio(*value))
-    if judged.verdict in OPEN and fit.p_value > fitter.criteria.gate.level:
-        return replace(enough, why=words.common_ratio(*value))
-    if judged.verdict in OPEN and scatter <= fitter.criteria.damping.scatter:
-        return replace(enough, why=words.scattered(value[0], scatter), scatter=scatter)
-    return judged
-
-
-def _only_common(judged: DampingJudgement, common: int | None) -> LossFit | None:
-    """Return the fit of the common ratio alone, if it is in the class of the only cause."""
-    if len(judged.places) != 1 or common is None:
-        return None
-    return next((fit for fit in judged.places[0] if fit.causes == (common,)), None)
-
-
-def _scatter(fitter: LossFitter, fit: LossFit) -> float:
-    """Return how far ratios are from a fit beyond their stated errors: the standard deviation of the logarithm."""
-    above = fitter.rows.above
-    left = (fitter.measured - fitter.logarithms(fit.values))[above]
-    beyond = float(np.mean(left**2)) - float(np.mean(fitter.rows.stated[above] ** 2))
-    return math.sqrt(max(beyond, 0.0))
 
 
 def _hundred(fitter: LossFitter, judged: DampingJudgement) -> str:

@@ -11,13 +11,14 @@ from dataclasses import replace
 
 import numpy as np
 from msgspec import structs
-from scipy import stats
 from scipy.optimize import brentq
 
 from pkmodes.diagnosis.damping import words
+from pkmodes.diagnosis.damping.evidence import DampingJudgement, contradicted
+from pkmodes.diagnosis.damping.explanation import names_of, p_of_loss
 from pkmodes.diagnosis.damping.fit import NEARLY, LossFit, LossFitter
-from pkmodes.diagnosis.damping.judgement import DampingJudgement, names_of, p_of_loss
 from pkmodes.diagnosis.damping.rows import usable
+from pkmodes.diagnosis.damping.rules import NOT_PREDICTED
 from pkmodes.diagnosis.damping.stage import Stage
 from pkmodes.diagnosis.fit.solver import correlation
 from pkmodes.diagnosis.problem import Loss
@@ -57,7 +58,6 @@ def undiagnosed(losses: Sequence[Loss], reason: str, notes: Sequence[str] = ()) 
 
 def with_outcome(result: Diagnosis, data: Measurements, stage: Stage) -> Diagnosis:
     """Return a diagnosis with what its damping says, and every measured ratio beside that of the model."""
-    stage = _withdrawn(stage)
     return replace(result, rows=_rows(result, data, stage), damping=_outcome(stage))
 
 
@@ -69,7 +69,13 @@ def _outcome(stage: Stage) -> Damping:
         before, after = (np.log(stage.every.ratio) - np.log(predicted) for predicted in stage.predicted)
     held_out = words.factor_of(after[held & above])
     notes = list(stage.notes)
-    if held_out is not None and _contradicted(stage):
+    settled = judged.verdict in (ADEQUATE, EFFECT_FOUND)
+    held_rows = stage.every.some(held)
+    if (
+        settled
+        and held_out is not None
+        and contradicted(fitter, held_rows, stage.final.values, judged.says.scatter)
+    ):
         notes.append(words.not_predicted(held_out))
     tests, limits = tested(stage, found)
     corrected = _corrected(stage)
@@ -90,7 +96,7 @@ def _outcome(stage: Stage) -> Damping:
         notes=tuple(notes),
         stability=_stability(stage),
         fitted=int(used.sum()),
-        scatter=judged.scatter,
+        scatter=judged.says.scatter,
         before=words.factor_of(before[used & above]),
         after=words.factor_of(after[used & above]),
         held_out=held_out,
@@ -140,37 +146,17 @@ def _remark(row: Row, known: bool, strange: bool) -> str:
     return "the frequency is an outlier" if row.outlier else "set aside"
 
 
-def _withdrawn(stage: Stage) -> Stage:
-    """Return what is left of an explanation that does not predict the damping of the held-out poses."""
-    judged = stage.judged
-    if judged.verdict is not EFFECT_FOUND or not stage.held.any() or not _contradicted(stage):
-        return stage
-    name = names_of(stage.fitter, judged.final)
-    why = f"{name} would explain that of the fitted poses, but not that of the held-out ones"
-    nothing = DampingJudgement(UNEXPLAINED, judged.base, judged.base, why=why)
-    claims = {change: trial for change, trial in stage.trials.items() if trial.verdict is EFFECT_FOUND}
-    return replace(stage, judged=nothing, trials={**stage.trials, **dict.fromkeys(claims, nothing)})
-
-
-def _contradicted(stage: Stage) -> bool:
-    """Return whether the held-out rows contradict the losses of an explanation."""
-    held, judged = stage.every.some(stage.held), stage.judged
-    if judged.verdict not in (ADEQUATE, EFFECT_FOUND) or not stage.final.values.any():
-        return False
-    held = replace(held, other=np.hypot(held.other, judged.scatter))
-    there = replace(stage.fitter, rows=held)
-    white = there.whitened(stage.final.values)
-    return bool(stats.chi2.sf(float(white @ white), len(white)) <= stage.fitter.criteria.gate.surely)
-
-
 def _stability(stage: Stage) -> tuple[Stability, ...]:
     """Return what the verdict on the damping becomes with other errors and priors."""
     if stage.judged.verdict is INSUFFICIENT_DATA:
         return ()
     entries = []
     for change, trial in stage.trials.items():
-        causes = trial.final.causes if trial.verdict is EFFECT_FOUND else ()
-        names = tuple(stage.fitter.losses[j].candidate for j in causes)
+        found = trial.verdict is EFFECT_FOUND
+        if found and stage.judged.rule == NOT_PREDICTED:  # nor does it predict the held-out poses then
+            entries.append(Stability(change, UNEXPLAINED.word, ()))
+            continue
+        names = tuple(stage.fitter.losses[j].candidate for j in trial.final.causes) if found else ()
         entries.append(Stability(change, trial.verdict.word, names))
     return tuple(entries)
 
@@ -213,7 +199,7 @@ def survivors(fitter: LossFitter, judged: DampingJudgement) -> tuple[tuple[str, 
     """Return the classes that remain, the best first."""
     groups: list[list[LossFit]] = []
     own = [fit for place in judged.places for fit in place] if len(judged.places) == 1 else []
-    for fit in (*own, *(fit for fit in judged.rivals if not any(fit is one for one in own))):
+    for fit in (*own, *(fit for fit in judged.says.rivals if not any(fit is one for one in own))):
         near = fitter.criteria.claim.told_apart
         home = next((g for g in groups if any(fitter.difference(fit, one) < near for one in g)), None)
         if home is None:
@@ -232,8 +218,8 @@ def tested(stage: Stage, findings: Sequence[Finding]) -> tuple[list[Examined], d
     """Return the tests and limits of the candidates that are not claimed."""
     fitter, judged, claimed = stage.fitter, stage.judged, members(findings)
     tests, limits = [], {}
-    beside = judged.rivals[:MOST] or (judged.final,)
-    remain = {fitter.losses[j].candidate for fit in judged.rivals for j in fit.causes}
+    beside = judged.says.rivals[:MOST] or (judged.final,)
+    remain = {fitter.losses[j].candidate for fit in judged.says.rivals for j in fit.causes}
     remain = remain if judged.verdict is AMBIGUOUS else set()
     for j, loss in enumerate(fitter.losses):
         if not loss.candidate or not loss.claimable:

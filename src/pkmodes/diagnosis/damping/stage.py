@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.diagnosis.damping.evidence import DampingJudgement
 from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
-from pkmodes.diagnosis.damping.judgement import DampingJudgement
 from pkmodes.diagnosis.damping.rows import DampingRows
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.verdict.verdicts import EFFECT_FOUND
@@ -68,7 +68,7 @@ class Stage:
         others are parts of that of the model.
         """
         every = self.every
-        other = np.hypot(every.other, self.judged.scatter)
+        other = np.hypot(every.other, self.judged.says.scatter)
         of_model = np.where(every.above, every.ratio, self.predicted[1])
         with np.errstate(invalid="ignore"):  # a ratio of 0 without a standard deviation has no logarithm
             return np.asarray(np.hypot(every.stated * every.ratio, other * of_model))

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from pkmodes.diagnosis.damping.evidence import DampingJudgement
+from pkmodes.diagnosis.damping.explanation import names_of
 from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
-from pkmodes.diagnosis.damping.judgement import DampingJudgement, names_of
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.verdict.findings import Finding
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA
@@ -28,16 +29,16 @@ def sentence(fitter: LossFitter, judged: DampingJudgement, findings: Sequence[Fi
     That of a cause has no p-value: the cause has its own, and another one beside it would only contradict it.
     """
     if judged.verdict is ADEQUATE:
-        return judged.why or f"the damping is that of the model ({p_in_words(judged.base.p_value)})"
+        return judged.says.text or f"the damping is that of the model ({p_in_words(judged.base.p_value)})"
     if judged.verdict is EFFECT_FOUND:
         causes = " and ".join(_cause(fitter, finding) for finding in findings)
         return f"the damping is not that of the declared model; explanation: {causes}"
     if judged.verdict is AMBIGUOUS:
-        remaining = "; ".join(names_of(fitter, fit) for fit in judged.rivals)
-        return f"of the damping, {len(judged.rivals)} different explanations remain: {remaining}"
+        remaining = "; ".join(names_of(fitter, fit) for fit in judged.says.rivals)
+        return f"of the damping, {len(judged.says.rivals)} different explanations remain: {remaining}"
     if judged.verdict is INSUFFICIENT_DATA:
-        return f"the damping is not diagnosed: {judged.why}"
-    return f"the damping is not that of the model: {judged.why}"
+        return f"the damping is not diagnosed: {judged.says.text}"
+    return f"the damping is not that of the model: {judged.says.text}"
 
 
 def _cause(fitter: LossFitter, finding: Finding) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Generic, TypeVar
+from typing import Generic, Protocol, TypeVar
 
 import numpy as np
 
@@ -40,6 +40,10 @@ class Start:
         self.plain = FitStore(setups.fitter)
         self.suspected = [one for one in setups.fitter.structure.candidates if one.claimable]
 
+    def says(self, text: str) -> Says:
+        """Return a reason as an answer."""
+        return Says(text)
+
     @cached_property
     def first(self) -> Fit | None:
         """The refit of the uncertain values; None if the model cannot be evaluated."""
@@ -73,6 +77,10 @@ class Evidence:
         self.store, self.fitter, self.criteria = search.store, search.store.fitter, search.criteria
         self.claim = claim_of(search, outcome)
         self.final = self.claim.final
+
+    def says(self, text: str) -> Says:
+        """Return a reason as an answer, which names the causes that would be claimed."""
+        return Says.naming(text, self.final.causes)
 
     @property
     def explains(self) -> str:
@@ -147,20 +155,26 @@ class Says:
         return cls(text, frozenset(cause.name for cause in causes), instead)
 
 
-T = TypeVar("T", Start, Evidence)
+class Asked(Protocol):
+    """What rules are asked of."""
+
+    def says(self, text: str) -> Says:
+        """Return a reason as an answer."""
+
+
+T = TypeVar("T", bound=Asked)
 
 
 @dataclass(frozen=True)
 class Rule(Generic[T]):
-    """A rule of the verdict, before a search (T = Start) or after it.
+    """A rule of a verdict: before a search (T = Start), after it (T = Evidence), or on damping.
 
     Attributes
     ----------
     name : str
         With that of its table: "claims.found".
     ask : callable
-        Its question: the answer to it, or None or an empty text if it does not apply.  A text names the causes that
-        would be claimed.
+        Its question: the answer to it, or None or an empty text if it does not apply.
     """
 
     name: str
@@ -177,8 +191,7 @@ class Rule(Generic[T]):
         answer = self.ask(evidence)
         if not isinstance(answer, str):
             return answer
-        causes = evidence.final.causes if isinstance(evidence, Evidence) else ()
-        return Says.naming(answer, causes) if answer else None
+        return evidence.says(answer) if answer else None
 
 
 @dataclass(frozen=True)

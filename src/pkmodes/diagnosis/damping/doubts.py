@@ -1,0 +1,82 @@
+"""What speaks against an explanation of damping: a trend that it leaves, and laws that would look like it.
+
+Specific is what few laws outside the candidates look like: the damping ratio of each mode differs from what was found
+by a factor of its own, the same at all setups, and the measurements scatter as stated.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import combinations
+
+import numpy as np
+from scipy import stats
+
+from pkmodes.diagnosis.damping.fit import PARTS, LossFit, LossFitter
+from pkmodes.diagnosis.problem import Array
+
+#: A trend with less than this sum of squares, in standard deviations, is none.
+SAME = 1.0
+#: Number of laws drawn, and their seed.
+DRAWS, SEED = 200, 5
+#: Steps of Gauss and Newton, and the largest change of a logarithm in one.
+STEPS, LARGEST = 20, 1.0
+#: Smallest curvature of a logarithm that a step trusts: of a loss that has become nothing.
+FLAT = 1e-3
+
+
+def p_of_trend(fitter: LossFitter, fit: LossFit) -> float:
+    """Return the p-value of a trend of the residuals with the logarithm of the frequency."""
+    rows = fitter.rows
+    used = rows.above & (np.arange(len(rows.ratio)) != (-1 if fit.outlier is None else fit.outlier))
+    ratio = fitter.predicted(fit.values) + fitter.least
+    fitted = (
+        rows.rates[:, list(fit.free)] * fit.values[list(fit.free)] / ratio[:, None] / rows.sigma[:, None]
+    )[used]
+    trend = ((np.log(rows.frequency) - np.log(rows.frequency).mean()) / rows.sigma)[used]
+    trend = trend - fitted @ np.linalg.lstsq(fitted, trend)[0]
+    size = float(trend @ trend)
+    if size < SAME:
+        return 1.0
+    return float(stats.chi2.sf((trend @ fit.white[used]) ** 2 / size, 1))
+
+
+def p_coincidence(fitter: LossFitter, fit: LossFit) -> float:
+    """Return the fraction of laws outside the candidates that as many candidates as were found explain."""
+    c, fitter = fitter.criteria, replace(fitter, rows=fitter.rows.some(fitter.rows.above), _fits={})
+    rows = fitter.rows
+    rng = np.random.default_rng(SEED)
+    numbers, mode = np.unique(rows.mode, return_inverse=True)
+    levels = c.damping.spread * rng.standard_normal((DRAWS, len(numbers)))
+    noise = rows.sigma * rng.standard_normal((DRAWS, len(mode)))
+    drawn = fitter.logarithms(fit.values) + levels[:, mode] + noise
+    least = np.min(
+        [
+            _squares(fitter, fit, causes, drawn, start)
+            for causes in combinations(fitter.candidates, len(fit.causes))
+            for start in range(len(causes))
+        ],
+        axis=0,
+    )
+    return float(np.mean(least < stats.chi2.isf(c.gate.level, max(len(mode) - len(fit.causes), 1))))
+
+
+def _squares(fitter: LossFitter, fit: LossFit, causes: tuple[int, ...], drawn: Array, largest: int) -> Array:
+    """Return the least sum of squares of each draw over the values of some losses, (draws,)."""
+    index, weight = list(causes), 1.0 / fitter.rows.sigma
+    of_others = np.where(np.isin(np.arange(len(fitter.losses)), fit.causes), fitter.declared, fit.values)
+    of_others[index] = 0.0
+    rest = fitter.predicted(of_others) + fitter.least
+    by_unit = fitter.rows.rates[:, index] * fitter.typical[index]
+    parts = np.where(np.arange(len(causes)) == largest, PARTS[0], PARTS[1])
+    x = np.tile(np.log(parts), (len(drawn), 1))
+    for _ in range(STEPS):
+        each = np.exp(x)[:, None, :] * by_unit
+        ratio = each.sum(axis=-1) + rest
+        left = weight * (drawn - np.log(ratio))
+        rates = weight[:, None] * each / ratio[..., None]
+        square = np.swapaxes(rates, 1, 2) @ rates + FLAT * np.eye(len(causes))
+        step = np.linalg.solve(square, np.swapaxes(rates, 1, 2) @ left[..., None])[..., 0]
+        x = x + np.clip(step, -LARGEST, LARGEST)
+    left = weight * (drawn - np.log((np.exp(x)[:, None, :] * by_unit).sum(axis=-1) + rest))
+    return np.asarray(np.einsum("dr,dr->d", left, left))

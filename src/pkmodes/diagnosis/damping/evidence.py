@@ -1,0 +1,161 @@
+"""What the rules of the verdict on damping ask about."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from scipy import stats
+
+from pkmodes.diagnosis.damping.doubts import p_coincidence, p_of_trend
+from pkmodes.diagnosis.damping.explanation import Explanation, explanation_of, p_of_one_more
+from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
+from pkmodes.diagnosis.damping.rows import DampingRows
+from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.verdict.evidence import Rule, Says, first
+from pkmodes.diagnosis.verdict.verdicts import Verdict
+
+
+@dataclass(frozen=True)
+class LossSays(Says):
+    """The answer of a rule that applies.
+
+    Attributes
+    ----------
+    scatter : float
+        How far the ratios scatter about the model beyond their stated errors, where the verdict allows for that: the
+        standard deviation of their logarithm.
+    rivals : tuple of LossFit
+        Explanations that remain where several do, the best first.
+    """
+
+    scatter: float = 0.0
+    rivals: tuple[LossFit, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class DampingJudgement:
+    """A verdict on damping, and what it leaves.
+
+    Attributes
+    ----------
+    rule : str
+        That gave it.
+    base : LossFit
+        With the declared losses.
+    final : LossFit
+        With the causes; the base where none is found and none remains.
+    places, p_values
+        Those of the `Explanation` that is found or remains; otherwise empty.
+    says : LossSays
+        Why; empty for a claim, and where the declared losses leave noise.
+    """
+
+    rule: str
+    verdict: Verdict
+    base: LossFit
+    final: LossFit
+    places: tuple[tuple[LossFit, ...], ...]
+    p_values: tuple[float, ...]
+    says: LossSays
+
+
+class LossEvidence:
+    """Damping ratios and the losses that explain them; what takes time is computed when a rule first asks for it.
+
+    Parameters
+    ----------
+    fitter : LossFitter
+        Of the rows that take part.
+    doubts : sequence of Rule
+        Those by which nothing is claimed.
+    trials : mapping of str to DampingJudgement, optional
+        By change of the errors or priors.
+    held : DampingRows, optional
+        Those of the held-out poses.
+    """
+
+    def __init__(
+        self,
+        fitter: LossFitter,
+        doubts: Sequence[Rule[LossEvidence]],
+        trials: Mapping[str, DampingJudgement] | None = None,
+        held: DampingRows | None = None,
+    ) -> None:
+        self.fitter, self.criteria = fitter, fitter.criteria
+        self.trials, self.held, self._doubts = trials or {}, held, doubts
+
+    def says(self, text: str) -> LossSays:
+        """Return a reason as an answer."""
+        return LossSays(text)
+
+    @cached_property
+    def base(self) -> LossFit:
+        """The fit of the declared losses, within their priors."""
+        return self.fitter.fit()
+
+    @property
+    def resolved(self) -> int:
+        """Number of ratios that are significantly above 0."""
+        return int(self.fitter.rows.above.sum())
+
+    @cached_property
+    def chance(self) -> float:
+        """The smallest p-value of one more loss, for one candidate."""
+        fits = [self.fitter.fit((j,)) for j in self.fitter.candidates]
+        return min((p_of_one_more(self.fitter, self.base, fit, 1) for fit in fits), default=1.0)
+
+    @cached_property
+    def explanation(self) -> Explanation | None:
+        """The best explanation by other losses than the declared ones."""
+        return explanation_of(self.fitter)
+
+    @cached_property
+    def claim(self) -> Explanation | None:
+        """The explanation, where no rule speaks against it."""
+        return None if first(self._doubts, self) else self.explanation
+
+    @cached_property
+    def p_trend(self) -> float:
+        """The p-value of a trend with the frequency that the explanation leaves; 1 without one."""
+        return p_of_trend(self.fitter, self.explanation.best) if self.explanation else 1.0
+
+    @cached_property
+    def coincidence(self) -> float:
+        """The fraction of laws outside the candidates that would look like as many of them; 0 without explanation."""
+        return p_coincidence(self.fitter, self.explanation.best) if self.explanation else 0.0
+
+    @cached_property
+    def common(self) -> int | None:
+        """The loss that is the same ratio for all modes."""
+        return next((j for j, loss in enumerate(self.fitter.losses) if not loss.effect), None)
+
+    @property
+    def declares(self) -> bool:
+        """Whether the model declares any loss."""
+        return any(loss.declared for loss in self.fitter.losses)
+
+    def scatter_about(self, fit: LossFit) -> float:
+        """Return how far ratios are from a fit beyond their stated errors: standard deviation of the logarithm."""
+        fitter, above = self.fitter, self.fitter.rows.above
+        left = (fitter.measured - fitter.logarithms(fit.values))[above]
+        beyond = float(np.mean(left**2)) - float(np.mean(fitter.rows.stated[above] ** 2))
+        return math.sqrt(max(beyond, 0.0))
+
+
+def contradicted(fitter: LossFitter, held: DampingRows, values: Array, scatter: float = 0.0) -> bool:
+    """Return whether the rows of held-out poses contradict losses.
+
+    Parameters
+    ----------
+    scatter : float
+        Of the ratios beyond their stated errors, which the verdict allows for.
+    """
+    if not len(held.ratio) or not values.any():
+        return False
+    there = replace(fitter, rows=replace(held, other=np.hypot(held.other, scatter)))
+    white = there.whitened(values)
+    return bool(stats.chi2.sf(float(white @ white), len(white)) <= fitter.criteria.gate.surely)

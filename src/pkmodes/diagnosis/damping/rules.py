@@ -1,0 +1,230 @@
+"""The rules of the verdict on damping, in a table: the first that applies decides.
+
+Its meaning is that of the frequencies: an explanation leaves noise, has no distinguishable rival, improves
+significantly on the declared losses, and is specific.  Friction that depends on the amplitude, such as Coulomb
+friction, is not a loss of the catalogue; it is refused because it leaves more than noise, or a trend with frequency.
+
+Tests of one machine find ratios that scatter by more than each states, mode by mode.  A model that declares no loss
+says nothing about damping, so that a ratio common to all modes contradicts nothing either, and names no joint.  Nor
+does one that differs from the declared ratio by no more than repeated tests do.
+"""
+
+from __future__ import annotations
+
+import math
+
+from pkmodes.diagnosis.damping import words
+from pkmodes.diagnosis.damping.evidence import DampingJudgement, LossEvidence, LossSays, contradicted
+from pkmodes.diagnosis.damping.explanation import SAME, Explanation, names_of, nearest
+from pkmodes.diagnosis.verdict.evidence import Rule, first
+from pkmodes.diagnosis.verdict.verdicts import (
+    ADEQUATE,
+    AMBIGUOUS,
+    EFFECT_FOUND,
+    INSUFFICIENT_DATA,
+    UNEXPLAINED,
+)
+
+
+def judge(evidence: LossEvidence, rules: tuple[Rule[LossEvidence], ...]) -> DampingJudgement:
+    """Return the verdict of the first rule that applies."""
+    decision = first(rules, evidence)
+    assert decision is not None  # the last rule always applies
+    assert isinstance(decision.says, LossSays)
+    found = evidence.explanation if decision.verdict in (EFFECT_FOUND, AMBIGUOUS) else None
+    return DampingJudgement(
+        decision.rule.name,
+        decision.verdict,
+        evidence.base,
+        final=found.best if found else evidence.base,
+        places=found.places if found else (),
+        p_values=found.p_values if found else (),
+        says=decision.says,
+    )
+
+
+# Nothing to explain --------------------------------------------------------------------------------------------
+
+
+def too_few(e: LossEvidence) -> str:
+    """The resolved ratios are too few for the uncertain losses, a cause, and a test of it."""
+    count = e.resolved
+    if count >= len(e.fitter.nuisances) + 1 + e.criteria.claim.redundancy:
+        return ""
+    what = "1 resolved damping ratio is" if count == 1 else f"{count} resolved damping ratios are"
+    return f"{what} too few"
+
+
+def as_declared(e: LossEvidence) -> LossSays | None:
+    """The ratios are those of the declared losses, and no other loss improves on them."""
+    level = e.criteria.gate.level
+    return LossSays("") if e.base.p_value > level and e.chance > level else None
+
+
+# Several explanations, or none that names a joint --------------------------------------------------------------
+
+
+def several(e: LossEvidence) -> LossSays | None:
+    """Several explanations remain that these ratios can tell apart, but do not."""
+    found = e.explanation
+    return LossSays("", rivals=(found.best, *found.others)) if found and found.others else None
+
+
+def nearly_declared(e: LossEvidence) -> LossSays | None:
+    """Another common ratio than the declared one explains them, and repeated tests differ by as much."""
+    if e.claim is None or not e.declares or e.common is None or len(e.claim.places) != 1:
+        return None
+    fit = next((fit for fit in e.claim.places[0] if fit.causes == (e.common,)), None)
+    if fit is None:
+        return None
+    ratio, declared = words.ratio_of(fit, e.common), float(e.fitter.declared[e.common])
+    if not declared or abs(math.log(ratio[0] / declared)) > e.criteria.damping.scatter:
+        return None
+    return LossSays(words.nearly_declared(*ratio, declared), scatter=e.scatter_about(e.base))
+
+
+def common_ratio(e: LossEvidence) -> str:
+    """No damping is declared, and one ratio of all modes, which names no joint, explains all of them."""
+    if e.declares or e.common is None:
+        return ""
+    fit = e.fitter.fit((e.common,))  # also where it is not among the chosen candidates
+    if e.claim is None:
+        alone = e.fitter.fit((e.common,)).p_value > e.criteria.gate.level
+    else:
+        alone = e.claim.best.causes == (e.common,) and not e.fitter.losses[e.common].claimable
+    return words.common_ratio(*words.ratio_of(fit, e.common)) if alone else ""
+
+
+def scattered(e: LossEvidence) -> LossSays | None:
+    """Nothing explains the ratios, and they scatter about one, or about the declared, as those of repeated tests."""
+    if e.claim is not None or not (e.declares or e.common is not None):
+        return None
+    fit = e.base if e.declares or e.common is None else e.fitter.fit((e.common,))
+    scatter = e.scatter_about(fit)
+    if scatter > e.criteria.damping.scatter:
+        return None
+    about = None if e.declares or e.common is None else words.ratio_of(fit, e.common)[0]
+    return LossSays(words.scattered(about, scatter), scatter=scatter)
+
+
+# Doubts about an explanation -----------------------------------------------------------------------------------
+
+
+def tells_nothing(e: LossEvidence) -> str:
+    """One class has all candidates, although these are not the same thing."""
+    found = e.explanation
+    if found is None or len(found.best.causes) != 1:
+        return ""
+    alike = found.places[0]
+    differ = any(e.fitter.difference(alike[0], fit) >= SAME for fit in alike)
+    if not differ or {fit.causes[0] for fit in alike} != set(e.fitter.candidates):
+        return ""
+    return "the damping ratios are too few or too uncertain to tell any of the losses apart"
+
+
+def may_be_chance(e: LossEvidence) -> str:
+    """The improvement may be chance: its p-value, corrected for the number of candidates, is above 0.1 %."""
+    found = e.explanation
+    if found is None or max(found.p_values) <= e.criteria.claim.claimed:
+        return ""
+    return _would(e, found, f"but the improvement may be chance (p = {max(found.p_values):.2g})")
+
+
+def leaves_a_trend(e: LossEvidence) -> str:
+    """What the explanation leaves has a trend with the frequency."""
+    found = e.explanation
+    if found is None or e.p_trend > e.criteria.gate.level:
+        return ""
+    why = (
+        "but what it leaves follows the frequency: friction that depends on the amplitude, or something outside the "
+        "candidates"
+    )
+    return _would(e, found, why)
+
+
+def not_specific(e: LossEvidence) -> str:
+    """Too many laws outside the candidates would look like one of them."""
+    found = e.explanation
+    if found is None or e.coincidence <= e.criteria.damping.specific[len(found.best.causes) - 1]:
+        return ""
+    why = (
+        "but the damping ratios are too few or too uncertain to rule out something outside the candidates: "
+        f"{100 * e.coincidence:.2g} % of such laws would look like a candidate"
+    )
+    return _would(e, found, why)
+
+
+def _would(e: LossEvidence, found: Explanation, why: str) -> str:
+    return f"{names_of(e.fitter, found.best)} would explain it, {why}"
+
+
+def unexplained(e: LossEvidence) -> str:
+    """No loss and no pair of losses leaves noise."""
+    return "" if e.explanation else nearest(e.fitter)
+
+
+# Claims --------------------------------------------------------------------------------------------------------
+
+
+def other_errors(e: LossEvidence) -> LossSays | None:
+    """With errors halved or doubled, or priors twice as wide, another loss takes the place of a claimed one."""
+    found = e.explanation
+    assert found is not None  # `unexplained` stands before
+    for change, trial in e.trials.items():
+        if trial.verdict is EFFECT_FOUND and not set(trial.final.causes) <= found.known:
+            text = f"with {change}, {names_of(e.fitter, trial.final)} would explain it better"
+            return LossSays(text, rivals=(found.best, e.fitter.fit(trial.final.causes)))
+    return None
+
+
+def not_predicted(e: LossEvidence) -> str:
+    """The ratios of the held-out poses contradict the explanation."""
+    found = e.explanation
+    if found is None or e.held is None or not contradicted(e.fitter, e.held, found.best.values):
+        return ""
+    name = names_of(e.fitter, found.best)
+    return f"{name} would explain that of the fitted poses, but not that of the held-out ones"
+
+
+def found(e: LossEvidence) -> LossSays:
+    """One class of losses is left for each cause."""
+    return LossSays("")
+
+
+# The tables ----------------------------------------------------------------------------------------------------
+
+_BEFORE = (
+    Rule("damping.too_few", INSUFFICIENT_DATA, too_few),
+    Rule("damping.adequate", ADEQUATE, as_declared),
+    Rule("damping.several", AMBIGUOUS, several),
+    Rule("damping.nearly_declared", ADEQUATE, nearly_declared),
+    Rule("damping.common_ratio", ADEQUATE, common_ratio),
+    Rule("damping.scattered", ADEQUATE, scattered),
+)
+_TELLS_NOTHING = Rule("damping.tells_nothing", INSUFFICIENT_DATA, tells_nothing)
+_UNEXPLAINED = Rule("damping.unexplained", UNEXPLAINED, unexplained)
+#: Withheld by the last rule but one.
+NOT_PREDICTED = "damping.held_out"
+_FOUND = Rule("damping.found", EFFECT_FOUND, found)
+
+#: By which nothing is claimed.
+DOUBTS = (
+    _TELLS_NOTHING,
+    Rule("damping.chance", UNEXPLAINED, may_be_chance),
+    Rule("damping.trend", UNEXPLAINED, leaves_a_trend),
+    Rule("damping.not_specific", UNEXPLAINED, not_specific),
+    _UNEXPLAINED,
+)
+#: The same with other errors or priors: without the tests of what an explanation leaves, and of how specific it is.
+ROUGH_DOUBTS = (_TELLS_NOTHING, _UNEXPLAINED)
+
+#: The verdict on damping.
+LOSSES = (
+    *_BEFORE,
+    *DOUBTS,
+    Rule("damping.other_errors", AMBIGUOUS, other_errors),
+    Rule(NOT_PREDICTED, UNEXPLAINED, not_predicted),
+    _FOUND,
+)
+#: That with other errors or priors.
+ROUGHLY = (*_BEFORE, *ROUGH_DOUBTS, _FOUND)
