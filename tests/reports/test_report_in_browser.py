@@ -142,7 +142,7 @@ def test_panels_are_stacked_on_a_phone_and_not_on_paper_or_a_desk(tmp_path: Path
         assert not any(one["narrow"] or one["said"] for one in browser.page.evaluate(shown))
         # The fitted values fit beside the contents, though the path of the cause is long.
         box = browser.page.locator("#values .box").first
-        assert "effects.gearbox_compliance.compliance" in box.inner_text().replace("\n", "")
+        assert "gearbox_compliance.compliance" in box.inner_text().replace("\n", "")
         assert box.evaluate("box => box.scrollWidth - box.clientWidth") <= 0
 
 

@@ -94,9 +94,9 @@ def test_what_symmetry_keeps_at_rest_has_no_largest_response(
     sizes = np.abs(found.values[:, :, 0]).max(axis=0)
     assert 0.0 < sizes[1] < 1e-10 * sizes[0]
     rows = {line.split()[0]: line.split()[1:] for line in out.splitlines() if line.startswith("p_")}
-    assert rows["p_y/force_x"] == ["m/N", "0", "0"]
-    assert rows["p_x/force_x"][2] == f"{sizes[0]:.4g}"
-    assert "no response, but for rounding, in p_y/force_x" in out
+    assert rows.keys() == {"p_x/force_x"}
+    assert float(rows["p_x/force_x"][2]) == pytest.approx(sizes[0], rel=1e-3)
+    assert "No response in p_y/force_x." in out
 
 
 @pytest.mark.parametrize(
@@ -177,7 +177,7 @@ def test_compare_shows_measured_damping_beside_that_of_the_model(
         else:
             assert not {"sigma_damping", "predicted_damping"} & row.keys()
     assert run(["compare", robot, str(file)]) == 0
-    assert "damping [%]" in capsys.readouterr().out
+    assert "damping, median" in capsys.readouterr().out
 
 
 def test_long_names_of_outputs_do_not_widen_the_table(
@@ -189,5 +189,5 @@ def test_long_names_of_outputs_do_not_widen_the_table(
     assert run(["response", str(PUBLISHED), *POSE, *channels, "--frequencies", "5:60:12"]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert max(map(len, lines)) <= 80
-    assert sum(line.startswith(f"{name}/force_x ") for line in lines) > 1
+    assert f"{name}/force_x" in lines
     assert any(line.endswith("phase [deg]") for line in lines)

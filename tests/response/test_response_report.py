@@ -74,11 +74,14 @@ def test_the_largest_responses_are_those_of_the_tables(page: Element, folder: Pa
     assert sorted(names) == ["p_x/force_x", "p_x/force_z", "p_z/force_x", "p_z/force_z"]
     assert names[0] == "p_x/force_x"  # the measured one
     for name, row in zip(names, rows, strict=True):
-        cases = [(folder / "table.csv", row[1:4])]
+        cases = [(folder / "table.csv", row[2:5])]
         if name == "p_x/force_x":
-            cases.append((folder / "softer" / "table.csv", row[4:7]))
+            cases.append((folder / "softer" / "table.csv", row[5:8]))
         else:
-            assert [cell.text.strip() for cell in row[4:7]] == ["\u2013"] * 3
+            assert [cell.text.strip() for cell in row[5:8]] == ["\u2013"] * 3
+        f, values = column(folder / "table.csv", name)
+        (begin,) = row[1].all("data")
+        assert float(begin.attributes["value"]) == pytest.approx(abs(values[0]), rel=1e-12)
         for table, cells in cases:
             f, values = column(table, name)
             peak = np.abs(values).argmax()
@@ -107,7 +110,7 @@ def test_what_was_measured_beyond_the_frequencies_of_the_model_is_no_peak(tmp_pa
     assert "p_x responds most to force_x at" in summary
     assert "measured at" not in summary
     (row,) = rows_of(page.by_id("responses"))
-    assert len(row) == 5  # channel and unit, and size, frequency and phase of the model
+    assert len(row) == 6  # channel and unit, and sizes, frequency and phase of the model
 
 
 def test_places_in_the_json_hold_the_numbers(page: Element, folder: Path) -> None:

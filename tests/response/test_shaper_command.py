@@ -91,7 +91,7 @@ def test_poses_from_a_table_and_the_whole_workspace(
     table = tmp_path / "poses.csv"
     table.write_text("x [mm],y,z\n600,0,-0.22\n650,0.05,-0.2\n", encoding="utf-8")
     assert run(["shaper", robot, "--poses", str(table), "--shapers", "mzv", "--modes", "2"]) == 0
-    assert "motors held: 2 poses" in " ".join(capsys.readouterr().out.split())
+    assert "\n  poses: 2\n" in capsys.readouterr().out
     assert run(["shaper", str(ROOT / "robots/corexy-printer.toml"), "--shapers", "zv"]) == 0
     printed = " ".join(capsys.readouterr().out.split())
     assert "shaper_type: zv" in printed
