@@ -136,8 +136,8 @@ def test_a_summary_by_mode_and_the_five_worst_rows_come_first(tmp_path: Path) ->
         assert float(sigmas) == pytest.approx(row["sigmas"], abs=0.051)
     expected = sorted(rows, key=lambda r: -abs(r["sigmas"]))[:5]
     assert [int(cells[1]) for cells in table(answer)] == [r["line"] for r in expected]
-    assert "every row: --all" in answer.out
-    assert "every row: --all" not in call(PUBLISHED, modes, "--all").out
+    assert "--all prints every row." in answer.out
+    assert "--all prints every row." not in call(PUBLISHED, modes, "--all").out
 
 
 @both_back_ends

@@ -105,8 +105,10 @@ def show(robot: Robot, data: Measurements, result: Comparison, most: int) -> Non
     terminal.summary(head)
     terminal.show(*by_mode(result), mode_table(result, Evidence.of(result, data), setting, most))
     if most < len(result.rows):
-        terminal.line("every row: --all, --json or --report")
-    terminal.notes(head)
+        terminal.line("--all prints every row.")
+    for note in result.notes:  # verbatim: it may name what the file names
+        terminal.line()
+        terminal.line(f"note: {note}")
 
 
 def _refuse(value: object, option: str, why: str) -> None:
