@@ -119,7 +119,7 @@ def test_a_summary_by_mode_and_the_five_worst_rows_come_first(tmp_path: Path) ->
     answer = call(PUBLISHED, modes)
     assert max(map(len, answer.out.splitlines())) <= 80
     # The number measured is the same for every mode: a sentence says it.
-    assert "In every row: measured 3." in answer.out
+    assert "In every row: times measured 3." in answer.out
     summary = table(answer, "mode")
     assert [cells[0] for cells in summary] == list("123456")
     for number, median, rms, largest, sigmas, line in summary:
@@ -191,7 +191,7 @@ def test_modes_that_were_rigid_have_no_partner_until_something_ties_the_platform
     assert found["p_value"] == pytest.approx(0.0, abs=1e-300)
     answer = call(PUBLISHED, modes, "--all")
     assert "  measured modes: 27\n" in answer.out
-    assert f"  of them unmatched: {found['unpaired']}\n" in answer.out
+    assert f"  unmatched: {found['unpaired']}\n" in answer.out
     assert "  p-value: < 1e-6\n" in answer.out
     assert sum("none" in cells for cells in table(answer)) == found["unpaired"]
     tied = PUBLISHED.read_text(encoding="utf-8") + '\n[effects.servo_stiffness]\nstiffness = "300 N*m/rad"\n'

@@ -78,7 +78,7 @@ def test_the_largest_values_come_first_and_all_of_them_if_asked() -> None:
 def test_the_same_robot_twice(tmp_path: Path) -> None:
     page = tmp_path / "same.html"
     out = printed("compare", PRINTER, PRINTER, *GRID, "--report", page)
-    assert "  values that differ, of 19 declared: 0\n" in out
+    assert "  declared values that differ: 0 of 19\n" in out
     assert "note: the two files declare the same robot" in out
     text = page.read_text(encoding="utf-8")
     assert "no frequency changes by more than 0.005 %" in text

@@ -8,6 +8,7 @@ from pkmodes.cli.terminal import Terminal
 from pkmodes.core.base.drives import HELD
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.robot import Robot
+from pkmodes.diagnosis.compare import ComparedRow
 from pkmodes.diagnosis.verdict import naming
 from pkmodes.diagnosis.verdict.findings import (
     Corrected,
@@ -133,11 +134,17 @@ def _counts(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
     if len({row.drives for row in result.rows}) > 1:
         labels = sorted_labels(dict.fromkeys(row.pose for row in result.rows if row.drives == HELD))
         terminal.line(f"motors held: {_poses(labels)}")
-    at = {row.pose: setting(robot.mechanism, row.load) for row in result.rows if row.load}
+    show_settings(terminal, robot, result.rows)
+
+
+def show_settings(terminal: Terminal, robot: Robot, rows: Sequence[Row | ComparedRow]) -> None:
+    """Print what the measurements set, and at which poses; nothing where they set nothing."""
+    at = {row.pose: setting(robot.mechanism, row.load) for row in rows if row.load}
     loads: dict[str, list[str]] = {}
     for label in sorted_labels(at):
         loads.setdefault(at[label], []).append(label)
     if loads:
+        terminal.line()
         cases = [f"{load} ({_poses(labels)})" for load, labels in loads.items()]
         terminal.line(f"set by the measurements: {listed(cases, MOST_LISTED, '; ', '; and ')}")
 

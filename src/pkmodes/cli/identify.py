@@ -95,8 +95,15 @@ def _print(found: Identification, campaign: Campaign, content: dict[str, Any]) -
         drives, model = one.record.drives, campaign.model
         doing = motors([drives]) if model is None else motors_in_words(model.robot, drives)
         terminal.heading(f"{one.record.pose}, {one.record.kind}, {doing}")
-        terminal.table(replace(modes_table(index, content["records"][index]["modes"]), caption=""))
+        found_modes = content["records"][index]["modes"]
+        if found_modes:
+            terminal.table(replace(modes_table(index, found_modes), caption=""))
+        else:
+            terminal.line("no mode was found")
         terminal.line()
-    terminal.line(f"repeatability {100.0 * found.repeatability:.2g} % of each frequency, in its sigma")
+    repeatability = f"{100.0 * found.repeatability:.2g} %"
+    terminal.line(
+        f"+-: one standard deviation; that of a frequency includes a repeatability of {repeatability}"
+    )
     for text in meanings([mode for one in content["records"] for mode in one["modes"]]):
         terminal.line(text)

@@ -28,15 +28,12 @@ from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.drives import Drives
 from pkmodes.core.base.errors import PkmodesError, shown
-from pkmodes.core.mechanism.poses import placed
-from pkmodes.report.blocks import Paragraph
 from pkmodes.response.ports import QUANTITIES
 from pkmodes.support.documents import Document
-from pkmodes.support.motors import motors_in_words
 from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
-    from pkmodes.core.mechanism.registry import Mechanism
+    from pkmodes.core.model import Model
     from pkmodes.response.frequency_response import FrequencyResponse
     from pkmodes.response.measured import MeasuredResponse
 
@@ -195,7 +192,7 @@ def response(
         say("drawing the report")
         page = response_report(model, found, over, sources)  # drawn before anything is written
         files.append(report_file(report_to, lambda: page))
-    deliver(json_file, document.as_json(), lambda: _print(model.mechanism, found), *files)
+    deliver(json_file, document.as_json(), lambda: _print(model, found, over), *files)
 
 
 def _measured(file: Path | None) -> MeasuredResponse | None:
@@ -252,14 +249,13 @@ def _frequencies(text: str, log: bool) -> NDArray[np.float64]:
     return np.geomspace(first, last, len(values)) if log else values
 
 
-def _print(mechanism: Mechanism, found: FrequencyResponse) -> None:
+def _print(model: Model, found: FrequencyResponse, over: MeasuredResponse | None) -> None:
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.report.response import largest, notes
+    from pkmodes.report.response import largest, summary
     from pkmodes.response.drawn_channels import DrawnChannels
 
-    terminal, drawn = Terminal(), DrawnChannels.of(found)
-    at = placed(mechanism, found.poses, "g")
-    terminal.heading(
-        f"{found.robot.name} at {at}, {motors_in_words(found.robot, found.drives)}, {found.quantity}"
-    )
-    terminal.show(largest(drawn), *map(Paragraph, notes(found.robot, drawn)))
+    terminal, drawn = Terminal(), DrawnChannels.of(found, over)
+    head = summary(model, found, drawn)
+    terminal.summary(head)
+    terminal.show(largest(drawn))
+    terminal.notes(head)

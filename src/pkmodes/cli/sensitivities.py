@@ -129,7 +129,7 @@ def sensitivities(
 ) -> None:
     """Compute exact derivatives of the frequencies at a pose with respect to the robot's quantities and to effects.
 
-    Prints the ten largest, by what one percent of the value does to any frequency; the JSON always has all.  The
+    Prints the ten largest, by what one per cent of the value does to any frequency; the JSON always has all.  The
     platform pose and all other quantities are held constant; docs/sensitivities.md lists the paths.
     """
     if everything and parameters is not None:
@@ -178,11 +178,11 @@ def _print(model: Model, content: dict[str, Any], asked: bool, everything: bool)
     every = asked or everything
     chosen = [paths[t] for t in depends if content["values"][t]] if every else None
     whole = changes_at(model, pose, drives, PERCENT)
-    percent = whole if chosen is None else changes_at(model, pose, drives, PERCENT, chosen)
+    percent = changes_at(model, pose, drives, PERCENT, chosen) if chosen else whole
     sigma = changes_at(model, pose, drives, SIGMA) if stated_sigmas(model.robot) else None
-    head = summary(model, whole, sigma, content)
+    head = summary(model, percent, sigma, content, asked=asked and bool(chosen))
     terminal.summary(head)
-    if percent.largest_of_all():
+    if percent.largest_of_all() and (chosen or not every):
         terminal.show(per_cent(model, percent, content, None if every else MOST))
     if sigma is not None and not asked:
         terminal.show(per_sigma(model, sigma))

@@ -111,7 +111,7 @@ class Terminal:
             if isinstance(block, Table):
                 self.table(block)
             elif isinstance(block, Paragraph):
-                self.line(typed(block.text))
+                self.line(block.plain or typed(block.text))
             elif isinstance(block, Listing):
                 for entry in [", ".join(block.entries)] if block.names else block.entries:
                     self.line(entry, "  ")
@@ -126,8 +126,9 @@ class Terminal:
     def table(self, table: Table) -> None:
         """Print a table with its caption and its note.
 
-        Where it is wider than the terminal, columns that do not fit go below, after the first one once more: about as
-        many in each part, where that takes no further part.
+        Where it is wider than the terminal, columns that do not fit go below, after those that tell the rows apart:
+        about as many in each part, where that takes no further part.  A first column that would fill the terminal is
+        broken at its commas, or stands on a line above its row.
         """
         kept = [k for k, column in enumerate(table.columns) if not column.page_only]
         over = [title for title, count in table.groups for _ in range(count)]
@@ -135,41 +136,70 @@ class Terminal:
         groups = [typed(over[k]) if over else "" for k in kept]
         rows = [[_cell(row[k]) for k in kept] for row in table.rows]
         numbers = [table.columns[k].numbers for k in kept]
-        widths = [max(cell_len(row[c]) for row in (titles, *rows)) for c in range(len(kept))]
+        begin = [c for c, k in enumerate(kept) if k < table.heads]
         if table.caption:
             self.line(typed(table.caption))
-        spaces, rest = len(widths) - 1, self._width - sum(widths)
-        gap = NARROW_GAP if NARROW_GAP * spaces <= rest < GAP * spaces else GAP
-        if gap * spaces > rest and widths[0] > WIDE * self._width:
-            above, begin = [row[0] for row in rows], list[int]()
-        else:
-            above, begin = [""] * len(rows), [0]
+        names = [[row[0]] for row in rows]
+        widths, gap, wide = self._measured(titles, rows, names)
+        if wide:
+            names = [name.replace(", ", ",\n").split("\n") for (name,) in names]
+            widths, gap, wide = self._measured(titles, rows, names)
+        if wide:
+            names, begin = [[row[0]] for row in rows], begin[1:]
         for number, part in enumerate(self._parts(widths, begin, gap)):
             if number:
                 self.line()
             if any(groups[c] for c in part):
                 self._print(_over([groups[c] for c in part], [widths[c] + gap for c in part]))
-            for row, label in zip((titles, *rows), ("", *above), strict=True):
-                if label:
-                    self.line(label)
-                cells = (_aligned(row[c], widths[c], not numbers[c]) for c in part)
-                self._print((gap * " ").join(cells))
+            self._row(titles, part, widths, gap, numbers)
+            before = ""
+            for row, (name, *more) in zip(rows, names, strict=True):
+                if 0 not in part:
+                    if name != before:
+                        self.line(name)
+                    before = name
+                self._row([name, *row[1:]], part, widths, gap, numbers)
+                for rest in more if 0 in part else ():
+                    self._print(rest)
         if table.note:
             self.line(typed(table.note))
+
+    def _measured(
+        self, titles: Sequence[str], rows: Sequence[Sequence[str]], names: Sequence[Sequence[str]]
+    ) -> tuple[list[int], int, bool]:
+        """Return widths of the columns, the spaces between them, and whether the names take too much of a line."""
+        first = max(map(cell_len, (titles[0], *(part for name in names for part in name))))
+        widths = [first, *(max(cell_len(row[c]) for row in (titles, *rows)) for c in range(1, len(titles)))]
+        spaces, rest = len(widths) - 1, self._width - sum(widths)
+        gap = NARROW_GAP if NARROW_GAP * spaces <= rest < GAP * spaces else GAP
+        return widths, gap, gap * spaces > rest and first > WIDE * self._width
+
+    def _row(
+        self,
+        row: Sequence[str],
+        part: Sequence[int],
+        widths: Sequence[int],
+        gap: int,
+        numbers: Sequence[bool],
+    ) -> None:
+        self._print((gap * " ").join(_aligned(row[c], widths[c], not numbers[c]) for c in part))
 
     def _print(self, text: str) -> None:
         self._console.print(text.rstrip(), soft_wrap=True)
 
     def _parts(self, widths: Sequence[int], begin: list[int], gap: int) -> list[list[int]]:
-        """Return the columns of each part of a table: the first where all begin with it, and some of the others."""
-        parts = self._filled(widths, begin, gap, len(widths))
-        alike = self._filled(widths, begin, gap, -(-(len(widths) - 1) // len(parts)))
+        """Return the columns of each part of a table, all of which begin with some; the first is theirs or none."""
+        others = [c for c in range(1, len(widths)) if c not in begin]
+        parts = self._filled(widths, begin, others, gap, len(widths))
+        alike = self._filled(widths, begin, others, gap, -(-len(others) // len(parts)))
         return alike if len(alike) == len(parts) else parts
 
-    def _filled(self, widths: Sequence[int], begin: list[int], gap: int, most: int) -> list[list[int]]:
+    def _filled(
+        self, widths: Sequence[int], begin: list[int], others: Sequence[int], gap: int, most: int
+    ) -> list[list[int]]:
         """Fill one part after the other with at most so many columns beside those with which it begins."""
         parts, added = [[*begin]], 0
-        for k in range(1, len(widths)):
+        for k in others:
             width = sum(widths[i] + gap for i in parts[-1]) + widths[k]
             if added and (width > self._width or added == most):
                 parts.append([*begin])

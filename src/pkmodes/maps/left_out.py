@@ -106,7 +106,7 @@ def parts(dataset: xarray.Dataset, leading: list[str]) -> Iterator[tuple[list[in
         yield list(start), dataset.isel(part).load()
 
 
-def sentences(content: dict[str, Any], units: dict[str, str]) -> list[str]:
+def sentences(content: dict[str, Any], units: dict[str, tuple[str, float]]) -> list[str]:
     """Return what is left out of the numbers of a summary, and where it is worst.
 
     Parameters
@@ -114,7 +114,7 @@ def sentences(content: dict[str, Any], units: dict[str, str]) -> list[str]:
     content : dict
         Of the summary, as JSON has it.
     units : dict
-        SI units of the map's axes.
+        Units of the map's axes as shown, with the factors from SI.
     """
     said = []
     for key, is_, why, most in (
@@ -136,7 +136,8 @@ def sentences(content: dict[str, Any], units: dict[str, str]) -> list[str]:
     return said
 
 
-def _place(name: str, value: Any, units: dict[str, str]) -> str:
+def _place(name: str, value: Any, units: dict[str, tuple[str, float]]) -> str:
     if isinstance(value, str):
         return f"{name} {value}"
-    return f"{name} = {value:.4g} {units.get(name, '')}".rstrip()
+    unit, factor = units.get(name, ("", 1.0))
+    return f"{name} = {factor * value:.4g} {unit}".rstrip()

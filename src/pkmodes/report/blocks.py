@@ -131,6 +131,8 @@ class Table(Placed):
         Titles above several columns and how many; empty for none.
     note : str
         What the table leaves out.
+    heads : int
+        First columns that tell the rows apart: a terminal repeats them where the others do not fit beside each other.
     """
 
     caption: str
@@ -138,6 +140,7 @@ class Table(Placed):
     rows: Sequence[Sequence[Cell]]
     groups: Sequence[tuple[str, int]] = ()
     note: str = ""
+    heads: int = 1
 
 
 @dataclass(frozen=True)
@@ -198,9 +201,10 @@ def _packed(columns: Sequence[Sequence[str]]) -> str:
 
 @dataclass(frozen=True)
 class Paragraph(Placed):
-    """A sentence or more."""
+    """A sentence or more; `plain` as on a terminal, where it names something of a file, such as a label."""
 
     text: str
+    plain: str = ""
 
 
 @dataclass(frozen=True)

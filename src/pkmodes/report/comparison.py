@@ -22,13 +22,14 @@ if TYPE_CHECKING:
 def summary(result: Comparison, setting: Setting) -> Summary:
     """Return what the differences mean, and how large they are."""
     headline, reason, tone = _judged(result)
-    count = len(result.rows)
+    count, places = len(result.rows), len({row.pose for row in result.rows})
     facts = [
         ("rms difference [%]", percent(result.rms_relative, pointer("rms_relative"))),
         ("chi\u00b2 per degree of freedom", three_digits(result.chi2_per_dof, pointer("chi2_per_dof"))),
         ("p-value", p_value(result.p_value, pointer("p_value"))),
         ("measured modes", Cell(str(count), count)),
-        ("of them unmatched", Cell(str(len(result.unpaired)), len(result.unpaired), pointer("unpaired"))),
+        ("poses", Cell(str(places), places)),
+        ("unmatched", Cell(str(len(result.unpaired)), len(result.unpaired), pointer("unpaired"))),
     ]
     return Summary(
         subject=setting.title(row.drives for row in result.rows),
@@ -91,7 +92,7 @@ def by_mode(result: Comparison) -> list[Table]:
         )
     if not rows:
         return []
-    columns = [Column("mode"), Column("measured"), Column("median [%]"), Column("rms [%]")]
+    columns = [Column("mode"), Column("times measured"), Column("median [%]"), Column("rms [%]")]
     columns += [
         Column("[%]"),
         Column("[\u03c3]"),

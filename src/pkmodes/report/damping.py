@@ -21,6 +21,7 @@ from pkmodes.report.formatting import (
     three_digits,
     uncertain,
     unit,
+    unit_cell,
 )
 from pkmodes.report.setting import Setting
 from pkmodes.report.stability import CHANGES
@@ -63,9 +64,15 @@ def refitted(found: Damping, setting: Setting) -> list[Paragraph | Facts]:
         after = uncertain(value.after, value.sigma, at + pointer("after"), at + pointer("sigma"))
         before = figures(value.before, 6, at + pointer("before"))
         entries.append(
-            (setting.words(value.name), [after, Cell(unit(value.unit)), Cell("declared as"), before])
+            (_named(value.name, setting), [after, unit_cell(value.unit), Cell("instead of"), before])
         )
     return [Paragraph("Uncertain losses, refitted within their priors:"), Facts(entries)] if entries else []
+
+
+def _named(path: str, setting: Setting) -> str:
+    """Return a loss in words, with its path."""
+    words = setting.words(path)
+    return f"{words} ({clean(path)})" if words else clean(path)
 
 
 def _stability(found: Damping) -> list[Block]:

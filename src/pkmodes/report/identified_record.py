@@ -117,12 +117,12 @@ def modes_table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
         cells += [number(mode["complexity"], ".3f", pointer(*at, "complexity"))] if shaped else []
         if ordered:
             found = mode["found_in"]
-            cells.append(Cell("\u2013" if found is None else f"{found[0]} of {found[1]}"))
+            cells.append(Cell("\u2013", plain="-") if found is None else Cell(f"{found[0]} of {found[1]}"))
         cells.append(number(mode["files"], ".0f", pointer(*at, "files")))
         cells += [Cell(mode["edited"] or "")] if edited else []
         rows.append(cells)
-    caption = "\u03c3 is one standard deviation, the root of the sum of the squares of its parts"
-    return table(f"Modes. {sentence('; '.join((caption, *meanings(modes))))}", columns, rows, groups)
+    parts = "A standard deviation \u03c3 is the root of the sum of the squares of its parts"
+    return table(f"Modes. {'; '.join((parts, *meanings(modes)))}.", columns, rows, groups)
 
 
 def meanings(modes: Sequence[Mapping[str, Any]]) -> list[str]:

@@ -12,7 +12,7 @@ from pkmodes.maps.left_out import sentences
 from pkmodes.maps.summary import FEW, SHARES, quantiles_in_words
 from pkmodes.plots.labels import MINUS, typeset
 from pkmodes.report.blocks import Cell, Column, Summary, Table
-from pkmodes.report.formatting import clean, hertz, number, plural, pointer, thousands, unit
+from pkmodes.report.formatting import clean, hertz, label, number, plural, pointer, thousands, unit
 from pkmodes.support import numbers
 from pkmodes.support.motors import motors_in_words
 
@@ -30,7 +30,7 @@ def summary(model: Model, content: dict[str, Any]) -> Summary:
         f"{plural(count, 'pose')} cannot be evaluated: {model.reasons[code]}."
         for code, count in content["reasons"].items()
     ]
-    notes += [one.replace("= -", f"= {MINUS}") for one in sentences(content, _si_units(model))]
+    notes += [one.replace("= -", f"= {MINUS}") for one in sentences(content, axis_units(model))]
     facts = [
         ("poses", Cell(thousands(content["poses"]), content["poses"], pointer("poses"))),
         (
@@ -75,13 +75,9 @@ def _extent(model: Model, content: dict[str, Any]) -> str:
             continue
         name, factor = units.get(dim, ("", 1.0))
         ends = _value(low * factor) if count == 1 else f"{_value(low * factor)} to {_value(high * factor)}"
-        parts.append(f"{dim} {ends} {name}".rstrip())
+        values = f" ({count} values)" if count > 1 else ""
+        parts.append(f"{dim} {ends} {name}".rstrip() + values)
     return f"Mapped with {motors_in_words(model.robot, content['drives'])}: {', '.join(parts)}."
-
-
-def _si_units(model: Model) -> dict[str, str]:
-    units = {path: name for path, name in changeable(model.robot).items() if name != "1"}
-    return units | {component.name: component.unit for component in model.mechanism.pose}
 
 
 def axis_units(model: Model) -> dict[str, tuple[str, float]]:
@@ -113,9 +109,11 @@ def ranges(model: Model, content: dict[str, Any]) -> Table:
     columns = [Column("mode"), *shares, frequency, *places, frequency, *places]
     ends = [("lowest", 1 + len(dims)), ("highest", 1 + len(dims))]
     groups = [("", 1), ("quantiles [Hz]", 3), *ends]
+    if content["poses"] == 1:  # all of these are one value
+        return Table("Frequencies at the pose.", [columns[0], columns[4]], [[row[0], row[4]] for row in rows])
     caption = (
         f"{quantiles_in_words(content).replace(' %', NO_BREAK_PER_CENT)}. Its lowest and its highest value stand "
-        "beside them, with their poses."
+        "beside them, with their places."
     )
     return Table(caption, columns, rows, groups)
 
@@ -127,5 +125,5 @@ def _frequency(mode: dict[str, Any], index: int, key: str) -> Cell:
 
 def _place(value: Any, factor: float) -> Cell:
     if value is None or isinstance(value, str):
-        return Cell(clean(value or "\u2013"))
+        return label(value) if value else number(None)
     return number(float(value), ".5g", scale=factor)

@@ -21,16 +21,30 @@ MEASURED = {Diagnosis: ("frequency_hz", "sigma_hz"), Comparison: ("measured", "s
 
 
 def mode_table(
-    result: Diagnosis | Comparison, evidence: Evidence, setting: Setting, most: int = MOST
+    result: Diagnosis | Comparison,
+    evidence: Evidence,
+    setting: Setting,
+    most: int = MOST,
+    *,
+    paired: bool = False,
 ) -> Table:
-    """Return all measured modes in the order of their poses, or the worst first if there are more than asked for."""
+    """Return all measured modes in the order of their poses, or the worst first if there are more than asked for.
+
+    Parameters
+    ----------
+    paired : bool
+        Whether those with a partner are the worst: what is said of the others stands elsewhere.
+    """
     rows: list[Row | ComparedRow] = [*result.rows]
     chosen, note = _order(evidence), ""
     if len(rows) > most:
-        chosen = _worst(evidence)[:most]
+        worst = _worst(evidence)
+        with_partner = [i for i in worst if evidence.stages and evidence.last.paired[i]]
+        chosen = (with_partner if paired and with_partner else worst)[:most]
         note = (
-            f"The table has the {most} measured modes that differ most from the model, the worst first. All "
-            f"{plural(len(rows), 'mode')} are in the output of --json, under rows."
+            f"The table has the {plural(len(chosen), 'measured mode')} that differ{'s' if len(chosen) == 1 else ''} "
+            f"most from the model, the worst first. All {plural(len(rows), 'mode')} are in the output of --json, "
+            "under rows."
         )
     own = any(row.mode for row in rows)
     shapes = any(row.mac is not None for row in rows)
@@ -70,7 +84,7 @@ def mode_table(
         "Measured modes and the model; differences are model minus measurement. Line: of the measurement file"
     )
     caption += "; own: the name of the mode there." if own else "."
-    return table(caption, columns, lines, groups, note)
+    return table(caption, columns, lines, groups, note, heads=2 + mixed)
 
 
 def _numbers(result: Diagnosis | Comparison, evidence: Evidence, i: int) -> list[Cell]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pkmodes.diagnosis.verdict.findings import Corrected
+from pkmodes.diagnosis.verdict.findings import NOTICEABLE, Corrected
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Cell, Column, Facts, Paragraph, Picture, Table
@@ -43,13 +43,10 @@ def errors(result: Diagnosis) -> list[Table | Paragraph]:
     caption = "Errors of the model: rms of model / measurement \u2212 1, and chi\u00b2 per degree of freedom."
     blocks: list[Table | Paragraph] = [Table(caption, columns, rows)]
     if result.held_out_poses:
-        poses = listed([clean(label) for label in sorted_labels(result.held_out_poses)], 20)
-        blocks.append(
-            Paragraph(
-                f"Held out, so that no choice and no fit has seen them: {poses}. The error there is that "
-                "of a prediction."
-            )
-        )
+        labels = sorted_labels(result.held_out_poses)
+        about, why = "Held out of every choice and fit: ", ". The error there is that of a prediction."
+        whole, named = (listed(some, 20) for some in (labels, list(map(clean, labels))))
+        blocks.append(Paragraph(f"{about}{named}{why}", plain=f"{about}{whole}{why}"))
     return blocks
 
 
@@ -64,6 +61,7 @@ def values(result: Diagnosis, setting: Setting) -> list[Table | Paragraph]:
     corrected = _corrected(result)
     if not corrected:
         return [Paragraph("No value was uncertain, and none was fitted.")]
+    widened = any(value.saved_sigma > NOTICEABLE * value.sigma for value in corrected)
     rows = [_value(result, value, setting) for value in corrected]
     columns = [Column("value", False), Column("role", False, page_only=True), Column("before")]
     columns += [
@@ -73,11 +71,14 @@ def values(result: Diagnosis, setting: Setting) -> list[Table | Paragraph]:
         Column("prior \u03c3", page_only=True),
         Column("moved [prior\u00a0\u03c3]", page_only=True),
     ]
-    caption = (
-        "Fitted values: as declared, and after the fit with the standard deviations of the corrected robot file, "
-        "which include what a candidate that these data do not show could have done to the value; beside them those "
-        "of the fit alone."
-    )
+    caption = "Fitted values: as declared, and after the fit with their standard deviations."
+    if widened:
+        caption = (
+            "Fitted values: as declared, and after the fit with their standard deviations, which include what a "
+            "candidate that these data do not show could have done to the value; beside them those of the fit alone."
+        )
+    else:  # both are the same
+        columns, rows = [*columns[:4], *columns[5:]], [[*row[:4], *row[5:]] for row in rows]
     return [table(caption, columns, rows)]
 
 

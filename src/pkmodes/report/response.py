@@ -86,10 +86,11 @@ def response_report(
         Section("modes", "Modes of the model", [_modes(model, response)]),
         origin(sources, model.mechanism),
     ]
-    return page(_summary(model, response, drawn), sections)
+    return page(summary(model, response, drawn), sections)
 
 
-def _summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> Summary:
+def summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> Summary:
+    """Return which channel responds most, and where."""
     at = placed(model.mechanism, response.poses[response.one(())], "g").replace("-", MINUS)
     measured = {} if drawn.measured is None else drawn.measured[1]
     compared = {name: values for name, values in drawn.model.items() if name in measured} or drawn.model
@@ -122,18 +123,19 @@ def _summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) ->
         kind="Frequency responses",
         headline=headline,
         reason=reason,
-        notes=[*notes(model.robot, drawn)],
+        notes=[*_notes(model.robot, drawn)],
         facts=facts,
         head=head_of(model.robot.report),
     )
 
 
-def notes(robot: Robot, drawn: DrawnChannels) -> Iterator[str]:
+def _notes(robot: Robot, drawn: DrawnChannels) -> Iterator[str]:
     """Yield what to know of the responses."""
     if not robot.dissipates:
         yield UNDAMPED
     if drawn.prescribed:
-        yield f"{clean(', '.join(drawn.prescribed), None)} is left out: the motion is prescribed."
+        be = "is" if len(drawn.prescribed) == 1 else "are"
+        yield f"{clean(', '.join(drawn.prescribed), None)} {be} left out: the motion is prescribed."
     if drawn.silent:
         yield f"No response in {clean(', '.join(drawn.silent), None)}."
 
@@ -192,7 +194,12 @@ def largest(drawn: DrawnChannels) -> Table:
             place = _within(drawn, over[1][name]) if name in over[1] else None
             row += [number(None)] * 3 if place is None else _cells(over[0], over[1][name], place)
         rows.append(row)
-    of = f"{len(f)} frequencies from {f[0]:g} to {f[-1]:g} Hz" if len(f) > 1 else f"{f[0]:g} Hz"
+    if len(f) == 1:
+        titles, rows = [*titles[:2], *titles[3:]], [[*row[:2], *row[3:]] for row in rows]
+        groups = [("", 2), ("model", 3), *groups[2:]]
+        caption = f"Magnitude and phase at {f[0]:g} Hz, for exp(+i\u03c9t)."
+        return table(caption, titles, rows, groups if over is not None else [])
+    of = f"{len(f)} frequencies from {f[0]:g} to {f[-1]:g} Hz"
     caption = f"Magnitudes at the first of {of}, and the largest of each channel with its phase, for exp(+i\u03c9t)."
     return table(caption, titles, rows, groups if over is not None else [])
 

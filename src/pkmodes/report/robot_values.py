@@ -30,11 +30,9 @@ Shared = Paragraph | Listing | Table
 def summary(first: Model, second: Model, content: dict[str, Any]) -> Summary:
     """Return which frequency differs most, and what was compared."""
     poses, doing = content["poses"], motors_of_both(first.robot, second.robot, content["drives"])
+    differ = len(content["values"])
     facts = [
-        (
-            f"values that differ, of {content['compared']} declared",
-            Cell(str(len(content["values"])), len(content["values"])),
-        ),
+        ("declared values that differ", Cell(f"{differ} of {content['compared']}", differ)),
         *(
             (title, Cell(thousands(poses[key]), poses[key], pointer("poses", key)))
             for key, title in REACHED.items()
@@ -123,11 +121,12 @@ def frequencies(content: dict[str, Any]) -> Iterator[Shared]:
         for i, mode in enumerate(content["modes"])
     ]
     titles = ["mode", "partner", *(["poses"] if known else [])]
-    titles += ["2 % [%]", "median [%]", "98 % [%]", "exchanged [%]", "MAC"]
+    titles += ["2 %", "median", "98 %", "exchanged [%]", "MAC"]
+    groups = [("", 2 + known), ("difference [%]", 3), ("", 2)]
     caption = (
         "Relative difference of each frequency: its median, and the values below which 2 % and 98 % lie."
     )
-    yield Table(caption, [Column(title) for title in titles], rows)
+    yield Table(caption, [Column(title) for title in titles], rows, groups)
     yield Paragraph(
         "Modes are numbered by frequency in the first robot. At each pose they are paired with those of the second "
         "by their shapes: the pairs with the largest sum of MAC. The partner named is the most frequent one; "

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -12,11 +11,22 @@ from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.plots.labels import MINUS, typeset
 from pkmodes.report.blocks import Cell, Column, Summary, Table
-from pkmodes.report.formatting import NOTHING, clean, figures, number, pointer, sentence, unit, unit_cell
+from pkmodes.report.formatting import (
+    NOTHING,
+    clean,
+    figures,
+    hertz,
+    number,
+    pointer,
+    sentence,
+    uncertain,
+    unit,
+    unit_cell,
+)
 from pkmodes.sensitivity.changes import CORRELATED, Changes, coinciding
 from pkmodes.sensitivity.spread import stated_sigmas
 from pkmodes.support.motors import motors_in_words
-from pkmodes.support.numbers import hertz, plain
+from pkmodes.support.numbers import plain
 from pkmodes.support.words import in_words
 
 if TYPE_CHECKING:
@@ -31,8 +41,16 @@ NAMED = 2
 ROUNDING, ROUNDING_BY_UNIT = 1e-9, 1e-15
 
 
-def summary(model: Model, percent: Changes, sigma: Changes | None, content: dict[str, Any]) -> Summary:
-    """Return what the frequencies depend on most, and their standard deviations."""
+def summary(
+    model: Model, percent: Changes, sigma: Changes | None, content: dict[str, Any], *, asked: bool = False
+) -> Summary:
+    """Return what the frequencies depend on most, and their standard deviations.
+
+    Parameters
+    ----------
+    asked : bool
+        Whether the changes are those of chosen quantities only.
+    """
     relative = 100.0 * np.abs(percent.changes / percent.frequencies)
     first = percent.largest_of_all(1)
     headline, reason = "No quantity of the robot file changes a frequency", ""
@@ -40,16 +58,16 @@ def summary(model: Model, percent: Changes, sigma: Changes | None, content: dict
         mode = int(relative[first[0]].argmax())
         change = f"{relative[first[0], mode]:.2g}"
         name = " or ".join(_named(model, path) for path in percent.names[first[0]])
-        headline = f"Mode {mode + 1} depends most on {name}: {change} % for 1 %"
+        which = f"Of the chosen quantities, mode {mode + 1}" if asked else f"Mode {mode + 1}"
+        headline = f"{which} depends most on {name}: {change} % for 1 %"
         reason = "The largest change of any frequency for one per cent of a quantity. "
     at = placed(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
     doing, facts, rigid = motors_in_words(model.robot, content["drives"]), [], content["rigid_modes"]
     for mode, frequency in enumerate(percent.frequencies.tolist()):
-        text = f"{hertz(frequency)} Hz"
-        if sigma is not None and sigma.together is not None:
-            text = _with_sigma(frequency, float(sigma.together[mode]))
+        error = 0.0 if sigma is None or sigma.together is None else float(sigma.together[mode])
         place = pointer("frequencies_hz", rigid + mode)
-        facts.append((f"mode {mode + 1}", Cell(typeset(text), frequency, place)))
+        cell = uncertain(frequency, error, place) if error > 0.0 else hertz(frequency, place)
+        facts.append((f"mode {mode + 1} [Hz]", cell))
     return Summary(
         subject=clean(content["robot"]),
         kind="Sensitivities",
@@ -71,14 +89,6 @@ def _quantity(model: Model, paths: Sequence[str]) -> Cell:
     """Return the quantities of a row: in words, and their paths beneath."""
     words = [clean(in_words(model.robot.mechanism, path)) for path in paths]
     return Cell.named(", ".join(words) if all(words) else "", clean(", ".join(paths)))
-
-
-def _with_sigma(frequency: float, sigma: float) -> str:
-    """Return a frequency with its standard deviation, both to two digits of the latter."""
-    if not sigma > 0.0:
-        return f"{hertz(frequency)} Hz"
-    decimals = max(0, 1 - math.floor(math.log10(sigma)))
-    return f"{frequency:.{decimals}f} \u00b1 {sigma:.{decimals}f} Hz"
 
 
 def per_cent(model: Model, changes: Changes, content: dict[str, Any], most: int | None = None) -> Table:
@@ -134,7 +144,7 @@ def per_sigma(model: Model, changes: Changes) -> Table:
     )
     return Table(
         "Hz for one standard deviation more of a value, and the standard deviation of each frequency.",
-        _columns("value", "\u03c3", page_only=False, modes=len(changes.frequencies)),
+        _columns("quantity", "\u03c3", page_only=False, modes=len(changes.frequencies)),
         rows,
         note=f"All together: {how}. Exact to first order: good where the standard deviations are small against the "
         "values.",

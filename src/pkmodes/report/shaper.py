@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import SHOWN
 from pkmodes.plots import shapers
-from pkmodes.plots.labels import typeset
+from pkmodes.plots.labels import MINUS, typeset
 from pkmodes.report.blocks import Cell, Column, Facts, Lines, Paragraph, Picture, Section, Summary, Table
 from pkmodes.report.formatting import clean, minus, number, pointer, sentence, thousands
 from pkmodes.report.page import need_report, page
@@ -124,6 +125,10 @@ def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
     """Return the poses and the modes that count."""
     at = choice.ringing
     entries = [("poses", [Cell(thousands(content["poses"]), content["poses"], pointer("poses"))])]
+    where = placed(model.mechanism, choice.unshaped.pose, ".4g")
+    rms, worst = (f"{1e6 * value:.3g}" for value in (choice.unshaped.rms, choice.unshaped.worst))
+    without = f"{rms} um for a step of 1 m/s^2 (rms over the poses), at most {worst} um, at {where}"
+    entries.append(("vibration without a shaper", [Cell(_typeset(without), plain=without)]))
     for i, component in enumerate(model.mechanism.pose):
         unit, factor = SHOWN[component.unit]
         entries.append((component.name, [minus(f"{_range(at.poses[:, i] * factor, '.5g')} {unit}")]))
@@ -135,6 +140,10 @@ def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
             cells = [Cell(f"{text},"), Cell(f"standard deviation {sigma:.2g} Hz (median)", sigma)]
         entries.append((f"mode {k + 1}", cells))
     return Facts(entries)
+
+
+def _typeset(text: str) -> str:
+    return text.replace(" um", " \u00b5m").replace("s^2", "s\u00b2").replace("-", MINUS)
 
 
 def _range(values: NDArray[np.float64], form: str) -> str:
@@ -182,7 +191,7 @@ def shapers_table(content: dict[str, Any]) -> Table:
         "* The recommended one. Those of the pose are judged at rest and for the model as it is: a move, and "
         "frequencies that differ from the model's, add to what they leave."
     )
-    return Table(f"{caption}.", columns, rows, note=note)
+    return Table(f"{caption}.", columns, rows, note=note, heads=2)
 
 
 def _picked(choice: Choice) -> dict[str, Candidate]:

@@ -18,6 +18,7 @@ def table(
     rows: Sequence[Sequence[Cell]],
     groups: Sequence[tuple[str, int]] = (),
     note: str = "",
+    heads: int = 1,
 ) -> Table:
     """Return a table of the columns that differ between rows.
 
@@ -26,11 +27,11 @@ def table(
 
     Parameters
     ----------
-    groups, note
+    groups, note, heads
         As those of `Table`.
     """
     over = [k for k, (_, count) in enumerate(groups) for _ in range(count)]
-    same = [c for c in range(1, len(columns)) if _same([row[c] for row in rows])]
+    same = [c for c in range(1, len(columns)) if not columns[c].page_only and _same([row[c] for row in rows])]
     kept = [c for c in range(len(columns)) if c not in same]
     said = [
         f"{_title(columns, groups, over, c)} {rows[0][c].text}" for c in same if rows[0][c].text not in BLANK
@@ -40,14 +41,15 @@ def table(
         if over
         else []
     )
-    sentences = [note] if note else []
-    sentences += [f"In every row: {', '.join(said)}."] if said else []
+    sentences = [f"In every row: {', '.join(said)}."] if said else []
+    sentences += [note] if note else []
     return Table(
         caption,
         [columns[c] for c in kept],
         [[row[c] for c in kept] for row in rows],
         left,
         " ".join(sentences),
+        sum(c < heads for c in kept),
     )
 
 

@@ -15,8 +15,8 @@ from scipy import stats
 from pkmodes.diagnosis.damping.fit import PARTS, LossFit, LossFitter
 from pkmodes.diagnosis.problem import Array
 
-#: A trend with less than this sum of squares, in standard deviations, is none.
-SAME = 1.0
+#: A trend that the fitted losses follow but for this sum of squares, in standard deviations, cannot be seen.
+UNSEEN = 1.0
 #: Number of laws drawn, and their seed.
 DRAWS, SEED = 200, 5
 #: Steps of Gauss and Newton, and the largest change of a logarithm in one.
@@ -36,7 +36,7 @@ def p_of_trend(fitter: LossFitter, fit: LossFit) -> float:
     trend = ((np.log(rows.frequency) - np.log(rows.frequency).mean()) / rows.sigma)[used]
     trend = trend - fitted @ np.linalg.lstsq(fitted, trend)[0]
     size = float(trend @ trend)
-    if size < SAME:
+    if size < UNSEEN:
         return 1.0
     return float(stats.chi2.sf((trend @ fit.white[used]) ** 2 / size, 1))
 

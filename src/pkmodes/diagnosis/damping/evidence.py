@@ -51,7 +51,7 @@ class DampingJudgement:
     places, p_values
         Those of the `Explanation` that is found or remains; otherwise empty.
     says : LossSays
-        Why; empty for a claim, and where the declared losses leave noise.
+        Why; empty for a claim, where several explanations remain, and where the declared losses leave noise.
     """
 
     rule: str

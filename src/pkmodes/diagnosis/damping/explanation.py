@@ -108,9 +108,9 @@ def _p_of_place(fitter: LossFitter, fit: LossFit, cause: int) -> float:
     return p_of_one_more(fitter, fitter.fit(rest), fit, comb(len(fitter.candidates), len(fit.causes)))
 
 
-def p_of_one_more(fitter: LossFitter, less: LossFit, more: LossFit, number: int | None = None) -> float:
+def p_of_one_more(fitter: LossFitter, less: LossFit, more: LossFit, number: int) -> float:
     """Return the p-value of a likelihood-ratio test of one more loss, corrected for the number of candidates."""
-    number = len(fitter.candidates) if number is None or number == 1 else number
+    number = len(fitter.candidates) if number == 1 else number
     (added,) = set(more.causes) - set(less.causes)
     gain = max(less.squares + less.price - more.squares - more.price, 0.0)
     one_sided = 1.0 if fitter.declared[added] else 0.5

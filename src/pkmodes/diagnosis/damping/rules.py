@@ -96,7 +96,7 @@ def common_ratio(e: LossEvidence) -> str:
 
 
 def scattered(e: LossEvidence) -> LossSays | None:
-    """Nothing explains the ratios, and they scatter about one, or about the declared, as those of repeated tests."""
+    """Nothing is claimed, and the ratios scatter about one, or about the declared, as those of repeated tests do."""
     if e.claim is not None or not (e.declares or e.common is not None):
         return None
     fit = e.base if e.declares or e.common is None else e.fitter.fit((e.common,))
@@ -203,7 +203,7 @@ _BEFORE = (
 )
 _TELLS_NOTHING = Rule("damping.tells_nothing", INSUFFICIENT_DATA, tells_nothing)
 _UNEXPLAINED = Rule("damping.unexplained", UNEXPLAINED, unexplained)
-#: Withheld by the last rule but one.
+#: An explanation that does not predict the held-out poses.
 NOT_PREDICTED = "damping.held_out"
 _FOUND = Rule("damping.found", EFFECT_FOUND, found)
 
