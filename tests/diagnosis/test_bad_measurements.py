@@ -72,7 +72,7 @@ def test_a_row_is_not_set_aside_where_the_model_has_no_mode_left_for_it() -> Non
     data = drawn(SIX, 10)
     between = np.sqrt(data.frequency[0] * data.frequency[1])
     found = checked(frame(SIX), with_another(data, data.labels[0], between))
-    assert found.verdict == "unexplained"
+    assert found.rule == "adequacy.extra_modes"
     assert not found.effects
     # In place of a mode, the same row may be a gross error of that mode.
     replaced = data.frequency.copy()

@@ -157,7 +157,7 @@ def test_a_claim_that_does_not_predict_the_held_out_poses_is_refused() -> None:
     plain = found(structure({"a": a, "b": DIRECTIONS[1]}), 40.0 * a)
     assert [effect.name for effect in plain.effects] == ["a"]
     contradicted = found(structure({"a": a, "b": DIRECTIONS[1]}), 40.0 * c)
-    assert contradicted.verdict == "unexplained"
+    assert (contradicted.verdict, contradicted.rule) == ("unexplained", "claims.held_out")
     assert "a would explain the fitted poses, but not the held-out ones (p" in contradicted.reason
     assert contradicted.effects == ()
 

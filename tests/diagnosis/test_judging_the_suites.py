@@ -24,6 +24,7 @@ from pkmodes_rig.suites.campaign_cases import CampaignOutcome
 from pkmodes_rig.suites.campaign_table import table
 from pkmodes_rig.suites.cases import Case, measured, tried
 from pkmodes_rig.suites.clear_cases import ClearCase, ClearOutcome
+from pkmodes_rig.suites.deciding import Line, counts, rightly
 from pkmodes_rig.suites.judging import MENTIONS, CaseOutcome, judged, physical, set_aside_blindly
 from pkmodes_rig.suites.requirements import requirements
 from pkmodes_rig.suites.running import _attempt
@@ -42,6 +43,38 @@ def template() -> Diagnosis:
     """A verdict for the judge of the suites, from which others are invented."""
     text = measured(of_kind("nothing missing", "nothing")[0])
     return updating.diagnose(read("published"), measurements(text))
+
+
+def test_a_rule_decides_rightly_by_the_truth_of_the_case() -> None:
+    (nothing, *_), (*_, lacking) = of_kind("nothing missing", "nothing"), of_kind("one effect", "payload")
+    outside = next(case for case in SUITES["outside the catalogue"]() if case.truth.outside)
+    drives = next(case for case in SUITES["wrong drives"]() if not case.names)
+
+    def right(case: Case, verdict: str, rule: str = "", **rest: Any) -> bool:
+        state = {"effect_found": "named", "adequate": "adequate"}.get(verdict, "abstained")
+        return rightly(case, CaseOutcome(case, **{"state": state, "verdict": verdict, "rule": rule} | rest))
+
+    assert right(nothing, "adequate")
+    assert not right(lacking, "adequate")
+    assert not right(drives, "adequate")
+    assert not right(nothing, "adequate", state="wrong")  # rows set aside blindly
+    assert right(lacking, "effect_found")
+    assert not right(lacking, "effect_found", state="wrong")
+    assert right(lacking, "ambiguous", classes=(("belt_mass + payload",), ("frame_compliance",)))
+    assert not right(lacking, "ambiguous", classes=(("belt_mass",), ("frame_compliance",)))
+    assert right(lacking, "unexplained", signal=5.0)
+    assert not right(lacking, "unexplained", signal=7.0)
+    assert right(outside, "unexplained", signal=50.0)
+    assert not right(nothing, "unexplained")
+    assert right(nothing, "insufficient_data")
+    assert right(drives, "unexplained", "before.drives")
+    assert not right(outside, "unexplained", "before.drives")
+    assert not right(drives, "unexplained", "before.wiring")
+
+
+def test_verdicts_are_counted_by_their_rules() -> None:
+    lines = [Line("clear", str(n), rule, n == 0) for n, rule in enumerate(("a.b", "a.b", "a.c"))]
+    assert counts(lines) == {"a.b": (2, 1), "a.c": (1, 0)}
 
 
 def test_a_class_with_none_of_the_causes_is_wrong_whatever_else_is_found(template: Diagnosis) -> None:

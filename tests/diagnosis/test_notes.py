@@ -144,7 +144,7 @@ def test_exchanged_channels_are_noticed() -> None:
 def test_a_dead_sensor_is_noticed() -> None:
     data = measured()
     dead = notes(replace(data, shapes=data.shapes * [1.0, 0.0, 1.0, 1.0]))
-    assert dead.verdict == "unexplained"
+    assert (dead.verdict, dead.rule) == ("unexplained", "after.dead_channel")
     assert "channel floor 2 is 0 in every row: is the sensor connected?" in dead.notes[0]
     shapes = data.shapes * [1.0, 0.0, 1.0, 1.0]
     shapes[:, 1] = np.nan

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from pathlib import Path
 
 import pytest
 
 from helpers.diagnoses.diagnose_command import PUBLISHED, WIND_UP, diagnosed, measured
+from helpers.golden.outcomes import GOLDEN
 from pkmodes.diagnosis.verdict import rules, unexplained
 from pkmodes.diagnosis.verdict.evidence import Evidence, Rule
 from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS
+from pkmodes_rig.suites.deciding import counts, read
 
-PAGE = Path(__file__).parents[2] / "docs/diagnosis.md"
+ROOT = Path(__file__).parents[2]
+PAGE = ROOT / "docs/diagnosis.md"
 #: What the page calls the tables, in its order.
 TABLES = {
     "Before a search": rules.before(),
@@ -21,16 +25,37 @@ TABLES = {
     "Causes leave noise": rules.CLAIMS,
     "Nothing leaves noise": unexplained.OPEN,
 }
+#: Tests of the rules that decide no case of the suites, and guards that neither cases nor tests have needed.
+SHOWN_BY = {
+    "after.dead_channel": "tests/diagnosis/test_notes.py",
+    "adequacy.extra_modes": "tests/diagnosis/test_bad_measurements.py",
+    "claims.held_out": "tests/diagnosis/test_held_out.py",
+    **dict.fromkeys(
+        (
+            *("claims.shapes", "claims.no_value", "claims.priors", "open.unmatched", "open.value_far_away"),
+            *("open.shapes_differ", "open.beyond_prior", "open.small"),
+        ),
+        "tests/diagnosis/test_what_a_claim_rests_on.py",
+    ),
+}
+GUARDS = ("claims.better_shapes", "claims.not_settled")
 BEGIN, END = "<!-- begin: written by tests/diagnosis/test_rules.py --update-golden -->", "<!-- end -->"
 
 
 def printed() -> str:
-    parts = []
+    lines = read(GOLDEN / "rules.jsonl")
+    cases = ", ".join(
+        f"{number} of `{suite}`" for suite, number in Counter(line.suite for line in lines).items()
+    )
+    decided, parts = counts(lines), [f"Cases counted: {cases}."]
     for title, table in TABLES.items():
-        rows = [
-            f"| `{rule.name.partition('.')[2]}` | {rule.about} | `{rule.verdict.word}` |" for rule in table
-        ]
-        parts.append("\n".join([f"| {title} | when | verdict |", "| --- | --- | --- |", *rows]))
+        rows = [f"| {title} | when | verdict | decided | rightly |", "| --- | --- | --- | ---: | ---: |"]
+        for rule in table:
+            cells = [f"`{rule.name.partition('.')[2]}`", rule.about, f"`{rule.verdict.word}`"]
+            shown = f"`{Path(SHOWN_BY[rule.name]).name}`" if rule.name in SHOWN_BY else "no case known"
+            often = map(str, decided[rule.name]) if rule.name in decided else ("0", shown)
+            rows.append(f"| {' | '.join([*cells, *often])} |")
+        parts.append("\n".join(rows))
     return "\n\n".join(parts)
 
 
@@ -45,9 +70,19 @@ def test_the_documentation_prints_the_tables(pytestconfig: pytest.Config) -> Non
         assert found.group() == printed()
 
 
+def test_every_rule_decides_a_case_of_the_suites_or_of_a_test() -> None:
+    names = {rule.name for table in TABLES.values() for rule in table}
+    decided = set(counts(read(GOLDEN / "rules.jsonl")))
+    assert decided <= names
+    assert names - decided <= {*SHOWN_BY, *GUARDS}
+    for name, test in SHOWN_BY.items():
+        assert f'"{name}"' in (ROOT / test).read_text(encoding="utf-8"), name
+
+
 def test_every_rule_says_when_it_applies() -> None:
     for table in TABLES.values():
         assert len({rule.name for rule in table}) == len(table)
+        assert len({rule.name.partition(".")[0] for rule in table}) == 1
         assert all(rule.about for rule in table)
 
 

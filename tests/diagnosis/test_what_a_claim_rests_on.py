@@ -73,7 +73,7 @@ def test_a_value_at_its_bound_is_not_claimed() -> None:
     free = found(linear({"a": a, "b": b}), 30.0 * a)
     assert [effect.name for effect in free.effects] == ["a"]
     near = found(linear({"a": a, "b": b}, a={"upper": 30.5}), 30.0 * a)
-    assert near.verdict == "unexplained"
+    assert near.rule == "claims.no_value"
     assert "a would explain the residual, but its value" in near.reason
     assert "is at its bound 30.5" in near.reason
     assert found(linear({"a": a, "b": b}, a={"upper": 40.0}), 30.0 * a).verdict == "effect_found"
@@ -112,17 +112,48 @@ def test_one_bad_shape_is_not_excused_by_the_scatter_that_it_raises() -> None:
     assert any("the shape in line 4 is not that" in note for note in bad.notes)
 
 
+def test_a_cause_that_explains_only_the_frequencies_is_not_claimed() -> None:
+    data, structure = measured({"storey 2": 1.5}), frame(0.02)
+    assert diagnose(structure, data, holdout=()).rule == "claims.found"
+    shape = data.shapes[0].copy()
+    shape[1] += 0.9
+    bad = diagnose(structure, with_shape(data, 0, shape), holdout=())
+    assert (bad.verdict, bad.rule) == ("unexplained", "claims.shapes")
+    assert bad.reason.startswith("storey 2 would explain the frequencies, but not the shapes of some")
+
+
+def test_what_nothing_explains_is_said_as_what_it_is() -> None:
+    """Modes where the model has none, shapes with stated errors, and a cause whose bound keeps it from explaining."""
+    a, b = DIRECTIONS[:2]
+    beyond = np.zeros(SETUPS * MODES)
+    beyond[[MODES - 1, 3 * MODES - 1, 5 * MODES - 1]] = 0.9 / SIGMA  # the highest modes of three setups
+    unmatched = found(linear({"a": a, "b": b}), beyond)
+    assert unmatched.rule == "open.unmatched"
+    assert unmatched.reason.startswith("3 measured modes are unmatched")
+    small = found(linear({"a": a, "b": b}, a={"upper": 0.5}), 3.6 * a)
+    assert small.rule == "open.small"
+    assert small.reason.startswith("the residual is small but points to a candidate, a (p = ")
+    data = with_shape(measured({}, noise=0.002), 1, np.array([1.0, -0.6, 0.3, 0.5]))
+    stated = Measurements.from_rows(
+        ["frame"] * STOREYS, data.frequency, data.sigma, shapes=columns(data.shapes), shape_sigma=0.02
+    )
+    shapes = diagnose(frame(0.02), stated, holdout=())
+    assert shapes.rule == "open.shapes_differ"
+    assert "the frequencies agree with the model, but the shapes do not" in shapes.reason
+    assert "worst in line 2" in shapes.reason
+
+
 def test_a_wrong_declared_value_is_not_called_a_wrong_sigma() -> None:
     data = measured({f"storey {i}": 1.5 for i in range(1, STOREYS + 1)})
     result = diagnose(frame(0.05), data, holdout=())
-    assert result.verdict == "unexplained"
+    assert (result.verdict, result.rule) == ("unexplained", "open.value_far_away")
     assert "the data agree with the model, but only with stiffness" in result.reason
     assert "sigma from its declared value" in result.reason
 
 
 def test_a_cause_beyond_what_was_declared_plausible_is_named_with_its_value() -> None:
     result = diagnose(frame(0.1, 0.1), measured({"storey 2": 0.5}, sigma=0.005), holdout=())
-    assert result.verdict == "unexplained"
+    assert (result.verdict, result.rule) == ("unexplained", "open.beyond_prior")
     assert "storey 2 = 0.5" in result.reason
     assert "outside the range declared plausible" in result.reason
 
@@ -278,6 +309,7 @@ def test_a_value_that_compensates_for_an_uncertain_one_is_not_claimed(away: floa
     result = found(model, 30.0 * a + 0.3 * away * beside)
     assert result.verdict == verdict
     if away:
+        assert result.rule == "claims.priors"
         assert "its value changes with priors twice as wide" in result.reason
 
 

@@ -23,6 +23,7 @@ from pkmodes.updating.losses import RATIO
 from pkmodes_rig import Identified, TrueModes, drawn_values, drives_of, identified
 from pkmodes_rig.dissipation import coulomb_ratios, damping_ratios
 from pkmodes_rig.measurements import LOWEST_FREQUENCY
+from pkmodes_rig.suites.judging import judged, same_of
 from pkmodes_rig.suites.running import Outcome
 from pkmodes_rig.suites.specimens import MACHINES, SIGMA, Specimen, robot_of
 
@@ -119,10 +120,15 @@ class Case:
         """Name for reports."""
         return f"{self.machine}, {self.kind} {self.number}, motors {self.drives}"
 
+    @property
+    def effects(self) -> dict[str, float]:
+        """What the frequencies have to show: every fourth specimen has a payload."""
+        return {"payload.mass": PAYLOADS[self.machine]} if self.number % 4 == 3 else {}
+
 
 @dataclass(frozen=True)
 class DampingOutcome(Outcome[Case]):
-    """What the diagnosis said of a case: `state`, `classes` and `reason` of the damping, `verdict` of the whole.
+    """What was said of a case: `state`, `classes` and `reason` of the damping, `verdict` and `rule` of the whole.
 
     Attributes
     ----------
@@ -135,12 +141,15 @@ class DampingOutcome(Outcome[Case]):
     unchanged : bool or None
         Whether all that is said of frequencies and shapes is the same without the damping; None where that was not
         tried.
+    of_frequencies : tuple of str and tuple
+        State and classes of the whole.
     """
 
     of_damping: str = ""
     away: tuple[float, ...] = ()
     ratios: int = 0
     unchanged: bool | None = None
+    of_frequencies: tuple[str, tuple[tuple[str, ...], ...]] = ("", ())
 
     @property
     def what(self) -> Kind:
@@ -166,8 +175,7 @@ def run(case: Case) -> DampingOutcome:
     """Measure and diagnose a case."""
     rng = np.random.default_rng([case.seed, 91, case.number])
     what, declared = KINDS[case.kind], robot_of(case.machine)
-    effects = {"payload.mass": PAYLOADS[case.machine]} if case.number % 4 == 3 else {}
-    specimen = Specimen(case.machine, effects, drawn_values(declared, rng), drives=case.drives)
+    specimen = Specimen(case.machine, case.effects, drawn_values(declared, rng), drives=case.drives)
     points = MACHINES[case.machine].points[:POSES]
     modes = specimen.modes(points)
     true, truth = _true_ratios(case, what, specimen, declared, points, modes, rng)
@@ -318,4 +326,9 @@ def _judged(
         of_damping=of.verdict,
         away=away,
         ratios=of.fitted,
+        rule=found.rule,
+        of_frequencies=(
+            judged(tuple(name.partition(".")[0] for name in case.effects), found, same_of(case.machine)),
+            tuple(effect.members for effect in found.effects) or found.survivors,
+        ),
     )

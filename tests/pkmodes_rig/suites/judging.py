@@ -193,6 +193,7 @@ def diagnosed(
         ),
         "seconds": seconds,
         "reason": diagnosis.reason,
+        "rule": diagnosis.rule,
     }
 
 

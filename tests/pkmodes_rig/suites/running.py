@@ -41,6 +41,8 @@ class Outcome(Generic[C]):
         Time of the diagnosis.
     reason : str
         Of the diagnosis, or the traceback of the exception.
+    rule : str
+        The rule that gave the verdict, with its table: "claims.found".
     """
 
     case: C
@@ -51,6 +53,7 @@ class Outcome(Generic[C]):
     signal: float = 0.0
     seconds: float = 0.0
     reason: str = ""
+    rule: str = ""
 
 
 def command_line(description: str, seed: int = 1) -> argparse.ArgumentParser:
