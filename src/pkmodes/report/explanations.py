@@ -19,6 +19,7 @@ from pkmodes.report.formatting import (
     plural,
     pointer,
     prose,
+    three_digits,
     uncertain,
     unit,
 )
@@ -27,6 +28,8 @@ from pkmodes.report.tables import table
 
 #: Most candidates in the table; more than any robot has.
 MOST = 200
+#: Members of a class in the table of probabilities.
+SHOWN = 3
 
 
 def causes(result: Diagnosis | Damping, setting: Setting, *top: str) -> list[Block]:
@@ -155,7 +158,37 @@ def candidates(result: Diagnosis) -> list[Block]:
                 f"the cause.{_open(result)}",
             )
         )
-    return [*blocks, _table(result), *_undetectable(result)]
+    return [*blocks, _table(result), *_probabilities(result), *_undetectable(result)]
+
+
+def _probabilities(result: Diagnosis) -> list[Block]:
+    """Return how probable each explanation is, a second opinion."""
+    said = result.probabilities
+    if said is None:
+        return []
+
+    def row(what: str, value: float, *at: str | int) -> list[Cell]:
+        return [Cell(what), three_digits(value, pointer("probabilities", *at))]
+
+    rows = [row("nothing is missing", said.nothing_missing, "nothing_missing")]
+    for i, one in enumerate(said.classes):
+        rows.append(row(_some(one.members), one.probability, "classes", i, "probability"))
+    for i, pair in enumerate(said.pairs):
+        names = [" + ".join(both) for both in pair.members]
+        rows.append(row(_some(names), pair.probability, "pairs", i, "probability"))
+    rows.append(row("something that is not among the candidates", said.outside, "outside"))
+    rows.sort(key=lambda cells: -(cells[1].value or 0.0))
+    caption = (
+        "A second opinion: how probable each explanation is, from the same fits. The verdict does not depend on it. "
+        "Members of a class, which these data cannot tell apart, have one probability."
+    )
+    return [table(caption, [Column("explanation", False), Column("probability")], rows)]
+
+
+def _some(names: Sequence[str]) -> str:
+    """Return the first names of a class, and how many more it has."""
+    left = len(names) - SHOWN
+    return " or ".join(map(clean, names[:SHOWN])) + (f" or {left} more" if left > 0 else "")
 
 
 def _open(result: Diagnosis) -> str:

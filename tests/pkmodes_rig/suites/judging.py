@@ -194,6 +194,8 @@ def diagnosed(
         "seconds": seconds,
         "reason": diagnosis.reason,
         "rule": diagnosis.rule,
+        "probabilities": diagnosis.probabilities,
+        "candidates": tuple(one.name for one in diagnosis.candidates),
     }
 
 

@@ -14,6 +14,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
+from pkmodes.diagnosis.opinion.said import Probabilities
+
 C = TypeVar("C")
 R = TypeVar("R")
 
@@ -43,6 +45,9 @@ class Outcome(Generic[C]):
         Of the diagnosis, or the traceback of the exception.
     rule : str
         The rule that gave the verdict, with its table: "claims.found".
+    probabilities : Probabilities or None
+    candidates : tuple of str
+        Names of the candidates that were tested.
     """
 
     case: C
@@ -54,6 +59,8 @@ class Outcome(Generic[C]):
     seconds: float = 0.0
     reason: str = ""
     rule: str = ""
+    probabilities: Probabilities | None = None
+    candidates: tuple[str, ...] = ()
 
 
 def command_line(description: str, seed: int = 1) -> argparse.ArgumentParser:

@@ -19,7 +19,7 @@ from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array, Candidate
 from pkmodes.diagnosis.search.additions import Additions, Progress
 from pkmodes.diagnosis.search.gate import Gate, gate
-from pkmodes.diagnosis.search.score import score
+from pkmodes.diagnosis.search.score import Scores, score
 
 
 @dataclass(frozen=True)
@@ -90,6 +90,13 @@ class Search:
             known = fit, gate(self.store, fit, self.candidates)
             self._gates[id(fit.values)] = known
         return known[1]
+
+    def scores(self, fit: Fit) -> Scores:
+        """Return the scores of all candidates at a fit, those of its gate if it was tested."""
+        known = self._gates.get(id(fit.values))
+        if known is not None and known[0].values is fit.values:
+            return known[1].scores
+        return score(self.store.fitter, fit, [one for one in self.candidates if one not in fit.causes])
 
     def alone(self) -> list[Fit]:
         """Return fits with one remote cause and nothing else, best first."""

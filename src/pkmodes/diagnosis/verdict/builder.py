@@ -10,6 +10,7 @@ import numpy as np
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.opinion.probabilities import probabilities
 from pkmodes.diagnosis.problem import reached_bounds
 from pkmodes.diagnosis.readings.table import declared_otherwise, remarks
 from pkmodes.diagnosis.search.ranges import plausible_sizes
@@ -75,11 +76,12 @@ class DiagnosisBuilder:
         stability = tuple(trial.entry for trial in evidence.trials)
         shown |= {*decision.says.named, *(name for entry in stability for name in entry.effects)}
         apart = [candidate for candidate in search.candidates if candidate.name not in bounded.candidates]
+        plausible = {**plausible_sizes(self.fitter, outcome.nuisances, apart), **bounded.plausible}
         tested = examined(
             self.fitter,
             outcome.first.scores,
             last,
-            {**plausible_sizes(self.fitter, outcome.nuisances, apart), **bounded.plausible},
+            plausible,
             shown=shown,
             limited=bounded.limited,
             unbounded=bounded.unbounded - shown,
@@ -118,6 +120,10 @@ class DiagnosisBuilder:
             not_separated=not_separated,
             candidates=tested,
             notes=(*diagnosis.notes, *claim.left_out, *contradictions),
+            # Another reading of the data contradicts all explanations of it as it stands.
+            probabilities=None
+            if decision.rule in READINGS
+            else probabilities(search, plausible, outcome.nuisances),
         )
 
     def _remarks(self, evidence: Evidence, decision: Decision[Evidence]) -> tuple[str, ...]:

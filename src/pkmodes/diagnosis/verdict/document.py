@@ -6,6 +6,7 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
+from pkmodes.diagnosis.opinion.said import Probabilities
 from pkmodes.diagnosis.verdict.findings import NextMeasurement, Stability
 from pkmodes.diagnosis.verdict.rows import Error, Place, Row
 from pkmodes.diagnosis.verdict.verdicts import DampingWord, Word
@@ -266,4 +267,11 @@ class DiagnoseDocument(Document, frozen=True):
     ]
     stability: Annotated[list[Stability], Meta(description="Results with other errors and priors.")]
     damping: DampingDocument
+    probabilities: Annotated[
+        Probabilities | None,
+        Meta(
+            description="How probable each explanation is, a second opinion on which no verdict depends; null where "
+            "nothing was searched for, or another reading of the data fits far better."
+        ),
+    ]
     rows: Annotated[list[Row], Meta(description="One for each measured mode, in the order of the file.")]

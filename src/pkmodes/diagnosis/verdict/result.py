@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from pkmodes.diagnosis.match.predicted import Predicted
+from pkmodes.diagnosis.opinion.said import Probabilities
 from pkmodes.diagnosis.verdict.document import (
     CandidateDocument,
     CauseDocument,
@@ -156,6 +157,9 @@ class Diagnosis:
         What of the refitted values a headline says beside the verdict; empty for nothing.
     rule : str
         The rule that decided, with its table (`rules`): "claims.found".  For tests and studies; not part of the JSON.
+    probabilities : Probabilities or None
+        Of all explanations: a second opinion, on which no verdict depends.  None without a search, and where the data
+        themselves are mistaken.
     """
 
     verdict: Word
@@ -183,6 +187,7 @@ class Diagnosis:
     not_separated: str = ""
     headline: str = ""
     rule: str = field(default="", compare=False)
+    probabilities: Probabilities | None = None
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]

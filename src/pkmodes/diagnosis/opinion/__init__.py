@@ -1,0 +1,1 @@
+"""A second opinion: the probabilities of explanations."""

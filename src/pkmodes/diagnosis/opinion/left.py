@@ -1,0 +1,167 @@
+"""What a fit leaves, in the terms of the evidence: squares of frequencies and shapes, and what else counts.
+
+A row that is not a mode must not count against the truth: the fit without it follows from the one with all rows by
+leaving its data out of the linearised fit.  A row is set aside where that gains more than its price, which says that
+such rows are seldom and may lie anywhere within reach.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit, orthonormal
+from pkmodes.diagnosis.opinion.evidence import of_scaled, of_size, prior_of_scale
+from pkmodes.diagnosis.problem import Array, Candidate
+from pkmodes.diagnosis.search.score import one_sided
+
+#: Prior probabilities that a row is not a mode, and that the modes of a setup share an error.
+WRONG_ROW, SHARED = 0.01, 0.02
+#: Largest plausible signal of a cause, and its signal where nothing bounds its size.
+SIGNAL = 1e3
+#: A size counts as beyond its plausible range from this factor on: fits end at bounds up to rounding.
+BEYOND = 1.001
+#: The largest plausible signal is at least this factor beyond that of the fit.
+BEYOND_SIGNAL = 1.1
+#: Most that a datum counts in a quick comparison: about the price of a row.
+ROW = 20.0
+
+
+@dataclass(frozen=True)
+class Left:
+    """What a fit leaves.
+
+    Attributes
+    ----------
+    price : float
+        Logarithm of what counts besides squares: rows set aside, a shared error, uncertain values, sizes of causes;
+        minus infinity if a size is not plausible.
+    parts : tuple of slice
+        Places of the frequencies, shapes and priors among the data.
+    degrees : tuple of float
+        Degrees of freedom of frequencies and shapes, without the rows set aside.
+    basis, white : ndarray, shape (D, k) and (D,)
+        Orthonormal basis of the derivatives, and the whitened residual, 0 for rows set aside.
+    set_aside : frozenset of int
+        Rows.
+    """
+
+    fit: Fit
+    price: float
+    parts: tuple[slice, slice, slice]
+    degrees: tuple[float, float]
+    basis: Array
+    white: Array
+    set_aside: frozenset[int]
+
+    @cached_property
+    def squares(self) -> tuple[float, ...]:
+        """Sums of squares of frequencies, shapes and priors."""
+        return tuple(float(self.white[part] @ self.white[part]) for part in self.parts)
+
+    @cached_property
+    def alone(self) -> float:
+        """The evidence of the fit as it is."""
+        nothing = np.zeros((len(self.white), 1))
+        return float(self.less(nothing, nothing)[0])
+
+    def less(self, along: Array, taken: Array) -> Array:
+        """Return the evidence with linear additions, but for the prices of their sizes, (n,).
+
+        Parameters
+        ----------
+        along, taken : ndarray, shape (D, n)
+            Parts of the residual that they take away, and their leverages.
+        """
+        left = self.white[:, None] - along
+        squares = [(left[part] ** 2).sum(axis=0) for part in self.parts]
+        total, prior = self.price - 0.5 * squares[2], prior_of_scale()
+        for some, part, degrees in zip(squares, self.parts, self.degrees, strict=False):
+            total += of_scaled(some, np.maximum(degrees - taken[part].sum(axis=0), 0.0), prior)
+        return np.asarray(total)
+
+
+def left_by(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Left:
+    """Return what a fit leaves.
+
+    Parameters
+    ----------
+    plausible : mapping of int to float
+        Largest plausible deviations of parameters of causes from their declared values.
+    """
+    white, basis, aside = fit.white, fit.basis, set(fit.hypothesis.excluded)
+    frequencies, shapes = fitter.frequency_rows, fitter.shape_rows
+    while len(aside) < max(1, len(fitter.log) // fitter.criteria.search.rows_per_outlier):
+        row = int(np.argmax(np.abs(white[frequencies])))
+        channels = fitter.shapes.sigma.shape[1]
+        place = [row, *range(len(fitter.log) + row * channels, len(fitter.log) + (row + 1) * channels)]
+        own = basis[place]
+        gain = white[place] @ np.linalg.lstsq(np.eye(len(place)) - own @ own.T, white[place], rcond=1e-6)[0]
+        if gain <= 2.0 * _price(fitter, row):
+            break
+        aside.add(row)
+        white, basis = np.array(white), np.array(basis)
+        white[place] = basis[place] = 0.0
+        basis = orthonormal(basis)
+        white -= basis @ (basis.T @ white)
+    kept = fitter.used(fit.hypothesis)
+    kept[list(aside)] = False
+    leverage = (basis**2).sum(axis=1)
+    degrees = [
+        max(float(count[kept].sum() - leverage[part].sum()), 0.0)
+        for count, part in ((np.ones(len(kept)), frequencies), (fitter.shapes.count, shapes))
+    ]
+    price = -sum(_price(fitter, row) for row in aside) - 0.5 * fit.log_determinant
+    if fit.hypothesis.scatter:
+        price += float(np.log(SHARED) - 0.5 * np.log(len(kept)))
+    price += _volume(fitter, fit) + sum(_size(fitter, fit, cause, plausible) for cause in fit.causes)
+    parts = frequencies, shapes, fitter.prior_rows
+    return Left(fit, price, parts, (degrees[0], degrees[1]), basis, white, frozenset(aside))
+
+
+def quickly(fitter: Fitter, fit: Fit) -> float:
+    """Return about twice the negative logarithm of the likelihood of a fit, no datum counting more than `ROW`."""
+    squares = fit.white**2
+    data = squares[: fitter.prior_rows.start]
+    data[:] = np.minimum(data, ROW)
+    return float(squares.sum()) + fit.log_determinant
+
+
+def _price(fitter: Fitter, row: int) -> float:
+    """Return the negative logarithm of the density of a row that is not a mode, relative to one that is right."""
+    width, known = 2.0 * fitter.criteria.pairing.reach, fitter.shapes.known[row]
+    frequency = np.log(width / (np.sqrt(2.0 * np.pi) * fitter.sigma[row])) - np.log(WRONG_ROW)
+    shape = -np.log(np.sqrt(2.0 * np.pi) * fitter.shapes.sigma[row]) if known else np.zeros(1)
+    return float(max(frequency, 0.0) + np.maximum(shape, 0.0).mean() * fitter.shapes.count[row])
+
+
+def _volume(fitter: Fitter, fit: Fit) -> float:
+    """Return the logarithm of the part of their priors that is left to the uncertain values, but for a constant."""
+    rows = [row for i in fitter.nuisances if (row := fitter.priors.of(i)) is not None]
+    scaled = fit.jacobian[:, : len(rows)] * fitter.priors.width(fitter.declared)[rows]
+    return -0.5 * float(np.linalg.slogdet(scaled.T @ scaled)[1])
+
+
+def _size(fitter: Fitter, fit: Fit, cause: Candidate, plausible: Mapping[int, float]) -> float:
+    """Return the evidence of the size of a cause beside the others, see `evidence.of_size`."""
+    index = list(fitter.indices(cause))
+    away, covariance = fit.values[index] - fitter.declared[index], fit.covariance_of(index)
+    if cause.sigma is not None:
+        width = fitter.priors.width(fit.values)[
+            [row for i in index if (row := fitter.priors.of(i)) is not None]
+        ]
+        return 0.5 * float(np.linalg.slogdet(covariance / np.outer(width, width))[1])
+    most, sigma = np.array([plausible.get(i, np.inf) for i in index]), np.sqrt(np.diagonal(covariance))
+    if (np.abs(away) > BEYOND * most).any():
+        return -np.inf
+    information = np.linalg.pinv(covariance / np.outer(sigma, sigma), hermitian=True)
+    ratio, z = np.minimum(most / sigma, SIGNAL), away / sigma
+    signals = np.linalg.eigvalsh(information * np.outer(ratio, ratio))
+    signal = float(np.sqrt(max(z @ information @ z, 0.0)))
+    largest = max(float(np.sqrt(max(signals[-1], 1.0))), BEYOND_SIGNAL * signal)
+    determined, sided = max(int((signals > 1.0).sum()), 1), one_sided(fitter, cause) != 0
+    return float(of_size(*(np.array([one]) for one in (signal, determined, largest, sided)))[0])

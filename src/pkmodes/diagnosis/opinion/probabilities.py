@@ -1,0 +1,224 @@
+"""The probabilities of nothing missing, of each class, of each pair, and of something outside: a second opinion.
+
+All fits that a search has made are weighed by their evidence and by a prior: the same for each candidate, and for
+each pair.  A cause that the search did not refit, because the linear model promised little, has the evidence of the
+linear model; so has one beside the best single cause where no pairs were refitted.  A cause with a value for each
+joint needs no other rule beside one with a common value: directions in which it could have differed, but does not,
+count against it.  Remote candidates, those of a single joint, are part of what is outside.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import comb
+
+import numpy as np
+
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.opinion.evidence import log_sum, of_size
+from pkmodes.diagnosis.opinion.left import BEYOND_SIGNAL, SIGNAL, Left, left_by, quickly
+from pkmodes.diagnosis.opinion.outside import outside
+from pkmodes.diagnosis.opinion.said import ClassMass, PairMass, Probabilities
+from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.search.score import Score, one_sided
+from pkmodes.diagnosis.search.search import Search
+from pkmodes.diagnosis.search.unmeasured import p_unmeasured
+
+#: Prior probabilities that nothing is missing, one cause, two, or something outside the catalogue.
+NOTHING, ONE, TWO, OUTSIDE = 0.45, 0.3, 0.04, 0.21
+#: Fits that are weighed: those that the data contradict about as little as the best, at most so many; and of these,
+#: those beside which something outside is tried.
+NEAR, WEIGHED, BESIDE = 60.0, 24, 3
+#: Part of what is outside that is found beside a cause of the catalogue, and in a single joint.
+WITH_CAUSE, IN_ONE = 0.2, 0.1
+#: Statements that are less probable are left out, and single causes and pairs in them.
+STATED, LEAST = 1e-3, 1e-4
+#: What is less probable than the best explanation by this logarithm is not asked for modes that were not measured;
+#: and the least probability that these were missed.
+COUNTS, MISSED = 15.0, 1e-12
+#: Members of a class with which a further one is compared.
+COMPARED = 4
+
+
+@dataclass(frozen=True)
+class Weighed:
+    """An explanation with its weight.
+
+    Attributes
+    ----------
+    causes : tuple of str
+        Names of its causes.
+    weight : float
+        Logarithm of prior times evidence.
+    data : Fit, or ndarray of shape (D,)
+        Its fit, or its effect on the data in the linear model.
+    """
+
+    causes: tuple[str, ...]
+    weight: float
+    data: Fit | Array
+
+
+def probabilities(search: Search, plausible: Mapping[int, float], first: Fit) -> Probabilities | None:
+    """Return the probabilities of all explanations; None if no fit is plausible.
+
+    Parameters
+    ----------
+    plausible : mapping of int to float
+        Largest plausible deviations of parameters of candidates.
+    first : Fit
+        The declared model with its uncertain values refitted.
+    """
+    fitter, count = search.store.fitter, max(len(search.candidates), 1)
+    priors = np.log([NOTHING, ONE / count, TWO / max(comb(count, 2), 1)])
+    ranked = sorted(
+        ((quickly(fitter, fit), k, fit) for k, fit in enumerate(search.store.tried()) if _weighable(fit)),
+        key=lambda one: one[:2],
+    )
+    near = [fit for quick, _, fit in ranked[:WEIGHED] if quick <= ranked[0][0] + NEAR]
+    near += [] if any(fit is first for fit in near) else [first]
+    left = [one for fit in near if np.isfinite((one := left_by(fitter, fit, plausible)).price)]
+    left.sort(key=lambda one: -one.alone)
+    own = [one for one in left if not one.fit.hypothesis.remote]
+    explained = [Weighed(_names(one.fit), priors[len(one.fit.causes)] + one.alone, one.fit) for one in own]
+    for number in (0, 1):
+        base = next((one for one in own if len(one.fit.causes) == number), None)
+        explained += [] if base is None else _beside(search, plausible, base, priors[number + 1])
+    beyond = float(np.log(OUTSIDE) + _outside(search, left, first))
+    return _said(fitter, _together(search, first, explained), beyond)
+
+
+def _weighable(fit: Fit) -> bool:
+    """Return whether a fit is an explanation: its sizes are possible, and its causes candidates, at most two."""
+    general = any(cause.general_of for cause in fit.causes)
+    return not fit.at_bound and not general and len(fit.causes) <= 2
+
+
+def _names(fit: Fit, *more: str) -> tuple[str, ...]:
+    return tuple(sorted([*(cause.name for cause in fit.causes), *more]))
+
+
+def _beside(search: Search, plausible: Mapping[int, float], base: Left, prior: float) -> list[Weighed]:
+    """Return additions of a cause to a fit that were not fitted, in the linear model."""
+    known = {_names(fit) for fit in search.store.tried()}
+    scores = search.scores(base.fit)
+    directions = zip((one for one in scores.each if one.visible), scores.directions, strict=True)
+    new = [
+        (one, axes)
+        for one, (axes, _) in directions
+        if _names(base.fit, one.candidate.name) not in known and one.candidate not in base.fit.causes
+    ]
+    if not new:
+        return []
+    along = np.stack([axes @ (axes.T @ base.white) * (one.gain > 0.0) for one, axes in new], axis=1)
+    taken = np.stack([(axes**2).sum(axis=1) for _, axes in new], axis=1)
+    weights = prior + base.less(along, taken) + _prices(search, [one for one, _ in new], plausible)
+    return [
+        Weighed(_names(base.fit, one.candidate.name), weight, effect)
+        for (one, _), weight, effect in zip(new, weights.tolist(), along.T, strict=True)
+    ]
+
+
+def _prices(search: Search, some: Sequence[Score], plausible: Mapping[int, float]) -> Array:
+    """Return the evidence of the sizes of linear additions."""
+    fitter, signal = search.store.fitter, np.sqrt([one.gain for one in some])
+    signals = [
+        [
+            min(plausible.get(i, np.inf) / sigma, SIGNAL)
+            for i, sigma in zip(fitter.indices(one.candidate), one.sigma.tolist(), strict=True)
+            if np.isfinite(sigma)
+        ]
+        for one in some
+    ]
+    largest = np.maximum([max(each, default=SIGNAL) for each in signals], BEYOND_SIGNAL * signal)
+    degrees = np.array([max(len(each), 1) for each in signals])
+    return of_size(
+        signal, degrees, largest, np.array([one_sided(fitter, one.candidate) != 0 for one in some])
+    )
+
+
+def _missed(search: Search, first: Fit, fit: Fit) -> float:
+    """Return the logarithm of the probability that the modes which causes add were missed."""
+    p = p_unmeasured(search.store.fitter, first, fit) if fit.causes else 1.0
+    return float(np.log(max(p, MISSED)))
+
+
+def _outside(search: Search, left: Sequence[Left], first: Fit) -> float:
+    """Return the evidence of what is outside: broad changes beside the best fits, and remote causes."""
+    fitter, count = search.store.fitter, max(len(search.candidates), 1)
+    alone, beside, joint = np.log(
+        [1.0 - WITH_CAUSE - IN_ONE, WITH_CAUSE / count, IN_ONE / max(len(search.remote), 1)]
+    )
+    weights = [alone + outside(fitter, one) for one in [one for one in left if not one.fit.causes][:BESIDE]]
+    weights += [beside + outside(fitter, one) for one in [one for one in left if one.fit.causes][:BESIDE]]
+    remote = [one for one in left if one.fit.hypothesis.remote]
+    weights += [joint + one.alone + _missed(search, first, one.fit) for one in remote]
+    return float(log_sum(np.array(weights)))
+
+
+def _together(search: Search, first: Fit, explained: Sequence[Weighed]) -> list[Weighed]:
+    """Return the explanations, all fits with the same causes together, the most probable first."""
+    of: dict[tuple[str, ...], list[Weighed]] = {}
+    for one in sorted(explained, key=lambda one: -one.weight):
+        of.setdefault(one.causes, []).append(one)
+    merged = [
+        Weighed(causes, float(log_sum(np.array([one.weight for one in some]))), some[0].data)
+        for causes, some in of.items()
+    ]
+    least = max((one.weight for one in merged), default=0.0) - COUNTS
+    seen = [
+        Weighed(one.causes, one.weight + _missed(search, first, one.data), one.data)
+        if isinstance(one.data, Fit) and one.weight > least
+        else one
+        for one in merged
+    ]
+    return sorted(seen, key=lambda one: -one.weight)
+
+
+def _said(fitter: Fitter, explained: Sequence[Weighed], beyond: float) -> Probabilities | None:
+    """Return the probabilities, explanations that the data cannot tell apart together."""
+    total = float(log_sum(np.array([beyond, *(one.weight for one in explained)])))
+    if not np.isfinite(total):
+        return None
+    mass = {one.causes: float(np.exp(one.weight - total)) for one in explained}
+    groups: list[list[Weighed]] = []
+    for one in explained:
+        if one.causes and mass[one.causes] >= LEAST:
+            home = next((group for group in groups if _alike(fitter, group, one)), None)
+            groups.append([one]) if home is None else home.append(one)
+    sums = [(group, sum(mass[one.causes] for one in group)) for group in groups]
+    stated = sorted((pair for pair in sums if pair[1] >= STATED), key=lambda pair: -pair[1])
+    nothing, away = mass.get((), 0.0), float(np.exp(beyond - total))
+    whole = nothing + away + sum(each for _, each in stated)
+    return Probabilities(
+        nothing_missing=nothing / whole,
+        outside=away / whole,
+        classes=tuple(
+            ClassMass(tuple(one.causes[0] for one in group), each / whole)
+            for group, each in stated
+            if len(group[0].causes) == 1
+        ),
+        pairs=tuple(
+            PairMass(tuple((one.causes[0], one.causes[1]) for one in group), each / whole)
+            for group, each in stated
+            if len(group[0].causes) == 2
+        ),
+    )
+
+
+def _alike(fitter: Fitter, group: Sequence[Weighed], one: Weighed) -> bool:
+    """Return whether the data cannot tell an explanation from some of a group, both fitted or both linear."""
+    for other in group[:COMPARED]:
+        if len(other.causes) != len(one.causes):
+            return False
+        if isinstance(one.data, Fit) and isinstance(other.data, Fit):
+            apart = fitter.difference(other.data, one.data)
+        elif isinstance(one.data, Fit) or isinstance(other.data, Fit):
+            continue
+        else:
+            apart = float(((one.data - other.data) ** 2).sum())
+        if apart < fitter.criteria.claim.told_apart:
+            return True
+    return False

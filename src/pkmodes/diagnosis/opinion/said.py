@@ -1,0 +1,59 @@
+"""The probabilities of a result: plain data, and their keys in the JSON."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from msgspec import Meta
+
+from pkmodes.support.documents import Document, Probability
+
+#: What a probability is of: ``nothing_missing``, ``outside``, members of a class, or pairs.
+Statement = str | tuple[str, ...] | tuple[tuple[str, str], ...]
+
+
+class ClassMass(Document, frozen=True):
+    """The probability of a class: that one of its members, alone, is what the model lacks."""
+
+    members: Annotated[
+        tuple[str, ...],
+        Meta(
+            description="Candidates that the data cannot tell apart, the most probable first.", min_length=1
+        ),
+    ]
+    probability: Probability
+
+
+class PairMass(Document, frozen=True):
+    """The probability that the model lacks one of some pairs of causes."""
+
+    members: Annotated[
+        tuple[tuple[str, str], ...],
+        Meta(description="Pairs that the data cannot tell apart, the most probable first.", min_length=1),
+    ]
+    probability: Probability
+
+
+class Probabilities(Document, frozen=True):
+    """How probable each explanation is; together 1.  No verdict depends on them."""
+
+    nothing_missing: Annotated[Probability, Meta(description="Of the model as declared.")]
+    outside: Annotated[
+        Probability,
+        Meta(description="Of something that is not among the candidates, or only in a single joint."),
+    ]
+    classes: Annotated[
+        tuple[ClassMass, ...], Meta(description="Of one cause, by class, the most probable first.")
+    ]
+    pairs: Annotated[tuple[PairMass, ...], Meta(description="Of two causes, the most probable first.")]
+
+    @property
+    def top(self) -> tuple[Statement, float]:
+        """The most probable statement: ``nothing_missing``, ``outside``, or members; and its probability."""
+        every: list[tuple[Statement, float]] = [
+            ("nothing_missing", self.nothing_missing),
+            ("outside", self.outside),
+            *((one.members, one.probability) for one in self.classes),
+            *((one.members, one.probability) for one in self.pairs),
+        ]
+        return max(every, key=lambda one: one[1])

@@ -1,0 +1,211 @@
+"""Measure how often the most probable explanation of a diagnosis is right, on the cases of all suites.
+
+    python -m pkmodes_rig.suites.calibration --seed 20270401 --kept build/calibration.jsonl
+
+`COUNT` cases drawn from all suites run with a fresh seed.  What is found is kept in a file, a line of JSON for each
+case, so that a run which was stopped goes on where it was.  The most probable statement is right if it is the truth
+of the case: nothing missing, the class that contains the cause, the pair of both causes, or something outside the
+candidates.
+"""
+
+from __future__ import annotations
+
+import itertools
+import json
+import sys
+import traceback
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pkmodes.diagnosis.opinion.said import Probabilities
+from pkmodes_rig.suites import clear_cases, clear_suites, judging, mechanism_cases, mechanism_suites
+from pkmodes_rig.suites.cases import Case
+from pkmodes_rig.suites.clear_cases import ClearCase
+from pkmodes_rig.suites.judging import same_of
+from pkmodes_rig.suites.mechanism_cases import MechanismCase
+from pkmodes_rig.suites.running import Outcome, command_line, publish
+from pkmodes_rig.suites.suites import SUITES
+
+#: Number of cases.
+COUNT = 1000
+#: Bounds of the bins of the largest probability.
+BINS = (0.0, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.99, 1.0)
+#: Suites whose data are mistaken on purpose: what is true of them is not among the explanations.
+MISTAKEN = ("units and wiring", "wrong drives")
+
+
+def cases() -> Iterator[tuple[str, Any, Callable[[Any], Any]]]:
+    """Yield the cases of all suites but the mistaken ones: suite, case, and how it is run."""
+    for name, suite in SUITES.items():
+        if name not in MISTAKEN:
+            yield from ((f"linear delta, {name}", case, judging.run) for case in suite())
+    for other in mechanism_suites.cases():
+        if other.suite not in MISTAKEN:
+            yield f"{other.specimen.machine}, {other.suite}", other, mechanism_cases.run
+    for clear in clear_suites.cases():
+        yield f"{clear.machine}, clear, {clear.suite}", clear, clear_cases.run
+
+
+def right(case: Any, said: Probabilities, candidates: Sequence[str]) -> bool:
+    """Return whether the most probable statement is the truth of a case."""
+    names, is_outside = _truth(case)
+    top, same = said.top[0], _same(case)
+    truths = [{name, *same.get(name, ())} for name in names]
+    if top == "nothing_missing":
+        return not names and not is_outside
+    if top == "outside":
+        # A value of a single axis, for which the file gives one for all, is no candidate.
+        return is_outside or any(not truth & set(candidates) for truth in truths)
+    for members in top:
+        each = [members] if isinstance(members, str) else list(members)
+        if len(each) == len(truths) and any(
+            all(one in truth for one, truth in zip(order, truths, strict=True))
+            for order in (each, each[::-1])
+        ):
+            return True
+    return False
+
+
+def _truth(case: Any) -> tuple[tuple[str, ...], bool]:
+    """Return the causes that should be named, and whether something outside the candidates is right."""
+    if isinstance(case, ClearCase):
+        return case.names, case.outside
+    truth = case.truth if isinstance(case, Case) else case.specimen
+    return case.names, bool(truth.outside)
+
+
+def _same(case: Any) -> Mapping[str, tuple[str, ...]]:
+    if isinstance(case, ClearCase):
+        return same_of(case.machine)
+    if isinstance(case, MechanismCase):
+        return same_of(case.specimen.machine)
+    return judging.SAME
+
+
+# Running -----------------------------------------------------------------------------------------------------
+
+
+def main() -> None:
+    """Run the cases that are not kept yet, and write the tables."""
+    parser = command_line("Measure the calibration of the probabilities.", 20270401)
+    parser.add_argument("--kept", type=Path, default=Path("build/calibration.jsonl"), help="what was found")
+    parser.add_argument("--count", type=int, default=COUNT, help="number of cases")
+    arguments = parser.parse_args()
+    kept = arguments.kept
+    kept.parent.mkdir(parents=True, exist_ok=True)
+    known = {one["case"] for one in _read(kept)}
+    every = list(cases())
+    # Shuffled: a part of them is a sample of all.
+    for place in np.random.default_rng(0).permutation(len(every))[: arguments.count].tolist():
+        suite, case, run = every[place]
+        case = replace(case, seed=arguments.seed)
+        name = f"{suite}: {case.label}, seed {case.seed}"
+        if name in known:
+            continue
+        with kept.open("a", encoding="utf-8") as file:
+            file.write(json.dumps({"case": name, "suite": suite, **_found(case, run)}) + "\n")
+    publish(page(_read(kept)), arguments.out)
+
+
+def _found(case: Any, run: Callable[[Any], Outcome[Any]]) -> dict[str, Any]:
+    try:
+        outcome = run(case)
+    except Exception:
+        print(traceback.format_exc(limit=-8), file=sys.stderr, flush=True)
+        return {"state": "failed"}
+    said = outcome.probabilities
+    found: dict[str, Any] = {"state": outcome.state, "verdict": outcome.verdict, "seconds": outcome.seconds}
+    if said is None:
+        return found
+    top, probability = said.top
+    return found | {
+        "names": list(_truth(case)[0]),
+        "outside": _truth(case)[1],
+        "top": top,
+        "probability": probability,
+        "right": right(case, said, outcome.candidates),
+    }
+
+
+def _read(kept: Path) -> list[dict[str, Any]]:
+    return (
+        [json.loads(line) for line in kept.read_text(encoding="utf-8").splitlines()] if kept.exists() else []
+    )
+
+
+# Tables ------------------------------------------------------------------------------------------------------
+
+
+def page(found: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return the tables."""
+    some = [one for one in found if "right" in one]
+    bins = [_in_bin(some, low, high) for low, high in itertools.pairwise(BINS)]
+    return [
+        f"{len(found)} cases, {len(some)} with probabilities; expected calibration error {error(some):.3f}.",
+        "",
+        "| largest probability | cases | its mean | right | part |",
+        "| --- | --- | --- | --- | --- |",
+        *(
+            _line(f"{low:g} to {high:g}", part)
+            for (low, high), part in zip(itertools.pairwise(BINS), bins, strict=True)
+        ),
+        _line("all", some),
+        "",
+        "| most probable | cases | its mean | right | part |",
+        "| --- | --- | --- | --- | --- |",
+        *(_line(kind, [one for one in some if _kind(one["top"]) == kind]) for kind in KINDS),
+        "",
+        "| verdict | cases | its mean | right | part |",
+        "| --- | --- | --- | --- | --- |",
+        *(
+            _line(f"{verdict}{' ' + state if verdict == 'effect_found' else ''}", part)
+            for verdict, state in sorted({_state(one) for one in some})
+            if (part := [one for one in some if _state(one) == (verdict, state)])
+        ),
+        "",
+        "| truth | cases | its mean | right | part |",
+        "| --- | --- | --- | --- | --- |",
+        *(
+            _line(suite, [one for one in some if one["suite"] == suite])
+            for suite in dict.fromkeys(sorted(one["suite"] for one in some))
+        ),
+    ]
+
+
+#: Kinds of statements.
+KINDS = ("nothing missing", "a class", "a pair", "outside")
+
+
+def error(found: Sequence[Mapping[str, Any]]) -> float:
+    """Return the expected calibration error: the mean over all cases of the error of their bin."""
+    parts = [_in_bin(found, low, high) for low, high in itertools.pairwise(BINS)]
+    apart = [abs(sum(one["probability"] - one["right"] for one in part)) for part in parts]
+    return sum(apart) / max(len(found), 1)
+
+
+def _kind(top: Any) -> str:
+    if isinstance(top, str):
+        return "outside" if top == "outside" else "nothing missing"
+    return "a class" if isinstance(top[0], str) else "a pair"
+
+
+def _state(one: Mapping[str, Any]) -> tuple[str, str]:
+    return one["verdict"], one["state"]
+
+
+def _in_bin(found: Sequence[Mapping[str, Any]], low: float, high: float) -> list[Mapping[str, Any]]:
+    return [one for one in found if low < one["probability"] <= high]
+
+
+def _line(what: str, part: Sequence[Mapping[str, Any]]) -> str:
+    count, good = len(part), sum(bool(one["right"]) for one in part)
+    mean = f"{np.mean([one['probability'] for one in part]):.3f}" if count else ""
+    return f"| {what} | {count} | {mean} | {good} | {f'{good / count:.3f}' if count else ''} |"
+
+
+if __name__ == "__main__":
+    main()
