@@ -35,6 +35,8 @@ NEAR, WEIGHED, BESIDE = 60.0, 24, 3
 WITH_CAUSE, IN_ONE = 0.2, 0.1
 #: Statements that are less probable are left out, and single causes and pairs in them.
 STATED, LEAST = 1e-3, 1e-4
+#: A smaller probability is 0.
+NEVER = 1e-6
 #: What is less probable than the best explanation by this logarithm is not asked for modes that were not measured;
 #: and the least probability that these were missed.
 COUNTS, MISSED = 15.0, 1e-12
@@ -101,7 +103,10 @@ def _names(fit: Fit, *more: str) -> tuple[str, ...]:
 
 
 def _beside(search: Search, plausible: Mapping[int, float], base: Left, prior: float) -> list[Weighed]:
-    """Return additions of a cause to a fit that were not fitted, in the linear model."""
+    """Return additions of a cause to a fit that were not fitted, in the linear model.
+
+    Beside a cause, one that the data cannot tell from none is no other explanation than that cause.
+    """
     known = {_names(fit) for fit in search.store.tried()}
     scores = search.scores(base.fit)
     directions = zip((one for one in scores.each if one.visible), scores.directions, strict=True)
@@ -115,9 +120,12 @@ def _beside(search: Search, plausible: Mapping[int, float], base: Left, prior: f
     along = np.stack([axes @ (axes.T @ base.white) * (one.gain > 0.0) for one, axes in new], axis=1)
     taken = np.stack([(axes**2).sum(axis=1) for _, axes in new], axis=1)
     weights = prior + base.less(along, taken) + _prices(search, [one for one, _ in new], plausible)
+    hidden = (along**2).sum(axis=0) < search.criteria.claim.told_apart
     return [
-        Weighed(_names(base.fit, one.candidate.name), weight, effect)
-        for (one, _), weight, effect in zip(new, weights.tolist(), along.T, strict=True)
+        Weighed(_names(base.fit), weight, base.fit)
+        if base.fit.causes and unseen
+        else Weighed(_names(base.fit, one.candidate.name), weight, effect)
+        for (one, _), weight, effect, unseen in zip(new, weights.tolist(), along.T, hidden, strict=True)
     ]
 
 
@@ -182,7 +190,7 @@ def _said(fitter: Fitter, explained: Sequence[Weighed], beyond: float) -> Probab
     total = float(log_sum(np.array([beyond, *(one.weight for one in explained)])))
     if not np.isfinite(total):
         return None
-    mass = {one.causes: float(np.exp(one.weight - total)) for one in explained}
+    mass = {one.causes: _probability(one.weight - total) for one in explained}
     groups: list[list[Weighed]] = []
     for one in explained:
         if one.causes and mass[one.causes] >= LEAST:
@@ -190,7 +198,7 @@ def _said(fitter: Fitter, explained: Sequence[Weighed], beyond: float) -> Probab
             groups.append([one]) if home is None else home.append(one)
     sums = [(group, sum(mass[one.causes] for one in group)) for group in groups]
     stated = sorted((pair for pair in sums if pair[1] >= STATED), key=lambda pair: -pair[1])
-    nothing, away = mass.get((), 0.0), float(np.exp(beyond - total))
+    nothing, away = mass.get((), 0.0), _probability(beyond - total)
     whole = nothing + away + sum(each for _, each in stated)
     return Probabilities(
         nothing_missing=nothing / whole,
@@ -206,6 +214,11 @@ def _said(fitter: Fitter, explained: Sequence[Weighed], beyond: float) -> Probab
             if len(group[0].causes) == 2
         ),
     )
+
+
+def _probability(logarithm: float) -> float:
+    """Return a probability from its logarithm; 0 if it is so small that the evidence is not that exact."""
+    return float(np.exp(logarithm)) if logarithm > np.log(NEVER) else 0.0
 
 
 def _alike(fitter: Fitter, group: Sequence[Weighed], one: Weighed) -> bool:

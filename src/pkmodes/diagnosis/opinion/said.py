@@ -13,7 +13,7 @@ Statement = str | tuple[str, ...] | tuple[tuple[str, str], ...]
 
 
 class ClassMass(Document, frozen=True):
-    """The probability of a class: that one of its members, alone, is what the model lacks."""
+    """The probability that the model lacks a member of a class, and nothing else that the data show."""
 
     members: Annotated[
         tuple[str, ...],
@@ -25,7 +25,7 @@ class ClassMass(Document, frozen=True):
 
 
 class PairMass(Document, frozen=True):
-    """The probability that the model lacks one of some pairs of causes."""
+    """The probability that the model lacks both causes of a pair, and that the data show both."""
 
     members: Annotated[
         tuple[tuple[str, str], ...],
