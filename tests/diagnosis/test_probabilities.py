@@ -23,9 +23,12 @@ from helpers.robots.small_structures import (
 from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.opinion import evidence, outside
 from pkmodes.diagnosis.opinion.left import Left, left_by
+from pkmodes.diagnosis.opinion.probabilities import _beside
 from pkmodes.diagnosis.opinion.said import ClassMass, PairMass, Probabilities
+from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict import builder
 
 SETUPS, MODES = 10, 5
@@ -102,6 +105,25 @@ def test_a_row_set_aside_leaves_more_room_to_the_uncertain_value() -> None:
     price = np.log(1.2 / (np.sqrt(2.0 * np.pi) * SIGMA)) - np.log(0.01)
     found = left_by(fitter, fewer, {}).alone - left_by(fitter, every, {}).alone
     assert found == pytest.approx(expected - price, abs=0.01)
+
+
+@pytest.mark.parametrize("sigma", [None, (8.0,)])
+@pytest.mark.parametrize("strength", [3.0, 7.0])
+def test_a_cause_that_was_not_fitted_has_the_evidence_of_its_fit_where_the_model_is_linear(
+    sigma: tuple[float, ...] | None, strength: float
+) -> None:
+    signatures = {"n": DIRECTIONS[0], "a": 0.8 * DIRECTIONS[1] + 0.6 * DIRECTIONS[0], "b": DIRECTIONS[2]}
+    model = of_signatures(
+        signatures, SETUPS, MODES, known={"n": {"sigma": 3.0}}, roles={"a": {"sigma": sigma}}
+    )
+    data = with_changes(model, strength * DIRECTIONS[1] + errors(ROWS))
+    store = FitStore(Fitter(model, data))
+    search, plausible = Search(store, model.candidates), {1: 100.0, 2: 100.0}
+    plain = _left(store.fitter, (), {})
+    assert not plain.set_aside
+    linear = {one.causes: one.weight for one in _beside(search, plausible, plain, 0.0)}
+    for cause in model.candidates:
+        assert linear[cause.name,] == pytest.approx(_left(store.fitter, (cause,), plausible).alone, abs=0.05)
 
 
 @pytest.mark.parametrize("dimensions", [2, 3, 5])

@@ -142,9 +142,13 @@ def _prices(search: Search, some: Sequence[Score], plausible: Mapping[int, float
     ]
     largest = np.maximum([max(each, default=SIGNAL) for each in signals], BEYOND_SIGNAL * signal)
     degrees = np.array([max(len(each), 1) for each in signals])
-    return of_size(
-        signal, degrees, largest, np.array([one_sided(fitter, one.candidate) != 0 for one in some])
-    )
+    signs = np.array([one_sided(fitter, one.candidate) != 0 for one in some])
+    prices, width = of_size(signal, degrees, largest, signs), fitter.priors.width(fitter.declared)
+    for k, one in enumerate(some):
+        if one.candidate.sigma is not None:
+            rows = [row for i in fitter.indices(one.candidate) if (row := fitter.priors.of(i)) is not None]
+            prices[k] = float(np.log(one.sigma / width[rows]).sum())
+    return prices
 
 
 def _missed(search: Search, first: Fit, fit: Fit) -> float:
