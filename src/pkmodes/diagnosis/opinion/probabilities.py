@@ -23,11 +23,13 @@ from pkmodes.diagnosis.opinion.outside import outside
 from pkmodes.diagnosis.opinion.said import ClassMass, PairMass, Probabilities
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.search.score import Score, one_sided
-from pkmodes.diagnosis.search.search import Search
+from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.search.unmeasured import p_unmeasured
 
 #: Prior probabilities that nothing is missing, one cause, two, or something outside the catalogue.
-NOTHING, ONE, TWO, OUTSIDE = 0.45, 0.3, 0.04, 0.21
+NOTHING, ONE, TWO, OUTSIDE = 0.55, 0.25, 0.04, 0.16
+#: Part of all probability that goes to something outside where no explanation of the search leaves noise.
+DOUBT = 0.25
 #: Fits that are weighed: those that the data contradict about as little as the best, at most so many; and of these,
 #: those beside which something outside is tried.
 NEAR, WEIGHED, BESIDE = 60.0, 24, 3
@@ -63,17 +65,17 @@ class Weighed:
     data: Fit | Array
 
 
-def probabilities(search: Search, plausible: Mapping[int, float], first: Fit) -> Probabilities | None:
+def probabilities(search: Search, plausible: Mapping[int, float], outcome: Outcome) -> Probabilities | None:
     """Return the probabilities of all explanations; None if no fit is plausible.
 
     Parameters
     ----------
     plausible : mapping of int to float
         Largest plausible deviations of parameters of candidates.
-    first : Fit
-        The declared model with its uncertain values refitted.
+    outcome : Outcome
+        Of the search.
     """
-    fitter, count = search.store.fitter, max(len(search.candidates), 1)
+    fitter, first, count = search.store.fitter, outcome.nuisances, max(len(search.candidates), 1)
     priors = np.log([NOTHING, ONE / count, TWO / max(comb(count, 2), 1)])
     ranked = sorted(
         ((quickly(fitter, fit), k, fit) for k, fit in enumerate(search.store.tried()) if _weighable(fit)),
@@ -89,7 +91,8 @@ def probabilities(search: Search, plausible: Mapping[int, float], first: Fit) ->
         base = next((one for one in own if len(one.fit.causes) == number), None)
         explained += [] if base is None else _beside(search, plausible, base, priors[number + 1])
     beyond = float(np.log(OUTSIDE) + _outside(search, left, first))
-    return _said(fitter, _together(search, first, explained), beyond)
+    doubt = 0.0 if outcome.last.passed else DOUBT
+    return _said(fitter, _together(search, first, explained), beyond, doubt)
 
 
 def _weighable(fit: Fit) -> bool:
@@ -189,12 +192,12 @@ def _together(search: Search, first: Fit, explained: Sequence[Weighed]) -> list[
     return sorted(seen, key=lambda one: -one.weight)
 
 
-def _said(fitter: Fitter, explained: Sequence[Weighed], beyond: float) -> Probabilities | None:
-    """Return the probabilities, explanations that the data cannot tell apart together."""
+def _said(fitter: Fitter, explained: Sequence[Weighed], beyond: float, doubt: float) -> Probabilities | None:
+    """Return the probabilities, explanations that the data cannot tell apart together, with a doubt about all."""
     total = float(log_sum(np.array([beyond, *(one.weight for one in explained)])))
     if not np.isfinite(total):
         return None
-    mass = {one.causes: _probability(one.weight - total) for one in explained}
+    mass = {one.causes: (1.0 - doubt) * _probability(one.weight - total) for one in explained}
     groups: list[list[Weighed]] = []
     for one in explained:
         if one.causes and mass[one.causes] >= LEAST:
@@ -202,7 +205,7 @@ def _said(fitter: Fitter, explained: Sequence[Weighed], beyond: float) -> Probab
             groups.append([one]) if home is None else home.append(one)
     sums = [(group, sum(mass[one.causes] for one in group)) for group in groups]
     stated = sorted((pair for pair in sums if pair[1] >= STATED), key=lambda pair: -pair[1])
-    nothing, away = mass.get((), 0.0), _probability(beyond - total)
+    nothing, away = mass.get((), 0.0), doubt + (1.0 - doubt) * _probability(beyond - total)
     whole = nothing + away + sum(each for _, each in stated)
     return Probabilities(
         nothing_missing=nothing / whole,
