@@ -26,7 +26,7 @@ from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.opinion import evidence, outside
 from pkmodes.diagnosis.opinion.left import Left, left_by
-from pkmodes.diagnosis.opinion.probabilities import _beside
+from pkmodes.diagnosis.opinion.probabilities import DOUBT, _beside
 from pkmodes.diagnosis.opinion.said import ClassMass, PairMass, Probabilities
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict import builder
@@ -254,6 +254,7 @@ def found(kind: str) -> Diagnosis:
         "outside": (np.tile([30.0, -20.0, 0.0, 0.0, 15.0], SETUPS) / np.sqrt(SETUPS), {}),
         "anything": (15.0 * np.random.default_rng(9).standard_normal(ROWS), {}),
         "copies": (20.0 * DIRECTIONS[2], {"copy": DIRECTIONS[2] + 0.05 * DIRECTIONS[20]}),
+        "more": (40.0 * DIRECTIONS[2] + 0.9 * errors(ROWS), {}),
         "gross": (20.0 * DIRECTIONS[2] + 80.0 * np.eye(ROWS)[31], {}),
     }[kind]
     model = structure(**more)
@@ -266,7 +267,7 @@ def probabilities(kind: str) -> Probabilities:
     return said
 
 
-KINDS = ("noise", "one", "two", "outside", "anything", "copies", "gross")
+KINDS = ("noise", "one", "two", "outside", "anything", "copies", "more", "gross")
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -321,6 +322,13 @@ def test_a_value_for_each_joint_is_less_probable_than_a_common_one_that_explains
     unequal = Fitter(model, with_changes(model, 20.0 * DIRECTIONS[10] + errors(ROWS)))
     of_common, of_each = (_left(unequal, (cause,), {}) for cause in some[:2])
     assert of_each.alone > of_common.alone + 20.0
+
+
+def test_all_explanations_are_doubted_where_none_leaves_only_noise() -> None:
+    said, diagnosis = probabilities("more"), found("more")
+    assert diagnosis.verdict == "unexplained"
+    assert said.top[0] == ("cause 2",)
+    assert DOUBT <= said.outside < 1.0 - said.top[1] + 1e-9
 
 
 def test_no_verdict_depends_on_probabilities(monkeypatch: pytest.MonkeyPatch) -> None:
