@@ -10,6 +10,7 @@ import pytest
 
 from helpers.diagnoses.diagnose_command import PUBLISHED, WIND_UP, diagnosed, measured
 from helpers.golden.outcomes import GOLDEN
+from pkmodes.diagnosis.damping.rules import LOSSES
 from pkmodes.diagnosis.verdict import rules, unexplained
 from pkmodes.diagnosis.verdict.evidence import Evidence, Rule
 from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS
@@ -56,7 +57,9 @@ def printed() -> str:
             often = map(str, decided[rule.name]) if rule.name in decided else ("0", shown)
             rows.append(f"| {' | '.join([*cells, *often])} |")
         parts.append("\n".join(rows))
-    return "\n\n".join(parts)
+    rows = ["| Measured damping | when | verdict on the damping |", "| --- | --- | --- |"]
+    rows += [f"| `{rule.name.partition('.')[2]}` | {rule.about} | `{rule.verdict.word}` |" for rule in LOSSES]
+    return "\n\n".join([*parts, "\n".join(rows)])
 
 
 def test_the_documentation_prints_the_tables(pytestconfig: pytest.Config) -> None:
@@ -80,7 +83,7 @@ def test_every_rule_decides_a_case_of_the_suites_or_of_a_test() -> None:
 
 
 def test_every_rule_says_when_it_applies() -> None:
-    for table in TABLES.values():
+    for table in (*TABLES.values(), LOSSES):
         assert len({rule.name for rule in table}) == len(table)
         assert len({rule.name.partition(".")[0] for rule in table}) == 1
         assert all(rule.about for rule in table)

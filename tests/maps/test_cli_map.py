@@ -30,7 +30,7 @@ LINE = "x=0.3:0.8:11,y=0,z=-0.245"
 def test_the_table_says_where_each_mode_is_lowest_and_highest() -> None:
     out = printed("map", ROBOT, "--grid", LINE)
     assert out.startswith("linear-delta-2022: The lowest frequency of vibration lies between ")
-    assert "  Mapped with motors free: x 300 to 800 mm, y 0 mm, z -245 mm.\n" in out
+    assert "  Mapped with motors free: x 300 to 800 mm (11 values), y 0 mm, z -245 mm.\n" in out
     assert "  can be evaluated: 11 (100 %)\n" in out
     rows = [line.split() for line in out.splitlines()]
     (first,) = (i for i, row in enumerate(rows) if row[:1] == ["mode"])
@@ -91,8 +91,9 @@ def test_units_sweeps_and_a_file(tmp_path: Path) -> None:
     arguments = ["--set", "platform.mass=1 kg:2000 g:3", "--set", "belt.width=10 mm,15 mm", "--out", str(out)]
     text = printed("map", ROBOT, "--grid", grid, *arguments)
     assert f"wrote {out}" in text
-    assert "Mapped with motors free: platform.mass 1 to 2 kg, belt.width 0.01 to 0.015 m" in " ".join(
-        text.split()
+    assert (
+        "Mapped with motors free: platform.mass 1 to 2 kg (3 values), belt.width 0.01 to 0.015 m (2 values)"
+        in " ".join(text.split())
     )
     with xarray.open_dataset(out) as found:
         assert found["frequency"].dims == ("platform.mass", "belt.width", "z", "y", "x", "mode")

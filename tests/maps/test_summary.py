@@ -101,7 +101,7 @@ def test_an_unstable_pose_and_a_singular_one_are_counted_and_left_out() -> None:
     )
     assert summary["modes"][0]["median_hz"] == pytest.approx(np.median(first[:3]))
     assert (first[3:] < 0.0).all()  # the dataset keeps its values
-    near, moving = sentences(summary, {"x": "m", "y": "m", "z": "m"})
+    near, moving = sentences(summary, dict.fromkeys("xyz", ("m", 1.0)))
     assert near.startswith("1 pose is near-singular and not in these numbers: the condition number")
     assert near.endswith("; at pose = 4, x = 0.63 m, y = -0.158 m, z = 0.0002 m.")
     assert moving.startswith("2 poses are unstable and not in these numbers: the machine moves away instead")

@@ -196,7 +196,7 @@ def test_the_commands_show_what_is_set(
     assert [row.get("set") for row in rows] == [None, None, *[{PAYLOAD[4:]: 0.2}] * 2]
     assert run(["compare", *files]) == 0
     out = capsys.readouterr().out
-    assert out.count("effects.payload.mass = 0.2 kg") == 2  # with each of its rows
+    assert out.count("effects.payload.mass = 0.2 kg") == 3  # with each of its rows, and for all of them
     assert run(["diagnose", *files, "--candidates", "belt_mass", "--json", "-"]) == 0
     rows = json.loads(capsys.readouterr().out)["rows"]
     assert [row.get("set") for row in rows] == [None, None, *[{PAYLOAD[4:]: 0.2}] * 2]

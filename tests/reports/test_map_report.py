@@ -141,7 +141,10 @@ def test_a_frequency_beyond_all_others_is_said_to_be_left_out(monkeypatch: pytes
 def test_its_head_says_what_was_mapped(page: Path) -> None:
     content = json.loads((page.parent / "map.json").read_text())
     text = page.read_text(encoding="utf-8")
-    assert "Mapped with motors free: x 300 to 900 mm, y \u2212100 to 100 mm, z \u2212245 mm." in text
+    assert (
+        "Mapped with motors free: x 300 to 900 mm (13 values), y \u2212100 to 100 mm (9 values), z \u2212245 mm."
+        in text
+    )
     low, high = content["modes"][0]["quantile_2_hz"], content["modes"][0]["quantile_98_hz"]
     assert f"lies between {low:.3f} and {high:.3f} Hz at 96 % of the poses" in text
     assert content["poses"] == 13 * 9

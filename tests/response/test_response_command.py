@@ -177,7 +177,7 @@ def test_compare_shows_measured_damping_beside_that_of_the_model(
         else:
             assert not {"sigma_damping", "predicted_damping"} & row.keys()
     assert run(["compare", robot, str(file)]) == 0
-    assert "damping, median" in capsys.readouterr().out
+    assert "damping ratios are medians" in capsys.readouterr().out
 
 
 def test_long_names_of_outputs_do_not_widen_the_table(

@@ -40,7 +40,7 @@ def test_labels_ends_of_lines_and_comments_do_not_matter(tmp_path: Path) -> None
     answer = call(*files(tmp_path, PUBLISHED, windows), *options, "--holdout", "Größe_模式")
     assert answer.code == 0
     assert "18 measured modes fitted, motors free\n" in answer.out
-    assert "Held out, so that no choice and no fit has seen them: Größe_模式." in answer.out
+    assert "Held out of every choice and fit: Größe_模式." in answer.out
     refused = call(*files(tmp_path, PUBLISHED, windows), *options, "--holdout", "P1")
     refusal(refused, 'no pose is called "P1"')
 

@@ -42,9 +42,7 @@ def test_the_table_of_a_cause_has_the_numbers_of_the_json(
     assert lines[0] == "linear-delta-2022: effect_found"
     assert lines[1].startswith("  the residual of the declared model is not noise (p < 1e-6); ")
     assert "18 measured modes fitted, motors free" in lines
-    assert any(
-        line.startswith("Held out, so that no choice and no fit has seen them: P3. ") for line in lines
-    )
+    assert any(line.startswith("Held out of every choice and fit: P3. ") for line in lines)
     cause = re.search(r"^  gearbox_compliance\.compliance = \((\S+) \+- (\S+)\)e-4 rad/\(N\*m\)$", text, re.M)
     assert cause is not None
     compliance = found["effects"][0]["parameters"]["compliance"]
@@ -193,7 +191,7 @@ def test_every_terminal_gets_whole_numbers(
     assert "\u2026" not in out
     assert re.search(r"motor\.inertia\s+1\.7e-5 +\(1\.\d+ \+- 0\.\d+\)e-5", out)
     label = "Gr\\xf6\\xdfe" if "PYTHONIOENCODING" in environment else "Größe"
-    assert f"Held out, so that no choice and no fit has seen them: {label}." in " ".join(out.split())
+    assert f"Held out of every choice and fit: {label}." in " ".join(out.split())
     if "COLUMNS" in environment:
         text = [line for line in out.splitlines() if "  " not in line.strip()]
         assert max(map(len, text)) <= 40

@@ -30,7 +30,7 @@ def test_help_fits_80_columns_and_shows_an_example(
 #: Of commands that take a moment: the beginning of what each example prints.
 EXAMPLES = {
     "modes": ["linear-delta-2022 at "],
-    "sensitivities": ["linear-delta-2022: Mode 4 depends most on "],
+    "sensitivities": ["linear-delta-2022: Of the chosen quantities, mode 3 depends most on "],
     "compare": ["workshop-delta, motors free: ", "first:  linear-delta-2022 "],
     "diagnose": ["workshop-delta: effect_found"],
 }

@@ -202,7 +202,8 @@ class Terminal:
         for k in others:
             width = sum(widths[i] + gap for i in parts[-1]) + widths[k]
             if added and (width > self._width or added == most):
-                parts.append([*begin])
+                wide = sum(widths[i] + gap for i in begin) + widths[k] > self._width
+                parts.append([*begin[: 1 if wide else None]])
                 added = 0
             parts[-1].append(k)
             added += 1

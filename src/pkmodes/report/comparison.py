@@ -100,10 +100,11 @@ def by_mode(result: Comparison) -> list[Table]:
         Column("measured [%]"),
         Column("model [%]"),
     ]
-    groups = [("", 2), ("difference", 2), ("the largest one", 3), ("damping, median", 2)]
+    groups = [("", 2), ("difference", 2), ("the largest one", 3), ("damping", 2)]
     if all(row.damping is None for row in result.rows):
         rows, columns, groups = [row[:-2] for row in rows], columns[:-2], groups[:-1]
-    caption = "Each mode of the model: model minus measurement over all that was measured of it."
+    caption = "Each mode of the model: model minus measurement over all that was measured of it"
+    caption += "." if len(groups) < 4 else "; damping ratios are medians."
     return [table(caption, columns, rows, groups)]
 
 

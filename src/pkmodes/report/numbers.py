@@ -66,7 +66,7 @@ def values(result: Diagnosis, setting: Setting) -> list[Table | Paragraph]:
     columns = [Column("value", False), Column("role", False, page_only=True), Column("before")]
     columns += [
         Column("after"),
-        Column("\u03c3 of fit"),
+        Column("\u03c3 of fit", page_only=not widened),
         Column("unit", False),
         Column("prior \u03c3", page_only=True),
         Column("moved [prior\u00a0\u03c3]", page_only=True),
@@ -77,8 +77,6 @@ def values(result: Diagnosis, setting: Setting) -> list[Table | Paragraph]:
             "Fitted values: as declared, and after the fit with their standard deviations, which include what a "
             "candidate that these data do not show could have done to the value; beside them those of the fit alone."
         )
-    else:  # both are the same
-        columns, rows = [*columns[:4], *columns[5:]], [[*row[:4], *row[5:]] for row in rows]
     return [table(caption, columns, rows)]
 
 

@@ -32,6 +32,6 @@ def _substitutes(choice: Choice, best: Candidate) -> list[str]:
             worst = f"{100 * one.left.worst:.2g} % at the worst pose"
             limit = f"{100 * choice.left:.3g} %"
             which = f"is the shortest that leaves at most {limit}" if good else "leaves least"
-            instead = f"of those compared that they have, {one.kind} {which}: {worst}"
+            instead = f"of those compared that it has, {one.kind} {which}: {worst}"
             lacking.setdefault(f"{instead} (--shapers {one.kind} prints its lines)", []).append(NAMES[name])
     return [f"no {best.kind} in {' and '.join(names)}; {instead}" for instead, names in lacking.items()]

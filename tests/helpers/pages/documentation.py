@@ -44,6 +44,10 @@ ELSEWHERE = {
     ): "for a folder on Python's path; tests/runtime/test_generate.py",
     ("docs/adding-a-mechanism.md", ""): "tests/runtime/own_mechanism/test_page.py",
     ("docs/adding-an-effect.md", ""): "tests/effects/test_adding_an_effect.py",
+    (
+        "docs/diagnosis.md",
+        "PYTHONPATH=tests python -m pkmodes_rig",
+    ): "tests/diagnosis/test_calibration_of_probabilities.py",
     ("docs/generated-code.md", "cc -std=c99 -O2 -DPKMODES_FLOAT"): "my_robot.c stands for any robot's",
     (
         "docs/json.md",

@@ -121,7 +121,7 @@ class DiagnosisBuilder:
             candidates=tested,
             notes=(*diagnosis.notes, *claim.left_out, *contradictions),
             # Another reading of the data contradicts all explanations of it as it stands.
-            probabilities=None if decision.rule in READINGS else probabilities(search, plausible, outcome),
+            probabilities=None if decision.says.noted else probabilities(search, plausible, outcome),
         )
 
     def _remarks(self, evidence: Evidence, decision: Decision[Evidence]) -> tuple[str, ...]:
