@@ -65,7 +65,7 @@ def test_a_made_up_verdict_reaches_exit_code_terminal_json_and_page(
     assert 'class="summary tone-open"' in html
     assert "Verdict: <code>hearsay</code>" in html
     assert "Someone said so</h2>" in html
-    assert "None is proposed: ask the others." in html
+    assert "No next measurement is proposed: ask the others." in html
     assert "No correction: the verdict is hearsay." in html
 
 

@@ -137,7 +137,7 @@ def test_the_commands_take_the_word(tmp_path: Path, capsys: pytest.CaptureFixtur
     path, robot = tmp_path / "modes.csv", Path(__file__).parents[2] / "robots" / "corexy-printer.toml"
     path.write_text(text_of(specimen).replace("# drives: held\n", ""), encoding="utf-8")
     assert run(["compare", str(robot), str(path), "--drives", "held"]) == 0
-    assert ", motors held, frequencies in Hz" in " ".join(capsys.readouterr().out.split())
+    assert "corexy-printer, motors held: " in " ".join(capsys.readouterr().out.split())
     assert run(["diagnose", str(robot), str(path), "--drives", "held", "--fail-on", "any"]) == 0
     assert "modes fitted, motors held" in capsys.readouterr().out
     assert run(["diagnose", str(robot), str(path), "--fail-on", "unexplained"]) == 1
@@ -145,8 +145,8 @@ def test_the_commands_take_the_word(tmp_path: Path, capsys: pytest.CaptureFixtur
     path.write_text(text_of(Specimen("corexy", drives="mixed")), encoding="utf-8")
     assert run(["compare", str(robot), str(path)]) == 0
     out = capsys.readouterr().out
-    assert ", motors free or held, frequencies in Hz" in " ".join(out.split())
-    assert re.search(r"\n\S+, motors held\n", out)
+    assert "corexy-printer, motors free or held: " in " ".join(out.split())
+    assert re.search(r"\n\S.* held |motors held", out)
     assert run(["diagnose", str(robot), str(path)]) == 0
     assert "motors held: poses " in capsys.readouterr().out
     assert run(["compare", str(robot), str(path), "--drives", "locked"]) == 2

@@ -27,7 +27,7 @@ def test_words_and_counts_that_never_change_are_said_once() -> None:
     made = table("Modes.", COLUMNS, [row(1, 29.98), row(2, 37.36)], [("", 2), ("record", 3)], "A note.")
     assert titles(made) == ["mode", "f [Hz]"]
     assert made.groups == [("", 2)]
-    assert made.note == "A note. In every row: record files 3, record motors held."
+    assert made.note == "In every row: record files 3, record motors held. A note."
     assert [[cell.text for cell in one] for one in made.rows] == [["1", "29.98"], ["2", "37.36"]]
 
 
