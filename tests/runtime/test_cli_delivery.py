@@ -367,7 +367,7 @@ def test_sentences_and_tables_cannot_control_the_terminal(capsys: pytest.Capture
     terminal = Terminal()
     terminal.heading(HOSTILE)
     terminal.line(HOSTILE)
-    terminal.table(Table("", [Column("name")], [[Cell(HOSTILE)]]))
+    terminal.block(Table("", [Column("name")], [[Cell(HOSTILE)]]))
     echo(f"\n{HOSTILE}")
     printed = capsys.readouterr().out
     assert harmless(printed)

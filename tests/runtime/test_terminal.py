@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from helpers.pages.page_reading import read
-from pkmodes.cli.terminal import Terminal, typed
+from pkmodes.cli.layout import typed
+from pkmodes.cli.terminal import Terminal
 from pkmodes.report.blocks import (
     Cell,
     Column,

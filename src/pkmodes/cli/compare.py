@@ -94,26 +94,26 @@ def compare(
 
 def show(robot: Robot, data: Measurements, result: Comparison, most: int) -> None:
     """Print a comparison, with the measured modes that differ most, or all in the order of the poses."""
-    from pkmodes.cli.diagnosis_tables import MOST_LISTED, show_settings
+    from pkmodes.cli.measured_rows import rows_in_words, settings_in_words
     from pkmodes.cli.terminal import Terminal
     from pkmodes.plots.evidence import Evidence
     from pkmodes.report.comparison import by_mode, summary
     from pkmodes.report.mode_table import mode_table
     from pkmodes.report.setting import Setting
-    from pkmodes.support.ordering import listed
 
     terminal, setting = Terminal(), Setting(robot.name, robot, data, (), None)
     head = summary(result, setting)
     terminal.summary(head)
     terminal.show(*by_mode(result))
     if result.unpaired and most < len(result.rows):
-        named = [f"{row.measured:g} Hz (line {row.line})" for row in result.unpaired]
         terminal.line()
-        terminal.line(f"unmatched: {listed(named, MOST_LISTED)}")
+        terminal.line(f"unmatched measured modes: {rows_in_words(result.unpaired)}")
     terminal.show(mode_table(result, Evidence.of(result, data), setting, most, paired=True))
     if most < len(result.rows):
         terminal.line("--all prints every row.")
-    show_settings(terminal, robot, result.rows)
+    if given := settings_in_words(setting, result.rows):
+        terminal.line()
+        terminal.line(given)
     for note in result.notes:  # verbatim: it may name what the file names
         terminal.line()
         terminal.line(f"note: {note}")

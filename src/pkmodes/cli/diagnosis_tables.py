@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
+from pkmodes.cli.measured_rows import poses_in_words, rows_in_words, settings_in_words
 from pkmodes.cli.terminal import Terminal
 from pkmodes.core.base.drives import HELD
-from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.compare import ComparedRow
 from pkmodes.diagnosis.verdict import naming
 from pkmodes.diagnosis.verdict.findings import (
     Corrected,
@@ -19,18 +18,14 @@ from pkmodes.diagnosis.verdict.findings import (
     why_larger,
 )
 from pkmodes.diagnosis.verdict.result import Damping, Diagnosis
-from pkmodes.diagnosis.verdict.rows import Row
 from pkmodes.report.damping import factors, refitted
 from pkmodes.report.numbers import errors, next_measurement, values
 from pkmodes.report.setting import Setting
 from pkmodes.report.stability import stability_sentence
 from pkmodes.support.motors import motors_in_words
 from pkmodes.support.numbers import p_in_words, plain, rounded
-from pkmodes.support.ordering import listed, sorted_labels
-from pkmodes.updating.load_cases import settable
+from pkmodes.support.ordering import sorted_labels
 
-#: Largest number of measurement lines listed; the JSON has all of them.
-MOST_LISTED = 8
 #: Largest number of limits listed.
 MOST_LIMITS = 5
 
@@ -44,6 +39,8 @@ def show(robot: Robot, result: Diagnosis) -> None:
     terminal.show(*errors(result))
     _damping(terminal, result, setting)
     _counts(terminal, robot, result)
+    if given := settings_in_words(setting, result.rows):
+        terminal.line(given)
     terminal.show(*values(result, setting))
     _remarks(terminal, setting, result)
 
@@ -133,32 +130,15 @@ def _counts(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
     terminal.line(f"{count} measured mode{'' if count == 1 else 's'} fitted, {did}")
     if len({row.drives for row in result.rows}) > 1:
         labels = sorted_labels(dict.fromkeys(row.pose for row in result.rows if row.drives == HELD))
-        terminal.line(f"motors held: {_poses(labels)}")
-    show_settings(terminal, robot, result.rows)
-
-
-def show_settings(terminal: Terminal, robot: Robot, rows: Sequence[Row | ComparedRow]) -> None:
-    """Print what the measurements set, and at which poses; nothing where they set nothing."""
-    at = {row.pose: setting(robot.mechanism, row.load) for row in rows if row.load}
-    loads: dict[str, list[str]] = {}
-    for label in sorted_labels(at):
-        loads.setdefault(at[label], []).append(label)
-    if loads:
-        terminal.line()
-        cases = [f"{load} ({_poses(labels)})" for load, labels in loads.items()]
-        terminal.line(f"set by the measurements: {listed(cases, MOST_LISTED, '; ', '; and ')}")
-
-
-def _poses(labels: Sequence[str]) -> str:
-    return f"pose{'' if len(labels) == 1 else 's'} {listed(labels, MOST_LISTED)}"
+        terminal.line(f"motors held: {poses_in_words(labels)}")
 
 
 def _remarks(terminal: Terminal, setting: Setting, result: Diagnosis) -> None:
     remarks = []
     if result.outliers:
-        remarks.append(f"set aside as outliers: {_listed(result.outliers)}")
+        remarks.append(f"set aside as outliers: {rows_in_words(result.outliers)}")
     if result.unpaired:
-        remarks.append(f"unmatched measured modes: {_listed(result.unpaired)}")
+        remarks.append(f"unmatched measured modes: {rows_in_words(result.unpaired)}")
     if result.scatter:
         remarks.append(f"error common to the modes of a pose: {100 * result.scatter:.2g} %")
     if result.undetectable:
@@ -187,19 +167,6 @@ def largest_limits(result: Diagnosis) -> list[str]:
         for name in list(first.values())[:MOST_LIMITS]
         if (value := effects[name].value) is not None
     ]
-
-
-def setting(mechanism: Mechanism, load: Mapping[str, float]) -> str:
-    """Format the settings of a pose: paths with values and units."""
-    units = settable(mechanism)
-    return ", ".join(
-        f"{path} = {plain(value)} {units[path]}".removesuffix(" 1") for path, value in load.items()
-    )
-
-
-def _listed(rows: Sequence[Row]) -> str:
-    named = [f"line {row.line}, pose {row.pose}, {row.measured:g} Hz" for row in rows]
-    return listed(named, MOST_LISTED, "; ", "; and ")
 
 
 def _short(value: Value) -> str:

@@ -97,7 +97,7 @@ def _print(found: Identification, campaign: Campaign, content: dict[str, Any]) -
         terminal.heading(f"{one.record.pose}, {one.record.kind}, {doing}")
         found_modes = content["records"][index]["modes"]
         if found_modes:
-            terminal.table(replace(modes_table(index, found_modes), caption=""))
+            terminal.block(replace(modes_table(index, found_modes), caption=""))
         else:
             terminal.line("no mode was found")
         terminal.line()

@@ -182,7 +182,7 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
     components = np.concatenate([scaled, directions], axis=1).T
     rows += [[name, *map(_fixed, row)] for name, row in zip(names, components, strict=True)]
     columns = [Column("mode", numbers=False), *map(Column, numbers)]
-    terminal.table(Table("", columns, [list(map(Cell, row)) for row in rows]))
+    terminal.block(Table("", columns, [list(map(Cell, row)) for row in rows]))
     terminal.line()
     terminal.line("p: direction in which the platform moves, a unit vector in the base frame")
     if sigmas is not None:

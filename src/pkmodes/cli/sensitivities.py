@@ -177,8 +177,7 @@ def _print(model: Model, content: dict[str, Any], asked: bool, everything: bool)
     depends, paths = acting(content), content["parameters"]
     every = asked or everything
     chosen = [paths[t] for t in depends if content["values"][t]] if every else None
-    whole = changes_at(model, pose, drives, PERCENT)
-    percent = changes_at(model, pose, drives, PERCENT, chosen) if chosen else whole
+    percent = changes_at(model, pose, drives, PERCENT, chosen or None)
     sigma = changes_at(model, pose, drives, SIGMA) if stated_sigmas(model.robot) else None
     head = summary(model, percent, sigma, content, asked=asked and bool(chosen))
     terminal.summary(head)

@@ -1,7 +1,7 @@
 """The parts of a report: sections of paragraphs, tables, figures and differences between files.
 
 They hold text for a person and exact numbers for a script; the templates only place them, on a page, and
-`pkmodes.cli.terminal` on a terminal.  Text is arbitrary: the templates escape it.
+`pkmodes.cli.layout` on a terminal.  Text is arbitrary: the templates escape it.
 """
 
 from __future__ import annotations

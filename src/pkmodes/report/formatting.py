@@ -132,6 +132,12 @@ def unit(name: str) -> str:
     return "" if name == "1" else product.replace("^2", "\u00b2").replace("^3", "\u00b3")
 
 
+def quantity(value: float, name: str, digits: int = 6) -> Cell:
+    """Return a number with its unit as a cell."""
+    text, symbol = plain(value, digits), "" if name == "1" else f" {clean(name)}"
+    return Cell(f"{typeset(text)} {unit(name)}".rstrip(), value, plain=text + symbol)
+
+
 def unit_cell(name: str) -> Cell:
     """Return a unit as a cell."""
     return Cell(unit(name), plain="" if name == "1" else clean(name))

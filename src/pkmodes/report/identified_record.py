@@ -117,7 +117,7 @@ def modes_table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
         cells += [number(mode["complexity"], ".3f", pointer(*at, "complexity"))] if shaped else []
         if ordered:
             found = mode["found_in"]
-            cells.append(Cell("\u2013", plain="-") if found is None else Cell(f"{found[0]} of {found[1]}"))
+            cells.append(number(None) if found is None else Cell(f"{found[0]} of {found[1]}"))
         cells.append(number(mode["files"], ".0f", pointer(*at, "files")))
         cells += [Cell(mode["edited"] or "")] if edited else []
         rows.append(cells)

@@ -78,7 +78,7 @@ def mode_table(
         cells += _damping(row, i) if damped and isinstance(row, ComparedRow) else []
         cells += [number(row.mac, ".3f", pointer("rows", i, "mac"))] if shapes else []
         cells += [Cell(remarks[i])] if any(remarks) else []
-        cells += [Cell(setting.load(row.load))] if loads else []
+        cells += [setting.load(row.load)] if loads else []
         lines.append(cells)
     caption = (
         "Measured modes and the model; differences are model minus measurement. Line: of the measurement file"

@@ -146,7 +146,7 @@ def next_measurement(result: Diagnosis, setting: Setting) -> list[Paragraph | Fa
     if proposed.drives:
         entries.append(("motors", [Cell(proposed.drives)]))
     if proposed.load:
-        entries.append(("set", [Cell(setting.load(proposed.load))]))
+        entries.append(("set", [setting.load(proposed.load)]))
     one, other = map(clean, proposed.separates)
     entries.append(("separates", [Cell(f"{one} and {other}")]))
     sigmas = number(proposed.sigmas, ".0f", pointer(at, "sigmas"))

@@ -181,27 +181,35 @@ def _pictures(drawn: DrawnChannels) -> list[Block]:
 def largest(drawn: DrawnChannels) -> Table:
     """Return the table of the first and the largest response in each channel."""
     over, f = drawn.measured, drawn.frequencies
-    groups = [("", 2), ("model", 4), *([("measured", 3)] if over is not None else [])]
+    several = len(f) > 1
     peaks = [Column(title) for title in ("largest", "at [Hz]", "phase [\u00b0]")]
-    titles = [Column("channel", False), Column("unit", False), Column("first"), *peaks]
-    titles += peaks if over is not None else []
+    titles = [
+        Column("channel", False),
+        Column("unit", False),
+        *([Column("first")] if several else []),
+        *peaks,
+    ]
+    groups: list[tuple[str, int]] = []
+    if over is not None:
+        titles += peaks
+        groups = [("", 2), ("model", 3 + several), ("measured", 3)]
     rows = []
     for name, values in drawn.model.items():
         peak = int(np.abs(values).argmax())
-        row = [Cell(clean(name, None)), unit_cell(drawn.units[name]), _four_digits(abs(values[0]))]
+        row = [Cell(clean(name, None)), unit_cell(drawn.units[name])]
+        row += [_four_digits(abs(values[0]))] if several else []
         row += _cells(f, values, peak, pointer("frequencies_hz", peak))
         if over is not None:
             place = _within(drawn, over[1][name]) if name in over[1] else None
             row += [number(None)] * 3 if place is None else _cells(over[0], over[1][name], place)
         rows.append(row)
-    if len(f) == 1:
-        titles, rows = [*titles[:2], *titles[3:]], [[*row[:2], *row[3:]] for row in rows]
-        groups = [("", 2), ("model", 3), *groups[2:]]
-        caption = f"Magnitude and phase at {f[0]:g} Hz, for exp(+i\u03c9t)."
-        return table(caption, titles, rows, groups if over is not None else [])
-    of = f"{len(f)} frequencies from {f[0]:g} to {f[-1]:g} Hz"
-    caption = f"Magnitudes at the first of {of}, and the largest of each channel with its phase, for exp(+i\u03c9t)."
-    return table(caption, titles, rows, groups if over is not None else [])
+    caption = (
+        f"Magnitudes at the first of {len(f)} frequencies from {f[0]:g} to {f[-1]:g} Hz, and the largest of each "
+        "channel with its phase"
+        if several
+        else f"Magnitude and phase at {f[0]:g} Hz"
+    )
+    return table(f"{caption}, for exp(+i\u03c9t).", titles, rows, groups)
 
 
 def _cells(f: NDArray[Any], values: NDArray[Any], peak: int, at: str = "") -> list[Cell]:

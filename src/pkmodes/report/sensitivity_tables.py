@@ -9,7 +9,7 @@ import numpy as np
 
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.robot.report_fields import head_of
-from pkmodes.plots.labels import MINUS, typeset
+from pkmodes.plots.labels import MINUS
 from pkmodes.report.blocks import Cell, Column, Summary, Table
 from pkmodes.report.formatting import (
     NOTHING,
@@ -18,15 +18,14 @@ from pkmodes.report.formatting import (
     hertz,
     number,
     pointer,
+    quantity,
     sentence,
     uncertain,
-    unit,
     unit_cell,
 )
 from pkmodes.sensitivity.changes import CORRELATED, Changes, coinciding
 from pkmodes.sensitivity.spread import stated_sigmas
 from pkmodes.support.motors import motors_in_words
-from pkmodes.support.numbers import plain
 from pkmodes.support.words import in_words
 
 if TYPE_CHECKING:
@@ -103,11 +102,8 @@ def per_cent(model: Model, changes: Changes, content: dict[str, Any], most: int 
     rigid, paths, rows = content["rigid_modes"], content["parameters"], []
     for i in order[:most]:
         known = [paths.index(name) for name in changes.paths[i] if name in paths]
-        values = [f"{typeset(plain(content['values'][t], 5))} {unit(content['units'][t])}" for t in known]
-        row = [
-            _quantity(model, changes.names[i]),
-            Cell(", ".join(value.rstrip() for value in values) or NOTHING),
-        ]
+        values = [quantity(content["values"][t], content["units"][t], 5).text for t in known]
+        row = [_quantity(model, changes.names[i]), Cell(", ".join(values) or NOTHING)]
         for mode, frequency in enumerate(frequencies):
             value, place = float(100.0 * changes.changes[i, mode] / frequency), ""
             if known:
@@ -131,9 +127,7 @@ def per_sigma(model: Model, changes: Changes) -> Table:
     for i in changes.largest_of_all():
         (path,) = changes.names[i]
         symbol = model.robot.quantities[path].unit
-        text, shown = plain(sigmas[path], 3), "" if symbol == "1" else f" {symbol}"
-        cell = Cell(f"{typeset(text)} {unit(symbol)}".rstrip(), sigmas[path], plain=text + shown)
-        row = [_quantity(model, [path]), cell]
+        row = [_quantity(model, [path]), quantity(sigmas[path], symbol, 3)]
         rows.append([*row, *(number(float(value), "+.3f") for value in changes.changes[i])])
     together = [number(float(value), ".3f", strong=True) for value in changes.together]
     rows.append([Cell("all together", strong=True), Cell(""), *together])

@@ -10,13 +10,11 @@ from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.robot import Robot
 from pkmodes.measured.measurements import Measurements
 from pkmodes.plots.evidence import Evidence
-from pkmodes.plots.labels import typeset
 from pkmodes.report.blocks import Cell, Section
-from pkmodes.report.formatting import clean, plural, unit
+from pkmodes.report.formatting import clean, plural, quantity
 from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source
 from pkmodes.support.motors import motors_in_words
-from pkmodes.support.numbers import plain
 from pkmodes.support.words import in_words
 from pkmodes.updating.load_cases import settable
 
@@ -60,11 +58,12 @@ class Setting:
         """Return what the path of a value means; empty where the robot does not describe it."""
         return "" if self.robot is None else clean(in_words(self.robot.mechanism, path))
 
-    def load(self, load: Mapping[str, float]) -> str:
-        """Return the values set at a pose as text."""
-        return ", ".join(
-            f"{clean(path)} = {typeset(plain(value))} {unit(self._units.get(path, '1'))}".rstrip()
-            for path, value in load.items()
+    def load(self, load: Mapping[str, float]) -> Cell:
+        """Return the values set at a pose as a cell."""
+        cells = {path: quantity(value, self._units.get(path, "1")) for path, value in load.items()}
+        return Cell(
+            ", ".join(f"{clean(path)} = {cell.text}" for path, cell in cells.items()),
+            plain=", ".join(f"{path} = {cell.plain}" for path, cell in cells.items()),
         )
 
     def origin(self, evidence: Evidence, more: Sequence[tuple[str, Sequence[Cell]]] = ()) -> Section:

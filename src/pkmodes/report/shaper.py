@@ -12,7 +12,7 @@ from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import SHOWN
 from pkmodes.plots import shapers
-from pkmodes.plots.labels import MINUS, typeset
+from pkmodes.plots.labels import typeset
 from pkmodes.report.blocks import Cell, Column, Facts, Lines, Paragraph, Picture, Section, Summary, Table
 from pkmodes.report.formatting import clean, minus, number, pointer, sentence, thousands
 from pkmodes.report.page import need_report, page
@@ -125,10 +125,9 @@ def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
     """Return the poses and the modes that count."""
     at = choice.ringing
     entries = [("poses", [Cell(thousands(content["poses"]), content["poses"], pointer("poses"))])]
-    where = placed(model.mechanism, choice.unshaped.pose, ".4g")
-    rms, worst = (f"{1e6 * value:.3g}" for value in (choice.unshaped.rms, choice.unshaped.worst))
-    without = f"{rms} um for a step of 1 m/s^2 (rms over the poses), at most {worst} um, at {where}"
-    entries.append(("vibration without a shaper", [Cell(_typeset(without), plain=without)]))
+    rms = number(choice.unshaped.rms, ".3g", pointer("unshaped", "rms"), scale=1e6)
+    entries.append(("rms vibration without a shaper, for a step of 1 m/s\u00b2 [\u00b5m]", [rms]))
+    entries.append(("largest without a shaper at", [minus(placed(model.mechanism, choice.unshaped.pose, ".4g"))]))
     for i, component in enumerate(model.mechanism.pose):
         unit, factor = SHOWN[component.unit]
         entries.append((component.name, [minus(f"{_range(at.poses[:, i] * factor, '.5g')} {unit}")]))
@@ -140,10 +139,6 @@ def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
             cells = [Cell(f"{text},"), Cell(f"standard deviation {sigma:.2g} Hz (median)", sigma)]
         entries.append((f"mode {k + 1}", cells))
     return Facts(entries)
-
-
-def _typeset(text: str) -> str:
-    return text.replace(" um", " \u00b5m").replace("s^2", "s\u00b2").replace("-", MINUS)
 
 
 def _range(values: NDArray[np.float64], form: str) -> str:
