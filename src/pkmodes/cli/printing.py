@@ -1,4 +1,4 @@
-"""Lines and numbers for a person: text from files and file names cannot control the terminal."""
+"""Lines for a person: text from files and file names cannot control the terminal."""
 
 from __future__ import annotations
 
@@ -22,9 +22,3 @@ def echo(text: object = "", *, err: bool = False) -> None:
     line = str(text)
     rest = line.removeprefix("\n")
     click.echo("\n" * (len(line) - len(rest)) + printable(rest), err=err)
-
-
-def signed(value: float, decimals: int = 2) -> str:
-    """Return a number with its sign, and without one where its digits are zeros."""
-    text = f"{value:+.{decimals}f}"
-    return text if text.strip("+-0.") else text[1:]

@@ -22,14 +22,10 @@ class Terminal:
     """
 
     def __init__(self) -> None:
-        # COLUMNS=0 says that the width is not known; on a console of that width Rich prints nothing at all.
+        # Rich says 80 where standard output is not a terminal.  COLUMNS=0 says that the width is not known; on a
+        # console of that width Rich prints nothing at all.
         self._width = max(Console().width or UNKNOWN, NARROWEST)
         self._console = Console(highlight=False, markup=False, emoji=False, width=self._width)
-
-    @property
-    def width(self) -> int:
-        """Characters in a line: 80 where standard output is not a terminal."""
-        return self._width
 
     def heading(self, text: str) -> None:
         """Print a line that may name a file; it is not wrapped, so that the name can be copied."""

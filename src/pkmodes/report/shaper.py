@@ -127,7 +127,9 @@ def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
     entries = [("poses", [Cell(thousands(content["poses"]), content["poses"], pointer("poses"))])]
     rms = number(choice.unshaped.rms, ".3g", pointer("unshaped", "rms"), scale=1e6)
     entries.append(("rms vibration without a shaper, for a step of 1 m/s\u00b2 [\u00b5m]", [rms]))
-    entries.append(("largest without a shaper at", [minus(placed(model.mechanism, choice.unshaped.pose, ".4g"))]))
+    entries.append(
+        ("largest without a shaper at", [minus(placed(model.mechanism, choice.unshaped.pose, ".4g"))])
+    )
     for i, component in enumerate(model.mechanism.pose):
         unit, factor = SHOWN[component.unit]
         entries.append((component.name, [minus(f"{_range(at.poses[:, i] * factor, '.5g')} {unit}")]))
