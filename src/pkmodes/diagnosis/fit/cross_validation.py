@@ -1,4 +1,4 @@
-"""Leave-one-out cross-validation of a fit over setups."""
+"""Deletion of data from a linearised fit, and leave-one-out cross-validation over setups with it."""
 
 from __future__ import annotations
 
@@ -14,9 +14,6 @@ from pkmodes.diagnosis.problem import Array
 def left_out(fit: Fit, setups: Sequence[NDArray[np.intp]]) -> tuple[Array, Array]:
     """Predict each setup from a fit to the others, to first order.
 
-    With H the projection onto the derivatives, the residual of a left-out setup is (1 - H_ii)^-1 r_i: no refit is
-    needed.
-
     Parameters
     ----------
     setups : sequence of ndarray of int
@@ -31,13 +28,30 @@ def left_out(fit: Fit, setups: Sequence[NDArray[np.intp]]) -> tuple[Array, Array
     """
     squares, leverage = [], []
     for rows in setups:
-        # (1 - B B^T)^-1 r = r + B (1 - B^T B)^-1 B^T r: as many equations as parameters, not as data.
         basis = fit.basis[rows]
         inside = basis.T @ basis
-        predicted = fit.white[rows]
-        if inside.size:
-            left = np.eye(len(inside)) - inside
-            predicted = predicted + basis @ np.linalg.lstsq(left, basis.T @ predicted, rcond=1e-9)[0]
+        predicted = deleted(basis, fit.white[rows])
         squares.append(float(predicted @ predicted))
         leverage.append(float(np.linalg.eigvalsh(inside)[-1]) if inside.size and len(rows) else 0.0)
     return np.array(squares), np.array(leverage)
+
+
+def deleted(basis: Array, white: Array) -> Array:
+    """Return the residual of n data of a linear fit if they are deleted from it, (n,).
+
+    With H the projection onto the derivatives, it is (1 - H_ii)^-1 r_i: no refit is needed (Cook and Weisberg,
+    Residuals and Influence in Regression, 1982).
+
+    Parameters
+    ----------
+    basis : ndarray, shape (n, k)
+        Their rows of an orthonormal basis of the derivatives.
+    white : ndarray, shape (n,)
+        Their whitened residual r_i.
+    """
+    # (1 - B B^T)^-1 r = r + B (1 - B^T B)^-1 B^T r: as many equations as parameters, not as data.
+    inside = basis.T @ basis
+    if not inside.size:
+        return white
+    left = np.eye(len(inside)) - inside
+    return np.asarray(white + basis @ np.linalg.lstsq(left, basis.T @ white, rcond=1e-9)[0])

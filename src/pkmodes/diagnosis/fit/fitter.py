@@ -94,9 +94,13 @@ class Fitter:
 
     def places(self) -> list[NDArray[np.intp]]:
         """Return the indices of the data of each setup, frequencies and shapes."""
+        return [self.place(part) for part in self.noise.rows]
+
+    def place(self, some: NDArray[np.intp]) -> NDArray[np.intp]:
+        """Return the indices of the data of some rows, frequencies and shapes."""
         rows, channels = len(self.log), self.shapes.sigma.shape[1]
         components = rows + np.arange(self.shapes.size).reshape(rows, channels)
-        return [np.concatenate([part, components[part].ravel()]) for part in self.noise.rows]
+        return np.concatenate([some, components[some].ravel()])
 
     # Predictions -------------------------------------------------------------------------------------------
 

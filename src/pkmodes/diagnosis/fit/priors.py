@@ -8,7 +8,7 @@ ten-thousandth of a standard deviation of its values, which holds it and leaves 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -105,6 +105,10 @@ class Priors:
     def of(self, i: int) -> int | None:
         """Return the index of a parameter among those with a prior; None if it has none."""
         return self._row.get(i)
+
+    def rows(self, index: Iterable[int]) -> list[int]:
+        """Return the indices of some parameters among those with a prior, without those that have none."""
+        return [row for i in index if (row := self.of(i)) is not None]
 
 
 def whitening(parameters: Sequence[Parameter]) -> Array | None:

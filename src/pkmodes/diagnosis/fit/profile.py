@@ -306,7 +306,7 @@ class _Search:
 
 def without_priors(fitter: Fitter, white: Array, jacobian: Array, own: Sequence[int]) -> tuple[Array, Array]:
     """Return residual and derivatives without the priors of some parameters."""
-    rows = [row for i in own if (row := fitter.priors.of(i)) is not None]
+    rows = fitter.priors.rows(own)
     if rows:
         at = fitter.prior_rows.start + np.array(rows)
         white, jacobian = white.copy(), jacobian.copy()

@@ -156,7 +156,7 @@ class FitStore:
         fitter, h = self.fitter, fit.hypothesis
         if not fitter.shapes.size:
             return Misfit(fit.chi2, float(self.degrees(fit)))
-        priors = [row for i in fit.free if (row := fitter.priors.of(i)) is not None]
+        priors = fitter.priors.rows(fit.free)
         parts = [fit.leverage[fitter.frequency_rows], fit.leverage[fitter.prior_rows][priors]]
         white = [fit.white[fitter.frequency_rows], fit.white[fitter.prior_rows]]
         taken = sum(float(part.sum()) for part in parts)

@@ -13,6 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
+from pkmodes.diagnosis.fit.cross_validation import deleted
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, orthonormal
 from pkmodes.diagnosis.opinion.evidence import of_scaled, of_size, prior_of_scale
@@ -97,11 +98,8 @@ def left_by(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Left:
     frequencies, shapes = fitter.frequency_rows, fitter.shape_rows
     while len(aside) < max(1, len(fitter.log) // fitter.criteria.search.rows_per_outlier):
         row = int(np.argmax(np.abs(white[frequencies])))
-        channels = fitter.shapes.sigma.shape[1]
-        place = [row, *range(len(fitter.log) + row * channels, len(fitter.log) + (row + 1) * channels)]
-        own = basis[place]
-        gain = white[place] @ np.linalg.lstsq(np.eye(len(place)) - own @ own.T, white[place], rcond=1e-6)[0]
-        if gain <= 2.0 * _price(fitter, row):
+        place = fitter.place(np.array([row]))
+        if white[place] @ deleted(basis[place], white[place]) <= 2.0 * _price(fitter, row):
             break
         aside.add(row)
         white, basis = np.array(white), np.array(basis)
@@ -141,8 +139,8 @@ def _price(fitter: Fitter, row: int) -> float:
 
 def _volume(fitter: Fitter, fit: Fit) -> float:
     """Return the logarithm of the part of their priors that is left to the uncertain values, but for a constant."""
-    rows = [row for i in fitter.nuisances if (row := fitter.priors.of(i)) is not None]
-    scaled = fit.jacobian[:, : len(rows)] * fitter.priors.width(fitter.declared)[rows]
+    width = fitter.priors.width(fitter.declared)[fitter.priors.rows(fitter.nuisances)]
+    scaled = fit.jacobian[:, : len(width)] * width
     return -0.5 * float(np.linalg.slogdet(scaled.T @ scaled)[1])
 
 
@@ -151,9 +149,7 @@ def _size(fitter: Fitter, fit: Fit, cause: Candidate, plausible: Mapping[int, fl
     index = list(fitter.indices(cause))
     away, covariance = fit.values[index] - fitter.declared[index], fit.covariance_of(index)
     if cause.sigma is not None:
-        width = fitter.priors.width(fit.values)[
-            [row for i in index if (row := fitter.priors.of(i)) is not None]
-        ]
+        width = fitter.priors.width(fit.values)[fitter.priors.rows(index)]
         return 0.5 * float(np.linalg.slogdet(covariance / np.outer(width, width))[1])
     most, sigma = np.array([plausible.get(i, np.inf) for i in index]), np.sqrt(np.diagonal(covariance))
     if (np.abs(away) > BEYOND * most).any():

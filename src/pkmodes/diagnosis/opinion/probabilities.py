@@ -149,7 +149,7 @@ def _prices(search: Search, some: Sequence[Score], plausible: Mapping[int, float
     prices, width = of_size(signal, degrees, largest, signs), fitter.priors.width(fitter.declared)
     for k, one in enumerate(some):
         if one.candidate.sigma is not None:
-            rows = [row for i in fitter.indices(one.candidate) if (row := fitter.priors.of(i)) is not None]
+            rows = fitter.priors.rows(fitter.indices(one.candidate))
             prices[k] = float(np.log(one.sigma / width[rows]).sum())
     return prices
 
