@@ -35,6 +35,7 @@ from pkmodes.diagnosis.verdict.verdicts import (
     UNEXPLAINED,
 )
 from pkmodes.measured.measurements import Measurements
+from pkmodes.support.grouping import grouped
 
 #: Explanations beside which limits are found.
 MOST = 4
@@ -197,15 +198,10 @@ def value_of(fitter: LossFitter, fit: LossFit, loss: int) -> Value:
 
 def survivors(fitter: LossFitter, judged: DampingJudgement) -> tuple[tuple[str, ...], ...]:
     """Return the classes that remain, the best first."""
-    groups: list[list[LossFit]] = []
     own = [fit for place in judged.places for fit in place] if len(judged.places) == 1 else []
-    for fit in (*own, *(fit for fit in judged.says.rivals if not any(fit is one for one in own))):
-        near = fitter.criteria.claim.told_apart
-        home = next((g for g in groups if any(fitter.difference(fit, one) < near for one in g)), None)
-        if home is None:
-            groups.append([fit])
-        else:
-            home.append(fit)
+    every = [*own, *(fit for fit in judged.says.rivals if not any(fit is one for one in own))]
+    near = fitter.criteria.claim.told_apart
+    groups = grouped(every, lambda member, fit: fitter.difference(fit, member) < near)
     return tuple(tuple(names_of(fitter, fit) for fit in group) for group in groups)
 
 

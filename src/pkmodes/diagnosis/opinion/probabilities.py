@@ -9,6 +9,7 @@ count against it.  Remote candidates, those of a single joint, are part of what 
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import comb
@@ -25,6 +26,7 @@ from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.search.score import Score, one_sided
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.search.unmeasured import p_unmeasured
+from pkmodes.support.grouping import grouped
 
 #: Prior probabilities that nothing is missing, one cause, two, or something outside the catalogue.
 NOTHING, ONE, TWO, OUTSIDE = 0.55, 0.25, 0.04, 0.16
@@ -113,11 +115,7 @@ def _beside(search: Search, plausible: Mapping[int, float], base: Left, prior: f
     known = {_names(fit) for fit in search.store.tried()}
     scores = search.scores(base.fit)
     directions = zip((one for one in scores.each if one.visible), scores.directions, strict=True)
-    new = [
-        (one, axes)
-        for one, (axes, _) in directions
-        if _names(base.fit, one.candidate.name) not in known and one.candidate not in base.fit.causes
-    ]
+    new = [(one, axes) for one, (axes, _) in directions if _names(base.fit, one.candidate.name) not in known]
     if not new:
         return []
     along = np.stack([axes @ (axes.T @ base.white) * (one.gain > 0.0) for one, axes in new], axis=1)
@@ -198,11 +196,8 @@ def _said(fitter: Fitter, explained: Sequence[Weighed], beyond: float, doubt: fl
     if not np.isfinite(total):
         return None
     mass = {one.causes: (1.0 - doubt) * _probability(one.weight - total) for one in explained}
-    groups: list[list[Weighed]] = []
-    for one in explained:
-        if one.causes and mass[one.causes] >= LEAST:
-            home = next((group for group in groups if _alike(fitter, group, one)), None)
-            groups.append([one]) if home is None else home.append(one)
+    some = [one for one in explained if one.causes and mass[one.causes] >= LEAST]
+    groups = grouped(some, functools.partial(_alike, fitter), COMPARED)
     sums = [(group, sum(mass[one.causes] for one in group)) for group in groups]
     stated = sorted((pair for pair in sums if pair[1] >= STATED), key=lambda pair: -pair[1])
     nothing, away = mass.get((), 0.0), doubt + (1.0 - doubt) * _probability(beyond - total)
@@ -228,17 +223,14 @@ def _probability(logarithm: float) -> float:
     return float(np.exp(logarithm)) if logarithm > np.log(NEVER) else 0.0
 
 
-def _alike(fitter: Fitter, group: Sequence[Weighed], one: Weighed) -> bool:
-    """Return whether the data cannot tell an explanation from some of a group, both fitted or both linear."""
-    for other in group[:COMPARED]:
-        if len(other.causes) != len(one.causes):
-            return False
-        if isinstance(one.data, Fit) and isinstance(other.data, Fit):
-            apart = fitter.difference(other.data, one.data)
-        elif isinstance(one.data, Fit) or isinstance(other.data, Fit):
-            continue
-        else:
-            apart = float(((one.data - other.data) ** 2).sum())
-        if apart < fitter.criteria.claim.told_apart:
-            return True
-    return False
+def _alike(fitter: Fitter, one: Weighed, other: Weighed) -> bool:
+    """Return whether the data cannot tell two explanations apart that are both fitted or both linear."""
+    if len(one.causes) != len(other.causes):
+        return False
+    if isinstance(one.data, Fit) and isinstance(other.data, Fit):
+        apart = fitter.difference(one.data, other.data)
+    elif isinstance(one.data, Fit) or isinstance(other.data, Fit):
+        return False
+    else:
+        apart = float(((one.data - other.data) ** 2).sum())
+    return apart < fitter.criteria.claim.told_apart

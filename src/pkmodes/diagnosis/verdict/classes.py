@@ -20,6 +20,7 @@ from pkmodes.diagnosis.problem import Array, Candidate
 from pkmodes.diagnosis.search.score import score
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.search.unmeasured import p_unmeasured
+from pkmodes.support.grouping import grouped
 
 
 def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
@@ -87,21 +88,8 @@ def other_pairs(
 
 def classes(fitter: Fitter, fits: Sequence[Fit]) -> list[list[Fit]]:
     """Group survivors that these data cannot tell apart, the class of the best one first."""
-    groups: list[list[Fit]] = []
-    for fit in fits:
-        home = next(
-            (
-                group
-                for group in groups
-                if any(fitter.difference(fit, g) < fitter.criteria.claim.told_apart for g in group)
-            ),
-            None,
-        )
-        if home is None:
-            groups.append([fit])
-        else:
-            home.append(fit)
-    return groups
+    near = fitter.criteria.claim.told_apart
+    return grouped(fits, lambda member, fit: fitter.difference(fit, member) < near)
 
 
 def nested(fitter: Fitter, a: Fit, b: Fit) -> bool:
