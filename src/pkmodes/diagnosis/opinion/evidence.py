@@ -27,7 +27,7 @@ SHRUNK = np.exp(-2.0 * LOG_SCALE)
 SCALE_SIGMA, SCALE_WIDE, WIDE = 0.1, 0.5, 0.1
 #: Half width of the range of a quadrature over the signal, and its points.
 REACH, POINTS = 6.0, 49
-TRAPEZE = np.concatenate([[0.5], np.ones(POINTS - 2), [0.5]])
+TRAPEZOID = np.concatenate([[0.5], np.ones(POINTS - 2), [0.5]])
 
 
 def prior_of_scale() -> Array:
@@ -39,15 +39,6 @@ def prior_of_scale() -> Array:
     return np.asarray(sum(weight * density / density.sum() for weight, density in parts))
 
 
-def log_sum(exponents: Array, weights: Array | float = 1.0) -> Array:
-    """Return the logarithm of a weighted sum of exponentials over the last axis; minus infinity for none."""
-    most = np.max(exponents, axis=-1, initial=-np.inf, keepdims=True)
-    safe = np.where(np.isfinite(most), most, 0.0)
-    with np.errstate(divide="ignore"):
-        total: Array = np.log((weights * np.exp(exponents - safe)).sum(axis=-1)) + safe[..., 0]
-    return total
-
-
 def of_scaled(squares: Array, degrees: Array, prior: Array) -> Array:
     r"""Return :math:`\ln \int p(s) s^{-\nu} e^{-q / 2 s^2} ds` for squares q with nu degrees of freedom, (n,).
 
@@ -57,7 +48,7 @@ def of_scaled(squares: Array, degrees: Array, prior: Array) -> Array:
         Weights of the factors `LOG_SCALE`.
     """
     q, nu = np.asarray(squares)[..., None], np.asarray(degrees)[..., None]
-    return log_sum(-nu * LOG_SCALE - 0.5 * q * SHRUNK, prior)
+    return np.asarray(special.logsumexp(-nu * LOG_SCALE - 0.5 * q * SHRUNK, axis=-1, b=prior))
 
 
 def of_size(signal: Array, degrees: Array, largest: Array, one_sided: Array) -> Array:
@@ -88,4 +79,4 @@ def of_size(signal: Array, degrees: Array, largest: Array, one_sided: Array) -> 
     exponent = direction - 0.5 * (r - signal) ** 2 - np.log(r * np.log(largest))
     with np.errstate(divide="ignore"):
         width = np.log((high - low)[:, 0] / (POINTS - 1))
-    return log_sum(exponent, TRAPEZE) + width
+    return np.asarray(special.logsumexp(exponent, axis=-1, b=TRAPEZOID) + width)

@@ -16,9 +16,10 @@ scatter.  Everything else is as for the catalogue: errors misstated, rows set as
 from __future__ import annotations
 
 import numpy as np
+from scipy import special
 
 from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.opinion.evidence import LOG_SCALE, log_sum, of_scaled, prior_of_scale
+from pkmodes.diagnosis.opinion.evidence import LOG_SCALE, of_scaled, prior_of_scale
 from pkmodes.diagnosis.opinion.left import Left
 from pkmodes.diagnosis.problem import Array
 
@@ -63,7 +64,7 @@ def of_changes(g: Array, c: Array, squares: float, degrees: float, largest: floa
     variance = np.exp(2.0 * log)[:, None, None] + sizes[:, None] ** 2 * g
     exponent = -0.5 * (np.log(variance) + c / variance).sum(axis=-1)
     exponent -= (0.5 * other * np.exp(-2.0 * log) + count * log)[:, None]
-    return float(log_sum(exponent.ravel(), np.repeat(weights / SIZES, SIZES)))
+    return float(special.logsumexp(exponent, b=weights[:, None] / SIZES))
 
 
 def spectrum(fitter: Fitter, left: Left) -> tuple[Array, Array]:

@@ -15,10 +15,11 @@ from dataclasses import dataclass
 from math import comb
 
 import numpy as np
+from scipy import special
 
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
-from pkmodes.diagnosis.opinion.evidence import log_sum, of_size
+from pkmodes.diagnosis.opinion.evidence import of_size
 from pkmodes.diagnosis.opinion.left import BEYOND_SIGNAL, SIGNAL, Left, left_by, quickly
 from pkmodes.diagnosis.opinion.outside import outside
 from pkmodes.diagnosis.opinion.said import ClassMass, PairMass, Probabilities
@@ -98,9 +99,8 @@ def probabilities(search: Search, plausible: Mapping[int, float], outcome: Outco
 
 
 def _weighable(fit: Fit) -> bool:
-    """Return whether a fit is an explanation: its sizes are possible, and its causes candidates, at most two."""
-    general = any(cause.general_of for cause in fit.causes)
-    return not fit.at_bound and not general and len(fit.causes) <= 2
+    """Return whether a fit is an explanation: its sizes are possible, and its causes are at most two."""
+    return not fit.at_bound and len(fit.causes) <= 2
 
 
 def _names(fit: Fit, *more: str) -> tuple[str, ...]:
@@ -168,7 +168,7 @@ def _outside(search: Search, left: Sequence[Left], first: Fit) -> float:
     weights += [beside + outside(fitter, one) for one in [one for one in left if one.fit.causes][:BESIDE]]
     remote = [one for one in left if one.fit.hypothesis.remote]
     weights += [joint + one.alone + _missed(search, first, one.fit) for one in remote]
-    return float(log_sum(np.array(weights)))
+    return float(special.logsumexp(weights))
 
 
 def _together(search: Search, first: Fit, explained: Sequence[Weighed]) -> list[Weighed]:
@@ -177,7 +177,7 @@ def _together(search: Search, first: Fit, explained: Sequence[Weighed]) -> list[
     for one in sorted(explained, key=lambda one: -one.weight):
         of.setdefault(one.causes, []).append(one)
     merged = [
-        Weighed(causes, float(log_sum(np.array([one.weight for one in some]))), some[0].data)
+        Weighed(causes, float(special.logsumexp([one.weight for one in some])), some[0].data)
         for causes, some in of.items()
     ]
     least = max((one.weight for one in merged), default=0.0) - COUNTS
@@ -192,7 +192,7 @@ def _together(search: Search, first: Fit, explained: Sequence[Weighed]) -> list[
 
 def _said(fitter: Fitter, explained: Sequence[Weighed], beyond: float, doubt: float) -> Probabilities | None:
     """Return the probabilities, explanations that the data cannot tell apart together, with a doubt about all."""
-    total = float(log_sum(np.array([beyond, *(one.weight for one in explained)])))
+    total = float(special.logsumexp([beyond, *(one.weight for one in explained)]))
     if not np.isfinite(total):
         return None
     mass = {one.causes: (1.0 - doubt) * _probability(one.weight - total) for one in explained}
