@@ -25,6 +25,7 @@ from pkmodes.report.formatting import (
 )
 from pkmodes.report.setting import Setting
 from pkmodes.report.tables import table
+from pkmodes.support.ordering import listed
 
 #: Most candidates in the table; more than any robot has.
 MOST = 200
@@ -187,8 +188,7 @@ def _probabilities(result: Diagnosis) -> list[Block]:
 
 def _some(names: Sequence[str]) -> str:
     """Return the first names of a class, and how many more it has."""
-    left = len(names) - SHOWN
-    return " or ".join(map(clean, names[:SHOWN])) + (f" or {left} more" if left > 0 else "")
+    return listed([clean(name) for name in names], SHOWN, " or ", " or ")
 
 
 def _open(result: Diagnosis) -> str:

@@ -104,9 +104,9 @@ class LossEvidence:
 
     @cached_property
     def chance(self) -> float:
-        """The smallest p-value of one more loss, for one candidate."""
+        """The smallest p-value of one more loss, corrected for the number of candidates."""
         fits = [self.fitter.fit((j,)) for j in self.fitter.candidates]
-        return min((p_of_one_more(self.fitter, self.base, fit, 1) for fit in fits), default=1.0)
+        return min((p_of_one_more(self.fitter, self.base, fit) for fit in fits), default=1.0)
 
     @cached_property
     def explanation(self) -> Explanation | None:

@@ -89,28 +89,31 @@ def _explains(fitter: LossFitter, fit: LossFit, level: float) -> bool:
 
 def _pairs(fitter: LossFitter) -> list[LossFit]:
     """Return the fits of pairs in which each loss is needed beside the other."""
-    c, number = fitter.criteria, comb(len(fitter.candidates), 2)
-    pairs = [fitter.fit(pair) for pair in combinations(fitter.candidates, 2)]
+    pairs, claimed = combinations(fitter.candidates, 2), fitter.criteria.claim.claimed
     return [
         fit
-        for fit in pairs
-        if all(p_of_one_more(fitter, fitter.fit((j,)), fit, number) <= c.claim.claimed for j in fit.causes)
+        for fit in map(fitter.fit, pairs)
+        if all(p_of_one_more(fitter, fitter.fit((j,)), fit) <= claimed for j in fit.causes)
     ]
 
 
 def p_of_loss(fitter: LossFitter, loss: int) -> float:
     """Return the p-value of one loss beside the declared ones, for this candidate alone."""
-    return p_of_one_more(fitter, fitter.fit(), fitter.fit((loss,)), 1) / max(len(fitter.candidates), 1)
+    return p_of_one_more(fitter, fitter.fit(), fitter.fit((loss,))) / max(len(fitter.candidates), 1)
 
 
 def _p_of_place(fitter: LossFitter, fit: LossFit, cause: int) -> float:
     rest = tuple(j for j in fit.causes if j != cause)
-    return p_of_one_more(fitter, fitter.fit(rest), fit, comb(len(fitter.candidates), len(fit.causes)))
+    return p_of_one_more(fitter, fitter.fit(rest), fit)
 
 
-def p_of_one_more(fitter: LossFitter, less: LossFit, more: LossFit, number: int) -> float:
-    """Return the p-value of a likelihood-ratio test of one more loss, corrected for the number of candidates."""
-    number = len(fitter.candidates) if number == 1 else number
+def p_of_one_more(fitter: LossFitter, less: LossFit, more: LossFit) -> float:
+    """Return the p-value of a likelihood-ratio test of one more loss, corrected for the number of hypotheses.
+
+    These are the candidates, or their pairs if the fit has two, but not fewer than the candidates.
+    """
+    candidates = len(fitter.candidates)
+    number = max(comb(candidates, len(more.causes)), candidates)
     (added,) = set(more.causes) - set(less.causes)
     gain = max(less.squares + less.price - more.squares - more.price, 0.0)
     one_sided = 1.0 if fitter.declared[added] else 0.5

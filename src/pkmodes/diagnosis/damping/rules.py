@@ -89,7 +89,7 @@ def common_ratio(e: LossEvidence) -> str:
         return ""
     fit = e.fitter.fit((e.common,))  # also where it is not among the chosen candidates
     if e.claim is None:
-        alone = e.fitter.fit((e.common,)).p_value > e.criteria.gate.level
+        alone = fit.p_value > e.criteria.gate.level
     else:
         alone = e.claim.best.causes == (e.common,) and not e.fitter.losses[e.common].claimable
     return words.common_ratio(*words.ratio_of(fit, e.common)) if alone else ""
@@ -97,13 +97,18 @@ def common_ratio(e: LossEvidence) -> str:
 
 def scattered(e: LossEvidence) -> LossSays | None:
     """Nothing is claimed, and the ratios scatter about one, or about the declared, as those of repeated tests do."""
-    if e.claim is not None or not (e.declares or e.common is not None):
+    if e.claim is not None:
         return None
-    fit = e.base if e.declares or e.common is None else e.fitter.fit((e.common,))
+    if e.declares:
+        fit, about = e.base, None
+    elif e.common is not None:
+        fit = e.fitter.fit((e.common,))
+        about = words.ratio_of(fit, e.common)[0]
+    else:
+        return None
     scatter = e.scatter_about(fit)
     if scatter > e.criteria.damping.scatter:
         return None
-    about = None if e.declares or e.common is None else words.ratio_of(fit, e.common)[0]
     return LossSays(words.scattered(about, scatter), scatter=scatter)
 
 
@@ -215,7 +220,7 @@ DOUBTS = (
     Rule("damping.not_specific", UNEXPLAINED, not_specific),
     _UNEXPLAINED,
 )
-#: The same with other errors or priors: without the tests of what an explanation leaves, and of how specific it is.
+#: The same with other errors or priors: without the tests of chance, of a trend, and of how specific it is.
 ROUGH_DOUBTS = (_TELLS_NOTHING, _UNEXPLAINED)
 
 #: The verdict on damping.

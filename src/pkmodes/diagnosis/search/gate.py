@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.problem import Candidate
-from pkmodes.diagnosis.search.score import Scores, score
+from pkmodes.diagnosis.search.score import Scores
 from pkmodes.diagnosis.search.unmeasured import p_unmeasured
 
 
@@ -47,16 +45,15 @@ class Gate:
         return self.unpaired == 0 and min(self.p_value, self.p_candidates, self.p_unmeasured) > level
 
 
-def gate(store: FitStore, fit: Fit, candidates: Sequence[Candidate]) -> Gate:
+def gate(store: FitStore, fit: Fit, scores: Scores) -> Gate:
     """Test the residual of a fit.
 
     Parameters
     ----------
-    candidates : sequence of Candidate
-        Candidates to which the residual may point.
+    scores : Scores
+        Of the candidates to which the residual may point.
     """
     fitter, criteria = store.fitter, store.fitter.criteria
-    scores = score(fitter, fit, [candidate for candidate in candidates if candidate not in fit.causes])
     unpaired = int((fit.pairing.partner[fitter.used(fit.hypothesis)] < 0).sum())
     one_cause = len(fit.causes) == 1 and not fit.causes[0].remote
     level = criteria.gate.surely if one_cause else criteria.gate.level

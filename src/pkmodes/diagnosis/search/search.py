@@ -85,18 +85,23 @@ class Search:
 
     def gate(self, fit: Fit) -> Gate:
         """Test the residual of a fit."""
-        known = self._gates.get(id(fit.values))
-        if known is None or known[0].values is not fit.values:
-            known = fit, gate(self.store, fit, self.candidates)
-            self._gates[id(fit.values)] = known
-        return known[1]
+        tested = self._tested(fit)
+        if tested is None:
+            tested = gate(self.store, fit, self.scores(fit))
+            self._gates[id(fit.values)] = fit, tested
+        return tested
 
     def scores(self, fit: Fit) -> Scores:
-        """Return the scores of all candidates at a fit, those of its gate if it was tested."""
-        known = self._gates.get(id(fit.values))
-        if known is not None and known[0].values is fit.values:
-            return known[1].scores
+        """Return the scores at a fit of all candidates that it does not have, those of its gate if it was tested."""
+        tested = self._tested(fit)
+        if tested is not None:
+            return tested.scores
         return score(self.store.fitter, fit, [one for one in self.candidates if one not in fit.causes])
+
+    def _tested(self, fit: Fit) -> Gate | None:
+        """Return the gate of a fit with these values; None if it was not tested."""
+        known = self._gates.get(id(fit.values))
+        return known[1] if known is not None and known[0].values is fit.values else None
 
     def alone(self) -> list[Fit]:
         """Return fits with one remote cause and nothing else, best first."""
