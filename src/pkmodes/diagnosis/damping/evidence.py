@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -70,7 +70,7 @@ class LossEvidence:
     ----------
     fitter : LossFitter
         Of the rows that take part.
-    doubts : sequence of Rule
+    doubts : tuple of Rule
         Those by which nothing is claimed.
     trials : mapping of str to DampingJudgement, optional
         By change of the errors or priors.
@@ -81,7 +81,7 @@ class LossEvidence:
     def __init__(
         self,
         fitter: LossFitter,
-        doubts: Sequence[Rule[LossEvidence]],
+        doubts: LossRules,
         trials: Mapping[str, DampingJudgement] | None = None,
         held: DampingRows | None = None,
     ) -> None:
@@ -144,6 +144,10 @@ class LossEvidence:
         left = (fitter.measured - fitter.logarithms(fit.values))[above]
         beyond = float(np.mean(left**2)) - float(np.mean(fitter.rows.stated[above] ** 2))
         return math.sqrt(max(beyond, 0.0))
+
+
+#: A table of the verdict on damping.
+LossRules = tuple[Rule[LossEvidence, LossSays], ...]
 
 
 def contradicted(fitter: LossFitter, held: DampingRows, values: Array, scatter: float = 0.0) -> bool:

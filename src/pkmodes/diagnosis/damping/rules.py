@@ -14,7 +14,13 @@ from __future__ import annotations
 import math
 
 from pkmodes.diagnosis.damping import words
-from pkmodes.diagnosis.damping.evidence import DampingJudgement, LossEvidence, LossSays, contradicted
+from pkmodes.diagnosis.damping.evidence import (
+    DampingJudgement,
+    LossEvidence,
+    LossRules,
+    LossSays,
+    contradicted,
+)
 from pkmodes.diagnosis.damping.explanation import SAME, Explanation, names_of, nearest
 from pkmodes.diagnosis.verdict.evidence import Rule, first
 from pkmodes.diagnosis.verdict.verdicts import (
@@ -26,11 +32,10 @@ from pkmodes.diagnosis.verdict.verdicts import (
 )
 
 
-def judge(evidence: LossEvidence, rules: tuple[Rule[LossEvidence], ...]) -> DampingJudgement:
+def judge(evidence: LossEvidence, rules: LossRules) -> DampingJudgement:
     """Return the verdict of the first rule that applies."""
     decision = first(rules, evidence)
     assert decision is not None  # the last rule always applies
-    assert isinstance(decision.says, LossSays)
     found = evidence.explanation if decision.verdict in (EFFECT_FOUND, AMBIGUOUS) else None
     return DampingJudgement(
         decision.rule.name,
@@ -198,7 +203,7 @@ def found(e: LossEvidence) -> LossSays:
 
 # The tables ----------------------------------------------------------------------------------------------------
 
-_BEFORE = (
+_BEFORE: LossRules = (
     Rule("damping.too_few", INSUFFICIENT_DATA, too_few),
     Rule("damping.adequate", ADEQUATE, as_declared),
     Rule("damping.several", AMBIGUOUS, several),
@@ -206,14 +211,14 @@ _BEFORE = (
     Rule("damping.common_ratio", ADEQUATE, common_ratio),
     Rule("damping.scattered", ADEQUATE, scattered),
 )
-_TELLS_NOTHING = Rule("damping.tells_nothing", INSUFFICIENT_DATA, tells_nothing)
-_UNEXPLAINED = Rule("damping.unexplained", UNEXPLAINED, unexplained)
+_TELLS_NOTHING: Rule[LossEvidence, LossSays] = Rule("damping.tells_nothing", INSUFFICIENT_DATA, tells_nothing)
+_UNEXPLAINED: Rule[LossEvidence, LossSays] = Rule("damping.unexplained", UNEXPLAINED, unexplained)
 #: An explanation that does not predict the held-out poses.
 NOT_PREDICTED = "damping.held_out"
 _FOUND = Rule("damping.found", EFFECT_FOUND, found)
 
 #: By which nothing is claimed.
-DOUBTS = (
+DOUBTS: LossRules = (
     _TELLS_NOTHING,
     Rule("damping.chance", UNEXPLAINED, may_be_chance),
     Rule("damping.trend", UNEXPLAINED, leaves_a_trend),
@@ -221,10 +226,10 @@ DOUBTS = (
     _UNEXPLAINED,
 )
 #: The same with other errors or priors: without the tests of chance, of a trend, and of how specific it is.
-ROUGH_DOUBTS = (_TELLS_NOTHING, _UNEXPLAINED)
+ROUGH_DOUBTS: LossRules = (_TELLS_NOTHING, _UNEXPLAINED)
 
 #: The verdict on damping.
-LOSSES = (
+LOSSES: LossRules = (
     *_BEFORE,
     *DOUBTS,
     Rule("damping.other_errors", AMBIGUOUS, other_errors),
@@ -232,4 +237,4 @@ LOSSES = (
     _FOUND,
 )
 #: That with other errors or priors.
-ROUGHLY = (*_BEFORE, *ROUGH_DOUBTS, _FOUND)
+ROUGHLY: LossRules = (*_BEFORE, *ROUGH_DOUBTS, _FOUND)

@@ -18,7 +18,7 @@ from pkmodes.diagnosis.verdict import caveats, held_out, limits, misfit
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.claim import name_of, values
 from pkmodes.diagnosis.verdict.detectable import examined
-from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Start
+from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Says, Start
 from pkmodes.diagnosis.verdict.findings import Corrected, Refitted, Stability
 from pkmodes.diagnosis.verdict.limits import Limits
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
@@ -34,7 +34,7 @@ class DiagnosisBuilder:
     def __init__(self, setups: AllSetups) -> None:
         self.setups, self.fitter = setups, setups.fitter
 
-    def before_search(self, start: Start, decision: Decision[Start]) -> Diagnosis:
+    def before_search(self, start: Start, decision: Decision[Start, Says]) -> Diagnosis:
         """Return the result for too few data, or for an obvious mistake in these: nothing is searched for."""
         verdict, store = decision.verdict, start.plain
         if verdict is not INSUFFICIENT_DATA:
@@ -52,7 +52,7 @@ class DiagnosisBuilder:
         unseen = tuple(one.name for one in start.suspected if one.name not in known)
         return self._result(decision, store, fit, unseen, about, unchanged(verdict), bounded)
 
-    def after_search(self, evidence: Evidence, decision: Decision[Evidence]) -> Diagnosis:
+    def after_search(self, evidence: Evidence, decision: Decision[Evidence, Says]) -> Diagnosis:
         """Return the result of a search and its verdict."""
         search, outcome, claim = evidence.search, evidence.outcome, evidence.claim
         verdict, final = decision.verdict, claim.final
@@ -124,7 +124,7 @@ class DiagnosisBuilder:
             probabilities=None if decision.says.noted else probabilities(search, plausible, outcome),
         )
 
-    def _remarks(self, evidence: Evidence, decision: Decision[Evidence]) -> tuple[str, ...]:
+    def _remarks(self, evidence: Evidence, decision: Decision[Evidence, Says]) -> tuple[str, ...]:
         """Return notes on the data: another reading that decided, mistakes seen in all setups, held-out rows."""
         reading = (decision.says.text,) if decision.says.noted else ()
         held_out = evidence.held_out.notes if decision.verdict.settled else ()
@@ -134,7 +134,7 @@ class DiagnosisBuilder:
         return remarks(self.setups.stage(fit.values), self.fitter.criteria.readings)
 
     def _with_caveats(
-        self, evidence: Evidence, decision: Decision[Evidence], diagnosis: Diagnosis
+        self, evidence: Evidence, decision: Decision[Evidence, Says], diagnosis: Diagnosis
     ) -> tuple[str, str]:
         """Return the reason with what belongs beside a settled verdict, and what of this is in the headline."""
         if not decision.verdict.settled:
@@ -155,7 +155,7 @@ class DiagnosisBuilder:
 
     def _result(
         self,
-        decision: Decision[Any],
+        decision: Decision[Any, Says],
         store: FitStore,
         fit: Fit | None,
         undetectable: tuple[str, ...],

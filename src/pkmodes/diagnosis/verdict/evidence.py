@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Generic, Protocol, TypeVar
+from typing import Any, Generic, Protocol, TypeVar
 
 import numpy as np
 
@@ -155,19 +155,23 @@ class Says:
         return cls(text, frozenset(cause.name for cause in causes), instead)
 
 
-class Asked(Protocol):
-    """What rules are asked of."""
+A = TypeVar("A", bound=Says)
+A_co = TypeVar("A_co", bound=Says, covariant=True)
 
-    def says(self, text: str) -> Says:
+
+class Asked(Protocol[A_co]):
+    """What rules are asked of, and the kind of their answers."""
+
+    def says(self, text: str) -> A_co:
         """Return a reason as an answer."""
 
 
-T = TypeVar("T", bound=Asked)
+T = TypeVar("T", bound=Asked[Any])
 
 
 @dataclass(frozen=True)
-class Rule(Generic[T]):
-    """A rule of a verdict: before a search (T = Start), after it (T = Evidence), or on damping.
+class Rule(Generic[T, A]):
+    """A rule of a verdict, asked before a search (T = Start), after it (T = Evidence), or of damping.
 
     Attributes
     ----------
@@ -179,27 +183,28 @@ class Rule(Generic[T]):
 
     name: str
     verdict: Verdict
-    ask: Callable[[T], Says | str | None]
+    ask: Callable[[T], A | str | None]
 
     @property
     def about(self) -> str:
         """When it applies."""
         return (self.ask.__doc__ or "").partition("\n")[0].removesuffix(".")
 
-    def of(self, evidence: T) -> Says | None:
+    def of(self, evidence: T) -> A | None:
         """Return the answer; None if the rule does not apply."""
         answer = self.ask(evidence)
         if not isinstance(answer, str):
             return answer
-        return evidence.says(answer) if answer else None
+        said: A | None = evidence.says(answer) if answer else None
+        return said
 
 
 @dataclass(frozen=True)
-class Decision(Generic[T]):
+class Decision(Generic[T, A]):
     """The rule that gave the verdict, and its answer."""
 
-    rule: Rule[T]
-    says: Says
+    rule: Rule[T, A]
+    says: A
 
     @property
     def verdict(self) -> Verdict:
@@ -207,7 +212,7 @@ class Decision(Generic[T]):
         return self.rule.verdict
 
 
-def first(rules: Sequence[Rule[T]], evidence: T) -> Decision[T] | None:
+def first(rules: Sequence[Rule[T, A]], evidence: T) -> Decision[T, A] | None:
     """Return the decision of the first rule that applies; None if none does."""
     answers = ((rule, rule.of(evidence)) for rule in rules)
     return next((Decision(rule, says) for rule, says in answers if says is not None), None)

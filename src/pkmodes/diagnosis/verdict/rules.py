@@ -37,12 +37,12 @@ from pkmodes.support.numbers import p_in_words, p_text
 MENTIONED = 4
 
 
-def decide_before_search(start: Start) -> Decision[Start] | None:
+def decide_before_search(start: Start) -> Decision[Start, Says] | None:
     """Return the verdict that needs no search; None if one is needed."""
     return first(before(), start)
 
 
-def decide(evidence: Evidence) -> Decision[Evidence]:
+def decide(evidence: Evidence) -> Decision[Evidence, Says]:
     """Return the verdict after a search, and why it is given."""
     of_noise = CLAIMS if evidence.final.causes else ADEQUACY
     decision = first((*after(), *(of_noise if evidence.outcome.last.passed else OPEN)), evidence)
@@ -315,7 +315,7 @@ def causes_found(e: Evidence) -> Says:
 # The tables ----------------------------------------------------------------------------------------------------
 
 
-def before() -> tuple[Rule[Start], ...]:
+def before() -> tuple[Rule[Start, Says], ...]:
     """Return the rules that are asked before a search."""
     return (
         *_of_readings("before", lambda one: None if one.refitted else one.declared, lambda s: (s.fitter,)),
@@ -324,7 +324,7 @@ def before() -> tuple[Rule[Start], ...]:
     )
 
 
-def after() -> tuple[Rule[Evidence], ...]:
+def after() -> tuple[Rule[Evidence, Says], ...]:
     """Return the rules that are asked whatever a search found."""
     return tuple(_of_readings("after", lambda one: one.explained, lambda e: (e.fitter, e.final)))
 
@@ -333,7 +333,7 @@ def _of_readings(
     prefix: str,
     question: Callable[[table.Reading], Callable[..., str] | None],
     of: Callable[[T], tuple[object, ...]],
-) -> Iterator[Rule[T]]:
+) -> Iterator[Rule[T, Says]]:
     """Yield the rules that ask for other readings of the data."""
     for reading in table.READINGS:
         if ask := question(reading):
@@ -348,7 +348,7 @@ def _says(ask: Callable[..., str], of: Callable[[T], tuple[object, ...]], eviden
 
 
 #: Asked if the declared model leaves noise.
-ADEQUACY = (
+ADEQUACY: tuple[Rule[Evidence, Says], ...] = (
     Rule("adequacy.shapes", UNEXPLAINED, modes_of_other_shapes),
     Rule("adequacy.extra_modes", UNEXPLAINED, extra_modes),
     Rule("adequacy.unstated_error", UNEXPLAINED, unstated_error),
@@ -357,7 +357,7 @@ ADEQUACY = (
 )
 
 #: Asked if causes leave noise.
-CLAIMS = (
+CLAIMS: tuple[Rule[Evidence, Says], ...] = (
     Rule("claims.remote", UNEXPLAINED, remote_cause),
     Rule("claims.one_joint", UNEXPLAINED, in_one_joint),
     Rule("claims.shapes", UNEXPLAINED, modes_of_other_shapes),

@@ -156,7 +156,7 @@ def real(e: Evidence) -> Says:
 
 
 #: Asked if nothing leaves noise.
-OPEN = (
+OPEN: tuple[Rule[Evidence, Says], ...] = (
     Rule("open.added_modes", UNEXPLAINED, added_modes),
     Rule("open.unmatched", UNEXPLAINED, unmatched_modes),
     Rule("open.value_far_away", UNEXPLAINED, value_far_away),
