@@ -25,7 +25,7 @@ from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.result import Diagnosis, Stages
 from pkmodes.diagnosis.verdict.stability import unchanged
-from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND
 
 
 class DiagnosisBuilder:
@@ -37,7 +37,7 @@ class DiagnosisBuilder:
     def before_search(self, start: Start, decision: Decision[Start, Says]) -> Diagnosis:
         """Return the result for too few data, or for an obvious mistake in these: nothing is searched for."""
         verdict, store = decision.verdict, start.plain
-        if verdict is not INSUFFICIENT_DATA:
+        if decision.says.of_reading:
             names = tuple(one.name for one in start.suspected)
             bounded = limits.unknown(store, start.suspected)
             said = (decision.says.text,)
@@ -121,12 +121,12 @@ class DiagnosisBuilder:
             candidates=tested,
             notes=(*diagnosis.notes, *claim.left_out, *contradictions),
             # Another reading of the data contradicts all explanations of it as it stands.
-            probabilities=None if decision.says.noted else probabilities(search, plausible, outcome),
+            probabilities=None if decision.says.of_reading else probabilities(search, plausible, outcome),
         )
 
     def _remarks(self, evidence: Evidence, decision: Decision[Evidence, Says]) -> tuple[str, ...]:
         """Return notes on the data: another reading that decided, mistakes seen in all setups, held-out rows."""
-        reading = (decision.says.text,) if decision.says.noted else ()
+        reading = (decision.says.text,) if decision.says.of_reading else ()
         held_out = evidence.held_out.notes if decision.verdict.settled else ()
         return (*reading, *self._remarked(evidence.final), *held_out)
 

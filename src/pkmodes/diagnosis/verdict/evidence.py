@@ -140,14 +140,15 @@ class Says:
         Candidates to which it says that the data point, without a claim: what they show cannot be undetectable.
     instead : Fit or None
         An explanation that is better with other errors or priors.
-    noted : bool
-        Whether it is the first note, too: the file has something wrong.
+    of_reading : bool
+        Whether another reading of the data decided, because something in the file is wrong.  It is then the first
+        note, too, and explanations of the data as they stand have no probabilities.
     """
 
     text: str
     named: frozenset[str] = frozenset()
     instead: Fit | None = None
-    noted: bool = False
+    of_reading: bool = False
 
     @classmethod
     def naming(cls, text: str, causes: Iterable[Candidate], instead: Fit | None = None) -> Says:

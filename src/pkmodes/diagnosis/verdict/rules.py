@@ -344,7 +344,7 @@ def _of_readings(
 def _says(ask: Callable[..., str], of: Callable[[T], tuple[object, ...]], evidence: T) -> Says | None:
     """Return what is wrong in the file: nothing is claimed, and no cause named."""
     text = ask(*of(evidence))
-    return Says(text, noted=True) if text else None
+    return Says(text, of_reading=True) if text else None
 
 
 #: Asked if the declared model leaves noise.
