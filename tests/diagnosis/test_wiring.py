@@ -263,6 +263,6 @@ def test_the_right_order_is_among_those_that_remain(number: int, order: str) -> 
 def test_the_misfit_does_not_depend_on_whether_errors_are_stated() -> None:
     count = np.array([10.0, 20.0, 0.0])
     one = Misfit(np.array([30.0, 10.0, 0.0]), count, np.array([10.0, 20.0, 1e-300]), 0.1)
-    assert one.evidence() == pytest.approx(10 * np.log(3.0))  # no better than the errors
-    assert one.evidence(frequencies=False) == 0.0
+    assert one.deviance() == pytest.approx(10 * np.log(3.0))  # no better than the errors
+    assert one.deviance(frequencies=False) == 0.0
     assert one.shapes == pytest.approx(20.0)

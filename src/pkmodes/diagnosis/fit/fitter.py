@@ -110,10 +110,13 @@ class Fitter:
         count, most = len(self.data.labels), self.criteria.fits.setups_to_scout
         if count <= 2 * most:
             return self
-        some = [int((k + 0.5) * count / most) for k in range(most)]
+        return self.at([int((k + 0.5) * count / most) for k in range(most)])
+
+    def at(self, setups: list[int]) -> Fitter:
+        """Return the fitter of some of the setups."""
         return Fitter(
-            self.structure.subset(some),
-            self.data.at(some),
+            self.structure.subset(setups),
+            self.data.at(setups),
             self.criteria,
             self.shape_scatter,
             parameters=self.parameters,

@@ -64,7 +64,7 @@ class Misfit:
             difference=float(np.sqrt(apart)),
         )
 
-    def evidence(self, frequencies: bool = True) -> float:
+    def deviance(self, frequencies: bool = True) -> float:
         """Return the deviance, with errors of the size that the misfit shows, whether they are stated or not.
 
         Parameters
@@ -126,14 +126,7 @@ def promising(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> bool:
     squares = (fit.white[fitter.shape_rows].reshape(shapes.sigma.shape) ** 2).sum(axis=1)
     sums = np.bincount(pose, squares, setups) / np.maximum(np.bincount(pose, shapes.count, setups), 1.0)
     some = np.sort(np.argsort(sums)[-WORST:])
-    at = some.tolist()
-    part = Fitter(
-        fitter.structure.subset(at),
-        fitter.data.at(at),
-        fitter.criteria,
-        fitter.shape_scatter,
-        parameters=fitter.parameters,
-    )
+    part = fitter.at(some.tolist())
     every, used = [as_in_file(fitter.data.channels), *wirings], np.ones(len(part.log), dtype=bool)
     there = _modes(fit.prediction.eigenvalues[some], fit.prediction.shapes[some], fit.prediction.rigid)
     declared = part.structure.predict(part.declared, ())
@@ -155,16 +148,16 @@ def misfits(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring,
 
     def keep(misfits: Iterable[tuple[Wiring, Misfit]]) -> None:
         for wiring, misfit in misfits:
-            if wiring not in found or misfit.evidence() < found[wiring].evidence():
+            if wiring not in found or misfit.deviance() < found[wiring].deviance():
                 found[wiring] = misfit
 
     for prediction in (fitter.structure.predict(fitter.declared, ()), fit.prediction):
         keep(zip(every, at_prediction(fitter, used, prediction, every), strict=False))
-    best = sorted((w for w in found if w != own), key=lambda wiring: found[wiring].evidence())
-    near = found[best[0]].evidence() + c.rewired_near
+    best = sorted((w for w in found if w != own), key=lambda wiring: found[wiring].deviance())
+    near = found[best[0]].deviance() + c.rewired_near
     hypotheses = [Hypothesis(excluded=fit.hypothesis.excluded), *([fit.hypothesis] if fit.causes else [])]
     again: list[tuple[float, Prediction]] = []
-    for wiring in [w for w in best if found[w].evidence() < near][: c.rewired_refits]:
+    for wiring in [w for w in best if found[w].deviance() < near][: c.rewired_refits]:
         rewired = Fitter(
             fitter.structure,
             wiring.of(fitter.data),
@@ -177,7 +170,7 @@ def misfits(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring,
             if other is not None:
                 misfit = Misfit.of(fitter, used, other.residual)
                 keep([(wiring, misfit)])
-                again.append((misfit.evidence(), other.prediction))
+                again.append((misfit.deviance(), other.prediction))
     if again:  # the parameters are the same with whatever wiring
         prediction = min(again, key=lambda one: one[0])[1]
         keep(zip(every, at_prediction(fitter, used, prediction, every), strict=False))

@@ -97,13 +97,13 @@ def rewired(fitter: Fitter, fit: Fit) -> Rewired | None:
     found = misfits(fitter, fit, tuple(tried))
     here = found.pop(as_in_file(columns))
     complete = min(misfit.per_value[0] for misfit in (here, *found.values())) < c.rewired_noise
-    evidence = {wiring: misfit.evidence(complete) for wiring, misfit in found.items()}
-    order = sorted(evidence, key=evidence.__getitem__)
-    least, best = evidence[order[0]], found[order[0]]
+    deviance = {wiring: misfit.deviance(complete) for wiring, misfit in found.items()}
+    order = sorted(deviance, key=deviance.__getitem__)
+    least, best = deviance[order[0]], found[order[0]]
     better = Apart(here.shapes, best.shapes).far_better(c.rewired)
-    if not better or here.evidence(complete) - least < c.rewired_certain:
+    if not better or here.deviance(complete) - least < c.rewired_certain:
         return None
-    remaining = [w for w in order if evidence[w] - least < c.rewired_told_apart]
+    remaining = [w for w in order if deviance[w] - least < c.rewired_told_apart]
     certain = (
         best.per_value[1] < c.rewired_noise and best.difference < fitter.criteria.shapes.most_scatter / 2.0
     )
