@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from pkmodes.diagnosis.opinion.said import ClassMass, PairMass, Probabilities, Statement
+from pkmodes.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities, Statement
 from pkmodes_rig.suites import calibration
 from pkmodes_rig.suites.cases import Case
 from pkmodes_rig.suites.specimens import Specimen
@@ -24,8 +24,8 @@ def said(top: Statement) -> Probabilities:
             **({"nothing_missing": 0.1, "outside": 0.1, "classes": (), "pairs": ()} | {top: 0.9})
         )
     if isinstance(top[0], str):
-        return Probabilities(0.05, 0.05, (ClassMass(top, 0.9),), ())
-    return Probabilities(0.05, 0.05, (), (PairMass(top, 0.9),))
+        return Probabilities(0.05, 0.05, (ClassProbability(top, 0.9),), ())
+    return Probabilities(0.05, 0.05, (), (PairProbability(top, 0.9),))
 
 
 @pytest.mark.parametrize(

@@ -24,10 +24,10 @@ from pkmodes.diagnosis import Candidate, Diagnosis, Measurements, Parameter, dia
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.opinion import evidence, outside
-from pkmodes.diagnosis.opinion.left import Left, left_by
-from pkmodes.diagnosis.opinion.probabilities import DOUBT, _beside
-from pkmodes.diagnosis.opinion.said import ClassMass, PairMass, Probabilities
+from pkmodes.diagnosis.posterior import marginal, outside
+from pkmodes.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
+from pkmodes.diagnosis.posterior.linearised import Linearised, linearised
+from pkmodes.diagnosis.posterior.probabilities import DOUBT, _beside
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict import builder
 
@@ -39,8 +39,8 @@ DIRECTIONS = directions(ROWS, 30)
 @pytest.fixture
 def exact_errors(monkeypatch: pytest.MonkeyPatch) -> None:
     """Stated errors that are certainly right, so that a linear structure has an evidence in closed form."""
-    monkeypatch.setattr(evidence, "SCALE_SIGMA", 1e-4)
-    monkeypatch.setattr(evidence, "WIDE", 0.0)
+    monkeypatch.setattr(marginal, "SCALE_SIGMA", 1e-4)
+    monkeypatch.setattr(marginal, "WIDE", 0.0)
 
 
 # The evidence against quadrature ----------------------------------------------------------------------------------
@@ -81,7 +81,7 @@ def test_the_evidence_of_a_cause_is_the_integral_over_its_size_and_the_uncertain
         return both / np.log(largest)
 
     whole = integrate.quad(of_u, 0.0, np.log(largest), limit=400, epsrel=1e-7)[0]
-    assert with_cause.alone - plain.alone == pytest.approx(np.log(whole / of_n(0.0)), abs=0.02)
+    assert with_cause.log_evidence - plain.log_evidence == pytest.approx(np.log(whole / of_n(0.0)), abs=0.02)
 
 
 @pytest.mark.usefixtures("exact_errors")
@@ -103,7 +103,7 @@ def test_a_row_set_aside_leaves_more_room_to_the_uncertain_value() -> None:
     density = stats.norm(0.0, SIGMA).logpdf(0.0)
     expected = whole(np.delete(np.arange(len(y)), row)) + density - whole(np.arange(len(y)))
     price = np.log(1.2 / (np.sqrt(2.0 * np.pi) * SIGMA)) - np.log(0.01)
-    found = left_by(fitter, fewer, {}).alone - left_by(fitter, every, {}).alone
+    found = linearised(fitter, fewer, {}).log_evidence - linearised(fitter, every, {}).log_evidence
     assert found == pytest.approx(expected - price, abs=0.01)
 
 
@@ -123,7 +123,9 @@ def test_a_cause_that_was_not_fitted_has_the_evidence_of_its_fit_where_the_model
     assert not plain.set_aside
     linear = {one.causes: one.weight for one in _beside(search, plausible, plain, 0.0)}
     for cause in model.candidates:
-        assert linear[cause.name,] == pytest.approx(_left(store.fitter, (cause,), plausible).alone, abs=0.05)
+        assert linear[cause.name,] == pytest.approx(
+            _left(store.fitter, (cause,), plausible).log_evidence, abs=0.05
+        )
 
 
 @pytest.mark.parametrize("dimensions", [2, 3, 5])
@@ -141,19 +143,19 @@ def test_the_price_of_several_parameters_is_the_integral_over_all_directions(
 
     low, high = max(1.0, signal - 7.0), min(largest, signal + 7.0)
     expected = integrate.dblquad(of_direction, low, high, 0.0, np.pi, epsabs=0.0, epsrel=1e-6)[0]
-    found = evidence.of_size(*(np.array([one]) for one in (signal, dimensions, largest, False)))
+    found = marginal.log_occam_factor(*(np.array([one]) for one in (signal, dimensions, largest, False)))
     assert found[0] == pytest.approx(np.log(expected), abs=0.01)
 
 
 def test_misstated_errors_are_integrated_out() -> None:
-    narrow, wide = (stats.norm(0.0, s).pdf for s in (evidence.SCALE_SIGMA, evidence.SCALE_WIDE))
+    narrow, wide = (stats.norm(0.0, s).pdf for s in (marginal.SCALE_SIGMA, marginal.SCALE_WIDE))
     for squares, degrees in ((40.0, 40.0), (160.0, 40.0), (2000.0, 40.0), (3.0, 12.0)):
 
         def density(log: float, q: float = squares, nu: float = degrees) -> float:
-            prior = (1.0 - evidence.WIDE) * narrow(log) + evidence.WIDE * wide(log)
+            prior = (1.0 - marginal.WIDE) * narrow(log) + marginal.WIDE * wide(log)
             return float(prior * np.exp(-nu * log - 0.5 * q * np.exp(-2.0 * log) + 0.5 * nu))
 
-        low, high = evidence.LOG_SCALE[[0, -1]]
+        low, high = marginal.LOG_SCALE[[0, -1]]
         expected = (
             np.log(
                 integrate.quad(density, low, high, points=[0.0, 0.5 * np.log(squares / degrees)], limit=300)[
@@ -163,7 +165,7 @@ def test_misstated_errors_are_integrated_out() -> None:
             - 0.5 * degrees
         )
         arrays = np.array([squares]), np.array([degrees])
-        found = evidence.of_scaled(*arrays, evidence.prior_of_scale())
+        found = marginal.marginal_log_likelihood(*arrays, marginal.prior_of_scale())
         assert found[0] == pytest.approx(expected, abs=0.02)
 
 
@@ -172,17 +174,17 @@ def test_changes_of_low_rank_have_the_evidence_of_their_covariance() -> None:
     root, white = rng.standard_normal((rows, 4)), 3.0 * rng.standard_normal(rows)
     g, axes = np.linalg.eigh(root.T @ root)
     c = (axes.T @ (root.T @ white)) ** 2 / g
-    prior, largest = evidence.prior_of_scale(), 80.0
+    prior, largest = marginal.prior_of_scale(), 80.0
     sizes = np.geomspace(outside.LEAST, largest, outside.SIZES)
     weights = prior[::2] / prior[::2].sum() / outside.SIZES
     each = [
         np.log(weight)
         + stats.multivariate_normal(cov=np.exp(2 * log) * np.eye(rows) + a**2 * root @ root.T).logpdf(white)
-        for log, weight in zip(evidence.LOG_SCALE[::2], weights, strict=True)
+        for log, weight in zip(marginal.LOG_SCALE[::2], weights, strict=True)
         for a in sizes
     ]
     expected = special.logsumexp(each) + 0.5 * rows * np.log(2.0 * np.pi)
-    found = outside.of_changes(g, c, float(white @ white), rows, largest, prior)
+    found = outside.log_evidence_of_frequencies(g, c, float(white @ white), rows, largest, prior)
     assert found == pytest.approx(expected, abs=1e-6)
 
 
@@ -213,7 +215,9 @@ def test_a_mass_at_one_coordinate_lies_in_the_family_of_changes() -> None:
     white = np.tile(12.0 * np.eye(MODES)[1], SETUPS) + errors(ROWS)
     marked = replace(plain, white=white)
     scattered = replace(plain, white=np.random.default_rng(1).permutation(white))
-    assert outside.outside(fitter, marked) > outside.outside(fitter, scattered) + 10.0
+    assert (
+        outside.log_evidence_outside(fitter, marked) > outside.log_evidence_outside(fitter, scattered) + 10.0
+    )
 
 
 def test_a_gross_row_counts_as_much_as_its_price_and_no_more() -> None:
@@ -222,18 +226,18 @@ def test_a_gross_row_counts_as_much_as_its_price_and_no_more() -> None:
     away = {size: plain + size * np.eye(ROWS)[7] for size in (40.0, 90.0)}
     found = {size: _left(Fitter(model, with_changes(model, change)), (), {}) for size, change in away.items()}
     assert all(one.set_aside == {7} for one in found.values())
-    assert found[40.0].alone == pytest.approx(found[90.0].alone, abs=1e-6)
+    assert found[40.0].log_evidence == pytest.approx(found[90.0].log_evidence, abs=1e-6)
     # A large row drags a fit along; the others then say where it belongs.
     cause = Fitter(model, with_changes(model, 20.0 * DIRECTIONS[0] + away[90.0]))
     with_cause = _left(cause, model.candidates, {})
     assert with_cause.set_aside == {7}
-    assert with_cause.alone > _left(cause, (), {}).alone + 50.0
+    assert with_cause.log_evidence > _left(cause, (), {}).log_evidence + 50.0
 
 
-def _left(fitter: Fitter, causes: tuple[Candidate, ...], plausible: dict[int, float]) -> Left:
+def _left(fitter: Fitter, causes: tuple[Candidate, ...], plausible: dict[int, float]) -> Linearised:
     fit = fitter.fit(Hypothesis(causes))
     assert fit is not None
-    return left_by(fitter, fit, plausible)
+    return linearised(fitter, fit, plausible)
 
 
 # What known structures must give ----------------------------------------------------------------------------------
@@ -318,10 +322,10 @@ def test_a_value_for_each_joint_is_less_probable_than_a_common_one_that_explains
     fitter = Fitter(model, with_changes(model, 20.0 * common + errors(ROWS)))
     of_common, of_each = (_left(fitter, (cause,), {}) for cause in some[:2])
     assert of_each.squares[0] <= of_common.squares[0]
-    assert of_common.alone > of_each.alone + 2.0
+    assert of_common.log_evidence > of_each.log_evidence + 2.0
     unequal = Fitter(model, with_changes(model, 20.0 * DIRECTIONS[10] + errors(ROWS)))
     of_common, of_each = (_left(unequal, (cause,), {}) for cause in some[:2])
-    assert of_each.alone > of_common.alone + 20.0
+    assert of_each.log_evidence > of_common.log_evidence + 20.0
 
 
 def test_all_explanations_are_doubted_where_none_leaves_only_noise() -> None:
@@ -357,7 +361,9 @@ def test_the_json_has_them() -> None:
 
 
 def test_the_top_is_the_largest() -> None:
-    said = Probabilities(0.1, 0.2, (ClassMass(("a", "b"), 0.3),), (PairMass((("a", "c"),), 0.4),))
+    said = Probabilities(
+        0.1, 0.2, (ClassProbability(("a", "b"), 0.3),), (PairProbability((("a", "c"),), 0.4),)
+    )
     assert said.top == ((("a", "c"),), 0.4)
     assert replace_top(said, outside=0.5) == ("outside", 0.5)
 

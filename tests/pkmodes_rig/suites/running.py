@@ -14,7 +14,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from pkmodes.diagnosis.opinion.said import Probabilities
+from pkmodes.diagnosis.posterior.document import Probabilities
 
 C = TypeVar("C")
 R = TypeVar("R")

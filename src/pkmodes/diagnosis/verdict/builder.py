@@ -10,7 +10,7 @@ import numpy as np
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.opinion.probabilities import probabilities
+from pkmodes.diagnosis.posterior.probabilities import probabilities
 from pkmodes.diagnosis.problem import reached_bounds
 from pkmodes.diagnosis.readings.table import declared_otherwise, remarks
 from pkmodes.diagnosis.search.ranges import plausible_sizes

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from pkmodes.diagnosis.opinion.said import Probabilities
+from pkmodes.diagnosis.posterior.document import Probabilities
 from pkmodes.diagnosis.verdict.findings import NextMeasurement, Stability
 from pkmodes.diagnosis.verdict.rows import Error, Place, Row
 from pkmodes.diagnosis.verdict.verdicts import DampingWord, Word

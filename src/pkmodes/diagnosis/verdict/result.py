@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from pkmodes.diagnosis.match.predicted import Predicted
-from pkmodes.diagnosis.opinion.said import Probabilities
+from pkmodes.diagnosis.posterior.document import Probabilities
 from pkmodes.diagnosis.verdict.document import (
     CandidateDocument,
     CauseDocument,

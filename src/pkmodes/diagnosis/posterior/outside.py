@@ -9,8 +9,8 @@ a combination of the products of two components of the shape.  All products have
 the frequencies, beside whatever is fitted, is normal with the covariance
 :math:`s^2 I + \frac{a^2}{n} G G^T`, where G has the n unit signatures of these products and a is the size of the
 change, log-uniform from `LEAST` to what changes the frequencies by `MOST`.  The factor s may be larger than that of
-misstated errors: what no such change describes, because it is another one at each setup or adds a mode, looks like
-scatter.  Everything else is as for the catalogue: errors misstated, rows set aside, errors that a setup shares.
+misstated errors: a change that differs between setups, or adds a mode, is not in this family and looks like scatter.
+Everything else is as for the catalogue: errors misstated, rows set aside, errors that a setup shares.
 """
 
 from __future__ import annotations
@@ -19,42 +19,47 @@ import numpy as np
 from scipy import special
 
 from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.opinion.evidence import LOG_SCALE, of_scaled, prior_of_scale
-from pkmodes.diagnosis.opinion.left import Left
+from pkmodes.diagnosis.posterior.linearised import Linearised
+from pkmodes.diagnosis.posterior.marginal import LOG_SCALE, marginal_log_likelihood, prior_of_scale
 from pkmodes.diagnosis.problem import Array
 
-#: Least signal of a change, its largest relative change of the frequencies, and number of sizes between them.
+#: Least signal of a change, largest relative change of the frequencies, and number of sizes in the quadrature.
 LEAST, MOST, SIZES = 5.0, 0.3, 15
-#: Part of the changes that look like scatter, and their largest factor on the errors.
+#: Prior probability of a change that looks like scatter, and its largest factor on the errors.
 SCATTERED, FACTOR = 0.5, 20.0
-#: Directions with less than this variance are noise whatever the size, and relative ones that are rounding.
+#: Directions with less than this variance at the largest size are left out as noise; smaller relative variances are
+#: rounding.
 SHOWN, ROUNDING = 0.1, 1e-12
 
 
-def outside(fitter: Fitter, left: Left) -> float:
-    """Return the evidence of something beside a fit."""
+def log_evidence_outside(fitter: Fitter, model: Linearised) -> float:
+    """Return the logarithm of the evidence of something outside the catalogue beside a fit."""
     wide = ((LOG_SCALE >= 0.0) & (np.log(FACTOR) >= LOG_SCALE)).astype(float)
     prior = (1.0 - SCATTERED) * prior_of_scale() + SCATTERED * wide / wide.sum()
-    frequencies, shapes, priors = left.squares
+    frequencies, shapes, priors = model.squares
     largest = float(np.linalg.norm(MOST / fitter.sigma))
-    changes = of_changes(*spectrum(fitter, left), frequencies, left.degrees[0], largest, prior)
-    rest = float(of_scaled(np.array(shapes), np.array(left.degrees[1]), prior))
-    return changes + rest - 0.5 * priors + left.price
+    changes = log_evidence_of_frequencies(
+        *spectrum(fitter, model), frequencies, model.degrees[0], largest, prior
+    )
+    rest = float(marginal_log_likelihood(np.array(shapes), np.array(model.degrees[1]), prior))
+    return changes + rest - 0.5 * priors + model.price
 
 
-def of_changes(g: Array, c: Array, squares: float, degrees: float, largest: float, prior: Array) -> float:
-    """Return the evidence of the frequencies.
+def log_evidence_of_frequencies(
+    g: Array, c: Array, squares: float, degrees: float, largest: float, prior: Array
+) -> float:
+    """Return the logarithm of the evidence of the frequencies, the size of the change and the errors integrated out.
 
     Parameters
     ----------
     g, c : ndarray, shape (k,)
         Variances of changes of unit size along their principal directions, and the squares along each.
     squares, degrees : float
-        Of all frequencies.
+        Sum of squares of all frequencies, and its degrees of freedom.
     largest : float
         Largest signal of a change.
-    prior : ndarray
-        Of the factors on the errors.
+    prior : ndarray, shape (85,)
+        Of the factors `LOG_SCALE` on the errors.
     """
     sizes = np.geomspace(LEAST, max(largest, 2.0 * LEAST), SIZES)
     shown = sizes[-1] ** 2 * g > SHOWN
@@ -67,18 +72,18 @@ def of_changes(g: Array, c: Array, squares: float, degrees: float, largest: floa
     return float(special.logsumexp(exponent, b=weights[:, None] / SIZES))
 
 
-def spectrum(fitter: Fitter, left: Left) -> tuple[Array, Array]:
-    """Return the variances of changes of unit size along their principal directions, and the squares along these.
+def spectrum(fitter: Fitter, model: Linearised) -> tuple[Array, Array]:
+    """Return the variances of changes of unit size along their principal directions, and the squares there, (k,).
 
-    The directions are orthogonal to the derivatives with respect to all that is fitted.
+    The directions are orthogonal to the derivatives with respect to all fitted parameters.
     """
-    fit, rows, partner = left.fit, fitter.frequency_rows, left.fit.pairing.partner
+    fit, rows, partner = model.fit, fitter.frequency_rows, model.fit.pairing.partner
     at = fitter.pairer.pose, np.maximum(partner, 0)
     shapes, eigenvalues = fit.prediction.shapes[at], np.abs(fit.prediction.eigenvalues[at])
     i, j = np.triu_indices(shapes.shape[1])
     products = shapes[:, i] * shapes[:, j]
     used = partner >= 0
-    used[list(left.set_aside)] = False
+    used[list(model.set_aside)] = False
     data = np.zeros((fitter.prior_rows.start, 2 * len(i)))
     data[rows] = np.hstack([products, products / np.maximum(eigenvalues, 1e-300)[:, None]]) * used[:, None]
     raw = fitter.whitening(fit).whitened(data)[rows]
@@ -88,7 +93,7 @@ def spectrum(fitter: Fitter, left: Left) -> tuple[Array, Array]:
     values, vectors = np.linalg.eigh(unit @ unit.T / max(unit.shape[1], 1))
     some = values > ROUNDING * max(values[-1], ROUNDING)
     root = vectors[:, some] * np.sqrt(values[some])
-    inner = left.basis[rows].T @ root
+    inner = model.basis[rows].T @ root
     g, axes = np.linalg.eigh(root.T @ root - inner.T @ inner)
     kept = g > 100.0 * ROUNDING * g.max(initial=0.0)
-    return g[kept], (axes[:, kept].T @ (root.T @ left.white[rows])) ** 2 / g[kept]
+    return g[kept], (axes[:, kept].T @ (root.T @ model.white[rows])) ** 2 / g[kept]

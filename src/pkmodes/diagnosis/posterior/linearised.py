@@ -1,8 +1,8 @@
-"""What a fit leaves, in the terms of the evidence: squares of frequencies and shapes, and what else counts.
+"""The linear model at a fit, and its evidence: squares and degrees of freedom of frequencies and shapes, and factors.
 
-A row that is not a mode must not count against the truth: the fit without it follows from the one with all rows by
-leaving its data out of the linearised fit.  A row is set aside where that gains more than its price, which says that
-such rows are seldom and may lie anywhere within reach.
+A row that is not a mode must not count against the true hypothesis.  The fit without it follows from that of all rows
+by deleting its data from the linear model.  A row is set aside where this gains more than its price: such rows are
+rare, and may lie anywhere within reach.
 """
 
 from __future__ import annotations
@@ -16,33 +16,36 @@ import numpy as np
 from pkmodes.diagnosis.fit.cross_validation import deleted
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, orthonormal
-from pkmodes.diagnosis.opinion.evidence import of_scaled, of_size, prior_of_scale
+from pkmodes.diagnosis.posterior.marginal import log_occam_factor, marginal_log_likelihood, prior_of_scale
 from pkmodes.diagnosis.problem import Array, Candidate
 from pkmodes.diagnosis.search.score import one_sided
 
 #: Prior probabilities that a row is not a mode, and that the modes of a setup share an error.
 WRONG_ROW, SHARED = 0.01, 0.02
-#: Largest plausible signal of a cause, and its signal where nothing bounds its size.
+#: Upper limit of the largest plausible signal of a cause, which it has where nothing bounds its size.
 SIGNAL = 1e3
 #: A size counts as beyond its plausible range from this factor on: fits end at bounds up to rounding.
 BEYOND = 1.001
 #: The largest plausible signal is at least this factor beyond that of the fit.
 BEYOND_SIGNAL = 1.1
-#: Most that a datum counts in a quick comparison: about the price of a row.
-ROW = 20.0
+#: Cap of the square of a datum in `capped_deviance`: about the price of a row.
+CAP = 20.0
 
 
 @dataclass(frozen=True)
-class Left:
-    """What a fit leaves.
+class Linearised:
+    """The linear model at a fit, without the rows that are set aside.
+
+    The D data are those of the fit.
 
     Attributes
     ----------
     price : float
-        Logarithm of what counts besides squares: rows set aside, a shared error, uncertain values, sizes of causes;
-        minus infinity if a size is not plausible.
+        Logarithm of all factors of the evidence beside the likelihood: the priors of rows set aside and of a shared
+        error, and the Occam factors of uncertain values and of sizes of causes; minus infinity if a size is not
+        plausible.
     parts : tuple of slice
-        Places of the frequencies, shapes and priors among the data.
+        Frequencies, shapes and priors among the data.
     degrees : tuple of float
         Degrees of freedom of frequencies and shapes, without the rows set aside.
     basis, white : ndarray, shape (D, k) and (D,)
@@ -61,33 +64,33 @@ class Left:
 
     @cached_property
     def squares(self) -> tuple[float, ...]:
-        """Sums of squares of frequencies, shapes and priors."""
+        """Sums of squares of frequencies, shapes and priors, (3,)."""
         return tuple(float(self.white[part] @ self.white[part]) for part in self.parts)
 
     @cached_property
-    def alone(self) -> float:
-        """The evidence of the fit as it is."""
+    def log_evidence(self) -> float:
+        """The logarithm of the evidence of the fit as it is."""
         nothing = np.zeros((len(self.white), 1))
-        return float(self.less(nothing, nothing)[0])
+        return float(self.log_evidence_with(nothing, nothing)[0])
 
-    def less(self, along: Array, taken: Array) -> Array:
-        """Return the evidence with linear additions, but for the prices of their sizes, (n,).
+    def log_evidence_with(self, along: Array, taken: Array) -> Array:
+        """Return the logarithm of the evidence with each of n linear additions, without their Occam factors, (n,).
 
         Parameters
         ----------
         along, taken : ndarray, shape (D, n)
-            Parts of the residual that they take away, and their leverages.
+            Parts of the residual that they remove, and the leverages of their directions.
         """
         left = self.white[:, None] - along
         squares = [(left[part] ** 2).sum(axis=0) for part in self.parts]
         total, prior = self.price - 0.5 * squares[2], prior_of_scale()
         for some, part, degrees in zip(squares, self.parts, self.degrees, strict=False):
-            total += of_scaled(some, np.maximum(degrees - taken[part].sum(axis=0), 0.0), prior)
+            total += marginal_log_likelihood(some, np.maximum(degrees - taken[part].sum(axis=0), 0.0), prior)
         return np.asarray(total)
 
 
-def left_by(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Left:
-    """Return what a fit leaves.
+def linearised(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Linearised:
+    """Return the linear model at a fit, without rows that are no modes.
 
     Parameters
     ----------
@@ -116,16 +119,18 @@ def left_by(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Left:
     price = -sum(_price(fitter, row) for row in aside) - 0.5 * fit.log_determinant
     if fit.hypothesis.scatter:
         price += float(np.log(SHARED) - 0.5 * np.log(len(kept)))
-    price += _volume(fitter, fit) + sum(_size(fitter, fit, cause, plausible) for cause in fit.causes)
+    price += _log_occam_factor_of_values(fitter, fit) + sum(
+        _log_occam_factor_of_cause(fitter, fit, cause, plausible) for cause in fit.causes
+    )
     parts = frequencies, shapes, fitter.prior_rows
-    return Left(fit, price, parts, (degrees[0], degrees[1]), basis, white, frozenset(aside))
+    return Linearised(fit, price, parts, (degrees[0], degrees[1]), basis, white, frozenset(aside))
 
 
-def quickly(fitter: Fitter, fit: Fit) -> float:
-    """Return about twice the negative logarithm of the likelihood of a fit, no datum counting more than `ROW`."""
+def capped_deviance(fitter: Fitter, fit: Fit) -> float:
+    """Return twice the negative log likelihood of a fit, with the square of each datum capped at `CAP`."""
     squares = fit.white**2
     data = squares[: fitter.prior_rows.start]
-    data[:] = np.minimum(data, ROW)
+    data[:] = np.minimum(data, CAP)
     return float(squares.sum()) + fit.log_determinant
 
 
@@ -137,15 +142,17 @@ def _price(fitter: Fitter, row: int) -> float:
     return float(max(frequency, 0.0) + np.maximum(shape, 0.0).mean() * fitter.shapes.count[row])
 
 
-def _volume(fitter: Fitter, fit: Fit) -> float:
-    """Return the logarithm of the part of their priors that is left to the uncertain values, but for a constant."""
+def _log_occam_factor_of_values(fitter: Fitter, fit: Fit) -> float:
+    """Return the logarithm of the Occam factor of the uncertain values, up to a constant for the same data."""
     width = fitter.priors.width(fitter.declared)[fitter.priors.rows(fitter.nuisances)]
     scaled = fit.jacobian[:, : len(width)] * width
     return -0.5 * float(np.linalg.slogdet(scaled.T @ scaled)[1])
 
 
-def _size(fitter: Fitter, fit: Fit, cause: Candidate, plausible: Mapping[int, float]) -> float:
-    """Return the evidence of the size of a cause beside the others, see `evidence.of_size`."""
+def _log_occam_factor_of_cause(
+    fitter: Fitter, fit: Fit, cause: Candidate, plausible: Mapping[int, float]
+) -> float:
+    """Return the logarithm of the Occam factor of a cause beside the others; minus infinity if implausible."""
     index = list(fitter.indices(cause))
     away, covariance = fit.values[index] - fitter.declared[index], fit.covariance_of(index)
     if cause.sigma is not None:
@@ -160,4 +167,4 @@ def _size(fitter: Fitter, fit: Fit, cause: Candidate, plausible: Mapping[int, fl
     signal = float(np.sqrt(max(z @ information @ z, 0.0)))
     largest = max(float(np.sqrt(max(signals[-1], 1.0))), BEYOND_SIGNAL * signal)
     determined, sided = max(int((signals > 1.0).sum()), 1), one_sided(fitter, cause) != 0
-    return float(of_size(*(np.array([one]) for one in (signal, determined, largest, sided)))[0])
+    return float(log_occam_factor(*(np.array([one]) for one in (signal, determined, largest, sided)))[0])

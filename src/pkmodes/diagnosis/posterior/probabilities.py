@@ -1,10 +1,10 @@
-"""The probabilities of nothing missing, of each class, of each pair, and of something outside: a second opinion.
+"""The posterior probabilities that nothing is missing, of each class, of each pair, and of something outside.
 
-All fits that a search has made are weighed by their evidence and by a prior: the same for each candidate, and for
-each pair.  A cause that the search did not refit, because the linear model promised little, has the evidence of the
-linear model; so has one beside the best single cause where no pairs were refitted.  A cause with a value for each
-joint needs no other rule beside one with a common value: directions in which it could have differed, but does not,
-count against it.  Remote candidates, those of a single joint, are part of what is outside.
+The best fits of a search are weighed by their evidence and by a prior, the same for each candidate, and for each
+pair.  A cause that the search did not refit, because the linear model promised little, has the evidence of the linear
+model; so has a second cause beside the best single one where that pair was not refitted.  Causes with several
+parameters are penalised by their Occam factors alone.  Remote candidates, such as those of a single joint, are part
+of what is outside.
 """
 
 from __future__ import annotations
@@ -19,10 +19,16 @@ from scipy import special
 
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
-from pkmodes.diagnosis.opinion.evidence import of_size
-from pkmodes.diagnosis.opinion.left import BEYOND_SIGNAL, SIGNAL, Left, left_by, quickly
-from pkmodes.diagnosis.opinion.outside import outside
-from pkmodes.diagnosis.opinion.said import ClassMass, PairMass, Probabilities
+from pkmodes.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
+from pkmodes.diagnosis.posterior.linearised import (
+    BEYOND_SIGNAL,
+    SIGNAL,
+    Linearised,
+    capped_deviance,
+    linearised,
+)
+from pkmodes.diagnosis.posterior.marginal import log_occam_factor
+from pkmodes.diagnosis.posterior.outside import log_evidence_outside
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.search.score import Score, one_sided
 from pkmodes.diagnosis.search.search import Outcome, Search
@@ -31,19 +37,19 @@ from pkmodes.support.grouping import grouped
 
 #: Prior probabilities that nothing is missing, one cause, two, or something outside the catalogue.
 NOTHING, ONE, TWO, OUTSIDE = 0.55, 0.25, 0.04, 0.16
-#: Part of all probability that goes to something outside where no explanation of the search leaves noise.
+#: Probability of something outside that is added where no explanation of the search leaves noise.
 DOUBT = 0.25
-#: Fits that are weighed: those that the data contradict about as little as the best, at most so many; and of these,
-#: those beside which something outside is tried.
+#: Fits are weighed up to this capped deviance above the least, and at most so many; something outside is tried beside
+#: so many of those without causes, and of those with causes.
 NEAR, WEIGHED, BESIDE = 60.0, 24, 3
-#: Part of what is outside that is found beside a cause of the catalogue, and in a single joint.
+#: Prior probabilities, given something outside, that it is beside a cause of the catalogue, and in a single joint.
 WITH_CAUSE, IN_ONE = 0.2, 0.1
-#: Statements that are less probable are left out, and single causes and pairs in them.
+#: Classes less probable than the first are not stated, and members less probable than the second are left out.
 STATED, LEAST = 1e-3, 1e-4
-#: A smaller probability is 0.
+#: Smaller probabilities are stated as 0.
 NEVER = 1e-6
-#: What is less probable than the best explanation by this logarithm is not asked for modes that were not measured;
-#: and the least probability that these were missed.
+#: Explanations whose weight is less than that of the best by this logarithm are not examined for modes that were not
+#: measured; and the least probability that such modes were missed.
 COUNTS, MISSED = 15.0, 1e-12
 #: Members of a class with which a further one is compared.
 COMPARED = 4
@@ -58,9 +64,9 @@ class Weighed:
     causes : tuple of str
         Names of its causes.
     weight : float
-        Logarithm of prior times evidence.
+        Logarithm of prior times evidence, not normalised.
     data : Fit, or ndarray of shape (D,)
-        Its fit, or its effect on the data in the linear model.
+        Its fit, or its whitened effect on the data in the linear model.
     """
 
     causes: tuple[str, ...]
@@ -81,21 +87,27 @@ def probabilities(search: Search, plausible: Mapping[int, float], outcome: Outco
     fitter, first, count = search.store.fitter, outcome.nuisances, max(len(search.candidates), 1)
     priors = np.log([NOTHING, ONE / count, TWO / max(comb(count, 2), 1)])
     ranked = sorted(
-        ((quickly(fitter, fit), k, fit) for k, fit in enumerate(search.store.tried()) if _weighable(fit)),
+        (
+            (capped_deviance(fitter, fit), k, fit)
+            for k, fit in enumerate(search.store.tried())
+            if _weighable(fit)
+        ),
         key=lambda one: one[:2],
     )
     near = [fit for quick, _, fit in ranked[:WEIGHED] if quick <= ranked[0][0] + NEAR]
     near += [] if any(fit is first for fit in near) else [first]
-    left = [one for fit in near if np.isfinite((one := left_by(fitter, fit, plausible)).price)]
-    left.sort(key=lambda one: -one.alone)
-    own = [one for one in left if not one.fit.hypothesis.remote]
-    explained = [Weighed(_names(one.fit), priors[len(one.fit.causes)] + one.alone, one.fit) for one in own]
+    models = [one for fit in near if np.isfinite((one := linearised(fitter, fit, plausible)).price)]
+    models.sort(key=lambda one: -one.log_evidence)
+    own = [one for one in models if not one.fit.hypothesis.remote]
+    explained = [
+        Weighed(_names(one.fit), priors[len(one.fit.causes)] + one.log_evidence, one.fit) for one in own
+    ]
     for number in (0, 1):
         base = next((one for one in own if len(one.fit.causes) == number), None)
         explained += [] if base is None else _beside(search, plausible, base, priors[number + 1])
-    beyond = float(np.log(OUTSIDE) + _outside(search, left, first))
+    beyond = float(np.log(OUTSIDE) + _outside(search, models, first))
     doubt = 0.0 if outcome.last.passed else DOUBT
-    return _said(fitter, _together(search, first, explained), beyond, doubt)
+    return _normalised(fitter, _together(search, first, explained), beyond, doubt)
 
 
 def _weighable(fit: Fit) -> bool:
@@ -107,10 +119,17 @@ def _names(fit: Fit, *more: str) -> tuple[str, ...]:
     return tuple(sorted([*(cause.name for cause in fit.causes), *more]))
 
 
-def _beside(search: Search, plausible: Mapping[int, float], base: Left, prior: float) -> list[Weighed]:
-    """Return additions of a cause to a fit that were not fitted, in the linear model.
+def _beside(search: Search, plausible: Mapping[int, float], base: Linearised, prior: float) -> list[Weighed]:
+    """Return the explanations with one more cause than a fit that were not fitted, in the linear model.
 
-    Beside a cause, one that the data cannot tell from none is no other explanation than that cause.
+    A second cause whose effect the data cannot tell from none counts as the first cause alone.
+
+    Parameters
+    ----------
+    plausible : mapping of int to float
+        Largest plausible deviations of parameters of candidates.
+    prior : float
+        Logarithm of the prior of each.
     """
     known = {_names(fit) for fit in search.store.tried()}
     scores = search.scores(base.fit)
@@ -120,7 +139,11 @@ def _beside(search: Search, plausible: Mapping[int, float], base: Left, prior: f
         return []
     along = np.stack([axes @ (axes.T @ base.white) * (one.gain > 0.0) for one, axes in new], axis=1)
     taken = np.stack([(axes**2).sum(axis=1) for _, axes in new], axis=1)
-    weights = prior + base.less(along, taken) + _prices(search, [one for one, _ in new], plausible)
+    weights = (
+        prior
+        + base.log_evidence_with(along, taken)
+        + _log_occam_factors(search, [one for one, _ in new], plausible)
+    )
     hidden = (along**2).sum(axis=0) < search.criteria.claim.told_apart
     return [
         Weighed(_names(base.fit), weight, base.fit)
@@ -130,8 +153,8 @@ def _beside(search: Search, plausible: Mapping[int, float], base: Left, prior: f
     ]
 
 
-def _prices(search: Search, some: Sequence[Score], plausible: Mapping[int, float]) -> Array:
-    """Return the evidence of the sizes of linear additions."""
+def _log_occam_factors(search: Search, some: Sequence[Score], plausible: Mapping[int, float]) -> Array:
+    """Return the logarithms of the Occam factors of n causes in the linear model, (n,)."""
     fitter, signal = search.store.fitter, np.sqrt([one.gain for one in some])
     signals = [
         [
@@ -144,7 +167,7 @@ def _prices(search: Search, some: Sequence[Score], plausible: Mapping[int, float
     largest = np.maximum([max(each, default=SIGNAL) for each in signals], BEYOND_SIGNAL * signal)
     degrees = np.array([max(len(each), 1) for each in signals])
     signs = np.array([one_sided(fitter, one.candidate) != 0 for one in some])
-    prices, width = of_size(signal, degrees, largest, signs), fitter.priors.width(fitter.declared)
+    prices, width = log_occam_factor(signal, degrees, largest, signs), fitter.priors.width(fitter.declared)
     for k, one in enumerate(some):
         if one.candidate.sigma is not None:
             rows = fitter.priors.rows(fitter.indices(one.candidate))
@@ -158,21 +181,23 @@ def _missed(search: Search, first: Fit, fit: Fit) -> float:
     return float(np.log(max(p, MISSED)))
 
 
-def _outside(search: Search, left: Sequence[Left], first: Fit) -> float:
-    """Return the evidence of what is outside: broad changes beside the best fits, and remote causes."""
+def _outside(search: Search, models: Sequence[Linearised], first: Fit) -> float:
+    """Return the logarithm of the evidence of something outside: changes beside the best fits, and remote causes."""
     fitter, count = search.store.fitter, max(len(search.candidates), 1)
     alone, beside, joint = np.log(
         [1.0 - WITH_CAUSE - IN_ONE, WITH_CAUSE / count, IN_ONE / max(len(search.remote), 1)]
     )
-    weights = [alone + outside(fitter, one) for one in [one for one in left if not one.fit.causes][:BESIDE]]
-    weights += [beside + outside(fitter, one) for one in [one for one in left if one.fit.causes][:BESIDE]]
-    remote = [one for one in left if one.fit.hypothesis.remote]
-    weights += [joint + one.alone + _missed(search, first, one.fit) for one in remote]
+    plain = [one for one in models if not one.fit.causes][:BESIDE]
+    caused = [one for one in models if one.fit.causes][:BESIDE]
+    remote = [one for one in models if one.fit.hypothesis.remote]
+    weights = [alone + log_evidence_outside(fitter, one) for one in plain]
+    weights += [beside + log_evidence_outside(fitter, one) for one in caused]
+    weights += [joint + one.log_evidence + _missed(search, first, one.fit) for one in remote]
     return float(special.logsumexp(weights))
 
 
 def _together(search: Search, first: Fit, explained: Sequence[Weighed]) -> list[Weighed]:
-    """Return the explanations, all fits with the same causes together, the most probable first."""
+    """Return the explanations, the weights of all fits with the same causes added up, the most probable first."""
     of: dict[tuple[str, ...], list[Weighed]] = {}
     for one in sorted(explained, key=lambda one: -one.weight):
         of.setdefault(one.causes, []).append(one)
@@ -190,8 +215,18 @@ def _together(search: Search, first: Fit, explained: Sequence[Weighed]) -> list[
     return sorted(seen, key=lambda one: -one.weight)
 
 
-def _said(fitter: Fitter, explained: Sequence[Weighed], beyond: float, doubt: float) -> Probabilities | None:
-    """Return the probabilities, explanations that the data cannot tell apart together, with a doubt about all."""
+def _normalised(
+    fitter: Fitter, explained: Sequence[Weighed], beyond: float, doubt: float
+) -> Probabilities | None:
+    """Return the normalised probabilities; explanations that the data cannot tell apart have one together.
+
+    Parameters
+    ----------
+    beyond : float
+        Logarithm of prior times evidence of something outside.
+    doubt : float
+        Probability of something outside that is added.
+    """
     total = float(special.logsumexp([beyond, *(one.weight for one in explained)]))
     if not np.isfinite(total):
         return None
@@ -206,12 +241,12 @@ def _said(fitter: Fitter, explained: Sequence[Weighed], beyond: float, doubt: fl
         nothing_missing=nothing / whole,
         outside=away / whole,
         classes=tuple(
-            ClassMass(tuple(one.causes[0] for one in group), each / whole)
+            ClassProbability(tuple(one.causes[0] for one in group), each / whole)
             for group, each in stated
             if len(group[0].causes) == 1
         ),
         pairs=tuple(
-            PairMass(tuple((one.causes[0], one.causes[1]) for one in group), each / whole)
+            PairProbability(tuple((one.causes[0], one.causes[1]) for one in group), each / whole)
             for group, each in stated
             if len(group[0].causes) == 2
         ),
@@ -219,7 +254,7 @@ def _said(fitter: Fitter, explained: Sequence[Weighed], beyond: float, doubt: fl
 
 
 def _probability(logarithm: float) -> float:
-    """Return a probability from its logarithm; 0 if it is so small that the evidence is not that exact."""
+    """Return a probability from its logarithm; 0 if it is smaller than the evidence is exact."""
     return float(np.exp(logarithm)) if logarithm > np.log(NEVER) else 0.0
 
 

@@ -12,7 +12,7 @@ from pkmodes.support.documents import Document, Probability
 Statement = str | tuple[str, ...] | tuple[tuple[str, str], ...]
 
 
-class ClassMass(Document, frozen=True):
+class ClassProbability(Document, frozen=True):
     """The probability that the model lacks a member of a class, and nothing else that the data show."""
 
     members: Annotated[
@@ -24,7 +24,7 @@ class ClassMass(Document, frozen=True):
     probability: Probability
 
 
-class PairMass(Document, frozen=True):
+class PairProbability(Document, frozen=True):
     """The probability that the model lacks both causes of a pair, and that the data show both."""
 
     members: Annotated[
@@ -43,9 +43,9 @@ class Probabilities(Document, frozen=True):
         Meta(description="Of something that is not among the candidates, or only in a single joint."),
     ]
     classes: Annotated[
-        tuple[ClassMass, ...], Meta(description="Of one cause, by class, the most probable first.")
+        tuple[ClassProbability, ...], Meta(description="Of one cause, by class, the most probable first.")
     ]
-    pairs: Annotated[tuple[PairMass, ...], Meta(description="Of two causes, the most probable first.")]
+    pairs: Annotated[tuple[PairProbability, ...], Meta(description="Of two causes, the most probable first.")]
 
     @property
     def top(self) -> tuple[Statement, float]:

@@ -1,1 +1,0 @@
-"""A second opinion: the probabilities of explanations."""

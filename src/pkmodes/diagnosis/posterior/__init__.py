@@ -1,0 +1,1 @@
+"""The posterior probabilities of all explanations: a second opinion beside the verdict."""
