@@ -151,13 +151,13 @@ def page(found: Sequence[Mapping[str, Any]]) -> list[str]:
         "# The probabilities, measured",
         "",
         "Written by `make suites`; do not edit. `tests/pkmodes_rig/suites/calibration.py` runs cases drawn from all",
-        "suites but those with mistaken files, and holds the most probable explanation of each against the truth.",
-        "It is right if it is that nothing is missing, or the class with the cause, or a pair of both causes, or",
-        "something outside, where that is so; a wrong value of a single axis is no candidate, so it is outside, too.",
-        "A class with one of two causes is wrong. A cause that is too small to be seen is missing all the same.",
+        "suites but those with mistaken files, and compares the most probable explanation of each with the truth:",
+        "that nothing is missing, the class that contains the cause, the pair of both causes, or something outside.",
+        "A wrong value of a single axis, which is no candidate, counts as something outside. A class with one of two",
+        "causes is wrong, and so is that nothing is missing where a cause is too small to be seen.",
         "",
         f"{len(found)} cases, {len(some)} with probabilities, {failed} failed; expected calibration error"
-        f" {error(some):.3f}. Priors, doubt and what is outside were fixed before, with {SEEN}.",
+        f" {error(some):.3f}. The priors and all constants were chosen before, with {SEEN}.",
         "",
         *_table(
             "largest probability",
@@ -176,7 +176,12 @@ def _table(
     head: str, groups: Mapping[str, Sequence[Mapping[str, Any]]], every: Sequence[Mapping[str, Any]] = ()
 ) -> list[str]:
     lines = [_line(name, part) for name, part in groups.items()] + ([_line("all", every)] if every else [])
-    return [f"| {head} | cases | its mean | right | part |", "| --- | --- | --- | --- | --- |", *lines, ""]
+    return [
+        f"| {head} | cases | mean probability | right | fraction right |",
+        "| --- | --- | --- | --- | --- |",
+        *lines,
+        "",
+    ]
 
 
 def _suites(found: Sequence[Mapping[str, Any]]) -> list[str]:

@@ -40,7 +40,7 @@ class Linearised:
 
     Attributes
     ----------
-    price : float
+    log_factor : float
         Logarithm of all factors of the evidence beside the likelihood: the priors of rows set aside and of a shared
         error, and the Occam factors of uncertain values and of sizes of causes; minus infinity if a size is not
         plausible.
@@ -55,7 +55,7 @@ class Linearised:
     """
 
     fit: Fit
-    price: float
+    log_factor: float
     parts: tuple[slice, slice, slice]
     degrees: tuple[float, float]
     basis: Array
@@ -83,7 +83,7 @@ class Linearised:
         """
         left = self.white[:, None] - along
         squares = [(left[part] ** 2).sum(axis=0) for part in self.parts]
-        total, prior = self.price - 0.5 * squares[2], prior_of_scale()
+        total, prior = self.log_factor - 0.5 * squares[2], prior_of_scale()
         for some, part, degrees in zip(squares, self.parts, self.degrees, strict=False):
             total += marginal_log_likelihood(some, np.maximum(degrees - taken[part].sum(axis=0), 0.0), prior)
         return np.asarray(total)
@@ -116,14 +116,14 @@ def linearised(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Line
         max(float(count[kept].sum() - leverage[part].sum()), 0.0)
         for count, part in ((np.ones(len(kept)), frequencies), (fitter.shapes.count, shapes))
     ]
-    price = -sum(_price(fitter, row) for row in aside) - 0.5 * fit.log_determinant
+    log_factor = -sum(_price(fitter, row) for row in aside) - 0.5 * fit.log_determinant
     if fit.hypothesis.scatter:
-        price += float(np.log(SHARED) - 0.5 * np.log(len(kept)))
-    price += _log_occam_factor_of_values(fitter, fit) + sum(
+        log_factor += float(np.log(SHARED) - 0.5 * np.log(len(kept)))
+    log_factor += _log_occam_factor_of_values(fitter, fit) + sum(
         _log_occam_factor_of_cause(fitter, fit, cause, plausible) for cause in fit.causes
     )
     parts = frequencies, shapes, fitter.prior_rows
-    return Linearised(fit, price, parts, (degrees[0], degrees[1]), basis, white, frozenset(aside))
+    return Linearised(fit, log_factor, parts, (degrees[0], degrees[1]), basis, white, frozenset(aside))
 
 
 def capped_deviance(fitter: Fitter, fit: Fit) -> float:

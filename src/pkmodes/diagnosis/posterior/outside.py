@@ -42,7 +42,7 @@ def log_evidence_outside(fitter: Fitter, model: Linearised) -> float:
         *spectrum(fitter, model), frequencies, model.degrees[0], largest, prior
     )
     rest = float(marginal_log_likelihood(np.array(shapes), np.array(model.degrees[1]), prior))
-    return changes + rest - 0.5 * priors + model.price
+    return changes + rest - 0.5 * priors + model.log_factor
 
 
 def log_evidence_of_frequencies(

@@ -96,7 +96,7 @@ def probabilities(search: Search, plausible: Mapping[int, float], outcome: Outco
     )
     near = [fit for quick, _, fit in ranked[:WEIGHED] if quick <= ranked[0][0] + NEAR]
     near += [] if any(fit is first for fit in near) else [first]
-    models = [one for fit in near if np.isfinite((one := linearised(fitter, fit, plausible)).price)]
+    models = [one for fit in near if np.isfinite((one := linearised(fitter, fit, plausible)).log_factor)]
     models.sort(key=lambda one: -one.log_evidence)
     own = [one for one in models if not one.fit.hypothesis.remote]
     explained = [
