@@ -157,7 +157,7 @@ def page(found: Sequence[Mapping[str, Any]]) -> list[str]:
         "causes is wrong, and so is that nothing is missing where a cause is too small to be seen.",
         "",
         f"{len(found)} cases, {len(some)} with probabilities, {failed} failed; expected calibration error"
-        f" {error(some):.3f}. The priors and all constants were chosen before, with {SEEN}.",
+        f" {error(some):.3f}. Priors, doubt and the family of changes outside were chosen before, with {SEEN}.",
         "",
         *_table(
             "largest probability",
