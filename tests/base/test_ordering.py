@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from pkmodes.support.ordering import in_order, listed, sorted_labels
+from pkmodes.support.ordering import in_order, joined, listed, sorted_labels
 
 
 @pytest.mark.parametrize(
@@ -36,3 +36,8 @@ def test_a_list_in_a_sentence_says_how_many_it_leaves_out() -> None:
     ]
     assert listed(["a", "b", "c"], 2, "; ", "; and ") == "a; b; and 1 more"
     assert listed([], 2) == ""
+
+
+def test_all_names_in_a_sentence() -> None:
+    assert [joined(["a", "b", "c"][:count]) for count in range(4)] == ["", "a", "a and b", "a, b and c"]
+    assert joined(["a", "b", "c"], "or") == "a, b or c"

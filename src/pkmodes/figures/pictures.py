@@ -39,6 +39,7 @@ from pkmodes.plots.svg import inline
 from pkmodes.plots.workspace import workspace
 from pkmodes.support.extras import require
 from pkmodes.support.motors import motors_in_words
+from pkmodes.support.ordering import joined
 from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
@@ -136,8 +137,7 @@ def known_to(spread: NDArray[Any] | None) -> str:
     """Return how surely the frequencies are known, as a sentence; nothing without standard deviations."""
     if spread is None:
         return ""
-    *first, last = (f"\u00b1{typeset(f'{size:.2g}')}" for size in spread.tolist())
-    sizes = f"{', '.join(first)} and {last}" if first else last
+    sizes = joined([f"\u00b1{typeset(f'{size:.2g}')}" for size in spread.tolist()])
     through = "and" if len(spread) == 2 else "to"
     modes = "" if len(spread) == 1 else f" of modes 1 {through} {len(spread)}"
     text = f" From the standard deviations in the robot file, the frequencies{modes} are known to {sizes} Hz"

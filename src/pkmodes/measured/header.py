@@ -22,6 +22,7 @@ from pkmodes.measured.quantities import (
     row_numbers,
 )
 from pkmodes.measured.rules import SET, SHAPE
+from pkmodes.support.ordering import joined
 
 #: Columns of text.
 TEXT = ("pose", "mode", "drives")
@@ -118,14 +119,8 @@ def read_header(
         if name in (*components, *spreads) and len(placed) < len(components):
             missing = next(other for other in components if other not in placed)
             what = f'found the column "{name}" without "{missing}"'
-            _refuse(what, where, f"give {in_words(components)}, or no position column at all")
+            _refuse(what, where, f"give {joined(components)}, or no position column at all")
     return columns
-
-
-def in_words(names: Collection[str]) -> str:
-    """Join names as in a sentence: x, y and z."""
-    *others, last = [*names] or [""]
-    return f"{', '.join(others)} and {last}" if others else last
 
 
 def _plain(name: str, units: Mapping[str, str]) -> str:

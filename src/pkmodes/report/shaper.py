@@ -20,6 +20,7 @@ from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.shaping.firmware import NAMES
 from pkmodes.shaping.residual_vibration import residual
+from pkmodes.support.ordering import joined
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
@@ -149,8 +150,7 @@ def _range(values: NDArray[np.float64], form: str) -> str:
 
 
 def _design(one: Candidate) -> str:
-    *first, last = (f"{f:.1f}" for f in one.frequencies)
-    return f"{', '.join(first)} and {last} Hz" if first else f"{last} Hz"
+    return f"{joined([f'{f:.1f}' for f in one.frequencies])} Hz"
 
 
 def shapers_table(content: dict[str, Any]) -> Table:

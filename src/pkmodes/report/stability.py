@@ -8,6 +8,7 @@ from pkmodes.diagnosis.verdict.findings import Stability
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, meaning, stable
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
+from pkmodes.support.ordering import joined
 
 #: The changes as people say them.
 CHANGES = {HALVED: "sigma halved", DOUBLED: "sigma doubled", WIDENED: "priors twice as wide"}
@@ -57,7 +58,6 @@ def _same(result: Diagnosis) -> str:
 
 
 def _part(outcome: str, why: str, changes: Sequence[str], alone: bool) -> str:
-    words = [CHANGES.get(change, change) for change in changes]
-    joined = words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+    words = joined([CHANGES.get(change, change) for change in changes])
     because = f" ({why})" if why else ""
-    return f"{outcome} {'also ' if alone and ' ' not in outcome else ''}with {joined}{because}"
+    return f"{outcome} {'also ' if alone and ' ' not in outcome else ''}with {words}{because}"

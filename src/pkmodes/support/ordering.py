@@ -6,7 +6,7 @@ Labels are in the order in which people count: P2 before P10, and -0.5 mm before
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 #: A number with its unit, as the whole of a label; a number within one.
 QUANTITY = re.compile(r"\s*([+\-\u2212]?\d+(?:\.\d+)?)\s*(\D*?)\s*")
@@ -46,6 +46,18 @@ def listed(names: Sequence[str], most: int, between: str = ", ", last: str = " a
     """
     more = len(names) - most
     return between.join(names[:most]) + (f"{last}{more} more" if more > 0 else "")
+
+
+def joined(names: Collection[str], last: str = "and") -> str:
+    """Return all names in a sentence: "a, b and c"; empty for none.
+
+    Parameters
+    ----------
+    last : str
+        The word before the last name.
+    """
+    *others, end = [*names] or [""]
+    return f"{', '.join(others)} {last} {end}" if others else end
 
 
 def _key(label: str) -> list[tuple[float, str]]:

@@ -19,9 +19,10 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.units import NUMBER, QuantityError, base_units
 from pkmodes.diagnosis.arguments import check_measurements
 from pkmodes.diagnosis.problem import Candidate, Loss, Parameter
-from pkmodes.measured.header import OTHER_MACHINE, SPREAD, in_words, owners
+from pkmodes.measured.header import OTHER_MACHINE, SPREAD, owners
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.rules import SHAPE
+from pkmodes.support.ordering import joined
 from pkmodes.updating.candidates import suspects
 from pkmodes.updating.channels import channels
 from pkmodes.updating.load_cases import LoadCases, load_cases, of_columns
@@ -67,7 +68,7 @@ class MeasuredRobot:
         check_measurements(data, "pkmodes.updating.read(path)")
         names = tuple(component.name for component in robot.mechanism.pose)
         if data.components != names:
-            what = f"expected poses with {in_words(names)}, found {in_words(data.components)}"
+            what = f"expected poses with {joined(names)}, found {joined(data.components)}"
             raise MeasurementError(what, data.source, f"give the pose components of {robot.source}")
         known = channels(robot.mechanism)
         for name in data.channels:
@@ -227,7 +228,7 @@ def check_reachable(robot: Robot, data: Measurements, loads: LoadCases) -> None:
         valid[rows] = _reached(case.robot, data.points[rows])
     if valid.all():
         return
-    columns, first = f"columns {in_words(data.components)}", int(np.argmin(valid))
+    columns, first = f"columns {joined(data.components)}", int(np.argmin(valid))
     line = data.lines[int(np.argmax(data.pose == first))]
     where = f"{data.source}: line {line}, {columns}"
     if (bad := int((~valid).sum())) > 1:

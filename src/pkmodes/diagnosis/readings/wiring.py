@@ -26,8 +26,8 @@ from pkmodes.diagnosis.readings.wirings import (
     remedy,
     simplicity,
     wirings,
-    words,
 )
+from pkmodes.support.ordering import joined
 
 #: Largest number of wirings that a sentence names.
 MOST = 4
@@ -140,7 +140,7 @@ def _sentence(
         f"the shapes differ from the model by {100 * here.difference:.2g} % of their largest component as in the "
         f"file, by {100 * best.difference:.2g} % with this corrected"
     )
-    some = [words(each, "or") for each in mistakes[:MOST]]
+    some = [joined(each, "or") for each in mistakes[:MOST]]
     if len(mistakes) == 1:
         seems = "" if certain else "it seems that "
         same = " (for shapes, which have any sign, the same)" if len(mistakes[0]) > 1 else ""

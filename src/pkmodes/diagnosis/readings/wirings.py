@@ -18,6 +18,7 @@ import numpy as np
 
 from pkmodes.diagnosis.problem import Array, Sensor
 from pkmodes.measured.measurements import Measurements
+from pkmodes.support.ordering import joined
 
 
 @dataclass(frozen=True)
@@ -105,17 +106,17 @@ def described(wiring: Wiring, columns: Sequence[str], sensors: Sequence[Sensor])
     if {wiring.channels[columns.index(name)] for name in moved} != set(moved):
         return measures  # one of them measures an axis that is not in the file
     if len(moved) == 2 and not reverse:
-        return f"{words(moved)} are exchanged"
+        return f"{joined(moved)} are exchanged"
     if len(moved) > 2 and not reverse:
-        return f"{words(moved)} are exchanged cyclically ({measures})"
+        return f"{joined(moved)} are exchanged cyclically ({measures})"
     sensor = next((s for s in sensors if all(columns[k] in s.channels for k in wrong)), None)
     W = None if sensor is None else _axes(wiring, columns, sensor)
     if sensor is not None and W is not None and round(float(np.linalg.det(W))) == 1:
-        which = f"at the {sensor.place}" if sensor.place else f"of {words(sensor.channels)}"
+        which = f"at the {sensor.place}" if sensor.place else f"of {joined(sensor.channels)}"
         return f"the sensor {which} is turned{_turn(W, sensor)} ({measures})"
     if not moved:
-        return f"{words(reverse)} are {'both' if len(reverse) == 2 else 'all'} reversed"
-    return f"{words(moved)} are exchanged and {words(reverse)} reversed ({measures})"
+        return f"{joined(reverse)} are {'both' if len(reverse) == 2 else 'all'} reversed"
+    return f"{joined(moved)} are exchanged and {joined(reverse)} reversed ({measures})"
 
 
 def remedy(wiring: Wiring, columns: Sequence[str]) -> str:
@@ -128,7 +129,7 @@ def remedy(wiring: Wiring, columns: Sequence[str]) -> str:
         elif sign < 0:
             reverse.append(f"shape:{column}")
     if reverse:
-        changes.append(f"change the sign of the column{'s' * (len(reverse) > 1)} {words(reverse)}")
+        changes.append(f"change the sign of the column{'s' * (len(reverse) > 1)} {joined(reverse)}")
     return ", ".join(changes)
 
 
@@ -142,11 +143,6 @@ def hint(wiring: Wiring, columns: Sequence[str], sensors: Sequence[Sensor]) -> s
             axis = sensor.axes[sensor.channels.index(name)]
             return f", or check the sensor's direction and the sign of {axis} in the poses"
     return ", or check the sensor's direction"
-
-
-def words(names: Sequence[str], last: str = "and") -> str:
-    """Return names as words: "a, b and c"."""
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} {last} {names[-1]}"
 
 
 def _turn(W: Array, sensor: Sensor) -> str:
