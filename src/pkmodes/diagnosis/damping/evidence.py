@@ -71,7 +71,7 @@ class LossEvidence:
     fitter : LossFitter
         Of the rows that take part.
     doubts : tuple of Rule
-        Those by which nothing is claimed.
+        Where one of these applies, nothing is claimed.
     trials : mapping of str to DampingJudgement, optional
         By change of the errors or priors.
     held : DampingRows, optional

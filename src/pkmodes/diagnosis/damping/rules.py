@@ -1,8 +1,9 @@
 """The rules of the verdict on damping, in a table: the first that applies decides.
 
-Its meaning is that of the frequencies: an explanation leaves noise, has no distinguishable rival, improves
-significantly on the declared losses, and is specific.  Friction that depends on the amplitude, such as Coulomb
-friction, is not a loss of the catalogue; it is refused because it leaves more than noise, or a trend with frequency.
+What a claim needs is the same as for the frequencies: the explanation leaves noise, has no distinguishable rival,
+improves significantly on the declared losses, and is specific.  Friction that depends on the amplitude, such as
+Coulomb friction, is not a loss of the catalogue; it is refused because it leaves more than noise, or a trend with
+frequency.
 
 Tests of one machine find ratios that scatter by more than each states, mode by mode.  A model that declares no loss
 says nothing about damping, so that a ratio common to all modes contradicts nothing either, and names no joint.  Nor
@@ -70,13 +71,13 @@ def as_declared(e: LossEvidence) -> LossSays | None:
 
 
 def several(e: LossEvidence) -> LossSays | None:
-    """Several explanations remain that these ratios can tell apart, but do not."""
+    """Several explanations remain that do not form one class."""
     found = e.explanation
     return LossSays("", rivals=(found.best, *found.others)) if found and found.others else None
 
 
 def nearly_declared(e: LossEvidence) -> LossSays | None:
-    """Another common ratio than the declared one explains them, and repeated tests differ by as much."""
+    """A common ratio other than the declared one explains them, and differs from it as repeated tests do."""
     if e.claim is None or not e.declares or e.common is None or len(e.claim.places) != 1:
         return None
     fit = next((fit for fit in e.claim.places[0] if fit.causes == (e.common,)), None)
@@ -89,7 +90,7 @@ def nearly_declared(e: LossEvidence) -> LossSays | None:
 
 
 def common_ratio(e: LossEvidence) -> str:
-    """No damping is declared, and one ratio of all modes, which names no joint, explains all of them."""
+    """No damping is declared, and a ratio common to all modes, which names no joint, explains the measured ones."""
     if e.declares or e.common is None:
         return ""
     fit = e.fitter.fit((e.common,))  # also where it is not among the chosen candidates
@@ -101,7 +102,7 @@ def common_ratio(e: LossEvidence) -> str:
 
 
 def scattered(e: LossEvidence) -> LossSays | None:
-    """Nothing is claimed, and the ratios scatter about one, or about the declared, as those of repeated tests do."""
+    """Nothing is claimed, and ratios scatter about a common one, or about those declared, as in repeated tests."""
     if e.claim is not None:
         return None
     if e.declares:
@@ -121,7 +122,7 @@ def scattered(e: LossEvidence) -> LossSays | None:
 
 
 def tells_nothing(e: LossEvidence) -> str:
-    """One class has all candidates, although these are not the same thing."""
+    """All candidates are in one class although their effects differ."""
     found = e.explanation
     if found is None or len(found.best.causes) != 1:
         return ""
@@ -217,7 +218,7 @@ _UNEXPLAINED: Rule[LossEvidence, LossSays] = Rule("damping.unexplained", UNEXPLA
 NOT_PREDICTED = "damping.held_out"
 _FOUND = Rule("damping.found", EFFECT_FOUND, found)
 
-#: By which nothing is claimed.
+#: Where one of these applies, nothing is claimed.
 DOUBTS: LossRules = (
     _TELLS_NOTHING,
     Rule("damping.chance", UNEXPLAINED, may_be_chance),
@@ -236,5 +237,5 @@ LOSSES: LossRules = (
     Rule(NOT_PREDICTED, UNEXPLAINED, not_predicted),
     _FOUND,
 )
-#: That with other errors or priors.
+#: The verdict with other errors or priors.
 ROUGHLY: LossRules = (*_BEFORE, *ROUGH_DOUBTS, _FOUND)

@@ -2,8 +2,9 @@
 
 A rule has a name, which begins with that of its table, the verdict that it gives, and a question of the evidence.
 The docstring of the question says when the rule applies, and its answer is the reason of the verdict, for a person.
-`before` is asked before any search, and may be all; after it `after`, then `ADEQUACY` where the declared model leaves
-noise, `CLAIMS` where causes do, and `OPEN` (`unexplained`) where nothing does.  docs/diagnosis.md has the tables.
+`before` is asked first, and there is no search if one of its rules applies.  After a search come `after`, then
+`ADEQUACY` where the declared model leaves noise, `CLAIMS` where causes do, and `OPEN` (`unexplained`) where nothing
+does.  docs/diagnosis.md has the tables.
 """
 
 from __future__ import annotations
