@@ -18,6 +18,7 @@ import xarray
 import pkmodes
 from helpers.commands.answers import printed, refused
 from helpers.commands.map_runs import PROGRAM
+from helpers.commands.printed_tables import printed_table
 from helpers.robots.robot_text import PUBLISHED, edited
 from helpers.runs.processes import ROOT, environment
 from pkmodes.core.robot.declaration import changeable
@@ -32,20 +33,28 @@ def test_the_table_says_where_each_mode_is_lowest_and_highest() -> None:
     assert out.startswith("linear-delta-2022: The lowest frequency of vibration lies between ")
     assert "  Mapped with motors free: x 300 to 800 mm (11 values), y 0 mm, z -245 mm.\n" in out
     assert "  can be evaluated: 11 (100 %)\n" in out
-    rows = [line.split() for line in out.splitlines()]
-    (first,) = (i for i, row in enumerate(rows) if row[:1] == ["mode"])
-    assert rows[first - 1] == ["quantiles", "[Hz]", "lowest", "highest"]
-    assert " ".join(rows[first]) == "mode 2 % median 98 % f [Hz] x [mm] f [Hz] x [mm]"
     x = np.linspace(0.3, 0.8, 11)
     frequencies = pkmodes.load(PUBLISHED).frequencies([[value, 0.0, -0.245] for value in x])[:, 3:]
-    for mode in range(6):
-        column = frequencies[:, mode]
+    first = frequencies[:, 0]
+    assert f"lies between {first.min():.3f} and {first.max():.3f} Hz " in " ".join(out.split())
+    rows = printed_table(out, "mode", "2 %", "median", "98 %", *(2 * ("f [Hz]", "x [mm]")))
+    for mode, column in enumerate(frequencies.T):
         low, high = column.argmin(), column.argmax()
         shares = [f"{value:.3f}" for value in np.quantile(column, [0.02, 0.5, 0.98])]
         ends = [part for k in (low, high) for part in (f"{column[k]:.3f}", f"{1e3 * x[k]:.6g}")]
-        assert rows[first + 1 + mode] == [str(mode + 1), *shares, *ends]
+        assert rows[mode] == [str(mode + 1), *shares, *ends]
+    assert len(rows) == 6
     assert "near-singular" not in out
     assert "unstable" not in out
+
+
+def test_one_pose_has_frequencies_and_no_quantiles() -> None:
+    out = printed("map", ROBOT, "--grid", "x=0.6,y=0.03,z=-0.245")
+    frequencies = [f"{f:.3f}" for f in pkmodes.load(PUBLISHED).frequencies([0.6, 0.03, -0.245])[3:]]
+    assert out.startswith(f"linear-delta-2022: The lowest frequency of vibration is {frequencies[0]} Hz\n")
+    assert "  Mapped with motors free: x 600 mm, y 30 mm, z -245 mm.\n" in out
+    assert "Frequencies at the pose.\n" in out
+    assert printed_table(out, "mode", "f [Hz]") == [[str(k), f] for k, f in enumerate(frequencies, 1)]
 
 
 def test_a_frequency_beyond_all_others_does_not_lead_the_table(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -199,14 +208,15 @@ def test_long_names_of_swept_parameters_do_not_widen_it(monkeypatch: pytest.Monk
     monkeypatch.setenv("COLUMNS", "80")
     payload, gearbox = "effects.payload.mass", "effects.gearbox_compliance.compliance"
     swept = ("--set", f"{payload}=0:1:2", "--set", f"{gearbox}=1e-5:1e-4:2")
-    lines = printed("map", ROBOT, "--grid", "x=0.6:0.7:2,y=0,z=-0.245:-0.2:2", *swept).splitlines()
-    assert max(map(len, lines)) <= 80
-    heads = [line for line in lines if line.startswith("mode ")]
-    assert [name for head in heads for name in re.findall(r"effects\S+|[xz] ", head)] == [
-        payload,
-        gearbox,
-        "x ",
-        "z ",
-    ] * 2
-    first = [line for line in lines if line.split()[:1] == ["1"]]
-    assert len(first) == len(heads) > 1, "each part begins with the mode"
+    given = ("--grid", "x=0.6:0.7:2,y=0,z=-0.245:-0.2:2", *swept)
+    out = printed("map", ROBOT, *given)
+    assert max(map(len, out.splitlines())) <= 80
+    place = ("f [Hz]", f"{payload} [kg]", f"{gearbox} [rad/(N*m)]", "x [mm]", "z [mm]")
+    rows = printed_table(out, "mode", "2 %", "median", "98 %", *place, *place)
+    assert [row[0] for row in rows] == list("123456789")
+    content = json.loads(printed("map", ROBOT, *given, "--json", "-"))
+    for row, mode in zip(rows, content["modes"], strict=True):
+        for cells, kind in ((row[4:9], "minimum"), (row[9:], "maximum")):
+            at = mode[f"{kind}_at"]
+            place = (at[payload], at[gearbox], 1e3 * at["x"], 1e3 * at["z"])
+            assert cells == [f"{mode[f'{kind}_hz']:.3f}", *(f"{value:.6g}" for value in place)]

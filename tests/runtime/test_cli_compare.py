@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import json
 import re
 from functools import cache
@@ -14,6 +13,7 @@ import pytest
 import pkmodes
 from helpers.commands import answers
 from helpers.commands.answers import Answer
+from helpers.commands.printed_tables import printed_table
 from helpers.diagnoses.diagnose_command import HEADER, csv_of, rows_of, write
 from helpers.robots.robot_text import PUBLISHED
 from helpers.runs.processes import printed_by_a_process
@@ -30,20 +30,11 @@ def call(*arguments: object) -> Answer:
     return answers.answer("compare", *arguments)
 
 
-def table(found: Answer, first: str = "pose") -> list[list[str]]:
-    """Return the cells of the table whose first column has this title, without its notes."""
-    lines = found.out.splitlines()
-    start = next(i for i, line in enumerate(lines) if line.split()[:1] == [first])
-    return [line.split() for line in lines[start + 1 : start + 1 + len(found_rows(lines[start + 1 :]))]]
-
-
-def found_rows(lines: list[str]) -> list[str]:
-    """Return the lines up to the note of a table, or the empty line below it."""
-    return list(
-        itertools.takewhile(
-            lambda line: line and not re.match(r"(In every row:|The table has )", line), lines
-        )
-    )
+def table(found: Answer, *others: str) -> list[list[str]]:
+    """Return the cells of all measured modes, whose table also has other columns."""
+    own, behind = [title for title in others if title == "own"], [title for title in others if title != "own"]
+    model = ("f [Hz]", "diff. [%]", "diff. [sigma]")
+    return printed_table(found.out, "pose", "line", *own, "mode", "f [Hz]", "sigma [Hz]", *model, *behind)
 
 
 @cache
@@ -95,22 +86,28 @@ def test_the_table_has_a_line_for_each_mode_counted_as_modes_does(tmp_path: Path
     assert lines[0].startswith("linear-delta-2022, motors free: The differences are ")
     assert "  measured modes: 18" in lines
     assert max(map(len, lines)) <= 80
-    (titles,) = (line for line in lines if line.startswith("pose "))
-    assert titles.split()[:6] == ["pose", "line", "own", "mode", "f", "[Hz]"]
-    assert len(table(answer)) == 18
-    given = rows_of(measured())
+    found = call(PUBLISHED, tmp_path / "modes.csv", "--json", "-").json
+    # Rounded to three decimals, three digits and two digits.
+    facts = dict(line.strip().split(": ") for line in lines if re.match(r"  \S.*: \S+$", line))
+    assert float(facts["rms difference [%]"]) == pytest.approx(100 * found["rms_relative"], abs=5.1e-4)
+    assert float(facts["chi2 per degree of freedom"]) == pytest.approx(found["chi2_per_dof"], rel=5e-3)
+    assert float(facts["p-value"]) == pytest.approx(found["p_value"], rel=0.05)
+    cells, given = table(answer, "own", "MAC"), rows_of(measured())
+    assert len(cells) == 18
     order = sorted(dict.fromkeys(row["pose"] for row in given))
-    assert [cells[0] for cells in table(answer)[::6]] == order
+    by_line = {row["line"]: row for row in found["rows"]}
     model = pkmodes.load(PUBLISHED)
-    for i, (_, line, own, mode, frequency, sigma, predicted, difference, *_) in enumerate(table(answer)):
+    for i, (pose, line, own, mode, frequency, sigma, predicted, difference, sigmas, mac) in enumerate(cells):
         row = given[int(line) - 3]
-        assert row["pose"] == order[i // 6]
+        assert pose == row["pose"] == order[i // 6]
         assert (row["mode"], int(mode)) == (own, i % 6 + 1)
-        assert float(frequency) == pytest.approx(float(row["frequency"]), abs=5e-4)
-        assert float(sigma) == pytest.approx(float(row["sigma"]), abs=5e-4)
+        assert frequency == f"{float(row['frequency']):.3f}"
+        assert sigma == f"{float(row['sigma']):.3f}"
         frequencies = model.modes([float(row[name]) for name in "xyz"]).frequencies
         assert float(predicted) == pytest.approx(frequencies[3 + i % 6], abs=5e-4)
         assert float(difference) == pytest.approx(100 * (float(predicted) / float(frequency) - 1), abs=0.006)
+        assert float(sigmas) == pytest.approx(by_line[int(line)]["sigmas"], abs=0.051)
+        assert float(mac) == pytest.approx(by_line[int(line)]["mac"], abs=5.1e-4)
 
 
 def test_a_summary_by_mode_and_the_five_worst_rows_come_first(tmp_path: Path) -> None:
@@ -120,7 +117,7 @@ def test_a_summary_by_mode_and_the_five_worst_rows_come_first(tmp_path: Path) ->
     assert max(map(len, answer.out.splitlines())) <= 80
     # The number measured is the same for every mode: a sentence says it.
     assert "In every row: times measured 3." in answer.out
-    summary = table(answer, "mode")
+    summary = printed_table(answer.out, "mode", "median [%]", "rms [%]", "[%]", "[sigma]", "line")
     assert [cells[0] for cells in summary] == list("123456")
     for number, median, rms, largest, sigmas, line in summary:
         differences = {r["line"]: 100 * r["residual"] for r in rows if r["partner"] == int(number) + 3}
@@ -135,9 +132,11 @@ def test_a_summary_by_mode_and_the_five_worst_rows_come_first(tmp_path: Path) ->
         (row,) = [r for r in rows if r["line"] == worst]
         assert float(sigmas) == pytest.approx(row["sigmas"], abs=0.051)
     expected = sorted(rows, key=lambda r: -abs(r["sigmas"]))[:5]
-    assert [int(cells[1]) for cells in table(answer)] == [r["line"] for r in expected]
+    assert [int(cells[1]) for cells in table(answer, "own", "MAC")] == [r["line"] for r in expected]
     assert "--all prints every row." in answer.out
-    assert "--all prints every row." not in call(PUBLISHED, modes, "--all").out
+    whole = call(PUBLISHED, modes, "--all").out
+    assert whole.startswith(answer.out.partition("\nMeasured modes and the model")[0])
+    assert "--all prints every row." not in whole
 
 
 @both_back_ends
@@ -173,11 +172,8 @@ def test_an_uncertain_position_widens_every_error(tmp_path: Path) -> None:
 def test_only_what_was_measured_has_a_column(tmp_path: Path) -> None:
     text = csv_of([{k: v for k, v in row.items() if k != "mode"} for row in rows_of(measured(shapes=False))])
     answer = call(PUBLISHED, write(tmp_path, text), "--all")
-    (titles,) = (line.split() for line in answer.out.splitlines() if line.startswith("pose "))
-    assert "MAC" not in titles
-    assert "own" not in titles
     assert "own:" not in answer.out
-    assert len(table(answer)) == 18
+    assert len(table(answer)) == 18  # with no other column
 
 
 @both_back_ends
@@ -193,10 +189,10 @@ def test_modes_that_were_rigid_have_no_partner_until_something_ties_the_platform
     assert "  measured modes: 27\n" in answer.out
     assert f"  unmatched: {found['unpaired']}\n" in answer.out
     assert "  p-value: < 1e-6\n" in answer.out
-    assert sum("none" in cells for cells in table(answer)) == found["unpaired"]
+    assert [cells[3] for cells in table(answer, "own", "MAC", "remark")].count("none") == found["unpaired"]
     tied = PUBLISHED.read_text(encoding="utf-8") + '\n[effects.servo_stiffness]\nstiffness = "300 N*m/rad"\n'
     answer = call(write(tmp_path, tied, "tied.toml"), modes, "--all")
-    assert [cells[3] for cells in table(answer)] == 3 * list("123456789")
+    assert [cells[3] for cells in table(answer, "own", "MAC")] == 3 * list("123456789")
     assert answer.out.startswith("linear-delta-2022, motors on their servo stiffness: ")
 
 
@@ -210,7 +206,8 @@ def test_nothing_that_has_a_partner_is_no_perfect_model(tmp_path: Path) -> None:
     answer = call(PUBLISHED, modes)
     assert answer.code == 0
     assert answer.out.startswith("linear-delta-2022, motors free: No measured mode has a partner\n")
-    assert [cells[1:3] for cells in table(answer)] == [[str(2 + i), f"{5000 + i}.000"] for i in range(4)]
+    cells = printed_table(answer.out, "pose", "line", "f [Hz]", "sigma [Hz]")
+    assert cells == [[f"P{i}", str(2 + i), f"{5000 + i}.000", "1.000"] for i in range(4)]
     assert "In every row: mode none" in answer.out
     assert "rms" not in answer.out
 
@@ -257,10 +254,11 @@ def test_a_thousand_rows_come_in_the_order_in_which_people_count(tmp_path: Path)
     ]
     answer = call(PUBLISHED, write(tmp_path, csv_of(rows)), "--all")
     assert answer.code == 0
-    assert len(table(answer)) == len(rows) == 1080
+    cells = table(answer, "own")
+    assert len(cells) == len(rows) == 1080
     poses = sorted({row["pose"] for row in rows}, key=lambda label: [int(n) for n in label[1:].split("/")])
     assert poses[1:3] == ["P1/1", "P1/2"]
-    assert [cells[0] for cells in table(answer)[::6]] == poses
+    assert [pose for pose, *_ in cells[::6]] == poses
 
 
 @both_back_ends
@@ -333,9 +331,13 @@ def test_every_terminal_gets_whole_numbers(
         code, out, err = call(*given)
         assert code == 0
     assert err == ""
-    assert ("Gr\\xf6\\xdfe" if "PYTHONIOENCODING" in environment else "Größe") in out
-    for number in (r" \d+\.\d{3} +0\.\d{3}\b", r" [+-]\d\.\d\d +[+-]\d\.\d\b"):
-        assert len(re.findall(number, out.split("Measured modes and the model")[1])) == 18
+    label = "Gr\\xf6\\xdfe" if "PYTHONIOENCODING" in environment else "Größe"
+    assert label in out
+    answer = Answer(0, out.replace(label, "Größe"), err)
+    numbers = r"[1-6] \d+\.\d{3} 0\.\d{3} \d+\.\d{3} [+-]\d\.\d\d [+-]\d\.\d [01]\.\d{3}"
+    rows = [" ".join(cells[3:]) for cells in table(answer, "own", "MAC")]
+    assert len(rows) == 18
+    assert all(re.fullmatch(numbers, row) for row in rows)
     assert "\u2026" not in out
 
 
@@ -360,10 +362,29 @@ def test_settings_damping_motors_and_long_labels_do_not_widen_it(tmp_path: Path)
         answer = call(PUBLISHED, write(tmp_path, csv_of(rows)), *arguments)
         assert (answer.code, answer.err) == (0, "")
         assert max(map(len, answer.out.splitlines())) <= 80
-    assert re.search(
-        r"^corner at the window .* effects\.belt_tension_stiffness\.tension = 250 N$", answer.out, re.M
-    )
-    assert re.search(r"^corner at the window +free ", answer.out, re.M)
-    assert all(f"{float(row['frequency']):.3f}" in answer.out for row in rows)
-    assert answer.out.count("1.23  ") >= 18  # the ratio of every row
     assert "\u2026" not in answer.out
+    measured_damping, model_damping = ("measured [%]", "sigma [%]"), ("model [%]",)
+    titles = ("pose", "motors", "line", "own", "mode", "f [Hz]", "sigma [Hz]", "f [Hz]")
+    titles += ("diff. [%]", "diff. [sigma]", *measured_damping, *model_damping, "MAC", "remark", "set")
+    cells = printed_table(answer.out, *titles)
+    assert len(cells) == len(rows)
+    for found in (dict(zip(titles[:5], one, strict=False)) | {"rest": one[5:]} for one in cells):
+        row = rows[int(found["line"]) - 2]
+        assert (found["pose"], found["motors"], found["own"]) == (row["pose"], row["drives"], row["mode"])
+        assert found["rest"][:2] == [f"{float(row[name]):.3f}" for name in ("frequency", "sigma")]
+        # In per cent; the declared model has no damping, and an unmatched mode no model.
+        assert found["rest"][5:8] == ["1.23", "0.04", "-" if found["mode"] == "none" else "0"]
+        assert found["rest"][-1] == f"effects.belt_tension_stiffness.tension = {row[setting]} N"
+
+
+def test_paired_modes_are_shown_and_many_unmatched_ones_are_listed(tmp_path: Path) -> None:
+    unmatched = [f"A,0.6,0,-0.245,{5000 + i},0.1" for i in range(10)]
+    modes = write(tmp_path, "\n".join([HEADER, *unmatched, ROW]))
+    answer = call(PUBLISHED, modes)
+    (cells,) = table(answer)
+    assert cells[:4] == ["A", "12", "1", "55.500"]
+    listed = ", ".join(f"{5000 + i} Hz (line {2 + i})" for i in range(8))
+    assert f"unmatched: {listed} and 2 more" in " ".join(answer.out.split())
+    everything = call(PUBLISHED, modes, "--all")
+    assert "unmatched: 5000 Hz" not in everything.out
+    assert [cells[-1] for cells in table(everything, "remark")] == ["", *10 * ["unmatched"]]

@@ -12,12 +12,14 @@ import pytest
 
 import pkmodes
 from helpers.commands.answers import printed, refused
+from helpers.commands.printed_tables import printed_table
 from helpers.robots.robot_text import PUBLISHED, edited, published
 from pkmodes_rig.robots import ROBOTS
 
 pytestmark = pytest.mark.usefixtures("backend")
 
 POSE, POINT = "0.6,0.03,-0.245", [0.6, 0.03, -0.245]
+MODES = [f"mode {number}" for number in range(1, 7)]
 
 
 def sensitivities(*arguments: object, robot: Path = PUBLISHED) -> str:
@@ -26,6 +28,16 @@ def sensitivities(*arguments: object, robot: Path = PUBLISHED) -> str:
 
 def as_json(*arguments: object, robot: Path = PUBLISHED) -> dict[str, Any]:
     return json.loads(sensitivities("--json", "-", *arguments, robot=robot))
+
+
+def per_cent(out: str) -> dict[str, list[str]]:
+    """Return the per cent of each frequency for one of a quantity, by the quantities that act as one."""
+    return {name: cells for name, *cells in printed_table(out, "quantity", *MODES)}
+
+
+def per_unit(out: str) -> dict[str, list[str]]:
+    """Return value, unit and the Hz of each mode per unit, by the quantity."""
+    return {name: cells for name, *cells in printed_table(out, "quantity", "value", "unit", *MODES)}
 
 
 def frequencies(folder: Path, text: str) -> np.ndarray:
@@ -102,41 +114,28 @@ def test_the_table_is_sorted_by_what_a_percent_does() -> None:
         "frame.mass",
     ]
     out = sensitivities("--parameters", ",".join(paths))
-    relative, rates = out.split("Hz per unit of the value.\n")
-    order = [line.split()[0] for line in relative.splitlines() if re.match(r"[a-z]+\.[a-z]+ ", line)]
-    assert order == ["pulley.radius", "belt.width", "platform.mass", "gravity.z"]
-    rows: dict[str, list[str]] = {}
-    for line in rates.splitlines():  # two tables, so that both fit the terminal
-        if re.match(r"[a-z]+\.[a-z.]+ ", line):
-            path, *cells = line.split()
-            rows.setdefault(path, []).extend(cells)
-    assert [*rows] == [*order, "effects.payload.mass"]
-    assert rows["platform.mass"][:2] == ["1.5", "kg"]
-    assert rows["effects.payload.mass"][:2] == ["0", "kg"]
+    shares, rates = per_cent(out), per_unit(out)
+    assert [*shares] == ["pulley.radius", "belt.width", "platform.mass", "gravity.z"]
+    assert [*rates] == [*shares, "effects.payload.mass"]
+    assert rates["platform.mass"][:2] == ["1.5", "kg"]
+    assert rates["effects.payload.mass"][:2] == ["0", "kg"]
     # A payload acts like additional platform mass.
-    assert rows["effects.payload.mass"][2:] == rows["platform.mass"][2:]
+    assert rates["effects.payload.mass"][2:] == rates["platform.mass"][2:]
     assert "No frequency depends on frame.mass." in out
     model = pkmodes.load(PUBLISHED)
-    expected = model.sensitivities(POINT, ["platform.mass"]).frequencies[0, 3:]
-    assert rows["platform.mass"][2:] == [f"{rate:.4g}" for rate in expected]
+    found = model.sensitivities(POINT, [*shares])
+    of_one_per_cent = found.frequencies[:, 3:] * found.values[:, None] / model.frequencies(POINT)[3:]
+    for path, expected, share in zip(shares, found.frequencies[:, 3:], of_one_per_cent, strict=True):
+        assert rates[path][2:] == [f"{rate:.4g}" for rate in expected]
+        assert [*map(float, shares[path])] == pytest.approx(share, abs=5.1e-5)
 
 
 def test_every_quantity_is_in_the_tables_per_unit_once() -> None:
     out = sensitivities("--all")
-    rates, _, still = out.partition("Hz per unit of the value.\n")[2].partition("No frequency depends on ")
-    # The table is too wide for the names of the quantities: each is on a line above its numbers, in every part.
-    named = [line for line in rates.splitlines() if re.fullmatch(r"[a-z]+(\.\w+)+", line)]
-    shown = list(dict.fromkeys(named))
-    assert len(named) % len(shown) == 0
-    shown += still.partition(".\n")[0].replace(",", " ").split()
+    still = out.partition("No frequency depends on ")[2].partition(".\n")[0].replace(",", " ").split()
+    shown = [*(row[0] for row in printed_table(out, "quantity", "value", "unit", *MODES)), *still]
     assert sorted(shown) == sorted(as_json()["parameters"])
     assert "e-30" not in out, "rounding is shown as 0"
-
-
-def rows_of(out: str) -> list[str]:
-    """The quantities of the first table; of those that act as one, all names."""
-    table = out.partition("\nPer cent of each frequency")[2].partition("\n\n")[0]
-    return re.findall(r"^(?:1/)?([a-z]+(?:\.\w+)+),?(?:  .*)?$", table, re.M)
 
 
 def test_without_a_choice_the_ten_largest_per_cent_are_printed() -> None:
@@ -150,8 +149,13 @@ def test_without_a_choice_the_ten_largest_per_cent_are_printed() -> None:
         if not path.startswith("axis.") or path in ("axis.span", "axis.joint_radius"):
             size[path] = max(abs(share or 0.0) for share in relative[rigid:])
     largest = sorted((path for path in size if size[path] > 1e-9), key=lambda path: -size[path])
-    shown = rows_of(out)
-    assert set(largest[:11]) == {path.rstrip(",") for path in shown}, "two of them are one row"
+    shown = per_cent(out)
+    named = [path for names in shown for path in names.split(", ")]
+    assert set(largest[:11]) == set(named), "two of them are one row"
+    assert len(shown) == 10
+    for names, cells in shown.items():
+        of_all = found["relative_derivatives"][found["parameters"].index(names.split(", ")[0])][rigid:]
+        assert [*map(float, cells)] == pytest.approx(of_all, abs=5.1e-5)
     assert "Hz per unit" not in out.partition("--all")[0]
     assert len(out.splitlines()) < 45
 
@@ -159,12 +163,10 @@ def test_without_a_choice_the_ten_largest_per_cent_are_printed() -> None:
 def test_parameters_of_which_only_the_product_enters_are_one_row() -> None:
     both = ["belt.specific_stiffness", "belt.width"]
     for more in ([], ["--all"], ["--parameters", "belt.width,platform.mass,belt.specific_stiffness"]):
-        table = sensitivities(*more).partition("\nPer cent of each frequency")[2].partition("\n\n")[0]
-        names = re.findall(r"^(?:1/)?(belt\.\w+)(,?)(.*)$", table, re.M)
-        assert sorted(name for name, _, _ in names) == both
-        assert [comma for _, comma, _ in names] == [",", ""]
-        assert [bool(numbers) for _, _, numbers in names] == [True, False]
-        assert "Quantities in one row act as one" in table
+        out = sensitivities(*more)
+        (row,) = (names for names in per_cent(out) if names.startswith("belt."))
+        assert sorted(row.split(", ")) == both
+        assert "Quantities in one row act as one" in out
 
 
 @pytest.mark.parametrize(
@@ -186,8 +188,7 @@ def test_standard_deviations_of_the_file_are_propagated() -> None:
     """Against differences of the frequencies, and the root of the sum of squares."""
     robot = "robots/corexy-printer.toml"
     out = printed("sensitivities", robot, "--pose", "0.1,0.15")
-    out = out.partition("\nHz for one standard deviation")[2].partition("\nquantity  ")[2]
-    rows = {line.split("  ")[0]: line.split()[-2:] for line in out.splitlines()[1:5]}
+    rows = {name: cells for name, *cells in printed_table(out, "quantity", "sigma", "mode 1", "mode 2")}
     model = pkmodes.load(robot)
     squares = np.zeros(2)
     stated = {path: q for path, q in model.robot.quantities.items() if q.sigma}
@@ -197,10 +198,58 @@ def test_standard_deviations_of_the_file_are_propagated() -> None:
             model.with_values({path: quantity.value + step}).frequencies([0.1, 0.15])[-2:] for step in (h, -h)
         )
         change = quantity.sigma * (up - down) / (2 * h)
+        number, unit = rows[path].pop(0).split()
+        assert unit == quantity.unit
+        assert float(number) == pytest.approx(quantity.sigma, rel=5e-3)  # three digits
         assert rows[path] == [f"{value:+.3f}" for value in change]
         squares += change**2
-    assert rows["all together"] == [f"{value:.3f}" for value in np.sqrt(squares)]
+    assert rows["all together"] == ["", *(f"{value:.3f}" for value in np.sqrt(squares))]
     assert rows.keys() == {*stated, "all together"}
+
+
+def head(out: str) -> dict[str, str]:
+    """Return the frequencies above the tables, by their titles."""
+    return dict(re.findall(r"^  (mode \d+ \[Hz\]): (.*)$", out, re.M))
+
+
+def test_the_head_has_the_frequencies() -> None:
+    frequencies = pkmodes.load(PUBLISHED).frequencies(POINT)[3:]
+    assert [*head(sensitivities()).values()] == [f"{frequency:.3f}" for frequency in frequencies]
+
+
+@pytest.mark.parametrize("stiffness", ["2.6e6 N/m", "1e-3 N/m", "1e-9 N/m"])
+def test_frequencies_have_their_standard_deviations_however_low_they_are(
+    tmp_path: Path, stiffness: str
+) -> None:
+    text = Path("robots/corexy-printer.toml").read_text(encoding="utf-8").replace("2.6e6 N/m", stiffness)
+    (tmp_path / "soft.toml").write_text(text, encoding="utf-8")
+    model = pkmodes.load(tmp_path / "soft.toml")
+    frequencies, sigmas = (found([0.1, 0.15])[-2:] for found in (model.frequencies, model.frequency_sigmas))
+    assert (frequencies < 0.01).all() == (stiffness != "2.6e6 N/m")
+    shown = head(printed("sensitivities", tmp_path / "soft.toml", "--pose", "0.1,0.15"))
+    for text, frequency, sigma in zip(shown.values(), frequencies, sigmas, strict=True):
+        found = re.fullmatch(r"\(?(\S+) \+- ([^ )]+)\)?(e-\d+)?", text)
+        assert found is not None
+        value, spread, power = found.groups(default="")
+        # The standard deviation has two digits, and the frequency ends where they end.
+        assert float(value + power) == pytest.approx(frequency, abs=0.05 * sigma)
+        assert float(spread + power) == pytest.approx(sigma, rel=0.05)
+
+
+def test_a_single_quantity_that_is_0_or_that_nothing_depends_on() -> None:
+    """Neither has a per cent; the headline is then that of all quantities."""
+    absent, still = (sensitivities("--parameters", path) for path in ("effects.payload.mass", "frame.mass"))
+    for out in (absent, still):
+        assert (
+            "Mode 4 depends most on the radius of the pulleys of each axis (pulley.radius): 0.99 %"
+            in " ".join(out.split())
+        )
+        assert "Per cent of each frequency" not in out
+    (rates,) = pkmodes.load(PUBLISHED).sensitivities(POINT, ["effects.payload.mass"]).frequencies
+    expected = ["0", "kg", *(f"{rate:.4g}" for rate in rates[3:])]
+    assert per_unit(absent) == {"effects.payload.mass": expected}
+    assert still.endswith("\n\nNo frequency depends on frame.mass.\n")
+    assert "Hz per unit" not in still
 
 
 def test_modes_that_coincide_are_named(tmp_path: Path) -> None:
