@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -11,10 +12,12 @@ import pytest
 from scipy.io import loadmat
 
 import pkmodes
+from helpers.commands.answers import printed
+from helpers.commands.printed_tables import printed_table
 from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
 
-POSE = ("--pose", "0.6,0.05,-0.245")
+POSE, POINT = ("--pose", "0.6,0.05,-0.245"), [0.6, 0.05, -0.245]
 DAMPING = """
 [damping]
 ratio = "2 %"
@@ -25,7 +28,17 @@ loss_factor = 0.02
 [effects.rail_friction]
 viscous = "20 N*s/m"
 """
+COLUMNS = ("largest", "at [Hz]", "phase [deg]")
 HELD = ("--drives", "held", "--inputs", "motor_1,force_x", "--outputs", "p_x,nozzle=1:1:0,x_2")
+
+
+def assert_largest(cells: Sequence[str], f: np.ndarray, values: np.ndarray) -> None:
+    """The cells of a channel are its largest magnitude, in four digits, and its frequency and phase there."""
+    peak = np.abs(values).argmax()
+    size, at, phase = map(float, cells)
+    assert size == pytest.approx(abs(values[peak]), rel=5.1e-4)
+    assert at == pytest.approx(f[peak], abs=5.1e-4)
+    assert phase == pytest.approx(np.degrees(np.angle(values[peak])), abs=0.51)
 
 
 @pytest.fixture
@@ -95,7 +108,8 @@ def test_what_symmetry_keeps_at_rest_has_no_largest_response(
     assert 0.0 < sizes[1] < 1e-10 * sizes[0]
     rows = {line.split()[0]: line.split()[1:] for line in out.splitlines() if line.startswith("p_")}
     assert rows.keys() == {"p_x/force_x"}
-    assert float(rows["p_x/force_x"][2]) == pytest.approx(sizes[0], rel=1e-3)
+    assert rows["p_x/force_x"][0] == "m/N"
+    assert float(rows["p_x/force_x"][2]) == pytest.approx(sizes[0], rel=5.1e-4)
     assert "No response in p_y/force_x." in out
 
 
@@ -177,17 +191,68 @@ def test_compare_shows_measured_damping_beside_that_of_the_model(
         else:
             assert not {"sigma_damping", "predicted_damping"} & row.keys()
     assert run(["compare", robot, str(file)]) == 0
-    assert "damping ratios are medians" in capsys.readouterr().out
+    out = capsys.readouterr().out
+    assert "damping ratios are medians" in out
+    of_modes = printed_table(
+        out, "mode", *["median [%]", "rms [%]", "[%]", "[sigma]", "line", "measured [%]", "model [%]"]
+    )
+    medians = [f"{100 * np.median([ratio for _, ratio in expected[k::3]]):.3g}" for k in (1, 2)]
+    assert [cells[-2:] for cells in of_modes] == [["-", "-"], *(["3", median] for median in medians)]
+    titles = "line,mode,f [Hz],sigma [Hz],f [Hz],diff. [%],diff. [sigma],measured [%],sigma [%],model [%]"
+    rows = printed_table(printed("compare", robot, file, "--all"), "pose", "motors", *titles.split(","))
+    assert {cells[2]: cells[-3:] for cells in rows} == {
+        str(line): ["3", "0.9", f"{100 * ratio:.3g}"] if damping else ["-", "-", "-"]
+        for line, (damping, ratio) in enumerate(expected, start=2)
+    }
 
 
-def test_long_names_of_outputs_do_not_widen_the_table(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_long_names_of_outputs_do_not_widen_the_table(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     name = "nozzle_of_the_second_tool_beside_the_first"
     channels = ("--drives", "held", "--inputs", "force_x", "--outputs", f"{name}=1:1:0")
-    assert run(["response", str(PUBLISHED), *POSE, *channels, "--frequencies", "5:60:12"]) == 0
-    lines = capsys.readouterr().out.splitlines()
-    assert max(map(len, lines)) <= 80
-    assert f"{name}/force_x" in lines
-    assert any(line.endswith("phase [deg]") for line in lines)
+    out = printed("response", PUBLISHED, *POSE, *channels, "--frequencies", "5:60:12")
+    assert max(map(len, out.splitlines())) <= 80
+    ((label, unit, first, *largest),) = printed_table(out, "channel", "unit", "first", *COLUMNS)
+    assert (label, unit) == (f"{name}/force_x", "m/N")
+    f, output = np.linspace(5, 60, 12), {name: [1.0, 1.0, 0.0]}
+    values = pkmodes.load(PUBLISHED).frf(POINT, f, ["force_x"], [output], drives="held").values[:, 0, 0]
+    assert float(first) == pytest.approx(abs(values[0]), rel=5.1e-4)
+    assert_largest(largest, f, values)
+
+
+def test_one_frequency_has_magnitude_and_phase(robot: str) -> None:
+    out = printed("response", robot, *POSE, *HELD, "--frequencies", "37")
+    found = pkmodes.load(robot).frf(
+        POINT, [37.0], ["motor_1", "force_x"], ["p_x", {"nozzle": [1.0, 1.0, 0.0]}, "x_2"], drives="held"
+    )
+    assert "Magnitude and phase at 37 Hz, for exp(+i omega t)." in out
+    rows = printed_table(out, "channel", "unit", *COLUMNS)
+    assert len(rows) == 6
+    for name, _, *cells in rows:
+        output, _, into = name.partition("/")
+        place = found.outputs.index(output), found.inputs.index(into)
+        assert_largest(cells, np.array([37.0]), found.values[:, *place])
+
+
+def test_measured_responses_stand_beside_those_of_the_model(robot: str, tmp_path: Path) -> None:
+    """Measured is the machine as it is, at fewer frequencies; modelled is one with softer belts."""
+    text = Path(robot).read_text(encoding="utf-8")
+    softer, table = tmp_path / "softer.toml", tmp_path / "measured.csv"
+    softer.write_text(text.replace("2.42e6", "2.178e6"), encoding="utf-8")
+    given = (*POSE, "--drives", "held", "--inputs", "force_x", "--outputs")
+    printed("response", robot, *given, "p_x", "--frequencies", "10:60:26", "--out", table)
+    more = ("--frequencies", "5:80:76", "--measured", table, "--report", tmp_path / "page.html")
+    out = printed("response", softer, *given, "p_x,p_z", *more)
+    rows = {name: cells for name, *cells in printed_table(out, "channel", "first", *COLUMNS, *COLUMNS)}
+    assert [*rows] == ["p_x/force_x", "p_z/force_x"]
+    assert "  of the channels measured: 1\n" in out
+    f, of = np.linspace(5, 80, 76), (["force_x"], ["p_x", "p_z"])
+    found = pkmodes.load(softer).frf(POINT, f, *of, drives="held").values[:, :, 0]
+    for cells, values in zip(rows.values(), found.T, strict=True):
+        assert float(cells[0]) == pytest.approx(abs(values[0]), rel=5.1e-4)
+        assert_largest(cells[1:4], f, values)
+    f = np.linspace(10, 60, 26)
+    assert_largest(
+        rows["p_x/force_x"][4:], f, pkmodes.load(robot).frf(POINT, f, *of, drives="held").values[:, 0, 0]
+    )
+    assert rows["p_z/force_x"][4:] == ["-", "-", "-"]
