@@ -5,13 +5,14 @@ The measurements are those of the rigs, which share no code with the model.
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from helpers.commands.answers import printed
+from helpers.commands.printed_tables import printed_table
 from pkmodes import updating
 from pkmodes.diagnosis import Diagnosis
 from pkmodes_rig import MISTAKES
@@ -146,7 +147,11 @@ def test_the_commands_take_the_word(tmp_path: Path, capsys: pytest.CaptureFixtur
     assert run(["compare", str(robot), str(path)]) == 0
     out = capsys.readouterr().out
     assert "corexy-printer, motors free or held: " in " ".join(out.split())
-    assert re.search(r"\n\S.* held |motors held", out)
+    columns = ("line", "own", "mode", "f [Hz]", "sigma [Hz]", "f [Hz]", "diff. [%]", "diff. [sigma]", "MAC")
+    rows = printed_table(printed("compare", robot, path, "--all"), "pose", "motors", *columns)
+    # The rig holds the motors at every other pose.
+    assert len(rows) == 22
+    assert all(drives == ("free" if int(pose[1:]) % 2 else "held") for pose, drives, *_ in rows)
     assert run(["diagnose", str(robot), str(path)]) == 0
     assert "motors held: poses " in capsys.readouterr().out
     assert run(["compare", str(robot), str(path), "--drives", "locked"]) == 2

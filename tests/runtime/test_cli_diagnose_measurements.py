@@ -20,6 +20,7 @@ from helpers.diagnoses.diagnose_command import (
     refusal,
     rows_of,
 )
+from helpers.runs.processes import without_progress
 
 pytestmark = pytest.mark.usefixtures("backend")
 
@@ -43,6 +44,19 @@ def test_labels_ends_of_lines_and_comments_do_not_matter(tmp_path: Path) -> None
     assert "Held out of every choice and fit: Größe_模式." in answer.out
     refused = call(*files(tmp_path, PUBLISHED, windows), *options, "--holdout", "P1")
     refusal(refused, 'no pose is called "P1"')
+
+
+def test_held_out_labels_are_printed_as_they_are_in_the_file(tmp_path: Path) -> None:
+    """Not typed as our own sentences are, and not shortened as on a page."""
+    labels = {"P1": "P\u20131 10\u207b\u00b3 \u03c3 \u00b5m", "P2": 24 * "label"}
+    rows = [{**row, "pose": labels.get(row["pose"], row["pose"])} for row in rows_of(measured())]
+    inputs = files(tmp_path, PUBLISHED, csv_of(rows))
+    answer = call(*inputs, "--candidates", "payload", "--holdout", ",".join(labels.values()))
+    assert (answer.code, without_progress(answer.err)) == (0, "")
+    said = (
+        " ".join(answer.out.split()).partition("Held out of every choice and fit: ")[2].partition(". The")[0]
+    )
+    assert sorted(said.split(", ")) == sorted(labels.values())
 
 
 def test_few_data_of_several_kinds(tmp_path: Path) -> None:

@@ -60,7 +60,11 @@ def _rows(lines: Sequence[str], columns: Sequence[tuple[int, int, int]]) -> list
             names.append(line)
     edges = [0]
     for (_, _, end), (_, begin, _) in itertools.pairwise(columns):
-        edges.append(max(k for k in range(end, begin) if not any(row[k : k + 1].strip() for row in rows)))
+        between = "".join(
+            "x" if any(row[k : k + 1].strip() for row in rows) else " " for k in range(end, begin)
+        )
+        # Cells may have spaces, too, but fewer.
+        edges.append(end + between.index(max(re.findall(" +", between), key=len)))
     found: list[dict[int, str]] = []
     for number, row in enumerate(rows):
         cells = [row[a:b].strip() for a, b in zip(edges, [*edges[1:], None], strict=True)]
