@@ -8,6 +8,9 @@ import numpy as np
 import pytest
 
 from campaign.structures import identify, refused
+from helpers.commands.answers import answer
+from helpers.commands.printed_tables import printed_table
+from helpers.pages.page_reading import read
 from pkmodes import updating
 from pkmodes.campaign.averaging import averaged
 from pkmodes.campaign.found import Found
@@ -115,6 +118,29 @@ def test_modes_outside_the_band_are_left_out_and_named(tmp_path: Path) -> None:
     found = identify(tmp_path, text)
     assert [mode["frequency"] for mode in found.record["modes"]] == [60.0]
     assert "outside the band, left out: 5, 500 Hz" in found.remarks
+
+
+def test_a_record_without_modes_is_printed_beside_one_that_has_some(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write(tmp_path, "p1.csv", "frequency\n60\n130\n")
+    write(tmp_path, "p2.csv", "frequency\n5\n500\n")
+    records = (f'[[record]]\npose = "P{k}"\n{POSE}\nkind = "modes"\nfiles = ["p{k}.csv"]\n' for k in (1, 2))
+    write(tmp_path, "c.toml", BEGIN + "".join(records))
+    monkeypatch.chdir(tmp_path)
+    code, out, err = answer("identify", "c.toml", "--out", "modes.csv", "--report", "page.html")
+    assert code == 0
+    assert "note: p2.csv: outside the band, left out: 5, 500 Hz\n" in err
+    first, second, rest = out.split("\n\n", 2)
+    assert first.startswith("P1, modes, motors free\n")
+    # The default repeatability of 0.2 % is all that is known of their errors.
+    assert printed_table(first, "mode", "f [Hz]") == [["1", "60.00 +- 0.12"], ["2", "130.00 +- 0.26"]]
+    assert second == "P2, modes, motors free\nno mode was found"
+    assert "wrote modes.csv: 2 modes\n" in rest
+    assert updating.read(tmp_path / "modes.csv", robot=None).frequency.tolist() == [60.0, 130.0]
+    page = read((tmp_path / "page.html").read_text(encoding="utf-8"))
+    assert "No mode was found at P2" in " ".join(page.by_id("summary").text.split())
+    assert "No mode was found." in page.by_id("record-2").text
 
 
 def revisits(folder: Path, truth: float, labels: int) -> str:

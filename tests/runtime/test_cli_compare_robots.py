@@ -11,6 +11,7 @@ import pytest
 
 import pkmodes
 from helpers.commands.answers import printed, refused
+from helpers.commands.printed_tables import printed_table
 from helpers.robots.robot_text import PUBLISHED, published
 from pkmodes.cli import run
 from pkmodes.plots.changes import scale_of
@@ -51,28 +52,42 @@ def test_the_numbers_are_those_of_the_two_models() -> None:
     poses = np.stack(np.meshgrid(axis, axis), axis=-1).reshape(-1, 2)
     f, g = (pkmodes.load(file).frequencies(poses, drives="held") for file in (PRINTER, VORON))
     assert found["poses"] == {"both": 25, "first_only": 0, "second_only": 0, "none": 0}
-    for mode in found["modes"]:
+    out = printed("compare", PRINTER, VORON, *GRID, "--drives", "held")
+    titles = ("mode", "partner", "2 %", "median", "98 %", "exchanged [%]", "MAC")
+    shown = printed_table(out, *titles)
+    for mode, cells in zip(found["modes"], shown, strict=True):
         relative = (g / f - 1.0)[:, mode["mode"] - 1]
         assert mode["median"] == pytest.approx(np.median(relative), rel=1e-9)
         assert (mode["low"], mode["high"]) == pytest.approx(
             tuple(np.quantile(relative, [0.02, 0.98])), rel=1e-9
         )
         assert (mode["partner"], mode["exchanged"]) == (mode["mode"], 0.0)
+        quantiles = 100.0 * np.quantile(relative, [0.02, 0.5, 0.98])
+        same = str(mode["mode"])
+        assert cells == [same, same, *(f"{one:+.2f}" for one in quantiles), "0.0", f"{mode['mac']:.3f}"]
     assert (found["effects_added"], found["effects_removed"]) == (["servo_stiffness"], [])
 
 
 def test_the_largest_values_come_first_and_all_of_them_if_asked() -> None:
     values = json.loads(printed("compare", PRINTER, VORON, *GRID, "--json", "-"))["values"]
     assert len(values) > 10
+    titles = ("quantity", "first", "second", "difference [%]", "sigma, first", "sigma, second", "unit")
     short = printed("compare", PRINTER, VORON, *GRID)
     assert f"The 10 that differ most of {len(values)}; all: --all, --json or --report." in " ".join(
         short.split()
     )
-    sizes = [abs(value["relative"]) for value in values if value["relative"] is not None]
-    most = sorted(sizes, reverse=True)[: 10 - (len(values) - len(sizes))]
-    assert all(f"{100.0 * size:.2f}" in short for size in most)
-    whole = printed("compare", PRINTER, VORON, *GRID, "--all")
-    assert all(f"\n{value['path']} " in whole or f"\n{value['path']}\n" in whole for value in values)
+    # What only one of them declares has no relative difference, and comes first.
+    by_size = sorted(
+        values, key=lambda value: -abs(np.inf if value["relative"] is None else value["relative"])
+    )
+    rows = printed_table(short, *titles)
+    assert [row[0] for row in rows] == [value["path"] for value in by_size[:10]]
+    for (_, first, second, difference, *_), value in zip(rows, by_size, strict=False):
+        for cell, key in ((first, "first"), (second, "second")):
+            assert cell == ("-" if value[key] is None else f"{value[key]:.6g}")
+        assert difference == ("-" if value["relative"] is None else f"{100.0 * value['relative']:+.2f}")
+    rows = printed_table(printed("compare", PRINTER, VORON, *GRID, "--all"), *titles)
+    assert sorted(row[0] for row in rows) == sorted(value["path"] for value in values)
 
 
 def test_the_same_robot_twice(tmp_path: Path) -> None:
