@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from msgspec import structs
 from scipy import integrate, special, stats
 
 from helpers.references.textbook_fits import least_squares
@@ -365,9 +366,4 @@ def test_the_top_is_the_largest() -> None:
         0.1, 0.2, (ClassProbability(("a", "b"), 0.3),), (PairProbability((("a", "c"),), 0.4),)
     )
     assert said.top == ((("a", "c"),), 0.4)
-    assert replace_top(said, outside=0.5) == ("outside", 0.5)
-
-
-def replace_top(said: Probabilities, **changes: float) -> object:
-    kept = {name: getattr(said, name) for name in ("nothing_missing", "outside", "classes", "pairs")}
-    return Probabilities(**(kept | changes)).top
+    assert structs.replace(said, outside=0.5).top == ("outside", 0.5)

@@ -40,4 +40,7 @@ def test_cases_on_the_rig_are_diagnosed_as_they_were(suite: str, pytestconfig: p
     if pytestconfig.getoption("update_golden"):
         write(RULES, lines)
     decided = {line[:2]: line for line in read(RULES)}
-    assert not [line for line in lines if decided.get(line[:2], line) != line]
+    # Of some suites only a part is in the book of rules.
+    known = [line for line in lines if line[:2] in decided]
+    assert known
+    assert known == [decided[line[:2]] for line in known]
