@@ -51,36 +51,36 @@ def test_the_table_of_a_cause_has_the_numbers_of_the_json(
     assert [*map(float, cause.groups())] == [
         pytest.approx(1e4 * compliance[key], abs=0.0051) for key in ("value", "sigma")
     ]
-    (start,) = (i for i, line in enumerate(lines) if line.startswith("model "))
-    assert " ".join(lines[start].split()) == "model rms [%] held out [%] chi2 per dof"
-    for line, (stage, name) in zip(
-        lines[start + 1 : start + 4],
-        {
-            "before": "before: as declared",
-            "refit": "refit of the uncertain values only",
-            "after": "after: with the cause",
-        }.items(),
-        strict=True,
-    ):
-        assert line.startswith(f"{name} ")
+    stages = {
+        "before": "before: as declared",
+        "refit": "refit of the uncertain values only",
+        "after": "after: with the cause",
+    }
+    rows = printed_table(text, "model", "rms [%]", "held out [%]", "chi2 per dof")
+    for (model, *cells), (stage, name) in zip(rows, stages.items(), strict=True):
+        assert model.startswith(name)
         error = found["error"][stage]
         expected = (100 * error["rms_relative"], 100 * error["held_out_rms_relative"], error["chi2_per_dof"])
-        assert [*map(float, line.split()[-3:])] == [pytest.approx(one, rel=5e-3) for one in expected]
-    (start,) = (i for i, line in enumerate(lines) if line.startswith("value "))
-    rows, refitted = lines[start + 1 : start + 5], found["refitted"]
-    assert [line.split()[0] for line in rows] == [path.removeprefix("effects.") for path in refitted]
+        assert [*map(float, cells)] == [pytest.approx(one, rel=5e-3) for one in expected]
+    *rows, of_cause = printed_table(text, "value", "before", "after", "sigma of fit", "unit")
+    refitted = found["refitted"]
+    assert [row[0] for row in rows] == [path.removeprefix("effects.") for path in refitted]
     assert [*refitted][-1] == "effects.belt_end_compliance.compliance"
+    (start,) = (i for i, line in enumerate(lines) if line.startswith("value "))
     for column in ("before", "after"):  # right ends of the numbers
         end = lines[start].index(column) + len(column)
-        assert all(line[end - 1] != " " and line[end] == " " for line in rows)
-    for line, value in zip(rows, refitted.values(), strict=True):
-        shown = re.search(r"  (\S+)  +\(?(\S+) \+- ([^ )]+)\)?(e\S+)?  +(\S+)  (\S+)$", line)
+        assert all(line[end - 1] != " " and line[end] == " " for line in lines[start + 1 : start + 6])
+    for (_, before, after, of_fit, unit), value in zip(rows, refitted.values(), strict=True):
+        shown = re.fullmatch(r"\(?(\S+) \+- ([^ )]+)\)?(e\S+)?", after)
         assert shown is not None
-        before, after, sigma, exponent, of_fit, unit = shown.groups(default="")
+        number, sigma, exponent = shown.groups(default="")
         assert (float(before), unit) == (value["before"], value["unit"])
-        assert float(after + exponent) == pytest.approx(value["after"], abs=0.05 * value["saved_sigma"])
+        assert float(number + exponent) == pytest.approx(value["after"], abs=0.05 * value["saved_sigma"])
         assert float(sigma + exponent) == pytest.approx(value["saved_sigma"], rel=0.05)
         assert float(of_fit) == pytest.approx(value["sigma"], rel=0.05)
+    value = f"({cause[1]} +- {cause[2]})e-4"
+    assert of_cause == ["gearbox_compliance.compliance", "0", value, of_cause[3], "rad/(N*m)"]
+    assert float(of_cause[3]) == pytest.approx(compliance["sigma"], rel=0.05)
     assert any(line.startswith("stable: the same cause with ") for line in lines)
 
 

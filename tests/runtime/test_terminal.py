@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from helpers.commands.printed_tables import printed_table
 from helpers.pages.page_reading import read
 from pkmodes.cli.layout import typed
 from pkmodes.cli.terminal import Terminal
@@ -81,6 +82,28 @@ def test_columns_that_do_not_fit_are_below_and_a_wide_name_above(capsys: pytest.
     assert (
         narrow == "name        number 0 number 1 number 2 number 3 number 4"
     )  # one space, so that it is one table
+
+
+def test_characters_of_two_columns_move_no_number(capsys: pytest.CaptureFixture[str]) -> None:
+    rows = [[label(name), number(1.5, ".1f")] for name in ("\u6a21\u5f0f", "P 2")]
+    Terminal().show(Table("", [Column("pose", False), Column("f [Hz]")], rows))
+    assert capsys.readouterr().out == "\npose  f [Hz]\n\u6a21\u5f0f     1.5\nP 2      1.5\n"
+
+
+def test_names_of_one_row_are_broken_at_their_commas_where_the_table_is_too_wide(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    columns = [Column("name", False), *(Column(f"number {k}") for k in range(4))]
+    rows = [[label("first.quantity, second.quantity"), *(number(k, ".0f") for k in range(4))]]
+    Terminal().show(Table("", columns, rows))
+    out = capsys.readouterr().out
+    assert out.splitlines()[2:] == [
+        "first.quantity,         0         1         2         3",
+        "second.quantity",
+    ]
+    assert printed_table(out, *(column.title for column in columns)) == [
+        ["first.quantity, second.quantity", *"0123"]
+    ]
 
 
 def test_a_group_that_goes_on_below_is_named_again(capsys: pytest.CaptureFixture[str]) -> None:
