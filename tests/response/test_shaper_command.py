@@ -9,12 +9,14 @@ import numpy as np
 import pytest
 
 import pkmodes
+from helpers.commands.printed_tables import printed_table
 from helpers.pages.browser import opened
 from pkmodes.cli import run
 
 ROOT = Path(__file__).parents[2]
 ROBOT = ROOT / "robots/linear-delta-2022-identified.toml"
 GRID = ("--grid", "x=0.36:0.8:5,y=0,z=-0.22:-0.18:2")
+TITLES = ("shaper", "design [Hz]", "lasts [ms]", "left, rms [%]", "worst [%]")
 DAMPING = """
 [damping]
 ratio = "1 %"
@@ -66,8 +68,15 @@ def test_the_numbers_are_those_of_python(
             assert sum(one["amplitudes"]) == pytest.approx(1.0)
             assert len(one["damping_ratios"]) == len(one["frequencies_hz"])
     assert set(found["firmware"]) == {"klipper", "marlin", "reprapfirmware"}
-    recommended = found["shapers"][found["recommended"]]
-    assert f"{recommended['kind']} *" in printed
+    rows = printed_table(printed, *TITLES)
+    for number, (cells, one) in enumerate(zip(rows, found["shapers"], strict=True)):
+        assert cells[0] == one["kind"] + " *" * (number == found["recommended"])
+        design = ", ".join(f"{f:.2f}" for f in one["frequencies_hz"] or ())
+        assert cells[1] == (design or "of the pose")
+        assert cells[2:] == [
+            f"{1e3 * one['duration_s']:.1f}",
+            *(f"{100.0 * one['left'][key]:.2f}" for key in ("rms", "worst")),
+        ]
     assert "motors held" in printed
     text = page.read_text(encoding="utf-8")
     assert "Left over the workspace" in text
@@ -80,8 +89,10 @@ def test_a_robot_file_with_standard_deviations_has_an_uncertain_column(
     file = tmp_path / "s.json"
     arguments = ("--grid", "x=0.1:0.2:3,y=0.1:0.2:2", "--shapers", "zv", "--json", str(file))
     assert run(["shaper", str(ROOT / "robots/corexy-printer.toml"), *arguments]) == 0
-    assert "uncertain" in capsys.readouterr().out
-    left = json.loads(file.read_text(encoding="utf-8"))["shapers"][0]["left"]
+    rows = printed_table(capsys.readouterr().out, *TITLES, "rms, uncertain [%]")
+    shapers = json.loads(file.read_text(encoding="utf-8"))["shapers"]
+    assert [cells[-1] for cells in rows] == [f"{100.0 * one['left']['rms_uncertain']:.2f}" for one in shapers]
+    left = shapers[0]["left"]
     assert left["rms_uncertain"] > left["rms"]
 
 

@@ -6,8 +6,8 @@ import itertools
 import re
 from collections.abc import Sequence
 
-#: A sentence below the rows: a word with a capital, and another word.
-NOTE = re.compile(r"[A-Z][a-z]+ [a-z0-9]+[ :]")
+#: A sentence below the rows: a word with a capital, perhaps behind a mark, and another word.
+NOTE = re.compile(r"(\* )?[A-Z][a-z]+ [a-z0-9]+[ :]")
 
 
 def printed_table(out: str, *titles: str) -> list[list[str]]:
