@@ -196,7 +196,9 @@ def test_the_commands_show_what_is_set(
     assert [row.get("set") for row in rows] == [None, None, *[{PAYLOAD[4:]: 0.2}] * 2]
     assert run(["compare", *files]) == 0
     out = capsys.readouterr().out
-    assert out.count("effects.payload.mass = 0.2 kg") == 3  # with each of its rows, and for all of them
+    with_it = [line for line in out.splitlines() if line.endswith("  effects.payload.mass = 0.2 kg")]
+    assert [line.split()[0] for line in with_it] == ["B", "B"]
+    assert "set by the measurements: effects.payload.mass = 0.2 kg (pose B)\n" in out
     assert run(["diagnose", *files, "--candidates", "belt_mass", "--json", "-"]) == 0
     rows = json.loads(capsys.readouterr().out)["rows"]
     assert [row.get("set") for row in rows] == [None, None, *[{PAYLOAD[4:]: 0.2}] * 2]
