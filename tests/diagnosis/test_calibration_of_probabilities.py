@@ -58,6 +58,13 @@ def test_the_most_probable_explanation_is_held_against_the_truth(
     assert calibration.right(case, said(top), CANDIDATES) is right
 
 
+def test_every_case_has_a_name_of_its_own_and_none_a_mistaken_file() -> None:
+    """A case whose name another has would never run."""
+    every = [(suite, case.label) for suite, case, _ in calibration.cases()]
+    assert len(every) == len({*every}) > calibration.COUNT
+    assert not any(suite.endswith(mistaken) for suite, _ in every for mistaken in calibration.MISTAKEN)
+
+
 def test_a_run_that_was_stopped_goes_on_and_its_table_counts_every_case(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

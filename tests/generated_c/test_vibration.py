@@ -23,7 +23,7 @@ from pkmodes_derive.emit import product
 from pkmodes_derive.functions import HeldMotors
 
 pytestmark = pytest.mark.compiler
-#: Options with which clang only reads, and does not mind those for the linker.
+#: Options with which clang only parses, without a warning of options that are for the linker.
 READ = ["-fsyntax-only", "-Wno-unused-command-line-argument"]
 #: Highest over lowest frequency up to which single precision leaves a frequency four digits.
 MODERATE = 12.0
