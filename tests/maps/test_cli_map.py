@@ -32,7 +32,7 @@ def test_the_table_says_where_each_mode_is_lowest_and_highest() -> None:
     out = printed("map", ROBOT, "--grid", LINE)
     assert out.startswith("linear-delta-2022: The lowest frequency of vibration lies between ")
     assert "  Mapped with motors free: x 300 to 800 mm (11 values), y 0 mm, z -245 mm.\n" in out
-    assert "  can be evaluated: 11 (100 %)\n" in out
+    assert "  poses: 11\n  can be evaluated: 11 (100 %)\n" in out
     x = np.linspace(0.3, 0.8, 11)
     frequencies = pkmodes.load(PUBLISHED).frequencies([[value, 0.0, -0.245] for value in x])[:, 3:]
     first = frequencies[:, 0]
@@ -85,7 +85,7 @@ def test_a_frequency_beyond_all_others_does_not_lead_the_table(monkeypatch: pyte
 
 def test_poses_that_cannot_be_evaluated_are_counted_by_reason() -> None:
     out = printed("map", ROBOT, "--grid", "x=0:0.8:5,y=0,z=-0.5:-0.245:2")
-    assert "  can be evaluated: 3 (30 %)\n" in out
+    assert "  poses: 10\n  can be evaluated: 3 (30 %)\n" in out
     # Links of 0.4 m do not reach half a metre down, and the carriages would be below x = 0 for small x.
     said = dict(re.findall(r"note: (\d+) poses cannot be evaluated: (.*)", out))
     assert {number: text.partition(":")[0] for number, text in said.items()} == {
@@ -191,6 +191,7 @@ def test_motors_are_held_if_asked(tmp_path: Path) -> None:
     grid = ("--grid", "x=0.5:0.6:3,y=-0.02:0.02:3,z=-0.245", "--drives", "held")
     out = printed("map", ROBOT, *grid, "--out", str(file), "--report", str(page))
     assert "  Mapped with motors held: " in out
+    assert "  can be evaluated: 9 (100 %)\n" in out
     with xarray.open_dataset(file) as found:
         assert (found.attrs["drives"], found.attrs["rigid_modes"]) == ("held", 0)
         expected = pkmodes.load(PUBLISHED).frequencies([0.55, 0.0, -0.245], drives="held")
