@@ -383,8 +383,9 @@ def test_paired_modes_are_shown_and_many_unmatched_ones_are_listed(tmp_path: Pat
     answer = call(PUBLISHED, modes)
     (cells,) = table(answer)
     assert cells[:4] == ["A", "12", "1", "55.500"]
-    listed = ", ".join(f"{5000 + i} Hz (line {2 + i})" for i in range(8))
-    assert f"unmatched: {listed} and 2 more" in " ".join(answer.out.split())
+    listed = "; ".join(f"line {2 + i}, pose A, {5000 + i} Hz" for i in range(8))
+    assert f"unmatched measured modes: {listed}; and 2 more" in " ".join(answer.out.split())
+    assert "measurement errors; 10 measured modes without a partner" in " ".join(answer.out.split())
     everything = call(PUBLISHED, modes, "--all")
-    assert "unmatched: 5000 Hz" not in everything.out
+    assert "unmatched measured modes" not in everything.out
     assert [cells[-1] for cells in table(everything, "remark")] == ["", *10 * ["unmatched"]]

@@ -65,7 +65,11 @@ def identify(
     content = found.as_json()
     text = as_csv(found.measurements, [f"modes identified by pkmodes identify from {campaign.name}"])
     rows = len(found.measurements.frequency)
-    file = ResultFile(out, lambda path: write_file(path, text), lambda path: (f"wrote {path}: {rows} modes",))
+    file = ResultFile(
+        out,
+        lambda path: write_file(path, text),
+        lambda path: (f"wrote {path}: {rows} mode{'' if rows == 1 else 's'}",),
+    )
     report = report_file(report_to, lambda: _page(found, declared, content, sources))
     deliver(json_file, content, lambda: _print(found, declared, content), file, report)
 

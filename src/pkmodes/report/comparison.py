@@ -53,20 +53,18 @@ def _judged(result: Comparison) -> tuple[str, str, Colour]:
             "bad",
         )
     unmatched = (
-        f" {plural(len(result.unpaired), 'measured mode')} without a partner in the model."
-        if result.unpaired
-        else ""
+        f"; {plural(len(result.unpaired), 'measured mode')} without a partner" if result.unpaired else ""
     )
     if p > Criteria().gate.level:
         headline = "The differences are within the measurement errors"
         reason = "Nothing was fitted: the declared model predicts the measured modes as well as they were measured."
-        return headline, reason + unmatched, "open" if result.unpaired else "good"
+        return headline + unmatched, reason, "open" if result.unpaired else "good"
     headline = "The differences are larger than the measurement errors"
     reason = (
         "Nothing was fitted. The declared model differs from the measurements by more than their stated errors: "
         "pkmodes diagnose looks for the cause."
     )
-    return headline, reason + unmatched, "open"
+    return headline + unmatched, reason, "open"
 
 
 def by_mode(result: Comparison) -> list[Table]:

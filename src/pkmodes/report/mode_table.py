@@ -41,10 +41,12 @@ def mode_table(
         worst = _worst(evidence)
         with_partner = [i for i in worst if evidence.stages and evidence.last.paired[i]]
         chosen = (with_partner if paired and with_partner else worst)[:most]
+        which = (
+            "measured mode that differs" if len(chosen) == 1 else f"{len(chosen)} measured modes that differ"
+        )
         note = (
-            f"The table has the {plural(len(chosen), 'measured mode')} that differ{'s' if len(chosen) == 1 else ''} "
-            f"most from the model, the worst first. All {plural(len(rows), 'mode')} are in the output of --json, "
-            "under rows."
+            f"The table has the {which} most from the model{', the worst first' if len(chosen) > 1 else ''}. "
+            f"All {plural(len(rows), 'mode')} are in the output of --json, under rows."
         )
     own = any(row.mode for row in rows)
     shapes = any(row.mac is not None for row in rows)

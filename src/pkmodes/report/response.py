@@ -97,9 +97,14 @@ def summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> 
     name = most_responsive(compared, drawn.units)
     output, _, into = name.partition("/")
     peak = int(np.abs(drawn.model[name]).argmax())
-    headline = (
-        f"{clean(output)} responds most to {clean(into)} at {numbers.hertz(drawn.frequencies[peak])} Hz"
-    )
+    several = len(drawn.frequencies) > 1
+    # Of one frequency, the channel is what is largest; of several, the frequency too.
+    if several:
+        headline = (
+            f"{clean(output)} responds most to {clean(into)} at {numbers.hertz(drawn.frequencies[peak])} Hz"
+        )
+    else:
+        headline = f"At {drawn.frequencies[0]:g} Hz {clean(output)} responds most to {clean(into)}"
     if drawn.measured is not None and name in measured:
         place = _within(drawn, measured[name])
         if place is not None:
@@ -107,7 +112,9 @@ def summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> 
     first, last = (float(drawn.frequencies[i]) for i in (0, -1))
     facts = [
         ("channels", Cell(str(len(drawn.model)), len(drawn.model))),
-        ("frequencies", Cell(f"{first:g} to {last:g} Hz")),
+        ("frequencies", Cell(f"{first:g} to {last:g} Hz"))
+        if several
+        else ("frequency", Cell(f"{first:g} Hz")),
     ]
     if drawn.measured is not None:
         count = len(drawn.measured[1])
@@ -183,22 +190,18 @@ def largest(drawn: DrawnChannels) -> Table:
     over, f = drawn.measured, drawn.frequencies
     several = len(f) > 1
     peaks = [Column(title) for title in ("largest", "at [Hz]", "phase [\u00b0]")]
-    titles = [
-        Column("channel", False),
-        Column("unit", False),
-        *([Column("first")] if several else []),
-        *peaks,
-    ]
+    of_model = [Column("first"), *peaks] if several else [Column("magnitude"), peaks[-1]]
+    titles = [Column("channel", False), Column("unit", False), *of_model]
     groups: list[tuple[str, int]] = []
     if over is not None:
         titles += peaks
-        groups = [("", 2), ("model", 3 + several), ("measured", 3)]
+        groups = [("", 2), ("model", len(of_model)), ("measured", 3)]
     rows = []
     for name, values in drawn.model.items():
         peak = int(np.abs(values).argmax())
         row = [Cell(clean(name, None)), unit_cell(drawn.units[name])]
-        row += [_four_digits(abs(values[0]))] if several else []
-        row += _cells(f, values, peak, pointer("frequencies_hz", peak))
+        cells = _cells(f, values, peak, pointer("frequencies_hz", peak))
+        row += [_four_digits(abs(values[0])), *cells] if several else [cells[0], cells[-1]]
         if over is not None:
             place = _within(drawn, over[1][name]) if name in over[1] else None
             row += [number(None)] * 3 if place is None else _cells(over[0], over[1][name], place)

@@ -43,7 +43,7 @@ def _outcome(result: Diagnosis, entry: Stability, claimed: set[str]) -> str:
         return "no cause is needed" if claimed else ADEQUATE.word
     if entry.verdict == UNEXPLAINED.word:
         return NOTHING if claimed else UNEXPLAINED.word
-    if not names:
+    if not names or (not claimed and entry.verdict == result.verdict):
         return entry.verdict
     if claimed and set(entry.effects) <= claimed:
         return _same(result) if entry.verdict == result.verdict else f"{_same(result)}, but not alone,"
