@@ -164,8 +164,8 @@ def test_a_repeated_frequency_moves_by_the_mean_of_its_two_modes() -> None:
     data = Measurements.from_rows(["A", "A"], [10.1 / 2 / np.pi, 10.0 / 2 / np.pi], [0.001, 0.001])
     fitter = Fitter(pair, data)
     prediction = pair.predict(np.zeros(2), (0, 1))
-    pairing = fitter.pairer.pair(prediction, np.ones(2, dtype=bool))
-    assert fitter.rows.rates(prediction, pairing, np.ones(2, dtype=bool)) == pytest.approx(
+    pairing = fitter.observations.pairer.pair(prediction, np.ones(2, dtype=bool))
+    assert fitter.observations.rates(prediction, pairing, np.ones(2, dtype=bool)) == pytest.approx(
         np.array([[0.5, 0.25], [0.5, 0.25]]) / 100.0
     )
     found = fitter.fit(Hypothesis((pair.candidates[0],)), np.array([0.0, 0.1]))
@@ -189,7 +189,7 @@ def test_the_prediction_of_a_left_out_setup_is_that_of_a_fit_without_it() -> Non
             [0.05, 0.002, None, None],
         )
         expected.append(float(np.sum((y[i] - model.base[i] - model.G[i] @ values) ** 2)) / SIGMA**2)
-    squares, leverage = left_out(found, Fitter(model, logs_measured(y, SIGMA)).places())
+    squares, leverage = left_out(found, Fitter(model, logs_measured(y, SIGMA)).observations.places())
     assert squares == pytest.approx(expected, rel=1e-3)
     # A setup's largest leverage: the largest part of a combination of its residuals that the fit takes up.
     J = np.vstack([model.G.reshape(-1, 4) / SIGMA, np.eye(4)[:2] / PRIORS[:, None]])

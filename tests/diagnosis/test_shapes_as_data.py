@@ -118,25 +118,25 @@ def test_derivatives_of_the_residual_agree_with_differences() -> None:
     structure = chain_structure(m=0.2, k1=1e3)
     fitter = Fitter(structure, of_chain(*chain_modes({"k2": 5e4})))
     used, by = np.ones(4, dtype=bool), (0, 1, 2, 4)
-    pairing = fitter.pairer.pair(structure.predict(fitter.declared, ()), used)
-    rates = fitter.rows.rates(structure.predict(fitter.declared, by, shape_rates=True), pairing, used)
+    pairing = fitter.observations.pairer.pair(structure.predict(fitter.declared, ()), used)
+    rates = fitter.observations.rates(structure.predict(fitter.declared, by, shape_rates=True), pairing, used)
     for column, i in enumerate(by):
         step = 1e-5 * fitter.declared[i]
         there, back = fitter.declared.copy(), fitter.declared.copy()
         there[i] += step
         back[i] -= step
-        difference = fitter.rows.residual(structure.predict(there, ()), pairing, used)
-        difference = (difference - fitter.rows.residual(structure.predict(back, ()), pairing, used)) / (
-            2 * step
-        )
+        difference = fitter.observations.residual(structure.predict(there, ()), pairing, used)
+        difference = (
+            difference - fitter.observations.residual(structure.predict(back, ()), pairing, used)
+        ) / (2 * step)
         # The derivative with the model's shape held in its own direction: what is along it is not fitted.
-        frequency = fitter.frequency_rows
+        frequency = fitter.observations.frequency_rows
         assert -rates[frequency, column] == pytest.approx(difference[frequency], rel=1e-6)
-        residual = fitter.rows.residual(structure.predict(fitter.declared, ()), pairing, used)
-        exact = difference[fitter.shape_rows] @ residual[fitter.shape_rows]
-        assert -rates[fitter.shape_rows, column] @ residual[fitter.shape_rows] == pytest.approx(
-            exact, rel=1e-4
-        )
+        residual = fitter.observations.residual(structure.predict(fitter.declared, ()), pairing, used)
+        exact = difference[fitter.observations.part("shape")] @ residual[fitter.observations.part("shape")]
+        assert -rates[fitter.observations.part("shape"), column] @ residual[
+            fitter.observations.part("shape")
+        ] == pytest.approx(exact, rel=1e-4)
 
 
 @pytest.mark.parametrize("effects", [{}, {"gearbox_compliance.compliance": 1e-4, "payload.mass": 0.3}])

@@ -184,7 +184,10 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
     )
     notes = declared_otherwise(fitter)
     prediction = structure.predict(fitter.declared, ())
-    stage, rigid = Predicted.of(fitter.pairer, data, prediction, pairing, sigma), prediction.rigid
+    stage, rigid = (
+        Predicted.of(fitter.observations.pairer, data, prediction, pairing, sigma),
+        prediction.rigid,
+    )
     if not paired.any():
         return Comparison(rows, None, None, None, notes, rigid, stage)
     count = int(paired.sum())

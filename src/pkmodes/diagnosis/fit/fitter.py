@@ -17,15 +17,13 @@ from numpy.typing import NDArray
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis, Misfit
 from pkmodes.diagnosis.fit.lockstep import Descent, Lockstep
-from pkmodes.diagnosis.fit.noise import Noise, Whitening
+from pkmodes.diagnosis.fit.noise import Whitening
+from pkmodes.diagnosis.fit.observations import Observations
 from pkmodes.diagnosis.fit.priors import Priors
-from pkmodes.diagnosis.fit.rows import Rows
-from pkmodes.diagnosis.fit.shapes import ShapeRows
 from pkmodes.diagnosis.fit.solver import bounded_least_squares
-from pkmodes.diagnosis.match.pairing import Pairer, Pairing
+from pkmodes.diagnosis.match.pairing import Pairing
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Structure, reached_bounds
 from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.quantities import FREQUENCY
 
 
 class Fitter:
@@ -63,17 +61,9 @@ class Fitter:
         self.upper = np.array([p.upper for p in self.parameters])
         self.nuisances = tuple(i for i, p in enumerate(self.parameters) if p.sigma)
         self.priors = Priors(self.parameters, structure.candidates, widened)
-        self.log = FREQUENCY.transformed(data)
         reference = structure.predict(self.declared, ())
-        self.pairer = Pairer(data, structure.channels, reference, self.criteria)
-        self.shapes = self.shape_rows_of(data)
-        self.rows = Rows(self.pairer, self.shapes)
-        self.noise = Noise(data, self.shapes, self.criteria.fits.most_shared)
-        self.sigma = self.noise.sigma
-        rows, size = len(self.log), self.shapes.size
-        self.frequency_rows = slice(0, rows)
-        self.shape_rows = slice(rows, rows + size)
-        self.prior_rows = slice(rows + size, None)
+        self.observations = Observations(data, structure, reference, self.shape_scatter, self.criteria)
+        self.prior_rows = slice(self.observations.size, None)
 
     def indices(self, cause: Candidate) -> tuple[int, ...]:
         """Return the indices of a cause's parameters."""
@@ -81,26 +71,9 @@ class Fitter:
 
     def used(self, hypothesis: Hypothesis) -> NDArray[np.bool_]:
         """Return a mask of the rows that a hypothesis does not exclude."""
-        used = np.ones(len(self.log), dtype=bool)
+        used = self.observations.every
         used[list(hypothesis.excluded)] = False
         return used
-
-    def shape_rows_of(self, data: Measurements) -> ShapeRows:
-        """Return the shape data of measurements at the same channels."""
-        units = [self.structure.channel_units[i] for i in self.pairer.columns]
-        return ShapeRows(
-            data, self.pairer.columns, units, self.pairer.moves, self.shape_scatter, self.criteria
-        )
-
-    def places(self) -> list[NDArray[np.intp]]:
-        """Return the indices of the data of each setup, frequencies and shapes."""
-        return [self.place(part) for part in self.noise.rows]
-
-    def place(self, some: NDArray[np.intp]) -> NDArray[np.intp]:
-        """Return the indices of the data of some rows, frequencies and shapes."""
-        rows, channels = len(self.log), self.shapes.sigma.shape[1]
-        components = rows + np.arange(self.shapes.size).reshape(rows, channels)
-        return np.concatenate([some, components[some].ravel()])
 
     # Predictions -------------------------------------------------------------------------------------------
 
@@ -124,19 +97,11 @@ class Fitter:
 
     def chi2_of_many(self, trials: Sequence[tuple[Hypothesis, Array]]) -> list[float]:
         """Return sums of squares for several hypotheses and values without fit or priors; inf if not evaluable."""
-        if not trials:
-            return []
-        sums = [np.inf] * len(trials)
-        values = np.array([one for _, one in trials])
-        for batch in self.structure.predict_many(values, [()] * len(trials)):
-            if not np.isfinite(batch.prediction.eigenvalues).all():
-                continue
-            rows = self.rows.tiled(len(batch.sets))
-            used = np.concatenate([self.used(trials[k][0]) for k in batch.sets])
-            pairing = rows.pairer.pair(batch.prediction, used, compare=False)
-            left = rows.of_each(rows.residual(batch.prediction, pairing, used)) / self.noise.stated
-            for k, white in zip(batch.sets, left, strict=True):
-                sums[k] = float(white @ white)
+        sums, noise = [np.inf] * len(trials), self.observations.noise
+        values, used = np.array([one for _, one in trials]), [self.used(one) for one, _ in trials]
+        for one in self.observations.beside_many(self.structure, values, [()] * len(trials), used):
+            white = one.residual / noise.stated
+            sums[one.number] = float(white @ white)
         return sums
 
     def unfitted(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
@@ -151,12 +116,12 @@ class Fitter:
             Whitened sum of squares of the frequencies of the used rows.
         """
         prediction = self.structure.predict(values, ())
-        pairing = self.pairer.pair(prediction, used)
+        pairing = self.observations.pairer.pair(prediction, used)
         motion = self._motion(values, pairing, used)
-        residual = self.rows.residual(prediction, pairing, used)
-        white = self.noise.whitening(motion, used, 0.0).whitened(residual)[self.frequency_rows]
-        sigma = self.noise.standard_deviations(motion)
-        return pairing, residual[self.frequency_rows], sigma, float(white @ white)
+        residual = self.observations.residual(prediction, pairing, used)
+        rows, noise = self.observations.frequency_rows, self.observations.noise
+        white = noise.whitening(motion, used, 0.0).whitened(residual)[rows]
+        return pairing, residual[rows], noise.standard_deviations(motion), float(white @ white)
 
     # Fits --------------------------------------------------------------------------------------------------
 
@@ -175,7 +140,7 @@ class Fitter:
             prediction = self.structure.predict(values, ())
             if not np.isfinite(prediction.eigenvalues).all():
                 return None
-            before, pairing = pairing, self.pairer.pair(prediction, used, compare=False)
+            before, pairing = pairing, self.observations.pairer.pair(prediction, used, compare=False)
             if (
                 before is not None
                 and np.array_equal(before.partner, pairing.partner)
@@ -183,11 +148,13 @@ class Fitter:
             ):
                 break
             motion = self._motion(values, pairing, used)
-            whitening = self.noise.whitening(motion, used, tau)
+            whitening = self.observations.noise.whitening(motion, used, tau)
             values, converged = self._least_squares(values, free, pairing, used, whitening)
             if hypothesis.scatter:
-                residual = self.rows.residual(self.structure.predict(values, ()), pairing, used)
-                tau = self.noise.shared_error(residual, self._motion(values, pairing, used), used)
+                residual = self.observations.residual(self.structure.predict(values, ()), pairing, used)
+                tau = self.observations.noise.shared_error(
+                    residual, self._motion(values, pairing, used), used
+                )
         return self._finished(hypothesis, values, free, used, tau, converged)
 
     def roughly(self, starts: Sequence[tuple[Hypothesis, Array]]) -> list[Descent]:
@@ -195,9 +162,7 @@ class Fitter:
 
         Shared errors and position errors are neglected.
         """
-        lockstep = Lockstep(
-            self.structure, (self.lower, self.upper), self.rows, self.noise.stated, self.priors
-        )
+        lockstep = Lockstep(self.structure, (self.lower, self.upper), self.observations, self.priors)
         return lockstep.descended(
             [(values, self._free(h), self.used(h)) for h, values in starts], self.criteria.fits.rough_steps
         )
@@ -212,10 +177,10 @@ class Fitter:
             hypothesis=hypothesis,
             values=descent.values,
             free=descent.free,
-            log_determinant=self.noise.whitening(None, used, 0.0).log_determinant,
+            log_determinant=self.observations.noise.whitening(None, used, 0.0).log_determinant,
             scatter=0.0,
             prediction=at.prediction,
-            pairing=self.pairer.pair(at.prediction, used),
+            pairing=self.observations.pairer.pair(at.prediction, used),
             residual=at.residual,
             white=at.white,
             jacobian=at.jacobian,
@@ -237,16 +202,16 @@ class Fitter:
         tau: float,
         converged: bool,
     ) -> Fit | None:
-        prediction = self.structure.predict(values, free, shape_rates=bool(self.shapes.size))
+        prediction = self.structure.predict(values, free, shape_rates=self.observations.shape_rates)
         if not np.isfinite(prediction.eigenvalues).all():
             return None
-        pairing = self.pairer.pair(prediction, used)
-        whitening = self.noise.whitening(self._motion(values, pairing, used), used, tau)
-        residual = self.rows.residual(prediction, pairing, used)
+        pairing = self.observations.pairer.pair(prediction, used)
+        whitening = self.observations.noise.whitening(self._motion(values, pairing, used), used, tau)
+        residual = self.observations.residual(prediction, pairing, used)
         white = np.concatenate([whitening.whitened(residual), self.priors.residual(values)])
         jacobian = np.vstack(
             [
-                -whitening.whitened(self.rows.rates(prediction, pairing, used)),
+                -whitening.whitened(self.observations.rates(prediction, pairing, used)),
                 self.priors.rates(values, free),
             ]
         )
@@ -279,46 +244,43 @@ class Fitter:
     def difference(self, a: Fit, b: Fit) -> float:
         """Return the squared difference of the predictions and priors of two fits, whitened as for the first."""
         used = self.used(a.hypothesis) & self.used(b.hypothesis)
-        whitening = self.noise.whitening(
+        whitening = self.observations.noise.whitening(
             self._motion(a.values, a.pairing, used), self.used(a.hypothesis), a.scatter
         )
-        between = whitening.whitened(np.where(self._spread(used), a.residual - b.residual, 0.0))
+        between = whitening.whitened(np.where(self.observations.of_rows(used), a.residual - b.residual, 0.0))
         priors = self.priors.residual(a.values) - self.priors.residual(b.values)
         return float(between @ between + priors @ priors)
 
     def whitening(self, fit: Fit) -> Whitening:
         """Return the square root of the covariance of the data at a fit."""
         used = self.used(fit.hypothesis)
-        return self.noise.whitening(self._motion(fit.values, fit.pairing, used), used, fit.scatter)
+        return self.observations.noise.whitening(
+            self._motion(fit.values, fit.pairing, used), used, fit.scatter
+        )
 
     def signatures(self, fit: Fit, by: Sequence[int]) -> tuple[Array, Array]:
         """Return the derivatives of ln f with respect to parameters, (R, T), and of all data, whitened."""
-        prediction = self.structure.predict(fit.values, by, shape_rates=bool(self.shapes.size))
+        prediction = self.structure.predict(fit.values, by, shape_rates=self.observations.shape_rates)
         used = self.used(fit.hypothesis)
-        rates = self.rows.rates(prediction, fit.pairing, used)
+        rates = self.observations.rates(prediction, fit.pairing, used)
         whitening = self.whitening(fit)
         # A free parameter with a prior is pulled towards its declared value.
-        return rates[self.frequency_rows], np.vstack(
+        return rates[self.observations.frequency_rows], np.vstack(
             [whitening.whitened(rates), -self.priors.rates(fit.values, by)]
         )
 
-    def shape_misfit(self, fit: Fit, stated: bool) -> Misfit:
-        """Return the misfit of the shapes with (or without) stated errors."""
-        used = self.used(fit.hypothesis)
-        some = used & self.shapes.known & (self.shapes.stated == stated)
-        shape = self.shapes.sigma.shape
-        squares = (fit.white[self.shape_rows].reshape(shape) ** 2).sum(axis=1)
-        taken = fit.leverage[self.shape_rows].reshape(shape).sum(axis=1)
-        return Misfit(float(squares[some].sum()), float(self.shapes.count[some].sum() - taken[some].sum()))
+    def misfit(self, fit: Fit, name: str, *, stated: bool) -> Misfit:
+        """Return the misfit of a quantity beside the frequencies, with (or without) stated errors."""
+        observations, quantity = self.observations, self.observations.beside[name]
+        some = self.used(fit.hypothesis) & quantity.known & (quantity.stated == stated)
+        squares = (observations.by_row(name, fit.white) ** 2).sum(axis=1)
+        taken = observations.by_row(name, fit.leverage).sum(axis=1)
+        return Misfit(float(squares[some].sum()), float(quantity.count[some].sum() - taken[some].sum()))
 
     def worst_rows(self, fit: Fit) -> tuple[NDArray[np.intp], Array]:
         """Return the rows, those with the largest frequency residuals first, and all residuals in sigma, (R,)."""
-        sigmas = np.abs(fit.residual[self.frequency_rows] / self.sigma)
+        sigmas = np.abs(fit.residual[self.observations.frequency_rows] / self.observations.sigma)
         return np.argsort(sigmas)[::-1], sigmas
-
-    def _spread(self, used: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """Return a mask of the data of used rows."""
-        return np.concatenate([used, np.repeat(used, self.shapes.sigma.shape[1])])
 
     def _least_squares(
         self,
@@ -331,12 +293,12 @@ class Fitter:
         """Return the least-squares values for a given pairing, and whether the solver converged."""
 
         def residual(full: Array) -> Array:
-            unwhitened = self.rows.residual(self.structure.predict(full, ()), pairing, used)
+            unwhitened = self.observations.residual(self.structure.predict(full, ()), pairing, used)
             return np.concatenate([whitening.whitened(unwhitened), self.priors.residual(full)])
 
         def rates(full: Array) -> Array:
-            prediction = self.structure.predict(full, free, shape_rates=bool(self.shapes.size))
-            unwhitened = self.rows.rates(prediction, pairing, used)
+            prediction = self.structure.predict(full, free, shape_rates=self.observations.shape_rates)
+            unwhitened = self.observations.rates(prediction, pairing, used)
             return np.vstack([-whitening.whitened(unwhitened), self.priors.rates(full, free)])
 
         bounds = self.lower[list(free)], self.upper[list(free)]
@@ -350,7 +312,7 @@ class Fitter:
 
     def _motion(self, values: Array, pairing: Pairing, used: NDArray[np.bool_]) -> Array | None:
         """Return the derivatives of the data with respect to uncertain positions, (D, d); None if there are none."""
-        if not self.noise.uncertain:
+        if not self.observations.noise.uncertain:
             return None
-        moved = self.structure.position_rates(values, shape_rates=bool(self.shapes.size))
-        return None if moved is None else self.rows.rates(moved, pairing, used)
+        moved = self.structure.position_rates(values, shape_rates=self.observations.shape_rates)
+        return None if moved is None else self.observations.rates(moved, pairing, used)

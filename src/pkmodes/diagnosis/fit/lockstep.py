@@ -15,8 +15,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.diagnosis.fit.observations import Observations
 from pkmodes.diagnosis.fit.priors import Priors
-from pkmodes.diagnosis.fit.rows import Rows
 from pkmodes.diagnosis.problem import Array, Prediction, Structure
 
 #: Initial damping, relative to the diagonal; its factors after a successful and after a failed step.
@@ -83,19 +83,18 @@ class Lockstep:
     ----------
     bounds : tuple of two ndarrays, shape (P,)
         Of all parameters.
-    sigma : ndarray, shape (R + R C,)
-        Standard deviations of the data, taken as uncorrelated.
+    observations : Observations
+        Their errors are taken as uncorrelated.
     """
 
     def __init__(
         self,
         structure: Structure,
         bounds: tuple[Array, Array],
-        rows: Rows,
-        sigma: Array,
+        observations: Observations,
         priors: Priors,
     ) -> None:
-        self._structure, self._rows, self._sigma, self._priors = structure, rows, sigma, priors
+        self._structure, self._observations, self._priors = structure, observations, priors
         self._lower, self._upper = bounds
 
     def descended(
@@ -130,27 +129,14 @@ class Lockstep:
     def _evaluated(self, fits: Sequence[Descent], values: Sequence[Array]) -> list[Evaluated | None]:
         """Evaluate each fit at given values."""
         evaluated: list[Evaluated | None] = [None] * len(fits)
-        if not fits:
-            return evaluated
-        by, shapes = [fit.free for fit in fits], bool(self._rows.shapes.size)
-        for batch in self._structure.predict_many(np.array(values), by, shape_rates=shapes):
-            if not np.isfinite(batch.prediction.eigenvalues).all():
-                continue
-            rows = self._rows.tiled(len(batch.sets))
-            used = np.concatenate([fits[k].used for k in batch.sets])
-            pairing = rows.pairer.pair(batch.prediction, used, compare=False)
-            residuals = rows.of_each(rows.residual(batch.prediction, pairing, used))
-            rates = rows.of_each(rows.rates(batch.prediction, pairing, used))
-            each = zip(batch.sets, residuals, rates, _split(batch.prediction, len(batch.sets)), strict=True)
-            for k, residual, rate, prediction in each:
-                white = np.concatenate([residual / self._sigma, self._priors.residual(values[k])])
-                jacobian = np.vstack(
-                    [
-                        -rate[:, : len(by[k])] / self._sigma[:, None],
-                        self._priors.rates(values[k], by[k]),
-                    ]
-                )
-                evaluated[k] = Evaluated(float(white @ white), white, jacobian, residual, prediction)
+        by, sigma = [fit.free for fit in fits], self._observations.noise.stated
+        beside = self._observations.beside_many(
+            self._structure, np.array(values), by, [fit.used for fit in fits]
+        )
+        for k, residual, rate, prediction in beside:
+            white = np.concatenate([residual / sigma, self._priors.residual(values[k])])
+            jacobian = np.vstack([-rate / sigma[:, None], self._priors.rates(values[k], by[k])])
+            evaluated[k] = Evaluated(float(white @ white), white, jacobian, residual, prediction)
         return evaluated
 
     def _step(self, fit: Descent, now: Evaluated) -> tuple[Array, float]:
@@ -182,11 +168,3 @@ class Lockstep:
         values = fit.values.copy()
         values[index] = there
         return values, now.chi2 - float(linear @ linear)
-
-
-def _split(prediction: Prediction, count: int) -> list[Prediction]:
-    """Split predictions of several sets of values, without derivatives of the shapes."""
-    values, rates, shapes = (
-        np.split(whole, count) for whole in (prediction.eigenvalues, prediction.rates, prediction.shapes)
-    )
-    return [Prediction(*part, prediction.rigid) for part in zip(values, rates, shapes, strict=True)]

@@ -10,6 +10,7 @@ its stated error stays in the likelihood.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,10 +18,9 @@ from numpy.typing import NDArray
 from scipy.linalg import solve_triangular
 from scipy.optimize import minimize_scalar
 
-from pkmodes.diagnosis.fit.shapes import ShapeRows
+from pkmodes.diagnosis.fit.quantity import Quantity
 from pkmodes.diagnosis.problem import Array
 from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.quantities import FREQUENCY
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,8 @@ class Noise:
 
     Parameters
     ----------
-    shapes : ShapeRows
+    quantities : sequence of Quantity
+        The frequencies first.
     most_shared : float
         Largest error that the modes of a setup may share.
 
@@ -63,26 +64,28 @@ class Noise:
     sigma : ndarray, shape (R,)
         Stated standard deviations of ln f.
     stated : ndarray, shape (D,)
-        Standard deviations of all data, frequencies and shapes, without correlations.
+        Standard deviations of all data, without correlations.
     rows : list of ndarray
         Rows of each setup.
     uncertain : bool
         Whether positions of setups are uncertain.
     """
 
-    def __init__(self, data: Measurements, shapes: ShapeRows, most_shared: float) -> None:
-        self.sigma = FREQUENCY.transformed_sigma(data)
+    def __init__(self, data: Measurements, quantities: Sequence[Quantity], most_shared: float) -> None:
+        self.stated = np.concatenate([quantity.sigma.ravel() for quantity in quantities])
+        self.sigma: Array = self.stated[: len(data.pose)]
         order = np.argsort(data.pose, kind="stable")
         self.rows = np.split(order, np.searchsorted(data.pose[order], np.arange(1, len(data.labels))))
         self.uncertain = bool((data.point_sigma > 0.0).any())
         self._setup = data.pose
         self._position_sigma, self._most_shared = data.point_sigma, most_shared
-        channels = shapes.sigma.shape[1]
-        components = len(self.sigma) + np.arange(shapes.size).reshape(len(self.sigma), channels)
-        self._places = [
-            np.concatenate([rows, components[rows][shapes.known[rows]].ravel()]) for rows in self.rows
-        ]
-        self.stated = np.concatenate([self.sigma, shapes.sigma.ravel()])
+        places, start = [list[NDArray[np.intp]]() for _ in self.rows], 0
+        for quantity in quantities:
+            components = start + np.arange(quantity.sigma.size).reshape(quantity.sigma.shape)
+            start += quantity.sigma.size
+            for place, rows in zip(places, self.rows, strict=True):
+                place.append(components[rows[quantity.known[rows]]].ravel())
+        self._places = [np.concatenate(place) for place in places]
 
     def whitening(self, motion: Array | None, used: NDArray[np.bool_], tau: float) -> Whitening:
         """Return the square root of V.
@@ -124,7 +127,7 @@ class Noise:
         by_position = np.empty_like(self.sigma)
         for setup, rows in enumerate(self.rows):
             by_position[rows] = ((motion[rows] * self._position_sigma[setup]) ** 2).sum(axis=1)
-        return np.sqrt(self.sigma**2 + by_position)
+        return np.asarray(np.sqrt(self.sigma**2 + by_position))
 
     def shared_error(self, residual: Array, motion: Array | None, used: NDArray[np.bool_]) -> float:
         """Return the most likely standard deviation of the error that the modes of a setup share."""

@@ -152,19 +152,10 @@ class Profiles:
     def points(self, asked: Sequence[Asked]) -> list[Point | None]:
         """Evaluate the model at several values, each with its free parameters and those without a prior."""
         found: list[Point | None] = [None] * len(asked)
-        if not asked:
-            return found
         fitter, by = self.fitter, [one.free for one in asked]
-        values, shapes = np.array([one.values for one in asked]), bool(fitter.shapes.size)
-        for batch in fitter.structure.predict_many(values, by, shape_rates=shapes):
-            if not np.isfinite(batch.prediction.eigenvalues).all():
-                continue
-            rows, used = fitter.rows.tiled(len(batch.sets)), np.tile(self._used, len(batch.sets))
-            pairing = rows.pairer.pair(batch.prediction, used, compare=False)
-            residuals = rows.of_each(rows.residual(batch.prediction, pairing, used))
-            rates = rows.of_each(rows.rates(batch.prediction, pairing, used))
-            for k, residual, rate in zip(batch.sets, residuals, rates, strict=True):
-                found[k] = self._point(asked[k], residual, rate[:, : len(by[k])])
+        values, used = np.array([one.values for one in asked]), [self._used] * len(asked)
+        for one in fitter.observations.beside_many(fitter.structure, values, by, used):
+            found[one.number] = self._point(asked[one.number], one.residual, one.rates)
         return found
 
     def _point(self, asked: Asked, residual: Array, rates: Array) -> Point:

@@ -36,7 +36,7 @@ class _Spaces(NamedTuple):
 
 
 class ShapeRows:
-    """Measured shapes as data of a fit.
+    """Measured shapes as data of a fit, a `Quantity`.
 
     Parameters
     ----------
@@ -109,9 +109,9 @@ class ShapeRows:
         return copies
 
     @property
-    def size(self) -> int:
-        """Number of components, R times C."""
-        return self._shapes.size
+    def shape_rates(self) -> bool:
+        """Whether there is anything whose derivatives need those of the shapes of the model."""
+        return self._shapes.size > 0
 
     def residual(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
         """Return the residuals with respect to the shapes of the partners, (R, C)."""
@@ -120,7 +120,7 @@ class ShapeRows:
         return self._projected(prediction, pairing, used)[0]
 
     def rates(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
-        """Return the derivatives of the residuals with respect to the requested parameters, (R, C, T)."""
+        """Return the derivatives of what the model predicts, the measured shape less the residual, (R, C, T)."""
         if prediction.shape_rates is None or not self._shapes.size:
             return np.zeros((*self._shapes.shape, prediction.rates.shape[-1]))
         _, phi, along, (i, basis, share, modes) = self._projected(prediction, pairing, used)
@@ -128,18 +128,14 @@ class ShapeRows:
         changes = prediction.shape_rates[take][:, self._columns] * self._weights[..., None]
         size = np.maximum((phi**2).sum(axis=1), 1e-300)
         inside = np.einsum("rc,rct->rt", phi, changes) / size[:, None]
-        derivatives = -along[:, None, None] * (changes - phi[..., None] * inside[:, None])
+        derivatives = along[:, None, None] * (changes - phi[..., None] * inside[:, None])
         if len(i):
             moved = prediction.shape_rates[self._pose[i][:, None], modes][:, :, self._columns]
             change = np.einsum("bg,bgct->bct", share, moved) * self._weights[i][..., None]
-            derivatives[i] = -(change - np.swapaxes(basis, -1, -2) @ (basis @ change))
+            derivatives[i] = change - np.swapaxes(basis, -1, -2) @ (basis @ change)
         return np.asarray(
             np.where((self.known & used & (pairing.partner >= 0))[:, None, None], derivatives, 0.0)
         )
-
-    def degrees(self, used: NDArray[np.bool_]) -> int:
-        """Return the degrees of freedom of the shapes of the used rows."""
-        return int(self.count[used].sum())
 
     def _projected(
         self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]

@@ -11,6 +11,7 @@ from scipy import stats
 from pkmodes.diagnosis.fit.cross_validation import left_out
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis, Misfit
+from pkmodes.diagnosis.fit.observations import SHAPE
 from pkmodes.diagnosis.problem import Array, Candidate
 
 Key = tuple[frozenset[str], frozenset[int], bool]
@@ -34,8 +35,8 @@ class FitStore:
         self.fitter = fitter
         earlier = {} if before is None else before._fits
         self._seeds = {k: fit.values for k, fit in earlier.items() if fit is not None}
-        self._rows = len(fitter.log)
-        self._data = self._rows + int(fitter.shapes.count.sum())
+        self._rows = len(fitter.observations.log)
+        self._data = fitter.observations.degrees(fitter.observations.every)
         self._fits: dict[Key, Fit | None] = {}
         self._rough: set[Key] = set()
         self._begun: set[Key] = set()
@@ -78,7 +79,7 @@ class FitStore:
         for hypothesis, some in jobs:
             best, k = min((next(reached) for _ in some), key=lambda descent: descent.chi2), key(hypothesis)
             if (
-                hypothesis.scatter or self.fitter.noise.uncertain
+                hypothesis.scatter or self.fitter.observations.noise.uncertain
             ):  # correlated errors: the rough fit is only a start
                 self._fits[k] = self.fitter.fit(hypothesis, best.values)
             else:
@@ -139,12 +140,13 @@ class FitStore:
     def degrees(self, fit: Fit) -> int:
         """Return the degrees of freedom: data less parameters without prior, excluded rows and the shared error."""
         h, fitter = fit.hypothesis, self.fitter
-        rows = self._rows - len(h.excluded) + fitter.shapes.degrees(fitter.used(h))
-        return rows - sum(fitter.priors.of(i) is None for i in self._added(fit)) - int(h.scatter)
+        count = fitter.observations.degrees(fitter.used(h))
+        return count - sum(fitter.priors.of(i) is None for i in self._added(fit)) - int(h.scatter)
 
     def p_value(self, fit: Fit) -> float:
-        """Return the smaller p-value of the frequencies with priors and of the shapes with stated errors."""
-        return min(self.frequency_p_value(fit), self.fitter.shape_misfit(fit, stated=True).p_value)
+        """Return the smallest p-value: of the frequencies with priors, and of what has stated errors beside them."""
+        beside = (self.fitter.misfit(fit, name, stated=True) for name in self.fitter.observations.beside)
+        return min(self.frequency_p_value(fit), *(misfit.p_value for misfit in beside))
 
     def frequency_p_value(self, fit: Fit) -> float:
         """Return the p-value of the frequencies and priors alone."""
@@ -153,12 +155,12 @@ class FitStore:
 
     def frequency_misfit(self, fit: Fit) -> Misfit:
         """Return the misfit of the frequencies and priors."""
-        fitter, h = self.fitter, fit.hypothesis
-        if not fitter.shapes.size:
+        fitter, h, rows = self.fitter, fit.hypothesis, self.fitter.observations.frequency_rows
+        if rows.stop == fitter.observations.size:
             return Misfit(fit.chi2, float(self.degrees(fit)))
         priors = fitter.priors.rows(fit.free)
-        parts = [fit.leverage[fitter.frequency_rows], fit.leverage[fitter.prior_rows][priors]]
-        white = [fit.white[fitter.frequency_rows], fit.white[fitter.prior_rows]]
+        parts = [fit.leverage[rows], fit.leverage[fitter.prior_rows][priors]]
+        white = [fit.white[rows], fit.white[fitter.prior_rows]]
         taken = sum(float(part.sum()) for part in parts)
         count = self._rows - len(h.excluded) + len(priors) - int(h.scatter)
         return Misfit(sum(float(part @ part) for part in white), count - taken)
@@ -193,7 +195,7 @@ class FitStore:
         less = self.without(fit, len(fit.causes) - 1)
         if less is None:
             return True
-        places, priors = self.fitter.places(), self.fitter.prior_rows
+        places, priors = self.fitter.observations.places(), self.fitter.prior_rows
         squares, leverage = left_out(fit, places)
         tells = leverage < self.fitter.criteria.claim.alone
         others = left_out(less, places)[0]
@@ -203,7 +205,7 @@ class FitStore:
 
     def shape_scatter(self, fit: Fit) -> float | None:
         """Return the scatter of the shapes without stated errors at a fit; None if there are too few."""
-        squares, degrees = self.fitter.shape_misfit(fit, stated=False)
+        squares, degrees = self.fitter.misfit(fit, SHAPE, stated=False)
         if degrees < 1.0:
             return None
         return float(np.sqrt(squares / degrees)) * self.fitter.shape_scatter

@@ -16,6 +16,7 @@ import numpy as np
 from pkmodes.diagnosis.fit.cross_validation import deleted
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, orthonormal
+from pkmodes.diagnosis.fit.observations import SHAPE
 from pkmodes.diagnosis.posterior.marginal import log_occam_factor, marginal_log_likelihood, prior_of_scale
 from pkmodes.diagnosis.problem import Array, Candidate
 from pkmodes.diagnosis.search.score import one_sided
@@ -98,10 +99,11 @@ def linearised(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Line
         Largest plausible deviations of parameters of causes from their declared values.
     """
     white, basis, aside = fit.white, fit.basis, set(fit.hypothesis.excluded)
-    frequencies, shapes = fitter.frequency_rows, fitter.shape_rows
-    while len(aside) < max(1, len(fitter.log) // fitter.criteria.search.rows_per_outlier):
+    observations = fitter.observations
+    frequencies, shapes = observations.frequency_rows, observations.part(SHAPE)
+    while len(aside) < max(1, len(observations.log) // fitter.criteria.search.rows_per_outlier):
         row = int(np.argmax(np.abs(white[frequencies])))
-        place = fitter.place(np.array([row]))
+        place = observations.place(np.array([row]))
         if white[place] @ deleted(basis[place], white[place]) <= 2.0 * _price(fitter, row):
             break
         aside.add(row)
@@ -114,7 +116,7 @@ def linearised(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Line
     leverage = (basis**2).sum(axis=1)
     degrees = [
         max(float(count[kept].sum() - leverage[part].sum()), 0.0)
-        for count, part in ((np.ones(len(kept)), frequencies), (fitter.shapes.count, shapes))
+        for count, part in ((np.ones(len(kept)), frequencies), (observations.shapes.count, shapes))
     ]
     log_factor = -sum(_price(fitter, row) for row in aside) - 0.5 * fit.log_determinant
     if fit.hypothesis.scatter:
@@ -136,10 +138,10 @@ def capped_deviance(fitter: Fitter, fit: Fit) -> float:
 
 def _price(fitter: Fitter, row: int) -> float:
     """Return the negative logarithm of the density of a row that is not a mode, relative to one that is right."""
-    width, known = 2.0 * fitter.criteria.pairing.reach, fitter.shapes.known[row]
-    frequency = np.log(width / (np.sqrt(2.0 * np.pi) * fitter.sigma[row])) - np.log(WRONG_ROW)
-    shape = -np.log(np.sqrt(2.0 * np.pi) * fitter.shapes.sigma[row]) if known else np.zeros(1)
-    return float(max(frequency, 0.0) + np.maximum(shape, 0.0).mean() * fitter.shapes.count[row])
+    width, shapes = 2.0 * fitter.criteria.pairing.reach, fitter.observations.shapes
+    frequency = np.log(width / (np.sqrt(2.0 * np.pi) * fitter.observations.sigma[row])) - np.log(WRONG_ROW)
+    shape = -np.log(np.sqrt(2.0 * np.pi) * shapes.sigma[row]) if shapes.known[row] else np.zeros(1)
+    return float(max(frequency, 0.0) + np.maximum(shape, 0.0).mean() * shapes.count[row])
 
 
 def _log_occam_factor_of_values(fitter: Fitter, fit: Fit) -> float:

@@ -37,7 +37,7 @@ def log_evidence_outside(fitter: Fitter, model: Linearised) -> float:
     wide = ((LOG_SCALE >= 0.0) & (np.log(FACTOR) >= LOG_SCALE)).astype(float)
     prior = (1.0 - SCATTERED) * prior_of_scale() + SCATTERED * wide / wide.sum()
     frequencies, shapes, priors = model.squares
-    largest = float(np.linalg.norm(MOST / fitter.sigma))
+    largest = float(np.linalg.norm(MOST / fitter.observations.sigma))
     changes = log_evidence_of_frequencies(
         *spectrum(fitter, model), frequencies, model.degrees[0], largest, prior
     )
@@ -77,8 +77,8 @@ def spectrum(fitter: Fitter, model: Linearised) -> tuple[Array, Array]:
 
     The directions are orthogonal to the derivatives with respect to all fitted parameters.
     """
-    fit, rows, partner = model.fit, fitter.frequency_rows, model.fit.pairing.partner
-    at = fitter.pairer.pose, np.maximum(partner, 0)
+    fit, rows, partner = model.fit, fitter.observations.frequency_rows, model.fit.pairing.partner
+    at = fitter.observations.pairer.pose, np.maximum(partner, 0)
     shapes, eigenvalues = fit.prediction.shapes[at], np.abs(fit.prediction.eigenvalues[at])
     i, j = np.triu_indices(shapes.shape[1])
     products = shapes[:, i] * shapes[:, j]

@@ -78,7 +78,9 @@ def _suspected(fitter: Fitter) -> dict[tuple[int, ...], Apart]:
 
 def _mean(fitter: Fitter, setups: Sequence[int], residual: Array) -> float:
     """Return the mean difference of the frequencies at some setups."""
-    return float(np.abs(residual[fitter.frequency_rows][np.isin(fitter.data.pose, setups)]).mean())
+    return float(
+        np.abs(residual[fitter.observations.frequency_rows][np.isin(fitter.data.pose, setups)]).mean()
+    )
 
 
 def _sentence(fitter: Fitter, setups: Sequence[int], apart: Apart | None) -> str:

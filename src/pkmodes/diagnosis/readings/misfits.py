@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.observations import SHAPE
 from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.diagnosis.readings.comparison import Apart
 from pkmodes.diagnosis.readings.wirings import Wiring, as_in_file
@@ -49,14 +50,15 @@ class Misfit:
     @classmethod
     def of(cls, fitter: Fitter, used: NDArray[np.bool_], residual: Array) -> Misfit:
         """Return the misfit of unwhitened residuals of all data, (R + R C,), of which some rows count."""
-        shapes, white = fitter.shapes, residual / fitter.noise.stated
+        observations = fitter.observations
+        shapes, white = observations.shapes, residual / observations.noise.stated
         known = used & shapes.known
         masks = known & shapes.stated, known & ~shapes.stated
-        each = (white[fitter.shape_rows].reshape(shapes.sigma.shape) ** 2).sum(axis=1)
-        frequencies = (white[fitter.frequency_rows][used] ** 2).sum()
+        each = (observations.by_row(SHAPE, white) ** 2).sum(axis=1)
+        frequencies = (white[observations.frequency_rows][used] ** 2).sum()
         count = np.array([used.sum(), *(shapes.count[mask].sum() for mask in masks)], dtype=float)
         smallest = fitter.criteria.shapes.least_scatter / fitter.shape_scatter
-        apart = (residual[fitter.shape_rows] ** 2).sum() / max(count[1:].sum(), 1.0)
+        apart = (residual[observations.part(SHAPE)] ** 2).sum() / max(count[1:].sum(), 1.0)
         return cls(
             squares=np.array([frequencies, *(each[mask].sum() for mask in masks)]),
             count=count,
@@ -97,16 +99,16 @@ def at_prediction(
     if not np.isfinite(prediction.eigenvalues).all():
         return []
     motion = channel_motion(fitter.structure.predict(fitter.declared, ()).shapes)
-    numbers = len(fitter.log) * prediction.shapes.shape[1] * len(fitter.data.channels)
+    numbers = len(fitter.observations.log) * prediction.shapes.shape[1] * len(fitter.data.channels)
     most, found = max(AT_ONCE // max(numbers, 1), 1), list[Misfit]()
     for some in (wirings[start : start + most] for start in range(0, len(wirings), most)):
-        rows, tiled = fitter.rows.tiled(len(some)), np.tile(used, len(some))
+        rows, tiled = fitter.observations.tiled(len(some)), np.tile(used, len(some))
         order = [[fitter.structure.channels.index(name) for name in w.channels] for w in some]
         rows.pairer.moves = np.concatenate([motion[:, columns] for columns in order])
         # The modes once for each wiring, with what its columns measure in the place of the file's.
         shapes = np.tile(prediction.shapes, (len(some), 1, 1, 1))
         for each, columns, wiring in zip(shapes, order, some, strict=True):
-            each[..., fitter.pairer.columns] = prediction.shapes[..., columns] * wiring.signs
+            each[..., fitter.observations.pairer.columns] = prediction.shapes[..., columns] * wiring.signs
         eigenvalues = np.tile(prediction.eigenvalues, (len(some), 1))
         together = _modes(eigenvalues, np.concatenate(shapes), prediction.rigid)
         pairing = rows.pairer.pair(together, tiled, compare=False)
@@ -120,14 +122,14 @@ def promising(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> bool:
 
     At these few setups a wrong wiring is plain, and no wiring helps if there is only noise: most files need no more.
     """
-    shapes, setups, pose = fitter.shapes, len(fitter.data.labels), fitter.data.pose
+    shapes, setups, pose = fitter.observations.shapes, len(fitter.data.labels), fitter.data.pose
     if setups <= 2 * WORST:
         return True
-    squares = (fit.white[fitter.shape_rows].reshape(shapes.sigma.shape) ** 2).sum(axis=1)
+    squares = (fitter.observations.by_row(SHAPE, fit.white) ** 2).sum(axis=1)
     sums = np.bincount(pose, squares, setups) / np.maximum(np.bincount(pose, shapes.count, setups), 1.0)
     some = np.sort(np.argsort(sums)[-WORST:])
     part = fitter.at(some.tolist())
-    every, used = [as_in_file(fitter.data.channels), *wirings], np.ones(len(part.log), dtype=bool)
+    every, used = [as_in_file(fitter.data.channels), *wirings], part.observations.every
     there = _modes(fit.prediction.eigenvalues[some], fit.prediction.shapes[some], fit.prediction.rigid)
     declared = part.structure.predict(part.declared, ())
     found = [at_prediction(part, used, one, every) for one in (declared, there)]

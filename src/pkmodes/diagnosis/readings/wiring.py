@@ -14,6 +14,7 @@ import numpy as np
 
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.observations import SHAPE
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Instrumented, Sensor
 from pkmodes.diagnosis.readings.comparison import Apart
@@ -59,13 +60,14 @@ def other_wiring(fitter: Fitter, fit: Fit) -> str:
 
 def dead_channels(fitter: Fitter, fit: Fit) -> str:
     """A channel is exactly 0 in every row although the model clearly moves it in some."""
-    if not fitter.shapes.known.any():
+    if not fitter.observations.shapes.known.any():
         return ""
     data, pairing = fitter.data, fit.pairing
     shaped = (pairing.partner >= 0) & np.nan_to_num(data.shapes).any(axis=1)
     measured = np.isfinite(data.shapes) & shaped[:, None]
-    model = np.abs(fit.prediction.shapes[data.pose, np.maximum(pairing.partner, 0)][:, fitter.pairer.columns])
-    units = np.array([fitter.structure.channel_units[i] for i in fitter.pairer.columns])
+    columns = fitter.observations.pairer.columns
+    model = np.abs(fit.prediction.shapes[data.pose, np.maximum(pairing.partner, 0)][:, columns])
+    units = np.array([fitter.structure.channel_units[i] for i in columns])
     moved, some = fitter.criteria.readings.dead
     dead = []
     for k, name in enumerate(data.channels):
@@ -120,7 +122,8 @@ def _doubtful(fitter: Fitter, fit: Fit) -> bool:
     c = fitter.criteria.readings
     visible = (c.rewired_scatter / fitter.shape_scatter) ** 2
     parts = (
-        (fitter.shape_misfit(fit, stated=s), most) for s, most in ((True, c.rewired_misfit), (False, visible))
+        (fitter.misfit(fit, SHAPE, stated=s), most)
+        for s, most in ((True, c.rewired_misfit), (False, visible))
     )
     return any(degrees >= 1.0 and squares / degrees > most for (squares, degrees), most in parts)
 

@@ -29,7 +29,7 @@ class Additions:
         self.store, self.fitter, self.criteria = store, store.fitter, store.fitter.criteria
         self.candidates = tuple(candidates)
         self._progress = progress
-        self._rows, self._setups = len(self.fitter.log), len(self.fitter.data.labels)
+        self._rows, self._setups = len(self.fitter.observations.log), len(self.fitter.data.labels)
         self._most_outliers = max(1, self._rows // self.criteria.search.rows_per_outlier)
 
     def room(self, fit: Fit) -> bool:
@@ -96,10 +96,10 @@ class Additions:
         return without is None or self._far(without)
 
     def _far(self, fit: Fit) -> bool:
-        left = np.array(fit.residual[self.fitter.frequency_rows])
-        for rows in self.fitter.noise.rows:
+        left = np.array(fit.residual[self.fitter.observations.frequency_rows])
+        for rows in self.fitter.observations.noise.rows:
             left[rows] -= np.median(left[rows])  # robust against one outlier
-        left /= self.fitter.sigma
+        left /= self.fitter.observations.sigma
         kept = np.sort(left**2)[: max(self._rows - self._most_outliers, 0)]
         degrees = max(self._rows - self._most_outliers - self._setups, 1)
         return bool(kept.sum() > self.criteria.search.hopeless * degrees)

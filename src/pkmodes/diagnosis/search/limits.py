@@ -137,7 +137,7 @@ def bounds(
 def _beside(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> list[_Beside]:
     by = list(dict.fromkeys(i for candidate in candidates for i in fitter.indices(candidate)))
     _, raw = fitter.signatures(fit, by)
-    prediction = fitter.structure.predict(fit.values, by, shape_rates=bool(fitter.shapes.size))
+    prediction = fitter.structure.predict(fit.values, by, shape_rates=fitter.observations.shape_rates)
     rates = dict(zip(by, largest_rates(prediction).tolist(), strict=True))
     found = []
     for candidate in candidates:
@@ -211,7 +211,7 @@ def _suffices(fitter: Fitter, side: Side, one: _Beside, end: End) -> bool:
     p = fitter.parameters[side.index]
     absent = p.value <= p.lower or p.value >= p.upper
     change = end.size * one.rates[side.index]
-    return not absent and end.bounded and change**2 < SECOND_ORDER * float(fitter.sigma.min())
+    return not absent and end.bounded and change**2 < SECOND_ORDER * float(fitter.observations.sigma.min())
 
 
 def _bound(fitter: Fitter, fit: Fit, one: _Beside, i: int, ends: Sequence[tuple[Side, End]]) -> Bound:

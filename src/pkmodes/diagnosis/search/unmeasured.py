@@ -29,12 +29,12 @@ def seen(fitter: Fitter, fit: Fit) -> Seen:
     """Count the modes of a fit between the lowest and highest measured ones of each setup."""
     margin, logs = fitter.criteria.gate.margin, fit.prediction.log_frequencies
     used, visible = fitter.used(fit.hypothesis), _visible(fitter, fit)
-    paired, unmeasured = int((fit.pairing.partner >= 0).sum()), 0
-    for setup, rows in enumerate(fitter.noise.rows):
+    observations, paired, unmeasured = fitter.observations, int((fit.pairing.partner >= 0).sum()), 0
+    for setup, rows in enumerate(observations.noise.rows):
         if not len(rows):
             continue
         # A test may have stopped after the highest mode, whatever its band: modes above it carry no information.
-        low, high = fitter.log[rows].min() + margin, fitter.log[rows].max() - margin
+        low, high = observations.log[rows].min() + margin, observations.log[rows].max() - margin
         between = np.flatnonzero((logs[setup] > low) & (logs[setup] < high) & visible[setup])
         between = between[between >= fit.prediction.rigid]
         free = between[~np.isin(between, fit.pairing.partner[rows])]
@@ -45,7 +45,8 @@ def seen(fitter: Fitter, fit: Fit) -> Seen:
 
 def _visible(fitter: Fitter, fit: Fit) -> NDArray[np.bool_]:
     """Return a mask of the modes that move the sensors enough; all if no sensor is known."""
-    shapes, moves = fit.prediction.shapes[..., fitter.pairer.columns], fitter.pairer.moves
+    pairer = fitter.observations.pairer
+    shapes, moves = fit.prediction.shapes[..., pairer.columns], pairer.moves
     if not shapes.shape[-1]:
         return np.ones(shapes.shape[:2], dtype=bool)
     peaks = np.sqrt(np.mean((shapes / np.where(moves > 0.0, moves, np.inf)[:, None]) ** 2, axis=-1))
@@ -66,7 +67,7 @@ def p_unmeasured(fitter: Fitter, declared: Fit, fit: Fit) -> float:
         return 1.0
     total = after.modes + 1  # and one that might exist
     p = float(stats.hypergeom.sf(missed - 1, total, after.unmeasured, min(missed + measured, total)))
-    return p if len(fitter.pairer.columns) else float(np.sqrt(p))
+    return p if len(fitter.observations.pairer.columns) else float(np.sqrt(p))
 
 
 class NeverMeasured(NamedTuple):
@@ -90,8 +91,8 @@ def never_measured(fitter: Fitter, fit: Fit) -> list[NeverMeasured]:
     measured[fitter.data.pose[paired], fit.pairing.partner[paired]] = True
     low, high = (np.full(len(logs), value) for value in (np.inf, -np.inf))
     if fitter.data.band is None:
-        np.minimum.at(low, fitter.data.pose, fitter.log)
-        np.maximum.at(high, fitter.data.pose, fitter.log)
+        np.minimum.at(low, fitter.data.pose, fitter.observations.log)
+        np.maximum.at(high, fitter.data.pose, fitter.observations.log)
     else:
         low[:], high[:] = np.log(fitter.data.band)
     inside = (logs > low[:, None] + margin) & (logs < high[:, None] - margin) & visible

@@ -92,8 +92,7 @@ def p_held_out(setups: AllSetups, every: Fitter, hypothesis: Hypothesis, final: 
         To the setups that are not held out.
     """
     held = setups.is_held & every.used(hypothesis)
-    stated = every.shapes.known & every.shapes.stated & held
-    rows = np.concatenate([held, np.repeat(stated, every.shapes.sigma.shape[1])])
+    rows, count = every.observations.stated(held)
     there = every.evaluated(hypothesis, final.values, final.scatter)
     if there is None:
         return 0.0
@@ -102,7 +101,6 @@ def p_held_out(setups: AllSetups, every: Fitter, hypothesis: Hypothesis, final: 
     # (1 + J C J^T)^-1 = 1 - J (C^-1 + J^T J)^-1 J^T
     inside = np.linalg.pinv(final.covariance, hermitian=True) + rates.T @ rates
     squares = float(white @ white - (rates.T @ white) @ np.linalg.lstsq(inside, rates.T @ white)[0])
-    count = int(held.sum()) + int(every.shapes.count[stated].sum())
     return float(stats.chi2.sf(max(squares, 0.0), max(count, 1)))
 
 
@@ -142,7 +140,7 @@ def _without_one_row(
     fitter, c, h = store.fitter, store.fitter.criteria, again.hypothesis
     worst, sigmas = fitter.worst_rows(again)
     row = next(int(r) for r in worst if setups.is_held[r])
-    enough = len(fitter.log) >= c.search.rows_to_set_aside
+    enough = len(fitter.observations.log) >= c.search.rows_to_set_aside
     if not enough or sigmas[row] <= c.reasons.far or again.leverage[row] >= c.search.redundant:
         return again, p_value
     without = store.fit(replace(h, excluded=h.excluded | {row}), again.values)

@@ -8,14 +8,15 @@ import numpy as np
 from scipy import stats
 
 from pkmodes.diagnosis.fit.hypothesis import Fit, Misfit
+from pkmodes.diagnosis.fit.observations import SHAPE
 from pkmodes.diagnosis.fit.store import FitStore
 
 
 def of_frequencies(store: FitStore, fit: Fit) -> Misfit:
     """Return the misfit of the measured frequencies, without the priors."""
     fitter = store.fitter
-    rows = fitter.frequency_rows
-    count = len(fitter.log) - len(fit.hypothesis.excluded) - int(fit.hypothesis.scatter)
+    rows = fitter.observations.frequency_rows
+    count = len(fitter.observations.log) - len(fit.hypothesis.excluded) - int(fit.hypothesis.scatter)
     return Misfit(float(fit.white[rows] @ fit.white[rows]), count - float(fit.leverage[rows].sum()))
 
 
@@ -42,5 +43,5 @@ def far_away(store: FitStore, fit: Fit, among: Sequence[int]) -> tuple[str, floa
 def worst_shape(store: FitStore, fit: Fit) -> int:
     """Return the line of the measured shape that fits worst."""
     fitter = store.fitter
-    white = fit.white[fitter.shape_rows].reshape(fitter.shapes.sigma.shape)
+    white = fitter.observations.by_row(SHAPE, fit.white)
     return int(fitter.data.lines[int((white**2).sum(axis=1).argmax())])

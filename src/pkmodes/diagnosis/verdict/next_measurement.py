@@ -106,7 +106,7 @@ def _best(
 ) -> NextMeasurement | None:
     """Return the pose that separates an explanation most from the first one; None if none can be evaluated."""
     modes = int(np.median(np.bincount(fitter.data.pose)))
-    noise = float(np.median(fitter.sigma))
+    noise = float(np.median(fitter.observations.sigma))
     first, *others = (_lowest(way, way.structure.predict(fit.values, ()), fit, modes) for _, fit in contested)
     best: NextMeasurement | None = None
     for (name, _), prediction in zip(contested[1:], others, strict=True):
@@ -141,7 +141,7 @@ def _hiding(fitter: Fitter, fit: Fit, way: _Way, pose: int, apart: Array) -> str
     """
     prediction = way.structure.predict(fit.values, fit.free)
     rates = _lowest_of(prediction.log_rates, way, prediction, fit, len(apart))[pose]
-    rates = rates / float(np.median(fitter.sigma))
+    rates = rates / float(np.median(fitter.observations.sigma))
 
     def left(covariance: Array) -> float:
         V = np.eye(len(apart)) + rates @ covariance @ rates.T

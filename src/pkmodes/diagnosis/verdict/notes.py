@@ -113,8 +113,8 @@ def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
 
 def drift(fitter: Fitter, fit: Fit) -> str:
     """Return a sentence if the error that the modes of a pose share drifts with the order of the poses."""
-    left = fit.residual[fitter.frequency_rows]
-    means = np.array([left[rows].mean() for rows in fitter.noise.rows if len(rows)])
+    left = fit.residual[fitter.observations.frequency_rows]
+    means = np.array([left[rows].mean() for rows in fitter.observations.noise.rows if len(rows)])
     if len(means) < 5:
         return ""
     order = np.arange(len(means))

@@ -47,8 +47,8 @@ def larger(ratio: float) -> str:
 
 def uneven(fitter: Fitter, fit: Fit) -> str:
     """Return how the frequency residual varies with the setup; empty if it does not."""
-    left = fit.residual[fitter.frequency_rows]
-    rows = [r for r in fitter.noise.rows if len(r) >= 2]
+    left = fit.residual[fitter.observations.frequency_rows]
+    rows = [r for r in fitter.observations.noise.rows if len(r) >= 2]
     if len(rows) < 3:
         return ""
     means = np.array([left[r].mean() for r in rows])

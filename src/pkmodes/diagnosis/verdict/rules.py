@@ -57,8 +57,9 @@ def decide(evidence: Evidence) -> Decision[Evidence, Says]:
 def too_few(start: Start) -> str:
     """Fewer values are measured than the uncertain parameters and a cause need, with one more to test it."""
     fitter = start.fitter
-    rows, shapes = len(fitter.log), int(fitter.shapes.count.sum())
-    if rows + shapes >= len(fitter.nuisances) + start.criteria.claim.redundancy:
+    observations = fitter.observations
+    rows, shapes = len(observations.log), int(observations.shapes.count.sum())
+    if observations.degrees(observations.every) >= len(fitter.nuisances) + start.criteria.claim.redundancy:
         return ""
     uncertain = [fitter.parameters[i].name for i in fitter.nuisances]
     modes = "1 measured mode" if rows == 1 else f"{rows} measured modes"
@@ -105,9 +106,12 @@ def _extra_lines(e: Evidence) -> list[int]:
     fitter, final, lines = e.fitter, e.final, []
     for row in sorted(final.hypothesis.excluded):
         setup = fitter.data.pose[row]
-        near = np.abs(final.prediction.log_frequencies[setup] - fitter.log[row]) < e.criteria.pairing.reach
+        near = (
+            np.abs(final.prediction.log_frequencies[setup] - fitter.observations.log[row])
+            < e.criteria.pairing.reach
+        )
         near[: final.prediction.rigid] = False
-        partner = final.pairing.partner[fitter.noise.rows[setup]]
+        partner = final.pairing.partner[fitter.observations.noise.rows[setup]]
         near[partner[partner >= 0]] = False
         if not near.any():
             lines.append(int(fitter.data.lines[row]))
@@ -207,7 +211,7 @@ def not_significant(e: Evidence) -> str:
 
 def two_of_few(e: Evidence) -> str:
     """Two causes would be claimed from fewer than ten measured modes."""
-    rows, needed = len(e.fitter.log), e.criteria.claim.rows_for_two
+    rows, needed = len(e.fitter.observations.log), e.criteria.claim.rows_for_two
     if len(e.final.causes) < 2 or rows >= needed:
         return ""
     return (

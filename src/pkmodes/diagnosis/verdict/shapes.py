@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from scipy import stats
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.fit.observations import SHAPE
 from pkmodes.diagnosis.fit.store import FitStore
 
 
@@ -32,9 +33,9 @@ def strange_shapes(store: FitStore, fit: Fit) -> NDArray[np.intp]:
     fitter, c = store.fitter, store.fitter.criteria
     used = fitter.used(fit.hypothesis)
     mac = np.where(used, np.nan_to_num(fit.pairing.mac, nan=1.0), 1.0)
-    size = fitter.shapes.sigma.shape
-    squares = (fit.white[fitter.shape_rows].reshape(size) ** 2).sum(axis=1)
-    degrees = fitter.shapes.count * used - fit.leverage[fitter.shape_rows].reshape(size).sum(axis=1)
+    observations = fitter.observations
+    squares = (observations.by_row(SHAPE, fit.white) ** 2).sum(axis=1)
+    degrees = observations.shapes.count * used - observations.by_row(SHAPE, fit.leverage).sum(axis=1)
     others = np.maximum(degrees.sum() - degrees, 1e-9)
     ratio = (squares / np.maximum(degrees, 1e-9)) / np.maximum((squares.sum() - squares) / others, 1e-300)
     known = (degrees > 0.5) & (others > 0.5)
@@ -50,11 +51,11 @@ def better_by_shape(store: FitStore, fit: Fit) -> Fit | None:
     for telling two causes apart; the additional parameter of a pair of causes is accounted for.
     """
     fitter, c = store.fitter, store.fitter.criteria
-    if not fitter.shapes.known.any():
+    if not fitter.observations.shapes.known.any():
         return None
 
     def squares(of: Fit) -> float:
-        white = of.white[fitter.shape_rows]
+        white = of.white[fitter.observations.part(SHAPE)]
         return float(white @ white)
 
     known = len(fit.hypothesis.excluded)
@@ -64,7 +65,8 @@ def better_by_shape(store: FitStore, fit: Fit) -> Fit | None:
         if len(other.causes) <= len(fit.causes) and len(other.hypothesis.excluded) == known
     ]
     best = min(tried, key=squares, default=fit)
-    degrees = max(fitter.shape_misfit(best, True)[1] + fitter.shape_misfit(best, False)[1], 1.0)
+    both = (fitter.misfit(best, SHAPE, stated=stated) for stated in (True, False))
+    degrees = max(sum(misfit.degrees for misfit in both), 1.0)
     # A scatter larger than assumed applies to both; a smaller one is not credible.
     variance = max(squares(best) / degrees, 1.0)
     gain = (squares(fit) - squares(best)) / variance

@@ -97,7 +97,7 @@ def p_coincidence(search: Search, final: Fit) -> float:
     rng = np.random.default_rng(SEED)
     gain, directions = plain.chi2 - final.chi2, search.gate(plain).scores.directions
     used, data = fitter.used(h), slice(0, fitter.prior_rows.start)
-    degrees = float(used.sum() + fitter.shapes.count[used].sum() - plain.leverage[data].sum())
+    degrees = float(fitter.observations.degrees(used) - plain.leverage[data].sum())
     drawn = arbitrary_draws(fitter, plain, DRAWS, rng)
     p_value = _coincidence(search, final, gain, drawn, directions, degrees, final.chi2)
     # A few candidates do not represent what else may be wrong: a combination of them says nothing.
@@ -178,9 +178,10 @@ def arbitrary_draws(fitter: Fitter, plain: Fit, count: int, rng: np.random.Gener
     # Modes far above the measured ones do not contribute to their shapes.
     modes = int(plain.pairing.partner.max(initial=0)) + 1 + ABOVE
     changed = _changed(plain.prediction, modes, fitter.criteria.pairing.mixed)
-    changes = fitter.rows.rates(changed, plain.pairing, used) / fitter.noise.stated[:, None]
+    observations = fitter.observations
+    changes = observations.rates(changed, plain.pairing, used) / observations.noise.stated[:, None]
     drawn = np.zeros((len(plain.white), count))
-    for place in fitter.places():
+    for place in fitter.observations.places():
         drawn[place] = changes[place] @ rng.standard_normal((changes.shape[1], count))
     drawn -= plain.basis @ (plain.basis[:data].T @ drawn[:data])
     return drawn

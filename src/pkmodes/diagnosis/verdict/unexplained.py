@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from pkmodes.diagnosis.fit.hypothesis import Fit, Misfit
+from pkmodes.diagnosis.fit.observations import SHAPE
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.gate import Gate
@@ -123,7 +124,7 @@ def no_direction(e: Evidence) -> Says | None:
         return None
     best = _best_of_all(e)
     perhaps = "perhaps the stated sigma is too small"
-    if len(e.fitter.log) < c.search.rows_to_set_aside:
+    if len(e.fitter.observations.log) < c.search.rows_to_set_aside:
         perhaps = "something outside the candidates, or stated errors that are too small"
     nowhere = "" if best is not None else " and points to no candidate"
     what = uneven(e.fitter, e.outcome.nuisances) or perhaps
@@ -235,4 +236,4 @@ def _larger(store: FitStore, fit: Fit) -> float:
 
 def _misfits(store: FitStore, fit: Fit) -> tuple[Misfit, Misfit]:
     """Return the misfit of the frequencies, without the priors, and of the shapes with stated errors."""
-    return misfit.of_frequencies(store, fit), store.fitter.shape_misfit(fit, stated=True)
+    return misfit.of_frequencies(store, fit), store.fitter.misfit(fit, SHAPE, stated=True)

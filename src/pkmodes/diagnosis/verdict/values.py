@@ -54,7 +54,7 @@ def _rests_on(search: Search, final: Fit, cause: Candidate) -> str:
     store, c = search.store, search.criteria
     fitter, h = store.fitter, final.hypothesis
     used, index = fitter.used(h), list(fitter.indices(cause))
-    leverage = np.where(used, final.leverage[fitter.frequency_rows], 0.0)
+    leverage = np.where(used, final.leverage[fitter.observations.frequency_rows], 0.0)
     sigma = [final.sigma_of(i) for i in index]
     for row in np.argsort(leverage)[::-1]:
         if leverage[row] <= c.search.redundant:

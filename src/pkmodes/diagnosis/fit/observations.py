@@ -1,0 +1,237 @@
+"""What was measured beside what a structure predicts: the data of a fit, their errors, and which rows count.
+
+A row is a measured mode.  Its data are the components of each measured *quantity*: one of its frequency, one of its
+shape for each channel.  All data stand in one vector, quantity by quantity: with R rows of n components each, those
+of a quantity are R n numbers, row by row.  Fits, scores, limits and verdicts know only this vector, so that a further
+quantity is a class with the members of `Quantity` and an entry in `QUANTITIES`.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.diagnosis.criteria import Criteria
+from pkmodes.diagnosis.fit.frequencies import FrequencyRows
+from pkmodes.diagnosis.fit.noise import Noise
+from pkmodes.diagnosis.fit.quantity import Mask, Quantity
+from pkmodes.diagnosis.fit.shapes import ShapeRows
+from pkmodes.diagnosis.match.pairing import Pairer, Pairing
+from pkmodes.diagnosis.problem import Array, Prediction, Structure
+from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import FREQUENCY
+
+
+class Measured(NamedTuple):
+    """What a quantity is made of.
+
+    Attributes
+    ----------
+    scatter : float
+        Standard deviation of the components of shapes without a stated one, relative to the row's largest.
+    """
+
+    data: Measurements
+    structure: Structure
+    pairer: Pairer
+    scatter: float
+    criteria: Criteria
+
+
+def shapes(measured: Measured) -> ShapeRows:
+    """Return the shapes of measured modes."""
+    data, structure, pairer, scatter, criteria = measured
+    units = [structure.channel_units[i] for i in pairer.columns]
+    return ShapeRows(data, pairer.columns, units, pairer.moves, scatter, criteria)
+
+
+SHAPE = "shape"
+#: The quantities of a measured mode beside its frequency.
+QUANTITIES: dict[str, Callable[[Measured], Quantity]] = {SHAPE: shapes}
+
+
+class Beside(NamedTuple):
+    """Measurements beside one of several predictions.
+
+    Attributes
+    ----------
+    number : int
+        Of the prediction.
+    residual, rates : ndarray, shape (D,) and (D, T)
+    """
+
+    number: int
+    residual: Array
+    rates: Array
+    prediction: Prediction
+
+
+class Observations:
+    """Measured modes at the setups of a structure.
+
+    Parameters
+    ----------
+    reference : Prediction
+        Of the declared model: the motion of its channels weights those of the shapes.
+    scatter : float
+        See `Measured`.
+
+    Attributes
+    ----------
+    log, sigma : ndarray, shape (R,)
+        ln f and its stated standard deviation.
+    size : int
+        Number D of data.
+    frequency_rows : slice
+        The data that are frequencies.
+    beside : mapping of str to Quantity
+        The other quantities.
+    """
+
+    def __init__(
+        self,
+        data: Measurements,
+        structure: Structure,
+        reference: Prediction,
+        scatter: float,
+        criteria: Criteria,
+    ) -> None:
+        self.data, self.log = data, FREQUENCY.transformed(data)
+        pairer = Pairer(data, structure.channels, reference, criteria)
+        self.sigma = FREQUENCY.transformed_sigma(data)
+        self.frequencies = FrequencyRows(pairer, self.sigma[:, None])
+        measured = Measured(data, structure, pairer, scatter, criteria)
+        self.beside: Mapping[str, Quantity] = {name: of(measured) for name, of in QUANTITIES.items()}
+        sizes = [quantity.sigma.size for quantity in self._every]
+        ends = np.cumsum(sizes).tolist()
+        self.frequency_rows, *others = (slice(end - size, end) for size, end in zip(sizes, ends, strict=True))
+        self._places = dict(zip(self.beside, others, strict=True))
+        self.size: int = ends[-1]
+        self.shape_rates = any(quantity.shape_rates for quantity in self._every)
+        self.noise = Noise(data, self._every, criteria.fits.most_shared)
+        self._copies = 1
+
+    @property
+    def pairer(self) -> Pairer:
+        """What pairs these rows with modes of a model."""
+        return self.frequencies.pairer
+
+    @property
+    def shapes(self) -> ShapeRows:
+        """The measured shapes."""
+        found = self.beside[SHAPE]
+        assert isinstance(found, ShapeRows)
+        return found
+
+    @property
+    def _every(self) -> tuple[Quantity, ...]:
+        return (self.frequencies, *self.beside.values())
+
+    # Which rows count --------------------------------------------------------------------------------------
+
+    @property
+    def every(self) -> Mask:
+        """A mask of all rows, (R,)."""
+        return np.ones(len(self.log), dtype=bool)
+
+    def degrees(self, used: Mask) -> int:
+        """Return the degrees of freedom of the data of some rows."""
+        return sum(int(quantity.count[used].sum()) for quantity in self._every)
+
+    def stated(self, used: Mask) -> tuple[Mask, int]:
+        """Return the data of some rows with a stated error, as a mask (D,), and their degrees of freedom."""
+        rows = [used & quantity.known & quantity.stated for quantity in self._every]
+        each = list(zip(self._every, rows, strict=True))
+        mask = np.concatenate([np.repeat(some, quantity.sigma.shape[1]) for quantity, some in each])
+        return mask, sum(int(quantity.count[some].sum()) for quantity, some in each)
+
+    def of_rows(self, used: Mask) -> Mask:
+        """Return a mask of the data of some rows, (D,)."""
+        return np.concatenate([np.repeat(used, quantity.sigma.shape[1]) for quantity in self._every])
+
+    def place(self, rows: NDArray[np.intp]) -> NDArray[np.intp]:
+        """Return the indices of the data of some rows."""
+        indices = np.arange(self.size)
+        parts = [self.frequency_rows, *self._places.values()]
+        return np.concatenate([indices[part].reshape(len(self.log), -1)[rows].ravel() for part in parts])
+
+    def places(self) -> list[NDArray[np.intp]]:
+        """Return the indices of the data of each setup."""
+        return [self.place(rows) for rows in self.noise.rows]
+
+    def part(self, name: str) -> slice:
+        """Return where the data of a quantity beside the frequencies are."""
+        return self._places[name]
+
+    def by_row(self, name: str, data: Array) -> Array:
+        """Return the data of such a quantity, row by row, of at least all data: (R, n)."""
+        return np.asarray(data[self._places[name]].reshape(self.beside[name].sigma.shape))
+
+    # Beside predictions ------------------------------------------------------------------------------------
+
+    def residual(self, prediction: Prediction, pairing: Pairing, used: Mask) -> Array:
+        """Return measured minus model, (D,); 0 for rows that are not used."""
+        return np.concatenate([each.residual(prediction, pairing, used).ravel() for each in self._every])
+
+    def rates(self, prediction: Prediction, pairing: Pairing, used: Mask) -> Array:
+        """Return the derivatives of the predictions with respect to the requested parameters, (D, T)."""
+        each = [one.rates(prediction, pairing, used) for one in self._every if one.sigma.size]
+        rates = np.vstack([rate.reshape(rate.shape[0] * rate.shape[1], rate.shape[2]) for rate in each])
+        # A step may lead to a mode at 0 Hz, whose logarithm has no derivative.
+        return np.asarray(np.where(np.isfinite(rates), rates, 0.0))
+
+    def tiled(self, count: int) -> Observations:
+        """Return `count` copies, for predictions of `count` times the setups, the first copy first."""
+        copies = copy.copy(self)
+        copies.frequencies, copies._copies = self.frequencies.tiled(count), count
+        copies.beside = {name: quantity.tiled(count) for name, quantity in self.beside.items()}
+        return copies
+
+    def of_each(self, values: Array) -> Array:
+        """Reshape the data of all copies, (B D, ...), to (B, D, ...)."""
+        parts = np.split(values, np.cumsum([quantity.sigma.size for quantity in self._every])[:-1])
+        each = [part.reshape(self._copies, len(part) // self._copies, *part.shape[1:]) for part in parts]
+        return np.concatenate(each, axis=1)
+
+    def beside_many(
+        self, structure: Structure, values: Array, by: Sequence[tuple[int, ...]], used: Sequence[Mask]
+    ) -> Iterator[Beside]:
+        """Yield the measurements beside a structure with several sets of values, evaluated together.
+
+        Those at which it cannot be evaluated are left out.
+
+        Parameters
+        ----------
+        values : ndarray, shape (B, P)
+        by : sequence of tuple of int
+            Parameters with respect to which each is differentiated.
+        used : sequence of ndarray of bool
+            Used rows of each.
+        """
+        if not len(values):
+            return
+        shape_rates = self.shape_rates and any(by)
+        for batch in structure.predict_many(values, by, shape_rates=shape_rates):
+            if not np.isfinite(batch.prediction.eigenvalues).all():
+                continue
+            rows, some = self.tiled(len(batch.sets)), np.concatenate([used[k] for k in batch.sets])
+            pairing = rows.pairer.pair(batch.prediction, some, compare=False)
+            residuals = rows.of_each(rows.residual(batch.prediction, pairing, some))
+            rates = np.zeros((*residuals.shape, 0))
+            if any(by):
+                rates = rows.of_each(rows.rates(batch.prediction, pairing, some))
+            each = zip(batch.sets, residuals, rates, _split(batch.prediction, len(batch.sets)), strict=True)
+            for k, residual, rate, prediction in each:
+                yield Beside(k, residual, rate[:, : len(by[k])], prediction)
+
+
+def _split(prediction: Prediction, count: int) -> list[Prediction]:
+    """Split predictions of several sets of values, without derivatives of the shapes."""
+    values, rates, shapes = (
+        np.split(whole, count) for whole in (prediction.eigenvalues, prediction.rates, prediction.shapes)
+    )
+    return [Prediction(*part, prediction.rigid) for part in zip(values, rates, shapes, strict=True)]
