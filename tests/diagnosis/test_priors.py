@@ -22,7 +22,7 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Candidate, Measurements, Parameter, diagnose
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.damping.fit import LossFitter
-from pkmodes.diagnosis.damping.rows import DampingRows
+from pkmodes.diagnosis.damping.observations import DampingObservations
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.priors import Priors
@@ -224,7 +224,7 @@ def test_losses_have_correlated_priors_too() -> None:
     count, rng = 8, np.random.default_rng(4)
     rates = 1.0 + rng.random((count, 2))
     declared, sigmas = np.array([0.02, 0.03]), np.array([0.004, 0.003])
-    rows = DampingRows(
+    rows = DampingObservations(
         index=np.arange(count),
         mode=np.arange(count),
         setup=np.zeros(count, dtype=int),
@@ -233,7 +233,8 @@ def test_losses_have_correlated_priors_too() -> None:
         other=np.full(count, 0.1),
         above=np.ones(count, dtype=bool),
         frequency=10.0 + np.arange(count),
-        rates=rates,
+        least=np.zeros(count),
+        by_loss=rates,
     )
 
     def moved(rate: float) -> np.ndarray:
@@ -252,8 +253,8 @@ def test_losses_have_correlated_priors_too() -> None:
         found = fitter.fit()
         away = (found.values - declared) / sigmas
         priors = float(away @ np.linalg.pinv([[1.0, rate], [rate, 1.0]], hermitian=True) @ away)
-        white = fitter.whitened(found.values)
-        assert found.squares == pytest.approx(float(white @ white) + priors, rel=1e-6)
+        white = rows.residual(found.values)
+        assert found.chi2 == pytest.approx(float(white @ white) + priors, rel=1e-6)
         return away
 
     together, apart = moved(1.0), moved(-0.5)

@@ -15,16 +15,15 @@ from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.damping import words
 from pkmodes.diagnosis.damping.evidence import DampingJudgement, LossEvidence
 from pkmodes.diagnosis.damping.fit import LossFitter
+from pkmodes.diagnosis.damping.observations import observed, usable
 from pkmodes.diagnosis.damping.outcome import undiagnosed, with_outcome
-from pkmodes.diagnosis.damping.rows import damping_rows, usable
 from pkmodes.diagnosis.damping.rules import DOUBTS, LOSSES, ROUGH_DOUBTS, ROUGHLY, judge
 from pkmodes.diagnosis.damping.stage import Stage
 from pkmodes.diagnosis.problem import Array, Damped, Parameter, Structure
 from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.diagnosis.verdict.stability import CHANGES
 from pkmodes.measured.measurements import Measurements
 
-#: Factors of the errors and of the priors, as for the frequencies.
-CHANGES = {"sigma x 0.5": (0.5, 1.0), "sigma x 2": (2.0, 1.0), "priors x 2": (1.0, 2.0)}
 #: Logarithm within which a common factor is a hundred.
 HUNDRED, CLOSE = float(np.log(100.0)), 0.7
 
@@ -42,7 +41,7 @@ def with_damping(
         return replace(result, damping=undiagnosed(structure.losses, words.UNSETTLED))
     predicted = result.stages.after or result.stages.refit
     assert predicted is not None
-    every = damping_rows(structure, data, predicted.mode, _states(structure, result), c)
+    every = observed(structure, data, predicted.mode, _states(structure, result), c)
     strange = predicted.mac[every.index] < c.shapes.strange_mac  # not where no shape was measured: NaN
     held = np.array([row.held_out for row in result.rows])[every.index]
     aside = np.array([row.outlier for row in result.rows])[every.index]
@@ -59,7 +58,7 @@ def with_damping(
     if median > c.damping.most:
         return replace(result, damping=undiagnosed(structure.losses, words.per_cent(median), notes))
     trials = {
-        change: judge(LossEvidence(fitter.with_errors(errors).with_priors(priors), ROUGH_DOUBTS), ROUGHLY)
+        change: judge(LossEvidence(fitter.with_changes(errors, priors), ROUGH_DOUBTS), ROUGHLY)
         for change, (errors, priors) in CHANGES.items()
     }
     judged = judge(LossEvidence(fitter, DOUBTS, trials, every.some(held & good)), LOSSES)
@@ -94,8 +93,8 @@ def _moved(p: Parameter, value: float, sigma: float) -> float:
 
 def _hundred(fitter: LossFitter, judged: DampingJudgement) -> str:
     """Return a note if measured ratios are about a hundred times those of the declared model, or a hundredth."""
-    above = fitter.rows.above
-    if not above.any() or not fitter.predicted(fitter.declared)[above].all():
+    rows, above = fitter.observations, fitter.observations.above
+    if not above.any() or not rows.ratios(fitter.declared)[above].all():
         return ""
-    away = float(np.median((fitter.measured - fitter.logarithms(fitter.declared))[above]))
+    away = float(np.median((rows.logarithms - rows.predicted(fitter.declared))[above]))
     return words.factor_hundred(above=away > 0.0) if abs(abs(away) - HUNDRED) < CLOSE else ""

@@ -6,7 +6,6 @@ by a factor of its own, the same at all setups, and the measurements scatter as 
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
@@ -27,29 +26,29 @@ FLAT = 1e-3
 
 def p_of_trend(fitter: LossFitter, fit: LossFit) -> float:
     """Return the p-value of a trend of the residuals with the logarithm of the frequency."""
-    rows = fitter.rows
-    used = rows.above & (np.arange(len(rows.ratio)) != (-1 if fit.outlier is None else fit.outlier))
-    ratio = fitter.predicted(fit.values) + fitter.least
+    rows = fitter.observations
+    used = rows.above & (np.arange(fit.count) != (-1 if fit.outlier is None else fit.outlier))
+    ratio = rows.ratios(fit.values) + rows.least
     fitted = (
-        rows.rates[:, list(fit.free)] * fit.values[list(fit.free)] / ratio[:, None] / rows.sigma[:, None]
+        rows.by_loss[:, list(fit.free)] * fit.values[list(fit.free)] / ratio[:, None] / rows.sigma[:, None]
     )[used]
     trend = ((np.log(rows.frequency) - np.log(rows.frequency).mean()) / rows.sigma)[used]
     trend = trend - fitted @ np.linalg.lstsq(fitted, trend)[0]
     size = float(trend @ trend)
     if size < UNSEEN:
         return 1.0
-    return float(stats.chi2.sf((trend @ fit.white[used]) ** 2 / size, 1))
+    return float(stats.chi2.sf((trend @ fit.white[: fit.count][used]) ** 2 / size, 1))
 
 
 def p_coincidence(fitter: LossFitter, fit: LossFit) -> float:
     """Return the fraction of laws outside the candidates that as many candidates as were found explain."""
-    c, fitter = fitter.criteria, replace(fitter, rows=fitter.rows.some(fitter.rows.above), _fits={})
-    rows = fitter.rows
+    c, rows = fitter.criteria, fitter.observations.some(fitter.observations.above)
+    fitter = fitter.of(rows)
     rng = np.random.default_rng(SEED)
     numbers, mode = np.unique(rows.mode, return_inverse=True)
     levels = c.damping.spread * rng.standard_normal((DRAWS, len(numbers)))
     noise = rows.sigma * rng.standard_normal((DRAWS, len(mode)))
-    drawn = fitter.logarithms(fit.values) + levels[:, mode] + noise
+    drawn = rows.predicted(fit.values) + levels[:, mode] + noise
     least = np.min(
         [
             _squares(fitter, fit, causes, drawn, start)
@@ -63,11 +62,12 @@ def p_coincidence(fitter: LossFitter, fit: LossFit) -> float:
 
 def _squares(fitter: LossFitter, fit: LossFit, causes: tuple[int, ...], drawn: Array, largest: int) -> Array:
     """Return the least sum of squares of each draw over the values of some losses, (draws,)."""
-    index, weight = list(causes), 1.0 / fitter.rows.sigma
+    rows, index = fitter.observations, list(causes)
+    weight = 1.0 / rows.sigma
     of_others = np.where(np.isin(np.arange(len(fitter.losses)), fit.causes), fitter.declared, fit.values)
     of_others[index] = 0.0
-    rest = fitter.predicted(of_others) + fitter.least
-    by_unit = fitter.rows.rates[:, index] * fitter.typical[index]
+    rest = rows.ratios(of_others) + rows.least
+    by_unit = rows.by_loss[:, index] * fitter.typical[index]
     parts = np.where(np.arange(len(causes)) == largest, PARTS[0], PARTS[1])
     x = np.tile(np.log(parts), (len(drawn), 1))
     for _ in range(STEPS):

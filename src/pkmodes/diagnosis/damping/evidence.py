@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from scipy import stats
 
+from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.damping.doubts import p_coincidence, p_of_trend
 from pkmodes.diagnosis.damping.explanation import Explanation, explanation_of, p_of_one_more
 from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
-from pkmodes.diagnosis.damping.rows import DampingRows
+from pkmodes.diagnosis.damping.observations import DampingObservations
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.verdict.evidence import Rule, Says, first
 from pkmodes.diagnosis.verdict.verdicts import Verdict
@@ -74,7 +75,7 @@ class LossEvidence:
         Where one of these applies, nothing is claimed.
     trials : mapping of str to DampingJudgement, optional
         By change of the errors or priors.
-    held : DampingRows, optional
+    held : DampingObservations, optional
         Those of the held-out poses.
     """
 
@@ -83,7 +84,7 @@ class LossEvidence:
         fitter: LossFitter,
         doubts: LossRules,
         trials: Mapping[str, DampingJudgement] | None = None,
-        held: DampingRows | None = None,
+        held: DampingObservations | None = None,
     ) -> None:
         self.fitter, self.criteria = fitter, fitter.criteria
         self.trials, self.held, self._doubts = trials or {}, held, doubts
@@ -100,7 +101,7 @@ class LossEvidence:
     @property
     def resolved(self) -> int:
         """Number of ratios that are significantly above 0."""
-        return int(self.fitter.rows.above.sum())
+        return int(self.fitter.observations.above.sum())
 
     @cached_property
     def chance(self) -> float:
@@ -140,9 +141,9 @@ class LossEvidence:
 
     def scatter_about(self, fit: LossFit) -> float:
         """Return how far ratios are from a fit beyond their stated errors: standard deviation of the logarithm."""
-        fitter, above = self.fitter, self.fitter.rows.above
-        left = (fitter.measured - fitter.logarithms(fit.values))[above]
-        beyond = float(np.mean(left**2)) - float(np.mean(fitter.rows.stated[above] ** 2))
+        rows, above = self.fitter.observations, self.fitter.observations.above
+        left = (rows.logarithms - rows.predicted(fit.values))[above]
+        beyond = float(np.mean(left**2)) - float(np.mean(rows.stated[above] ** 2))
         return math.sqrt(max(beyond, 0.0))
 
 
@@ -150,7 +151,7 @@ class LossEvidence:
 LossRules = tuple[Rule[LossEvidence, LossSays], ...]
 
 
-def contradicted(fitter: LossFitter, held: DampingRows, values: Array, scatter: float = 0.0) -> bool:
+def contradicted(held: DampingObservations, values: Array, criteria: Criteria, scatter: float = 0.0) -> bool:
     """Return whether the rows of held-out poses contradict losses.
 
     Parameters
@@ -160,6 +161,5 @@ def contradicted(fitter: LossFitter, held: DampingRows, values: Array, scatter: 
     """
     if not len(held.ratio) or not values.any():
         return False
-    there = replace(fitter, rows=replace(held, other=np.hypot(held.other, scatter)))
-    white = there.whitened(values)
-    return bool(stats.chi2.sf(float(white @ white), len(white)) <= fitter.criteria.gate.surely)
+    white = held.with_scatter(scatter).residual(values)
+    return bool(stats.chi2.sf(float(white @ white), len(white)) <= criteria.gate.surely)

@@ -49,7 +49,7 @@ def explanation_of(fitter: LossFitter) -> Explanation | None:
     """Return the best explanation by one loss, else by two if there are enough rows; None if none leaves noise."""
     c = fitter.criteria
     singles = [fitter.fit((j,)) for j in fitter.candidates]
-    sizes = (1, 2) if int(fitter.rows.above.sum()) >= c.claim.rows_for_two else (1,)
+    sizes = (1, 2) if int(fitter.observations.above.sum()) >= c.claim.rows_for_two else (1,)
     for size in sizes:
         fits = singles if size == 1 else _pairs(fitter)
         passing = [fit for fit in fits if _explains(fitter, fit, c.gate.level)]
@@ -115,7 +115,7 @@ def p_of_one_more(fitter: LossFitter, less: LossFit, more: LossFit) -> float:
     candidates = len(fitter.candidates)
     number = max(comb(candidates, len(more.causes)), candidates)
     (added,) = set(more.causes) - set(less.causes)
-    gain = max(less.squares + less.price - more.squares - more.price, 0.0)
+    gain = max(less.chi2 + less.price - more.chi2 - more.price, 0.0)
     one_sided = 1.0 if fitter.declared[added] else 0.5
     return min(1.0, one_sided * float(stats.chi2.sf(gain, 1)) * number)
 
@@ -129,8 +129,10 @@ def nearest(fitter: LossFitter) -> str:
     fits = [fit for fit in (fitter.fit((j,)) for j in fitter.candidates) if fit.causes]
     if not fits:
         return "no loss shows in these modes"
-    best = min(fits, key=lambda fit: fit.squares)
-    left = (fitter.measured - fitter.logarithms(best.values))[fitter.rows.above]
+    best = min(fits, key=lambda fit: fit.chi2)
+    left = (fitter.observations.logarithms - fitter.observations.predicted(best.values))[
+        fitter.observations.above
+    ]
     factor = float(np.exp(np.sqrt(np.mean(np.minimum(np.abs(left), 10.0) ** 2))))
     name = names_of(fitter, best)
     return f"no loss or pair of losses explains it; the nearest, {name}, leaves a factor of {factor:.2g}"

@@ -17,9 +17,9 @@ from scipy import stats
 from scipy.optimize import least_squares
 
 from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.diagnosis.damping.rows import DampingRows
-from pkmodes.diagnosis.fit.priors import whitening
-from pkmodes.diagnosis.fit.solver import inverse_of_square
+from pkmodes.diagnosis.damping.observations import DampingObservations
+from pkmodes.diagnosis.fit.hypothesis import Fitted
+from pkmodes.diagnosis.fit.priors import Priors
 from pkmodes.diagnosis.problem import Array, Loss
 
 #: A loss below this part of what would explain a typical mode alone is absent.
@@ -31,24 +31,19 @@ PARTS = (0.9, 0.1)
 
 
 @dataclass(frozen=True, eq=False)
-class LossFit:
-    """Losses fitted to damping ratios.
+class LossFit(Fitted):
+    """Losses fitted to damping ratios; all parameters are the values of the J losses.
 
     Attributes
     ----------
+    free : tuple of int
+        Losses with a prior, then the causes.
+    white : ndarray, shape (R + priors,)
+        The residual of a row set aside is 0.
     causes : tuple of int
         Losses that may differ from their declared values.
-    free : tuple of int
-        Fitted losses: those with a prior, then the causes.
-    values : ndarray, shape (J,)
-    white : ndarray, shape (R,)
-        Residuals of the logarithms, measured minus predicted, in standard deviations; 0 for a row set aside.
-    squares : float
-        Sum of their squares and those of the priors.
-    degrees : int
-        Number of residuals less the fitted losses without a prior.
-    covariance : ndarray, shape (k, k)
-        Of the fitted losses.
+    count, degrees : int
+        Number R of ratios, and of residuals less the fitted losses without a prior.
     outlier : int or None
         Row set aside.
     absent : tuple of int
@@ -56,34 +51,25 @@ class LossFit:
     """
 
     causes: tuple[int, ...]
-    free: tuple[int, ...]
-    values: Array
-    white: Array
-    squares: float
+    count: int
     degrees: int
-    covariance: Array
     outlier: int | None = None
     absent: tuple[int, ...] = ()
 
     @cached_property
     def p_value(self) -> float:
         """Probability of residuals at least as large if they are noise."""
-        return float(stats.chi2.sf(self.squares, self.degrees)) if self.degrees > 0 else 1.0
+        return float(stats.chi2.sf(self.chi2, self.degrees)) if self.degrees > 0 else 1.0
 
     @property
     def price(self) -> float:
         """Squares that a row set aside costs: it was chosen among all rows."""
-        return 0.0 if self.outlier is None else 3.0 * float(np.log(len(self.white)))
+        return 0.0 if self.outlier is None else 3.0 * float(np.log(self.count))
 
     @property
     def criterion(self) -> float:
         """Schwarz's criterion."""
-        return self.squares + self.price + len(self.causes) * float(np.log(max(len(self.white), 2)))
-
-    def sigma_of(self, loss: int) -> float:
-        """Return the standard deviation of a fitted loss."""
-        k = self.free.index(loss)
-        return float(np.sqrt(self.covariance[k, k]))
+        return self.chi2 + self.price + len(self.causes) * float(np.log(max(self.count, 2)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,13 +78,13 @@ class LossFitter:
 
     Attributes
     ----------
-    rows : DampingRows
+    observations : DampingObservations
     losses : tuple of Loss
     widened : float
         Factor by which priors are wider than declared.
     """
 
-    rows: DampingRows
+    observations: DampingObservations
     losses: tuple[Loss, ...]
     criteria: Criteria
     widened: float = 1.0
@@ -117,9 +103,10 @@ class LossFitter:
     @cached_property
     def typical(self) -> Array:
         """Value of each loss that alone would give a typical row its ratio, (J,); inf where it shows in none."""
+        seen = self.observations
         with np.errstate(divide="ignore"):
-            alone = np.where(self.rows.rates > 0.0, self.rows.ratio[:, None] / self.rows.rates, np.inf)
-        alone = alone[self.rows.above] if self.rows.above.any() else alone
+            alone = np.where(seen.by_loss > 0.0, seen.ratio[:, None] / seen.by_loss, np.inf)
+        alone = alone[seen.above] if seen.above.any() else alone
         return np.asarray(np.median(alone, axis=0)) if len(alone) else np.full(len(self.losses), np.inf)
 
     @cached_property
@@ -127,48 +114,14 @@ class LossFitter:
         """Declared values, (J,)."""
         return np.array([loss.parameter.value for loss in self.losses])
 
-    @cached_property
-    def least(self) -> Array:
-        """What a prediction of no damping counts as, (R,)."""
-        return self.criteria.damping.least * self.rows.ratio
+    def of(self, observations: DampingObservations) -> LossFitter:
+        """Return the fitter of other observations."""
+        return replace(self, observations=observations, _fits={})
 
-    @cached_property
-    def measured(self) -> Array:
-        """Logarithms of the measured ratios, to be compared with `logarithms`, (R,)."""
-        return np.log(self.rows.ratio + self.least)
-
-    def with_errors(self, factor: float) -> LossFitter:
-        """Return the fitter with other stated errors."""
-        return replace(self, rows=self.rows.with_errors(factor), _fits={})
-
-    def with_priors(self, factor: float) -> LossFitter:
-        """Return the fitter with wider priors."""
-        return replace(self, widened=factor, _fits={})
-
-    def predicted(self, values: Array, rates: Array | None = None) -> Array:
-        """Return the damping ratios for values of the losses, (R,)."""
-        return np.asarray((self.rows.rates if rates is None else rates) @ values)
-
-    def logarithms(self, values: Array) -> Array:
-        """Return the logarithms of the predicted ratios, (R,), which are finite where nothing dissipates."""
-        return np.log(self.predicted(values) + self.least)
-
-    def whitened(self, values: Array) -> Array:
-        """Return the residuals in standard deviations, (R,): of logarithms, or of ratios not above 0.
-
-        A ratio not above 0 has the stated error, and the model the others, which are parts of its ratio.
-        """
-        rows, predicted = self.rows, self.predicted(values)
-        stated, other = rows.stated * rows.ratio, rows.other * predicted
-        linear = (rows.ratio - predicted) / np.hypot(stated, other)
-        return np.where(rows.above, (self.measured - self.logarithms(values)) / rows.sigma, linear)
-
-    def slopes(self, values: Array) -> Array:
-        """Return the derivatives of these with respect to the predicted ratios, (R,)."""
-        rows, predicted = self.rows, self.predicted(values)
-        variance = (rows.stated * rows.ratio) ** 2 + (rows.other * predicted) ** 2
-        linear = -(1.0 + (rows.ratio - predicted) * rows.other**2 * predicted / variance) / np.sqrt(variance)
-        return np.where(rows.above, -1.0 / ((predicted + self.least) * rows.sigma), linear)
+    def with_changes(self, errors: float, priors: float) -> LossFitter:
+        """Return the fitter with stated errors and priors larger by factors."""
+        other = self.observations.with_errors(errors)
+        return replace(self, observations=other, widened=priors, _fits={})
 
     def fit(self, causes: Sequence[int] = (), fixed: dict[int, float] | None = None) -> LossFit:
         """Fit losses; a row that contradicts all others is set aside.
@@ -188,66 +141,59 @@ class LossFitter:
     def _robust(self, causes: tuple[int, ...], fixed: dict[int, float]) -> LossFit:
         c = self.criteria
         fit = self._fitted(causes, fixed, None)
-        if fit.p_value > c.gate.level or len(fit.white) < c.search.rows_to_set_aside:
+        if fit.p_value > c.gate.level or fit.count < c.search.rows_to_set_aside:
             return fit
-        worst = int(np.abs(fit.white).argmax())
+        worst = int(np.abs(fit.white[: fit.count]).argmax())
         without = self._fitted(causes, fixed, worst)
-        gross = abs(self.whitened(without.values)[worst]) > c.damping.outlier
+        gross = abs(self.observations.residual(without.values)[worst]) > c.damping.outlier
         return without if gross and without.p_value > c.gate.level else fit
 
     def _fitted(self, causes: tuple[int, ...], fixed: dict[int, float], outlier: int | None) -> LossFit:
-        nuisances = self.nuisances
-        free = tuple(j for j in dict.fromkeys((*nuisances, *causes)) if j not in fixed)
-        values = self.declared.copy()
+        seen, count = self.observations, len(self.observations.ratio)
+        free = tuple(j for j in dict.fromkeys((*self.nuisances, *causes)) if j not in fixed)
+        index, values = list(free), self.declared.copy()
         for j, value in fixed.items():
             values[j] = value
-        used = np.where(np.arange(len(self.rows.ratio)) == outlier, 0.0, 1.0)
-        with_prior = [j for j in nuisances if j not in fixed]
-        width = np.array([self.widened * (self.losses[j].parameter.sigma or np.inf) for j in with_prior])
-        white, centre = np.diag(1.0 / width), self.declared[with_prior]
-        if (mixed := whitening([self.losses[j].parameter for j in with_prior])) is not None:
-            white = mixed / width
+        used = np.where(np.arange(count) == outlier, 0.0, 1.0)
+        parameters = [loss.parameter for loss in self.losses]
+        kept = [replace(p, sigma=None) if j in fixed else p for j, p in enumerate(parameters)]
+        priors = Priors(kept, (), self.widened)
 
         def at(x: Array) -> Array:
             full = values.copy()
-            full[list(free)] = np.exp(x)
+            full[index] = np.exp(x)
             return full
 
         def residual(x: Array) -> Array:
             full = at(x)
-            return np.concatenate([used * self.whitened(full), white @ (full[with_prior] - centre)])
-
-        def rates(x: Array) -> Array:
-            return by_value(at(x)) * np.exp(x)
+            return np.concatenate([used * seen.residual(full), priors.residual(full)])
 
         def by_value(full: Array) -> Array:
-            prior = np.zeros((len(with_prior), len(free)))
-            for k, j in enumerate(with_prior):
-                prior[:, free.index(j)] = white[:, k]
-            return np.vstack([(used * self.slopes(full))[:, None] * self.rows.rates[:, list(free)], prior])
+            return np.vstack([used[:, None] * seen.rates(full)[:, index], priors.rates(full, free)])
 
-        best, x = residual(np.zeros(0)) if not free else None, np.zeros(0)
+        def rates(x: Array) -> Array:
+            return np.asarray(by_value(at(x)) * np.exp(x))
+
+        lower = np.log([ABSENT * 1e-2 * self._scale(j) for j in free])
+        upper = np.log([max(parameters[j].upper, 0.0) for j in free])
+        best, white = np.zeros(0), residual(np.zeros(0)) if not free else None
         for start in self._starts(free, causes):
-            lower = np.log([ABSENT * 1e-2 * self._scale(j) for j in free])
-            upper = np.log([max(self.losses[j].parameter.upper, 0.0) for j in free])
             first = np.clip(start, lower + 1e-9, upper - 1e-9)
             found = least_squares(residual, first, rates, (lower, upper), x_scale=1.0, xtol=1e-12, ftol=1e-12)
-            if best is None or found.fun @ found.fun < best @ best:
-                best, x = found.fun, found.x
-        assert best is not None
-        full = at(x) if free else values
-        count = len(used) - (outlier is not None)
-        absent = tuple(j for j in free if full[j] < ABSENT * self._scale(j))
+            if white is None or found.fun @ found.fun < white @ white:
+                best, white = found.x, found.fun
+        assert white is not None
+        reached = at(best)
         return LossFit(
-            causes=causes,
+            values=reached,
             free=free,
-            values=full,
-            white=best[: len(used)],
-            squares=float(best @ best),
-            degrees=count - len([j for j in free if j not in with_prior]),
-            covariance=inverse_of_square(by_value(full)) if free else np.zeros((0, 0)),
+            white=white,
+            jacobian=by_value(reached),
+            causes=causes,
+            count=count,
+            degrees=count - (outlier is not None) - sum(priors.of(j) is None for j in free),
             outlier=outlier,
-            absent=absent,
+            absent=tuple(j for j in free if reached[j] < ABSENT * self._scale(j)),
         )
 
     def _scale(self, j: int) -> float:
@@ -268,5 +214,5 @@ class LossFitter:
 
     def difference(self, a: LossFit, b: LossFit) -> float:
         """Return the squared difference of the predictions of two fits in standard deviations."""
-        apart = self.whitened(a.values) - self.whitened(b.values)
+        apart = self.observations.residual(a.values) - self.observations.residual(b.values)
         return float(apart @ apart)

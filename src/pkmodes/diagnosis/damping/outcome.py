@@ -17,10 +17,9 @@ from pkmodes.diagnosis.damping import words
 from pkmodes.diagnosis.damping.evidence import DampingJudgement, contradicted
 from pkmodes.diagnosis.damping.explanation import names_of, p_of_loss
 from pkmodes.diagnosis.damping.fit import NEARLY, LossFit, LossFitter
-from pkmodes.diagnosis.damping.rows import usable
+from pkmodes.diagnosis.damping.observations import usable
 from pkmodes.diagnosis.damping.rules import NOT_PREDICTED
 from pkmodes.diagnosis.damping.stage import Stage
-from pkmodes.diagnosis.fit.solver import correlation
 from pkmodes.diagnosis.problem import Loss
 from pkmodes.diagnosis.search.limits import ONE_SIDED
 from pkmodes.diagnosis.verdict.findings import Corrected, Examined, Finding, Limit, Refitted, Stability, Value
@@ -75,7 +74,7 @@ def _outcome(stage: Stage) -> Damping:
     if (
         settled
         and held_out is not None
-        and contradicted(fitter, held_rows, stage.final.values, judged.says.scatter)
+        and contradicted(held_rows, stage.final.values, fitter.criteria, judged.says.scatter)
     ):
         notes.append(words.not_predicted(held_out))
     tests, limits = tested(stage, found)
@@ -102,7 +101,7 @@ def _outcome(stage: Stage) -> Damping:
         after=words.factor_of(after[used & above]),
         held_out=held_out,
         corrected=corrected,
-        correlation=tuple(map(tuple, correlation(stage.final.covariance).tolist())),
+        correlation=tuple(map(tuple, stage.final.correlation.tolist())),
     )
 
 
@@ -254,11 +253,11 @@ def _size(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
     rest = tuple(j for j in fit.causes if j != loss)
     declared = float(fitter.declared[loss])
     best = fitter.fit((*rest, loss))
-    start, least = best.values[loss], min(best.squares, fitter.fit(rest).squares)
-    most = min(fitter.losses[loss].parameter.upper, 1.0 / float(fitter.rows.rates[:, loss].max()))
+    start, least = best.values[loss], min(best.chi2, fitter.fit(rest).chi2)
+    most = min(fitter.losses[loss].parameter.upper, 1.0 / float(fitter.observations.by_loss[:, loss].max()))
 
     def excess(value: float) -> float:
-        return fitter.fit(rest, {loss: value}).squares - least - ONE_SIDED**2
+        return fitter.fit(rest, {loss: value}).chi2 - least - ONE_SIDED**2
 
     upper = max(start, 1e-3 * fitter.typical[loss])
     for _ in range(DOUBLINGS):
@@ -281,12 +280,12 @@ def _size(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
 
 def _as_large_as_left(fitter: LossFitter, fit: LossFit) -> LossFitter:
     """Return a fitter whose errors are as large as what a fit leaves, where that is more than noise."""
-    ratio = fit.squares / max(fit.degrees, 1)
+    ratio = fit.chi2 / max(fit.degrees, 1)
     if fit.p_value > fitter.criteria.gate.surely or ratio <= 1.0:
         return fitter
     scale = float(np.sqrt(ratio))
-    rows = replace(fitter.rows, stated=scale * fitter.rows.stated, other=scale * fitter.rows.other)
-    return replace(fitter, rows=rows, _fits={})
+    rows = fitter.observations
+    return fitter.of(replace(rows, stated=scale * rows.stated, other=scale * rows.other))
 
 
 def _examined(
@@ -313,8 +312,8 @@ def _examined(
 
 def _sigma(fitter: LossFitter, fit: LossFit, loss: int) -> float:
     """Return the standard deviation that a loss would have beside a fit, in the linear model; inf if invisible."""
-    ratio = fitter.predicted(fit.values) + fitter.least
-    weighted = fitter.rows.rates / (ratio * fitter.rows.sigma)[:, None]
+    rows = fitter.observations
+    weighted = rows.by_loss / ((rows.ratios(fit.values) + rows.least) * rows.sigma)[:, None]
     own, others = weighted[:, loss], weighted[:, [j for j in fit.free if j != loss]]
     left = own - others @ np.linalg.lstsq(others, own)[0] if others.shape[1] else own
     size = float(np.linalg.norm(left))

@@ -191,7 +191,7 @@ def other_errors(e: LossEvidence) -> LossSays | None:
 def not_predicted(e: LossEvidence) -> str:
     """The ratios of the held-out poses contradict the explanation."""
     found = e.explanation
-    if found is None or e.held is None or not contradicted(e.fitter, e.held, found.best.values):
+    if found is None or e.held is None or not contradicted(e.held, found.best.values, e.criteria):
         return ""
     name = names_of(e.fitter, found.best)
     return f"{name} would explain that of the fitted poses, but not that of the held-out ones"

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from pkmodes.diagnosis.damping.evidence import DampingJudgement
 from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
-from pkmodes.diagnosis.damping.rows import DampingRows
+from pkmodes.diagnosis.damping.observations import DampingObservations
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.verdict.verdicts import EFFECT_FOUND
 
@@ -22,7 +22,7 @@ class Stage:
     ----------
     fitter : LossFitter
         Of the rows that take part.
-    every : DampingRows
+    every : DampingObservations
         All rows with a damping ratio and a partner.
     held : ndarray of bool
         Which of these are held out, and say something.
@@ -35,7 +35,7 @@ class Stage:
     """
 
     fitter: LossFitter
-    every: DampingRows
+    every: DampingObservations
     held: NDArray[np.bool_]
     strange: NDArray[np.bool_]
     judged: DampingJudgement
@@ -50,14 +50,13 @@ class Stage:
     @property
     def used(self) -> NDArray[np.bool_]:
         """Mask of the rows that took part."""
-        index, outlier = self.fitter.rows.index, self.final.outlier
+        index, outlier = self.fitter.observations.index, self.final.outlier
         return np.isin(self.every.index, index if outlier is None else np.delete(index, outlier))
 
     @property
     def predicted(self) -> tuple[Array, Array]:
         """Ratios of the model for all rows, with the losses as declared and as diagnosed."""
-        fitter, rates = self.fitter, self.every.rates
-        return fitter.predicted(fitter.declared, rates), fitter.predicted(self.final.values, rates)
+        return self.every.ratios(self.fitter.declared), self.every.ratios(self.final.values)
 
     @property
     def sigma_used(self) -> Array:

@@ -64,59 +64,29 @@ class Hypothesis:
         return replace(self, causes=(*self.causes[:place], *self.causes[place + 1 :]))
 
 
-@dataclass(frozen=True)
-class Fit:
-    """A fitted hypothesis.
-
-    The data are R frequencies, then R times C shape components (zero if not measured), then the priors.
+@dataclass(frozen=True, eq=False)
+class Fitted:
+    """Parameters fitted to data by least squares.
 
     Attributes
     ----------
-    values : ndarray, shape (number of parameters,)
-        All parameters of the structure.
+    values : ndarray, shape (P,)
+        All parameters.
     free : tuple of int
-        Indices of the fitted parameters: nuisances first, then those of the causes.
-    log_determinant : float
-        That of the covariance V of the data.
-    scatter : float
-        Standard deviation of the error shared in a setup, tau.
-    residual : ndarray, shape (R + R C,)
-        Measured minus model: ln f, clipped if unmatched, and shapes; 0 if excluded.
-    white, jacobian : ndarray, shape (R + R C + priors,) and (R + R C + priors, k)
-        Whitened residual and its derivatives with respect to the fitted parameters.
-    at_bound : tuple of str
-        Parameters of causes at a bound other than their null value.
-    converged : bool
-        Whether the solver converged.
+        Indices of the k fitted ones.
+    white, jacobian : ndarray, shape (D,) and (D, k)
+        Whitened residual of data and priors, and its derivatives with respect to the fitted parameters.
     """
 
-    hypothesis: Hypothesis
     values: Array
     free: tuple[int, ...]
-    log_determinant: float
-    scatter: float
-    prediction: Prediction
-    pairing: Pairing
-    residual: Array
     white: Array
     jacobian: Array
-    at_bound: tuple[str, ...]
-    converged: bool
-
-    @property
-    def causes(self) -> tuple[Candidate, ...]:
-        """Causes of the hypothesis."""
-        return self.hypothesis.causes
 
     @property
     def chi2(self) -> float:
         """Whitened sum of squares, including shapes and priors."""
         return float(self.white @ self.white)
-
-    @property
-    def deviance(self) -> float:
-        """Twice the negative log likelihood."""
-        return self.chi2 + self.log_determinant
 
     @cached_property
     def covariance(self) -> Array:
@@ -148,6 +118,48 @@ class Fit:
         """Diagonal of the projection onto that space: the leverage of each datum."""
         diagonal: Array = (self.basis**2).sum(axis=1)
         return diagonal
+
+
+@dataclass(frozen=True, eq=False)
+class Fit(Fitted):
+    """A fitted hypothesis.
+
+    The data are those of `Observations` (0 where not measured), then the priors.
+
+    Attributes
+    ----------
+    free : tuple of int
+        Nuisances first, then the parameters of the causes.
+    log_determinant : float
+        That of the covariance V of the data.
+    scatter : float
+        Standard deviation of the error shared in a setup, tau.
+    residual : ndarray, shape (D,)
+        Measured minus model, of ln f clipped if unmatched; 0 if excluded.
+    at_bound : tuple of str
+        Parameters of causes at a bound other than their null value.
+    converged : bool
+        Whether the solver converged.
+    """
+
+    hypothesis: Hypothesis
+    log_determinant: float
+    scatter: float
+    prediction: Prediction
+    pairing: Pairing
+    residual: Array
+    at_bound: tuple[str, ...]
+    converged: bool
+
+    @property
+    def causes(self) -> tuple[Candidate, ...]:
+        """Causes of the hypothesis."""
+        return self.hypothesis.causes
+
+    @property
+    def deviance(self) -> float:
+        """Twice the negative log likelihood."""
+        return self.chi2 + self.log_determinant
 
 
 def orthonormal(columns: Array) -> Array:

@@ -106,6 +106,7 @@ class Observations:
         self.frequencies = FrequencyRows(pairer, self.sigma[:, None])
         measured = Measured(data, structure, pairer, scatter, criteria)
         self.beside: Mapping[str, Quantity] = {name: of(measured) for name, of in QUANTITIES.items()}
+        self._every: tuple[Quantity, ...] = (self.frequencies, *self.beside.values())
         sizes = [quantity.sigma.size for quantity in self._every]
         ends = np.cumsum(sizes).tolist()
         self.frequency_rows, *others = (slice(end - size, end) for size, end in zip(sizes, ends, strict=True))
@@ -126,10 +127,6 @@ class Observations:
         found = self.beside[SHAPE]
         assert isinstance(found, ShapeRows)
         return found
-
-    @property
-    def _every(self) -> tuple[Quantity, ...]:
-        return (self.frequencies, *self.beside.values())
 
     # Which rows count --------------------------------------------------------------------------------------
 
@@ -189,6 +186,7 @@ class Observations:
         copies = copy.copy(self)
         copies.frequencies, copies._copies = self.frequencies.tiled(count), count
         copies.beside = {name: quantity.tiled(count) for name, quantity in self.beside.items()}
+        copies._every = (copies.frequencies, *copies.beside.values())
         return copies
 
     def of_each(self, values: Array) -> Array:
@@ -224,14 +222,14 @@ class Observations:
             rates = np.zeros((*residuals.shape, 0))
             if any(by):
                 rates = rows.of_each(rows.rates(batch.prediction, pairing, some))
-            each = zip(batch.sets, residuals, rates, _split(batch.prediction, len(batch.sets)), strict=True)
-            for k, residual, rate, prediction in each:
-                yield Beside(k, residual, rate[:, : len(by[k])], prediction)
+            for k, number in enumerate(batch.sets.tolist()):
+                prediction = _part(batch.prediction, k, len(batch.sets))
+                yield Beside(number, residuals[k], rates[k, :, : len(by[number])], prediction)
 
 
-def _split(prediction: Prediction, count: int) -> list[Prediction]:
-    """Split predictions of several sets of values, without derivatives of the shapes."""
-    values, rates, shapes = (
-        np.split(whole, count) for whole in (prediction.eigenvalues, prediction.rates, prediction.shapes)
-    )
-    return [Prediction(*part, prediction.rigid) for part in zip(values, rates, shapes, strict=True)]
+def _part(prediction: Prediction, k: int, count: int) -> Prediction:
+    """Return one of several predictions that were evaluated together, without derivatives of the shapes."""
+    size = len(prediction.eigenvalues) // count
+    some = slice(k * size, (k + 1) * size)
+    values, rates, shapes = prediction.eigenvalues, prediction.rates, prediction.shapes
+    return Prediction(values[some], rates[some], shapes[some], prediction.rigid)

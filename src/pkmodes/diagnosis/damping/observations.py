@@ -29,8 +29,8 @@ SMALLEST = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
-class DampingRows:
-    """R measured damping ratios whose modes have a partner in the model.
+class DampingObservations:
+    """R measured damping ratios whose modes have a partner in the model, as the data of a fit.
 
     Attributes
     ----------
@@ -47,7 +47,9 @@ class DampingRows:
         Whether the ratio is significantly above 0; otherwise it only says that the mode is not damped more.
     frequency : ndarray, shape (R,)
         [Hz].
-    rates : ndarray, shape (R, J)
+    least : ndarray, shape (R,)
+        What a prediction of no damping counts as.
+    by_loss : ndarray, shape (R, J)
         Damping ratio per unit of each loss.
     """
 
@@ -59,29 +61,66 @@ class DampingRows:
     other: Array
     above: Mask
     frequency: Array
-    rates: Array
+    least: Array
+    by_loss: Array
 
     @property
     def sigma(self) -> Array:
         """Standard deviations of the logarithms, (R,)."""
         return np.hypot(self.stated, self.other)
 
-    def some(self, mask: Mask) -> DampingRows:
+    def some(self, mask: Mask) -> DampingObservations:
         """Return some of the rows."""
-        return DampingRows(*(getattr(self, name)[mask] for name in self.__dataclass_fields__))
+        return DampingObservations(*(getattr(self, name)[mask] for name in self.__dataclass_fields__))
 
-    def with_errors(self, factor: float) -> DampingRows:
+    def with_errors(self, factor: float) -> DampingObservations:
         """Return the rows with stated errors larger by a factor."""
         return replace(self, stated=factor * self.stated)
 
+    def with_scatter(self, scatter: float) -> DampingObservations:
+        """Return the rows with a further error, a standard deviation of the logarithm."""
+        return replace(self, other=np.hypot(self.other, scatter))
 
-def damping_rows(
+    # Beside predictions ------------------------------------------------------------------------------------
+
+    @property
+    def logarithms(self) -> Array:
+        """Logarithms of the measured ratios, to be compared with those `predicted`, (R,)."""
+        return np.asarray(np.log(self.ratio + self.least))
+
+    def ratios(self, values: Array) -> Array:
+        """Return the damping ratios of the model for values of the losses, (R,)."""
+        return np.asarray(self.by_loss @ values)
+
+    def predicted(self, values: Array) -> Array:
+        """Return the logarithms of these ratios, (R,), which are finite where nothing dissipates."""
+        return np.asarray(np.log(self.ratios(values) + self.least))
+
+    def residual(self, values: Array) -> Array:
+        """Return measured minus model in standard deviations, (R,): of logarithms, or of ratios not above 0.
+
+        A ratio not above 0 has the stated error, and the model the others, which are parts of its ratio.
+        """
+        ratios = self.ratios(values)
+        linear = (self.ratio - ratios) / np.hypot(self.stated * self.ratio, self.other * ratios)
+        return np.where(self.above, (self.logarithms - self.predicted(values)) / self.sigma, linear)
+
+    def rates(self, values: Array) -> Array:
+        """Return the derivatives of these with respect to the losses, (R, J)."""
+        ratios = self.ratios(values)
+        variance = (self.stated * self.ratio) ** 2 + (self.other * ratios) ** 2
+        linear = -(1.0 + (self.ratio - ratios) * self.other**2 * ratios / variance) / np.sqrt(variance)
+        slopes = np.where(self.above, -1.0 / ((ratios + self.least) * self.sigma), linear)
+        return np.asarray(slopes[:, None] * self.by_loss)
+
+
+def observed(
     structure: Structure,
     data: Measurements,
     mode: NDArray[np.intp],
     states: Sequence[Array],
     criteria: Criteria,
-) -> DampingRows:
+) -> DampingObservations:
     """Return the rows with a damping ratio and a partner.
 
     Parameters
@@ -110,15 +149,26 @@ def damping_rows(
     mixed = _mixed(structure, states[0], every[0], setup, number, criteria)
     other = np.sqrt(criteria.damping.floor**2 + sum((d**2 for d in moved), mixed**2))
     above = stated < 1.0 / criteria.damping.resolved
-    return DampingRows(index, number, setup, ratio, stated, other, above, data.frequency[index], at)
+    return DampingObservations(
+        index=index,
+        mode=number,
+        setup=setup,
+        ratio=ratio,
+        stated=stated,
+        other=other,
+        above=above,
+        frequency=data.frequency[index],
+        least=criteria.damping.least * ratio,
+        by_loss=at,
+    )
 
 
-def usable(rows: DampingRows) -> Mask:
+def usable(rows: DampingObservations) -> Mask:
     """Return a mask of the rows that say something: a ratio of 0 without a standard deviation was not measured.
 
     Rows whose losses the measurements set say nothing about these.
     """
-    return np.isfinite(rows.stated) & np.isfinite(rows.rates).all(axis=1)
+    return np.isfinite(rows.stated) & np.isfinite(rows.by_loss).all(axis=1)
 
 
 def _logarithms(rates: Array) -> Array:
