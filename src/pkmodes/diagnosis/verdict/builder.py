@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.match.stage import Stage
+from pkmodes.diagnosis.posterior.document import Probabilities
 from pkmodes.diagnosis.posterior.probabilities import probabilities
 from pkmodes.diagnosis.problem import reached_bounds
 from pkmodes.diagnosis.readings.table import declared_otherwise, remarks
@@ -19,13 +22,73 @@ from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.claim import name_of, values
 from pkmodes.diagnosis.verdict.detectable import examined
 from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Says, Start
-from pkmodes.diagnosis.verdict.findings import Corrected, Refitted, Stability
+from pkmodes.diagnosis.verdict.findings import (
+    Corrected,
+    Examined,
+    Finding,
+    NextMeasurement,
+    Refitted,
+    Stability,
+)
 from pkmodes.diagnosis.verdict.limits import Limits
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.result import Diagnosis, Stages
+from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.stability import unchanged
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND
+
+#: Of a model that a result does not have.
+NONE: tuple[None, None] = (None, None)
+
+
+@dataclass(frozen=True)
+class _Models:
+    """The models of a result beside all rows, with their errors: as declared, refitted, and with the causes.
+
+    Attributes
+    ----------
+    last : Fit or None
+        Of the last one; None if there are too few data to fit any.
+    outlying : ndarray of bool, shape (R,)
+        Rows that it sets aside.
+    corrected : tuple of Corrected
+        Its values.
+    notes : tuple of str
+        On its fit.
+    """
+
+    last: Fit | None
+    outlying: NDArray[np.bool_]
+    declared: tuple[Stage, Error]
+    refit: tuple[Stage, Error] | None
+    after: tuple[Stage, Error] | None
+    corrected: tuple[Corrected, ...]
+    shape_scatter: float | None
+    notes: tuple[str, ...]
+
+    @property
+    def stages(self) -> Stages:
+        """Partners, differences and MAC of all rows with each model."""
+        before, refit, after = (
+            None if one is None else one[0].predicted for one in (self.declared, self.refit, self.after)
+        )
+        assert before is not None
+        return Stages(before, refit, after)
+
+
+@dataclass(frozen=True)
+class _Searched:
+    """What only a search adds to a result, see `Diagnosis`."""
+
+    reason: str
+    headline: str
+    effects: tuple[Finding, ...]
+    survivors: tuple[tuple[str, ...], ...]
+    next_measurement: NextMeasurement | None
+    not_separated: str
+    candidates: tuple[Examined, ...]
+    probabilities: Probabilities | None
 
 
 class DiagnosisBuilder:
@@ -37,20 +100,19 @@ class DiagnosisBuilder:
     def before_search(self, start: Start, decision: Decision[Start, Says]) -> Diagnosis:
         """Return the result for too few data, or for an obvious mistake in these: nothing is searched for."""
         verdict, store = decision.verdict, start.plain
-        if decision.says.of_reading:
-            names = tuple(one.name for one in start.suspected)
-            bounded = limits.unknown(store, start.suspected)
-            said = (decision.says.text,)
-            return self._result(decision, store, None, names, said, unchanged(verdict), bounded)
-        fit = start.first
-        about = (*declared_otherwise(self.fitter), *(() if fit is None else self._remarked(fit)))
-        if fit is None:
-            bounded = limits.unknown(store, start.suspected)
-        else:
-            bounded = limits.beside(store, [fit], start.suspected, noise=not start.contradicted)
-        known = {*bounded.limited, *start.hints}
-        unseen = tuple(one.name for one in start.suspected if one.name not in known)
-        return self._result(decision, store, fit, unseen, about, unchanged(verdict), bounded)
+        unseen = tuple(one.name for one in start.suspected)
+        bounded, fit = limits.unknown(store, start.suspected), None
+        remarks: tuple[str, ...] = (decision.says.text,)
+        if not decision.says.of_reading:
+            fit, remarks = start.first, declared_otherwise(self.fitter)
+            if fit is not None:
+                remarks = (*remarks, *self._remarked(fit))
+                bounded = limits.beside(store, [fit], start.suspected, noise=not start.contradicted)
+            unseen = tuple(name for name in unseen if name not in {*bounded.limited, *start.hints})
+        models = self._models(store, fit, None, bounded, verdict.settled)
+        notes = (*remarks, *models.notes)
+        nothing = _Searched(decision.says.text, "", (), (), None, "", (), None)
+        return self._result(decision, models, bounded, unseen, notes, unchanged(verdict), nothing)
 
     def after_search(self, evidence: Evidence, decision: Decision[Evidence, Says]) -> Diagnosis:
         """Return the result of a search and its verdict."""
@@ -86,32 +148,13 @@ class DiagnosisBuilder:
             limited=bounded.limited,
             unbounded=bounded.unbounded - shown,
         )
-        undetectable = tuple(one.name for one in tested if not one.detectable)
-        diagnosis = self._result(
-            decision,
-            search.store,
-            final if verdict is ADEQUATE else outcome.nuisances,
-            undetectable,
-            self._remarks(evidence, decision),
-            stability,
-            bounded,
-            causes=final if verdict is EFFECT_FOUND else None,
-        )
-        stages = diagnosis.stages
-        assert stages is not None
-        assert diagnosis.refit is not None
-        contradictions = held_out.remarks(
-            self.setups.data,
-            self.setups.is_held,
-            (stages.after or stages.refit or stages.before).frequency,
-            diagnosis.refit,
-            diagnosis.after,
-            self.fitter.criteria.claim.worse,
-        )
+        unseen = tuple(one.name for one in tested if not one.detectable)
+        refit = final if verdict is ADEQUATE else outcome.nuisances
+        causes = final if verdict is EFFECT_FOUND else None
+        models = self._models(search.store, refit, causes, bounded, verdict.settled)
         proposed, not_separated = next_measurement(self.fitter, contested)
-        reason, headline = self._with_caveats(evidence, decision, diagnosis)
-        return replace(
-            diagnosis,
+        reason, headline = self._with_caveats(evidence, decision, models.corrected, bounded, unseen)
+        searched = _Searched(
             reason=reason,
             headline=headline,
             effects=findings,
@@ -119,10 +162,12 @@ class DiagnosisBuilder:
             next_measurement=proposed,
             not_separated=not_separated,
             candidates=tested,
-            notes=(*diagnosis.notes, *claim.left_out, *contradictions),
             # Another reading of the data contradicts all explanations of it as it stands.
             probabilities=None if decision.says.of_reading else probabilities(search, plausible, outcome),
         )
+        remarks, contradictions = self._remarks(evidence, decision), self._contradictions(models)
+        notes = (*remarks, *models.notes, *claim.left_out, *contradictions)
+        return self._result(decision, models, bounded, unseen, notes, stability, searched)
 
     def _remarks(self, evidence: Evidence, decision: Decision[Evidence, Says]) -> tuple[str, ...]:
         """Return notes on the data: another reading that decided, mistakes seen in all setups, held-out rows."""
@@ -133,93 +178,139 @@ class DiagnosisBuilder:
     def _remarked(self, fit: Fit) -> tuple[str, ...]:
         return remarks(self.setups.stage(fit.values), self.fitter.criteria.readings)
 
+    def _contradictions(self, models: _Models) -> tuple[str, ...]:
+        """Return sentences about held-out rows that the result does not predict."""
+        assert models.refit is not None
+        stage, _ = models.after or models.refit
+        return tuple(
+            held_out.remarks(
+                self.setups.data,
+                self.setups.is_held,
+                stage.predicted.frequency,
+                models.refit[1],
+                None if models.after is None else models.after[1],
+                self.fitter.criteria.claim.worse,
+            )
+        )
+
     def _with_caveats(
-        self, evidence: Evidence, decision: Decision[Evidence, Says], diagnosis: Diagnosis
+        self,
+        evidence: Evidence,
+        decision: Decision[Evidence, Says],
+        corrected: Sequence[Corrected],
+        bounded: Limits,
+        unseen: tuple[str, ...],
     ) -> tuple[str, str]:
         """Return the reason with what belongs beside a settled verdict, and what of this is in the headline."""
+        reason = decision.says.text
         if not decision.verdict.settled:
-            return diagnosis.reason, ""
-        moved = [value for value in diagnosis.corrected if value.prior_sigma is not None]
+            return reason, ""
+        moved = [value for value in corrected if value.prior_sigma is not None]
         if decision.verdict is not ADEQUATE:
             headline = caveats.conspicuous(moved, needed=False)
-            return "; ".join(part for part in (diagnosis.reason, headline) if part), headline
+            return "; ".join(part for part in (reason, headline) if part), headline
         needed = misfit.p_declared(evidence.store, evidence.final) <= evidence.claim.last.level
         headline = caveats.conspicuous(moved, needed=needed)
-        limited = any(limit.value is not None for limit in diagnosis.limits.values())
         parts = (
-            f"{diagnosis.reason}: {caveats.refitted(moved)}" if needed else diagnosis.reason,
+            f"{reason}: {caveats.refitted(moved)}" if needed else reason,
             headline if not needed else "",
-            caveats.unseen(diagnosis.undetectable, limited),
+            caveats.unseen(unseen, bool(bounded.limited)),
         )
         return "; ".join(part for part in parts if part), headline
+
+    def _models(
+        self, store: FitStore, refit: Fit | None, causes: Fit | None, bounded: Limits, settled: bool
+    ) -> _Models:
+        """Return the models of a result.
+
+        Parameters
+        ----------
+        refit : Fit or None
+            Of the nuisances.
+        causes : Fit or None
+            With the claimed causes.
+        bounded : Limits
+            Of the candidates that are not claimed.
+        settled : bool
+            Whether the last one leaves only noise.
+        """
+        setups, last = self.setups, causes or refit
+        excluded = [] if last is None else sorted(last.hypothesis.excluded)
+        outlying = np.isin(setups.data.lines, self.fitter.data.lines[excluded])
+
+        def beside(fit: Fit | None) -> tuple[Stage, Error] | None:
+            if fit is None:
+                return None
+            stage = setups.stage(fit.values)
+            return stage, setups.error(stage, *store.frequency_misfit(fit), outlying)
+
+        declared = setups.stage(self.fitter.declared)
+        return _Models(
+            last=last,
+            outlying=outlying,
+            declared=(declared, setups.declared_error(declared, outlying)),
+            refit=beside(refit),
+            after=beside(causes),
+            corrected=() if last is None else self._corrected(last, bounded),
+            shape_scatter=None if last is None else store.shape_scatter(last),
+            notes=() if last is None else tuple(notes(store, last, settled)),
+        )
 
     def _result(
         self,
         decision: Decision[Any, Says],
-        store: FitStore,
-        fit: Fit | None,
-        undetectable: tuple[str, ...],
-        remarks: Sequence[str],
-        stability: tuple[Stability, ...],
+        models: _Models,
         bounded: Limits,
-        causes: Fit | None = None,
+        unseen: tuple[str, ...],
+        notes: tuple[str, ...],
+        stability: tuple[Stability, ...],
+        searched: _Searched,
     ) -> Diagnosis:
-        """Return the result without what a search adds.
+        """Return the result.
 
         Parameters
         ----------
-        fit : Fit or None
-            Of the nuisances.
-        undetectable : tuple of str
-            Names of candidates.
-        remarks : sequence of str
-            Notes on the data.
         bounded : Limits
             Of the candidates that are not claimed.
-        causes : Fit, optional
-            With the claimed causes.
+        unseen : tuple of str
+            Names of candidates that are not detectable.
         """
-        setups, fitter, last = self.setups, self.fitter, causes or fit
-        excluded = [] if last is None else sorted(last.hypothesis.excluded)
-        outlying = np.isin(setups.data.lines, fitter.data.lines[excluded])
-        declared = setups.stage(fitter.declared)
-        refit, after = (None if one is None else setups.stage(one.values) for one in (fit, causes))
-        errors = [
-            None
-            if one is None or stage is None
-            else setups.error(stage, *store.frequency_misfit(one), outlying)
-            for one, stage in ((fit, refit), (causes, after))
-        ]
+        last, (declared, before) = models.last, models.declared
+        (refit, refit_error), (after, after_error) = models.refit or NONE, models.after or NONE
+        nuisances = {self.fitter.parameters[i].name for i in self.fitter.nuisances}
         return Diagnosis(
             verdict=decision.verdict.word,
-            reason=decision.says.text,
-            effects=(),
-            survivors=(),
-            refitted=() if last is None else self.refitted(last, bounded),
-            before=setups.declared_error(declared, outlying),
-            refit=errors[0],
-            after=errors[1],
-            held_out_poses=setups.held_out_poses,
-            undetectable=undetectable,
-            next_measurement=None,
-            candidates=(),
-            rows=setups.rows(declared, refit, after, outlying),
-            scatter=0.0 if last is None else last.scatter,
-            corrected=() if last is None else self.corrected(last, bounded),
-            correlation=() if last is None else tuple(map(tuple, last.correlation.tolist())),
-            notes=(*remarks, *(() if last is None else notes(store, last, decision.verdict.settled))),
-            stability=stability,
-            shape_scatter=None if last is None else store.shape_scatter(last),
-            limits=bounded.of,
+            reason=searched.reason,
+            headline=searched.headline,
             rule=decision.rule.name,
-            stages=Stages(
-                declared.predicted,
-                None if refit is None else refit.predicted,
-                None if after is None else after.predicted,
+            effects=searched.effects,
+            survivors=searched.survivors,
+            refitted=tuple(
+                Refitted(v.name, v.declared, v.value, v.sigma, v.saved_sigma, v.unit)
+                for v in models.corrected
+                if v.name in nuisances
             ),
+            before=before,
+            refit=refit_error,
+            after=after_error,
+            held_out_poses=self.setups.held_out_poses,
+            undetectable=unseen,
+            next_measurement=searched.next_measurement,
+            not_separated=searched.not_separated,
+            candidates=searched.candidates,
+            rows=self.setups.rows(declared, refit, after, models.outlying),
+            scatter=0.0 if last is None else last.scatter,
+            corrected=models.corrected,
+            correlation=() if last is None else tuple(map(tuple, last.correlation.tolist())),
+            notes=notes,
+            stability=stability,
+            shape_scatter=models.shape_scatter,
+            limits=bounded.of,
+            stages=models.stages,
+            probabilities=searched.probabilities,
         )
 
-    def corrected(self, fit: Fit, bounded: Limits) -> tuple[Corrected, ...]:
+    def _corrected(self, fit: Fit, bounded: Limits) -> tuple[Corrected, ...]:
         """Return all fitted parameters with their declared values, priors, and what was not seen."""
         width, corrected = self.fitter.priors.width(fit.values), []
         for i, v in zip(fit.free, values(self.fitter, fit, fit.free), strict=True):
@@ -237,12 +328,3 @@ class DiagnosisBuilder:
                 )
             )
         return tuple(corrected)
-
-    def refitted(self, fit: Fit, bounded: Limits) -> tuple[Refitted, ...]:
-        """Return the nuisance parameters before and after the fit."""
-        names = {self.fitter.parameters[i].name for i in self.fitter.nuisances}
-        return tuple(
-            Refitted(v.name, v.declared, v.value, v.sigma, v.saved_sigma, v.unit)
-            for v in self.corrected(fit, bounded)
-            if v.name in names
-        )
