@@ -112,6 +112,24 @@ def test_the_runtime_is_light_to_import() -> None:
 
 #: The core, from the ground up: each imports itself and those before it.
 CORE = ("base", "linalg", "mechanism", "robot", "compiled", "system", "solve", "model")
+#: Of the diagnosis likewise.
+DIAGNOSIS_PARTS = (
+    "problem",
+    "criteria",
+    "structure",
+    "matrices",
+    "arguments",
+    "match",
+    "fit",
+    "search",
+    "readings",
+    "posterior",
+    "verdict",
+    "damping",
+    "diagnose",
+    "compare",
+    "update",
+)
 #: The core and the applications around it, from the ground up: each imports itself and those before it.
 FOLDERS = (
     "core",
@@ -178,8 +196,9 @@ def test_the_page_on_the_architecture_lists_the_folders_and_names_files_that_exi
         assert (ROOT / name).exists(), name
 
 
-def test_the_readme_of_the_core_names_files_that_exist() -> None:
-    folder = ROOT / "src/pkmodes/core"
+@pytest.mark.parametrize("name", ["core", "diagnosis"])
+def test_the_readme_of_a_folder_names_files_that_exist(name: str) -> None:
+    folder = ROOT / "src/pkmodes" / name
     named = re.findall(r"`([\w/]+\.py)`", (folder / "README.md").read_text(encoding="utf-8"))
     assert len(named) > 10
     for name in named:
@@ -194,13 +213,24 @@ def test_a_folder_imports_only_those_before_it(folder: str) -> None:
         assert used <= before, file
 
 
-@pytest.mark.parametrize("part", CORE)
-def test_a_part_of_the_core_imports_only_those_before_it(part: str) -> None:
-    before = set(CORE[: CORE.index(part) + 1])
-    found = ROOT / "src/pkmodes/core" / part
+@pytest.mark.parametrize(
+    ("folder", "part"),
+    [*(("core", part) for part in CORE), *(("diagnosis", part) for part in DIAGNOSIS_PARTS)],
+)
+def test_a_part_of_a_folder_imports_only_those_before_it(folder: str, part: str) -> None:
+    parts = {"core": CORE, "diagnosis": DIAGNOSIS_PARTS}[folder]
+    before = set(parts[: parts.index(part) + 1])
+    found = ROOT / "src/pkmodes" / folder / part
     for file in sorted(found.rglob("*.py")) or [found.with_suffix(".py")]:
-        used = {name.split(".")[2] for name in modules_imported(file)}
+        inside = (name.split(".") for name in modules_imported(file))
+        used = {names[2] for names in inside if names[1] == folder}
         assert used <= before, file
+
+
+def test_every_part_of_the_diagnosis_has_its_place() -> None:
+    found = (ROOT / "src/pkmodes/diagnosis").iterdir()
+    named = {one.stem for one in found if one.suffix == ".py" or (one / "__init__.py").is_file()}
+    assert named == {*DIAGNOSIS_PARTS, "__init__"}
 
 
 def test_the_engine_of_the_diagnosis_knows_no_robots() -> None:
