@@ -7,12 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy import stats
 from scipy.linalg import eigh
 
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, Prediction, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.observations import QUANTITIES, Measured
+from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.match.pairing import Pairing, tiled
 
 SIGMA, RESIDUE_SIGMA = 1e-3, 0.02
@@ -101,6 +103,11 @@ def measured(values: dict[str, float], seed: int) -> tuple[Measurements, dict[in
     return data, dict(zip(data.lines.tolist(), log.tolist(), strict=True))
 
 
+def residues() -> np.ndarray:
+    """The logarithms of the residues of the declared frame, mode by mode."""
+    return 2.0 * np.log(np.abs(modes({"size": 1.0, "upper": 1.0})[1][:, 1]))
+
+
 def with_residues(monkeypatch: pytest.MonkeyPatch, log: dict[int, float]) -> None:
     monkeypatch.setitem(QUANTITIES, "residue", lambda measured: Residues.of(measured, log))
 
@@ -132,8 +139,7 @@ def test_an_added_quantity_has_degrees_and_a_p_value_of_its_own(monkeypatch: pyt
     fit = fitter.fit(Hypothesis())
     assert fit is not None
     misfit = fitter.misfit(fit, "residue", stated=True)
-    expected = 2.0 * np.log(np.abs(modes({"size": 1.0, "upper": 1.0})[1][:, 1]))
-    left = (np.array([log[line] for line in data.lines.tolist()]) - expected) / RESIDUE_SIGMA
+    left = (np.array([log[line] for line in data.lines.tolist()]) - residues()) / RESIDUE_SIGMA
     assert misfit.squares == pytest.approx(float(left @ left), rel=1e-9)
     assert misfit.degrees == 12
 
@@ -142,9 +148,17 @@ def test_a_contradiction_of_an_added_quantity_is_more_than_noise(monkeypatch: py
     """Residues that differ by a factor of their own at each pose are explained by nothing, and said not to be."""
     data, log = measured({"size": 1.0, "upper": 1.0}, 3)
     rng = np.random.default_rng(4)
-    with_residues(monkeypatch, {line: value + 0.3 * rng.standard_normal() for line, value in log.items()})
+    wrong = {line: value + 0.3 * rng.standard_normal() for line, value in log.items()}
+    with_residues(monkeypatch, wrong)
     found = diagnose(frame(), data)
     assert found.verdict not in ("adequate", "effect_found")
+    store = FitStore(Fitter(frame(), data))
+    fit = store.fit(Hypothesis())
+    assert fit is not None
+    left = (np.array([wrong[line] for line in data.lines.tolist()]) - residues()) / RESIDUE_SIGMA
+    away = np.log(data.frequency / modes({"size": 1.0, "upper": 1.0})[0]) / SIGMA
+    assert store.frequency_p_value(fit) == pytest.approx(stats.chi2.sf(away @ away, 12), rel=1e-6)
+    assert store.p_value(fit) == pytest.approx(stats.chi2.sf(left @ left, 12), rel=1e-6)
 
 
 @pytest.mark.parametrize("free", ["size", "upper"])
