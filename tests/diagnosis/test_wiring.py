@@ -19,7 +19,7 @@ from pkmodes.diagnosis.diagnose import diagnose, split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.readings.misfits import Misfit
+from pkmodes.diagnosis.readings.misfits import WiringMisfit
 from pkmodes.diagnosis.readings.wiring import certain_wiring, other_wiring, rewired
 from pkmodes.diagnosis.readings.wirings import Wiring
 from pkmodes.measured.measurements import Measurements
@@ -262,7 +262,7 @@ def test_the_right_order_is_among_those_that_remain(number: int, order: str) -> 
 
 def test_the_misfit_does_not_depend_on_whether_errors_are_stated() -> None:
     count = np.array([10.0, 20.0, 0.0])
-    one = Misfit(np.array([30.0, 10.0, 0.0]), count, np.array([10.0, 20.0, 1e-300]), 0.1)
+    one = WiringMisfit(np.array([30.0, 10.0, 0.0]), count, np.array([10.0, 20.0, 1e-300]), 0.1)
     assert one.deviance() == pytest.approx(10 * np.log(3.0))  # no better than the errors
     assert one.deviance(frequencies=False) == 0.0
     assert one.shapes == pytest.approx(20.0)

@@ -18,7 +18,7 @@ from pkmodes.diagnosis.damping.fit import LossFitter
 from pkmodes.diagnosis.damping.observations import observed, usable
 from pkmodes.diagnosis.damping.outcome import undiagnosed, with_outcome
 from pkmodes.diagnosis.damping.rules import DOUBTS, LOSSES, ROUGH_DOUBTS, ROUGHLY, judge
-from pkmodes.diagnosis.damping.stage import Stage
+from pkmodes.diagnosis.damping.stage import DampingStage
 from pkmodes.diagnosis.problem import Array, Damped, Parameter, Structure
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.stability import CHANGES
@@ -67,7 +67,7 @@ def with_damping(
         notes.append(words.set_aside(int(data.lines[i]), data.labels[data.pose[i]], float(data.damping[i])))
     notes += [text] if (text := _hundred(fitter, judged)) else []
     return with_outcome(
-        result, data, Stage(fitter, every, held & good, strange, judged, trials, tuple(notes))
+        result, data, DampingStage(fitter, every, held & good, strange, judged, trials, tuple(notes))
     )
 
 

@@ -19,7 +19,7 @@ from pkmodes.diagnosis.damping.explanation import names_of, p_of_loss
 from pkmodes.diagnosis.damping.fit import NEARLY, LossFit, LossFitter
 from pkmodes.diagnosis.damping.observations import usable
 from pkmodes.diagnosis.damping.rules import NOT_PREDICTED
-from pkmodes.diagnosis.damping.stage import Stage
+from pkmodes.diagnosis.damping.stage import DampingStage
 from pkmodes.diagnosis.problem import Loss
 from pkmodes.diagnosis.search.limits import ONE_SIDED
 from pkmodes.diagnosis.verdict.findings import Corrected, Examined, Finding, Limit, Refitted, Stability, Value
@@ -56,12 +56,12 @@ def undiagnosed(losses: Sequence[Loss], reason: str, notes: Sequence[str] = ()) 
     )
 
 
-def with_outcome(result: Diagnosis, data: Measurements, stage: Stage) -> Diagnosis:
+def with_outcome(result: Diagnosis, data: Measurements, stage: DampingStage) -> Diagnosis:
     """Return a diagnosis with what its damping says, and every measured ratio beside that of the model."""
     return replace(result, rows=_rows(result, data, stage), damping=_outcome(stage))
 
 
-def _outcome(stage: Stage) -> Damping:
+def _outcome(stage: DampingStage) -> Damping:
     fitter, judged = stage.fitter, stage.judged
     found = findings(fitter, judged)
     above, used, held = stage.every.above, stage.used, stage.held
@@ -86,11 +86,7 @@ def _outcome(stage: Stage) -> Damping:
         effects=found,
         survivors=survivors(fitter, judged) if judged.verdict is AMBIGUOUS else (),
         limits=limits,
-        refitted=tuple(
-            Refitted(v.name, v.declared, v.value, v.sigma, v.saved_sigma, v.unit)
-            for v in corrected
-            if v.name in nuisances
-        ),
+        refitted=tuple(Refitted.of(v) for v in corrected if v.name in nuisances),
         undetectable=tuple(one.name for one in tests if not one.detectable),
         candidates=tuple(tests),
         notes=tuple(notes),
@@ -105,7 +101,7 @@ def _outcome(stage: Stage) -> Damping:
     )
 
 
-def _rows(result: Diagnosis, data: Measurements, stage: Stage) -> tuple[Row, ...]:
+def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[Row, ...]:
     """Return every measured mode with its damping beside that of the model."""
     every, used = stage.every, stage.used
     rows = list(result.rows)
@@ -146,7 +142,7 @@ def _remark(row: Row, known: bool, strange: bool) -> str:
     return "the frequency is an outlier" if row.outlier else "set aside"
 
 
-def _stability(stage: Stage) -> tuple[Stability, ...]:
+def _stability(stage: DampingStage) -> tuple[Stability, ...]:
     """Return what the verdict on the damping becomes with other errors and priors."""
     if stage.judged.verdict is INSUFFICIENT_DATA:
         return ()
@@ -161,7 +157,7 @@ def _stability(stage: Stage) -> tuple[Stability, ...]:
     return tuple(entries)
 
 
-def _corrected(stage: Stage) -> tuple[Corrected, ...]:
+def _corrected(stage: DampingStage) -> tuple[Corrected, ...]:
     """Return the fitted losses."""
     fitter, final, corrected = stage.fitter, stage.final, []
     for j in final.free:
@@ -209,7 +205,7 @@ def members(findings: Sequence[Finding]) -> set[str]:
     return {member for finding in findings for member in finding.members}
 
 
-def tested(stage: Stage, findings: Sequence[Finding]) -> tuple[list[Examined], dict[str, Limit]]:
+def tested(stage: DampingStage, findings: Sequence[Finding]) -> tuple[list[Examined], dict[str, Limit]]:
     """Return the tests and limits of the candidates that are not claimed."""
     fitter, judged, claimed = stage.fitter, stage.judged, members(findings)
     tests, limits = [], {}

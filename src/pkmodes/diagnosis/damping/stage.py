@@ -15,7 +15,7 @@ from pkmodes.diagnosis.verdict.verdicts import EFFECT_FOUND
 
 
 @dataclass(frozen=True, eq=False)
-class Stage:
+class DampingStage:
     """Damping at the final model.
 
     Attributes

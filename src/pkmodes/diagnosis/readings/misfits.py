@@ -27,8 +27,8 @@ WORST = 3
 
 
 @dataclass(frozen=True)
-class Misfit:
-    """Misfit of the measurements with one wiring.
+class WiringMisfit:
+    """WiringMisfit of the measurements with one wiring.
 
     Attributes
     ----------
@@ -48,7 +48,7 @@ class Misfit:
     difference: float
 
     @classmethod
-    def of(cls, fitter: Fitter, used: NDArray[np.bool_], residual: Array) -> Misfit:
+    def of(cls, fitter: Fitter, used: NDArray[np.bool_], residual: Array) -> WiringMisfit:
         """Return the misfit of unwhitened residuals of all data, (R + R C,), of which some rows count."""
         observations = fitter.observations
         shapes, white = observations.shapes, residual / observations.noise.stated
@@ -94,13 +94,13 @@ class Misfit:
 
 def at_prediction(
     fitter: Fitter, used: NDArray[np.bool_], prediction: Prediction, wirings: Sequence[Wiring]
-) -> list[Misfit]:
+) -> list[WiringMisfit]:
     """Return the misfit of each wiring with the modes of a model, many evaluated together; none without modes."""
     if not np.isfinite(prediction.eigenvalues).all():
         return []
     motion = channel_motion(fitter.structure.predict(fitter.declared, ()).shapes)
     numbers = len(fitter.observations.log) * prediction.shapes.shape[1] * len(fitter.data.channels)
-    most, found = max(AT_ONCE // max(numbers, 1), 1), list[Misfit]()
+    most, found = max(AT_ONCE // max(numbers, 1), 1), list[WiringMisfit]()
     for some in (wirings[start : start + most] for start in range(0, len(wirings), most)):
         rows, tiled = fitter.observations.tiled(len(some)), np.tile(used, len(some))
         order = [[fitter.structure.channels.index(name) for name in w.channels] for w in some]
@@ -113,7 +113,7 @@ def at_prediction(
         together = _modes(eigenvalues, np.concatenate(shapes), prediction.rigid)
         pairing = rows.pairer.pair(together, tiled, compare=False)
         residuals = rows.of_each(rows.residual(together, pairing, tiled))
-        found += [Misfit.of(fitter, used, residual) for residual in residuals]
+        found += [WiringMisfit.of(fitter, used, residual) for residual in residuals]
     return found
 
 
@@ -139,16 +139,16 @@ def promising(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> bool:
     )
 
 
-def misfits(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring, Misfit]:
+def misfits(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring, WiringMisfit]:
     """Return the misfit of the file and of other wirings, each with the values that suit it best.
 
     These are the declared ones, those of the fit, and those refitted with the best few wirings.
     """
     c, own, used = fitter.criteria.readings, as_in_file(fitter.data.channels), fitter.used(fit.hypothesis)
     every = [own, *wirings]
-    found = {own: Misfit.of(fitter, used, fit.residual)}
+    found = {own: WiringMisfit.of(fitter, used, fit.residual)}
 
-    def keep(misfits: Iterable[tuple[Wiring, Misfit]]) -> None:
+    def keep(misfits: Iterable[tuple[Wiring, WiringMisfit]]) -> None:
         for wiring, misfit in misfits:
             if wiring not in found or misfit.deviance() < found[wiring].deviance():
                 found[wiring] = misfit
@@ -170,7 +170,7 @@ def misfits(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring,
         for hypothesis in hypotheses:
             other = rewired.fit(hypothesis, fit.values if hypothesis.causes else None)
             if other is not None:
-                misfit = Misfit.of(fitter, used, other.residual)
+                misfit = WiringMisfit.of(fitter, used, other.residual)
                 keep([(wiring, misfit)])
                 again.append((misfit.deviance(), other.prediction))
     if again:  # the parameters are the same with whatever wiring

@@ -18,7 +18,7 @@ from pkmodes.diagnosis.fit.observations import SHAPE
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Instrumented, Sensor
 from pkmodes.diagnosis.readings.comparison import Apart
-from pkmodes.diagnosis.readings.misfits import Misfit, misfits, promising
+from pkmodes.diagnosis.readings.misfits import WiringMisfit, misfits, promising
 from pkmodes.diagnosis.readings.wirings import (
     Wiring,
     as_in_file,
@@ -136,7 +136,7 @@ def _mistakes(same: Sequence[Wiring], columns: Sequence[str], sensors: Sequence[
 
 
 def _sentence(
-    mistakes: Sequence[Sequence[str]], here: Misfit, best: Misfit, certain: bool, change: str
+    mistakes: Sequence[Sequence[str]], here: WiringMisfit, best: WiringMisfit, certain: bool, change: str
 ) -> str:
     """Return what is wrong, how the misfit changes, and what to do."""
     size = (

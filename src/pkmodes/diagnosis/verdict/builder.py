@@ -285,11 +285,7 @@ class DiagnosisBuilder:
             rule=decision.rule.name,
             effects=searched.effects,
             survivors=searched.survivors,
-            refitted=tuple(
-                Refitted(v.name, v.declared, v.value, v.sigma, v.saved_sigma, v.unit)
-                for v in models.corrected
-                if v.name in nuisances
-            ),
+            refitted=tuple(Refitted.of(v) for v in models.corrected if v.name in nuisances),
             before=before,
             refit=refit_error,
             after=after_error,

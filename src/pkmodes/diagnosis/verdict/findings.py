@@ -170,6 +170,11 @@ class Refitted:
     saved_sigma: float
     unit: str
 
+    @classmethod
+    def of(cls, v: Corrected) -> Refitted:
+        """Return a nuisance parameter among the values of the last model."""
+        return cls(v.name, v.declared, v.value, v.sigma, v.saved_sigma, v.unit)
+
 
 @dataclass(frozen=True)
 class Finding:
