@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import click
@@ -25,6 +26,16 @@ def test_help_fits_80_columns_and_shows_an_example(
     assert [
         one.opts for one in options if isinstance(one, click.Option) and not {*one.opts} <= {*words}
     ] == []
+
+
+def test_every_command_is_listed_once_with_a_whole_sentence(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    assert run(["--help"]) == 0
+    listed = re.findall(r"^  ([a-z]+) +([A-Z].*)$", capsys.readouterr().out, re.MULTILINE)
+    assert sorted(name for name, _ in listed) == sorted(cli.commands)
+    assert all(sentence.endswith(".") and "..." not in sentence for _, sentence in listed)
 
 
 #: Of commands that take a moment: the beginning of what each example prints.

@@ -31,10 +31,35 @@ from pkmodes.cli.response import response
 from pkmodes.cli.sensitivities import sensitivities
 from pkmodes.cli.shaper import shaper
 from pkmodes.cli.show import show
+from pkmodes.cli.version import print_version
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.core.base.version import VERSION
 
 DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
+
+
+#: The commands, by what one does with them, and what each does.
+WORKFLOW: dict[str, dict[click.Command, str]] = {
+    "Look at a machine": {
+        modes: "Print frequencies, mode shapes and damping at a pose.",
+        map_: "Compute the modes over the workspace.",
+        sensitivities: "Say which parameters change each frequency, and how much.",
+        show: "Write a page with the moving machine in three dimensions.",
+        figures: "Draw working plane, frequencies and directions of motion.",
+    },
+    "Measure it": {
+        identify: "Identify modes from measured signals.",
+        compare: "Compare measured modes with the model, or two robots.",
+    },
+    "Diagnose it": {
+        diagnose: "Find the physical effect that the model lacks, and add it.",
+    },
+    "Use the model": {
+        response: "Compute responses to motors and forces on the platform.",
+        shaper: "Choose input shapers that keep the machine from ringing.",
+        generate: "Generate NumPy and C code for one robot.",
+        check: "Check that generated code is up to date and right.",
+    },
+}
 
 
 class Commands(click.Group):
@@ -53,6 +78,13 @@ class Commands(click.Group):
         """Read the arguments; click itself would print an empty line on an interrupt."""
         with _interruptible():
             return super().make_context(*args, **kwargs)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the commands in the order in which they are used, each with a whole sentence."""
+        width = max(len(name) for name in self.commands)  # `map` is a module here
+        for title, group in WORKFLOW.items():
+            with formatter.section(title):
+                formatter.write_dl([(f"{command.name:{width}}", says) for command, says in group.items()])
 
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command."""
@@ -84,26 +116,21 @@ def _refuse_repetitions(ctx: click.Context, arguments: list[str]) -> None:
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110},
     epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245",
 )
-@click.version_option(VERSION, prog_name="pkmodes", message="%(prog)s %(version)s")
-def cli() -> None:
+@click.option(
+    "--version",
+    is_flag=True,
+    expose_value=False,
+    callback=print_version,
+    help="Print the version and exit; with --verbose also the libraries, the back end and the C compiler.",
+)
+@click.option("--verbose", is_flag=True, is_eager=True, hidden=True)
+def cli(verbose: bool) -> None:
     """Vibration modes of parallel robots with compliant transmissions."""
 
 
-for command in (
-    generate,
-    check,
-    modes,
-    map_,
-    figures,
-    show,
-    sensitivities,
-    response,
-    shaper,
-    identify,
-    compare,
-    diagnose,
-):
-    cli.add_command(command)
+for group in WORKFLOW.values():
+    for command in group:
+        cli.add_command(command)
 
 
 def main(arguments: Sequence[str] | None = None) -> None:

@@ -151,6 +151,31 @@ def load(package: str, name: str) -> Library:
     return _shipped(name, wanted) or _built(name, header, wanted)
 
 
+def present(package: str, name: str) -> Library | None:
+    """Load the library of a mechanism if there is one; nothing is built.
+
+    Parameters
+    ----------
+    package, name : str
+        As of `load`.
+    """
+    header, cc = files(package).joinpath(build.HEADER), build.compiler()
+    if not header.is_file():
+        return None
+    wanted = build.digest(header.read_text(encoding="utf-8"))
+    found = _shipped(name, wanted)
+    if found is not None or cc is None:
+        return found
+    with suppress(UnavailableError, OSError):
+        return _kept(cache_folder(), _stem(name, wanted, cc), wanted)
+    return None
+
+
+def _stem(name: str, wanted: str, cc: Sequence[str]) -> str:
+    """Return the beginning of the name of a library in the cache."""
+    return f"{name}-{wanted[:16]}-{_version(cc)}"
+
+
 def _shipped(name: str, wanted: str) -> Library | None:
     """Return the library that was installed with the package, None if there is none for these sources and here."""
     with suppress(OSError):  # built for another system, or not to be read
@@ -166,8 +191,8 @@ def _built(name: str, header: str, wanted: str) -> Library:
     cc = build.compiler()
     if cc is None:
         raise UnavailableError(*_no_compiler())
-    folder = _cache()
-    stem = f"{name}-{wanted[:16]}-{_version(cc)}"
+    folder = cache_folder()
+    stem = _stem(name, wanted, cc)
     try:
         library = _kept(folder, stem, wanted)
         if library is None:
@@ -262,7 +287,7 @@ def _no_compiler() -> tuple[str, str]:
     return f"{what}: the environment variable CC is {shown(own)}", remedy
 
 
-def _cache() -> Path:
+def cache_folder() -> Path:
     """Return the user's folder for libraries, created if necessary.
 
     Raises
