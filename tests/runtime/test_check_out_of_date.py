@@ -73,6 +73,19 @@ def test_an_edit_is_found_and_named_with_what_mends_it(
             assert "hi\n" not in out.replace("print('hi')", ""), "it was executed"
 
 
+def test_a_brief_check_is_one_line_for_each_folder(
+    copy: Path, pristine: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    edit(copy / "robot.toml", "1.5 kg", "1.6 kg")
+    capsys.readouterr()
+    assert run(["check", "--brief", str(pristine / "model"), str(copy / "model")]) == 1
+    assert capsys.readouterr().out.splitlines() == [
+        f"{pristine / 'model'}: current",
+        f"{copy / 'model'}: the robot file changed: platform.mass is 1.6, the model was generated with 1.5; "
+        "and 3 more",  # the module, the C and its header
+    ]
+
+
 def test_missing_and_orphan_files_are_found(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (copy / "model" / MODULE).rename(copy / "model" / "other.py")
     code, out = check(copy, capsys)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -100,8 +100,9 @@ class CheckDocument(Document, frozen=True):
 )
 @click.argument("targets", metavar="[DIR or ROBOT.toml ...]", nargs=-1, type=FILE)
 @checked_mechanism_option
+@click.option("--brief", is_flag=True, help="Print one line for each folder or robot file, for logs of CI.")
 @json_option
-def check(targets: tuple[Path, ...], mechanism: Path | None, json_file: str | None) -> int:
+def check(targets: tuple[Path, ...], mechanism: Path | None, brief: bool, json_file: str | None) -> int:
     """Check that generated code is up to date and agrees with finite differences.
 
     A folder written by `pkmodes generate` is compared with a fresh derivation from its robot file.  The model of a
@@ -137,7 +138,7 @@ def check(targets: tuple[Path, ...], mechanism: Path | None, json_file: str | No
             )
     holds = all(report.holds for report in reports)
     document = CheckDocument(holds=holds, targets=list(map(_document, reports)))
-    deliver(json_file, document.as_json(), lambda: _print(reports))
+    deliver(json_file, document.as_json(), lambda: _print(reports, _brief if brief else _lines))
     return 0 if holds else 1
 
 
@@ -150,10 +151,34 @@ def _document(report: Report) -> TargetDocument:
     )
 
 
-def _print(reports: Sequence[Report]) -> None:
+def _print(reports: Sequence[Report], lines_of: Callable[[Report], Iterator[str]]) -> None:
     for report in reports:
-        for line in _lines(report):
+        for line in lines_of(report):
             echo(line)
+
+
+def _brief(report: Report) -> Iterator[str]:
+    """Yield one line: whether a target is current, or the first reason why not."""
+    reasons = [*(finding.message for finding in report.findings), *_failed(report)]
+    if not reasons:
+        yield f"{report.target}: {_verdict(report)}"
+        return
+    more = f"; and {len(reasons) - 1} more" if len(reasons) > 1 else ""
+    yield f"{report.target}: {reasons[0]}{more}"
+
+
+def _failed(report: Report) -> list[str]:
+    """Return the derivatives that differ from finite differences, in words."""
+    return [
+        f"{check.name}: relative error {check.error:.1e}, expected at most {check.bound:.0e}"
+        for check in report.checks
+        if not check.holds
+    ]
+
+
+def _verdict(report: Report) -> str:
+    """Return what is said of a target that holds."""
+    return "as generated, and current except for what was not checked" if report.unchecked else "current"
 
 
 def _lines(report: Report) -> Iterator[str]:
@@ -161,10 +186,9 @@ def _lines(report: Report) -> Iterator[str]:
         yield f"{report.target}: {finding.message}"
         if finding.diff:
             yield from finding.diff.split("\n")
-    failed = [check for check in report.checks if not check.holds]
-    for check in failed:
-        size = f"relative error {check.error:.1e}, expected at most {check.bound:.0e}"
-        yield f"{report.target}: {check.name}: {size}"
+    failed = _failed(report)
+    for sentence in failed:
+        yield f"{report.target}: {sentence}"
     if report.checks and not failed:
         worst = max(report.checks, key=lambda check: check.error / check.bound)
         yield (
@@ -175,7 +199,5 @@ def _lines(report: Report) -> Iterator[str]:
         yield f"{report.target}: not checked: {sentence}"
     if report.mend:
         yield f"fix with: {report.mend}"
-    elif report.holds and report.unchecked:
-        yield f"{report.target}: as generated, and current except for what was not checked"
     elif report.holds:
-        yield f"{report.target}: current"
+        yield f"{report.target}: {_verdict(report)}"
