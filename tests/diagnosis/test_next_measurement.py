@@ -1,4 +1,4 @@
-"""What is proposed to be measured next: with which motors, what could hide it, and why nothing is."""
+"""What is proposed to be measured next: where, with which motors, what could hide it, and why nothing is."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from helpers.diagnoses.frame_diagnoses import checked
-from helpers.robots.small_structures import SIGMA, LogLinear, of_signatures, with_changes
+from helpers.robots.small_structures import SIGMA, LogLinear, errors, of_signatures, with_changes
 from pkmodes.diagnosis import Diagnosis, Measurements
 
 #: Modes of each of three setups; causes a and b differ by two standard deviations there, and n moves nothing.
@@ -21,22 +21,23 @@ class Elsewhere(LogLinear):
 
     drives = "held"
     places: np.ndarray | None = PLACES
+    held: float = 1.0
     free: float = 1.0
-    absorbed: float = 0.0
+    absorbed: tuple[float, float] = (0.0, 0.0)
 
     def subset(self, setups: Sequence[int]) -> Elsewhere:
         return self
 
     def elsewhere(self, count: int) -> tuple[np.ndarray, LogLinear] | None:
-        return None if self.places is None else (self.places, self.there(1.0))
+        return None if self.places is None else (self.places, self.there(self.held, self.absorbed[0]))
 
     def with_other_drives(self, setups: Sequence[int]) -> LogLinear:
-        return self.there(self.free) if self.free else self
+        return self.there(self.free, self.absorbed[1])
 
-    def there(self, times: float) -> Elsewhere:
-        """At the second setup the third mode moves three times as much with a as with b, and perhaps with n."""
-        G = self.G.copy()
-        G[1, 2] = SIGMA * np.array([3.0 * times, times, self.absorbed if times != 1.0 else 0.0])
+    def there(self, times: float, absorbed: float) -> Elsewhere:
+        """Only the third mode of the second setup moves much: three times as much with a as with b, and with n."""
+        G = 0.1 * self.G
+        G[1, 2] = SIGMA * np.array([3.0 * times, times, absorbed])
         other = Elsewhere(self.base, G, self.parameters, self.candidates)
         other.free, other.absorbed = self.free, self.absorbed
         return other
@@ -47,7 +48,8 @@ def structure() -> tuple[Elsewhere, Measurements]:
     v = u * np.where(np.indices(u.shape).sum(axis=0) % 2, 1.0, -1.0)
     signatures = {"a": u + v / 12.0, "b": u - v / 12.0, "n": 0.0 * u}
     model = of_signatures(signatures, 3, MODES, known={"n": {"sigma": 1.0}})
-    data = with_changes(model, 12.0 * u + 0.3 * v)
+    beside = errors(3 * MODES, np.array([u.ravel(), v.ravel()]))
+    data = with_changes(model, 12.0 * u + 0.3 * v + beside.reshape(u.shape))
     return Elsewhere(model.base, model.G, model.parameters, model.candidates), data
 
 
@@ -60,25 +62,46 @@ def diagnosed(**given: object) -> Diagnosis:
     return found
 
 
-@pytest.mark.parametrize(("free", "drives"), [(2.0, "free"), (1.2, "held"), (0.5, "held")])
-def test_other_motors_are_proposed_where_they_separate_far_better(free: float, drives: str) -> None:
-    found = diagnosed(free=free)
+def apart(found: Diagnosis, there: Elsewhere, setup: int) -> float:
+    """How far a and b are apart at a setup, in standard deviations of a frequency."""
+    a, b = (found.effects[0].alternatives[name][0].value for name in "ab")
+    return float(np.linalg.norm(there.G[setup, :, 0] * a - there.G[setup, :, 1] * b)) / SIGMA
+
+
+@pytest.mark.parametrize(
+    ("held", "free", "drives"),
+    [
+        (0.09, 0.35, "free"),  # free motors tell far more
+        (0.09, 0.1, "held"),  # hardly more: not worth the work
+        (0.35, 2.0, "held"),  # held motors tell everything
+    ],
+)
+def test_other_motors_are_proposed_where_they_tell_far_more(held: float, free: float, drives: str) -> None:
+    found = diagnosed(held=held, free=free)
     proposed = found.next_measurement
     assert proposed is not None
     assert (proposed.pose, proposed.drives, proposed.caveat) == ((0.0, 1.0, 0.0), drives, "")
-    a, b = (found.effects[0].alternatives[name][0].value for name in "ab")
-    times = free if drives == "free" else 1.0
-    assert proposed.sigmas == pytest.approx(abs(3.0 * a - b) * times, rel=0.01)
+    assert proposed.separates == ("a", "b")
+    there = structure()[0].there(free if drives == "free" else held, 0.0)
+    assert proposed.sigmas == pytest.approx(apart(found, there, 1), rel=1e-3)
     content = found.as_json()
     assert content["next_measurement"]["drives"] == drives
     assert content["next_measurement_reason"] is None
 
 
+def test_a_difference_that_an_uncertain_value_hides_is_not_measured_but_another_one() -> None:
+    # With free motors the difference is far larger, and n hides it.
+    found = diagnosed(held=0.09, free=0.35, absorbed=(0.0, 500.0)).next_measurement
+    assert found is not None
+    assert (found.drives, found.hidden_by) == ("held", "")
+
+
 def test_an_uncertain_value_that_could_hide_the_difference_is_named() -> None:
-    found = diagnosed(free=2.0, absorbed=500.0)
+    found = diagnosed(held=0.03, free=0.35, absorbed=(0.0, 500.0))  # held motors tell nothing
     proposed = found.next_measurement
     assert proposed is not None
     assert (proposed.drives, proposed.hidden_by) == ("free", "n")
+    assert proposed.sigmas == pytest.approx(apart(found, structure()[0].there(0.35, 500.0), 1), rel=1e-3)
     assert "n could make up for most of that within its sigma" in proposed.caveat
     assert found.as_json()["next_measurement"]["hidden_by"] == "n"
 
@@ -89,22 +112,16 @@ def test_it_is_said_why_nothing_is_proposed() -> None:
     assert unknown.next_measurement_reason == "it is not known where else the structure could be measured"
     nowhere = diagnosed(places=np.empty((0, 3)))
     assert nowhere.next_measurement_reason == "there are no other setups"
-
-    class Alike(Elsewhere):
-        def there(self, times: float) -> Elsewhere:
-            return self
-
-    model, data = structure()
-    alike = checked(Alike(model.base, model.G, model.parameters, model.candidates), data)
+    alike = diagnosed(held=0.03, free=0.03)
     reason = alike.next_measurement_reason
     assert alike.next_measurement is None
     assert reason.startswith(
         "none of 3 other setups separates the remaining explanations by 2 standard deviations or more, with motors "
         "free or held: a and b differ by "
     )
-    a, b = (alike.effects[0].alternatives[name][0].value for name in "ab")
-    apart = np.linalg.norm((model.G[:, :, 0] * a - model.G[:, :, 1] * b) / SIGMA, axis=1).max()
-    assert float(reason.removesuffix(" at most").split()[-1]) == pytest.approx(apart, rel=0.05)
+    there = structure()[0].there(0.03, 0.0)
+    most = max(apart(alike, there, setup) for setup in range(3))
+    assert float(reason.removesuffix(" at most").split()[-1]) == pytest.approx(most, rel=0.05)
     assert alike.as_json()["next_measurement_reason"] == reason
 
 
@@ -116,3 +133,28 @@ def test_without_explanations_to_separate_the_verdict_says_so() -> None:
     nothing = checked(model, with_changes(model, np.zeros(3 * MODES)))
     assert nothing.verdict == "adequate"
     assert "the residual is noise" in nothing.next_measurement_reason
+
+
+def test_the_pose_that_separates_all_explanations_is_proposed_and_not_that_where_two_differ_most() -> None:
+    # At the first place a differs from b and c by 15 standard deviations, at the second each from each by three or
+    # more: nearly ln 3, not ln 3 - 2/3 ln 2.
+    u = np.full((3, MODES), 12**-0.5)
+    model = of_signatures(dict.fromkeys("abc", u), 3, MODES)
+    data = with_changes(model, 12.0 * u)
+    places = model.G[:2].copy()
+    places[0, 1] = SIGMA * np.array([9.0, 1.0, 1.0])
+    places[1, 1] = SIGMA * np.array([1.0, 1.5, 2.0])
+
+    class Movable(LogLinear):
+        def elsewhere(self, count: int) -> tuple[np.ndarray, LogLinear]:
+            there = LogLinear(self.base[:2], places, self.parameters, self.candidates)
+            return np.array([[1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]), there
+
+        def subset(self, setups: Sequence[int]) -> LogLinear:
+            return self
+
+    found = checked(Movable(model.base, model.G, model.parameters, model.candidates), data)
+    assert found.effects[0].members == ("a", "b", "c")
+    assert found.next_measurement is not None
+    assert found.next_measurement.pose == (2.0, 0.0, 0.0)
+    assert found.next_measurement.separates == ("a", "c")

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import importlib.metadata as metadata
 import platform
 import re
 import subprocess
 import sys
 from collections.abc import Iterator
-from importlib import metadata
 
 import click
 

@@ -171,8 +171,8 @@ class ClaimCriteria:
     near: float = 60.0
     #: Standard deviations by which two explanations must differ at a pose for it to be worth measuring.
     worth_measuring: float = 2.0
-    #: A load, or motors that do something else than they mostly did, are proposed if they separate them by this many
-    #: times as much as any pose without: they are more work, and a load has errors of its mass and position.
+    #: A load, or motors that do something else than they mostly did, are proposed if they are expected to tell this
+    #: many times as much as any pose without: they are more work, and a load has errors of its mass and position.
     worth_loading: float = 1.5
 
 

@@ -132,7 +132,7 @@ def _value(result: Diagnosis, value: Corrected, setting: Setting) -> list[Cell]:
 
 
 def next_measurement(result: Diagnosis, setting: Setting) -> list[Paragraph | Facts]:
-    """Return where two remaining explanations differ most; nothing if nothing is left to separate."""
+    """Return where a measurement is expected to tell most about which explanation is true, or why nowhere."""
     proposed = result.next_measurement
     if proposed is None:
         return [Paragraph(f"No next measurement is proposed: {clean(result.next_measurement_reason)}.")]
@@ -153,7 +153,7 @@ def next_measurement(result: Diagnosis, setting: Setting) -> list[Paragraph | Fa
     entries.append(("by", [sigmas, Cell("standard deviations")]))
     caveat = [Paragraph(f"{proposed.caveat}.")] if proposed.caveat else []
     return [
-        Paragraph("Measure next here, where two remaining explanations differ most:"),
+        Paragraph("Measure next here, which is expected to tell most about which explanation is true:"),
         Facts(entries),
         *caveat,
     ]

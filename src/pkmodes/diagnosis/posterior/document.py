@@ -48,12 +48,16 @@ class Probabilities(Document, frozen=True):
     pairs: Annotated[tuple[PairProbability, ...], Meta(description="Of two causes, the most probable first.")]
 
     @property
-    def top(self) -> tuple[Statement, float]:
-        """The most probable statement: ``nothing_missing``, ``outside``, or members; and its probability."""
-        every: list[tuple[Statement, float]] = [
+    def statements(self) -> list[tuple[Statement, float]]:
+        """All statements with their probabilities."""
+        return [
             ("nothing_missing", self.nothing_missing),
             ("outside", self.outside),
             *((one.members, one.probability) for one in self.classes),
             *((one.members, one.probability) for one in self.pairs),
         ]
-        return max(every, key=lambda one: one[1])
+
+    @property
+    def top(self) -> tuple[Statement, float]:
+        """The most probable statement: ``nothing_missing``, ``outside``, or members; and its probability."""
+        return max(self.statements, key=lambda one: one[1])

@@ -120,11 +120,11 @@ class DiagnosisBuilder:
         verdict, final = decision.verdict, claim.final
         findings = claim.findings(self.fitter) if verdict is EFFECT_FOUND else ()
         remaining = claim.remains(decision.says.instead) if verdict is AMBIGUOUS else []
-        contested = [named[0] for named in remaining] if len(remaining) != 1 else remaining[0]
+        left = remaining
         if verdict is EFFECT_FOUND:
             # The class of the first cause that the data cannot tell from others.
             own = next((fits for fits in claim.own if len(fits) > 1), claim.own[0])
-            contested = [(name_of(fit), fit) for fit in own]
+            left = [[(name_of(fit), fit) for fit in own]]
         # Beside a claimed cause, the other members of its class are not detectable; they are listed with it.
         claimed = {name for finding in findings for name in finding.members}
         unclaimed = [candidate for candidate in search.candidates if candidate.name not in claimed]
@@ -152,7 +152,9 @@ class DiagnosisBuilder:
         refit = final if verdict is ADEQUATE else outcome.nuisances
         causes = final if verdict is EFFECT_FOUND else None
         models = self._models(search.store, refit, causes, bounded, verdict.settled)
-        proposed, not_separated = next_measurement(self.fitter, contested)
+        # Another reading of the data contradicts all explanations of it as it stands.
+        probable = None if decision.says.of_reading else probabilities(search, plausible, outcome)
+        proposed, not_separated = next_measurement(search.store, probable, left)
         reason, headline = self._with_caveats(evidence, decision, models.corrected, bounded, unseen)
         searched = _Searched(
             reason=reason,
@@ -162,8 +164,7 @@ class DiagnosisBuilder:
             next_measurement=proposed,
             not_separated=not_separated,
             candidates=tested,
-            # Another reading of the data contradicts all explanations of it as it stands.
-            probabilities=None if decision.says.of_reading else probabilities(search, plausible, outcome),
+            probabilities=probable,
         )
         remarks, contradictions = self._remarks(evidence, decision), self._contradictions(models)
         notes = (*remarks, *models.notes, *claim.left_out, *contradictions)

@@ -241,7 +241,8 @@ class DiagnoseDocument(Document, frozen=True):
     next_measurement: Annotated[
         NextMeasurement | None,
         Meta(
-            description="The pose that best separates the remaining explanations; null where none is proposed."
+            description="The pose that is expected to tell most about which explanation is true; null where none is "
+            "proposed."
         ),
     ]
     next_measurement_reason: Annotated[

@@ -280,13 +280,16 @@ class Stability(Document, frozen=True):
 
 
 class NextMeasurement(Document, frozen=True, omit_defaults=True):
-    """The pose at which two explanations differ most, and how to measure there."""
+    """The pose that is expected to tell most about which explanation is true, and how to measure there."""
 
     pose: Annotated[tuple[float, ...], Meta(description="Platform centre [m].")]
     separates: Annotated[
-        tuple[str, ...], Meta(description="The two explanations.", min_length=2, max_length=2)
+        tuple[str, ...],
+        Meta(description="The two explanations that it tells apart best.", min_length=2, max_length=2),
     ]
-    sigmas: Annotated[float, Meta(description="By how many standard deviations they differ there.")]
+    sigmas: Annotated[
+        float, Meta(description="By how many standard deviations of a measured frequency they differ there.")
+    ]
     drives: Annotated[
         Drives | None, Meta(description="What the motors are to do; null for a structure without motors.")
     ]

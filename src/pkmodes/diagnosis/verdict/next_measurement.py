@@ -1,197 +1,140 @@
-"""The next measurement: the pose, motors and perhaps load, at which two remaining explanations differ most."""
+"""The next measurement: the pose, motors and perhaps load that are expected to tell most about what is true."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from typing import cast
+from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
-from pkmodes.core.base.drives import DRIVES, Drives, motors, other_drives
+from pkmodes.core.base.drives import DRIVES, motors
 from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Fit
-from pkmodes.diagnosis.problem import Array, Driven, Loadable, Prediction, Structure, Surrounded
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.posterior.document import Probabilities
+from pkmodes.diagnosis.problem import Array, Driven, Loadable, Structure, Surrounded
+from pkmodes.diagnosis.verdict.elsewhere import Elsewhere, Way, apart, elsewhere, ways
+from pkmodes.diagnosis.verdict.explanations import Explanation, Named, explanations
 from pkmodes.diagnosis.verdict.findings import NextMeasurement
+from pkmodes.diagnosis.verdict.information import information, pairs
 
 #: Number of poses to choose from.
 POSES = 80
 UNKNOWN = "it is not known where else the structure could be measured"
 
 
-@dataclass(frozen=True)
-class _Way:
-    """A way to measure: the structure at the poses to choose from, what its motors do, and what is set there.
+class _Proposal(NamedTuple):
+    """The best pose for a way to measure.
 
     Attributes
     ----------
-    unlike : bool
-        Whether its motors do something else than in most of the measurements.
+    told : float
+        Part of what is unknown about the explanations that it is expected to tell.
+    sigmas : float
+        How far the two explanations that it separates are apart.
     """
 
-    structure: Structure
-    drives: Drives | None
-    load: Mapping[str, float]
-    unlike: bool = False
-
-    @property
-    def effort(self) -> int:
-        """How much more work it is than to measure another pose."""
-        return 2 if self.load else int(self.unlike)
+    told: float
+    sigmas: float
+    effort: int
+    measurement: NextMeasurement
 
 
 def next_measurement(
-    fitter: Fitter, contested: Sequence[tuple[str, Fit]]
+    store: FitStore, said: Probabilities | None, left: Sequence[Named]
 ) -> tuple[NextMeasurement | None, str]:
-    """Propose a pose, with other motors or a load if that separates far better than any pose alone.
+    """Propose a pose, with other motors or a load if that tells far more than any pose alone.
 
     Parameters
     ----------
-    contested : sequence of (str, Fit)
-        Names and fits of the explanations that the data cannot tell apart, best first.
+    said, left
+        What is known about the explanations, see `explanations`.
 
     Returns
     -------
     NextMeasurement or None
-        None if nothing separates any of them from the best.
+        None if nothing separates any two of them.
     str
-        Why not; empty if there is a proposal, or fewer than two are contested.
+        Why not; empty if there is a proposal, or fewer than two are left.
     """
-    if len(contested) < 2:
+    fitter, some = store.fitter, explanations(store, said, left)
+    if len(some) < 2:
         return None, ""
-    others = fitter.structure.elsewhere(POSES)
-    where = _surroundings(fitter.structure)
+    others, where = fitter.structure.elsewhere(POSES), _surroundings(fitter.structure)
     if others is None:
         return None, UNKNOWN
     points, structure = others
     if not len(points):
         return None, f"there are no {where}"
-    found = list(_proposals(fitter, contested, points, structure))
-    least, best = fitter.criteria.claim.worth_measuring, None
-    for way, proposed in found:
-        gain = 1.0 if best is None or way.effort == best[0].effort else fitter.criteria.claim.worth_loading
-        if proposed.sigmas >= least and (best is None or proposed.sigmas > gain * best[1].sigmas):
-            best = way, proposed
+    best, claim = None, fitter.criteria.claim
+    found = [_proposed(fitter, some, points, way) for way in ways(structure, points)]
+    for one in found:
+        if one.sigmas >= claim.worth_measuring and (
+            best is None
+            or one.told > claim.worth_loading * best.told
+            or (one.effort == best.effort and one[:2] > best[:2])
+        ):
+            best = one
     if best is not None:
-        return best[1], ""
-    return None, _nowhere(f"{len(points)} {where}", structure, [one for _, one in found], least)
+        return best.measurement, ""
+    return None, _nowhere(f"{len(points)} {where}", structure, found, claim.worth_measuring)
 
 
-def _ways(structure: Structure, points: Array) -> Iterator[_Way]:
-    """Yield the ways to measure at these poses, the simplest first."""
-    drives = cast("Drives", structure.drives) if isinstance(structure, Driven) else None
-    yield _Way(structure, drives, {})
-    if isinstance(structure, Driven):
-        others = structure.with_other_drives(range(len(points)))
-        yield _Way(others, cast("Drives", other_drives(structure.drives)), {}, unlike=True)
-    for load, loaded in structure.loaded() if isinstance(structure, Loadable) else ():
-        yield _Way(loaded, drives, load)
+def _proposed(fitter: Fitter, some: Sequence[Explanation], points: Array, way: Way) -> _Proposal:
+    """Return the pose that is expected to tell most, of those at which two explanations differ enough.
+
+    It separates the two that differ enough and that it tells apart with the largest probability; of poses that tell
+    the same, it is where these differ most.  If none differ enough anywhere, it is where two differ most.
+    """
+    there, both = [elsewhere(fitter, way, one.fit) for one in some], pairs(len(some))
+    distances, _, overlaps = apart(there, range(len(points)))
+    p = np.array([one.probability for one in some])
+    p /= p.sum()
+    enough = distances >= min(fitter.criteria.claim.worth_measuring, float(distances.max()))
+    told = np.round(information(p, overlaps) / -(p @ np.log(p)), 3)
+    told[~enough.any(axis=0)] = -np.inf
+    weight = np.array([p[i] * p[j] for i, j in both])[:, None] * (1.0 - overlaps)
+    separated = np.where(enough, weight, -1.0).argmax(axis=0)
+    best = np.flatnonzero(told == told.max())
+    k = int(best[distances[separated[best], best].argmax()])
+    i, j = both[separated[k]]
+    sigmas, names = float(distances[separated[k], k]), (some[i].name, some[j].name)
+    hidden = _hiding(fitter, (there[i], there[j]), k)
+    pose = tuple(points[k].tolist())
+    proposed = NextMeasurement(pose, names, sigmas, way.drives, hidden, dict(way.load))
+    return _Proposal(float(told[k]), sigmas, way.effort, proposed)
 
 
-def _proposals(
-    fitter: Fitter, contested: Sequence[tuple[str, Fit]], points: Array, structure: Structure
-) -> Iterator[tuple[_Way, NextMeasurement]]:
-    """Yield for each way to measure the pose at which two explanations differ most."""
-    for way in _ways(structure, points):
-        # A load cannot be a parameter of an explanation: setting it would not remove that cause.
-        some = [(name, fit) for name, fit in contested if not way.load.keys() & _names(fit)]
-        if some and some[0][1] is contested[0][1]:
-            proposed = _best(fitter, some, points, way)
-            if proposed is not None:
-                yield way, proposed
-
-
-def _best(
-    fitter: Fitter, contested: Sequence[tuple[str, Fit]], points: Array, way: _Way
-) -> NextMeasurement | None:
-    """Return the pose that separates an explanation most from the first one; None if none can be evaluated."""
-    modes = int(np.median(np.bincount(fitter.data.pose)))
-    noise = float(np.median(fitter.observations.sigma))
-    first, *others = (_lowest(way, way.structure.predict(fit.values, ()), fit, modes) for _, fit in contested)
-    best: NextMeasurement | None = None
-    for (name, _), prediction in zip(contested[1:], others, strict=True):
-        both = min(first.shape[1], prediction.shape[1])
-        apart = (prediction[:, :both] - first[:, :both]) / noise
-        away = np.sqrt(np.sum(apart**2, axis=1))
-        if not both or not np.isfinite(away).any():
-            continue
-        k = int(np.nanargmax(away))
-        if best is None or away[k] > best.sigmas:
-            hidden = _hiding(fitter, contested[0][1], way, k, apart[k]) if way.unlike else ""
-            names, pose = (contested[0][0], name), tuple(points[k].tolist())
-            best = NextMeasurement(pose, names, float(away[k]), way.drives, hidden, dict(way.load))
-    return best
-
-
-def _hiding(fitter: Fitter, fit: Fit, way: _Way, pose: int, apart: Array) -> str:
+def _hiding(fitter: Fitter, two: Sequence[Elsewhere], pose: int) -> str:
     """Return the uncertain value that could make up most of a difference at a pose within its standard deviation.
 
     What the motors did in the measurements may have left values undetermined that matter now, such as the inertia of
-    motors that were held.
-
-    Parameters
-    ----------
-    apart : ndarray, shape (m,)
-        Differences of the lowest modes in standard deviations of a measured frequency.
-
-    Returns
-    -------
-    str
-        Its name; empty if the difference is worth measuring beside all that is uncertain.
+    motors that were held.  Empty if the difference is worth measuring beside all that is uncertain, or would not be
+    so, or twice as large, with that value known.
     """
-    prediction = way.structure.predict(fit.values, fit.free)
-    rates = _lowest_of(prediction.log_rates, way, prediction, fit, len(apart))[pose]
-    rates = rates / float(np.median(fitter.observations.sigma))
+    least = fitter.criteria.claim.worth_measuring
 
-    def left(covariance: Array) -> float:
-        V = np.eye(len(apart)) + rates @ covariance @ rates.T
-        return float(np.sqrt(apart @ np.linalg.solve(V, apart)))
+    def left(known: int | None = None) -> float:
+        return float(apart(two, [pose], known)[1].item())
 
-    C = fit.covariance
-    if left(C) >= fitter.criteria.claim.worth_measuring:
+    most = max(fitter.nuisances, key=left, default=None)
+    if most is None or left() >= least or left(most) < min(least, 2.0 * left()):
         return ""
-    known = {
-        fitter.parameters[i].name: left(C - np.outer(C[k], C[k]) / C[k, k])
-        for k, i in enumerate(fit.free)
-        if i in fitter.nuisances and C[k, k] > 0.0
-    }
-    return max(known, key=lambda name: known[name], default="")
+    return fitter.parameters[most].name
 
 
-def _nowhere(where: str, structure: Structure, found: Sequence[NextMeasurement], least: float) -> str:
-    """Return why nothing is proposed although explanations are contested."""
-    if not found:
+def _nowhere(where: str, structure: Structure, found: Sequence[_Proposal], least: float) -> str:
+    """Return why nothing is proposed although explanations are left."""
+    best = max(found, key=lambda one: one.sigmas)
+    if not best.sigmas:
         return f"at none of {where} can the remaining explanations be compared"
     ways = f", with {motors(DRIVES)}" if isinstance(structure, Driven) else ""
     ways += ", or with a load" if isinstance(structure, Loadable) and structure.loaded() else ""
-    best = max(found, key=lambda one: one.sigmas)
     return (
         f"none of {where} separates the remaining explanations by {least:g} standard deviations or more{ways}: "
-        f"{' and '.join(best.separates)} differ by {best.sigmas:.2g} at most"
+        f"{' and '.join(best.measurement.separates)} differ by {best.sigmas:.2g} at most"
     )
 
 
 def _surroundings(structure: Structure) -> str:
     """Return what the poses to choose from are."""
     return structure.surroundings if isinstance(structure, Surrounded) else "other setups"
-
-
-def _names(fit: Fit) -> set[str]:
-    """Return the names of the parameters of a fit's causes."""
-    return {name for cause in fit.causes for name in cause.parameters}
-
-
-def _lowest(way: _Way, prediction: Prediction, fit: Fit, modes: int) -> Array:
-    """Return the log frequencies of the lowest measurable modes; a formerly rigid mode counts if it is paired."""
-    return _lowest_of(prediction.log_frequencies, way, prediction, fit, modes)
-
-
-def _lowest_of(values: Array, way: _Way, prediction: Prediction, fit: Fit, modes: int) -> Array:
-    """Return values, (S, m, ...), at the lowest measurable modes; a formerly rigid mode counts if it is paired.
-
-    With other motors, modes that were not measured say nothing about which are measurable.
-    """
-    paired = fit.pairing.partner[fit.pairing.partner >= 0]
-    above = int(paired.min()) - fit.prediction.rigid if len(paired) else 0
-    first = max(prediction.rigid + (min(above, 0) if way.unlike else above), 0)
-    return values[:, first : first + modes]

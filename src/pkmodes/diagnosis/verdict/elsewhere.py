@@ -1,0 +1,118 @@
+"""What explanations predict elsewhere: where, and in which ways, a structure could be measured next.
+
+A prediction is uncertain by errors like those of the measurements, and by what these leave uncertain in the fitted
+values, linearised.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple, cast
+
+import numpy as np
+
+from pkmodes.core.base.drives import Drives, other_drives
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.posterior.marginal import marginal_log_likelihood, prior_of_scale
+from pkmodes.diagnosis.problem import Array, Driven, Loadable, Structure
+from pkmodes.diagnosis.verdict.information import separations
+
+
+class Way(NamedTuple):
+    """A way to measure: the structure at the poses to choose from, what its motors do, and what is set there.
+
+    Attributes
+    ----------
+    unlike : bool
+        Whether its motors do something else than in most of the measurements.
+    """
+
+    structure: Structure
+    drives: Drives | None
+    load: Mapping[str, float]
+    unlike: bool = False
+
+    @property
+    def effort(self) -> int:
+        """How much more work it is than to measure another pose."""
+        return 2 if self.load else int(self.unlike)
+
+
+class Elsewhere(NamedTuple):
+    """What an explanation predicts at S poses, in standard deviations of a measured frequency.
+
+    Attributes
+    ----------
+    mean, errors : ndarray, shape (S, m) and (S, m, m)
+        Logarithms of the lowest frequencies, and the covariance of the errors of their measurement.
+    rates : ndarray, shape (S, m, k)
+        Derivatives with respect to the fitted values.
+    """
+
+    fit: Fit
+    mean: Array
+    rates: Array
+    errors: Array
+
+    def covariance(self, known: int | None = None) -> Array:
+        """Return the covariance of what would be measured, (S, m, m), perhaps with one of the values exact."""
+        C = self.fit.covariance
+        if known is not None:
+            k = self.fit.free.index(known)
+            C = C - np.outer(C[k], C[k]) / max(C[k, k], 1e-300)
+        return np.asarray(self.errors + self.rates @ C @ self.rates.swapaxes(1, 2))
+
+
+def ways(structure: Structure, points: Array) -> Iterator[Way]:
+    """Yield the ways to measure at these poses, the simplest first."""
+    drives = cast("Drives", structure.drives) if isinstance(structure, Driven) else None
+    yield Way(structure, drives, {})
+    if isinstance(structure, Driven):
+        others = structure.with_other_drives(range(len(points)))
+        yield Way(others, cast("Drives", other_drives(structure.drives)), {}, unlike=True)
+    for load, loaded in structure.loaded() if isinstance(structure, Loadable) else ():
+        yield Way(loaded, drives, load)
+
+
+def elsewhere(fitter: Fitter, way: Way, fit: Fit) -> Elsewhere:
+    """Return what an explanation predicts; NaN if a load is what it explains: setting it would not remove that.
+
+    With other motors, modes that were not measured say nothing about which are measurable.
+    """
+    structure, sigma = way.structure, float(np.median(fitter.observations.sigma))
+    prediction = structure.predict(fit.values, fit.free)
+    paired = fit.pairing.partner[fit.pairing.partner >= 0]
+    above = int(paired.min()) - fit.prediction.rigid if len(paired) else 0
+    first = max(prediction.rigid + (min(above, 0) if way.unlike else above), 0)
+    lowest = slice(first, first + int(np.median(np.bincount(fitter.data.pose))))
+    mean = prediction.log_frequencies[:, lowest] / sigma
+    if way.load.keys() & {name for cause in fit.causes for name in cause.parameters}:
+        mean = np.full_like(mean, np.nan)
+    errors = _misstated(fitter, fit) * np.eye(mean.shape[1]) + (fit.scatter / sigma) ** 2
+    moved = structure.position_rates(fit.values) if fitter.observations.noise.uncertain else None
+    if moved is not None:
+        motion = moved.log_rates[:, lowest] / sigma * np.median(fitter.data.point_sigma, axis=0)
+        errors = errors + motion @ motion.swapaxes(1, 2)
+    errors = np.broadcast_to(errors, (*mean.shape, mean.shape[1]))
+    return Elsewhere(fit, mean, prediction.log_rates[:, lowest] / sigma, errors)
+
+
+def _misstated(fitter: Fitter, fit: Fit) -> float:
+    """Return the mean of the square of the factor by which the stated errors of frequencies may be wrong."""
+    rows = fitter.observations.frequency_rows
+    squares = np.array((fit.white[rows] ** 2).sum())
+    degrees = max(fitter.used(fit.hypothesis).sum() - fit.leverage[rows].sum(), 0.0)
+    logs = marginal_log_likelihood(squares, degrees - np.array([2.0, 0.0]), prior_of_scale())
+    return float(np.exp(logs[0] - logs[1]))
+
+
+def apart(
+    predicted: Sequence[Elsewhere], poses: Sequence[int], known: int | None = None
+) -> tuple[Array, Array, Array]:
+    """Return how far explanations are apart at some poses (`separations`), perhaps with one of the values exact."""
+    m, some = min(one.mean.shape[1] for one in predicted), list(poses)
+    return separations(
+        np.array([one.mean[some, :m] for one in predicted]),
+        np.array([one.covariance(known)[some, :m, :m] for one in predicted]),
+    )
