@@ -93,7 +93,7 @@ suites: $(VENV)/.dev  ## error rates of identification and diagnosis on the virt
 	$(BIN)/python -m pkmodes_rig.suites.diagnosis --seed 20261216 --out docs/diagnosis-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.mechanism_suites --seed 20261215 --out docs/mechanisms-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.limits --seed 20261213 --out docs/limits-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.calibration --seed 20270403 --out docs/probabilities-measured.md
+	$(BIN)/python -m pkmodes_rig.suites.calibration --seed 20271127 --out docs/probabilities-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.clear_suites --seed 20261207 --out docs/clear-causes-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.campaigns --seed 20261226 --out docs/signals-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.damping --seed 20261230 --out docs/damping-measured.md

@@ -26,9 +26,10 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.posterior import marginal, outside
+from pkmodes.diagnosis.posterior import probabilities as posterior
 from pkmodes.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
 from pkmodes.diagnosis.posterior.linearised import Linearised, linearised
-from pkmodes.diagnosis.posterior.probabilities import DOUBT, _beside
+from pkmodes.diagnosis.posterior.probabilities import ACCEPTED, NONE, REFUSED, _beside
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict import builder
 
@@ -252,6 +253,10 @@ def structure(**more: np.ndarray) -> LogLinear:
 
 @cache
 def found(kind: str) -> Diagnosis:
+    return diagnosed(kind)
+
+
+def diagnosed(kind: str) -> Diagnosis:
     change, more = {
         "noise": (np.zeros(ROWS), {}),
         "one": (20.0 * DIRECTIONS[2], {}),
@@ -329,17 +334,44 @@ def test_a_value_for_each_joint_is_less_probable_than_a_common_one_that_explains
     assert of_each.log_evidence > of_common.log_evidence + 20.0
 
 
-def test_all_explanations_are_doubted_where_none_leaves_only_noise() -> None:
-    said, diagnosis = probabilities("more"), found("more")
-    assert diagnosis.verdict == "unexplained"
-    assert said.top[0] == ("cause 2",)
-    assert DOUBT <= said.outside < 1.0 - said.top[1] + 1e-9
+def test_explanations_are_doubted_more_where_none_is_accepted_and_most_where_none_leaves_noise() -> None:
+    model = structure()
+    search = Search(
+        FitStore(Fitter(model, with_changes(model, 20.0 * DIRECTIONS[2] + errors(ROWS)))), model.candidates
+    )
+    outcome = search.run()
+    assert outcome is not None
+    for accepted, doubt in ((True, ACCEPTED), (False, REFUSED)):
+        said = posterior.probabilities(search, {}, outcome, accepted=accepted)
+        assert said is not None
+        assert said.outside == pytest.approx(doubt, abs=0.01)
+    assert probabilities("one").outside == pytest.approx(ACCEPTED, abs=0.01)
+    more = probabilities("more")
+    assert found("more").verdict == "unexplained"
+    assert more.outside == pytest.approx(NONE, abs=0.01)
+    assert more.classes[0].members == ("cause 2",)
+
+
+@pytest.mark.parametrize("missed", [1.0, 1e-9])
+@pytest.mark.parametrize(("kind", "statement"), [("one", ("cause 2",)), ("two", (("cause 2", "cause 5"),))])
+def test_something_outside_that_the_data_cannot_show_is_as_probable_as_before(
+    monkeypatch: pytest.MonkeyPatch, kind: str, statement: object, missed: float
+) -> None:
+    """Beside one cause or two, and if these add modes that were not measured."""
+    monkeypatch.setattr(posterior, "ACCEPTED", 0.0)
+    monkeypatch.setattr(posterior, "log_evidence_outside", lambda _, model: model.log_evidence)
+    monkeypatch.setattr(posterior, "p_unmeasured", lambda *_: missed)
+    said = diagnosed(kind).probabilities
+    assert said is not None
+    assert said.top[0] == statement
+    # There are no single joints here: of the prior of 0.16 this is what is left.
+    assert said.outside == pytest.approx(0.9 * 0.16 / (0.9 * 0.16 + 0.84), abs=0.01)
 
 
 def test_no_verdict_depends_on_probabilities(monkeypatch: pytest.MonkeyPatch) -> None:
     model = structure()
     data = with_changes(model, 20.0 * DIRECTIONS[2] + errors(ROWS))
-    monkeypatch.setattr(builder, "probabilities", lambda *_: None)
+    monkeypatch.setattr(builder, "probabilities", lambda *_, **__: None)
     assert diagnose(model, data, holdout=()) == replace(found("one"), probabilities=None)
 
 

@@ -37,13 +37,15 @@ from pkmodes.support.grouping import grouped
 
 #: Prior probabilities that nothing is missing, one cause, two, or something outside the catalogue.
 NOTHING, ONE, TWO, OUTSIDE = 0.55, 0.25, 0.04, 0.16
-#: Probability of something outside that is added where no explanation of the search leaves noise.
-DOUBT = 0.25
+#: Doubts, probabilities of something outside that are added, because it may look like any explanation: where the
+#: diagnosis accepts one, where one leaves only noise but is not accepted, and where none leaves only noise.  With
+#: these the most probable explanation of the development cases had the best logarithmic score.
+ACCEPTED, REFUSED, NONE = 0.03, 0.25, 0.55
 #: Fits are weighed up to this capped deviance above the least, and at most so many; something outside is tried beside
 #: so many of those without causes, and of those with causes.
 NEAR, WEIGHED, BESIDE = 60.0, 24, 3
-#: Prior probabilities, given something outside, that it is beside a cause of the catalogue, and in a single joint.
-WITH_CAUSE, IN_ONE = 0.2, 0.1
+#: Prior probability, given something outside, that it is in a single joint.
+IN_ONE = 0.1
 #: Classes less probable than the first are not stated, and members less probable than the second are left out.
 STATED, LEAST = 1e-3, 1e-4
 #: Smaller probabilities are stated as 0.
@@ -74,7 +76,9 @@ class Weighed:
     data: Fit | Array
 
 
-def probabilities(search: Search, plausible: Mapping[int, float], outcome: Outcome) -> Probabilities | None:
+def probabilities(
+    search: Search, plausible: Mapping[int, float], outcome: Outcome, *, accepted: bool
+) -> Probabilities | None:
     """Return the probabilities of all explanations; None if no fit is plausible.
 
     Parameters
@@ -83,6 +87,8 @@ def probabilities(search: Search, plausible: Mapping[int, float], outcome: Outco
         Largest plausible deviations of parameters of candidates.
     outcome : Outcome
         Of the search.
+    accepted : bool
+        Whether the verdict accepts an explanation, or leaves a few.
     """
     fitter, first, count = search.store.fitter, outcome.nuisances, max(len(search.candidates), 1)
     priors = np.log([NOTHING, ONE / count, TWO / max(comb(count, 2), 1)])
@@ -105,8 +111,8 @@ def probabilities(search: Search, plausible: Mapping[int, float], outcome: Outco
     for number in (0, 1):
         base = next((one for one in own if len(one.fit.causes) == number), None)
         explained += [] if base is None else _beside(search, plausible, base, priors[number + 1])
-    beyond = float(np.log(OUTSIDE) + _outside(search, models, first))
-    doubt = 0.0 if outcome.last.passed else DOUBT
+    beyond = _outside(search, first, priors, models)
+    doubt = ACCEPTED if accepted else REFUSED if outcome.last.passed else NONE
     return _normalised(fitter, _together(search, first, explained), beyond, doubt)
 
 
@@ -181,19 +187,26 @@ def _missed(search: Search, first: Fit, fit: Fit) -> float:
     return float(np.log(max(p, MISSED)))
 
 
-def _outside(search: Search, models: Sequence[Linearised], first: Fit) -> float:
-    """Return the logarithm of the evidence of something outside: changes beside the best fits, and remote causes."""
-    fitter, count = search.store.fitter, max(len(search.candidates), 1)
-    alone, beside, joint = np.log(
-        [1.0 - WITH_CAUSE - IN_ONE, WITH_CAUSE / count, IN_ONE / max(len(search.remote), 1)]
-    )
+def _outside(search: Search, first: Fit, priors: Array, models: Sequence[Linearised]) -> float:
+    """Return the logarithm of prior times evidence of something outside: changes beside the best fits, remote causes.
+
+    Changes are independent of the causes beside them.
+
+    Parameters
+    ----------
+    priors : ndarray, shape (3,)
+        Logarithms of the priors of fits with no cause, one and two.
+    """
+    fitter, remote = search.store.fitter, [one for one in models if one.fit.hypothesis.remote]
     plain = [one for one in models if not one.fit.causes][:BESIDE]
-    caused = [one for one in models if one.fit.causes][:BESIDE]
-    remote = [one for one in models if one.fit.hypothesis.remote]
-    weights = [alone + log_evidence_outside(fitter, one) for one in plain]
-    weights += [beside + log_evidence_outside(fitter, one) for one in caused]
-    weights += [joint + one.log_evidence + _missed(search, first, one.fit) for one in remote]
-    return float(special.logsumexp(weights))
+    caused = [one for one in models if one.fit.causes and not one.fit.hypothesis.remote][:BESIDE]
+    changes, joint = np.log(
+        [(1.0 - IN_ONE) * OUTSIDE / (1.0 - OUTSIDE), IN_ONE * OUTSIDE / max(len(search.remote), 1)]
+    )
+    weighed = [(joint + one.log_evidence, one) for one in remote]
+    for one in (*plain, *caused):
+        weighed.append((changes + priors[len(one.fit.causes)] + log_evidence_outside(fitter, one), one))
+    return float(special.logsumexp([weight + _missed(search, first, one.fit) for weight, one in weighed]))
 
 
 def _together(search: Search, first: Fit, explained: Sequence[Weighed]) -> list[Weighed]:

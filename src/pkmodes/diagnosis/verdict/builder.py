@@ -36,7 +36,7 @@ from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.result import Diagnosis, Stages
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.stability import unchanged
-from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND
+from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED
 
 #: Of a model that a result does not have.
 NONE: tuple[None, None] = (None, None)
@@ -153,7 +153,9 @@ class DiagnosisBuilder:
         causes = final if verdict is EFFECT_FOUND else None
         models = self._models(search.store, refit, causes, bounded, verdict.settled)
         # Another reading of the data contradicts all explanations of it as it stands.
-        probable = None if decision.says.of_reading else probabilities(search, plausible, outcome)
+        probable, accepted = None, verdict is not UNEXPLAINED
+        if not decision.says.of_reading:
+            probable = probabilities(search, plausible, outcome, accepted=accepted)
         proposed, not_separated = next_measurement(search.store, probable, left)
         reason, headline = self._with_caveats(evidence, decision, models.corrected, bounded, unseen)
         searched = _Searched(
