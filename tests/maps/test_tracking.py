@@ -65,6 +65,12 @@ def test_uncoupled_oscillators_are_followed_through_their_crossing() -> None:
     assert not (found.events & (VEERING | UNCERTAIN)).any()
 
 
+def test_modes_of_a_large_map_are_followed_where_products_of_rows_exceed_32_bits() -> None:
+    x = np.linspace(-1.0, 1.0, 70_000) + 0.013
+    found = Followed(diagonal(5.0 + x, 5.0 - x))
+    np.testing.assert_allclose(found.branches, np.stack([5.0 - x, 5.0 + x], -1), rtol=1e-12)
+
+
 def test_coupled_oscillators_keep_their_rank_and_exchange_their_shapes_as_marked() -> None:
     x = np.linspace(-1.0, 1.0, 81)
     K = diagonal(5.0 + x, 5.0 - x)

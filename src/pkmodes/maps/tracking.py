@@ -236,14 +236,14 @@ def _tree(steps: Steps, good: Array, shape: tuple[int, ...]) -> tuple[Index, Ind
         Whether that step leads from the parent to the row.
     """
     rows = good.size
-    graph = coo_array((2.0 - steps.quality, (steps.first, steps.second)), shape=(rows, rows)).tocsr()
-    tree = minimum_spanning_tree(graph).tocoo()
+    tree = minimum_spanning_tree(_graph(2.0 - steps.quality, steps.first, steps.second, rows)).tocoo()
     _, part = connected_components(tree, directed=False)
     # One search for all parts, from an additional row that leads to every reference.
     references = _references(part.astype(np.intp), good, shape)
-    ends = np.r_[tree.row, np.full(len(references), rows)], np.r_[tree.col, references]
-    joined = coo_array((np.ones(len(ends[0])), ends), shape=(rows + 1, rows + 1)).tocsr()
-    reached, before = breadth_first_order(joined, rows, directed=False)
+    first, second = np.r_[tree.row, np.full(len(references), rows)], np.r_[tree.col, references]
+    joined = _graph(np.ones(len(first)), first, second, rows + 1)
+    # SciPy numbers nodes with 32 bits, which `key` exceeds.
+    reached, before = (nodes.astype(np.intp) for nodes in breadth_first_order(joined, rows, directed=False))
     parents = np.arange(rows)
     inner = reached[1:][before[reached[1:]] != rows]
     parents[inner] = before[inner]
@@ -258,6 +258,12 @@ def _tree(steps: Steps, good: Array, shape: tuple[int, ...]) -> tuple[Index, Ind
         there = key[step] == wanted
         taken[inner[there]], forward[inner[there]] = step[there], onward
     return parents, taken, forward
+
+
+def _graph(weights: Array, first: Index, second: Index, nodes: int) -> Any:
+    """Return a graph for SciPy, which takes only 32-bit numbers of nodes before version 1.17."""
+    ends = first.astype(np.int32), second.astype(np.int32)
+    return coo_array((weights, ends), shape=(nodes, nodes)).tocsr()
 
 
 def _references(part: Index, good: Array, shape: tuple[int, ...]) -> Index:
