@@ -15,7 +15,7 @@ POSE := 0.6,0,-0.24383544
 
 # The targets share one environment: run in parallel, they would both install into it.
 .NOTPARALLEL:
-.PHONY: demo test lint types check generate schemas derivation docs benchmark figures suites clean
+.PHONY: demo test floors lint types check generate schemas derivation docs benchmark figures suites clean
 
 demo: $(VENV)/.demo  ## the whole loop, from the robot file and signals to corrected code, with a map, a report and pictures
 	$(BIN)/python -m pkmodes generate $(ROBOT) --out $(DEMO)
@@ -42,6 +42,9 @@ demo: $(VENV)/.demo  ## the whole loop, from the robot file and signals to corre
 
 test: $(VENV)/.dev  ## all tests, including the slow ones
 	$(BIN)/python -m pytest -n auto --dist loadfile --no-loadscope-reorder --processor-time build/processor_time.tsv
+
+floors: $(VENV)/.dev  ## run what a wheel installs with the oldest and the newest versions allowed, on each Python that is there
+	PATH="$$PATH:$(abspath $(BIN))" .ci/floors
 
 lint: $(VENV)/.dev
 	$(BIN)/python -m ruff format --check .
