@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy import stats
-from scipy.linalg import block_diag
+from scipy.linalg import block_diag, eigvalsh
 
 from helpers.robots.small_structures import (
     RELATIVE,
@@ -77,6 +77,72 @@ def test_a_value_at_its_bound_is_not_claimed() -> None:
     assert "a would explain the residual, but its value" in near.reason
     assert "is at its bound 30.5" in near.reason
     assert found(linear({"a": a, "b": b}, a={"upper": 40.0}), 30.0 * a).verdict == "effect_found"
+
+
+def test_a_size_that_the_data_do_not_bound_is_not_claimed() -> None:
+    """A loose mount no longer holds its brace: any large compliance says so, and the fit ends at one of them."""
+    loads = {f"S{i}": 2.0 * i for i in range(6)}
+
+    def matrices(values: dict[str, float], setup: str) -> tuple[np.ndarray, np.ndarray]:
+        held = values["k"] + 2e5 / (1.0 + 2e5 * values["mount"])
+        k, mass = values["k"], 20.0 + loads[setup]
+        return np.diag([20.0, mass]), np.array([[held + k, -k], [-k, k]])
+
+    parameters = [Parameter("k", 4e5, "N/m", sigma=4e3), Parameter("mount", 0.0, "m/N", lower=0.0)]
+    model = MatrixStructure(parameters, each(["mount"]), matrices, channels=["1", "2"], setups=list(loads))
+    rules = []
+    for compliance in (1e-5, 1e-3):  # it holds a third of the brace, and 0.5 %
+        truth = {"k": 4e5, "mount": compliance}
+        f = np.sqrt([eigvalsh(K, M) for M, K in (matrices(truth, one) for one in loads)]).ravel() / 2 / np.pi
+        data = Measurements.from_rows(np.repeat(list(loads), 2).tolist(), f, 0.002 * f)
+        result = diagnose(model, data, holdout=())
+        rules.append(result.rule)
+    assert rules == ["claims.found", "claims.no_value"]
+    assert "its value is not significantly different from the declared one" in result.reason
+
+
+def test_a_cause_that_does_not_predict_the_poses_left_out_is_not_claimed() -> None:
+    """It acts alike at two poses, and the residual is at one of them: each predicts the other wrongly."""
+    pattern = np.array([1.0, -1.0, 1.0, -1.0, 0.5]) / np.sqrt(4.25)
+    cause, change = np.zeros((SETUPS, MODES)), np.zeros((SETUPS, MODES))
+    cause[:2] = pattern / np.sqrt(2.0)
+    rules = []
+    for second in (0.0, 0.5):  # part of the change at the second pose
+        change[0], change[1] = 7.0 * pattern, second * 7.0 * pattern
+        result = found(linear({"a": cause.ravel(), "b": DIRECTIONS[1]}), change.ravel())
+        rules.append(result.rule)
+    assert rules == ["claims.not_settled", "claims.found"]
+
+
+@pytest.mark.parametrize(("factor", "rule"), [(1.045, "claims.found"), (1.055, "claims.better_shapes")])
+def test_a_cause_of_the_frequencies_alone_is_not_claimed(factor: float, rule: str) -> None:
+    """The frequencies are those of a stiffer storey, the shapes the declared ones.
+
+    These may be preferred by a chi-square of 39: 25 tell causes apart, and the rest is chance, at 0.1 %.
+    """
+    poses, sigma, noise = [f"S{i}" for i in range(20)], 0.001, 0.06
+    (f, stiffer), (_, shapes) = relative_modes({"storey 2": factor}), relative_modes({})
+    sizes = np.sum(stiffer * shapes, axis=1, keepdims=True) / np.sum(stiffer**2, axis=1, keepdims=True)
+    preferred = len(poses) * np.sum((shapes - sizes * stiffer) ** 2) / noise**2
+    limit = 25.0 + stats.chi2.isf(0.001, 2)
+    assert bool(preferred > limit) is (rule == "claims.better_shapes")
+    assert 0.7 * limit < preferred < 1.4 * limit
+    model = MatrixStructure(
+        frame(0.02).parameters,
+        each(["storey 2"]),
+        relative_matrices,
+        channels=frame(0.02).channels,
+        setups=poses,
+    )
+    every = np.tile(f, len(poses))
+    data = Measurements.from_rows(
+        np.repeat(poses, STOREYS).tolist(),
+        every,
+        sigma * every,
+        shapes=columns(np.tile(shapes, (len(poses), 1))),
+        shape_sigma=noise,
+    )
+    assert diagnose(model, data, holdout=()).rule == rule
 
 
 def test_a_held_out_row_without_a_mode_is_named() -> None:
