@@ -101,6 +101,7 @@ suites: $(VENV)/.dev  ## error rates of identification and diagnosis on the virt
 	$(BIN)/python -m pkmodes_rig.suites.campaigns --seed 20261226 --out docs/signals-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.damping --seed 20261230 --out docs/damping-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.deciding --out tests/golden/rules.jsonl
+	$(BIN)/python -m pkmodes_rig.suites.thresholds --out docs/thresholds-measured.md
 
 clean:
 	rm -rf $(VENV) build
