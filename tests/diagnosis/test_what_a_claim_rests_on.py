@@ -101,6 +101,27 @@ def test_a_size_that_the_data_do_not_bound_is_not_claimed() -> None:
     assert "its value is not significantly different from the declared one" in result.reason
 
 
+def test_a_size_that_one_row_says_and_the_others_contradict_is_not_claimed() -> None:
+    """A row with a leverage of 0.9 hides its residual; without it the size differs by over five deviations."""
+    rest = DIRECTIONS[0].copy()
+    rest[7] = 0.0
+    cause = np.sqrt(0.1) * rest / np.linalg.norm(rest)
+    cause[7] = np.sqrt(0.9)
+    rules = []
+    for apart in (
+        0.0,
+        15.0,
+        21.0,
+    ):  # of the sizes of the row and of the others, whose deviations are 1.05 and 3.2
+        change = 20.0 * cause
+        change[7] += apart * cause[7]
+        result = found(linear({"a": cause, "b": DIRECTIONS[1]}), change)
+        rules.append(result.rule)
+    assert rules == ["claims.found", "claims.found", "claims.one_row"]
+    assert "depends on line 8 (P1, " in result.reason
+    assert "alone: without that row, its value would be" in result.reason
+
+
 def test_a_cause_that_does_not_predict_the_poses_left_out_is_not_claimed() -> None:
     """It acts alike at two poses, and the residual is at one of them: each predicts the other wrongly."""
     pattern = np.array([1.0, -1.0, 1.0, -1.0, 0.5]) / np.sqrt(4.25)
