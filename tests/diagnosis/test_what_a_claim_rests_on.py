@@ -182,9 +182,9 @@ def test_a_held_out_error_that_grows_contradicts_a_claim() -> None:
     data = Measurements.from_rows(["A", "B", "B"], [10.0, 20.0, 30.0], [0.1, 0.1, 0.1])
     held, predicted = data.pose == 1, np.array([10.0, 20.1, 24.0])
     before, after = Error(0.01, 0.01, 2.0), Error(0.001, 0.14, 1.0)
-    (note,) = remarks(data, held, predicted, before, after, 2.0)
+    (note,) = remarks(data, held, predicted, before, after)
     assert "grows from 1 to 14 %; the worst is line 3 (held-out B, 30 Hz)" in note
-    assert not list(remarks(data, held, predicted, before, Error(0.001, 0.019, 1.0), 2.0))
+    assert not list(remarks(data, held, predicted, before, Error(0.001, 0.019, 1.0)))
 
 
 def test_one_bad_shape_is_not_excused_by_the_scatter_that_it_raises() -> None:

@@ -1,4 +1,6 @@
-"""All thresholds of the diagnosis, each with its reason, by the part of the diagnosis that uses them.
+"""The thresholds of the diagnosis, each with its reason, by the part of the diagnosis that uses them.
+
+Numbers of notes, of computing time and of numerical accuracy are constants where they are used.
 
 Differences of frequencies are differences of their logarithms.
 """
@@ -43,7 +45,8 @@ class ShapeCriteria:
     #: beyond the upper one the shapes do not agree.
     least_scatter: float = 0.005
     most_scatter: float = 0.2
-    #: The search is repeated if the best explanation has a scatter smaller than the assumed one by this factor.
+    #: The search is repeated if the best explanation has a scatter smaller than the assumed one by this factor, which
+    #: is below 1: it would not end otherwise.
     sharper: float = 0.8
     #: Below this MAC a shape is not that of its mode, whatever its stated error.
     strange_mac: float = 0.7
@@ -60,8 +63,6 @@ class FitCriteria:
     #: Steps of a fit; well-determined parameters need four or five.  A rough fit shows whether more are worthwhile.
     steps: int = 18
     rough_steps: int = 6
-    #: If there are more than twice this many setups, start values are found from this many.
-    setups_to_scout: int = 12
     #: Rounds of pairing and fitting; the pairing is stable after two or three.
     rounds: int = 3
     #: Largest error that the modes of a setup may share: a larger one is not a measurement error.
@@ -96,10 +97,9 @@ class SearchCriteria:
     #: Largest number of causes, and of kinds of additions: causes, outliers, a shared error.
     most_causes: int = 2
     most_additions: int = 2
-    #: Number of pairs that are refitted; all if there are no more than `few_pairs` and no more than `few_rows`
-    #: measured frequencies, because the linear model is then a poor guide.
+    #: Number of pairs that are refitted; all of a moderate number if there are no more than `few_rows` measured
+    #: frequencies, because the linear model is then a poor guide.
     pairs: int = 16
-    few_pairs: int = 120
     few_rows: int = 24
     #: A second cause is sought if the first leaves less than this part of chi2, or less per degree of freedom.
     much: float = 0.6
@@ -138,8 +138,6 @@ class ClaimCriteria:
     #: Combinations of candidates are drawn too if at least this many, for each cause, are different.
     spread: float = 2.0
     many: int = 6
-    #: A claim that increases the held-out error by this factor is contradicted by it.
-    worse: float = 2.0
     #: A value is at a bound if within this many standard deviations of it, significant if the p-value of a Wald test
     #: is below this, and determined by a row if leaving that out moves it by this many standard deviations.
     bounded: float = 1.0
@@ -153,10 +151,6 @@ class ClaimCriteria:
     #: Explanations whose predictions differ by less than this sum of squares are one class: if one were true, the
     #: other would survive too often.
     told_apart: float = 25.0
-    #: A cause is a special case of another if no larger part of its signature lies outside the span of the other's:
-    #: difference derivatives are this accurate, and a random direction in a space with two more dimensions than the
-    #: span is this close to it once in a million.
-    nested: float = 1e-3
     #: A larger class is not a finding, and neither is a pair in a larger class of pairs.  Members that are the same
     #: to any measurement count too: where they did not, one cause outside the catalogue in ten was claimed (CoreXY).
     most_members: int = 5
@@ -211,10 +205,6 @@ class ReasonCriteria:
 
     #: Nuisances farther than this from their declared values are reported, in standard deviations.
     far: float = 3.0
-    #: Stated errors that are wrong by more than this factor are reported.
-    misstated: float = 3.0
-    #: Stated errors are too large if the probability of so small a residual is below this.
-    too_small: float = 1e-4
     #: A cause explains nearly all if it leaves at most this part of chi2 per degree of freedom, and at most this
     #: much: errors twice as large as stated.
     nearly_all: tuple[float, float] = (0.1, 4.0)
@@ -222,8 +212,6 @@ class ReasonCriteria:
     dispersed: tuple[float, float] = (1.5, 100.0)
     #: A residual has no direction if every candidate gains less, per parameter and in units of the mean residual.
     no_direction: float = 9.0
-    #: A residual varies with the pose if the p-value of an analysis of variance is below this.
-    uneven: float = 1e-3
 
 
 @dataclass(frozen=True)
@@ -236,8 +224,6 @@ class ReadingCriteria:
     #: than the first, or if the others scatter by more than the second.
     rewired_misfit: float = 1.5
     rewired_scatter: float = 0.02
-    #: They are examined only if one of them reduces the squares by this factor at the setups with the worst shapes.
-    rewired_perhaps: float = 1.5
     #: Sensors are wired differently if that reduces the squares of the shapes by this factor, and the deviance of
     #: frequencies and shapes by this: a chance of 1e-9, after some 60 wirings were tried.
     rewired: float = 3.0
@@ -246,9 +232,6 @@ class ReadingCriteria:
     rewired_noise: float = 3.0
     #: A wiring remains if its deviance differs from the best one by less than this.
     rewired_told_apart: float = 25.0
-    #: Parameters are refitted for this many wirings, with deviances within this from the best one.
-    rewired_refits: int = 6
-    rewired_near: float = 100.0
     #: A channel that is 0 in every row is dead if the model moves it by more than the first part of the largest one
     #: of its unit, in more than the second part of the rows.
     dead: tuple[float, float] = (0.3, 0.25)

@@ -43,6 +43,7 @@ TESTED = 4
 #: A diagnosis that takes this many times as long as before does not end.
 LATE = 15
 FACTORS = {"half": 0.5, "double": 2.0}
+WHAT = ("decisions", "changed")
 #: Values of causes that differ by no more than this part of their standard deviation are the same.
 SAME_VALUE = 0.05
 #: Thresholds of what is at most 1: more than that is never reached.
@@ -59,13 +60,12 @@ PARTS = {
 #: Why thresholds stay that changed no outcome.
 REASONS = {
     "how much is tried: computing time, and an outcome only where a search or a fit ends too early": """
-        fits.steps fits.rough_steps fits.setups_to_scout fits.rounds search.most_additions search.pairs
-        search.few_pairs search.few_rows search.much search.little search.promising search.at_least search.best_few
-        search.nearly search.misled claim.contenders claim.near readings.rewired_perhaps readings.rewired_refits
-        readings.rewired_near""",
+        fits.steps fits.rough_steps fits.rounds search.most_additions search.pairs
+        search.few_rows search.much search.little search.promising search.at_least search.best_few
+        search.nearly search.misled claim.contenders claim.near""",
     "only notes, limits, proposals or the words of a reason depend on it, which are not compared": """
-        claim.worse claim.seen claim.worth_measuring claim.worth_loading reasons.misstated reasons.too_small
-        reasons.uneven readings.same_shape readings.same_place[0] readings.same_place[1]""",
+        claim.seen claim.worth_measuring claim.worth_loading readings.same_shape
+        readings.same_place[0] readings.same_place[1]""",
     "a level or a difference of chi2 with which the error rates are measured; no outcome that was tried is near": """
         gate.level gate.surely gate.plainly search.survives search.worth search.most_causes search.price_of_row
         claim.claimed claim.specific claim.spread claim.many claim.told_apart fits.most_shared damping.specific[1]
@@ -86,10 +86,15 @@ REASONS = {
         readings.dead[1] readings.unit_gain readings.unit_difference readings.drives_gain
         readings.drives_difference readings.drives_rows""",
     "of a rule that decides no case of the suites, but a test, `test_what_a_claim_rests_on.py`": """
-        claim.bounded claim.absent""",
-    "numerical accuracy": "claim.nested",
-    "no reason is known": "claim.moved",
+        claim.bounded claim.absent claim.moved""",
 }
+#: What is said of numbers that were thresholds when the cases were run.
+GONE = (
+    "No outcome of these cases changed either with half and double of `fits.setups_to_scout`, `search.few_pairs`,",
+    "`claim.worse`, `claim.nested`, `reasons.misstated`, `reasons.too_small`, `reasons.uneven`,",
+    "`readings.rewired_perhaps`, `readings.rewired_refits` and `readings.rewired_near`. Notes, computing time and",
+    "numerical accuracy depend on them: they are constants beside their use, and no thresholds any more.",
+)
 LETTERS = dict(zip(REASONS, string.ascii_lowercase, strict=False))
 #: Tests that fail with half or double of such a threshold.
 NOTICED_BY = {
@@ -102,6 +107,7 @@ NOTICED_BY = {
     "damping.most": "test_damping_inputs.py",
     "reasons.nearly_all[1]": "test_what_a_claim_rests_on.py",
     "readings.same_shape": "test_notes.py",
+    "claim.moved": "test_what_a_claim_rests_on.py",
 }
 #: A threshold, which is named after its place in `Criteria`, and a factor.
 Key = tuple[str, str]
@@ -317,17 +323,11 @@ def page(kept: Sequence[Mapping[str, Any]]) -> list[str]:
         f" {sum(tried.values())} diagnoses with another threshold.",
         "",
         *table(
-            [
-                "threshold",
-                "value",
-                "half: decisions",
-                "changed",
-                "double: decisions",
-                "changed",
-                "why it stays",
-            ],
+            ("threshold", "value", *(f"{word}: {what}" for word in FACTORS for what in WHAT), "why it stays"),
             rows,
         ),
+        "",
+        *GONE,
     ]
 
 

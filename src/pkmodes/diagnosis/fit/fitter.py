@@ -25,6 +25,9 @@ from pkmodes.diagnosis.match.pairing import Pairing
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Structure, reached_bounds
 from pkmodes.measured.measurements import Measurements
 
+#: If there are more than twice this many setups, start values are found from this many.
+SCOUTED = 12
+
 
 class Fitter:
     """Fits hypotheses about one structure to one set of measurements.
@@ -80,10 +83,10 @@ class Fitter:
     @cached_property
     def scout(self) -> Fitter:
         """The same fitter at some of the setups if there are many: enough to find start values."""
-        count, most = len(self.data.labels), self.criteria.fits.setups_to_scout
-        if count <= 2 * most:
+        count = len(self.data.labels)
+        if count <= 2 * SCOUTED:
             return self
-        return self.at([int((k + 0.5) * count / most) for k in range(most)])
+        return self.at([int((k + 0.5) * count / SCOUTED) for k in range(SCOUTED)])
 
     def at(self, setups: list[int]) -> Fitter:
         """Return the fitter of some of the setups."""

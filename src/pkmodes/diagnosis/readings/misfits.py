@@ -24,6 +24,10 @@ from pkmodes.support.mac import channel_motion
 AT_ONCE = 2_000_000
 #: Number of setups, those with the worst shapes, that show whether another wiring may fit.
 WORST = 3
+#: Other wirings are examined only if one of them reduces the squares there by this factor.
+PERHAPS = 1.5
+#: Parameters are refitted for this many wirings, with deviances within this from the best one.
+REFITS, NEAR = 6, 100.0
 
 
 @dataclass(frozen=True)
@@ -134,9 +138,7 @@ def promising(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> bool:
     declared = part.structure.predict(part.declared, ())
     found = [at_prediction(part, used, one, every) for one in (declared, there)]
     least = [min(one.shapes for one in each) for each in zip(*filter(None, found), strict=True)]
-    return bool(least) and Apart(least[0], min(least[1:])).far_better(
-        fitter.criteria.readings.rewired_perhaps
-    )
+    return bool(least) and Apart(least[0], min(least[1:])).far_better(PERHAPS)
 
 
 def misfits(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring, WiringMisfit]:
@@ -144,7 +146,7 @@ def misfits(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring,
 
     These are the declared ones, those of the fit, and those refitted with the best few wirings.
     """
-    c, own, used = fitter.criteria.readings, as_in_file(fitter.data.channels), fitter.used(fit.hypothesis)
+    own, used = as_in_file(fitter.data.channels), fitter.used(fit.hypothesis)
     every = [own, *wirings]
     found = {own: WiringMisfit.of(fitter, used, fit.residual)}
 
@@ -156,10 +158,10 @@ def misfits(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring,
     for prediction in (fitter.structure.predict(fitter.declared, ()), fit.prediction):
         keep(zip(every, at_prediction(fitter, used, prediction, every), strict=False))
     best = sorted((w for w in found if w != own), key=lambda wiring: found[wiring].deviance())
-    near = found[best[0]].deviance() + c.rewired_near
+    near = found[best[0]].deviance() + NEAR
     hypotheses = [Hypothesis(excluded=fit.hypothesis.excluded), *([fit.hypothesis] if fit.causes else [])]
     again: list[tuple[float, Prediction]] = []
-    for wiring in [w for w in best if found[w].deviance() < near][: c.rewired_refits]:
+    for wiring in [w for w in best if found[w].deviance() < near][:REFITS]:
         rewired = Fitter(
             fitter.structure,
             wiring.of(fitter.data),

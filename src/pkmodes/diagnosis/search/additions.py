@@ -14,6 +14,8 @@ from pkmodes.diagnosis.search.score import Score, Scores, one_sided, score
 from pkmodes.diagnosis.search.starts import starts
 
 Progress = Callable[[str], None]
+#: More pairs than this are not all refitted, which would take minutes.
+FEW_PAIRS = 120
 
 
 class Additions:
@@ -184,10 +186,7 @@ class Additions:
     def few(self) -> bool:
         """Whether data and candidates are few enough to try all pairs."""
         count = len(self.candidates)
-        return (
-            self._rows <= self.criteria.search.few_rows
-            and count * (count - 1) // 2 <= self.criteria.search.few_pairs
-        )
+        return self._rows <= self.criteria.search.few_rows and count * (count - 1) // 2 <= FEW_PAIRS
 
     def _testable(self, fit: Fit, candidate: Candidate) -> bool:
         """Return whether data are left to test the fit: otherwise a cause would fit anything."""

@@ -192,7 +192,6 @@ class DiagnosisBuilder:
                 stage.predicted.frequency,
                 models.refit[1],
                 None if models.after is None else models.after[1],
-                self.fitter.criteria.claim.worse,
             )
         )
 

@@ -29,6 +29,9 @@ from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.numbers import p_in_words
 
+#: A held-out error that a claim increases by this factor is reported.
+WORSE = 2.0
+
 
 @dataclass(frozen=True)
 class HeldOut:
@@ -177,7 +180,6 @@ def remarks(
     predicted: Array,
     before: Error,
     after: Error | None,
-    worse: float,
 ) -> Iterator[str]:
     """Yield sentences about the held-out rows of a result that they do not contradict.
 
@@ -189,14 +191,12 @@ def remarks(
         Frequencies of the last stage [Hz], NaN where the model has no mode.
     before, after : Error
         Errors after refitting the nuisance parameters, and with the claimed causes.
-    worse : float
-        Factor by which the held-out error must grow to contradict the claim.
     """
     for i in np.flatnonzero(held & np.isnan(predicted)):
         yield f"{_row(data, int(i))} is unmatched: the held-out error does not include it"
     if after is None or before.held_out_rms_relative is None or after.held_out_rms_relative is None:
         return
-    if after.held_out_rms_relative > worse * before.held_out_rms_relative:
+    if after.held_out_rms_relative > WORSE * before.held_out_rms_relative:
         apart = np.where(held, np.nan_to_num(np.abs(np.log(predicted / data.frequency))), 0.0)
         yield (
             "the error of the held-out poses grows from "

@@ -18,6 +18,10 @@ from pkmodes.diagnosis.verdict.shapes import strange_shapes
 from pkmodes.diagnosis.verdict.unevaluated import unevaluated
 from pkmodes.support.numbers import plain
 
+#: Stated errors that are wrong by more than this factor are reported; as too large only if the probability of so
+#: small a residual is below the second number.
+MISSTATED, SO_SMALL = 3.0, 1e-4
+
 
 def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
     """Return notes on the data and on a fit.
@@ -67,15 +71,14 @@ def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
 
 
 def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
-    c = store.fitter.criteria
     squares, degrees = store.frequency_misfit(fit)
     if degrees < 1.0:
         return
     ratio = (squares / degrees) ** 0.5
-    if ratio < 1.0 / c.reasons.misstated and stats.chi2.cdf(squares, degrees) < c.reasons.too_small:
+    if ratio < 1.0 / MISSTATED and stats.chi2.cdf(squares, degrees) < SO_SMALL:
         factor = f"{1.0 / ratio:.2g} times" if ratio > 1e-6 else "far"
         yield f"the stated errors of the frequencies are {factor} too large: the residual scatters much less"
-    elif adequate and ratio > c.reasons.misstated:
+    elif adequate and ratio > MISSTATED:
         yield f"the stated errors of the frequencies are {ratio:.2g} times too small"
 
 

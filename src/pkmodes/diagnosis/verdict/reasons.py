@@ -12,6 +12,9 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Candidate
 
+#: A residual varies with the pose if the p-value of an analysis of variance is below this.
+UNEVEN = 1e-3
+
 
 def names(causes: Sequence[Candidate]) -> str:
     """Return the names of causes."""
@@ -58,7 +61,7 @@ def uneven(fitter: Fitter, fit: Fit) -> str:
     within = sum(float(((left[r] - m) ** 2).sum()) for r, m in zip(rows, means, strict=True))
     count = sum(map(len, rows))
     ratio = (between / (len(rows) - 1)) / max(within / (count - len(rows)), 1e-300)
-    if stats.f.sf(ratio, len(rows) - 1, count - len(rows)) > fitter.criteria.reasons.uneven:
+    if stats.f.sf(ratio, len(rows) - 1, count - len(rows)) > UNEVEN:
         return ""
     labels = [fitter.data.labels[fitter.data.pose[r[0]]] for r in rows]
     high, low = int(means.argmax()), int(means.argmin())
