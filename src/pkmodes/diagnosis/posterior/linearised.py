@@ -16,7 +16,6 @@ import numpy as np
 from pkmodes.diagnosis.fit.cross_validation import deleted
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, orthonormal
-from pkmodes.diagnosis.fit.observations import SHAPE
 from pkmodes.diagnosis.posterior.marginal import log_occam_factor, marginal_log_likelihood, prior_of_scale
 from pkmodes.diagnosis.problem import Array, Candidate
 from pkmodes.diagnosis.search.score import one_sided
@@ -46,9 +45,9 @@ class Linearised:
         error, and the Occam factors of uncertain values and of sizes of causes; minus infinity if a size is not
         plausible.
     parts : tuple of slice
-        Frequencies, shapes and priors among the data.
+        Frequencies, each other quantity, and priors among the data.
     degrees : tuple of float
-        Degrees of freedom of frequencies and shapes, without the rows set aside.
+        Degrees of freedom of all these but the priors, without the rows set aside.
     basis, white : ndarray, shape (D, k) and (D,)
         Orthonormal basis of the derivatives, and the whitened residual, 0 for rows set aside.
     set_aside : frozenset of int
@@ -57,15 +56,15 @@ class Linearised:
 
     fit: Fit
     log_factor: float
-    parts: tuple[slice, slice, slice]
-    degrees: tuple[float, float]
+    parts: tuple[slice, ...]
+    degrees: tuple[float, ...]
     basis: Array
     white: Array
     set_aside: frozenset[int]
 
     @cached_property
     def squares(self) -> tuple[float, ...]:
-        """Sums of squares of frequencies, shapes and priors, (3,)."""
+        """Sums of squares of these parts."""
         return tuple(float(self.white[part] @ self.white[part]) for part in self.parts)
 
     @cached_property
@@ -84,7 +83,7 @@ class Linearised:
         """
         left = self.white[:, None] - along
         squares = [(left[part] ** 2).sum(axis=0) for part in self.parts]
-        total, prior = self.log_factor - 0.5 * squares[2], prior_of_scale()
+        total, prior = self.log_factor - 0.5 * squares[-1], prior_of_scale()
         for some, part, degrees in zip(squares, self.parts, self.degrees, strict=False):
             total += marginal_log_likelihood(some, np.maximum(degrees - taken[part].sum(axis=0), 0.0), prior)
         return np.asarray(total)
@@ -100,7 +99,7 @@ def linearised(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Line
     """
     white, basis, aside = fit.white, fit.basis, set(fit.hypothesis.excluded)
     observations = fitter.observations
-    frequencies, shapes = observations.frequency_rows, observations.part(SHAPE)
+    frequencies, beside = observations.frequency_rows, observations.beside
     while len(aside) < max(1, len(observations.log) // fitter.criteria.search.rows_per_outlier):
         row = int(np.argmax(np.abs(white[frequencies])))
         place = observations.place(np.array([row]))
@@ -114,18 +113,20 @@ def linearised(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Line
     kept = fitter.used(fit.hypothesis)
     kept[list(aside)] = False
     leverage = (basis**2).sum(axis=1)
-    degrees = [
+    counts = [observations.frequencies.count, *(quantity.count for quantity in beside.values())]
+    parts = [frequencies, *map(observations.part, beside)]
+    degrees = tuple(
         max(float(count[kept].sum() - leverage[part].sum()), 0.0)
-        for count, part in ((np.ones(len(kept)), frequencies), (observations.shapes.count, shapes))
-    ]
+        for count, part in zip(counts, parts, strict=True)
+    )
     log_factor = -sum(_price(fitter, row) for row in aside) - 0.5 * fit.log_determinant
     if fit.hypothesis.scatter:
         log_factor += float(np.log(SHARED) - 0.5 * np.log(len(kept)))
     log_factor += _log_occam_factor_of_values(fitter, fit) + sum(
         _log_occam_factor_of_cause(fitter, fit, cause, plausible) for cause in fit.causes
     )
-    parts = frequencies, shapes, fitter.prior_rows
-    return Linearised(fit, log_factor, parts, (degrees[0], degrees[1]), basis, white, frozenset(aside))
+    every = (*parts, fitter.prior_rows)
+    return Linearised(fit, log_factor, every, degrees, basis, white, frozenset(aside))
 
 
 def capped_deviance(fitter: Fitter, fit: Fit) -> float:

@@ -36,12 +36,12 @@ def log_evidence_outside(fitter: Fitter, model: Linearised) -> float:
     """Return the logarithm of the evidence of something outside the catalogue beside a fit."""
     wide = ((LOG_SCALE >= 0.0) & (np.log(FACTOR) >= LOG_SCALE)).astype(float)
     prior = (1.0 - SCATTERED) * prior_of_scale() + SCATTERED * wide / wide.sum()
-    frequencies, shapes, priors = model.squares
+    frequencies, *beside, priors = model.squares
     largest = float(np.linalg.norm(MOST / fitter.observations.sigma))
     changes = log_evidence_of_frequencies(
         *spectrum(fitter, model), frequencies, model.degrees[0], largest, prior
     )
-    rest = float(marginal_log_likelihood(np.array(shapes), np.array(model.degrees[1]), prior))
+    rest = float(marginal_log_likelihood(np.array(beside), np.array(model.degrees[1:]), prior).sum())
     return changes + rest - 0.5 * priors + model.log_factor
 
 
