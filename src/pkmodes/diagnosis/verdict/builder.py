@@ -253,7 +253,7 @@ class DiagnosisBuilder:
             declared=(declared, setups.declared_error(declared, outlying)),
             refit=beside(refit),
             after=beside(causes),
-            corrected=() if last is None else self._corrected(last, bounded),
+            corrected=() if last is None else self.corrected(last, bounded),
             shape_scatter=None if last is None else store.shape_scatter(last),
             notes=() if last is None else tuple(notes(store, last, settled)),
         )
@@ -308,7 +308,7 @@ class DiagnosisBuilder:
             probabilities=searched.probabilities,
         )
 
-    def _corrected(self, fit: Fit, bounded: Limits) -> tuple[Corrected, ...]:
+    def corrected(self, fit: Fit, bounded: Limits) -> tuple[Corrected, ...]:
         """Return all fitted parameters with their declared values, priors, and what was not seen."""
         width, corrected = self.fitter.priors.width(fit.values), []
         for i, v in zip(fit.free, values(self.fitter, fit, fit.free), strict=True):
