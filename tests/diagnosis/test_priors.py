@@ -227,7 +227,6 @@ def test_losses_have_correlated_priors_too() -> None:
     rows = DampingObservations(
         index=np.arange(count),
         mode=np.arange(count),
-        setup=np.zeros(count, dtype=int),
         ratio=rates @ declared * 1.15,
         stated=np.full(count, 0.1),
         other=np.full(count, 0.1),

@@ -88,13 +88,6 @@ REASONS = {
     "of a rule that decides no case of the suites, but a test, `test_what_a_claim_rests_on.py`": """
         claim.bounded claim.absent claim.moved""",
 }
-#: What is said of numbers that were thresholds when the cases were run.
-GONE = (
-    "No outcome of these cases changed either with half and double of `fits.setups_to_scout`, `search.few_pairs`,",
-    "`claim.worse`, `claim.nested`, `reasons.misstated`, `reasons.too_small`, `reasons.uneven`,",
-    "`readings.rewired_perhaps`, `readings.rewired_refits` and `readings.rewired_near`. Notes, computing time and",
-    "numerical accuracy depend on them: they are constants beside their use, and no thresholds any more.",
-)
 LETTERS = dict(zip(REASONS, string.ascii_lowercase, strict=False))
 #: Tests that fail with half or double of such a threshold.
 NOTICED_BY = {
@@ -326,8 +319,6 @@ def page(kept: Sequence[Mapping[str, Any]]) -> list[str]:
             ("threshold", "value", *(f"{word}: {what}" for word in FACTORS for what in WHAT), "why it stays"),
             rows,
         ),
-        "",
-        *GONE,
     ]
 
 

@@ -38,7 +38,6 @@ class DampingObservations:
         Rows of the measurements.
     mode : ndarray of int, shape (R,)
         Numbers of the partners among the elastic modes of their setups, from 0.
-    setup : ndarray of int, shape (R,)
     ratio, stated : ndarray, shape (R,)
         Measured ratios and the standard deviations of their logarithms, as the file states them.
     other : ndarray, shape (R,)
@@ -55,7 +54,6 @@ class DampingObservations:
 
     index: NDArray[np.intp]
     mode: NDArray[np.intp]
-    setup: NDArray[np.intp]
     ratio: Array
     stated: Array
     other: Array
@@ -106,7 +104,7 @@ class DampingObservations:
         return np.where(self.above, (self.logarithms - self.predicted(values)) / self.sigma, linear)
 
     def rates(self, values: Array) -> Array:
-        """Return the derivatives of these with respect to the losses, (R, J)."""
+        """Return the derivatives of the residual with respect to the losses, (R, J)."""
         ratios = self.ratios(values)
         variance = (self.stated * self.ratio) ** 2 + (self.other * ratios) ** 2
         linear = -(1.0 + (self.ratio - ratios) * self.other**2 * ratios / variance) / np.sqrt(variance)
@@ -152,7 +150,6 @@ def observed(
     return DampingObservations(
         index=index,
         mode=number,
-        setup=setup,
         ratio=ratio,
         stated=stated,
         other=other,

@@ -100,7 +100,7 @@ class Observations:
         scatter: float,
         criteria: Criteria,
     ) -> None:
-        self.data, self.log = data, FREQUENCY.transformed(data)
+        self.log = FREQUENCY.transformed(data)
         pairer = Pairer(data, structure.channels, reference, criteria)
         self.sigma = FREQUENCY.transformed_sigma(data)
         self.frequencies = FrequencyRows(pairer, self.sigma[:, None])
@@ -165,7 +165,7 @@ class Observations:
         return self._places[name]
 
     def by_row(self, name: str, data: Array) -> Array:
-        """Return the data of such a quantity, row by row, of at least all data: (R, n)."""
+        """Return those of a vector of all data, perhaps followed by the priors, row by row: (R, n)."""
         return np.asarray(data[self._places[name]].reshape(self.beside[name].sigma.shape))
 
     # Beside predictions ------------------------------------------------------------------------------------

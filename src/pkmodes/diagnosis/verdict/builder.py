@@ -79,16 +79,16 @@ class _Models:
 
 @dataclass(frozen=True)
 class _Searched:
-    """What only a search adds to a result, see `Diagnosis`."""
+    """The reason, and what only a search adds to a result, see `Diagnosis`."""
 
     reason: str
-    headline: str
-    effects: tuple[Finding, ...]
-    survivors: tuple[tuple[str, ...], ...]
-    next_measurement: NextMeasurement | None
-    not_separated: str
-    candidates: tuple[Examined, ...]
-    probabilities: Probabilities | None
+    headline: str = ""
+    effects: tuple[Finding, ...] = ()
+    survivors: tuple[tuple[str, ...], ...] = ()
+    next_measurement: NextMeasurement | None = None
+    not_separated: str = ""
+    candidates: tuple[Examined, ...] = ()
+    probabilities: Probabilities | None = None
 
 
 class DiagnosisBuilder:
@@ -111,8 +111,8 @@ class DiagnosisBuilder:
             unseen = tuple(name for name in unseen if name not in {*bounded.limited, *start.hints})
         models = self._models(store, fit, None, bounded, verdict.settled)
         notes = (*remarks, *models.notes)
-        nothing = _Searched(decision.says.text, "", (), (), None, "", (), None)
-        return self._result(decision, models, bounded, unseen, notes, unchanged(verdict), nothing)
+        said = _Searched(decision.says.text)
+        return self._result(decision, models, bounded, unseen, notes, unchanged(verdict), said)
 
     def after_search(self, evidence: Evidence, decision: Decision[Evidence, Says]) -> Diagnosis:
         """Return the result of a search and its verdict."""
