@@ -37,9 +37,9 @@ from pkmodes.support.grouping import grouped
 
 #: Prior probabilities that nothing is missing, one cause, two, or something outside the catalogue.
 NOTHING, ONE, TWO, OUTSIDE = 0.55, 0.25, 0.04, 0.16
-#: Doubts, probabilities of something outside that are added, because it may look like any explanation: where the
-#: diagnosis accepts one, where one leaves only noise but is not accepted, and where none leaves only noise.  With
-#: these the most probable explanation of the development cases had the best logarithmic score.
+#: Doubts: by how much every explanation loses to something outside, which may look like it, where the diagnosis
+#: accepts one, where one leaves only noise but is not accepted, and where none leaves only noise.  With these the
+#: most probable explanation of 266 cases, not those of the published table, had the best logarithmic score.
 ACCEPTED, REFUSED, NONE = 0.03, 0.25, 0.55
 #: Fits are weighed up to this capped deviance above the least, and at most so many; something outside is tried beside
 #: so many of those without causes, and of those with causes.

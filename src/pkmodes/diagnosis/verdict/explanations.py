@@ -33,8 +33,8 @@ def explanations(store: FitStore, said: Probabilities | None, left: Sequence[Nam
     """Return the explanations between which a measurement could decide, the most probable first.
 
     Members of a class have equal parts of its probability: those that the tests leave, or else all that were fitted.
-    What the tests leave in no class, such as causes in a single joint, has the probability of something outside,
-    which predicts nothing otherwise and takes no part.
+    What the tests leave that is in no class, such as a cause in a single joint, shares the probability of something
+    outside.  Otherwise something outside takes no part, because it predicts nothing.
 
     Parameters
     ----------
