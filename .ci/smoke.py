@@ -36,7 +36,9 @@ COMMANDS = {
         compare {LOOP}/robot.toml {LOOP}/measured.csv
         diagnose {LOOP}/robot.toml {LOOP}/measured.csv --save-robot corrected.toml
         """,
-    "map": "\n".join(f"map {GRID} --out map{suffix}" for suffix in (".nc", ".zarr", ".csv", ".parquet")),
+    "map": "\n".join(f"map {GRID} --out map{suffix}" for suffix in (".nc", ".zarr", ".csv")),
+    "parquet": f"map {GRID} --out map.parquet",
+    "cluster": "",
     "plot": f"""
         figures {GRID} --out figures
         show {AT} --mode 2 --out mode.gif
@@ -70,7 +72,7 @@ def main(extra: str, resolution: str) -> None:
     model = pkmodes.load(DELTA)
     for backend in "compiled", "numpy":
         np.testing.assert_allclose(model.frequencies(POSE, backend=backend)[3:], EXPECTED, atol=1e-3)
-    if extra == "map":
+    if extra == "cluster":
         on_workers(model)
     if extra == "control":
         system = model.state_space(POSE, inputs="torque_1", outputs="p_x").to_control()

@@ -1,4 +1,4 @@
-"""Without the libraries of the extra ``map`` all else works, and a map names the command that installs them."""
+"""Without the libraries of maps all else works, and a map names the command that installs what it lacks."""
 
 from __future__ import annotations
 
@@ -36,7 +36,6 @@ def python(code: str, *arguments: str, folder: Path) -> subprocess.CompletedProc
 CASES = [
     ("dask", ["--out", "map.nc"]),  # the first, because reading a robot loads it with pint
     ("distributed", ["--scheduler", "tcp://127.0.0.1:9"]),
-    ("pyarrow", ["--out", "map.csv"]),
     ("pyarrow", ["--out", "map.parquet"]),
     ("pandas", ["--out", "map.csv"]),
     ("xarray", []),
@@ -46,6 +45,8 @@ CASES = [
     ("zarr", ["--out", "map.nc"]),  # every map in progress is a Zarr group
     ("zarr", ["--out", "map.csv"]),
 ]
+#: The extra of each library that is not one of ``map``.
+EXTRAS = {"distributed": "cluster", "pyarrow": "parquet"}
 #: Runs every case in a process of its own, forked before the library is loaded, and prints their exit codes.  What
 #: was missing is loaded after its cases, so that the others need not load it each.
 FORKED = """
@@ -83,7 +84,7 @@ def test_a_missing_library_is_named_before_anything_is_computed(tmp_path: Path) 
         error = (tmp_path / f"errors{number}").read_text(encoding="utf-8")
         assert error.count("\n") == 1, case
         assert f"error: {library} is not installed; " in error, (case, error)
-        assert "pip install 'pkmodes[map]'" in error, case
+        assert f"pip install 'pkmodes[{EXTRAS.get(library, 'map')}]'" in error, case
         assert list((tmp_path / f"work{number}").iterdir()) == [], case
 
 

@@ -61,14 +61,8 @@ def table_of(dataset: xarray.Dataset) -> pandas.DataFrame:
 
 def write_table(table: pandas.DataFrame, path: Path) -> None:
     """Write a table as CSV or, by the name of the file, Parquet; numbers that do not exist are empty."""
-    import pyarrow
-    from pyarrow import csv, parquet
-
-    content = pyarrow.Table.from_pandas(table, preserve_index=False)
     if path.suffix == ".csv":
-        options = csv.WriteOptions(include_header=False, quoting_style="needed")
-        with path.open("wb") as file:
-            file.write((",".join(content.column_names) + "\n").encode())  # it would quote them
-            csv.write_csv(content, file, options)
+        words = {name: table[name].map({False: "false", True: "true"}) for name in table.select_dtypes(bool)}
+        table.assign(**words).to_csv(path, index=False, lineterminator="\n")
     else:
-        parquet.write_table(content, path)
+        table.to_parquet(path, index=False)

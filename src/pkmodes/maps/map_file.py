@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     import xarray
 
 NETCDF, ZARR, CSV, PARQUET = ".nc", ".zarr", ".csv", ".parquet"
-#: Libraries that write each format, besides those that store a map in progress.
-LIBRARIES = {NETCDF: ("netCDF4",), ZARR: (), CSV: ("pandas", "pyarrow"), PARQUET: ("pandas", "pyarrow")}
-IN_PROGRESS = ("zarr", "dask")
+#: Libraries that write each format, besides those of every map in progress, and their extra.
+LIBRARIES = {NETCDF: ("map", "netCDF4"), ZARR: ("map",), CSV: ("map", "pandas"), PARQUET: ("parquet", "pyarrow")}
+IN_PROGRESS = ("map", "zarr", "dask")
 FORMATS = tuple(LIBRARIES)
 #: Names of the map that is being written, and of the one that it replaces, in the folder of the map in progress.
 UNDER_WAY = ("new", "replaced")
@@ -79,7 +79,8 @@ class MapFile:
             raise OutputError(
                 "cannot write: permission denied", where, "choose another place or make it writable"
             )
-        require(f"{path.suffix.lower()} files", "map", *LIBRARIES[path.suffix.lower()], *IN_PROGRESS)
+        for extra, *libraries in (LIBRARIES[path.suffix.lower()], IN_PROGRESS):
+            require(f"{path.suffix.lower()} files", extra, *libraries)
         return cls(path)
 
     def write(self, dataset: xarray.Dataset, folder: Path) -> None:

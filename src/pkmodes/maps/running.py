@@ -123,7 +123,7 @@ def _failures(scheduler: str) -> Iterator[None]:
 
 @contextmanager
 def _client(scheduler: str) -> Iterator[Any]:
-    require("maps on a Dask scheduler", "map", "distributed")
+    require("maps on a Dask scheduler", "cluster", "distributed")
     import distributed
 
     remedy = "start one with: dask scheduler, and give its address, such as tcp://127.0.0.1:8786"
