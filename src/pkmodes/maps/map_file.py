@@ -22,7 +22,12 @@ if TYPE_CHECKING:
 
 NETCDF, ZARR, CSV, PARQUET = ".nc", ".zarr", ".csv", ".parquet"
 #: Libraries that write each format, besides those of every map in progress, and their extra.
-LIBRARIES = {NETCDF: ("map", "netCDF4"), ZARR: ("map",), CSV: ("map", "pandas"), PARQUET: ("parquet", "pyarrow")}
+LIBRARIES = {
+    NETCDF: ("map", "netCDF4"),
+    ZARR: ("map",),
+    CSV: ("map", "pandas"),
+    PARQUET: ("parquet", "pyarrow"),
+}
 IN_PROGRESS = ("map", "zarr", "dask")
 FORMATS = tuple(LIBRARIES)
 #: Names of the map that is being written, and of the one that it replaces, in the folder of the map in progress.
