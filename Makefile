@@ -4,38 +4,53 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+PKMODES := $(BIN)/pkmodes
+# The heading of an act of the demo, and what it shows.
+ACT := printf '\n\033[1m%s\033[0m\n%s\n\n'
 ROBOT := robots/linear-delta-2022.toml
-DEMO := build/linear-delta-2022
 LOOP := examples/closed_loop
 CAMPAIGN := examples/campaign
-CORRECTED := build/workshop-delta
 IDENTIFIED := robots/linear-delta-2022-identified.toml
 PLANE := x=0.29:1.23:95,y=-0.16:0.16:33,z=-0.24383544
 POSE := 0.6,0,-0.24383544
 
 # The targets share one environment: run in parallel, they would both install into it.
 .NOTPARALLEL:
-.PHONY: demo test floors lint types check generate schemas derivation docs benchmark figures suites clean
+.PHONY: demo first-act test floors lint types check generate schemas derivation docs benchmark figures suites clean
 
-demo: $(VENV)/.demo  ## the whole loop, from the robot file and signals to corrected code, with a map, a report and pictures
-	$(BIN)/python -m pkmodes generate $(ROBOT) --out $(DEMO)
-	$(BIN)/python -m pkmodes check $(DEMO)
-	$(BIN)/python docs/studies/published_tables/residual.py $(ROBOT) --generated $(DEMO)
-	$(BIN)/python -m pkmodes compare $(LOOP)/robot.toml $(LOOP)/measured.csv
-	$(BIN)/python -m pkmodes diagnose $(LOOP)/robot.toml $(LOOP)/measured.csv --save-robot $(CORRECTED).toml \
+# The first act needs the core only, and runs without its compiled evaluator, which takes longer to build than the act.
+first-act: export PKMODES_BACKEND = numpy
+first-act: $(VENV)/.core
+	@mkdir -p build
+	@$(ACT) '1. What does the model lack?' \
+	    'A machine has compliant gearboxes that its robot file does not declare; diagnose gets that file and measured modes.'
+	$(PKMODES) diagnose $(LOOP)/robot.toml $(LOOP)/measured.csv --save-robot build/workshop-delta.toml
+
+demo: first-act $(VENV)/.demo  ## the loop: a cause found, corrected code, signals to modes, the paper's tables, pages to open
+	@$(ACT) '2. Code of the corrected machine' \
+	    'NumPy and C99 come from the corrected file and are checked; with it the same measurements need no further cause.'
+	$(PKMODES) generate build/workshop-delta.toml --out build/workshop-delta
+	$(PKMODES) check build/workshop-delta
+	$(PKMODES) diagnose build/workshop-delta.toml $(LOOP)/measured.csv
+	@$(ACT) '3. From signals' \
+	    'Another machine was tapped with a hammer: its signals become modes with standard deviations, and these a cause.'
+	$(PKMODES) identify $(CAMPAIGN)/campaign.toml --out build/modes.csv --report build/identification.html
+	$(PKMODES) diagnose $(CAMPAIGN)/robot.toml build/modes.csv --save-robot build/corrected.toml \
 	    --report build/diagnosis.html
-	$(BIN)/python -m pkmodes generate $(CORRECTED).toml --out $(CORRECTED)
-	$(BIN)/python -m pkmodes diagnose $(CORRECTED).toml $(LOOP)/measured.csv
-	$(BIN)/python -m pkmodes identify $(CAMPAIGN)/campaign.toml --out build/modes.csv --report build/identification.html
-	$(BIN)/python -m pkmodes diagnose $(CAMPAIGN)/robot.toml build/modes.csv --save-robot build/corrected.toml
-	$(BIN)/python -m pkmodes diagnose build/corrected.toml build/modes.csv
-	$(BIN)/python -m pkmodes map $(IDENTIFIED) --grid $(PLANE) --out build/map.nc --overwrite --report build/map.html
-	$(BIN)/python -m pkmodes show $(IDENTIFIED) --out build/robot.html
-	$(BIN)/python -m pkmodes show $(IDENTIFIED) --pose=$(POSE) --mode 2 --out build/mode.gif
+	$(PKMODES) diagnose build/corrected.toml build/modes.csv
+	@$(ACT) '4. The tables of the paper' \
+	    'The values that the paper declares miss its printed frequencies; those identified from its tables give every digit.'
+	$(PKMODES) generate $(ROBOT) --out build/linear-delta-2022
+	$(PKMODES) check build/linear-delta-2022
+	$(BIN)/python docs/studies/published_tables/residual.py $(ROBOT) --generated build/linear-delta-2022
+	@$(ACT) '5. Pages to open' \
+	    'Each is one file that works without a network.'
+	$(PKMODES) map $(IDENTIFIED) --grid $(PLANE) --out build/map.nc --overwrite --report build/map.html
+	$(PKMODES) show $(IDENTIFIED) --out build/robot.html
+	$(PKMODES) show $(IDENTIFIED) --pose=$(POSE) --mode 2 --out build/mode.gif
 	@echo
-	@echo "open these pages in a browser:"
-	@echo "  build/diagnosis.html        the diagnosis of the workshop's machine, to hand on"
-	@echo "  build/identification.html   from signals to modes: the fits to the taps of another machine"
+	@echo "  build/identification.html   from signals to modes: the fits to the taps"
+	@echo "  build/diagnosis.html        what that machine's model lacked, to hand on"
 	@echo "  build/map.html              where the paper's machine rings"
 	@echo "  build/robot.html            that machine, moving in its modes"
 	@echo "  build/mode.gif              its second mode, as in the README"
@@ -114,21 +129,32 @@ $(VENV)/.python:
 	    echo "error: $(PYTHON) cannot create a virtual environment (make); install its venv package" >&2; exit 2; }
 	@touch $@
 
-# The demo's environment is a subset of the tests' environment, so both use the same folder.
-$(VENV)/.derive: $(VENV)/.python pyproject.toml
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[derive]'
+# Each environment is a subset of that for tests, so all use the same folder.  The core alone is installed without its
+# compiled evaluator.  pip says only what went wrong.
+INSTALL = $(BIN)/python -m pip install --quiet --quiet --disable-pip-version-check --editable
+
+$(VENV)/.core: $(VENV)/.python pyproject.toml
+	@echo "installing pkmodes into $(VENV)"
+	@HATCH_BUILD_NO_HOOKS=true $(INSTALL) .
 	@touch $@
 
-$(VENV)/.demo: $(VENV)/.python pyproject.toml
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[derive,report]'
-	@touch $@ $(VENV)/.derive
+$(VENV)/.derive: $(VENV)/.python pyproject.toml
+	@$(INSTALL) '.[derive]'
+	@touch $@ $(VENV)/.core
+
+$(VENV)/.demo: $(VENV)/.core pyproject.toml
+	@echo
+	@echo "installing what makes code, maps and pages, and compiling the evaluator: a minute or two"
+	@$(INSTALL) '.[derive,report]'
+	@touch $@ $(VENV)/.derive $(VENV)/.core
 
 $(VENV)/.dev: $(VENV)/.python pyproject.toml
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
-	@touch $@ $(VENV)/.demo $(VENV)/.derive $(VENV)/.docs
+	@echo "installing pkmodes into $(VENV), with all that its tests need: some minutes"
+	@$(INSTALL) '.[dev]'
+	@touch $@ $(VENV)/.core $(VENV)/.demo $(VENV)/.derive $(VENV)/.docs
 
 $(VENV)/.docs: $(VENV)/.python pyproject.toml
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]' || { \
+	@$(INSTALL) '.[docs]' || { \
 	    echo "error: the packages of the extra 'docs' cannot be installed (make docs); check the network, or run:" \
 	        "$(BIN)/python -m pip install -e '.[docs]'" >&2; \
 	    exit 2; }
@@ -136,6 +162,6 @@ $(VENV)/.docs: $(VENV)/.python pyproject.toml
 
 # The packages to compare with are optional: the benchmark leaves out what is missing.
 $(VENV)/.benchmark: $(VENV)/.dev
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[benchmark]' \
+	@$(INSTALL) '.[benchmark]' \
 	    || echo "note: not all packages of the extra 'benchmark' can be installed; their rows are left out"
 	@touch $@
