@@ -31,7 +31,7 @@ NEEDS_A_SHELL = re.compile(r"[|&;<>$`*?~!(){}\[\]\\]")
 LANGUAGES = {"python", "sh", "text", "toml", "csv", "c"}
 RUN = [page for page in PAGES if any(block.elsewhere is None for block in blocks(page))]
 #: Pages with a diagnosis or several compilations; the others take a few seconds at most.
-LONG = {"README.md", "docs/tutorial.md", "docs/diagnosis.md"}
+LONG = {"docs/command-line.md", "docs/tutorial.md", "docs/diagnosis.md"}
 
 
 def commands_of(text: str) -> list[list[str]] | None:
@@ -57,7 +57,7 @@ class Reader:
             script.parent.mkdir(exist_ok=True)
             script.write_text(f'#!/bin/sh\nexec {command} "$@"\n')
             script.chmod(0o755)
-        if page != "README.md":  # whose commands create the folders that they need
+        if page != "docs/command-line.md":  # whose commands create the folders that they need
             (folder / "build").mkdir()
         self.environment = {
             **os.environ,

@@ -1,4 +1,4 @@
-"""What README says besides its code blocks, which run as those of all pages do (test_code_blocks.py)."""
+"""What pages say besides their code blocks, which run as those of all pages do (test_code_blocks.py)."""
 
 from __future__ import annotations
 
@@ -13,17 +13,22 @@ from pkmodes import updating
 from pkmodes.cli import cli
 
 ROOT = Path(__file__).parents[1]
-README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
-def block(text: str, start: str) -> str:
-    """Return the code block that begins with some text."""
+def block(page: str, start: str) -> str:
+    """Return the code block of a page that begins with some text."""
+    text = (ROOT / page).read_text(encoding="utf-8")
     (found,) = (part for part in re.findall(r"```\w*\n(.*?)```", text, re.S) if part.startswith(start))
     return found
 
 
-def test_the_effects_of_the_readme_move_the_first_mode_as_it_says() -> None:
-    text = block(README, "[effects.payload]")
+def test_the_readme_is_short() -> None:
+    """Who reads it for five minutes knows whether pkmodes is for him."""
+    assert len((ROOT / "README.md").read_text(encoding="utf-8").split()) <= 900
+
+
+def test_two_effects_move_the_first_mode_as_it_says() -> None:
+    text = block("docs/robot-file.md", "[effects.payload]")
     effects = {
         f"effects.{name}.{key}": value
         for name, table in tomllib.loads(text)["effects"].items()
@@ -42,9 +47,9 @@ def test_the_effects_of_the_readme_move_the_first_mode_as_it_says() -> None:
     assert len(more.frequencies([0.6, 0.0, -0.245])) == len(model.frequencies([0.6, 0.0, -0.245])) + 3
 
 
-def test_the_readme_shows_a_measurement_file_that_can_be_read(tmp_path: Path) -> None:
+def test_a_page_shows_a_measurement_file_that_can_be_read(tmp_path: Path) -> None:
     path = tmp_path / "modes.csv"
-    path.write_text(block(README, "pose,x,y,z,"))
+    path.write_text(block("docs/diagnosis.md", "pose,x,y,z,"))
     found, whole = updating.read(path), updating.read(ROOT / "examples/closed_loop/measured.csv")
     assert found.channels == whole.channels
     row = whole.pose[0]
@@ -53,6 +58,6 @@ def test_the_readme_shows_a_measurement_file_that_can_be_read(tmp_path: Path) ->
     assert found.shapes[0] == pytest.approx(whole.shapes[0], rel=1e-5)
 
 
-def test_the_readme_shows_every_command() -> None:
-    shown = [line.split()[1] for line in block(README, "pkmodes modes").splitlines()]
+def test_a_page_shows_every_command() -> None:
+    shown = [line.split()[1] for line in block("docs/command-line.md", "pkmodes modes").splitlines()]
     assert sorted(shown) == sorted(cli.commands)

@@ -260,10 +260,9 @@ def test_the_first_residual_is_the_documented_one(printed_by_the_demo: str) -> N
     assert "rms 24.3 %, largest 45.6 %" in page
 
 
-@pytest.mark.parametrize("path", ["README.md", "docs/published-tables.md"])
-def test_before_and_after_are_the_documented_ones(path: str, printed_by_the_demo: str) -> None:
+def test_before_and_after_are_the_documented_ones(printed_by_the_demo: str) -> None:
     """Every row of the demo's last table is in the page that quotes it."""
-    text = (ROOT / path).read_text(encoding="utf-8")
+    text = (ROOT / "docs/published-tables.md").read_text(encoding="utf-8")
     rows = [
         line.split() for line in printed_by_the_demo.splitlines() if re.match(r"(minimum|maximum) ", line)
     ]

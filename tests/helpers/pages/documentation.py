@@ -34,20 +34,16 @@ HINT = re.compile(r"(?:file|append): [\w./-]+|exit \d|from a fit|shortened|fragm
 #: Blocks that another test runs, or that nothing can run, by the beginning of their first line.
 ELSEWHERE = {
     ("README.md", "make demo"): "run by .ci/run",
-    (
-        "README.md",
-        '#include "linear_delta_2022.h"',
-    ): "part of a program; docs/using-the-c-code.md has a whole one",
-    (
-        "README.md",
-        "import linear_delta_2022",
-    ): "for a folder on Python's path; tests/runtime/test_generate.py",
     ("docs/adding-a-mechanism.md", ""): "tests/runtime/own_mechanism/test_page.py",
     ("docs/adding-an-effect.md", ""): "tests/effects/test_adding_an_effect.py",
     (
         "docs/diagnosis.md",
         "PYTHONPATH=tests python -m pkmodes_rig",
     ): "tests/diagnosis/test_calibration_of_probabilities.py",
+    (
+        "docs/generated-code.md",
+        "import linear_delta",
+    ): "for a folder on Python's path; tests/runtime/test_generate.py",
     ("docs/generated-code.md", "cc -std=c99 -O2 -DPKMODES_FLOAT"): "my_robot.c stands for any robot's",
     (
         "docs/json.md",
