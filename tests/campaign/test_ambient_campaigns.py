@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from campaign.structures import CHANNELS, HEAD, Frame, accelerations, identify, record, sensors
+from campaign.structures import CHANNELS, HEAD, Frame, accelerations, identify, record, refused, sensors
 from pkmodes.measured.reading import read_modes
 
 SENSORS = sensors("m/s^2", "g0", "mm/s")
@@ -44,6 +44,24 @@ def test_ambient_records_give_the_modes_and_the_fan_is_said(tmp_path: Path) -> N
     for row, shape in zip(data.shapes, shapes.T, strict=True):
         np.testing.assert_allclose(row, shape / shape[np.argmax(np.abs(shape))], rtol=0, atol=0.06)
     assert any("150" in message for message in found.record["messages"])
+
+
+def test_a_rate_prevails_over_uneven_times_and_columns_are_named_in_the_record(tmp_path: Path) -> None:
+    """A logger wrote when each sample arrived, without names; the sensors were sampled evenly."""
+    rng = np.random.default_rng(32)
+    write_ambient(tmp_path / "a.csv", rng)
+    table = np.loadtxt(tmp_path / "a.csv", delimiter=",", skiprows=1)
+    table[:, 0] += STEP * rng.uniform(0.0, 0.9, len(table))
+    np.savetxt(tmp_path / "raw.tsv", table, delimiter="\t", fmt="%.9g")
+    text = HEAD + 'tones = ["150 Hz"]\n' + SENSORS
+    named = 'columns = ["time", "a1", "a2", "a3"]\n'
+    known = identify(tmp_path, text + record("ambient", "a.csv")).record["modes"]
+    found = identify(tmp_path, text + record("ambient", "raw.tsv") + named + 'rate = "1024 Hz"\n').record
+    assert [one["frequency"] for one in found["modes"]] == pytest.approx([one["frequency"] for one in known])
+    assert any(
+        "its times are uneven: the rate of the record, 1024 Hz, is used" in m for m in found["messages"]
+    )
+    assert "give the rate in the record" in refused(tmp_path, text + record("ambient", "raw.tsv") + named)
 
 
 def test_a_record_too_long_for_memory_is_reduced_to_fewer_samples(

@@ -54,6 +54,8 @@ class Record:
         Time constant of a window [s], and a sampling rate [Hz].
     columns : mapping of str to str
         Names of a table's columns, by those of a measurement file.
+    header : tuple of str
+        Names of all columns of a table of signals, in order, where its own are others or missing.
     """
 
     number: int
@@ -70,6 +72,7 @@ class Record:
     hits: int
     rate: float | None
     columns: Mapping[str, str]
+    header: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -256,7 +259,8 @@ def _record(
         exponential=None if given.exponential is None else _time(given.exponential, f"{where}.exponential"),
         hits=given.hits,
         rate=None if given.rate is None else frequency(given.rate, f"{where}.rate", "3200 Hz"),
-        columns=given.columns,
+        columns=given.columns if isinstance(given.columns, dict) else {},
+        header=tuple(given.columns) if isinstance(given.columns, list) else (),
     )
 
 

@@ -72,7 +72,7 @@ class RecordTable(Part, frozen=True):
     band: list[str] | None = None
     drives: Literal["free", "held"] | None = None
     rate: str | None = None
-    columns: dict[str, str] = {}
+    columns: dict[str, str] | list[str] = {}
 
 
 class EditTable(Part, frozen=True):

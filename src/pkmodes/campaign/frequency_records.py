@@ -68,7 +68,7 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
         If the file is faulty, or its functions are not those of the campaign.
     """
     sensors = campaign.sensors_in(setup)
-    functions = sensor_functions(path, Kind.FRF, frozenset(sensors))
+    functions = sensor_functions(path, Kind.FRF, frozenset(sensors), header=record.header)
     read = functions.read
     given = responses_of(functions, sensors, campaign.forces_in(setup), campaign.channels)
     low, high = record.band
@@ -176,9 +176,8 @@ def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -
         If the file is faulty, or its spectra are not those of the campaign.
     """
     sensors = campaign.sensors_in(setup)
-    functions = sensor_functions(
-        path, Kind.SPECTRUM, frozenset({*sensors, *(name.removeprefix("psd_") for name in sensors)})
-    )
+    names = frozenset({*sensors, *(name.removeprefix("psd_") for name in sensors)})
+    functions = sensor_functions(path, Kind.SPECTRUM, names, header=record.header)
     read, used = functions.read, functions.used
     f = used[0].abscissa
     power = np.stack([np.abs(one.values) for one in used], axis=1)
@@ -194,5 +193,5 @@ def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -
 
     said = (*read.messages, *(f"{read.source}: {message}" for message in messages))
     seen = frozenset({one.response for one in used} | {f"psd_{one.response}" for one in used})
-    names = tuple(one.response for one in used)
-    return modes_of_fit(Fit(estimate, names), said, seen | campaign.unsigned_forces_in(setup), found)
+    responses = tuple(one.response for one in used)
+    return modes_of_fit(Fit(estimate, responses), said, seen | campaign.unsigned_forces_in(setup), found)

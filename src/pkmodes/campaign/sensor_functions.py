@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -45,7 +45,7 @@ class SensorFunctions:
 
 
 def sensor_functions(
-    path: Path, kind: Kind, names: frozenset[str], rate: float | None = None
+    path: Path, kind: Kind, names: frozenset[str], rate: float | None = None, header: tuple[str, ...] = ()
 ) -> SensorFunctions:
     """Read the functions of the sensors with some names.
 
@@ -55,17 +55,20 @@ def sensor_functions(
         As in the file; all if it is empty and the kind needs no sensors.
     rate : float, optional
         Sampling rate of signals without times [Hz].
+    header : tuple of str
+        Names of the columns of a table, instead of its own.
 
     Raises
     ------
     MeasurementError
         If the file is faulty or has none of them, or their times or frequencies differ.
     """
-    read = read_signals(path, Asked(rate=rate, sensors=names or None))
+    asked = Asked(rate=rate, columns=header)
+    read = read_signals(path, replace(asked, sensors=names or None))
     of_kind = [one for one in read.functions if one.kind is kind and not one.force]
     used = [one for one in of_kind if one.response in names or (not names and kind is Kind.SPECTRUM)]
     if not used:
-        _refuse_unknown_names(path, kind, names, rate)
+        _refuse_unknown_names(path, kind, names, asked)
     for one in used:
         if not np.array_equal(one.abscissa, used[0].abscissa):
             what = f"the {WORDS[kind][1]} of {shown(one.response)} differ from those of {shown(used[0].response)}"
@@ -73,9 +76,9 @@ def sensor_functions(
     return SensorFunctions(read, tuple(used))
 
 
-def _refuse_unknown_names(path: Path, kind: Kind, names: frozenset[str], rate: float | None) -> None:
+def _refuse_unknown_names(path: Path, kind: Kind, names: frozenset[str], asked: Asked) -> None:
     """Say what a file has instead of the campaign's sensors."""
-    read = read_signals(path, Asked(rate=rate))
+    read = read_signals(path, asked)
     found = list(dict.fromkeys(one.response for one in read.functions if one.kind is kind and not one.force))
     if not found:
         what = f"expected {WORDS[kind][0]}, found {len(read.functions)} other functions"

@@ -29,9 +29,10 @@ from pkmodes.identification.frf_estimates import impact_estimate
 from pkmodes.identification.level import levels
 from pkmodes.identification.ssi_bands import FEWEST_PERIODS
 from pkmodes.identification.ssi_identification import identify_responses
+from pkmodes.signals.checks import FEWEST
 from pkmodes.signals.functions import Kind
 from pkmodes.signals.reduction import reduced, reduction
-from pkmodes.signals.sampling import even_pieces
+from pkmodes.signals.sampling import Piece, even_pieces
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -86,7 +87,7 @@ def time_signals(
         If the file is faulty, has none of the campaign's sensors, or its signals differ in their times.
     """
     sensors = campaign.sensors_in(setup)
-    functions = sensor_functions(path, Kind.TIME, frozenset(sensors), record.rate)
+    functions = sensor_functions(path, Kind.TIME, frozenset(sensors), record.rate, record.header)
     read, used = functions.read, functions.used
     time = used[0].abscissa
     forces = [one for one in read.functions if one.force]
@@ -102,7 +103,7 @@ def time_signals(
         what = f"the signal {shown(repeated)} occurs twice"
         raise MeasurementError(what, read.source, "give repeats as files of their own")
     motions = [motion_of(one, sensors[one.response], campaign.channels, read.source) for one in used]
-    pieces, gaps = even_pieces(time, read.source)
+    pieces, gaps = _pieces(time, record.rate, read.source)
     fewer = 1 if highest is None else reduction(len(time), pieces[0].step, highest)
     dead: list[str] = []
     columns: list[list[Array]] = []
@@ -129,6 +130,18 @@ def time_signals(
         np.array([of.derivative for of in motions]),
         (*read.messages, *gaps, *dead_channels(dead, read.source)),
     )
+
+
+def _pieces(time: Array, rate: float | None, source: str) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
+    """Return the even parts of a record, and what to say of them; a rate prevails over times that are uneven."""
+    try:
+        return even_pieces(time, source)
+    except MeasurementError:
+        if rate is None or time.size < FEWEST:
+            raise
+    by_times = (time.size - 1) / float(time[-1] - time[0])
+    said = f"{source}: its times are uneven: the rate of the record, {rate:g} Hz, is used; by the times it is"
+    return (Piece(slice(0, time.size), 1.0 / rate),), (f"{said} {by_times:.6g} Hz",)
 
 
 def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:

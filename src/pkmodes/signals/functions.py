@@ -133,10 +133,13 @@ class Asked:
         Sampling rate [Hz] of signals without a column of times.
     sensors : frozenset of str, optional
         Names of the sensors whose functions are wanted; all by default.  Forces in time are always read.
+    columns : tuple of str
+        Names of the columns of a table, instead of its header; it may have none.
     """
 
     rate: float | None = None
     sensors: frozenset[str] | None = None
+    columns: tuple[str, ...] = ()
 
     def wants(self, *names: str) -> bool:
         """Return whether a sensor that has any of these names is wanted."""

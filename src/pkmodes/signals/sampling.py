@@ -21,10 +21,14 @@ from pkmodes.signals.functions import Array
 TOLERANCE = 0.01
 #: Resolutions of times in files [s], and the part of a step below which one of them is possible.
 MICROSECOND, COARSE, FINE = 1e-6, (1e-2, 1e-3, 1e-4, 1e-5), 0.25
+#: Last digits of rounded times [s], and how far from an even one, in parts of it, such a time may lie.
+ROUNDED, HALF = tuple(10.0**-k for k in range(10)), 0.55
 #: Samples at the end of a record from which its resolution is told: late times have the fewest digits.
 TAIL = 1000
 #: Share of uneven steps above which a record is sampled unevenly rather than interrupted.
 MOST_GAPS = 0.05
+#: Gaps of which each is said.
+MOST_NAMED = 3
 #: Samples that are looked at together.
 PART = 1_000_000
 
@@ -84,19 +88,60 @@ def even_pieces(time: Array, where: str) -> tuple[tuple[Piece, ...], tuple[str, 
             f"expected even sampling, found {breaks.size} of {time.size - 1} steps that differ by 1 % or more"
         )
         what += f" from {usual:.6g} s, first {worst:.6g} s after {time[breaks[0]]:.6g} s"
-        raise MeasurementError(what, where, "resample the signals evenly, or export times with more digits")
+        raise MeasurementError(
+            what,
+            where,
+            "resample the signals evenly, or give the rate in the record if only the times are wrong",
+        )
     edges = [0, *(int(i) + 1 for i in breaks), time.size]
     pieces = [
         Piece(slice(low, high), float(time[high - 1] - time[low]) / (high - low - 1))
         for low, high in pairwise(edges)
         if high - low >= FEWEST
     ]
-    messages = [
-        f"{where}: the step from {time[i]:.6g} s to {time[i + 1]:.6g} s is"
-        f" {(time[i + 1] - time[i]) / usual:.4g} times the usual one: the record is split there"
-        for i in breaks
-    ]
-    return tuple(pieces), tuple(messages)
+    return tuple(pieces), _said(time, breaks, usual, where)
+
+
+def _said(time: Array, breaks: NDArray[np.intp], usual: float, where: str) -> tuple[str, ...]:
+    """Return a sentence for each gap, of many gaps one for all."""
+    lost = time[breaks + 1] - time[breaks] - usual
+    if breaks.size <= MOST_NAMED:
+        return tuple(
+            f"{where}: the step from {time[i]:.6g} s to {time[i + 1]:.6g} s is"
+            f" {(time[i + 1] - time[i]) / usual:.4g} times the usual one: the record is split there"
+            for i in breaks
+        )
+    share = 100.0 * lost.sum() / (time[-1] - time[0])
+    least, most = 1e3 * lost.min(), 1e3 * lost.max()
+    size = f"{most:.3g} ms" if most <= 1.05 * least else f"{least:.3g} to {most:.3g} ms"
+    return (
+        f"{where}: {breaks.size} gaps of {size}, {share:.2g} % of the record, the first at {time[breaks[0]]:.6g} s:"
+        " the record is split there",
+    )
+
+
+def as_sampled(time: Array) -> Array:
+    """Return the even times of a record whose times were rounded; the times themselves if they have digits enough.
+
+    Printed with few digits, times differ by up to half of the last one from even ones, and may repeat.
+
+    Parameters
+    ----------
+    time : ndarray, shape (n,)
+        [s].
+    """
+    if time.size <= FEWEST:
+        return time
+    mean = float(time[-1] - time[0]) / (time.size - 1)
+    if not mean > 0.0 or all(
+        np.all(np.abs(np.diff(part) - mean) <= TOLERANCE * mean) for _, part in _parts(time)
+    ):
+        return time
+    last_digit = next((one for one in ROUNDED if _are_multiples(time[-TAIL:], one)), 0.0)
+    number = np.arange(time.size)
+    slope, start = np.polyfit(number - number.mean(), time, 1)
+    even = start + slope * (number - number.mean())
+    return even if np.abs(time - even).max() <= HALF * last_digit else time
 
 
 def _breaks(time: Array, usual: float, tolerance: float) -> NDArray[np.intp]:

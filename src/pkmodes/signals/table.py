@@ -1,147 +1,43 @@
-"""Tables of signals, frequency responses or spectra in text, such as data loggers, Klipper and pkmodes write.
-
-The name of a column says what it is: ``time``, ``force``, ``re:acc_1/hammer``, ``psd_x``, or a sensor.
-"""
+"""Tables of signals, frequency responses or spectra in text, such as data loggers, Klipper and pkmodes write."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import replace
 from os import fspath
 from pathlib import Path
 
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.core.robot.columns import parted
 from pkmodes.measured.formats import Format
 from pkmodes.signals.checks import FEWEST, outside_coherence
+from pkmodes.signals.clock import is_clock, seconds_of
 from pkmodes.signals.functions import Array, Asked, Complex, Function, Kind, SignalFile
+from pkmodes.signals.sampling import as_sampled
+from pkmodes.signals.table_columns import Column, Layout, layout_of
+from pkmodes.signals.table_programs import framed
 from pkmodes.signals.table_text import TableText, check_text, split_table
 from pkmodes.signals.units import hertz_in, quotient, seconds_in, unit_text
 
-TIME, FORCE = "time", "force"
-FREQUENCIES = ("frequency", "freq")
-REAL, IMAGINARY, COHERENCE, POWER = "re:", "im:", "coh:", "psd_"
-POWERS = ("psd_x", "psd_y", "psd_z")
 #: Larger tables would not fit into memory as text and as numbers.
 LARGEST_FILE = 1_000_000_000
+#: Units of phases, and where those without one are radians, between pi and -pi or up to 2 pi, or degrees.
+ANGLES = {
+    "rad": 1.0,
+    "deg": np.pi / 180.0,
+    "degree": np.pi / 180.0,
+    "degrees": np.pi / 180.0,
+    "°": np.pi / 180.0,
+}
+RADIANS, DEGREES = 2.0 * np.pi, 40.0
 #: Bytes from which binary data are told from text.
 HEAD = 4096
 LOSS = re.compile(r"\b(?:drop|overflow|over-?run|overrange|lost|loss|miss(?:ed|ing)|gap|clip)", re.IGNORECASE)
 NONE_LOST = re.compile(r"\b(?:no|none|without|never)\b", re.IGNORECASE)
 NUMBERS = re.compile(r"\d+(?:\.\d+)?")
 STATEMENT = re.compile(r"#\s*(unit|quantity|drives)\s*:\s*(.+?)\s*", re.IGNORECASE)
-
-
-@dataclass(frozen=True)
-class Column:
-    """A function in a table: its kind and names, the places of its one or two columns, and the label of its unit."""
-
-    kind: Kind
-    response: str
-    reference: str
-    places: tuple[int, ...]
-    label: str
-    force: bool = False
-
-
-@dataclass(frozen=True)
-class Layout:
-    """The columns of a table: that of the abscissa, None without one, with the label of its unit, and the others."""
-
-    abscissa: int | None
-    label: str
-    kind: Kind
-    columns: tuple[Column, ...]
-
-
-def layout_of(cells: Sequence[str], where: str, asked: Asked) -> Layout:
-    """Return what the columns of a table are.
-
-    Parameters
-    ----------
-    cells : sequence of str
-        Of the header, with units in brackets.
-    where : str
-        The line of the header, for messages.
-    asked : Asked
-        What is wanted of the file.
-
-    Raises
-    ------
-    MeasurementError
-        If there is no time or frequency, or more than one; if a wanted column occurs twice or lacks its other part.
-    """
-    parts = [parted(cell, ()) for cell in cells]
-    times = [i for i, (name, _) in enumerate(parts) if name.lower() == TIME]
-    frequencies = [i for i, (name, _) in enumerate(parts) if name.lower() in FREQUENCIES]
-    found = times + frequencies
-    if len(found) > 1:
-        what = f"expected one column of times or frequencies, found {len(found)}"
-        raise MeasurementError(what, where, "leave one of them out")
-    if not found and asked.rate is None:
-        remedy = 'name the column of times "time" or that of frequencies "frequency", or give the rate in the record'
-        raise MeasurementError("expected a column of times or frequencies, found none", where, remedy)
-    others = {i: name for i, (name, _) in enumerate(parts) if i not in found and name}
-    labels = [label or "" for _, label in parts]
-    columns = _spectral(others, labels, where, asked) if frequencies else _signals(others, labels, asked)
-    _refuse_repeated(columns, cells, where)
-    kind = Kind.FRF if frequencies else Kind.TIME
-    return Layout(found[0] if found else None, labels[found[0]] if found else "", kind, tuple(columns))
-
-
-def _signals(names: Mapping[int, str], labels: Sequence[str], asked: Asked) -> list[Column]:
-    """Return the columns of a table of signals."""
-    return [
-        Column(Kind.TIME, name, "", (i,), labels[i], name == FORCE)
-        for i, name in names.items()
-        if name == FORCE or asked.wants(name)
-    ]
-
-
-def _spectral(names: Mapping[int, str], labels: Sequence[str], where: str, asked: Asked) -> list[Column]:
-    """Return the columns of a table of functions of frequency."""
-    columns: list[Column] = []
-    plain = asked.sensors is not None or not any(
-        name.startswith((REAL, COHERENCE, POWER)) for name in names.values()
-    )
-    for i, name in names.items():
-        channel = name.partition(":")[2]
-        response, _, reference = (part.strip() for part in channel.partition("/"))
-        if name.startswith((REAL, IMAGINARY)):
-            if not asked.wants(response):
-                continue
-            pair = [
-                [j for j, other in names.items() if other == f"{prefix}{channel}"]
-                for prefix in (REAL, IMAGINARY)
-            ]
-            if [len(one) for one in pair] != [1, 1]:
-                what = f"expected one column {shown(REAL + channel)} and one {shown(IMAGINARY + channel)}"
-                raise MeasurementError(what, where, "give both parts of each frequency response once")
-            if name.startswith(REAL):
-                columns.append(Column(Kind.FRF, response, reference, (pair[0][0], pair[1][0]), labels[i]))
-        elif name.startswith(COHERENCE):
-            if asked.wants(response):
-                columns.append(Column(Kind.COHERENCE, response, reference, (i,), labels[i]))
-        elif name.lower() in POWERS or (name.startswith(POWER) and asked.sensors is not None):
-            power = name[len(POWER) :]
-            if asked.wants(name, power):
-                columns.append(Column(Kind.SPECTRUM, power, "", (i,), labels[i]))
-        elif plain and asked.wants(name):
-            columns.append(Column(Kind.SPECTRUM, name, "", (i,), labels[i]))
-    return columns
-
-
-def _refuse_repeated(columns: Sequence[Column], cells: Sequence[str], where: str) -> None:
-    """Refuse two columns of one function."""
-    seen: dict[tuple[Kind, str, str], Column] = {}
-    for column in columns:
-        first = seen.setdefault((column.kind, column.response, column.reference), column)
-        if first is not column:
-            what = f"the column {shown(cells[column.places[0]])} is repeated, first as column {first.places[0] + 1}"
-            raise MeasurementError(what, f"{where}, column {column.places[0] + 1}", "remove one of them")
 
 
 def read(path: Path, asked: Asked) -> SignalFile:
@@ -159,21 +55,31 @@ def read(path: Path, asked: Asked) -> SignalFile:
     with path.open("rb") as file:
         check_text(file.read(HEAD), source)  # before gigabytes of something else are read
         file.seek(0)
-        text = split_table(file.read(), source)
+        frame = framed(file.read(), source)
+    text = split_table(frame.content, source, asked.columns)
+    if asked.rate is None:
+        asked = replace(asked, rate=frame.rate)
     layout = layout_of(text.names, f"{source}: line {text.header_line}", asked)
+    if layout.kind is Kind.FRF and layout.abscissa is not None:
+        text = text.without_empty_zero(layout.abscissa)
     wanted = [place for column in layout.columns for place in column.places]
     read_places = ([] if layout.abscissa is None else [layout.abscissa]) + wanted
     if not read_places:  # still checked, so that a damaged table is not taken for one without these sensors
         read_places = [0]
-    numbers = dict(zip(read_places, text.columns(read_places), strict=True))
+    clock = layout.abscissa is not None and is_clock(text.cell(layout.abscissa))
+    of_numbers = wanted if clock and wanted else read_places
+    numbers = dict(zip(of_numbers, text.columns(of_numbers), strict=True))
+    if clock:
+        assert layout.abscissa is not None
+        numbers[layout.abscissa] = _clock(layout.abscissa, text)
     rows = numbers[read_places[0]].size
     abscissa = _abscissa(layout, numbers, rows, text, asked)
     for column in layout.columns:
         if column.kind is Kind.COHERENCE:
             _check_coherence(column, numbers, text)
     stated = _stated(text.comments)
-    functions = tuple(_function(column, numbers, abscissa, stated) for column in layout.columns)
-    messages = tuple(f"{source}: {one}" for one in _losses(text.comments))
+    functions = tuple(_function(column, numbers, abscissa, stated, source) for column in layout.columns)
+    messages = tuple(f"{source}: {one}" for one in (*_losses(text.comments), *frame.losses))
     return SignalFile(source, functions, (), messages, stated)
 
 
@@ -196,6 +102,8 @@ def _abscissa(layout: Layout, numbers: dict[int, Array], rows: int, text: TableT
             f"expected a unit of {expected}, found {shown(layout.label)}", where, "correct it"
         )
     abscissa = numbers[layout.abscissa] * factor
+    if layout.kind is Kind.TIME:
+        abscissa = as_sampled(abscissa)
     late = np.flatnonzero(np.diff(abscissa) <= 0.0)
     if late.size:
         row = int(late[0]) + 1
@@ -203,6 +111,16 @@ def _abscissa(layout: Layout, numbers: dict[int, Array], rows: int, text: TableT
         where = f"{text.source}: line {text.line_of(row)}, column {name}"
         raise MeasurementError(what, where, "sort the rows, and give each value once, with enough digits")
     return abscissa
+
+
+def _clock(place: int, text: TableText) -> Array:
+    """Return the seconds since the first time of a column of times of day."""
+    times, bad = seconds_of(text.texts(place))
+    if bad is not None:
+        what = f"expected a time, found {shown(text.texts(place)[bad]) or 'nothing'}"
+        where = f"{text.source}: line {text.line_of(bad)}, column {text.names[place]}"
+        raise MeasurementError(what, where, "write each time as 2024-05-03 10:00:00.005, or in seconds")
+    return times
 
 
 def _check_coherence(column: Column, numbers: dict[int, Array], text: TableText) -> None:
@@ -215,13 +133,16 @@ def _check_coherence(column: Column, numbers: dict[int, Array], text: TableText)
         raise MeasurementError(what, where, remedy)
 
 
-def _function(column: Column, numbers: dict[int, Array], abscissa: Array, stated: dict[str, str]) -> Function:
+def _function(
+    column: Column, numbers: dict[int, Array], abscissa: Array, stated: dict[str, str], source: str
+) -> Function:
     values: Array | Complex = numbers[column.places[0]]
-    unit, reference_unit = unit_text(column.label), None
+    unit, reference_unit = unit_text(column.unit), None
     if column.kind is Kind.FRF:
-        values = values + 1j * numbers[column.places[1]]
+        other = numbers[column.places[1]]
+        values = _polar(column, values.real, other, source) if column.polar else values + 1j * other
         channel = f"{column.response}/{column.reference}".removesuffix("/")
-        unit, reference_unit = quotient(column.label or stated.get(f"unit {channel}", ""))
+        unit, reference_unit = quotient(column.unit or stated.get(f"unit {channel}", ""))
     if column.kind is Kind.COHERENCE:
         unit = None
     return Function(
@@ -234,6 +155,21 @@ def _function(column: Column, numbers: dict[int, Array], abscissa: Array, stated
         reference_unit=reference_unit,
         force=column.force,
     )
+
+
+def _polar(column: Column, magnitude: Array, phase: Array, source: str) -> Complex:
+    """Return a frequency response from magnitude and phase, which is in degrees where it is too large for radians."""
+    label, largest = column.labels[1], float(np.abs(phase).max(initial=0.0))
+    where = f"{source}: phase of {column.response}"
+    if not label and RADIANS < largest < DEGREES:
+        what = f"expected the unit of the phase, found none, and phases up to {largest:.4g}"
+        raise MeasurementError(what, where, "write it in the header: [deg] or [rad]")
+    unit = unit_text(label) if label else ("rad" if largest <= RADIANS else "deg")
+    if unit not in ANGLES:
+        raise MeasurementError(f"expected a unit of angle, found {shown(label)}", where, "write deg or rad")
+    if column.decibels:
+        magnitude = 10.0 ** (magnitude / 20.0)
+    return np.asarray(magnitude * np.exp(1j * ANGLES[unit] * phase))
 
 
 def _stated(comments: Sequence[str]) -> dict[str, str]:
@@ -276,4 +212,4 @@ def looks_like_text(head: bytes) -> bool:
     return strange == 0 and any(one.isalpha() for one in text)
 
 
-TABLE = Format("table", (".csv", ".tsv", ".txt", ".dat"), looks_like_text, read)
+TABLE = Format("table", (".csv", ".tsv", ".txt", ".dat", ".lvm"), looks_like_text, read)

@@ -8,16 +8,22 @@ from __future__ import annotations
 import io
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.measured.cells import NUMBER, separator_of
+from pkmodes.measured.cells import NUMBER, number_in, separator_of
 from pkmodes.measured.csv_format import WORKBOOKS
+from pkmodes.signals.clock import is_clock
 from pkmodes.signals.functions import Array
 from pkmodes.signals.scanning import text_of
+from pkmodes.signals.units import unit_text
 
+#: What separates cells where nothing else does; such a table is read as one with tabs.
+BLANKS = re.compile(rb"[ \t]+")
+AROUND_LINES = re.compile(rb"^[ \t]+|[ \t]+(?=\r?$)", re.MULTILINE)
+MISSING = re.compile(r"[+-]?(?:nan|inf|infinity)|", re.IGNORECASE)
 REMEDY = "start with a row of names: time and the sensors, or frequency with re: and im: columns, or psd_x"
 #: Lines at the end in which spreadsheet programs leave nothing but separators.
 EMPTY_END = re.compile(rb"(?:\n[ \t,;\r]*)+\Z")
@@ -89,6 +95,33 @@ class TableText:
             raise self._first_problem(wanted)
         return np.ascontiguousarray(table.T)
 
+    def cell(self, column: int) -> str:
+        """Return the text of a cell of the first row, "" without rows."""
+        return next((self._cells(line)[column : column + 1] for _, line in self._rows()), [""])[0]
+
+    def texts(self, column: int) -> list[str]:
+        """Return the cells of a column."""
+        return [self._cells(line)[column] for _, line in self._rows()]
+
+    def without_empty_zero(self, abscissa: int) -> TableText:
+        """Return the table without its first row if that is the line at 0 Hz and lacks a value: a division by 0."""
+        first = next(self._rows(), None)
+        if first is None:
+            return self
+        cells = self._cells(first[1])
+        if len(cells) != len(self.names) or not any(map(MISSING.fullmatch, cells)):
+            return self
+        at = number_in(cells[abscissa].replace(",", "."), None)
+        if at != 0.0:
+            return self
+        return self.without_first_row()
+
+    def without_first_row(self) -> TableText:
+        """Return the table without its first row."""
+        number, _ = next(self._rows())
+        lines = self.body.split(b"\n", number - self.first_line + 1)
+        return replace(self, body=lines[-1], first_line=number + 1)
+
     def line_of(self, row: int) -> int:
         """Return the number of the line of a row, both of which count from the header."""
         for index, (number, _) in enumerate(self._rows()):
@@ -110,10 +143,17 @@ class TableText:
             if line.strip() and not line.lstrip().startswith(b"#"):
                 yield number, text_of(line).replace('"', "")
 
+    def _cells(self, line: str) -> list[str]:
+        return [cell.strip() for cell in line.split(self.separator)]
+
     def _first_problem(self, wanted: Sequence[int]) -> MeasurementError:
         """Return the error for the first row that cannot be read."""
         for number, line in self._rows():
-            cells = [cell.strip() for cell in line.split(self.separator)]
+            cells = self._cells(line)
+            if len(cells) == 1 < len(self.names) and any(map(str.isalpha, line)):
+                what = f"expected a row of numbers, found the text {shown(line.strip())}"
+                remedy = "measure again if it says that something failed; otherwise remove the line"
+                return MeasurementError(what, f"{self.source}: line {number}", remedy)
             if len(cells) != len(self.names):
                 what = f"expected {len(self.names)} cells, found {len(cells)}"
                 remedy = "give each row as many cells as the header; do not separate decimals by commas there"
@@ -142,8 +182,13 @@ def check_text(content: bytes, source: str) -> None:
         raise MeasurementError("expected a table in text, found binary data", source, remedy)
 
 
-def split_table(content: bytes, source: str) -> TableText:
+def split_table(content: bytes, source: str, columns: Sequence[str] = ()) -> TableText:
     """Find the header of a table: the first line that is not a comment, or a comment right above the numbers.
+
+    Parameters
+    ----------
+    columns : sequence of str
+        Names of the columns, if not those of the header, or there is none.
 
     Raises
     ------
@@ -172,29 +217,86 @@ def split_table(content: bytes, source: str) -> TableText:
         header, names_line, first = line, number, number + 1
         body = content[end:]
     else:
-        names_line, header = _header_among(comments, line, source, number)
+        names_line, header = _header_among(comments, line, source, number, columns)
         comments = [one for one in comments if one[0] != names_line]
         first, body = number, content[start:]
-    separator = separator_of(header)
-    names = tuple(cell.strip().strip('"').strip() for cell in header.split(separator))
+    separator, names = _separated(header, _first_row(body))
+    if separator == " ":
+        separator, body = "\t", BLANKS.sub(b"\t", AROUND_LINES.sub(b"", body))
+    if columns:
+        if len(columns) != len(names):
+            what = f"expected the names of {len(names)} columns, found {len(columns)}"
+            raise MeasurementError(
+                what, f"{source}: line {names_line}", "name each column of the table, in order"
+            )
+        names = tuple(columns)
     texts = [text for _, text in comments]
     if b"#" in body:
         texts += [text_of(match).strip() for match in COMMENT_LINES.findall(body)]
-    return TableText(source, separator, names, names_line, tuple(texts), body, first)
+    return _with_units(TableText(source, separator, names, names_line, tuple(texts), body, first))
 
 
-def _header_among(comments: Sequence[tuple[int, str]], row: str, source: str, number: int) -> tuple[int, str]:
-    """Return the last comment that has as many cells as the first row, without its ``#``."""
+def _with_units(table: TableText) -> TableText:
+    """Return a table with the units of the row below its names in these, if that is such a row."""
+    units = _units_in(_first_row(table.body), table.separator)
+    if units is None or len(units) != len(table.names):
+        return table
+    names = tuple(f"{name} [{unit}]" if unit else name for name, unit in zip(table.names, units, strict=True))
+    return replace(table.without_first_row(), names=names)
+
+
+def _first_row(body: bytes) -> str:
+    """Return the first line that is not a comment, "" without one."""
+    for line in body.split(b"\n", 1000)[:1000]:
+        if line.strip() and not line.lstrip().startswith(b"#"):
+            return text_of(line).strip("\r\n")
+    return ""
+
+
+def _separated(header: str, row: str) -> tuple[str, tuple[str, ...]]:
+    """Return what separates the cells, a blank where nothing else does, and those of the header."""
+    separator = separator_of(header)
+    words = header.split()
+    if (separator not in header or _are_numbers(words)) and len(words) == len(row.split()) > 1:
+        return " ", tuple(words)
+    return separator, tuple(cell.strip().strip('"').strip() for cell in header.split(separator))
+
+
+def _units_in(row: str, separator: str) -> list[str] | None:
+    """Return the units in the row below the names; None if it is one of numbers, or has anything else."""
+    cells = [cell.strip().strip('"').strip() for cell in row.split(separator)]
+    units = [cell[1:-1].strip() if cell[:1] + cell[-1:] in ("[]", "()") else cell for cell in cells]
+    if not any(units):
+        return None
+    if not all(not unit or unit == "-" or unit_text(unit) for unit in units):
+        return None
+    return ["" if unit == "-" else unit for unit in units]
+
+
+def _header_among(
+    comments: Sequence[tuple[int, str]], row: str, source: str, number: int, columns: Sequence[str]
+) -> tuple[int, str]:
+    """Return the last comment that has as many cells as the first row, without its ``#``; else the row itself."""
     for line, text in reversed(comments):
         names = text.lstrip("# \t")
         separator = separator_of(names)
-        if not text.startswith("##") and len(names.split(separator)) == len(row.split(separator)):
+        of_blanks = separator not in names and len(names.split()) == len(row.split()) > 1
+        as_many = of_blanks or len(names.split(separator)) == len(row.split(separator))
+        if not text.startswith("##") and as_many:
             return line, names
+    if columns:
+        return number, row
     what = f"expected the names of the columns, found {shown(row)}"
-    raise MeasurementError(what, f"{source}: line {number}", REMEDY)
+    remedy = f'{REMEDY}; or name them in the record: columns = ["time", "acc_1"]'
+    raise MeasurementError(what, f"{source}: line {number}", remedy)
 
 
 def _is_numbers(line: str) -> bool:
-    """Return whether a line begins with a number."""
-    cells = line.split(separator_of(line))
-    return NUMBER.fullmatch(cells[0].strip().strip('"').replace(",", ".")) is not None
+    """Return whether a line begins with a number, or with a time of day."""
+    first = line.split(separator_of(line))[0].strip().strip('"')
+    return is_clock(first) or _are_numbers([first]) or _are_numbers(line.split())
+
+
+def _are_numbers(words: Sequence[str]) -> bool:
+    """Return whether all words are numbers, perhaps with decimal commas."""
+    return all(NUMBER.fullmatch(one.replace(",", ".")) and not one.endswith(",") for one in words)

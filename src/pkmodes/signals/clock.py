@@ -1,0 +1,62 @@
+"""Times of day as loggers write them, as seconds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import datetime, time, timedelta
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.signals.functions import Array
+
+EPOCH = datetime(1970, 1, 1)
+#: [us].
+DAY = 86_400_000_000
+
+
+def is_clock(text: str) -> bool:
+    """Return whether a text is a date with a time, or a time of day, in the notation of ISO 8601."""
+    return _microseconds(text) is not None
+
+
+def seconds_of(texts: Sequence[str]) -> tuple[Array, int | None]:
+    """Return times since the first one.
+
+    Parameters
+    ----------
+    texts : sequence of str
+        Such as ``2024-05-03 10:00:00.005`` or ``10:00:00.005``; a time of day may pass midnight.
+
+    Returns
+    -------
+    seconds : ndarray, shape (n,)
+        [s].
+    bad : int or None
+        The first text that is none.
+    """
+    found: NDArray[np.int64] = np.empty(len(texts), dtype=np.int64)
+    for i, text in enumerate(texts):
+        value = _microseconds(text)
+        if value is None:
+            return np.zeros(0), i
+        found[i] = value
+    if len(texts) and found[0] < DAY:  # without dates: a step back by most of a day is midnight
+        found += DAY * np.cumsum(np.diff(found, prepend=found[0]) < -DAY // 2)
+    return np.asarray((found - found[:1]) * 1e-6, dtype=np.float64), None
+
+
+def _microseconds(text: str) -> int | None:
+    """Return the microseconds since 1970, or of the day; None if the text is neither."""
+    if ":" not in text:
+        return None
+    try:
+        of_day = time.fromisoformat(text)
+        since = datetime.combine(EPOCH, of_day.replace(tzinfo=None)) - EPOCH
+    except ValueError:
+        try:
+            moment = datetime.fromisoformat(text)
+        except ValueError:
+            return None
+        since = moment.replace(tzinfo=None) - EPOCH - (moment.utcoffset() or timedelta())
+    return since // timedelta(microseconds=1)

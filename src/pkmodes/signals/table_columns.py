@@ -1,0 +1,212 @@
+"""What the columns of a table are: by their names, the units with these, and what is asked of the file.
+
+A name is ``time``, ``force``, ``re:acc_1/hammer``, ``mag:acc_1``, ``psd_x``, or that of a sensor.  Units stand in
+square brackets; many programs write them in parentheses, or those of times after a low line.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.core.robot.columns import parted
+from pkmodes.signals.functions import Asked, Kind
+from pkmodes.signals.units import hertz_in, seconds_in, unit_text
+
+TIME, FORCE = "time", "force"
+FREQUENCIES = ("frequency", "freq")
+#: What programs call times and frequencies where no column has one of these names.
+ALSO_TIMES, ALSO_FREQUENCIES = ("t", "timestamp", "datetime", "clock"), ("f", "frequencies")
+REAL, IMAGINARY, MAGNITUDE, PHASE, COHERENCE, POWER = "re:", "im:", "mag:", "phase:", "coh:", "psd_"
+#: The two parts of a frequency response, and how programs that draw it name them, such as ``Mag1 (dB)``.
+PARTS = ((REAL, IMAGINARY), (MAGNITUDE, PHASE))
+BODE = re.compile(r"(?:(?P<mag>mag(?:nitude)?|ampl(?:itude)?)|phase)[ _]?(?P<name>.*)", re.IGNORECASE)
+POWERS = ("psd_x", "psd_y", "psd_z")
+IN_PARENTHESES = re.compile(r"(.*?)\s*\(([^()]*(?:\([^()]*\)[^()]*)*)\)")
+AFTER_LOW_LINE = re.compile(r"(.*)_([A-Za-z]+)")
+DECIBELS = "db"
+
+
+@dataclass(frozen=True)
+class Column:
+    """A function in a table.
+
+    Attributes
+    ----------
+    places : tuple of int
+        Of its one or two columns.
+    labels : tuple of str
+        Of their units.
+    polar : bool
+        Whether the two are magnitude and phase.
+    """
+
+    kind: Kind
+    response: str
+    reference: str
+    places: tuple[int, ...]
+    labels: tuple[str, ...]
+    force: bool = False
+    polar: bool = False
+
+    @property
+    def decibels(self) -> bool:
+        """Whether the magnitude is in decibels."""
+        return self.polar and self.labels[0].lower().startswith(DECIBELS)
+
+    @property
+    def unit(self) -> str:
+        """The label of the unit of its values."""
+        return "" if self.decibels else self.labels[0]
+
+
+@dataclass(frozen=True)
+class Layout:
+    """The columns of a table: that of the abscissa, None without one, with the label of its unit, and the others."""
+
+    abscissa: int | None
+    label: str
+    kind: Kind
+    columns: tuple[Column, ...]
+
+
+def layout_of(cells: Sequence[str], where: str, asked: Asked) -> Layout:
+    """Return what the columns of a table are.
+
+    Parameters
+    ----------
+    cells : sequence of str
+        Of the header, with units.
+    where : str
+        The line of the header, for messages.
+    asked : Asked
+        What is wanted of the file.
+
+    Raises
+    ------
+    MeasurementError
+        If there is no time or frequency, or more than one; if a wanted column occurs twice or lacks its other part.
+    """
+    heads = [_head(cell, asked) for cell in cells]
+    times = _named(heads, (TIME,), seconds_in)
+    frequencies = _named(heads, FREQUENCIES, hertz_in)
+    if not times and not frequencies and asked.rate is None:
+        free = [
+            ("", "") if asked.sensors and name in asked.sensors else (name, label) for name, label in heads
+        ]
+        times = _named(free, ALSO_TIMES, seconds_in)
+        frequencies = {} if times else _named(free, ALSO_FREQUENCIES, hertz_in)
+    found = times | frequencies
+    if len(found) > 1:
+        what = f"expected one column of times or frequencies, found {len(found)}"
+        raise MeasurementError(what, where, "leave one of them out")
+    if not found and asked.rate is None:
+        remedy = 'name the column of times "time" or that of frequencies "frequency", or give the rate in the record'
+        raise MeasurementError("expected a column of times or frequencies, found none", where, remedy)
+    names = {i: name for i, (name, _) in enumerate(heads) if i not in found and name}
+    labels = [label for _, label in heads]
+    columns = _spectral(names, labels, where, asked) if frequencies else _signals(names, labels, asked)
+    _refuse_repeated(columns, cells, where)
+    place, label = next(iter(found.items()), (None, ""))
+    return Layout(place, label, Kind.FRF if frequencies else Kind.TIME, tuple(columns))
+
+
+def _head(cell: str, asked: Asked) -> tuple[str, str]:
+    """Return the name in a cell and the label of its unit, "" without one; a sensor may be called as the whole."""
+    name, label = parted(cell, ())
+    if label is None and (match := IN_PARENTHESES.fullmatch(cell)) is not None:
+        known = unit_text(match[2]) is not None or match[2].lower().startswith(DECIBELS)
+        name, label = (match[1], match[2]) if known else (cell, None)
+    whole = asked.sensors is not None and cell in asked.sensors
+    return (cell if whole else name), label or ""
+
+
+def _named(
+    heads: Sequence[tuple[str, str]], names: Sequence[str], factor_in: Callable[[str], float | None]
+) -> dict[int, str]:
+    """Return the columns that have one of some names, with the label of their unit, perhaps after a low line."""
+    found = {}
+    for i, (name, label) in enumerate(heads):
+        split = AFTER_LOW_LINE.fullmatch(name)
+        if name.lower() in names:
+            found[i] = label
+        elif split and split[1].lower() in names and factor_in(split[2]) is not None:
+            found[i] = split[2]
+    return found
+
+
+def _signals(names: Mapping[int, str], labels: Sequence[str], asked: Asked) -> list[Column]:
+    """Return the columns of a table of signals."""
+    return [
+        Column(Kind.TIME, name, "", (i,), (labels[i],), name == FORCE)
+        for i, name in names.items()
+        if name == FORCE or asked.wants(name)
+    ]
+
+
+def _spectral(names: Mapping[int, str], labels: Sequence[str], where: str, asked: Asked) -> list[Column]:
+    """Return the columns of a table of functions of frequency."""
+    columns = _bode(names, labels, asked)
+    taken = {place for column in columns for place in column.places}
+    plain = asked.sensors is not None or not any(
+        name.startswith((REAL, MAGNITUDE, COHERENCE, POWER)) for name in names.values()
+    )
+    for i, name in names.items():
+        if i in taken:
+            continue
+        channel = name.partition(":")[2]
+        response, _, reference = (part.strip() for part in channel.partition("/"))
+        parts = next((parts for parts in PARTS if name.startswith(parts)), None)
+        if parts is not None:
+            if not asked.wants(response):
+                continue
+            pair = [[j for j, other in names.items() if other == f"{part}{channel}"] for part in parts]
+            if [len(one) for one in pair] != [1, 1]:
+                what = f"expected one column {shown(parts[0] + channel)} and one {shown(parts[1] + channel)}"
+                raise MeasurementError(what, where, "give both parts of each frequency response once")
+            if name.startswith(parts[0]):
+                places = (pair[0][0], pair[1][0])
+                of_both = (labels[places[0]], labels[places[1]])
+                polar = parts[0] == MAGNITUDE
+                columns.append(Column(Kind.FRF, response, reference, places, of_both, polar=polar))
+        elif name.startswith(COHERENCE):
+            if asked.wants(response):
+                columns.append(Column(Kind.COHERENCE, response, reference, (i,), (labels[i],)))
+        elif name.lower() in POWERS or (name.startswith(POWER) and asked.sensors is not None):
+            power = name[len(POWER) :]
+            if asked.wants(name, power):
+                columns.append(Column(Kind.SPECTRUM, power, "", (i,), (labels[i],)))
+        elif plain and asked.wants(name):
+            columns.append(Column(Kind.SPECTRUM, name, "", (i,), (labels[i],)))
+    return columns
+
+
+def _bode(names: Mapping[int, str], labels: Sequence[str], asked: Asked) -> list[Column]:
+    """Return the frequency responses in columns such as ``Mag1 (dB)`` and ``Phase1 (deg)``.
+
+    The sensor is called as the column of the magnitude, or as what follows the word in it.
+    """
+    magnitudes: dict[str, tuple[int, str]] = {}
+    phases: dict[str, tuple[int, str]] = {}
+    for i, name in names.items():
+        if (match := BODE.fullmatch(name)) is not None and ":" not in name:
+            (magnitudes if match["mag"] else phases)[match["name"].lower()] = i, match["name"]
+    columns = []
+    for key, (i, short) in magnitudes.items():
+        wanted = [one for one in (names[i], short) if one and asked.wants(one)]
+        if key in phases and wanted:
+            j, _ = phases[key]
+            columns.append(Column(Kind.FRF, wanted[0], "", (i, j), (labels[i], labels[j]), polar=True))
+    return columns
+
+
+def _refuse_repeated(columns: Sequence[Column], cells: Sequence[str], where: str) -> None:
+    """Refuse two columns of one function."""
+    seen: dict[tuple[Kind, str, str], Column] = {}
+    for column in columns:
+        first = seen.setdefault((column.kind, column.response, column.reference), column)
+        if first is not column:
+            what = f"the column {shown(cells[column.places[0]])} is repeated, first as column {first.places[0] + 1}"
+            raise MeasurementError(what, f"{where}, column {column.places[0] + 1}", "remove one of them")
