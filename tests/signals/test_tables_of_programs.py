@@ -161,6 +161,12 @@ def test_times_printed_with_few_digits_are_even(rate: float, digits: int) -> Non
     assert pieces[0].step == pytest.approx(1 / rate, rel=1e-6)
 
 
+def test_a_carriage_return_inside_a_line_is_a_fault(tmp_path: Path) -> None:
+    with pytest.raises(MeasurementError, match="a carriage return inside it") as error:
+        read(tmp_path, "time,x,y\n0,1.5,2\n0.25,-2.5\r1,3\n")
+    assert error.value.where.endswith("table.csv: line 3")
+
+
 def test_uneven_times_stay_as_they_are() -> None:
     rng = np.random.default_rng(5)
     uneven = np.cumsum(rng.uniform(0.5, 1.5, 1000)) * 0.01

@@ -23,6 +23,8 @@ from pkmodes.signals.units import unit_text
 #: What separates cells where nothing else does; such a table is read as one with tabs.
 BLANKS = re.compile(rb"[ \t]+")
 AROUND_LINES = re.compile(rb"^[ \t]+|[ \t]+(?=\r?$)", re.MULTILINE)
+#: Carriage returns that end no line; a reader of numbers would take them for line ends.
+INSIDE_LINES = re.compile(rb"\r(?![\r\n]|\Z)")
 MISSING = re.compile(r"[+-]?(?:nan|inf|infinity)|", re.IGNORECASE)
 REMEDY = "start with a row of names: time and the sensors, or frequency with re: and im: columns, or psd_x"
 #: Lines at the end in which spreadsheet programs leave nothing but separators.
@@ -77,6 +79,13 @@ class TableText:
         body = body.replace(b'"', b"")
         if not body.strip():
             raise MeasurementError("expected rows, found only a header", self.source, "add the rows")
+        if (inside := INSIDE_LINES.search(self.body)) is not None:
+            line = self.first_line + self.body.count(b"\n", 0, inside.start())
+            what, remedy = (
+                "expected the end of the line, found a carriage return inside it",
+                "export the table again",
+            )
+            raise MeasurementError(what, f"{self.source}: line {line}", remedy)
         if not self._has_even_rows(body):
             raise self._first_problem(wanted)
         if self.separator != ",":
