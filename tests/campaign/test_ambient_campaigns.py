@@ -64,6 +64,23 @@ def test_a_rate_prevails_over_uneven_times_and_columns_are_named_in_the_record(t
     assert "give the rate in the record" in refused(tmp_path, text + record("ambient", "raw.tsv") + named)
 
 
+def test_samples_lost_now_and_then_are_bridged_where_the_band_allows_it(tmp_path: Path) -> None:
+    write_ambient(tmp_path / "whole.csv", np.random.default_rng(36))
+    head, *rows = (tmp_path / "whole.csv").read_text().splitlines()
+    kept = [row for i, row in enumerate(rows) if i % 100]
+    (tmp_path / "a.csv").write_text("\n".join([head, *kept]) + "\n")
+    error = refused(tmp_path, HEAD + SENSORS + record("ambient", "a.csv"))
+    assert "gaps of 0.977 ms split it" in error
+    assert "end the band at 102 Hz or lower" in error
+    narrow = HEAD.replace("200 Hz", "102 Hz") + SENSORS
+    whole = identify(tmp_path, narrow + record("ambient", "whole.csv")).record["modes"]
+    found = identify(tmp_path, narrow + record("ambient", "a.csv")).record
+    assert any("409 gaps" in one and "409 samples are interpolated" in one for one in found["messages"])
+    for one, other in zip(whole, found["modes"], strict=True):
+        assert abs(one["frequency"] - other["frequency"]) < 0.2 * one["sigma"]
+        assert abs(one["damping"] - other["damping"]) < 0.2 * one["sigma_damping"]
+
+
 def test_a_record_too_long_for_memory_is_reduced_to_fewer_samples(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -63,6 +63,30 @@ def test_uneven_sampling_is_refused(spread: float) -> None:
         even_pieces(time[:1], "record")
 
 
+def test_short_gaps_are_bridged_where_whole_samples_are_missing() -> None:
+    """A sum of two sines, of which 3 samples in a hundred are lost; the longest gap is a tenth of a period."""
+    step, number = 1e-3, np.arange(5000)
+    gone = (100 * np.arange(1, 50)[:, None] + np.arange(3)).ravel()
+    kept = np.delete(number, gone)
+
+    def signal(n: np.ndarray) -> np.ndarray:
+        return np.sin(2 * np.pi * 25.0 * step * n) + 0.3 * np.cos(2 * np.pi * 11.0 * step * n)
+
+    pieces, messages = even_pieces(step * kept, "record", bridged=3.1e-3)
+    (piece,) = pieces
+    assert messages == (
+        "record: 49 gaps of 3 ms, 2.9 % of the record, the first at 0.099 s: 147 samples are interpolated",
+    )
+    assert piece.step == pytest.approx(step)
+    np.testing.assert_allclose(piece.filled(signal(kept)), signal(number), atol=2e-3)
+    assert len(even_pieces(step * kept, "record")[0]) == 50
+    uneven = step * kept + 0.4 * step * (kept > 1000)
+    pieces, messages = even_pieces(uneven, "record", bridged=4.5e-3)
+    assert len(pieces) == 2, "half a sample cannot be missing"
+    with pytest.raises(MeasurementError, match="expected a whole record, found 624 samples missing"):
+        even_pieces(step * number[number % 8 != 0], "record", bridged=4e-3)
+
+
 def test_gaps_are_found_in_long_records_too() -> None:
     numbers = np.arange(2_100_000)
     numbers[1_000_000:] += 1

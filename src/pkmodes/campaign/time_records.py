@@ -5,8 +5,10 @@ The columns of a file become arrays that are evenly sampled.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -36,6 +38,8 @@ from pkmodes.signals.sampling import Piece, even_pieces
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+#: Longest gap that is bridged, in periods of the upper end of the band.
+BRIDGED = 0.1
 #: Periods of the lower end of the band that a record of blows has at least.
 PERIODS_OF_BLOWS = 2.0
 
@@ -56,6 +60,8 @@ class TimeSignals:
     derivatives : ndarray of int, shape (S,)
         0 for displacements, 1 for velocities, 2 for accelerations.
     messages : tuple of str
+    gap : float
+        Median of the times that are lost between the pieces [s]; 0 for a single piece.
     """
 
     source: str
@@ -65,6 +71,7 @@ class TimeSignals:
     names: tuple[str, ...]
     derivatives: NDArray[np.intp]
     messages: tuple[str, ...]
+    gap: float = 0.0
 
     def as_accelerations(self, s: ArrayLike) -> Complex:
         """Return factors that make accelerations of the responses, (..., S), at complex frequencies s [1/s]."""
@@ -103,7 +110,7 @@ def time_signals(
         what = f"the signal {shown(repeated)} occurs twice"
         raise MeasurementError(what, read.source, "give repeats as files of their own")
     motions = [motion_of(one, sensors[one.response], campaign.channels, read.source) for one in used]
-    pieces, gaps = _pieces(time, record.rate, read.source)
+    pieces, gaps = _pieces(time, record, read.source)
     fewer = 1 if highest is None else reduction(len(time), pieces[0].step, highest)
     dead: list[str] = []
     columns: list[list[Array]] = []
@@ -113,7 +120,7 @@ def time_signals(
         check_size(of.factor * np.array([least, largest]), read.source)
         if least == largest:
             dead.append(one.response)
-        columns.append([of.factor * reduced(values[piece.part], fewer) for piece in pieces])
+        columns.append([of.factor * reduced(piece.filled(values), fewer) for piece in pieces])
     if len(dead) == len(used):
         what = f"expected signals, found only constant ones: {', '.join(dead)}"
         raise MeasurementError(what, read.source, "check the sensors and their cables")
@@ -125,23 +132,44 @@ def time_signals(
         read.source,
         pieces[0].step * fewer,
         tuple(np.stack(each, axis=1) for each in zip(*columns, strict=True)),
-        tuple(np.asarray(force.values.real)[piece.part] for force in forces for piece in pieces),
+        tuple(piece.filled(np.asarray(force.values.real)) for force in forces for piece in pieces),
         tuple(names),
         np.array([of.derivative for of in motions]),
         (*read.messages, *gaps, *dead_channels(dead, read.source)),
+        _lost(time, pieces),
     )
 
 
-def _pieces(time: Array, rate: float | None, source: str) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
+def _pieces(time: Array, record: Record, source: str) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
     """Return the even parts of a record, and what to say of them; a rate prevails over times that are uneven."""
+    rate = record.rate
     try:
-        return even_pieces(time, source)
+        return even_pieces(time, source, BRIDGED / record.band[1])
     except MeasurementError:
         if rate is None or time.size < FEWEST:
             raise
     by_times = (time.size - 1) / float(time[-1] - time[0])
     said = f"{source}: its times are uneven: the rate of the record, {rate:g} Hz, is used; by the times it is"
     return (Piece(slice(0, time.size), 1.0 / rate),), (f"{said} {by_times:.6g} Hz",)
+
+
+def _lost(time: Array, pieces: Sequence[Piece]) -> float:
+    """Return the median of the times that are lost between pieces [s]."""
+    lost = [time[b.part.start] - time[a.part.stop - 1] - a.step for a, b in pairwise(pieces)]
+    return float(np.median(lost)) if lost else 0.0
+
+
+@contextmanager
+def _gaps_named(given: TimeSignals) -> Iterator[None]:
+    """Say, where a record is too short because it is split, up to which frequency its gaps can be bridged."""
+    try:
+        yield
+    except MeasurementError as error:
+        if not given.gap > 0.0:
+            raise
+        what = f"{error.what}: {len(given.pieces) - 1} gaps of {1e3 * given.gap:.3g} ms split it"
+        remedy = f"end the band at {BRIDGED / given.gap:.3g} Hz or lower, where they are bridged; or {error.remedy}"
+        raise MeasurementError(what, error.where, remedy) from None
 
 
 def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
@@ -153,7 +181,7 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
         If the file is faulty, or too short for the band.
     """
     given = time_signals(path, record, setup, campaign, highest=record.band[1])
-    with in_file(given.source):
+    with in_file(given.source), _gaps_named(given):
         estimate, messages = identify_responses(
             given.step,
             given.pieces,

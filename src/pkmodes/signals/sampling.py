@@ -13,6 +13,7 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.checks import FEWEST
@@ -27,6 +28,9 @@ ROUNDED, HALF = tuple(10.0**-k for k in range(10)), 0.55
 TAIL = 1000
 #: Share of uneven steps above which a record is sampled unevenly rather than interrupted.
 MOST_GAPS = 0.05
+#: How far from a whole number of steps a gap may be that is bridged, in steps; the share of samples that may be
+#: missing in such gaps; and the neighbours on either side that stand for them.
+WHOLE, MOST_MISSING, NEIGHBOURS = 0.2, 0.1, 8
 #: Gaps of which each is said.
 MOST_NAMED = 3
 #: Samples that are looked at together.
@@ -43,13 +47,29 @@ class Piece:
         Its samples.
     step : float
         Mean interval of sampling [s].
+    numbers : ndarray of int, shape (n,), optional
+        Number of each sample in even steps, if some are missing between them.
     """
 
     part: slice
     step: float
+    numbers: NDArray[np.intp] | None = None
+
+    def filled(self, signal: Array) -> Array:
+        """Return the samples of a signal at every step, missing ones by a cubic spline through their neighbours."""
+        values = signal[self.part]
+        if self.numbers is None:
+            return values
+        found = np.empty(self.numbers[-1] + 1)
+        found[self.numbers] = values
+        for i in np.flatnonzero(np.diff(self.numbers) > 1):
+            near = slice(max(0, i + 1 - NEIGHBOURS), i + 1 + NEIGHBOURS)
+            missing = np.arange(self.numbers[i] + 1, self.numbers[i + 1])
+            found[missing] = CubicSpline(self.numbers[near], values[near])(missing)
+        return found
 
 
-def even_pieces(time: Array, where: str) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
+def even_pieces(time: Array, where: str, bridged: float = 0.0) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
     """Split a record at its gaps.
 
     Parameters
@@ -58,18 +78,20 @@ def even_pieces(time: Array, where: str) -> tuple[tuple[Piece, ...], tuple[str, 
         Strictly ascending [s].
     where : str
         The record, for messages.
+    bridged : float
+        Gaps that lose up to this time do not split it if whole samples are missing [s].
 
     Returns
     -------
     pieces : tuple of Piece
         In the order of time; single samples between two gaps are left out.
     messages : tuple of str
-        One sentence for each gap.
+        What to say of the gaps.
 
     Raises
     ------
     MeasurementError
-        If there are fewer than two samples, or the sampling is uneven throughout.
+        If there are fewer than two samples, the sampling is uneven throughout, or too many samples are missing.
     """
     if time.size < FEWEST:
         raise MeasurementError(
@@ -82,42 +104,68 @@ def even_pieces(time: Array, where: str) -> tuple[tuple[Piece, ...], tuple[str, 
     if breaks.size > most:  # uneven throughout: perhaps times were written with few digits
         coarse = [one for one in COARSE if one <= FINE * usual and _are_multiples(time[-TAIL:], one)]
         breaks = _breaks(time, usual, tolerance + coarse[0]) if coarse else breaks
-    if breaks.size > most:
-        worst = time[breaks[0] + 1] - time[breaks[0]]
+    steps = time[breaks + 1] - time[breaks]
+    counts = np.round(steps / usual).astype(np.intp)
+    short = (counts > 1) & (steps - usual <= bridged) & (np.abs(steps - counts * usual) <= WHOLE * usual)
+    missing = int((counts[short] - 1).sum())
+    splits = breaks[~short]
+    if splits.size > most:
+        worst = time[splits[0] + 1] - time[splits[0]]
         what = (
-            f"expected even sampling, found {breaks.size} of {time.size - 1} steps that differ by 1 % or more"
+            f"expected even sampling, found {splits.size} of {time.size - 1} steps that differ by 1 % or more"
         )
-        what += f" from {usual:.6g} s, first {worst:.6g} s after {time[breaks[0]]:.6g} s"
-        raise MeasurementError(
-            what,
-            where,
-            "resample the signals evenly, or give the rate in the record if only the times are wrong",
-        )
-    edges = [0, *(int(i) + 1 for i in breaks), time.size]
+        what += f" from {usual:.6g} s, first {worst:.6g} s after {time[splits[0]]:.6g} s"
+        remedy = "resample the signals evenly, or give the rate in the record if only the times are wrong"
+        raise MeasurementError(what, where, remedy)
+    if missing > MOST_MISSING * time.size:
+        what = f"expected a whole record, found {missing} samples missing beside {time.size}"
+        raise MeasurementError(what, where, "measure again, with a lower sampling rate if samples are lost")
+    edges = [0, *(int(i) + 1 for i in splits), time.size]
     pieces = [
-        Piece(slice(low, high), float(time[high - 1] - time[low]) / (high - low - 1))
+        _piece(time, slice(low, high), breaks[short], counts[short])
         for low, high in pairwise(edges)
         if high - low >= FEWEST
     ]
-    return tuple(pieces), _said(time, breaks, usual, where)
+    of_bridged = _summed(time, breaks[short], usual, where)
+    said = [f"{of_bridged}: {missing} samples are interpolated"] if missing else []
+    return tuple(pieces), (*said, *_said(time, splits, usual, where))
+
+
+def _piece(time: Array, part: slice, gaps: NDArray[np.intp], steps: NDArray[np.intp]) -> Piece:
+    """Return a part of a record; samples are missing after some, which are so many steps before the next."""
+    inside = (gaps >= part.start) & (gaps < part.stop - 1)
+    count, numbers = part.stop - part.start, None
+    last = count - 1
+    if inside.any():
+        each = np.ones(count, dtype=np.intp)
+        each[0] = 0
+        each[gaps[inside] + 1 - part.start] = steps[inside]
+        numbers = np.cumsum(each)
+        last = int(numbers[-1])
+    return Piece(part, float(time[part.stop - 1] - time[part.start]) / last, numbers)
 
 
 def _said(time: Array, breaks: NDArray[np.intp], usual: float, where: str) -> tuple[str, ...]:
-    """Return a sentence for each gap, of many gaps one for all."""
-    lost = time[breaks + 1] - time[breaks] - usual
+    """Return a sentence for each gap that splits the record, of many gaps one for all."""
     if breaks.size <= MOST_NAMED:
         return tuple(
             f"{where}: the step from {time[i]:.6g} s to {time[i + 1]:.6g} s is"
             f" {(time[i + 1] - time[i]) / usual:.4g} times the usual one: the record is split there"
             for i in breaks
         )
+    return (f"{_summed(time, breaks, usual, where)}: the record is split there",)
+
+
+def _summed(time: Array, breaks: NDArray[np.intp], usual: float, where: str) -> str:
+    """Return how many gaps there are, how long, and how much of the record they are."""
+    if not breaks.size:
+        return ""
+    lost = time[breaks + 1] - time[breaks] - usual
     share = 100.0 * lost.sum() / (time[-1] - time[0])
     least, most = 1e3 * lost.min(), 1e3 * lost.max()
     size = f"{most:.3g} ms" if most <= 1.05 * least else f"{least:.3g} to {most:.3g} ms"
-    return (
-        f"{where}: {breaks.size} gaps of {size}, {share:.2g} % of the record, the first at {time[breaks[0]]:.6g} s:"
-        " the record is split there",
-    )
+    gaps = "1 gap" if breaks.size == 1 else f"{breaks.size} gaps"
+    return f"{where}: {gaps} of {size}, {share:.2g} % of the record, the first at {time[breaks[0]]:.6g} s"
 
 
 def as_sampled(time: Array) -> Array:
