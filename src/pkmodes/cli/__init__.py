@@ -20,11 +20,13 @@ from pkmodes.cli.check import check
 from pkmodes.cli.compare import compare
 from pkmodes.cli.delivery import silence
 from pkmodes.cli.diagnose import diagnose
+from pkmodes.cli.examples import examples
 from pkmodes.cli.figures import figures
 from pkmodes.cli.generate import generate
 from pkmodes.cli.identify import identify
 from pkmodes.cli.map import map_
 from pkmodes.cli.modes import modes
+from pkmodes.cli.new import new
 from pkmodes.cli.printing import echo
 from pkmodes.cli.progress import progress_line
 from pkmodes.cli.response import response
@@ -39,6 +41,10 @@ DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 
 #: The commands, by what one does with them, and what each does.
 WORKFLOW: dict[str, dict[click.Command, str]] = {
+    "Describe a machine": {
+        examples: "List the examples of the documentation, or write them.",
+        new: "Write a robot file to begin with, with a comment on each key.",
+    },
     "Look at a machine": {
         modes: "Print frequencies, mode shapes and damping at a pose.",
         map_: "Compute the modes over the workspace.",

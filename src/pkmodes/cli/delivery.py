@@ -6,7 +6,7 @@ import json
 import os
 import re
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TextIO
@@ -15,7 +15,7 @@ import click
 
 from pkmodes.cli.printing import echo
 from pkmodes.cli.progress import end_progress
-from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.base.errors import OutputError, PkmodesError
 from pkmodes.support.writing import write_file
 
 #: Characters that JSON may hold and a terminal obeys: controls, and those that turn the direction.  Bytes of a file
@@ -96,6 +96,35 @@ def deliver(
     finally:
         if problems:
             raise problems[0]
+
+
+def unlike(
+    folder: Path, contents: Mapping[str, str | bytes], option: str, overwrite: bool
+) -> dict[str, str | bytes]:
+    """Return what is not yet in a folder as it shall be.
+
+    Parameters
+    ----------
+    contents : mapping of str to str or bytes
+        By file name below the folder.
+    option : str
+        The option that names the place.
+    overwrite : bool
+        Whether a file that exists with another content is replaced.
+
+    Raises
+    ------
+    OutputError
+        If there is one and it is not.
+    """
+    wanted = {name: text.encode() if isinstance(text, str) else text for name, text in contents.items()}
+    found = {name: (folder / name).read_bytes() for name in wanted if (folder / name).is_file()}
+    other = [name for name, content in found.items() if content != wanted[name]]
+    if other and not overwrite:
+        more = f" and {len(other) - 1} more" if other[1:] else ""
+        what = f"{folder / other[0]}{more}: the file exists with another content"
+        raise OutputError(what, option, "choose another place, or replace what is there with --overwrite")
+    return {name: content for name, content in wanted.items() if found.get(name) != content}
 
 
 def write_json(file: Path, content: dict[str, Any]) -> None:

@@ -26,6 +26,8 @@ json_option = click.option(
     help="Write the machine-readable result to FILE; - for standard output.",
 )
 
+overwrite_option = click.option("--overwrite", is_flag=True, help="Replace what exists and is different.")
+
 report_option = click.option(
     "--report",
     "report_to",

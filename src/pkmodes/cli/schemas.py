@@ -8,6 +8,7 @@ from pathlib import Path
 
 from pkmodes.campaign.results import IdentifyDocument
 from pkmodes.cli.check import CheckDocument
+from pkmodes.cli.examples import ExamplesDocument
 from pkmodes.cli.figures import FiguresDocument
 from pkmodes.cli.generate import GenerateDocument
 from pkmodes.cli.modes import modes_document
@@ -24,6 +25,7 @@ from pkmodes.support.writing import write_files
 
 #: What each command writes; `compare` writes the second where it compares two robots.
 DOCUMENTS: dict[str, type[Document]] = {
+    "examples": ExamplesDocument,
     "generate": GenerateDocument,
     "check": CheckDocument,
     "modes": modes_document(),

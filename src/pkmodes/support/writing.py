@@ -21,6 +21,8 @@ FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 def write_files(folder: Path, texts: Mapping[str, str | bytes], *, follow: bool = False) -> list[Path]:
     """Write texts, or other contents, into a folder, all or none; existing files of those names are replaced.
 
+    A name may have folders in it, which are created.
+
     Every text is written to a temporary file next to its target, which then replaces it in one step: at any moment
     a reader, or whoever comes after a kill, finds the old file or the new one, whole.  Where there are several, the
     old ones are kept under other names until all texts are in place.  If anything fails, they are restored and the
@@ -39,15 +41,18 @@ def write_files(folder: Path, texts: Mapping[str, str | bytes], *, follow: bool 
     staged: list[tuple[Path, Path]] = []
     kept: dict[Path, Path] = {}
     writing = folder
-    made = [place for place in (folder, *folder.parents) if not place.exists()]
+    places = {folder, *folder.parents, *(place for name in texts for place in (folder / name).parents)}
+    made = sorted((place for place in places if not place.exists()), key=lambda place: -len(place.parts))
     try:
         folder.mkdir(parents=True, exist_ok=True)
         for name, text in texts.items():
             writing = folder / name
-            target = _real(writing)
-            if not follow and target != writing and not target.is_relative_to(resolved(folder)):
-                what = f"{name} is a symbolic link that leads out of the folder"
+            if not follow and not resolved(writing).is_relative_to(resolved(folder)):
+                link = "is" if writing.is_symlink() else "is below"
+                what = f"{name} {link} a symbolic link that leads out of the folder"
                 raise OutputError(what, str(folder), "remove the link, or choose another folder")
+            writing.parent.mkdir(parents=True, exist_ok=True)
+            target = _real(writing)
             staged.append((_stage(target, text), target))
         if len(staged) > 1:  # a single one is in place, or it is not
             for temporary, target in staged:

@@ -195,7 +195,7 @@ class Tables:
             elif len(own) > 1:  # if an effect has several parameters, missing ones are zero
                 quantities[path] = Quantity(0.0, parameter.unit)
             else:
-                example = DIMENSIONS[_dimension(parameter.unit)][1]
+                example = DIMENSIONS[dimension_of_effect(parameter.unit)][1]
                 remedy = f'add it, for example {parameter.name} = "{example}"'
                 self.problem(path, f"the parameter {parameter.name} is missing", remedy)
         return quantities
@@ -238,7 +238,7 @@ def default_of(key: Key) -> Quantity | None:
 
 def _of_effect(raw: Any, parameter: EffectParameter) -> Quantity:
     """Read a parameter of an effect; zero, its null value, is always allowed, otherwise the physical bounds apply."""
-    dimension = _dimension(parameter.unit)
+    dimension = dimension_of_effect(parameter.unit)
     quantity = schema.quantity(raw, dimension)
     least, most = parameter.greater_than, parameter.less_than
     if least is not None and quantity.value != 0.0 and quantity.value <= least:
@@ -254,6 +254,6 @@ def _of_effect(raw: Any, parameter: EffectParameter) -> Quantity:
     return quantity
 
 
-def _dimension(unit: str) -> str:
+def dimension_of_effect(unit: str) -> str:
     """Return the dimension with this SI unit; of two, the one that describes a spring."""
     return [name for name, (si_unit, _) in DIMENSIONS.items() if si_unit == unit][-1]

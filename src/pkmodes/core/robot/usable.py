@@ -25,8 +25,10 @@ ENDS = ("min", "max")
 #: The limits that are none of a component of the pose, and the components of which the radius is.
 RADIUS, SINGULAR_ANGLE = "radius", "singular_angle"
 ACROSS = ("x", "y")
-OF_RADIUS = 'write radius = "120 mm", or radius = { value = "120 mm", about = ["0 mm", "0 mm"] }'
-OF_ANGLE = 'write singular_angle = "15 deg"'
+#: How these two are written, for example.
+WRITTEN = {RADIUS: f'{RADIUS} = "120 mm"', SINGULAR_ANGLE: f'{SINGULAR_ANGLE} = "15 deg"'}
+OF_RADIUS = f'write {WRITTEN[RADIUS]}, or radius = {{ value = "120 mm", about = ["0 mm", "0 mm"] }}'
+OF_ANGLE = f"write {WRITTEN[SINGULAR_ANGLE]}"
 
 
 class Limits(NamedTuple):
@@ -97,6 +99,12 @@ def read_usable(mechanism: Mechanism, raw: Any, problem: Callable[[str, str, str
             place = f"{USABLE}.{name}" + (f".{error.element}" if error.element else "")
             problem(place, error.what, error.remedy)
     return {name: bounds[name] for name in readers if name in bounds}
+
+
+def limits_written(mechanism: Mechanism) -> dict[str, str]:
+    """Return how each limit that a mechanism can have is written in the table, for example, by its name."""
+    written = {component.name: _example(component.name, component.unit) for component in mechanism.pose}
+    return written | {name: WRITTEN[name] for name in _others(mechanism) if name not in written}
 
 
 def reasons_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> dict[str, str]:

@@ -1,0 +1,151 @@
+"""``pkmodes examples``: the robot files and examples that come with pkmodes, to begin without a checkout."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated
+
+import click
+from msgspec import Meta
+
+from pkmodes.cli.delivery import deliver, unlike
+from pkmodes.cli.options import FILE, json_option, overwrite_option
+from pkmodes.cli.printing import echo
+from pkmodes.cli.targets import check_targets
+from pkmodes.robot_files.supplied import EXAMPLES, ROBOTS, supplied
+from pkmodes.support.documents import Document
+from pkmodes.support.pasting import pasted
+from pkmodes.support.writing import write_files
+
+EVERYTHING = "all"
+
+
+class Example(Document, frozen=True):
+    """An example."""
+
+    name: Annotated[str, Meta(description="The name by which the command takes it.")]
+    text: Annotated[str, Meta(description="What it is, a sentence.")]
+    page: Annotated[str, Meta(description="The page of the documentation that follows it.")]
+    command: Annotated[str, Meta(description="A first command, in the folder where it was written.")]
+    places: Annotated[list[str], Meta(description="Its folders or files below that folder.")]
+
+
+class ExamplesDocument(Document, frozen=True):
+    """The examples, and which files were written."""
+
+    examples: Annotated[list[Example], Meta(description="Those asked for; without a name all of them.")]
+    out: Annotated[str | None, Meta(description="The folder, as given; null where nothing was asked for.")]
+    written: Annotated[list[str], Meta(description="Names of the files written below it.")]
+    unchanged: Annotated[list[str], Meta(description="Names of the files that were there already.")]
+
+
+def _example(name: str, text: str, page: str, command: str, place: str = "") -> Example:
+    # Every example brings the robot files: pages and commands compare with them.
+    return Example(
+        name, text, f"docs/{page}.md", command, [*dict.fromkeys((ROBOTS, place or f"{EXAMPLES}/{name}"))]
+    )
+
+
+#: The examples, in the order in which one meets them.
+CATALOGUE = (
+    _example(
+        "robots",
+        "Robot files of four machines, the published linear delta among them.",
+        "writing-a-robot-file",
+        "pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245",
+        ROBOTS,
+    ),
+    _example(
+        "closed_loop",
+        "A linear delta that lacks something, and 51 measured modes that show what.",
+        "tutorial",
+        "pkmodes diagnose examples/closed_loop/robot.toml examples/closed_loop/measured.csv",
+    ),
+    _example(
+        "campaign",
+        "Signals of a hammer and a shaker, from which modes and then a cause are found.",
+        "signals",
+        "pkmodes identify examples/campaign/campaign.toml --out modes.csv",
+    ),
+    _example(
+        "printer",
+        "Spectra of a printer's accelerometer, and its robot file.",
+        "printer-signals",
+        "pkmodes identify examples/printer/campaign.toml --out modes.csv",
+    ),
+    _example(
+        "voron",
+        "Published resonances of a real printer at several belt tensions.",
+        "voron",
+        "python examples/voron/voron.py",
+    ),
+    _example(
+        "controller_1khz",
+        "A loop in C whose input shaper follows the pose, and the machine behind it.",
+        "using-the-c-code",
+        "pkmodes generate robots/linear-delta-2022.toml --out build/delta",
+    ),
+    _example(
+        "lumped_structure",
+        "A diagnosis of a structure that is no robot, in Python.",
+        "diagnosis",
+        "python examples/lumped_structure.py",
+        f"{EXAMPLES}/lumped_structure.py",
+    ),
+)
+
+
+@click.command(epilog="\b\nExample:\n  pkmodes examples closed_loop --out tutorial")
+@click.argument(
+    "name",
+    metavar="[NAME]",
+    required=False,
+    type=click.Choice([*(one.name for one in CATALOGUE), EVERYTHING]),
+)
+@click.option(
+    "--out",
+    metavar="DIR",
+    type=FILE,
+    default=Path(),
+    help="The folder below which robots/ and examples/NAME/ are written; by default this one.",
+)
+@overwrite_option
+@json_option
+def examples(name: str | None, out: Path, overwrite: bool, json_file: str | None) -> None:
+    """List the examples of the documentation, or write one of them, or all.
+
+    Each brings the robot files.  The commands of the documentation then work in that folder as in a checkout.
+    Files that are there already and are the same are left; of those that differ none is replaced without --overwrite.
+    """
+    check_targets(json_file, [])
+    chosen = [one for one in CATALOGUE if name in (one.name, EVERYTHING, None)]
+    if name is None:
+        document = ExamplesDocument(chosen, None, [], [])
+        deliver(json_file, document.as_json(), lambda: _list(chosen))
+        return
+    contents = supplied(*(place for one in chosen for place in one.places))
+    new = unlike(out, contents, f"--out {out}", overwrite)
+    write_files(out, new)
+    document = ExamplesDocument(chosen, str(out), list(new), [one for one in contents if one not in new])
+    deliver(json_file, document.as_json(), lambda: _say(document, out, chosen))
+
+
+def _list(chosen: Sequence[Example]) -> None:
+    width = max(len(one.name) for one in chosen)
+    for one in chosen:
+        echo(f"{one.name:{width}}  {one.text}")
+        echo(f"{'':{width}}  {one.page}")
+    echo(
+        "\npkmodes examples NAME writes one of them, with the robot files; pkmodes examples all writes everything."
+    )
+
+
+def _say(document: ExamplesDocument, out: Path, chosen: Sequence[Example]) -> None:
+    for file in document.written:
+        echo(out / file)
+    if document.unchanged:
+        echo(f"{len(document.unchanged)} files were there already")
+    place = "" if out == Path() else f" in {pasted(out)}"
+    for one in chosen:
+        echo(f"next{place}: {one.command} ({one.page})")

@@ -1,0 +1,82 @@
+"""What to find the values of a robot file with, and how sure they usually are then.
+
+One table by path, for what can be said of that value alone; another by dimension, for all others.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Way(NamedTuple):
+    """How to find a value, a sentence without its full stop, and its usual relative standard deviation, if any."""
+
+    how: str
+    sigma: str = ""
+
+
+#: By the path in a robot file, without the number of an entry.
+BY_PATH = {
+    "gravity": Way("choose the frame; where z points up, gravity is -9.81 m/s^2 along z"),
+    "platform.mass": Way("weigh it with its tool and half of the cables and hoses that hang from it", "2 %"),
+    "toolhead.mass": Way("weigh it with half of the cables and hoses that hang from it", "2 %"),
+    "gantry.mass": Way("weigh the beam with its rail and carriages, without the tool head", "2 %"),
+    "carriage.mass": Way("weigh it with all that moves with it, without the rotor of the motor", "2 %"),
+    "carriage.length": Way("measure from one belt clamp to the other with a caliper"),
+    "link.length": Way("take the distance of its joints from the drawing, or measure it with a caliper"),
+    "link.mass": Way("weigh both rods with their joints", "2 %"),
+    "arm.length": Way("take the distance of its two axes from the drawing, or measure it with a caliper"),
+    "arm.center": Way("take it from CAD, or balance the arm on an edge"),
+    "arm.inertia": Way(
+        "take it from CAD, or let the arm swing: m g center (T / (2 pi))^2, T its period", "5 %"
+    ),
+    "belt.specific_stiffness": Way(
+        "data sheet of the belt: a force, divided by the strain at that force and by the width of that belt",
+        "10 %",
+    ),
+    "belt.width": Way("data sheet of the belt, or a caliper"),
+    "pulley.radius": Way("to the cords of the belt: number of teeth * pitch / (2 pi)"),
+    "pulley.inertia": Way("take it from CAD; m r^2 / 2 for a solid disc", "5 %"),
+    "motor.inertia": Way("data sheet of the motor: its rotor; add brake, coupling and gearbox input", "5 %"),
+    "motor.gear_ratio": Way("data sheet of the gearbox; 1 without one"),
+    "reducer.stiffness": Way("data sheet of the reducer", "10 %"),
+    "frame.mass": Way("estimate it from CAD"),
+    "damping.ratio": Way("identify it from measured signals, with pkmodes identify"),
+    "axis.limits": Way("move the machine to both of its stops"),
+    "workspace.x": Way("move the tool head to both of its stops"),
+    "workspace.y": Way("move the tool head to both of its stops"),
+    "belt_path.direction": Way("move the tool head by hand, and see which run grows"),
+    "belt_path.lengths": Way("measure along the run, from the tool head to the motor pulley, with a tape"),
+    "effects.servo_stiffness.stiffness": Way("docs/stepper-printer.md has it for a stepper motor"),
+    "effects.gearbox_inertia.inertia": Way("data sheet of the gearbox, at its output"),
+    "effects.payload.mass": Way("weigh what the platform carries"),
+    "effects.frame_compliance.mass": Way("estimate it from CAD"),
+}
+#: By dimension (`pkmodes_description.UNITS`).
+BY_DIMENSION = {
+    "length": Way("take it from the drawing, or measure it"),
+    "mass": Way("weigh it", "2 %"),
+    "moment of inertia": Way("take it from CAD or a data sheet", "5 %"),
+    "acceleration": Way("choose the frame first"),
+    "specific stiffness": Way(
+        "data sheet: a force, divided by the strain at that force and by the width", "10 %"
+    ),
+    "stiffness": Way("load it with a known force, and read its displacement from a dial gauge", "10 %"),
+    "torsional stiffness": Way("data sheet, or lock one side, load the other and measure the angle", "10 %"),
+    "compliance": Way("load it with a known force, and read its displacement from a dial gauge"),
+    "torsional compliance": Way("data sheet: 1 / torsional stiffness, on the output side"),
+    "linear density": Way("weigh a piece, and divide by its length"),
+    "angle": Way("take it from the drawing, or measure it"),
+    "force": Way("measure it with a tension meter, or by the tone of a free span"),
+    "reciprocal force": Way("measure the stiffness at two forces"),
+    "viscous friction": Way("measure the force at two speeds: its difference, divided by that of the speeds"),
+    "torsional viscous friction": Way(
+        "measure the torque at two speeds: its difference, divided by that of the speeds"
+    ),
+    "number": Way(""),
+}
+
+
+def way_of(path: str, dimension: str) -> Way:
+    """Return how to find the value at a path."""
+    return BY_PATH.get(path) or BY_DIMENSION[dimension]

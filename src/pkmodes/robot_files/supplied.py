@@ -1,0 +1,51 @@
+"""The robot files and examples that come with pkmodes: ``robots/`` and ``examples/``, as in a checkout."""
+
+from __future__ import annotations
+
+import tomllib
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from pkmodes.core.base.errors import PkmodesError
+
+ROBOTS, EXAMPLES = "robots", "examples"
+#: Where the build of a wheel (``hatch_build.py``) puts the two folders, and where they lie in a checkout.
+PLACES = (Path(__file__).parents[1] / "supplied", Path(__file__).parents[3])
+
+
+@cache
+def supplied(*places: str) -> dict[str, bytes]:
+    """Return the content of files that come with pkmodes by their names, such as ``robots/clavel-delta.toml``.
+
+    Parameters
+    ----------
+    *places : str
+        Folders, or files in them.
+
+    Raises
+    ------
+    PkmodesError
+        If pkmodes was installed without them.
+    """
+    root = next((root for root in PLACES if (root / ROBOTS).is_dir()), None)
+    if root is None:
+        what = "found no robot files and examples beside the installed program"
+        raise PkmodesError(what, str(PLACES[0]), "install pkmodes again, from its wheel")
+    found = (file for place in places for file in (root / place, *(root / place).rglob("*")))
+    names = {file.relative_to(root): file for file in found if file.is_file()}
+    return {
+        name.as_posix(): names[name].read_bytes()
+        for name in sorted(names)
+        if not any(part.startswith((".", "__")) for part in name.parts)  # what programs leave there
+    }
+
+
+def robot_of(mechanism: str) -> dict[str, Any] | None:
+    """Return the parsed robot file of a mechanism that comes with pkmodes, None where there is none.
+
+    Of several, that with the shortest name: it is the plain one.
+    """
+    parsed = {name: tomllib.loads(content.decode()) for name, content in supplied(ROBOTS).items()}
+    own = [name for name, document in parsed.items() if document["mechanism"] == mechanism]
+    return parsed[min(own, key=len)] if own else None
