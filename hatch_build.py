@@ -1,4 +1,4 @@
-"""Build hook of the wheel: compile the libraries of the mechanisms that come with pkmodes.
+"""Build hook of the wheel: add the robot files and examples, and compile the libraries of the mechanisms.
 
 Without a C compiler the package is built all the same, and evaluates with NumPy.
 """
@@ -17,13 +17,17 @@ from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 ROOT = Path(__file__).parent
 COMPILED = ROOT / "src/pkmodes/core/compiled"
 LIBRARIES = "libraries"
+#: Folders that `pkmodes examples` writes, and where it looks for them; in a checkout they lie beside the sources.
+SUPPLIED = {folder: f"pkmodes/supplied/{folder}" for folder in ("robots", "examples")}
 
 
 class CompiledLibraries(BuildHookInterface):  # type: ignore[misc]  # hatchling is only there while building
     """Hook of hatchling: ``[tool.hatch.build.targets.wheel.hooks.custom]``."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Compile, and add the libraries to the wheel; of an editable install they lie beside the sources."""
+        """Add the examples and the compiled libraries; of an editable install both lie beside the sources."""
+        if version != "editable":
+            build_data["force_include"] |= {str(ROOT / folder): place for folder, place in SUPPLIED.items()}
         build = _build()
         cc = build.compiler()
         if cc is None:
