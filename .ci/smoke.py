@@ -1,10 +1,12 @@
 """Run an installed pkmodes from another folder: what works without extras (``core``), or what an extra adds.
 
+Robot files and measurements are those that it brings (``pkmodes examples``).
 ``.ci/floors`` runs it with the oldest and with the newest versions that may be installed.
 """
 
 from __future__ import annotations
 
+import os
 import re
 import shlex
 import subprocess
@@ -18,8 +20,8 @@ import pkmodes
 from pkmodes.cli import run
 
 ROOT = Path(__file__).resolve().parents[1]
-DELTA = ROOT / "robots/linear-delta-2022.toml"
-LOOP = ROOT / "examples/closed_loop"
+DELTA = "robots/linear-delta-2022.toml"
+LOOP = "examples/closed_loop"
 POSE = (0.6, 0.0, -0.245)
 AT = f"{DELTA} --pose 0.6,0,-0.245"
 GRID = f"{DELTA} --grid x=0.5:0.6:4,y=0:0.1:4,z=-0.245"
@@ -32,7 +34,7 @@ COMMANDS = {
         response {AT} --drives held --inputs motor_1,force_x --outputs p_x,p_z --frequencies 5:400:100
         show {DELTA} --out robot.html
         shaper {GRID}
-        identify {ROOT}/examples/campaign/campaign.toml --out identified.csv
+        identify examples/campaign/campaign.toml --out identified.csv
         compare {LOOP}/robot.toml {LOOP}/measured.csv
         diagnose {LOOP}/robot.toml {LOOP}/measured.csv --save-robot corrected.toml
         """,
@@ -66,6 +68,12 @@ def main(extra: str, resolution: str) -> None:
         [Path(sys.executable).with_name("pkmodes"), "--help"], check=True, stdout=subprocess.DEVNULL
     )
     assert run([]) == run(["modes"]) == 2, "a mistake is an error of one line, or the help"
+    assert run(["examples", "all"]) == 0
+    for file in (ROOT / folder / name for folder in ("robots", LOOP) for name in os.listdir(ROOT / folder)):
+        assert file.read_bytes() == Path(file.relative_to(ROOT)).read_bytes()
+    for mechanism in pkmodes.mechanism.names() if extra == "core" else ():
+        assert run(["new", mechanism, "--out", f"{mechanism}.toml"]) == 0
+        assert run(["show", f"{mechanism}.toml"]) == 0
     for command in COMMANDS[extra].strip().splitlines():
         if code := run(shlex.split(command)):
             sys.exit(f"error: exit code {code} (pkmodes {command.strip()})")

@@ -59,5 +59,5 @@ def test_a_page_shows_a_measurement_file_that_can_be_read(tmp_path: Path) -> Non
 
 
 def test_a_page_shows_every_command() -> None:
-    shown = [line.split()[1] for line in block("docs/command-line.md", "pkmodes modes").splitlines()]
+    shown = [line.split()[1] for line in block("docs/command-line.md", "pkmodes examples").splitlines()]
     assert sorted(shown) == sorted(cli.commands)

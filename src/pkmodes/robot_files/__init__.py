@@ -1,1 +1,1 @@
-"""Changing and comparing robot files: edits keep comments and order."""
+"""Writing, changing and comparing robot files: edits keep comments and order."""

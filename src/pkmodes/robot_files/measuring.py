@@ -50,7 +50,6 @@ BY_PATH = {
     "effects.servo_stiffness.stiffness": Way("docs/stepper-printer.md has it for a stepper motor"),
     "effects.gearbox_inertia.inertia": Way("data sheet of the gearbox, at its output"),
     "effects.payload.mass": Way("weigh what the platform carries"),
-    "effects.frame_compliance.mass": Way("estimate it from CAD"),
 }
 #: By dimension (`pkmodes_description.UNITS`).
 BY_DIMENSION = {

@@ -144,7 +144,7 @@ def _at(document: Mapping[str, Any], item: Item, up: int = 0) -> Any:
 def _single(table: Table, document: Mapping[str, Any]) -> Iterator[str]:
     given = document.get(table.name)
     yield ""
-    of = f"; of each {table.shared_by} without its own" if table.shared_by else ""
+    of = f"; of each [[{table.shared_by}]] without its own" if table.shared_by else ""
     yield f"{'' if given else '#'}[{table.name}]  # {table.description}{of}"
     for key in table.keys:
         yield from _key(key, f"{table.name}.{key.name}", given or {}, table.description)
@@ -197,7 +197,8 @@ def _accepted(key: Key) -> str:
         for sign, bound in bounds.items()
         if bound is not None
     ]
-    names = "" if key.kind == "quantity" else f"{', '.join(key.elements)}; "
+    named = ", ".join(key.elements) if all(map(str.isalpha, key.elements)) else f"{len(key.elements)} values"
+    names = "" if key.kind == "quantity" else f"{named}; "
     return ", ".join([names + ("a number" if unit == "1" else unit), *parts])
 
 
