@@ -6,7 +6,6 @@ Robot files and measurements are those that it brings (``pkmodes examples``).
 
 from __future__ import annotations
 
-import os
 import re
 import shlex
 import subprocess
@@ -18,6 +17,7 @@ import numpy as np
 
 import pkmodes
 from pkmodes.cli import run
+from pkmodes.mechanism import names
 
 ROOT = Path(__file__).resolve().parents[1]
 DELTA = "robots/linear-delta-2022.toml"
@@ -69,9 +69,9 @@ def main(extra: str, resolution: str) -> None:
     )
     assert run([]) == run(["modes"]) == 2, "a mistake is an error of one line, or the help"
     assert run(["examples", "all"]) == 0
-    for file in (ROOT / folder / name for folder in ("robots", LOOP) for name in os.listdir(ROOT / folder)):
+    for file in (*(ROOT / "robots").iterdir(), *(ROOT / LOOP).iterdir()):
         assert file.read_bytes() == Path(file.relative_to(ROOT)).read_bytes()
-    for mechanism in pkmodes.mechanism.names() if extra == "core" else ():
+    for mechanism in names() if extra == "core" else ():
         assert run(["new", mechanism, "--out", f"{mechanism}.toml"]) == 0
         assert run(["show", f"{mechanism}.toml"]) == 0
     for command in COMMANDS[extra].strip().splitlines():
