@@ -16,12 +16,6 @@ from pkmodes.robot_files import supplied
 ROBOT = Path("robots/corexy-printer.toml")
 
 
-@pytest.fixture(autouse=True)
-def _nothing_kept(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(supplied, "supplied", supplied.supplied)
-    supplied.supplied.cache_clear()
-
-
 def contents(folder: Path) -> dict[str, bytes]:
     return {
         file.relative_to(folder).as_posix(): file.read_bytes()
@@ -77,9 +71,9 @@ def test_a_file_that_was_changed_is_named_and_kept_and_nothing_is_written(tmp_pa
 
 
 def test_what_cannot_be_written_leaves_nothing_behind(tmp_path: Path) -> None:
-    (tmp_path / "examples").write_text("a file where a folder should be", encoding="utf-8")
+    (tmp_path / "robots").write_text("a file where a folder should be", encoding="utf-8")
     refused("examples", "closed_loop", "--out", tmp_path)
-    assert [entry.name for entry in tmp_path.iterdir()] == ["examples"]
+    assert [entry.name for entry in tmp_path.iterdir()] == ["robots"]
     (tmp_path / "outside").mkdir()
     (tmp_path / "here").mkdir()
     (tmp_path / "here" / "robots").symlink_to(tmp_path / "outside")

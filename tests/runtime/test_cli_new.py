@@ -9,17 +9,20 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import numpy as np
 import pytest
 
 import pkmodes
 from helpers.commands.answers import answer, printed, refused
+from helpers.robots.robot_text import edited
 from helpers.runs.processes import ROOT
 from pkmodes.core.mechanism import registry as known
 from pkmodes.robot_files.measuring import BY_DIMENSION, BY_PATH, way_of
-from pkmodes_description import UNITS
+from pkmodes.robot_files.template import template
+from pkmodes_description import UNITS, Key, Table
 
-#: The mechanisms with the example that the file starts from, and what its docstring calls a pose.
+#: The mechanisms with the example that the file starts from.
 SUPPLIED = {
     "linear_delta": "linear-delta-2022.toml",
     "rotary_delta": "clavel-delta.toml",
@@ -151,6 +154,23 @@ def test_a_file_of_a_mechanism_without_an_example_has_the_sample_of_its_checks(t
     parameters = pkmodes.load(tmp_path / "robot.toml").robot.parameters
     for field, value in description(OWN)["sample"].items():
         np.testing.assert_allclose(getattr(parameters, field), value, rtol=1e-15)
+
+
+def test_a_value_of_zero_has_no_sigma_in_per_cent(monkeypatch: pytest.MonkeyPatch) -> None:
+    example = tomllib.loads(edited('mass = "1 kg"', 'mass = "0 kg"'))
+    monkeypatch.setattr("pkmodes.robot_files.template.robot_of", lambda name: example)
+    found = tomllib.loads(printed("new", "linear_delta"))
+    assert found["carriage"]["mass"] == "0 kg"
+    assert found["platform"]["mass"] == {"value": "1.5 kg", "sigma": "2 %"}
+
+
+def test_a_table_of_the_mechanism_stands_there_instead_of_one_of_all_robots() -> None:
+    own = Table(
+        "report", "what it reports", (Key("rate", "quantity", "", "number", "its rate", default=2.0),)
+    )
+    found = known.mechanism(OWN)
+    text = template(msgspec.structs.replace(found, tables=(*found.tables, own)))
+    assert re.findall(r"\[report\].*", text) == ["[report]  # what it reports"]
 
 
 def test_without_a_name_the_mechanisms_are_listed_and_an_unknown_one_is_refused() -> None:

@@ -120,7 +120,8 @@ def _refuse_repetitions(ctx: click.Context, arguments: list[str]) -> None:
 @click.group(
     cls=Commands,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110},
-    epilog="\b\nExample:\n  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245",
+    epilog="\b\nExample:\n  pkmodes examples robots\n"
+    "  pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245",
 )
 @click.option(
     "--version",

@@ -145,7 +145,7 @@ def _say(document: ExamplesDocument, out: Path, chosen: Sequence[Example]) -> No
     for file in document.written:
         echo(out / file)
     if document.unchanged:
-        echo(f"{len(document.unchanged)} files were there already")
+        echo(f"files that were there already: {len(document.unchanged)}")
     place = "" if out == Path() else f" in {pasted(out)}"
     for one in chosen:
         echo(f"next{place}: {one.command} ({one.page})")

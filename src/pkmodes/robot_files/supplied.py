@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import tomllib
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +13,6 @@ ROBOTS, EXAMPLES = "robots", "examples"
 PLACES = (Path(__file__).parents[1] / "supplied", Path(__file__).parents[3])
 
 
-@cache
 def supplied(*places: str) -> dict[str, bytes]:
     """Return the content of files that come with pkmodes by their names, such as ``robots/clavel-delta.toml``.
 

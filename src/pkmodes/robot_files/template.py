@@ -73,9 +73,7 @@ def template(mechanism: Mechanism, commands: Sequence[str] = ()) -> str:
     lines += [f"mechanism = {_toml(mechanism.name)}", "", *_key(GRAVITY, GRAVITY.name, document)]
     for table in mechanism.tables:
         lines += _repeated(mechanism, table, document) if table.count else _single(table, document)
-    lines += ["", *_section(f"[{USABLE}]", IN_USE, _usable(mechanism))]
-    lines += ["", *_section(f"[{REPORT}]", HEAD_OF_REPORTS, (f'{name} = "..."' for name in TITLES))]
-    lines += ["", *_section(f"[[{COVARIANCE}]]", TOGETHER, _covariance(mechanism, document))]
+    lines += _common(mechanism, document)
     lines += ["", *_prose(OF_EFFECTS)]
     for effect in mechanism.effects.values():
         lines += _effect(mechanism, effect, document.get(EFFECTS, {}))
@@ -235,6 +233,18 @@ def _effect(mechanism: Mechanism, effect: Effect, given: Mapping[str, Any]) -> I
         yield from _key(key, path, values or {})
 
 
+def _common(mechanism: Mechanism, document: Mapping[str, Any]) -> Iterator[str]:
+    """Yield the optional tables of every robot file, without one whose name the mechanism uses for its own."""
+    tables: dict[str, tuple[str, Iterable[str]]] = {
+        f"[{USABLE}]": (IN_USE, _usable(mechanism)),
+        f"[{REPORT}]": (HEAD_OF_REPORTS, (f'{name} = "..."' for name in TITLES)),
+        f"[[{COVARIANCE}]]": (TOGETHER, _covariance(mechanism, document)),
+    }
+    for head, (what, lines) in tables.items():
+        if head.strip("[]") not in [table.name for table in mechanism.tables]:
+            yield from ("", f"#{head}  # {what}", *(f"#{line}" for line in lines))
+
+
 def _usable(mechanism: Mechanism) -> Iterator[str]:
     what = LIMITS | {component.name: component.description for component in mechanism.pose}
     return (f"{line}  # {what[name]}" for name, line in limits_written(mechanism).items())
@@ -253,11 +263,6 @@ def _covariance(mechanism: Mechanism, document: Mapping[str, Any]) -> list[str]:
         f"{CORRELATION} = {_toml(np.eye(len(paths), dtype=int).tolist())}",
         f"{SIGMA} = {_toml([sigmas[path] for path in paths])}  # by default those of the values",
     ]
-
-
-def _section(head: str, what: str, lines: Iterable[str]) -> list[str]:
-    """Return a table that is optional."""
-    return [f"#{head}  # {what}", *(f"#{line}" for line in lines)]
 
 
 def _prose(text: str, indent: str = "# ") -> list[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 import pickle
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -13,7 +14,7 @@ import pytest
 
 import pkmodes
 from helpers.commands.adding_a_mechanism import POSE
-from helpers.commands.answers import refused
+from helpers.commands.answers import printed, refused
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.mechanism import packages as mechanism_packages
@@ -27,6 +28,16 @@ def test_models_travel_to_other_processes(model: pkmodes.Model, method: str) -> 
     with multiprocessing.get_context(method).Pool(1) as pool:
         found = pool.map(loaded.frequencies, [POSE])
     np.testing.assert_array_equal(found[0], loaded.frequencies(POSE))
+
+
+def test_a_robot_file_to_begin_with(place: Path, tmp_path: Path) -> None:
+    """Its values are the sample of the definition."""
+    option, file = ["--mechanism", "build/five_bar"], tmp_path / "bar.toml"
+    assert f"next: pkmodes show {file} --mechanism build/five_bar" in printed(
+        "new", "five_bar", *option, "--out", file
+    )
+    (pose,) = re.findall(r"modes FILE --pose (\S+) --mechanism FOLDER\n", file.read_text(encoding="utf-8"))
+    assert printed("modes", file, "--pose", pose, *option).startswith("my-five-bar at [")
 
 
 def test_a_folder_is_read_again_after_it_changed(copy: Path) -> None:
