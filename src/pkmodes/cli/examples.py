@@ -115,7 +115,7 @@ CATALOGUE = (
 def examples(name: str | None, out: Path, overwrite: bool, json_file: str | None) -> None:
     """List the examples of the documentation, or write one of them, or all.
 
-    Each brings the robot files.  The commands of the documentation then work in that folder as in a checkout.
+    Each brings the robot files.  The commands of its page then work in that folder as in a checkout.
     Files that are there already and are the same are left; of those that differ none is replaced without --overwrite.
     """
     check_targets(json_file, [])
