@@ -58,7 +58,7 @@ CATALOGUE = (
     ),
     _example(
         "closed_loop",
-        "A linear delta that lacks something, and 51 measured modes that show what.",
+        "A linear delta whose robot file lacks something, and 51 measured modes that show what.",
         "tutorial",
         "pkmodes diagnose examples/closed_loop/robot.toml examples/closed_loop/measured.csv",
     ),
@@ -88,7 +88,7 @@ CATALOGUE = (
     ),
     _example(
         "lumped_structure",
-        "A diagnosis of a structure that is no robot, in Python.",
+        "A diagnosis of a structure that is not a robot, in Python.",
         "diagnosis",
         "python examples/lumped_structure.py",
         f"{EXAMPLES}/lumped_structure.py",
