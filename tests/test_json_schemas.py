@@ -34,7 +34,7 @@ OF_SOME = (
 #: Writes a robot file, and no JSON.
 NONE = {"new"}
 #: What a command writes for other arguments.
-OTHER = {"compare-robots"}
+OTHER = {"compare-robots", "compare-measurements"}
 GOLDEN = ROOT / "tests" / "golden"
 POSE = ["--pose", "0.6,0.03,-0.245"]
 
@@ -169,6 +169,15 @@ def test_compare_of_two_robots_of_which_one_has_an_effect(tmp_path: Path) -> Non
         found = result("compare", *files, *grid)
         assert found["values"]
         expect_described("compare-robots", found)
+
+
+def test_compare_of_two_measurements(tmp_path: Path) -> None:
+    for name, frequencies in {"a": (50.0, 80.0), "b": (50.1, 200.0)}.items():
+        rows = "".join(f"A,0.6,0,-0.245,{f},0.1\n" for f in frequencies)
+        (tmp_path / f"{name}.csv").write_text(f"pose,x,y,z,frequency,sigma\n{rows}", encoding="utf-8")
+    found = result("compare", str(tmp_path / "a.csv"), str(tmp_path / "b.csv"))
+    assert (len(found["pairs"]), found["first_unpaired"], found["second_unpaired"]) == (1, [3], [3])
+    expect_described("compare-measurements", found)
 
 
 def test_what_is_set_is_described(tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from pkmodes.cli.compare_measurements import compare_measurement_files
 from pkmodes.cli.compare_robots import compare_robot_files
 from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import (
@@ -65,14 +66,23 @@ def compare(
     report_to: Path | None,
     json_file: str | None,
 ) -> None:
-    """Compare predicted and measured modes without fitting anything, or two robots.
+    """Compare predicted and measured modes without fitting anything, or two measurements, or two robots.
 
     Measured modes are paired with predicted modes by frequency and, if measured, by shape.  The exit code is 0
     however much they differ; scripts can use p_value in the JSON, or diagnose --fail-on.
 
+    Two measurement files, such as before and after a repair, are compared pose by pose: which modes changed, and
+    whether by more than their stated errors.
+
     Two robot files are compared by what they declare and by their frequencies at the poses that both can reach: of
     --grid or --poses, by default of their workspaces.  Modes are paired by their shapes.
     """
+    if robot.suffix.lower() == modes.suffix.lower() == ".csv":
+        check_targets(json_file, [robot, modes, poses], report_target(report_to))
+        for option, value in {"--grid": grid, "--poses": poses, "--report": report_to}.items():
+            _refuse(value, option, "does not apply to two measurement files")
+        compare_measurement_files((robot, modes), band_of(band), drives, everything, json_file)
+        return
     check_order(robot, modes, "pkmodes compare")
     check_targets(json_file, [robot, modes, poses], report_target(report_to))
     if modes.suffix.lower() == ".toml":

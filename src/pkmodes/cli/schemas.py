@@ -20,10 +20,11 @@ from pkmodes.diagnosis.compare import CompareDocument
 from pkmodes.diagnosis.verdict.document import DiagnoseDocument
 from pkmodes.maps.robots_compared import RobotsCompared
 from pkmodes.maps.summary import MapSummary
+from pkmodes.measured.compared import MeasurementsCompared
 from pkmodes.support.documents import Document, schema_of
 from pkmodes.support.writing import write_files
 
-#: What each command writes; `compare` writes the second where it compares two robots.
+#: What each command writes; `compare` writes the second of two robots, the third of two measurements.
 DOCUMENTS: dict[str, type[Document]] = {
     "examples": ExamplesDocument,
     "generate": GenerateDocument,
@@ -38,6 +39,7 @@ DOCUMENTS: dict[str, type[Document]] = {
     "identify": IdentifyDocument,
     "compare": CompareDocument,
     "compare-robots": RobotsCompared,
+    "compare-measurements": MeasurementsCompared,
     "diagnose": DiagnoseDocument,
 }
 
