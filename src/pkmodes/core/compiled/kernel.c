@@ -43,7 +43,7 @@ INLINE mask lanes_checked(const lane *restrict pose, const lane *restrict margin
 }
 
 /* Write the modes of a block, ascending; coordinate i of the system is column `column[i]` of the results. */
-INLINE void lanes_write(const struct lanes_system *restrict system, const struct eigen_problem *restrict problem, int n,
+static __attribute__((noinline)) void lanes_write(const struct lanes_system *restrict system, const struct eigen_problem *restrict problem, int n,
     int m, const int *restrict column)
 {
     const struct lanes_block *block = &system->block;
@@ -87,10 +87,7 @@ INLINE void lanes_solve(struct lanes_system *restrict system, int units, int n, 
     mask bad[EIGEN_UNITS];
     for (int u = 0; u < units; u++)
         bad[u] = lanes_reduce(system + u, n, m, vectors, problem + u);
-    if (vectors)
-        eigen_ql(m, units, problem, m);
-    else
-        eigen_ql(m, units, problem, 0);
+    eigen_ql(m, units, problem, vectors ? m : 0);
     for (int u = 0; u < units; u++) {
         struct lanes_block *block = &system[u].block;
         bad[u] |= problem[u].late;
@@ -102,6 +99,13 @@ INLINE void lanes_solve(struct lanes_system *restrict system, int units, int n, 
         if (rates)
             lanes_differentiate(system + u, problem + u, n, m, column);
     }
+}
+
+/* A single system, with or without effects: the compiler unrolls this once, and not for each. */
+static __attribute__((noinline)) void lanes_solve_one(
+    struct lanes_system *restrict system, int n, int m, const int *restrict column)
+{
+    lanes_solve(system, 1, n, m, column);
 }
 
 /* The model without effects. */
@@ -120,8 +124,10 @@ INLINE void lanes_without_effects(
         if (request->stiffness)
             lanes_put(&system[u].block, request->stiffness, system[u].K, n * n);
     }
-    if (modes)
-        lanes_solve(system, units, n, n, column);
+    if (modes && units == 1)
+        lanes_solve_one(system, n, n, column);
+    else if (modes)
+        lanes_solve(system, EIGEN_UNITS, n, n, column);
 }
 
 /* Of a matrix in all coordinates the rows and columns that are free, in an order. */
@@ -188,7 +194,7 @@ static __attribute__((noinline)) void lanes_with_effects(
                 system[u].J_p[a * n + i] = J_p[a * LANES_ALL + rows[i]];
     }
     if (modes && units == 1)
-        lanes_solve(system, 1, n, m, column);
+        lanes_solve_one(system, n, m, column);
     else if (modes)
         lanes_solve(system, EIGEN_UNITS, n, m, column);
 }
