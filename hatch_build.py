@@ -6,6 +6,7 @@ Without a C compiler the package is built all the same, and evaluates with NumPy
 from __future__ import annotations
 
 import runpy
+import sys
 import sysconfig
 import tempfile
 from pathlib import Path
@@ -31,7 +32,7 @@ class CompiledLibraries(BuildHookInterface):  # type: ignore[misc]  # hatchling 
         build = _build()
         cc = build.compiler()
         if cc is None:
-            self._notice("no C compiler found")
+            self._notice(build.WINDOWS if sys.platform == "win32" else "no C compiler found")
             return
         folder = COMPILED / LIBRARIES
         if version != "editable":
@@ -62,8 +63,8 @@ class CompiledLibraries(BuildHookInterface):  # type: ignore[misc]  # hatchling 
 
     def _notice(self, why: str) -> None:
         self.app.display_warning(
-            f"pkmodes is installed without its compiled evaluator ({why}): it evaluates with NumPy, some twenty "
-            "times slower; install a C compiler and then pkmodes again"
+            f"pkmodes is installed without its compiled evaluator ({why}): it evaluates with NumPy, some ten times slower"
+            + ("" if sys.platform == "win32" else "; install a C compiler and then pkmodes again")
         )
 
 

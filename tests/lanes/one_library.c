@@ -29,7 +29,7 @@ int main(int argc, char **argv)
     signed char *codes = malloc(sizes[POSES]);
     if (fread(input, sizeof *input, given, in) != given)
         return 1;
-    struct pkmodes_request request = {.count = sizes[POSES], .poses = input, .largest_condition = 1e8, .robots = 1};
+    struct pkmodes_request request = {.count = sizes[POSES], .poses = input, .largest_condition = 1e6, .robots = 1};
     request.parameters = input + sizes[POSES] * sizes[COMPONENTS];
     request.effects = request.parameters + sizes[PARAMETERS];
     request.frequencies = output;

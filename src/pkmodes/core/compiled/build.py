@@ -11,6 +11,7 @@ import platform
 import shlex
 import shutil
 import subprocess
+import sys
 import tempfile
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -54,6 +55,8 @@ WIDTHS = {
         2: (),
     }
 }
+#: Why nothing is compiled on Windows, by any compiler: GCC's code for it would end the process at a misaligned vector.
+WINDOWS = "GCC does not align vectors on the stack there (its bug 54412)"
 #: Seconds after which a compiler that says nothing is given up.
 PATIENCE = 600
 
@@ -75,8 +78,11 @@ def compiler() -> tuple[str, ...] | None:
     Returns
     -------
     tuple of str or None
-        The command: the path of the program, then its first arguments, such as those of ``CC="ccache gcc"``.
+        The command: the path of the program, then its first arguments, such as those of ``CC="ccache gcc"``.  None
+        on Windows.
     """
+    if sys.platform == "win32":
+        return None
     own = os.environ.get("CC", "")
     try:
         words = shlex.split(own)

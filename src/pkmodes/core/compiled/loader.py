@@ -11,6 +11,7 @@ import hashlib
 import os
 import stat
 import subprocess
+import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from functools import cache
@@ -280,6 +281,8 @@ def _check_executable(folder: Path) -> None:
 
 def _no_compiler() -> tuple[str, str]:
     """Say why there is no compiler, and what to do."""
+    if sys.platform == "win32":
+        return f"there is no compiled evaluator on Windows: {build.WINDOWS}", "let NumPy evaluate"
     what, own = "there is no compiled library, and no C compiler to build it with", os.environ.get("CC", "")
     if not own.strip():
         return what, INSTALL
@@ -311,9 +314,11 @@ def _elsewhere() -> str:
 
 
 def _check_private(path: Path) -> None:
-    """Refuse a path that other users can write to: code from it would be run."""
+    """Refuse a path that other users can write to: code from it would be run.  Windows has no such modes."""
+    if sys.platform == "win32":
+        return
     status = path.stat()
-    if hasattr(os, "getuid") and status.st_uid != os.getuid():
+    if status.st_uid != os.getuid():
         raise PermissionError(f"{path} belongs to another user")
     if status.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
         raise PermissionError(f"others can write to {path}")
