@@ -63,7 +63,8 @@ class CompiledLibraries(BuildHookInterface):  # type: ignore[misc]  # hatchling 
 
     def _notice(self, why: str) -> None:
         self.app.display_warning(
-            f"pkmodes is installed without its compiled evaluator ({why}): it evaluates with NumPy, some ten times slower"
+            f"pkmodes is installed without its compiled evaluator ({why}): it evaluates with NumPy, some ten "
+            "times slower"
             + ("" if sys.platform == "win32" else "; install a C compiler and then pkmodes again")
         )
 

@@ -152,3 +152,16 @@ def test_a_library_from_other_sources_is_not_used(fresh: Path, monkeypatch: pyte
     build.build(header + "/* before the change */\n", shipped, "corexy", cc)
     assert frequencies("compiled").backend == "compiled"
     assert len(libraries(fresh)) == 1  # built anew
+
+
+def test_two_builds_have_the_same_bytes(fresh: Path, tmp_path: Path) -> None:
+    """Of a wheel, too, whose libraries are built in the same way: neither paths nor times are in them."""
+    header = (ROOT / "generated/pkmodes_generated/corexy" / build.HEADER).read_text(encoding="utf-8")
+    cc = build.compiler()
+    assert cc is not None
+    folders = [tmp_path / name for name in ("one", "another one")]
+    for folder in folders:
+        folder.mkdir()
+        build.build(header, folder, "corexy", cc)
+    (one,), (other,) = map(libraries, folders)
+    assert (one.name, one.read_bytes()) == (other.name, other.read_bytes())

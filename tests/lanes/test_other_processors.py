@@ -21,7 +21,7 @@ SYSTEM = "/usr/aarch64-linux-gnu"
 
 
 def emulated(name: str, folder: Path, cc: list[str]) -> tuple[np.ndarray, np.ndarray]:
-    """Build the library of a mechanism for AArch64 and evaluate a robot; the same from the library of this processor."""
+    """Frequencies and shapes of a robot from a library that is built for AArch64, and from that of this processor."""
     given = case(name, 7)
     run, lanes = evaluator(given), given.evaluation.lanes()
     n, poses = run.coordinates, np.ascontiguousarray(given.poses)

@@ -25,7 +25,7 @@ for name in [name for name in sys.modules if name.partition(".")[0].startswith("
     del sys.modules[name]
 for name in ("fcntl", "grp", "pwd", "resource", "termios", "tty", "posix"):
     sys.modules[name] = None
-for name in ("chown", "confstr", "fork", "getuid", "geteuid", "killpg", "mkfifo", "sched_getaffinity", "statvfs", "uname"):
+for name in ("chown", "confstr", "fork", "getuid", "killpg", "mkfifo", "sched_getaffinity", "statvfs", "uname"):
     delattr(os, name)
 sys.platform = "win32"
 import pkmodes

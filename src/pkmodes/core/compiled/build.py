@@ -55,7 +55,7 @@ WIDTHS = {
         2: (),
     }
 }
-#: Why nothing is compiled on Windows, by any compiler: GCC's code for it would end the process at a misaligned vector.
+#: Why nothing is compiled on Windows: GCC's code would end the process at a misaligned vector.
 WINDOWS = "GCC does not align vectors on the stack there (its bug 54412)"
 #: Seconds after which a compiler that says nothing is given up.
 PATIENCE = 600
