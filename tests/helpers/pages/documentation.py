@@ -50,6 +50,10 @@ ELSEWHERE = {
         "pkmodes diagnose robot.toml",
     ): "file names of the reader; tests/runtime/test_cli_diagnose.py",
     ("docs/maps.md", "dask scheduler"): "tests/maps/test_workers.py",
+    (
+        "docs/releasing.md",
+        "uv build",
+    ): ".ci/reproducible builds; tests/lanes/test_other_processors.py cross-compiles",
     ("docs/published-tables.md", "python docs/studies"): "tests/test_published_tables.py",
     ("docs/robot-file.md", "M, K = robot.modal_matrices"): "tests/effects/test_extended_model.py",
     ("docs/robot-file.md", "error: expected a length"): "tests/runtime/test_units.py",
