@@ -58,8 +58,8 @@ INLINE void lanes_joint_rates(const struct lanes_system *restrict system, int m,
 
 /* Write derivatives along the paths: those of the eigenvalues times a factor for each mode, which is NaN where a pose is
  * not evaluated. */
-static __attribute__((noinline)) void lanes_put_rates(const struct lanes_block *block, double *restrict out, const lane *restrict gradients,
-    int stride, int m, const lane *restrict factor)
+static __attribute__((noinline)) void lanes_put_rates(const struct lanes_block *block, double *restrict out,
+    const lane *restrict gradients, int stride, int m, const lane *restrict factor)
 {
     const struct pkmodes_request *request = block->request;
     const long long size = request->path_count * m;

@@ -43,8 +43,8 @@ INLINE mask lanes_checked(const lane *restrict pose, const lane *restrict margin
 }
 
 /* Write the modes of a block, ascending; coordinate i of the system is column `column[i]` of the results. */
-static __attribute__((noinline)) void lanes_write(const struct lanes_system *restrict system, const struct eigen_problem *restrict problem, int n,
-    int m, const int *restrict column)
+static __attribute__((noinline)) void lanes_write(const struct lanes_system *restrict system,
+    const struct eigen_problem *restrict problem, int n, int m, const int *restrict column)
 {
     const struct lanes_block *block = &system->block;
     const struct pkmodes_request *request = block->request;

@@ -14,7 +14,8 @@ struct lanes_block {
 };
 
 /* Write a row for each pose, NaN where it is not evaluated; `row` says where they begin. */
-static __attribute__((noinline)) void lanes_put_at(const struct lanes_block *block, double *const *row, const lane *restrict x, int size)
+static __attribute__((noinline)) void lanes_put_at(
+    const struct lanes_block *block, double *const *row, const lane *restrict x, int size)
 {
     int i = 0;
     for (; i + LANES_WIDTH <= size; i += LANES_WIDTH) {
