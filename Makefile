@@ -107,14 +107,15 @@ figures: $(VENV)/.dev  ## the pictures of the README and docs/figures.md, and th
 # The virtual rig is test equipment: it lies beside the tests, and is not installed.
 suites benchmark figures: export PYTHONPATH = tests
 
-suites: $(VENV)/.dev  ## error rates of identification and diagnosis on the virtual test rig, four hours on two cores
-	$(BIN)/python -m pkmodes_rig.suites.diagnosis --seed 20261216 --out docs/diagnosis-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.mechanism_suites --seed 20261215 --out docs/mechanisms-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.limits --seed 20261213 --out docs/limits-measured.md
+suites: CLUSTER = $(if $(SCHEDULER),--scheduler $(SCHEDULER))
+suites: $(VENV)/.dev  ## error rates of identification and diagnosis on the virtual test rig, four hours on two cores; SCHEDULER=ADDRESS: most of them on a Dask cluster
+	$(BIN)/python -m pkmodes_rig.suites.diagnosis $(CLUSTER) --seed 20261216 --out docs/diagnosis-measured.md
+	$(BIN)/python -m pkmodes_rig.suites.mechanism_suites $(CLUSTER) --seed 20261215 --out docs/mechanisms-measured.md
+	$(BIN)/python -m pkmodes_rig.suites.limits $(CLUSTER) --seed 20261213 --out docs/limits-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.calibration --seed 20271127 --out docs/probabilities-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.clear_suites --seed 20261207 --out docs/clear-causes-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.campaigns --seed 20261226 --out docs/signals-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.damping --seed 20261230 --out docs/damping-measured.md
+	$(BIN)/python -m pkmodes_rig.suites.clear_suites $(CLUSTER) --seed 20261207 --out docs/clear-causes-measured.md
+	$(BIN)/python -m pkmodes_rig.suites.campaigns $(CLUSTER) --seed 20261226 --out docs/signals-measured.md
+	$(BIN)/python -m pkmodes_rig.suites.damping $(CLUSTER) --seed 20261230 --out docs/damping-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.deciding --out tests/golden/rules.jsonl
 	$(BIN)/python -m pkmodes_rig.suites.thresholds --out docs/thresholds-measured.md
 

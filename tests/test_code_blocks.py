@@ -28,7 +28,7 @@ from pkmodes.core.robot.reading import robot_from_document
 COMMENT = re.compile(r"(^|\s)#.*")
 #: Characters with a meaning beside words, quotation marks, comments and lines that go on.
 NEEDS_A_SHELL = re.compile(r"[|&;<>$`*?~!(){}\[\]\\]")
-LANGUAGES = {"python", "sh", "text", "toml", "csv", "c"}
+LANGUAGES = {"python", "sh", "text", "toml", "csv", "c", "yaml", "dockerfile"}
 RUN = [page for page in PAGES if any(block.elsewhere is None for block in blocks(page))]
 #: Pages with a diagnosis or several compilations; the others take a few seconds at most.
 LONG = {"docs/command-line.md", "docs/tutorial.md", "docs/diagnosis.md"}

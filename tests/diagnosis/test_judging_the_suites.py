@@ -27,7 +27,7 @@ from pkmodes_rig.suites.clear_cases import ClearCase, ClearOutcome
 from pkmodes_rig.suites.deciding import Line, counts, rightly
 from pkmodes_rig.suites.judging import MENTIONS, CaseOutcome, judged, physical, set_aside_blindly
 from pkmodes_rig.suites.requirements import requirements
-from pkmodes_rig.suites.running import _attempt
+from pkmodes_rig.suites.running import Pool, _attempt
 from pkmodes_rig.suites.specimens import MACHINES, Specimen, measurements
 from pkmodes_rig.suites.strengths import signal
 from pkmodes_rig.suites.suites import SUITES
@@ -255,7 +255,7 @@ def outcome(state: str, verdict: str, *classes: tuple[str, ...], case: ClearCase
 
 
 def page(*outcomes: ClearOutcome, split: tuple[tuple[ClearOutcome, ...], ...] = ()) -> list[str]:
-    return clear_suites._page(outcomes, split, 60.0, 2)
+    return clear_suites._page(outcomes, split, 60.0, Pool(2))
 
 
 def test_each_mechanism_has_forty_clear_cases_of_each_suite_and_meets_all_effects() -> None:

@@ -23,6 +23,8 @@ from pkmodes.support.extras import require
 AHEAD = 2
 #: How long to wait for the scheduler and a worker [s].
 PATIENCE = 10
+#: Protocols for which a client needs certificates.
+ENCRYPTED = ("tls://", "wss://")
 #: As text; that it is one shows when a client connects.
 ADDRESS = Constraint("the address of a scheduler", lambda value: isinstance(value, str))
 
@@ -97,7 +99,7 @@ def _submitter(put: Put, threads: int, scheduler: str | None) -> Iterator[tuple[
         finally:
             pool.shutdown(wait=True, cancel_futures=True)
         return
-    with _client(scheduler) as client:
+    with connected(scheduler) as client:
         executor = client.get_executor(pure=False)
         try:
             with _failures(scheduler):
@@ -122,17 +124,34 @@ def _failures(scheduler: str) -> Iterator[None]:
 
 
 @contextmanager
-def _client(scheduler: str) -> Iterator[Any]:
-    require("maps on a Dask scheduler", "cluster", "distributed")
+def connected(scheduler: str) -> Iterator[Any]:
+    """Connect to a Dask scheduler that has this version of pkmodes, and so have all of its workers.
+
+    Parameters
+    ----------
+    scheduler : str
+        Its address.
+
+    Yields
+    ------
+    distributed.Client
+        Closed at the end.
+
+    Raises
+    ------
+    PkmodesError
+        If it cannot be reached or has no workers, or it or one of them has another version.
+    """
+    require("work on a Dask scheduler", "cluster", "distributed")
     import distributed
 
     remedy = "start one with: dask scheduler, and give its address, such as tcp://127.0.0.1:8786"
     check_argument(scheduler, ADDRESS, "scheduler", remedy)
+    if scheduler.startswith(ENCRYPTED):
+        _check_certificates(scheduler)
     try:
         client = distributed.Client(scheduler, timeout=PATIENCE, set_as_default=False)
-    except (
-        Exception
-    ) as error:  # also what the protocol of the address raises, such as TLS without its settings
+    except Exception as error:  # also what the protocol of the address raises
         what = f"cannot reach the scheduler: {type(error).__name__}"
         raise PkmodesError(what, f"scheduler {shown(scheduler)}", remedy) from None
     try:
@@ -143,14 +162,33 @@ def _client(scheduler: str) -> Iterator[Any]:
             raise PkmodesError(
                 "the scheduler has no workers", f"scheduler {shown(scheduler)}", remedy
             ) from None
-        versions = client.run(_probe())
+        # The scheduler reads the tasks, too, before it hands them out.
+        versions = {**client.run(_probe()), scheduler: client.run_on_scheduler(_probe())}
         wrong = {where: version for where, version in versions.items() if version != VERSION}
         for where, version in wrong.items():
-            what = f"expected pkmodes {VERSION} on every worker, found {version or 'none'} on {where}"
+            found = f"{version or 'none'} on {where}"
+            what = f"expected pkmodes {VERSION} on the scheduler and every worker, found {found}"
             raise PkmodesError(what, f"scheduler {shown(scheduler)}", "install the same version there")
         yield client
     finally:
         client.close(timeout=PATIENCE)
+
+
+def _check_certificates(scheduler: str) -> None:
+    """Refuse an encrypted address without certificates, of which the client itself says nothing that helps."""
+    import distributed
+
+    found = "none"
+    try:
+        if distributed.Security().get_connection_args("client").get("ssl_context"):
+            return
+    except OSError as error:
+        found = f"files that cannot be read ({error.strerror or type(error).__name__})"
+    raise PkmodesError(
+        f"expected certificates for TLS in the configuration of Dask, found {found}",
+        f"scheduler {shown(scheduler)}",
+        "set distributed.comm.tls.ca-file, and cert and key of distributed.comm.tls.client",
+    )
 
 
 def _probe() -> Callable[[], str]:

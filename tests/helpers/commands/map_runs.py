@@ -42,12 +42,30 @@ running.evaluate = slowly
 from pkmodes.cli import main
 main()
 """
+#: The same with a scheduler: it waits once that many tasks are stored, with others on their way to the workers.
+CLIENT = f"""
+import os, sys
+from pkmodes.maps import mapping, running
+mapping.ROWS = {ROWS}
+collect, hold, stored = running._collect, int(os.environ["HOLD_AFTER"]), 0
+def collected(pending, put, finish):
+    def finished(number):
+        global stored
+        finish(number)
+        stored += 1
+        if stored == hold:
+            sys.stdin.read()
+    collect(pending, put, finished)
+running._collect = collected
+from pkmodes.cli import main
+main()
+"""
 
 
-def started(out: Path, after: int, *options: str) -> subprocess.Popen[str]:
+def started(out: Path, after: int, *options: str, program: str = PROGRAM) -> subprocess.Popen[str]:
     """Start ``pkmodes map`` with one thread, and wait until some tasks are done and the next one waits."""
     process = subprocess.Popen(
-        [*[sys.executable, "-c", PROGRAM, "map", str(ROBOT), "--grid", GRID_TEXT], "--out", str(out)]
+        [*[sys.executable, "-c", program, "map", str(ROBOT), "--grid", GRID_TEXT], "--out", str(out)]
         + ["--threads", "1", *options],
         env=environment(HOLD_AFTER=str(after)),
         stdin=subprocess.PIPE,

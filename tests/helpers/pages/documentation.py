@@ -36,6 +36,7 @@ ELSEWHERE = {
     ("README.md", "make demo"): "run by .ci/run",
     ("docs/adding-a-mechanism.md", ""): "tests/runtime/own_mechanism/test_page.py",
     ("docs/adding-an-effect.md", ""): "tests/effects/test_adding_an_effect.py",
+    ("docs/cluster.md", ""): "tests/maps/test_workers.py without Slurm and Kubernetes",
     (
         "docs/diagnosis.md",
         "PYTHONPATH=tests python -m pkmodes_rig",

@@ -18,7 +18,7 @@ from pathlib import Path
 from pkmodes_rig.suites.campaign_cases import CALIBRATION, CampaignOutcome, run
 from pkmodes_rig.suites.campaign_machines import cases
 from pkmodes_rig.suites.campaign_table import DETAILS, SIGNAL, details, rows_of, table
-from pkmodes_rig.suites.running import command_line, publish, run_all
+from pkmodes_rig.suites.running import Pool, parallel_command_line, publish, run_all
 from pkmodes_rig.suites.tables import confusion, grouped, in_words, listed
 from pkmodes_rig.suites.tables import table as lines_of
 
@@ -84,18 +84,19 @@ MEANING = """\
 
 def main() -> None:
     """Run the suite and write its page."""
-    parser = command_line("Measure the way from signals to causes.")
+    parser = parallel_command_line("Measure the way from signals to causes.")
     parser.add_argument("--machines", type=int, default=MACHINES, help="how many machines; default 60")
     parser.add_argument("--only", type=int, help="run this machine only, from 1")
     parser.add_argument("--keep", type=Path, help="folder in which the campaign of --only is kept")
     arguments = parser.parse_args()
+    pool = Pool.of(arguments)
     chosen = cases(arguments.seed, arguments.machines)
     if arguments.only:
         print(_said(run(chosen[arguments.only - 1], arguments.keep)), file=sys.stderr)
         return
     start = time.perf_counter()
-    outcomes = run_all(run, chosen, arguments.jobs, _said, CampaignOutcome)
-    publish(page(outcomes, time.perf_counter() - start, arguments.jobs), arguments.out)
+    outcomes = run_all(run, chosen, pool, _said, CampaignOutcome)
+    publish(page(outcomes, time.perf_counter() - start, pool), arguments.out)
 
 
 def _said(o: CampaignOutcome) -> str:
@@ -103,7 +104,7 @@ def _said(o: CampaignOutcome) -> str:
     return f"{what} [{o.identifying:.1f} s, {o.seconds:.1f} s] {o.reason}"
 
 
-def page(outcomes: Sequence[CampaignOutcome], seconds: float, jobs: int) -> list[str]:
+def page(outcomes: Sequence[CampaignOutcome], seconds: float, pool: Pool) -> list[str]:
     """Return the lines of the page."""
     seed, count = outcomes[0].case.seed, len(outcomes)
     marked = [(*line, "met" if met else "**NOT MET**") for *line, met in table(outcomes)]
@@ -161,7 +162,7 @@ def page(outcomes: Sequence[CampaignOutcome], seconds: float, jobs: int) -> list
         "",
         f"Median {statistics.median(slow):.1f} s, longest {max(slow):.1f} s an identification;"
         f" {statistics.median(hard):.1f} s and {max(hard):.1f} s a diagnosis; all {count} machines, with their"
-        f" signals, in {seconds / 60:.0f} min with {jobs} processes.",
+        f" signals, in {seconds / 60:.0f} min with {pool}.",
     ]
 
 

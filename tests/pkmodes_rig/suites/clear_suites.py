@@ -19,7 +19,7 @@ from pkmodes_rig import ROBOTS
 from pkmodes_rig.suites import mechanism_suites, sizes
 from pkmodes_rig.suites.clear_cases import ClearCase, ClearOutcome, run, splits
 from pkmodes_rig.suites.requirements import RIGHT, covered, errors, headed, line, wrong
-from pkmodes_rig.suites.running import command_line, publish, run_all
+from pkmodes_rig.suites.running import Pool, parallel_command_line, publish, run_all
 from pkmodes_rig.suites.specimens import effects_of
 from pkmodes_rig.suites.tables import confusion, count, grouped, in_words, listed, times
 
@@ -77,11 +77,12 @@ def split_cases() -> Iterator[ClearCase]:
 
 def main() -> None:
     """Run the suites and write their page."""
-    parser = command_line("Measure the diagnosis of clear causes on all mechanisms.")
+    parser = parallel_command_line("Measure the diagnosis of clear causes on all mechanisms.")
     parser.add_argument("--only", default="", help="part of the label of the cases to run")
     parser.add_argument("--every", type=int, default=1, help="run one case in this many")
     parser.add_argument("--no-splits", action="store_true", help="leave out the splits")
     arguments = parser.parse_args()
+    pool = Pool.of(arguments)
     start = time.perf_counter()
     chosen, again = (
         [replace(case, seed=arguments.seed) for case in every if arguments.only in case.label][
@@ -89,9 +90,9 @@ def main() -> None:
         ]
         for every in (cases(), () if arguments.no_splits else split_cases())
     )
-    outcomes = run_all(run, chosen, arguments.jobs, _said, ClearOutcome)
-    split = run_all(splits, again, arguments.jobs, lambda some: "\n".join(map(_said, some)), _failed_split)
-    publish(_page(outcomes, split, time.perf_counter() - start, arguments.jobs), arguments.out)
+    outcomes = run_all(run, chosen, pool, _said, ClearOutcome)
+    split = run_all(splits, again, pool, lambda some: "\n".join(map(_said, some)), _failed_split)
+    publish(_page(outcomes, split, time.perf_counter() - start, pool), arguments.out)
 
 
 def _failed_split(*arguments: Any, **options: Any) -> list[ClearOutcome]:
@@ -107,7 +108,7 @@ def _said(o: ClearOutcome) -> str:
 
 
 def _page(
-    outcomes: Sequence[ClearOutcome], split: Sequence[Sequence[ClearOutcome]], seconds: float, jobs: int
+    outcomes: Sequence[ClearOutcome], split: Sequence[Sequence[ClearOutcome]], seconds: float, pool: Pool
 ) -> list[str]:
     missed = [o for o in outcomes if o.case.names and o.state != "named"]
     outside = [o for o in outcomes if o.case.outside and o.state == "adequate"]
@@ -162,7 +163,7 @@ def _page(
         "## Time",
         "",
         f"{times([o.seconds for o in outcomes])} a diagnosis; all {len(outcomes)} cases and"
-        f" {sum(map(len, split))} splits in {seconds / 60:.0f} min with {jobs} processes.",
+        f" {sum(map(len, split))} splits in {seconds / 60:.0f} min with {pool}.",
     ]
 
 

@@ -14,7 +14,7 @@ from collections.abc import Iterator, Sequence
 
 from pkmodes_rig.suites.damping_cases import MODES, POSES, DampingOutcome, cases, run
 from pkmodes_rig.suites.requirements import RIGHT, covered, headed, line, wrong
-from pkmodes_rig.suites.running import command_line, publish, run_all
+from pkmodes_rig.suites.running import Pool, parallel_command_line, publish, run_all
 from pkmodes_rig.suites.tables import confusion, count, grouped, in_words, listed, times
 
 #: Seeds used during development, in whole or in part.
@@ -60,7 +60,7 @@ def requirements(outcomes: Sequence[DampingOutcome]) -> Iterator[str]:
     yield line("all", f"size within {RIGHT:g} sigma >= 95 %", right, len(away), 0.95)
 
 
-def page(outcomes: Sequence[DampingOutcome], seed: int, every: int, seconds: float, jobs: int) -> list[str]:
+def page(outcomes: Sequence[DampingOutcome], seed: int, every: int, seconds: float, pool: Pool) -> list[str]:
     """Return the page."""
     inside = [o for o in outcomes if o.what.names]
     missed = [o for o in inside if o.state in ("abstained", "partly")]
@@ -122,7 +122,7 @@ def page(outcomes: Sequence[DampingOutcome], seed: int, every: int, seconds: flo
         "## Time",
         "",
         f"{times([o.seconds for o in outcomes])} a diagnosis; all {len(outcomes)} cases in {seconds / 60:.0f} min"
-        f" with {jobs} process{'es' if jobs > 1 else ''}.",
+        f" with {pool}.",
     ]
 
 
@@ -147,13 +147,14 @@ def _said(o: DampingOutcome) -> str:
 
 def main() -> None:
     """Run the suite, and write its page."""
-    parser = command_line("Measure the diagnosis of damping on the virtual test rig.")
+    parser = parallel_command_line("Measure the diagnosis of damping on the virtual test rig.")
     parser.add_argument("--every", type=int, default=1, help="one case in this many; default all")
     arguments = parser.parse_args()
+    pool = Pool.of(arguments)
     start, chosen = time.perf_counter(), list(cases(arguments.seed))[:: arguments.every]
-    outcomes = run_all(run, chosen, arguments.jobs, _said, DampingOutcome)
+    outcomes = run_all(run, chosen, pool, _said, DampingOutcome)
     seconds = time.perf_counter() - start
-    publish(page(outcomes, arguments.seed, arguments.every, seconds, arguments.jobs), arguments.out)
+    publish(page(outcomes, arguments.seed, arguments.every, seconds, pool), arguments.out)
 
 
 if __name__ == "__main__":

@@ -24,7 +24,7 @@ from pkmodes_rig.suites.cases import Case
 from pkmodes_rig.suites.judging import MEASUREMENT, CaseOutcome, run
 from pkmodes_rig.suites.motors import DRIVES, shows, words
 from pkmodes_rig.suites.requirements import CLEAR, headed, requirements
-from pkmodes_rig.suites.running import command_line, publish, run_all
+from pkmodes_rig.suites.running import Pool, parallel_command_line, publish, run_all
 from pkmodes_rig.suites.sizes import KINDS
 from pkmodes_rig.suites.strengths import SEED
 from pkmodes_rig.suites.suites import SUITES
@@ -44,7 +44,7 @@ BINS = (0.0, 2.0, 4.0, 6.0, 10.0, 20.0, float("inf"))
 
 def main() -> None:
     """Run the chosen suites, and write their page."""
-    parser = command_line("Measure the diagnosis on the virtual test rig.", SEED)
+    parser = parallel_command_line("Measure the diagnosis on the virtual test rig.", SEED)
     parser.add_argument("--cases", type=Path, help="JSON file for the outcome of every case")
     parser.add_argument("--only", choices=SUITES, action="append", help="suite to run; may be repeated")
     parser.add_argument(
@@ -52,17 +52,18 @@ def main() -> None:
     )
     parser.add_argument("--limit", type=int, help="largest number of cases per suite, spread evenly")
     arguments = parser.parse_args()
+    pool = Pool.of(arguments)
     start = time.perf_counter()
     cases = [
         replace(case, seed=arguments.seed)
         for drives in arguments.drives or DRIVES
         for case in _chosen(arguments.only, arguments.limit, drives)
     ]
-    outcomes = run_all(run, cases, arguments.jobs, _said, CaseOutcome)
+    outcomes = run_all(run, cases, pool, _said, CaseOutcome)
     if arguments.cases:
         text = json.dumps([asdict(outcome) for outcome in outcomes], indent=1)
         arguments.cases.write_text(text + "\n", encoding="utf-8")
-    publish(_page(outcomes, time.perf_counter() - start, arguments.jobs), arguments.out)
+    publish(_page(outcomes, time.perf_counter() - start, pool), arguments.out)
 
 
 # Cases -------------------------------------------------------------------------------------------------------
@@ -93,13 +94,14 @@ def _said(o: CaseOutcome) -> str:
 # Tables ------------------------------------------------------------------------------------------------------
 
 
-def _page(outcomes: list[CaseOutcome], seconds: float, jobs: int) -> list[str]:
+def _page(outcomes: list[CaseOutcome], seconds: float, pool: Pool) -> list[str]:
     regular = [o for o in outcomes if o.case.suite != "special"]
     by_suite = {suite: [o for o in outcomes if o.case.suite == suite] for suite in SUITES}
     single = by_suite["one effect"] + by_suite["wrong parameter"]
     real = [o for suite in REALISTIC for o in by_suite[suite]]
     shown = {suite: group for suite, group in by_suite.items() if group and suite != "special"}
     hard = [o for suite in HARD for o in by_suite[suite] if suite != "modes missed"]
+    where = "" if pool.scheduler else f" on {_machine()}"
     return [
         "# The diagnosis, measured",
         "",
@@ -191,7 +193,7 @@ def _page(outcomes: list[CaseOutcome], seconds: float, jobs: int) -> list[str]:
         "",
         *_times(by_suite),
         "",
-        f"All {len(outcomes)} cases in {seconds / 60:.0f} min with {jobs} processes on {_machine()}.",
+        f"All {len(outcomes)} cases in {seconds / 60:.0f} min with {pool}{where}.",
     ]
 
 

@@ -22,7 +22,7 @@ from pkmodes.updating.candidates import PREFIX
 from pkmodes_rig import SENSORS, drawn_values
 from pkmodes_rig.suites.cases import ROBOT_NAMES, Case, tried
 from pkmodes_rig.suites.requirements import INTERVAL, line
-from pkmodes_rig.suites.running import command_line, publish, run_all
+from pkmodes_rig.suites.running import Pool, parallel_command_line, publish, run_all
 from pkmodes_rig.suites.sizes import EFFECT_SIZES, TARGETS, WRONG_SIZES, WRONG_TARGETS
 from pkmodes_rig.suites.specimens import Specimen, measurements, robot_of, with_effect, with_wrong
 from pkmodes_rig.suites.strengths import CATALOGUE, PLANS, SEED
@@ -137,7 +137,7 @@ def rows(outcomes: Sequence[Shown]) -> Iterator[str]:
     )
 
 
-def page(outcomes: Sequence[Shown], seed: int, seconds: float, jobs: int) -> list[str]:
+def page(outcomes: Sequence[Shown], seed: int, seconds: float, pool: Pool) -> list[str]:
     """Return the page."""
     limits = [one for o in outcomes for one in o.limits]
     verdicts = Counter(o.verdict for o in outcomes)
@@ -170,7 +170,7 @@ def page(outcomes: Sequence[Shown], seed: int, seconds: float, jobs: int) -> lis
         "| --- | --- | --- | --- | --- | --- |",
         *_table(outcomes),
         "",
-        f"Run in {seconds / 60:.0f} minutes, {jobs} at a time.",
+        f"Run in {seconds / 60:.0f} minutes with {pool}.",
     ]
 
 
@@ -191,12 +191,13 @@ def _said(o: Shown) -> str:
 
 def main() -> None:
     """Run the suite, and write its page."""
-    parser = command_line("Measure the limits on the virtual test rig.")
+    parser = parallel_command_line("Measure the limits on the virtual test rig.")
     parser.add_argument("--every", type=int, default=1, help="one case in this many; default all")
     arguments = parser.parse_args()
+    pool = Pool.of(arguments)
     start, chosen = time.perf_counter(), list(cases(arguments.seed))[:: arguments.every]
-    outcomes = run_all(run, chosen, arguments.jobs, _said)
-    publish(page(outcomes, arguments.seed, time.perf_counter() - start, arguments.jobs), arguments.out)
+    outcomes = run_all(run, chosen, pool, _said)
+    publish(page(outcomes, arguments.seed, time.perf_counter() - start, pool), arguments.out)
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ from pkmodes_rig.suites.mechanism_cases import MechanismCase, MechanismOutcome, 
 from pkmodes_rig.suites.mechanism_sizes import SIZES
 from pkmodes_rig.suites.motors import DRIVES, OTHER_DRIVES, shows, words
 from pkmodes_rig.suites.requirements import CLEAR, basic, covered, errors, headed, line, wrong
-from pkmodes_rig.suites.running import command_line, publish, run_all
+from pkmodes_rig.suites.running import Pool, parallel_command_line, publish, run_all
 from pkmodes_rig.suites.sizes import TYING, UNEQUAL
 from pkmodes_rig.suites.specimens import (
     KINDS,
@@ -197,17 +197,18 @@ def _size(name: str, suite: str, kind: str, target: float, sign: float = 1.0) ->
 
 def main() -> None:
     """Run the suites of all mechanisms, and write their page."""
-    parser = command_line("Measure the diagnosis of the rotary delta and the CoreXY.")
+    parser = parallel_command_line("Measure the diagnosis of the rotary delta and the CoreXY.")
     parser.add_argument("--only", default="", help="part of the label of the cases to run")
     parser.add_argument("--sizes", action="store_true", help="find the sizes of the causes and print them")
     arguments = parser.parse_args()
+    pool = Pool.of(arguments)
     if arguments.sizes:
         print(pformat(sizes(), width=110, sort_dicts=False))
         return
     start = time.perf_counter()
     chosen = [replace(case, seed=arguments.seed) for case in cases() if arguments.only in case.label]
-    outcomes = run_all(run, chosen, arguments.jobs, _said, MechanismOutcome)
-    publish(_page(outcomes, time.perf_counter() - start, arguments.jobs), arguments.out)
+    outcomes = run_all(run, chosen, pool, _said, MechanismOutcome)
+    publish(_page(outcomes, time.perf_counter() - start, pool), arguments.out)
 
 
 def _said(o: MechanismOutcome) -> str:
@@ -218,7 +219,7 @@ def _said(o: MechanismOutcome) -> str:
 # Tables ------------------------------------------------------------------------------------------------------
 
 
-def _page(outcomes: list[MechanismOutcome], seconds: float, jobs: int) -> list[str]:
+def _page(outcomes: list[MechanismOutcome], seconds: float, pool: Pool) -> list[str]:
     groups = {name: [o for o in outcomes if o.case.specimen.machine == name] for name in KINDS}
     return [
         "# The diagnosis of other mechanisms, measured",
@@ -288,8 +289,7 @@ def _page(outcomes: list[MechanismOutcome], seconds: float, jobs: int) -> list[s
         "",
         "## Time",
         "",
-        f"{times([o.seconds for o in outcomes])}; all {len(outcomes)} cases in {seconds / 60:.0f} min with {jobs}"
-        " processes.",
+        f"{times([o.seconds for o in outcomes])}; all {len(outcomes)} cases in {seconds / 60:.0f} min with {pool}.",
     ]
 
 

@@ -1,4 +1,4 @@
-"""Run the cases of suites in several processes, and write their pages: what all suites share."""
+"""Run the cases of suites in several processes, here or on a cluster, and write their pages: what suites share."""
 
 from __future__ import annotations
 
@@ -7,14 +7,17 @@ import multiprocessing
 import os
 import sys
 import traceback
-from collections.abc import Callable, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor, ProcessPoolExecutor
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
+from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.posterior.document import Probabilities
+from pkmodes.maps.running import connected
 
 C = TypeVar("C")
 R = TypeVar("R")
@@ -63,6 +66,59 @@ class Outcome(Generic[C]):
     candidates: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True)
+class Pool:
+    """Where cases run: in processes of this machine, or on the workers of a Dask scheduler.
+
+    Attributes
+    ----------
+    jobs : int
+        Processes of this machine.
+    scheduler : str, optional
+        Address of the scheduler, whose workers run the cases instead.
+    """
+
+    jobs: int = JOBS
+    scheduler: str | None = None
+
+    @classmethod
+    def of(cls, arguments: argparse.Namespace) -> Pool:
+        """Return what the command line says."""
+        return cls(arguments.jobs, arguments.scheduler)
+
+    def __str__(self) -> str:
+        """Return what ran the cases, for a page."""
+        if self.scheduler is not None:
+            return "the workers of a Dask scheduler"
+        return f"{self.jobs} process{'es' if self.jobs > 1 else ''}"
+
+    @contextmanager
+    def executor(self) -> Iterator[Executor]:
+        """Give what runs cases in processes with one thread each: one for each core is faster than threads.
+
+        Raises
+        ------
+        SystemExit
+            If there is no such scheduler, or a worker would run several cases in one process.
+        """
+        if self.scheduler is None:
+            for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+                os.environ.setdefault(name, "1")
+            with ProcessPoolExecutor(self.jobs, mp_context=multiprocessing.get_context("spawn")) as pool:
+                yield pool
+            return
+        with ExitStack() as stack:
+            try:
+                client = stack.enter_context(connected(self.scheduler))
+                if (threads := max(client.nthreads().values())) > 1:
+                    what = f"expected workers with one thread each, found one with {threads}"
+                    remedy = f"start them with: dask worker {self.scheduler} --nworkers N --nthreads 1"
+                    raise PkmodesError(what, f"scheduler {shown(self.scheduler)}", remedy)
+            except PkmodesError as error:
+                raise SystemExit(f"error: {error}") from None
+            yield client.get_executor(pure=False)
+
+
 def command_line(description: str, seed: int = 1) -> argparse.ArgumentParser:
     """Return the options that all suites have."""
     parser = argparse.ArgumentParser(description=description)
@@ -70,14 +126,23 @@ def command_line(description: str, seed: int = 1) -> argparse.ArgumentParser:
     parser.add_argument(
         "--seed", type=int, default=seed, help="seed of the random draws (noise, true values)"
     )
+    return parser
+
+
+def parallel_command_line(description: str, seed: int = 1) -> argparse.ArgumentParser:
+    """Return the options of suites whose cases run in a `Pool`."""
+    parser = command_line(description, seed)
     parser.add_argument("--jobs", type=int, default=JOBS, help="processes; default 2")
+    parser.add_argument(
+        "--scheduler", metavar="ADDRESS", help="run the cases on the workers of this Dask scheduler instead"
+    )
     return parser
 
 
 def run_all(
     run: Callable[[C], R],
     cases: Sequence[C],
-    jobs: int,
+    pool: Pool,
     said: Callable[[R], str],
     failed: Callable[..., R] | None = None,
 ) -> list[R]:
@@ -90,12 +155,12 @@ def run_all(
         its state is ``failed`` and its signal infinite, so that a cause counts as a clear one that was not named.
         Without it the exception is not caught.
     cases : sequence
-    jobs : int
-        Processes.
+    pool : Pool
+        Where they run.
     """
     outcomes: list[R] = []
-    with _processes(jobs) as pool:
-        for outcome in pool.map(partial(_attempt, run, failed), cases):
+    with pool.executor() as executor:
+        for outcome in executor.map(partial(_attempt, run, failed), cases):
             outcomes.append(outcome)
             print(f"{len(outcomes)}/{len(cases)} {said(outcome)}", file=sys.stderr, flush=True)
     return outcomes
@@ -108,13 +173,6 @@ def _attempt(run: Callable[[Any], R], failed: Callable[..., R] | None, case: Any
         if failed is None:
             raise
         return failed(case, "failed", signal=float("inf"), reason=traceback.format_exc(limit=-8))
-
-
-def _processes(jobs: int) -> ProcessPoolExecutor:
-    """Return a pool of processes with one thread each: one process per core is faster than threads."""
-    for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
-        os.environ.setdefault(name, "1")
-    return ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("spawn"))
 
 
 def publish(lines: Sequence[str], out: Path | None) -> None:
