@@ -1,23 +1,40 @@
-"""What docs/maps.md says about commands and marks; its blocks run with those of the other pages."""
+"""What docs/maps.md says about marks, and docs/cluster.md about commands and settings."""
 
 from __future__ import annotations
 
 import re
+import shlex
 from pathlib import Path
 
+import dask
+import distributed  # noqa: F401  # adds its settings to those of Dask
+import yaml
+
+from pkmodes.cli.map import map_
 from pkmodes.dataset.variables import EVENTS
 from pkmodes.maps.tracking import CLEAR, SAME
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "maps.md").read_text(encoding="utf-8")
-BLOCKS = re.findall(r"^```(\w*)\n(.*?)^```$", PAGE, re.DOTALL | re.MULTILINE)
+BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
 
-def test_the_commands_for_other_machines_are_those_that_are_tested() -> None:
-    (text,) = (text for _, text in BLOCKS if text.startswith("dask scheduler"))
-    words = text.splitlines()[-1].split()
-    assert words[:2] == ["pkmodes", "map"]
-    assert words[3] == "--scheduler"
+def test_the_page_on_clusters_has_programs_options_and_settings_that_exist() -> None:
+    page = (ROOT / "docs" / "cluster.md").read_text(encoding="utf-8")
+    found = BLOCK.findall(page)
+    for language, text in found:
+        if language == "python":
+            compile(text, "docs/cluster.md", "exec")
+    (mapped,) = re.findall(r"^pkmodes map (.*)$", page, re.MULTILINE)
+    with map_.make_context("map", shlex.split(mapped), resilient_parsing=True) as context:
+        assert context.params["scheduler"] == "tcp://192.168.0.10:8786"
+    (settings,) = (yaml.safe_load(text) for language, text in found if language == "yaml")
+    tls = settings["distributed"]["comm"]["tls"]
+    known = dask.config.get("distributed.comm.tls")
+    assert tls.keys() <= known.keys()
+    for who in ("scheduler", "worker", "client"):
+        assert tls[who].keys() <= known[who].keys()
+    assert settings["distributed"]["comm"].keys() <= dask.config.get("distributed.comm").keys()
 
 
 def test_marks_are_those_of_the_code() -> None:
