@@ -109,8 +109,11 @@ class MapFile:
             for left in (new, replaced):  # by an interrupted run
                 _remove(left)
             if suffix == NETCDF:
+                import dask
+
                 written, encoding = as_characters(dataset)
-                written.to_netcdf(new, format="NETCDF4", engine="netcdf4", encoding=encoding)
+                with dask.config.set(scheduler=_in_order):
+                    written.to_netcdf(new, format="NETCDF4", engine="netcdf4", encoding=encoding)
             elif suffix == ZARR:
                 # Version 2 of the format: version 3 has no standard for text yet.
                 dataset.drop_encoding().to_zarr(new, mode="w", zarr_format=2, consolidated=True)
@@ -153,6 +156,24 @@ def as_characters(dataset: xarray.Dataset) -> tuple[xarray.Dataset, dict[str, di
     encoding: dict[str, dict[str, Any]] = {str(name): {"_FillValue": None} for name in dataset.coords}
     encoding["reason"] = {"dtype": "S1", "zlib": True, "complevel": 1}
     return dataset.assign(reason=reason), encoding
+
+
+def _in_order(graph: Any, keys: Any, **_: Any) -> Any:
+    """Evaluate a Dask graph, as one of its schedulers, and write the parts of each field one after the other.
+
+    Threads lay the same map out differently every time, and so does the order that Dask chooses by random names.
+    """
+    from dask.local import get_sync
+    from dask.optimization import cull
+
+    tasks = dict(graph.__dask_graph__() if hasattr(graph, "__dask_graph__") else graph)
+
+    def evaluated(wanted: Any) -> Any:
+        if isinstance(wanted, list):
+            return [evaluated(one) for one in wanted]
+        return get_sync(cull(tasks, [wanted])[0], wanted)
+
+    return evaluated(keys)
 
 
 def _remove(path: Path) -> None:

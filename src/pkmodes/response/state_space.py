@@ -41,6 +41,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 #: A direct part below this fraction of what the states contribute statically is rounding.
 NOTHING = 1e-12
+#: The text with which a MATLAB file begins; that of SciPy has the date.
+MAT_HEADER = b"MATLAB 5.0 MAT-file, written by pkmodes".ljust(116)
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -143,6 +145,8 @@ class StateSpace(Channels):
             content["tick"] = self.tick
         written = io.BytesIO()
         savemat(cast("Any", written), content, oned_as="column")  # SciPy takes open files too
+        written.seek(0)
+        written.write(MAT_HEADER)
         write_file(Path(path), written.getvalue())
 
     def _matrices(self, index: Index) -> tuple[Array, Array, Array, Array]:
