@@ -247,5 +247,5 @@ def _print(model: Model, choice: Choice, content: dict[str, Any]) -> None:
 
     terminal, head = Terminal(), summary(model, choice, content)
     terminal.summary(head)
-    terminal.show(machine(model, choice, content), shapers_table(content), *firmware_lines(content))
+    terminal.show(machine(model, choice, content), shapers_table(choice), *firmware_lines(content))
     terminal.notes(head)

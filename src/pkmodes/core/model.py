@@ -279,7 +279,9 @@ class Model:
         """
         checked = self.checked(poses, on_error)
         torques, rotations = self.evaluated(self.system.statics, checked)
-        return Statics(checked.codes.reshape(checked.batch), checked.known, torques, rotations)
+        poses = checked.points.reshape((*checked.batch, -1))
+        codes = checked.codes.reshape(checked.batch)
+        return Statics(codes, checked.known, poses, torques, rotations, self.robot)
 
     @property
     def reasons(self) -> dict[str, str]:

@@ -10,6 +10,7 @@ import numpy as np
 from msgspec import Meta
 from scipy import stats
 
+from pkmodes.core.base.attached import Attached
 from pkmodes.diagnosis.arguments import checked
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
@@ -115,6 +116,8 @@ class Comparison:
     notes: tuple[str, ...] = ()
     rigid: int = 0
     stage: Predicted | None = field(default=None, compare=False, repr=False)
+
+    _repr_html_ = Attached("pkmodes.report.notebook:of_comparison")
 
     @property
     def unpaired(self) -> tuple[ComparedRow, ...]:

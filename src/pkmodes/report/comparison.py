@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 def summary(result: Comparison, setting: Setting) -> Summary:
     """Return what the differences mean, and how large they are."""
-    headline, reason, tone = _judged(result)
+    headline, reason, tone = judged(result)
     count, places = len(result.rows), len({row.pose for row in result.rows})
     facts = [
         ("rms difference [%]", percent(result.rms_relative, pointer("rms_relative"))),
@@ -43,7 +43,7 @@ def summary(result: Comparison, setting: Setting) -> Summary:
     )
 
 
-def _judged(result: Comparison) -> tuple[str, str, Colour]:
+def judged(result: Comparison) -> tuple[str, str, Colour]:
     """Return what the differences mean, from their p-value at the level of the diagnosis."""
     p = result.p_value
     if p is None:

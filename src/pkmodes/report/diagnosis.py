@@ -76,7 +76,7 @@ def _summary(result: Diagnosis, setting: Setting) -> Summary:
         subject=setting.title(row.drives for row in result.rows),
         kind="Diagnosis",
         verdict=result.verdict,
-        headline=_headline(result),
+        headline=headline(result),
         reason=prose(sentence(result.reason) + _larger(result)),
         tone=VERDICTS[result.verdict].colour,
         notes=[prose(sentence(note)) for note in (*result.notes, *_of_damping(result))],
@@ -102,7 +102,8 @@ def _of_damping(result: Diagnosis) -> list[str]:
     return [f"the verdict is that of frequencies and shapes; {found.reason}"] if found.measured else []
 
 
-def _headline(result: Diagnosis) -> str:
+def headline(result: Diagnosis) -> str:
+    """Return the verdict as a sentence, with the causes and what matters of the refitted values."""
     causes = clean(naming.found(result.effects, naming.LONGEST), SENTENCE) if result.effects else ""
     verdict = VERDICTS[result.verdict].sentence.format(
         causes=causes, s="s" if len(result.effects) > 1 else ""

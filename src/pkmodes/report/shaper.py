@@ -63,7 +63,7 @@ def shaper_report(
     need_report()
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     sections = [
-        Section("shapers", "Shapers", [shapers_table(content)]),
+        Section("shapers", "Shapers", [shapers_table(choice)]),
         Section("machine", "The machine", [machine(model, choice, content)]),
         Section("workspace", "Over the workspace", [_over_workspace(model, choice)]),
         Section("errors", "Where frequencies differ from the model's", [_against_error(choice)]),
@@ -153,10 +153,10 @@ def _design(one: Candidate) -> str:
     return f"{joined([f'{f:.1f}' for f in one.frequencies])} Hz"
 
 
-def shapers_table(content: dict[str, Any]) -> Table:
+def shapers_table(choice: Choice) -> Table:
     """Return all shapers, and what each leaves."""
     keys = {"rms": "left, rms [%]", "worst": "worst [%]", "rms_uncertain": "rms, uncertain [%]"}
-    uncertain = any(one["left"]["rms_uncertain"] is not None for one in content["shapers"])
+    uncertain = any(one.left.rms_uncertain is not None for one in choice.candidates)
     if not uncertain:
         del keys["rms_uncertain"]
     columns = [
@@ -166,15 +166,14 @@ def shapers_table(content: dict[str, Any]) -> Table:
         *(Column(title) for title in keys.values()),
     ]
     rows = []
-    for i, one in enumerate(content["shapers"]):
-        design = one["frequencies_hz"]
-        left, strong = one["left"], i == content["recommended"]
+    for i, one in enumerate(choice.candidates):
+        strong = i == choice.recommended
         cells = [
-            Cell(clean(one["kind"]) + (" *" if strong else ""), strong=strong),
-            Cell("of the pose" if design is None else ", ".join(f"{f:.2f}" for f in design)),
-            number(one["duration_s"], ".1f", scale=1e3),
+            Cell(clean(one.kind) + (" *" if strong else ""), strong=strong),
+            Cell("of the pose" if one.follows_pose else ", ".join(f"{f:.2f}" for f in one.frequencies)),
+            number(one.duration, ".1f", scale=1e3),
         ]
-        cells += [number(left[key], ".2f", scale=100.0) for key in keys]
+        cells += [number(getattr(one.left, key), ".2f", scale=100.0) for key in keys]
         rows.append(cells)
     caption = (
         "What shapers leave of the vibration: the root mean square over the poses, of that without a shaper; the "

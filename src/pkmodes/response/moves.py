@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.arguments import Constraint, check_argument, is_number, real_numbers
+from pkmodes.core.base.attached import Attached
 from pkmodes.core.base.drives import HELD
 from pkmodes.core.base.errors import PkmodesError, PoseError, shown
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.model import Model
 from pkmodes.core.robot.pose_table import poses_by_name
+from pkmodes.core.robot.robot import Robot
 from pkmodes.response.path_vibration import deviation_along
 from pkmodes.shaping.arguments import checked_impulses
 from pkmodes.shaping.shapers import Shaper
@@ -37,11 +39,16 @@ class Move:
         What the motors follow: the command, after the shaper.  The platform is at ``poses + deviation``.
     deviation : ndarray, shape (T, d)
         Of the platform from `poses` [m].  Static sag under gravity is not part of it.
+    robot : Robot
+        Which moves.
     """
 
     time: Array
     poses: Array
     deviation: Array
+    robot: Robot = field(repr=False)
+
+    _repr_html_ = Attached("pkmodes.report.notebook:of_move")
 
     def largest(self, after: float = -np.inf) -> float:
         """Return the largest distance of the platform from `poses` [m], from a time [s] on."""
@@ -110,7 +117,7 @@ def simulate(
     if rigid := model.solved(HELD).rigid_modes:
         what = f"with motors held the machine still has {rigid} rigid modes: they would drift away"
         raise PkmodesError(what, model.robot.source, "check the drives of the mechanism")
-    return Move(t, shaped, deviation_along(model, fine, path)[given])
+    return Move(t, shaped, deviation_along(model, fine, path)[given], model.robot)
 
 
 def shaped_command(time: Array, command: Array, shaper: Shaper) -> Array:

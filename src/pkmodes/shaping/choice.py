@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.arguments import Constraint, check_argument, is_number, one_of
+from pkmodes.core.base.attached import Attached
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.model import Model
 from pkmodes.shaping.at_poses import check_factors, following
@@ -119,6 +120,8 @@ class Choice:
     left: float = LEFT
     length: float | None = None
     firmware: str | None = None
+
+    _repr_html_ = Attached("pkmodes.report.notebook:of_shapers")
 
 
 def default_kinds(modes: int) -> tuple[str, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from pkmodes.core.base.attached import Attached
 from pkmodes.core.robot.declaration import Declaration
 from pkmodes.core.robot.variants import with_values
 
@@ -17,6 +18,8 @@ class Robot(Declaration):
     ``quantities``, ``effects``, ``constants``, ``usable``, ``report``, ``covariance``, and the derived
     ``mechanism`` and ``declared``.
     """
+
+    _repr_html_ = Attached("pkmodes.report.notebook:of_robot")
 
     def with_values(self, values: Mapping[str, Any]) -> Robot:
         """Return the robot that a file with these values would declare.

@@ -224,7 +224,7 @@ class Modes(ChosenFields):
     else:
         to_dataset = Attached("pkmodes.dataset.modes:to_dataset")
         to_table = Attached("pkmodes.dataset.modes:to_table")
-        _repr_html_ = Attached("pkmodes.dataset.notebook:table_of_modes")
+        _repr_html_ = Attached("pkmodes.report.notebook:of_modes")
 
 
 @dataclass(frozen=True, eq=False)
@@ -233,18 +233,26 @@ class Statics(AtPoses):
 
     Attributes
     ----------
+    poses : ndarray, shape (..., d)
+        Pose components of the mechanism, in SI units.
     torques : ndarray, shape (..., drives)
         Drive torques in the order of the drives [N m], positive in the direction of each drive's coordinate.
     rotations : ndarray, shape (..., n - k)
         Rotations of the dependent coordinates from the unstrained transmissions [rad], in their order.
+    robot : Robot
+        Whose they are.
     valid : ndarray of bool, shape (...)
         Which poses could be evaluated.
     reason : ndarray of str, shape (...)
         Why the others could not (`pkmodes.Model.reasons`), ``""`` where valid; for a single pose a string.
     """
 
+    poses: Array
     torques: Array
     rotations: Array
+    robot: Robot = field(repr=False)
+
+    _repr_html_ = Attached("pkmodes.report.notebook:of_statics")
 
 
 @dataclass(frozen=True, repr=False, eq=False)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from pkmodes.core.base.attached import Attached
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.posterior.document import Probabilities
 from pkmodes.diagnosis.verdict.document import (
@@ -188,6 +189,8 @@ class Diagnosis:
     headline: str = ""
     rule: str = field(default="", compare=False)
     probabilities: Probabilities | None = None
+
+    _repr_html_ = Attached("pkmodes.report.notebook:of_diagnosis")
 
     def __str__(self) -> str:
         lines = [f"{self.verdict}: {self.reason}"]

@@ -1,0 +1,148 @@
+"""What notebooks show of results: tables of their pages, as HTML without a style sheet."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.robot.robot import Robot
+from pkmodes.core.solve.fields import FIELDS
+from pkmodes.core.solve.results import Modes, Statics
+from pkmodes.diagnosis.compare import Comparison
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.report.blocks import Cell, Column, Table
+from pkmodes.report.comparison import by_mode, judged
+from pkmodes.report.diagnosis import headline
+from pkmodes.report.formatting import figures, plural, sentence, unit_cell
+from pkmodes.report.numbers import errors, values
+from pkmodes.report.setting import Setting
+from pkmodes.report.shaper import shapers_table
+from pkmodes.response.moves import Move
+from pkmodes.shaping.choice import Choice
+from pkmodes.support.words import in_words
+
+Array = NDArray[np.float64]
+#: Rows of a table at most.
+ROWS = 20
+
+
+def of_modes(modes: Modes) -> str | None:
+    """Return the frequencies of vibration at each pose; None where no frequencies were requested."""
+    if "frequencies" not in modes.requested:
+        return None
+    titles: list[str] = []
+    columns = []
+    for entry in (FIELDS[name] for name in modes.requested):
+        if entry.symbol:
+            array = getattr(modes, entry.name)
+            vibrations = array.reshape(-1, array.shape[-1])[:, modes.rigid_modes :]
+            units = entry.units_of(modes.robot.mechanism)
+            titles += [f"{entry.symbol}{i + 1} [{units}]" for i in range(vibrations.shape[1])]
+            columns.append(vibrations)
+    return _at_poses(modes, "frequencies of vibration", titles, np.hstack(columns), ".3f")
+
+
+def of_statics(statics: Statics) -> str:
+    """Return the torques and rotations that hold each pose against gravity."""
+    mechanism = statics.robot.mechanism
+    titles = [f"torque {drive.name} [{drive.unit}]" for drive in mechanism.drives]
+    rest = [one for one in mechanism.coordinates if one.name not in mechanism.independent]
+    titles += [f"{one.name} [{one.unit}]" for one in rest]
+    arrays = (statics.torques, statics.rotations)
+    found = np.hstack([array.reshape(-1, array.shape[-1]) for array in arrays])
+    return _at_poses(statics, "what holds the pose against gravity", titles, found, ".4g")
+
+
+def _at_poses(result: Modes | Statics, what: str, titles: Sequence[str], found: Array, form: str) -> str:
+    """Return a table with a row for each pose; instead of numbers, the reason why there are none."""
+    robot = result.robot
+    poses = result.poses.reshape(-1, result.poses.shape[-1])
+    reasons = np.atleast_1d(result.reason).ravel()
+    rows = []
+    for point, row, reason in zip(poses[:ROWS], found[:ROWS], reasons[:ROWS], strict=True):
+        cells = [str(reason)] * len(row) if reason else [format(value + 0.0, form) for value in row]
+        rows.append([Cell(text) for text in (*(f"{value:.6g}" for value in point), *cells)])
+    columns = [Column(f"{c.name} [{c.unit}]") for c in robot.mechanism.pose] + [*map(Column, titles)]
+    return _html(Table(f"{robot.name}: {what}", columns, rows, note=_more(len(poses), "pose")))
+
+
+def of_robot(robot: Robot) -> str:
+    """Return the declared values with their standard deviations, units and meanings."""
+    columns = [Column("value", False), Column(""), Column("\u03c3"), Column("unit", False), Column("", False)]
+    rows = [
+        [
+            Cell(path),
+            figures(one.value),
+            figures(one.sigma, 2),
+            unit_cell(one.unit),
+            Cell(in_words(robot.mechanism, path)),
+        ]
+        for path, one in list(robot.quantities.items())[:ROWS]
+    ]
+    more = _more(len(robot.quantities), "value")
+    note = f"{more}: Robot.quantities" if more else ""
+    return _html(Table(f"{robot.name}: {robot.mechanism.title}", columns, rows, note=note))
+
+
+def of_move(move: Move) -> str:
+    """Return how far the platform is from what the motors follow, along each component."""
+    rows = []
+    for i, component in enumerate(move.robot.mechanism.pose):
+        at = int(np.argmax(np.abs(move.deviation[:, i])))
+        ends = [f"{move.poses[k, i]:.6g} {component.unit}" for k in (0, -1)]
+        largest = [f"{1e6 * move.deviation[at, i] + 0.0:.4g}", f"{move.time[at]:.6g}"]
+        rows.append([Cell(text) for text in (component.name, *ends, *largest)])
+    columns = [Column(title) for title in ("", "from", "to", "largest deviation [\u00b5m]", "at [s]")]
+    lasts = move.time[-1] - move.time[0]
+    note = f"Largest distance {1e6 * move.largest():.4g} \u00b5m; {len(move.time):,} times in {lasts:.6g} s."
+    return _html(Table(f"{move.robot.name}: a move with held motors", columns, rows, note=note))
+
+
+def of_shapers(choice: Choice) -> str:
+    """Return the shapers that were compared, and what each leaves."""
+    return _html(shapers_table(choice))
+
+
+def of_comparison(result: Comparison) -> str:
+    """Return what the differences mean, and how far each mode is off."""
+    headline, reason, _ = judged(result)
+    return _words(headline, reason) + "".join(map(_html, by_mode(result)))
+
+
+def of_diagnosis(result: Diagnosis) -> str:
+    """Return what was found and why, the errors before and after, and the fitted values."""
+    setting = Setting("", None, None, (), None)
+    tables = [one for one in (*errors(result), *values(result, setting)) if isinstance(one, Table)]
+    return _words(headline(result), result.reason) + "".join(map(_html, tables))
+
+
+def _words(strong: str, more: str) -> str:
+    return f"<p><strong>{escape(strong)}.</strong> {escape(sentence(more))}</p>"
+
+
+def _more(count: int, noun: str) -> str:
+    return f"{plural(count - ROWS, f'more {noun}')}" if count > ROWS else ""
+
+
+def _html(table: Table) -> str:
+    """Return a table as HTML; of the columns, those that a terminal has."""
+    kept = [k for k, column in enumerate(table.columns) if not column.page_only]
+
+    def row(cells: Sequence[str], tag: str) -> str:
+        left = ("" if table.columns[k].numbers else ' style="text-align:left"' for k in kept)
+        each = (f"<{tag}{style}>{text}</{tag}>" for style, text in zip(left, cells, strict=True))
+        return f"<tr>{''.join(each)}</tr>"
+
+    def shown(cell: Cell) -> str:
+        text = escape(cell.name or cell.text)
+        return f"<strong>{text}</strong>" if cell.strong else text
+
+    over = "".join(f'<th colspan="{count}">{escape(title)}</th>' for title, count in table.groups)
+    head = (f"<tr>{over}</tr>" if over else "") + row([escape(table.columns[k].title) for k in kept], "th")
+    body = "".join(row([shown(cells[k]) for k in kept], "td") for cells in table.rows)
+    note = f"<p>{escape(table.note)}</p>" if table.note else ""
+    caption = f"<caption>{escape(table.caption)}</caption>"
+    return f"<table>{caption}<thead>{head}</thead><tbody>{body}</tbody></table>{note}"
