@@ -33,6 +33,8 @@ def test_modes_are_a_table_of_frequencies(model: pkmodes.Model) -> None:
     np.testing.assert_allclose(np.array(rows[:2])[:, 3:].astype(float), modes.frequencies[:2, 3:], atol=5e-4)
     assert rows[2][3:] == ["limits"] * 6
     assert "f1 [Hz]" in text
+    assert "frequencies of vibration, motors free" in text
+    assert "motors held" in str(model.modes(POSES[0], drives="held")._repr_html_())
     assert model.modes(POSES[0])._repr_html_() is not None
     assert model.modes(POSES[0], fields=["shapes"])._repr_html_() is None
 
@@ -56,7 +58,7 @@ def cells_of(text: str) -> list[list[str]]:
 def test_statics_are_a_table_of_torques_and_rotations(model: pkmodes.Model) -> None:
     statics = model.statics(POSES, "nan")
     head, *rows = cells_of(statics._repr_html_())
-    assert head[:6] == ["x [m]", "y [m]", "z [m]", "torque 1 [N m]", "torque 2 [N m]", "torque 3 [N m]"]
+    assert head[:6] == ["x [m]", "y [m]", "z [m]", *(f"torque {i} [N\u00b7m]" for i in (1, 2, 3))]
     assert head[6:] == [f"theta_{axis}_{pulley} [rad]" for pulley in (1, 2) for axis in (1, 2, 3)]
     numbers = np.array([row[3:] for row in rows[:2]], dtype=float)
     np.testing.assert_allclose(numbers[:, :3], statics.torques[:2], rtol=1e-3)

@@ -16,12 +16,13 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.report.blocks import Cell, Column, Table
 from pkmodes.report.comparison import by_mode, judged
 from pkmodes.report.diagnosis import headline
-from pkmodes.report.formatting import figures, plural, sentence, unit_cell
+from pkmodes.report.formatting import figures, plural, sentence, unit, unit_cell
 from pkmodes.report.numbers import errors, values
 from pkmodes.report.setting import Setting
 from pkmodes.report.shaper import shapers_table
 from pkmodes.response.moves import Move
 from pkmodes.shaping.choice import Choice
+from pkmodes.support.motors import motors_in_words
 from pkmodes.support.words import in_words
 
 Array = NDArray[np.float64]
@@ -42,13 +43,14 @@ def of_modes(modes: Modes) -> str | None:
             units = entry.units_of(modes.robot.mechanism)
             titles += [f"{entry.symbol}{i + 1} [{units}]" for i in range(vibrations.shape[1])]
             columns.append(vibrations)
-    return _at_poses(modes, "frequencies of vibration", titles, np.hstack(columns), ".3f")
+    what = f"frequencies of vibration, {motors_in_words(modes.robot, modes.drives)}"
+    return _at_poses(modes, what, titles, np.hstack(columns), ".3f")
 
 
 def of_statics(statics: Statics) -> str:
     """Return the torques and rotations that hold each pose against gravity."""
     mechanism = statics.robot.mechanism
-    titles = [f"torque {drive.name} [{drive.unit}]" for drive in mechanism.drives]
+    titles = [f"torque {drive.name} [{unit(drive.unit)}]" for drive in mechanism.drives]
     rest = [one for one in mechanism.coordinates if one.name not in mechanism.independent]
     titles += [f"{one.name} [{one.unit}]" for one in rest]
     arrays = (statics.torques, statics.rotations)

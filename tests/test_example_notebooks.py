@@ -1,0 +1,84 @@
+"""The notebooks of examples/ run and show the numbers of the documentation; they are kept without what they show."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from html import unescape
+from pathlib import Path
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+
+ROOT = Path(__file__).parents[1]
+NOTEBOOKS = {path.stem: path for path in sorted((ROOT / "examples/notebooks").glob("*.ipynb"))}
+
+
+def shown(name: str, folder: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Execute a notebook in a folder with the files that it reads; return the text that each cell shows."""
+    for files in ("robots", "examples"):
+        (folder / files).symlink_to(ROOT / files)
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(sys.path))  # of the kernel
+    notebook = nbformat.read(NOTEBOOKS[name], as_version=4)
+    client = NotebookClient(notebook, timeout=600, resources={"metadata": {"path": str(folder)}})
+    client.execute()
+    return [
+        "".join(
+            output["text"] if output["output_type"] == "stream" else _text(output["data"]["text/html"])
+            for output in cell["outputs"]
+        )
+        for cell in notebook.cells
+        if cell["cell_type"] == "code"
+    ]
+
+
+def _text(html: str) -> str:
+    return " ".join(unescape(re.sub(r"<[^>]*>", " ", html)).split())
+
+
+@pytest.mark.slow
+def test_from_a_robot_file_to_modes_and_maps(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    cells = shown("modes_and_maps", tmp_path, monkeypatch)
+    robot, free, held, statics, sensitivities, a_map, picture, changed = cells
+    assert "belt.width 0.015 \u2013 m width of each belt" in robot
+    assert "55.559 60.316 61.545 130.801 133.831 134.257" in free  # README
+    assert "32.267 36.236 39.654" in held
+    assert "0.4932 -0.2466 -0.2466" in statics
+    belt = re.search(r"belt\.width\s+(\S+)", sensitivities)
+    assert belt is not None
+    assert float(belt[1]) == pytest.approx(0.278, abs=2e-3)
+    assert a_map == "The first frequency lies between 45.1 and 58.2 Hz.\n"
+    assert "Natural frequencies." in picture
+    assert re.fullmatch(
+        r"The first frequency rises by (\S+ Hz), 8\.6 Hz, (\S+ Hz)\n", changed
+    )  # docs/python.md
+
+
+@pytest.mark.slow
+def test_from_measurements_to_the_cause(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    compared, found, corrected, early, proposed = shown("cause_from_measurements", tmp_path, monkeypatch)
+    assert "The differences are larger than the measurement errors." in compared
+    assert "Cause found: the gearboxes wind up." in found
+    assert re.search(r"before: as declared\s+0\.71", found)  # README
+    assert re.search(r"after: with the cause\s+0\.17", found)
+    assert "The differences are within the measurement errors." in corrected
+    assert (tmp_path / "corrected.toml").is_file()
+    assert "Several explanations remain." in early
+    assert "gearbox_compliance" in early, "the true one is among them"
+    assert re.match(r"With motors (held|free), at \S+ m, \S+ m, \S+ m\n", proposed)
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_a_notebook_is_kept_without_what_it_shows(name: str) -> None:
+    notebook = nbformat.read(NOTEBOOKS[name], as_version=4)
+    nbformat.validate(notebook)
+    for cell in notebook.cells:
+        assert not cell.get("outputs")
+        assert cell.get("execution_count") is None
+        assert not cell["metadata"]
+    assert notebook.metadata.keys() == {"kernelspec", "language_info"}
+    assert "pkmodes examples closed_loop" in notebook.cells[0]["source"]
+    page = (ROOT / "docs/index.md").read_text(encoding="utf-8")
+    assert f"examples/notebooks/{name}.ipynb" in page
