@@ -87,6 +87,12 @@ CATALOGUE = (
         "pkmodes generate robots/linear-delta-2022.toml --out build/delta",
     ),
     _example(
+        "notebooks",
+        "Two notebooks: from a robot file to modes and maps, and from measurements to the cause.",
+        "python",
+        f"pkmodes examples closed_loop --out {EXAMPLES}/notebooks",
+    ),
+    _example(
         "lumped_structure",
         "A diagnosis of a structure that is not a robot, in Python.",
         "diagnosis",
