@@ -50,7 +50,6 @@ ELSEWHERE = {
         "docs/json.md",
         "pkmodes diagnose robot.toml",
     ): "file names of the reader; tests/runtime/test_cli_diagnose.py",
-    ("docs/maps.md", "dask scheduler"): "tests/maps/test_workers.py",
     (
         "docs/releasing.md",
         "uv build",
