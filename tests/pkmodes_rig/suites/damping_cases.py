@@ -26,6 +26,7 @@ from pkmodes_rig.measurements import LOWEST_FREQUENCY
 from pkmodes_rig.suites.judging import judged, same_of
 from pkmodes_rig.suites.running import Outcome
 from pkmodes_rig.suites.specimens import MACHINES, SIGMA, Specimen, robot_of
+from pkmodes_rig.suites.strengths import signal
 
 #: Poses of a test, and the fewest and the most modes at each.
 POSES, MODES = 8, (3, 8)
@@ -130,6 +131,8 @@ class Case:
 class DampingOutcome(Outcome[Case]):
     """What was said of a case: `state`, `classes` and `reason` of the damping, `verdict` and `rule` of the whole.
 
+    `signal` is that of the payload, in the frequencies.
+
     Attributes
     ----------
     of_damping : str
@@ -179,13 +182,17 @@ def run(case: Case) -> DampingOutcome:
     points = MACHINES[case.machine].points[:POSES]
     modes = specimen.modes(points)
     true, truth = _true_ratios(case, what, specimen, declared, points, modes, rng)
-    data = _measured(
+    rows, data = _measured(
         case, points, modes, true, rng, None if what.scattered else STATED[case.number % len(STATED)]
     )
     robot = declared.with_values({"damping.ratio": DECLARED}) if what.declared else declared
     start = time.perf_counter()
     found = updating.diagnose(robot, data)
     outcome = _judged(case, what, truth, found, time.perf_counter() - start)
+    if case.effects:
+        of_cause = replace(specimen, values={})
+        predicted = signal(of_cause, points, holdout=found.held_out_poses, rows=rows)
+        outcome = replace(outcome, signal=predicted)
     if not what.scattered:
         return outcome
     blank = np.full(len(data.damping), np.nan)
@@ -264,8 +271,8 @@ def _measured(
     true: Sequence[np.ndarray],
     rng: np.random.Generator,
     stated: float | None,
-) -> Measurements:
-    """Return what the experimenter measures."""
+) -> tuple[list[Identified], Measurements]:
+    """Return the modes found, and what the experimenter measures of them."""
     kind = MACHINES[case.machine]
     rows: list[Identified] = identified(
         modes, rng=rng, sigma=SIGMA, modes=MODES, missing=0.1, sensors=(), base_rigid=kind.rigid
@@ -277,7 +284,7 @@ def _measured(
     ratios = np.clip(ratios + RESOLVED * rng.standard_normal(len(rows)), 0.0, 0.9)
     sigma = np.hypot((stated or 0.0) * ratios, RESOLVED)
     did = drives_of(modes)
-    return Measurements.from_rows(
+    return rows, Measurements.from_rows(
         [f"P{row.pose + 1}" for row in rows],
         [row.frequency for row in rows],
         [row.stated for row in rows],

@@ -101,11 +101,10 @@ def rightly(case: Any, outcome: Any) -> bool:
     * ``insufficient_data``: no clear cause was there to be named.
 
     A cause of the catalogue is clear if its predicted signal is above `CLEAR`, and neither unit, drives nor wiring
-    are wrong; in damped cases the payload is.  Where no signal is predicted, as with few rows, no cause is clear.
+    are wrong.  Where no signal is predicted, as with few rows, no cause is clear.
     """
     truth, state, classes = Truth.of(case), outcome.state, outcome.classes
-    damped = isinstance(case, damping_cases.Case)
-    if damped:
+    if isinstance(case, damping_cases.Case):
         state, classes = outcome.of_frequencies
     if outcome.rule in OF_FILES:
         return truth.mistake == OF_FILES[outcome.rule]
@@ -117,8 +116,7 @@ def rightly(case: Any, outcome: Any) -> bool:
         same = same_of(case.machine if hasattr(case, "machine") else _machine(case))
         true = {other for name in truth.names for other in (name, *same.get(name, ()))}
         return any(name in true for members in classes for one in members for name in one.split(" + "))
-    clear = bool(truth.names) and (damped or outcome.signal > CLEAR)
-    clear = clear and truth.mistake not in OF_FILES.values()
+    clear = bool(truth.names) and outcome.signal > CLEAR and truth.mistake not in OF_FILES.values()
     wrong = bool(truth.names or truth.outside or truth.mistake or truth.disturbed)
     return not clear and (wrong or outcome.verdict != UNEXPLAINED.word)
 
