@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Criteria
+from pkmodes.diagnosis.criteria import ShapeCriteria
 from pkmodes_rig.suites.shadows import Shadowed
 from pkmodes_rig.suites.thresholds import defaults, differs, limited, numbers, scaled
 
@@ -52,6 +54,13 @@ def test_another_threshold_applies_for_a_while_where_none_is_given() -> None:
         assert (Criteria().gate.level, Criteria().readings.dead) == (0.02, (0.3, 0.5))
         assert Criteria().gate.surely == numbers()["gate.surely"]
     assert Criteria().gate.level == 0.01
+
+
+@pytest.mark.parametrize("sharper", [1.0, 1.6, np.nan])
+def test_a_factor_with_which_a_search_would_not_end_is_refused(sharper: float) -> None:
+    assert ShapeCriteria(sharper=0.99).sharper == 0.99
+    with pytest.raises(PkmodesError, match=rf"a factor below 1, found {sharper:g}: .*ShapeCriteria\.sharper"):
+        ShapeCriteria(sharper=sharper)
 
 
 def test_whole_numbers_remain_whole_and_at_least_one() -> None:

@@ -127,12 +127,14 @@ def test_a_cause_that_does_not_predict_the_poses_left_out_is_not_claimed() -> No
     pattern = np.array([1.0, -1.0, 1.0, -1.0, 0.5]) / np.sqrt(4.25)
     cause, change = np.zeros((SETUPS, MODES)), np.zeros((SETUPS, MODES))
     cause[:2] = pattern / np.sqrt(2.0)
-    rules = []
+    results = []
     for second in (0.0, 0.5):  # part of the change at the second pose
         change[0], change[1] = 7.0 * pattern, second * 7.0 * pattern
-        result = found(linear({"a": cause.ravel(), "b": DIRECTIONS[1]}), change.ravel())
-        rules.append(result.rule)
-    assert rules == ["claims.not_settled", "claims.found"]
+        results.append(found(linear({"a": cause.ravel(), "b": DIRECTIONS[1]}), change.ravel()))
+    assert [one.rule for one in results] == ["claims.not_settled", "claims.found"]
+    assert results[0].reason.startswith(
+        "a would explain the residual, but does not help to predict poses left"
+    )
 
 
 @pytest.mark.parametrize(("factor", "rule"), [(1.045, "claims.found"), (1.055, "claims.better_shapes")])
@@ -385,6 +387,35 @@ def test_two_causes_are_named_in_the_reason_if_the_data_clearly_ask_for_the_seco
     assert result.reason.startswith("a and b explain nearly all of the residual")
     weak = found(model, 300.0 * a + 3.0 * b + more)
     assert weak.reason.startswith("a explains nearly all of the residual")
+
+
+def test_two_causes_whose_rest_is_noise_but_points_to_a_third_do_not_exceed_the_stated_errors() -> None:
+    a, b, c = DIRECTIONS[:3]
+    result = found(linear({"a": a, "b": b, "c": c}), 30.0 * a + 30.0 * b + 3.5 * c)
+    assert result.rule == "open.nearly_all"
+    assert result.reason.startswith("a and b explain nearly all of the residual")
+    assert (
+        "but this explanation is not claimed: what it leaves still points to a candidate, c (p = "
+        in result.reason
+    )
+    assert "exceeds" not in result.reason
+
+
+def test_a_residual_of_the_shapes_alone_is_not_called_smaller_than_the_stated_errors() -> None:
+    """Frequencies that are too good, and shapes with a p-value between 0.1 and 1 %: a residual, but a small one."""
+    data = measured({}, noise=0.04)
+    f, shapes = relative_modes({})
+    sizes = np.sum(shapes * data.shapes, axis=1, keepdims=True) / np.sum(shapes**2, axis=1, keepdims=True)
+    squares, degrees = np.sum((data.shapes - sizes * shapes) ** 2), shapes.size - len(shapes)
+    stated = float(np.sqrt(squares / stats.chi2.isf(0.003, degrees)))
+    rows = Measurements.from_rows(
+        ["frame"] * STOREYS, f, 0.005 * f, shapes=columns(data.shapes), shape_sigma=stated
+    )
+    plain = MatrixStructure(frame(0.02).parameters, [], relative_matrices, channels=frame(0.02).channels)
+    result = diagnose(plain, rows, holdout=())
+    assert result.rule == "open.real"
+    ratio = np.sqrt(stats.chi2.isf(0.003, degrees) / degrees)
+    assert f"the residual is real, {ratio:.2g} times as large as the stated errors" in result.reason
 
 
 @pytest.mark.parametrize(("away", "verdict"), [(0.0, "effect_found"), (10.0, "unexplained")])

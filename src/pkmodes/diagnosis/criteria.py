@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pkmodes.core.base.errors import PkmodesError
+
 
 @dataclass(frozen=True)
 class PairingCriteria:
@@ -33,7 +35,13 @@ class PairingCriteria:
 
 @dataclass(frozen=True)
 class ShapeCriteria:
-    """Shapes, their errors, and those that are another mode's."""
+    """Shapes, their errors, and those that are another mode's.
+
+    Raises
+    ------
+    PkmodesError
+        If `sharper` is not below 1: the search would not end.
+    """
 
     #: Least error of a component of a shape.  A smaller stated one is that of the identification alone: sensors are
     #: calibrated to half a per cent and mounted to half a degree, and a machine that settles anew turns the shapes of
@@ -45,8 +53,7 @@ class ShapeCriteria:
     #: beyond the upper one the shapes do not agree.
     least_scatter: float = 0.005
     most_scatter: float = 0.2
-    #: The search is repeated if the best explanation has a scatter smaller than the assumed one by this factor, which
-    #: is below 1: it would not end otherwise.
+    #: The search is repeated if the best explanation has a scatter smaller than the assumed one by this factor.
     sharper: float = 0.8
     #: Below this MAC a shape is not that of its mode, whatever its stated error.
     strange_mac: float = 0.7
@@ -54,6 +61,12 @@ class ShapeCriteria:
     good_mac: float = 0.9
     #: One shape in this many may disagree: a sensor at a node, a misidentified mode.
     strange_allowed: int = 20
+
+    def __post_init__(self) -> None:
+        if not self.sharper < 1.0:
+            what = f"expected a factor below 1, found {self.sharper:g}: the search would not end"
+            remedy = f"choose a smaller one; the default is {ShapeCriteria.sharper:g}"
+            raise PkmodesError(what, "ShapeCriteria.sharper", remedy)
 
 
 @dataclass(frozen=True)

@@ -222,11 +222,11 @@ def found(
     seconds = time.process_time() - start
 
     def changed(key: Key) -> str:
-        with defaults({key[0]: others[key[0]][key]}), limited(LATE * seconds):
-            try:
+        try:
+            with defaults({key[0]: others[key[0]][key]}), limited(LATE * seconds):
                 return differs(first, said(run(case)))
-            except Exception as error:  # a threshold with which the diagnosis does not run is noticed
-                return f"failed: {type(error).__name__}: {error}"
+        except Exception as error:  # a threshold with which the diagnosis does not run is noticed
+            return f"failed: {type(error).__name__}: {error}"
 
     rng = np.random.default_rng(len(before))
     rest = sorted({key for one in others.values() for key in one} - noticed)

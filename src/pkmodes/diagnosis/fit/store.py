@@ -190,9 +190,9 @@ class FitStore:
         free = [i for i in self.fitter.indices(candidate) if self.fitter.priors.of(i) is None]
         return float(np.log(self._data)) * len(free)
 
-    def predicts(self, fit: Fit) -> bool:
-        """Return whether the last cause improves the prediction of left-out setups."""
-        less = self.without(fit, len(fit.causes) - 1)
+    def predicts(self, fit: Fit, place: int | None = None) -> bool:
+        """Return whether one of the causes, by default the last, improves the prediction of left-out setups."""
+        less = self.without(fit, len(fit.causes) - 1 if place is None else place)
         if less is None:
             return True
         places, priors = self.fitter.observations.places(), self.fitter.prior_rows

@@ -23,7 +23,7 @@ from pkmodes.diagnosis.verdict.notes import drift
 from pkmodes.diagnosis.verdict.reasons import names, noise
 from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.diagnosis.verdict.specificity import p_coincidence
-from pkmodes.diagnosis.verdict.unexplained import OPEN
+from pkmodes.diagnosis.verdict.unexplained import OPEN, left_by
 from pkmodes.diagnosis.verdict.values import no_value, rests_on_one_row
 from pkmodes.diagnosis.verdict.verdicts import (
     ADEQUATE,
@@ -264,12 +264,20 @@ def one_row(e: Evidence) -> str:
     return rests_on_one_row(e.search, e.final)
 
 
-def not_settled(e: Evidence) -> Says | None:
+def not_settled(e: Evidence) -> Says | str:
     """The preferred causes do not pass the gate, or do not survive in their places."""
-    if e.claim.last.passed and e.claim.kept:
-        return None
-    decision = first(OPEN, e)
-    return None if decision is None else decision.says
+    causes, (why, pointed) = e.final.causes, left_by(e, e.final)
+    if why:
+        text = f"the best explanation, {names(causes)}, is not claimed: {why}"
+        return Says.naming(text, [*causes, *pointed])
+    if e.claim.kept:
+        return ""
+    lone = [cause for place, cause in enumerate(causes) if not e.store.predicts(e.final, place)]
+    if not lone:
+        return f"{e.explains} the residual, but the comparison with other causes settles on none"
+    who = f"{names(lone)} " if len(lone) < len(causes) else ""
+    help_not = f"{who}{'does' if len(lone) == 1 else 'do'} not help to predict poses left out of the fit"
+    return f"{e.explains} the residual, but {help_not}: measure at more poses"
 
 
 def several_explanations(e: Evidence) -> Says | None:

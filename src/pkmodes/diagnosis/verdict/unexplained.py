@@ -97,7 +97,10 @@ def nearly_all(e: Evidence) -> Says | None:
         if fit.at_bound:
             continue
         after = _larger(store, fit)
-        if after <= min(part * before, most) and e.search.gate(fit).p_unmeasured > e.criteria.gate.surely:
+        if after > min(part * before, most):
+            continue
+        gate = e.search.gate(fit)
+        if not gate.passed and gate.p_unmeasured > e.criteria.gate.surely:
             explanations.append((fit, after))
     if not explanations:
         return None
@@ -107,12 +110,18 @@ def nearly_all(e: Evidence) -> Says | None:
     places = {candidate.name: k for k, candidate in enumerate(e.search.candidates)}
     causes = sorted(best.causes, key=lambda cause: places.get(cause.name, len(places)))
     verb = "explain" if len(causes) > 1 else "explains"
+    gate, (why, pointed) = e.search.gate(best), left_by(e, best)
+    but = f"this explanation is not claimed: {why}"
+    if gate.p_value <= gate.level:
+        but = (
+            f"the rest exceeds the stated errors ({p_in_words(gate.p_value)}): it is {larger(after**0.5)} these, or "
+            "something else is missing as well"
+        )
     text = (
         f"{names(causes)} {verb} nearly all of the residual (chi2 per degree of freedom from {before:.3g} to "
-        f"{after:.3g}), but the rest exceeds the stated errors ({p_in_words(store.p_value(best))}): it is "
-        f"{larger(after**0.5)} these, or something else is missing as well"
+        f"{after:.3g}), but {but}"
     )
-    return Says.naming(text, causes)
+    return Says.naming(text, [*causes, *pointed])
 
 
 def no_direction(e: Evidence) -> Says | None:
@@ -146,12 +155,11 @@ def small(e: Evidence) -> Says | None:
 
 def real(e: Evidence) -> Says:
     """No candidate or pair of candidates reduces the residual to noise."""
-    frequencies, _ = _misfits(e.store, e.outcome.nuisances)
-    pattern = uneven(e.fitter, e.outcome.nuisances)
+    size, pattern = _larger(e.store, e.outcome.nuisances), uneven(e.fitter, e.outcome.nuisances)
     seen = f"; {pattern}" if pattern else ""
     text = (
-        f"the residual is real, {larger(frequencies.ratio**0.5)} the stated errors, and no candidate or pair of "
-        f"candidates reduces it to noise{seen}"
+        f"the residual is real, {larger(size**0.5)} the stated errors, and no candidate or pair of candidates "
+        f"reduces it to noise{seen}"
     )
     return _beside_best(e, text)
 
@@ -190,26 +198,31 @@ def _best_of_all(e: Evidence) -> tuple[str, list[Candidate]] | None:
     best = min(some, key=_priced(e), default=None)
     if best is None:
         return None
-    named, gate = list(best.causes), e.search.gate(best)
-    if gate.unpaired:
-        why = f"it leaves {gate.unpaired} measured mode{'' if gate.unpaired == 1 else 's'} unmatched"
-    elif gate.p_value <= gate.level:
-        left = larger(_larger(store, best) ** 0.5)
-        why = f"it leaves a residual {left} the stated errors ({p_in_words(gate.p_value)})"
-    elif gate.p_unmeasured <= gate.level:
-        why = "it adds modes between the measured ones that were not measured"
-    elif gate.p_candidates <= gate.level:
-        named.append(_pointed(gate))
-        why = (
-            f"what it leaves still points to a candidate, {named[-1].name} ({p_in_words(gate.p_candidates)})"
-        )
-    else:
+    why, pointed = left_by(e, best)
+    if not why:
         return None
     sentences = " and ".join(
         f"{cause.sentence} ({cause.name})" if cause.sentence else cause.name for cause in best.causes
     )
     that = "that " if best.causes[0].sentence else ""
-    return f"the best explanation, {that}{sentences}, is not claimed: {why}", named
+    return f"the best explanation, {that}{sentences}, is not claimed: {why}", [*best.causes, *pointed]
+
+
+def left_by(e: Evidence, fit: Fit) -> tuple[str, list[Candidate]]:
+    """Return why the gate refuses an explanation, empty if it does not, and the candidate to which that points."""
+    gate = e.search.gate(fit)
+    if gate.unpaired:
+        return f"it leaves {gate.unpaired} measured mode{'' if gate.unpaired == 1 else 's'} unmatched", []
+    if gate.p_value <= gate.level:
+        left = larger(_larger(e.store, fit) ** 0.5)
+        return f"it leaves a residual {left} the stated errors ({p_in_words(gate.p_value)})", []
+    if gate.p_unmeasured <= gate.level:
+        return "it adds modes between the measured ones that were not measured", []
+    if gate.p_candidates <= gate.level:
+        one = _pointed(gate)
+        clause = f"what it leaves still points to a candidate, {one.name} ({p_in_words(gate.p_candidates)})"
+        return clause, [one]
+    return "", []
 
 
 def _pointed(gate: Gate) -> Candidate:
