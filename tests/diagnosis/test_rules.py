@@ -29,11 +29,10 @@ TABLES = {
 #: Tests of the rules that decide no case of the suites.
 SHOWN_BY = {
     "after.dead_channel": "tests/diagnosis/test_notes.py",
-    "adequacy.extra_modes": "tests/diagnosis/test_bad_measurements.py",
     "claims.held_out": "tests/diagnosis/test_held_out.py",
     **dict.fromkeys(
         (
-            *("claims.shapes", "claims.better_shapes", "claims.no_value", "claims.not_settled"),
+            *("claims.better_shapes", "claims.no_value", "claims.not_settled"),
             *("claims.priors", "open.unmatched", "open.value_far_away", "open.beyond_prior", "open.small"),
         ),
         "tests/diagnosis/test_what_a_claim_rests_on.py",
