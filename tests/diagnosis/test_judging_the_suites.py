@@ -19,11 +19,12 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes_rig.laboratory import Laboratory
 from pkmodes_rig.measurements import Identified
 from pkmodes_rig.robots import ROBOTS, read
-from pkmodes_rig.suites import campaign_machines, clear_cases, clear_suites, diagnosis
+from pkmodes_rig.suites import campaign_machines, clear_cases, clear_suites, damping_cases, diagnosis
 from pkmodes_rig.suites.campaign_cases import CampaignOutcome
 from pkmodes_rig.suites.campaign_table import table
 from pkmodes_rig.suites.cases import Case, measured, tried
 from pkmodes_rig.suites.clear_cases import ClearCase, ClearOutcome
+from pkmodes_rig.suites.damping_cases import DampingOutcome
 from pkmodes_rig.suites.deciding import Line, counts, rightly
 from pkmodes_rig.suites.judging import MENTIONS, CaseOutcome, judged, physical, set_aside_blindly
 from pkmodes_rig.suites.requirements import requirements
@@ -70,6 +71,10 @@ def test_a_rule_decides_rightly_by_the_truth_of_the_case() -> None:
     assert right(drives, "unexplained", "before.drives")
     assert not right(outside, "unexplained", "before.drives")
     assert not right(drives, "unexplained", "before.wiring")
+    loaded = damping_cases.Case("rails", "published", "free", 103, 1)
+    for signal_of_payload, expected in ((5.0, True), (7.0, False)):
+        said = DampingOutcome(loaded, "adequate", "unexplained", signal=signal_of_payload)
+        assert rightly(loaded, said) is expected
 
 
 def test_verdicts_are_counted_by_their_rules() -> None:
