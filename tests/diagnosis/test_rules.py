@@ -32,7 +32,7 @@ SHOWN_BY = {
     "claims.held_out": "tests/diagnosis/test_held_out.py",
     **dict.fromkeys(
         (
-            *("claims.better_shapes", "claims.no_value", "claims.not_settled"),
+            *("claims.better_shapes", "claims.not_settled"),
             *("claims.priors", "open.unmatched", "open.value_far_away", "open.beyond_prior", "open.small"),
         ),
         "tests/diagnosis/test_what_a_claim_rests_on.py",
