@@ -5,6 +5,8 @@ from __future__ import annotations
 import struct
 from collections.abc import Sequence
 
+import numpy as np
+
 END = b"    -1\n"
 
 
@@ -62,3 +64,28 @@ def dataset58b(
 
 def packed(numbers: Sequence[float], code: str, order: int = 1) -> bytes:
     return struct.pack(f"{'<' if order == 1 else '>'}{len(numbers)}{code}", *numbers)
+
+
+def frf58(
+    H: np.ndarray,
+    step: float,
+    *,
+    response: tuple[int, int] = (1, 3),
+    reference: tuple[int, int] = (1, 3),
+    above: tuple[int, str] = (12, "NONE"),
+    below: tuple[int, str] = (13, "NONE"),
+    function: int = 4,
+) -> bytes:
+    """A dataset of a function of frequency with lines from 0 Hz, in double precision."""
+    return dataset58b(
+        np.asarray(H, complex).tobytes(),
+        function=function,
+        ordinate=6,
+        count=len(H),
+        step=step,
+        response=response,
+        reference=reference,
+        abscissa=(18, "Hz"),
+        quantity=above,
+        denominator=below,
+    )

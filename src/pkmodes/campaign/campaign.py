@@ -31,6 +31,8 @@ from pkmodes.updating.load_cases import settable
 
 #: What `repeatability` may say instead of a share: it is estimated from poses that were measured twice.
 REVISITS = "revisits"
+#: The kind of records of frequency response functions.
+FUNCTIONS = "frf"
 
 
 @dataclass(frozen=True)
@@ -56,6 +58,8 @@ class Record:
         Names of a table's columns, by those of a measurement file.
     header : tuple of str
         Names of all columns of a table of signals, in order, where its own are others or missing.
+    invert : bool
+        Whether the functions are force over motion.
     """
 
     number: int
@@ -73,6 +77,7 @@ class Record:
     rate: float | None
     columns: Mapping[str, str]
     header: tuple[str, ...] = ()
+    invert: bool = False
 
 
 @dataclass(frozen=True)
@@ -244,6 +249,11 @@ def _record(
         if count is not None and count < 1:
             what = f"expected at least 1, found {count}"
             raise MeasurementError(what, f"{where}.{name}", "count what is in each file")
+    if given.invert and given.kind != FUNCTIONS:
+        what = f"expected the kind {FUNCTIONS} with invert, found {shown(given.kind)}"
+        raise MeasurementError(
+            what, f"{where}.invert", "leave it out: only frequency responses have an inverse"
+        )
     point, spread = _point(given, model, where)
     return Record(
         number=number,
@@ -261,6 +271,7 @@ def _record(
         rate=None if given.rate is None else frequency(given.rate, f"{where}.rate", "3200 Hz"),
         columns=given.columns if isinstance(given.columns, dict) else {},
         header=tuple(given.columns) if isinstance(given.columns, list) else (),
+        invert=given.invert,
     )
 
 

@@ -73,6 +73,7 @@ class RecordTable(Part, frozen=True):
     drives: Literal["free", "held"] | None = None
     rate: str | None = None
     columns: dict[str, str] | list[str] = {}
+    invert: bool = False
 
 
 class EditTable(Part, frozen=True):

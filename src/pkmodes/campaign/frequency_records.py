@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import FileModes, Fit, Found, modes_of_fit
+from pkmodes.campaign.quotients import force_factor, inverted
 from pkmodes.campaign.sensor_functions import (
     ACCELERATION,
     SensorFunctions,
@@ -70,6 +71,8 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
     sensors = campaign.sensors_in(setup)
     functions = sensor_functions(path, Kind.FRF, frozenset(sensors), header=record.header)
     read = functions.read
+    if record.invert:
+        functions = replace(functions, used=inverted(functions.used, read.source))
     given = responses_of(functions, sensors, campaign.forces_in(setup), campaign.channels)
     low, high = record.band
     first, last = given.frequencies[0], given.frequencies[-1]
@@ -123,7 +126,7 @@ def responses_of(
     Raises
     ------
     MeasurementError
-        If one occurs twice, or a unit is unknown.
+        If one occurs twice, is not a motion over a force, or a unit is unknown or contradicts the campaign.
     """
     read, used = functions.read, functions.used
     f = used[0].abscissa
@@ -135,8 +138,10 @@ def responses_of(
         if np.isfinite(values[place]).any():
             what = f"the function {one.response}/{one.reference} occurs twice"
             raise MeasurementError(what, read.source, "give repeats as files of their own")
-        of = motion_of(one, sensors[one.response], channels, read.source)
-        values[place] = one.values * (of.factor * (2j * np.pi * f) ** (ACCELERATION - of.derivative))
+        sensor = sensors[one.response]
+        below = force_factor(one, read.source, sensor.motion)
+        of = motion_of(one, sensor, channels, read.source)
+        values[place] = one.values * (of.factor / below * (2j * np.pi * f) ** (ACCELERATION - of.derivative))
     check_size(values, read.source)
     dead = tuple(name for i, name in enumerate(rows) if not np.nan_to_num(values[:, i]).any())
     coherence = _coherence(read.functions, rows, columns, f)

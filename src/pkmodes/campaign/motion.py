@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.robot.units import QuantityError, base_units
@@ -26,11 +26,17 @@ class Motion:
     derivative : int
         0 for a displacement, 1 for a velocity, 2 for an acceleration.
     angular : bool
+    unit : str
+        As it was given.
+    of_volts : bool
+        Whether the numbers are volts, and `unit` is a sensitivity.
     """
 
     factor: float
     derivative: int
     angular: bool
+    unit: str
+    of_volts: bool = False
 
 
 def motion(unit: str, where: str) -> Motion:
@@ -41,8 +47,16 @@ def motion(unit: str, where: str) -> Motion:
     MeasurementError
         If it is not one of a displacement, a velocity or an acceleration.
     """
-    factor, powers = _base(unit, where)
+    factor, powers = base(unit, where)
     return _of(factor, powers, unit, where)
+
+
+def motion_or_none(unit: str) -> Motion | None:
+    """Return what a unit measures, None if it is not that of a motion."""
+    try:
+        return motion(unit, "")
+    except MeasurementError:
+        return None
 
 
 def motion_of_voltage(sensitivity: str, where: str) -> Motion:
@@ -58,15 +72,23 @@ def motion_of_voltage(sensitivity: str, where: str) -> Motion:
     if match is None or value == 0.0:
         what = f'expected a sensitivity such as "100 mV/g0", found {shown(sensitivity)}'
         raise MeasurementError(what, where, "give the volts per unit of the motion")
-    factor, powers = _base(match[2], where)
+    factor, powers = base(match[2], where)
     volt, of_volt = base_units("V")
     left = {name: float(str(power)) for name, power in of_volt.items()}
     for name, power in powers.items():
         left[name] = left.get(name, 0.0) - power
-    return _of(float(volt) / (value * factor), {n: p for n, p in left.items() if p}, sensitivity, where)
+    found = _of(float(volt) / (value * factor), {n: p for n, p in left.items() if p}, sensitivity, where)
+    return replace(found, of_volts=True)
 
 
-def _base(unit: str, where: str) -> tuple[float, dict[str, float]]:
+def base(unit: str, where: str) -> tuple[float, dict[str, float]]:
+    """Return the factor of a unit to base units, g for kg, and their powers; ``g`` is that of accelerometers.
+
+    Raises
+    ------
+    MeasurementError
+        If it is unknown.
+    """
     try:
         factor, powers = base_units(GRAVITY.sub(r"\1gravity", unit_text(unit) or unit))
     except QuantityError as error:
@@ -83,4 +105,4 @@ def _of(factor: float, powers: dict[str, float], text: str, where: str) -> Motio
         what = f"expected the unit of a motion, found {shown(text)}"
         remedy = 'give unit = "V", and this as sensitivity' if "V/" in text else EXAMPLE
         raise MeasurementError(what, where, remedy)
-    return Motion(factor, int(derivative), kind == "radian")
+    return Motion(factor, int(derivative), kind == "radian", text)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -11,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.campaign.motion import Motion, motion
+from pkmodes.campaign.motion import Motion, motion, motion_or_none
 from pkmodes.campaign.sensors import Sensor, check_motion
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.core.robot.units import LARGEST, SMALLEST
@@ -20,6 +21,8 @@ from pkmodes.signals.reading import read_signals
 
 #: Sensors are brought to accelerations: what most of them measure.
 ACCELERATION = 2
+#: Units are the same whose factors differ by less: files round them.
+SAME = 1e-3
 #: What a file should have, and its abscissa, in words.
 WORDS = {
     Kind.FRF: ("frequency response functions", "frequencies"),
@@ -82,7 +85,8 @@ def _refuse_unknown_names(path: Path, kind: Kind, names: frozenset[str], asked: 
     found = list(dict.fromkeys(one.response for one in read.functions if one.kind is kind and not one.force))
     if not found:
         what = f"expected {WORDS[kind][0]}, found {len(read.functions)} other functions"
-        raise MeasurementError(what, read.source, "choose another kind of record")
+        what += f"; skipped: {'; '.join(read.skipped)}" if read.skipped else ""
+        raise MeasurementError(what, read.source, "choose another kind of record, or export other functions")
     what = f"expected a sensor of the campaign, found {', '.join(map(shown, found[:6]))}"
     remedy = nearest(found[0], names) if names else "add [[sensor]] for each measured direction"
     raise MeasurementError(what, read.source, remedy)
@@ -94,7 +98,7 @@ def motion_of(one: Function, sensor: Sensor, channels: Mapping[str, str], source
     Raises
     ------
     MeasurementError
-        If neither says it, or it is not a motion of the sensor's channels.
+        If neither says it, if they contradict each other, or it is not a motion of the sensor's channels.
     """
     where = f"{source}: {one.response}"
     if sensor.motion is None and one.unit is None:
@@ -102,7 +106,25 @@ def motion_of(one: Function, sensor: Sensor, channels: Mapping[str, str], source
         raise MeasurementError(what, where, 'give it in the campaign: unit = "m/s^2"')
     found = sensor.motion or motion(str(one.unit), where)
     check_motion(found, sensor, channels, where)
+    if sensor.motion is not None and one.unit is not None:
+        _check_agrees(one, sensor.motion, where)
     return found
+
+
+def _check_agrees(one: Function, said: Motion, where: str) -> None:
+    """Refuse a unit in the file that is another one than that of the campaign."""
+    unit = str(one.unit)
+    of_file = motion_or_none(unit)
+    if said.of_volts and not one.assumed:
+        agree = unit == "V"
+    elif of_file is None:
+        agree = False
+    else:
+        alike = (of_file.derivative, of_file.angular) == (said.derivative, said.angular)
+        agree = alike and (one.assumed or math.isclose(of_file.factor, said.factor, rel_tol=SAME))
+    if not agree:
+        what = f"the campaign says {shown(said.unit)} of this sensor, and the file {shown(unit)}"
+        raise MeasurementError(what, where, "correct the campaign, or leave the unit out of it")
 
 
 def check_size(values: NDArray[Any], source: str) -> None:

@@ -45,6 +45,8 @@ class Function:
         Of the denominator of a frequency response; None where the file does not say.
     force : bool
         Whether this is the excitation, in time.
+    assumed : bool
+        Whether the file gives the kind of its values and no unit: ``unit`` is then that of SI.
     """
 
     kind: Kind
@@ -55,6 +57,7 @@ class Function:
     unit: str | None
     reference_unit: str | None
     force: bool
+    assumed: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +72,7 @@ class StoredFunction(Function):
         Reads the values.  Raises `MeasurementError` if the file has changed.
     """
 
-    load: Callable[[], Array | Complex]
+    load: Callable[[], Array | Complex] = field(kw_only=True)
     values: Array | Complex = field(init=False, repr=False)
 
     def __getattr__(self, name: str) -> Array | Complex:
@@ -114,6 +117,8 @@ class SignalFile:
         What the user must know of a file that could be read: lost samples that it states, parts that were skipped.
     stated : mapping of str to str
         What comments of a table state of it: ``quantity``, ``drives``, and ``unit OUTPUT/INPUT``.
+    skipped : tuple of str
+        Why functions of the file are not among them.
     """
 
     source: str
@@ -121,6 +126,7 @@ class SignalFile:
     modes: tuple[ModeShape, ...]
     messages: tuple[str, ...]
     stated: Mapping[str, str] = field(default_factory=dict)
+    skipped: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -23,6 +23,16 @@ KINDS = {
     6: Kind.COHERENCE,
     9: Kind.SPECTRUM,
 }
+#: What function types are that are not read, as far as a reason can be given.
+OTHERS = {
+    0: "general, which says nothing",
+    5: "a transmissibility, whose poles are not those of the structure: the force must be measured",
+    7: "an auto correlation",
+    8: "a cross correlation",
+    10: "an energy spectral density",
+    11: "a probability density",
+    12: "a spectrum without averages",
+}
 #: Specific data types: of an ordinate, and of an abscissa, where 0 and 1 say nothing.
 FORCE = 13
 TIMES, FREQUENCIES = (0, 1, 17), (0, 1, 18)
@@ -99,7 +109,8 @@ def function_of(
     header = points.header
     kind = KINDS.get(header.function)
     if kind is None:
-        return f"function type {header.function} is none of time, frequency response, coherence and spectrum"
+        kinds = "none of time, frequency response, coherence and power spectrum"
+        return f"function type {header.function} is {OTHERS.get(header.function, kinds)}"
     if header.abscissa.data_type not in (TIMES if kind is Kind.TIME else FREQUENCIES):
         return f"data type {header.abscissa.data_type} of its abscissa is not that of a {kind} function"
     of_force = header.ordinate.data_type == FORCE
@@ -111,6 +122,7 @@ def function_of(
         return None
     _check(points, kind)
     unit, reference_unit = _units(header, kind, units)
+    assumed = not units.stated and header.ordinate.label.lower() in NO_UNIT
     factor = (seconds_in if kind is Kind.TIME else hertz_in)(header.abscissa.label) or 1.0
     known: dict[str, Any] = {
         "kind": kind,
@@ -120,6 +132,7 @@ def function_of(
         "unit": unit,
         "reference_unit": reference_unit,
         "force": force,
+        "assumed": assumed,
     }
     if isinstance(points.values, Stored):
         return StoredFunction(load=partial(_loaded, points.values, kind), **known)

@@ -21,9 +21,13 @@ NO_UNIT = frozenset({"", "none", "unknown", "eu", "-"})
 #: Standard gravity, which files call g; no signal is a mass.
 GRAVITY = re.compile(r"(?<![A-Za-z0-9_])(?:[gG]n?|g's)(?![A-Za-z0-9_])")
 FORCES = r"N\*m|N|mN|kN|lbf|kgf|poundal|dyn"
-PER_FORCE = (
-    re.compile(rf"\(?1/(?P<force>{FORCES})\)?\*?\(?(?P<unit>[^()]+)\)?"),
-    re.compile(rf"\(?(?P<unit>[^()]+?)\)?/\(?(?P<force>{FORCES})\)?"),
+#: Labels of a quotient, by what is above and below: a motion over a force, the inverse, a motion over another.
+QUOTIENTS = (
+    re.compile(rf"\(?1/(?P<below>{FORCES})\)?\*?\(?(?P<above>[^()]+)\)?"),
+    re.compile(rf"\(?(?P<above>[^()]+?)\)?/\(?(?P<below>{FORCES})\)?"),
+    re.compile(rf"\(?(?P<above>{FORCES})\)?/\(?(?P<below>[^()]+)\)?"),
+    re.compile(r"\((?P<above>[^()]+)\)/\((?P<below>[^()]+)\)"),
+    re.compile(r"(?P<above>[gG]n?)/(?P<below>[gG]n?)"),
 )
 LENGTHS = {1.0: "m", 1e3: "mm", 1e2: "cm", 1 / 0.3048: "ft", 1 / 0.0254: "inch"}
 FORCES_BY_FACTOR = {
@@ -42,11 +46,12 @@ class FileUnits:
 
     length: str | None = "m"
     force: str | None = "N"
+    stated: bool = False
 
     @staticmethod
     def of(length: float, force: float) -> FileUnits:
         """Return the units of which this many make one metre and one newton."""
-        return FileUnits(_named(length, LENGTHS), _named(force, FORCES_BY_FACTOR))
+        return FileUnits(_named(length, LENGTHS), _named(force, FORCES_BY_FACTOR), True)
 
     def of_data(self, data_type: int, rotation: bool) -> str | None:
         """Return the unit of a quantity without a label, by its specific data type in datasets 55 and 58."""
@@ -75,14 +80,14 @@ def unit_text(label: str) -> str | None:
 
 
 def quotient(label: str) -> tuple[str | None, str | None]:
-    """Return the unit of a response and of a force from the label of a frequency response.
+    """Return the units above and below from the label of a frequency response.
 
     ``(m/s^2)/N`` and ``(1/N)*(m/s^2)`` have both, ``m/s^2`` only the first.
     """
     text = label.strip().strip("[]").replace(" ", "")
-    for pattern in PER_FORCE:
+    for pattern in QUOTIENTS:
         if (match := pattern.fullmatch(text)) is not None:
-            return unit_text(match["unit"]), match["force"]
+            return unit_text(match["above"]), unit_text(match["below"])
     return unit_text(label), None
 
 

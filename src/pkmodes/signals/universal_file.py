@@ -10,6 +10,7 @@ A normal mode of dataset 55 has its frequency and damping; a complex one its eig
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from os import fspath
 from pathlib import Path
 
@@ -148,7 +149,7 @@ def read(path: Path, asked: Asked) -> SignalFile:
     source = fspath(path)
     functions: list[Function] = []
     modes: list[ModeShape] = []
-    messages: list[str] = []
+    skipped: dict[str, list[str]] = {}
     units, abscissas = FileUnits(), Abscissas()
     with path.open("rb") as file:
         scanner = Scanner(file, path.stat().st_size, source)
@@ -170,8 +171,15 @@ def read(path: Path, asked: Asked) -> SignalFile:
             elif isinstance(found, ModeShape):
                 modes.append(found)
             elif found is not None:
-                messages.append(f"{dataset.where}: skipped: {found}")
-    return SignalFile(source, tuple(functions), tuple(modes), tuple(messages))
+                skipped.setdefault(found, []).append(dataset.where)
+    messages = tuple(f"{places[0]}: skipped: {_counted(why, places)}" for why, places in skipped.items())
+    whys = tuple(_counted(why, places) for why, places in skipped.items())
+    return SignalFile(source, tuple(functions), tuple(modes), messages, skipped=whys)
+
+
+def _counted(why: str, places: Sequence[str]) -> str:
+    """Return why datasets were skipped, and how many if it is several."""
+    return why if len(places) == 1 else f"{why} ({len(places)} datasets)"
 
 
 def _skip(scanner: Scanner, binary: Binary) -> None:
