@@ -99,6 +99,8 @@ class Campaign:
         What the user decides about the modes of records, by their labels.
     report : mapping of str to str
         Fields of the head of its report, which prevail over those of the robot.
+    signs_of_file : bool
+        Whether the sign in the name of a degree of freedom is that of the direction.
     """
 
     source: str
@@ -111,6 +113,7 @@ class Campaign:
     records: tuple[Record, ...]
     edits: Mapping[str, Asked]
     report: Mapping[str, str] = field(default_factory=dict)
+    signs_of_file: bool = False
 
     def sensors_in(self, setup: str) -> dict[str, Sensor]:
         """Return the sensors that hold in a setup, by name."""
@@ -197,6 +200,7 @@ def campaign_of(table: CampaignTable, source: str) -> Campaign:
         records=records,
         edits=_edits(table.edit, records, source),
         report=_report(table, source),
+        signs_of_file=table.signs is not None,
     )
 
 

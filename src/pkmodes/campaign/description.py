@@ -22,7 +22,7 @@ UNKNOWN = re.compile(r"Object contains unknown field `(.*)`")
 MISSING = re.compile(r"Object missing required field `(.*)`")
 KINDS_OF_VALUES = re.compile(r"`([a-z]+(?: \| [a-z]+)*)`")
 #: What keys with a few possible values expect.
-CHOICES = {"format": "1", "drives": '"free" or "held"'}
+CHOICES = {"format": "1", "drives": '"free" or "held"', "signs": '"file"'}
 PLACE = re.compile(r"(.*) - at `\$(.*)`")
 Given = str | int | float
 
@@ -95,6 +95,7 @@ class CampaignTable(Part, frozen=True):
     repeatability: str = "0.2 %"
     tones: list[str] = []
     drives: Literal["free", "held"] = "free"
+    signs: Literal["file"] | None = None
     sensor: list[SensorTable] = []
     force: list[ForceTable] = []
     edit: list[EditTable] = []

@@ -50,6 +50,8 @@ class Responses:
         Sensors that show nothing.
     references : tuple of str
         Names of the R.
+    messages : tuple of str
+        What is left out of the shapes.
     """
 
     frequencies: Array
@@ -58,6 +60,7 @@ class Responses:
     names: tuple[str, ...]
     dead: tuple[str, ...]
     references: tuple[str, ...]
+    messages: tuple[str, ...] = ()
 
 
 def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
@@ -69,7 +72,9 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
         If the file is faulty, or its functions are not those of the campaign.
     """
     sensors = campaign.sensors_in(setup)
-    functions = sensor_functions(path, Kind.FRF, frozenset(sensors), header=record.header)
+    functions = sensor_functions(
+        path, Kind.FRF, frozenset(sensors), header=record.header, signs=campaign.signs_of_file
+    )
     read = functions.read
     if record.invert:
         functions = replace(functions, used=inverted(functions.used, read.source))
@@ -84,7 +89,12 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
         raise MeasurementError(what, read.source, "narrow the band of the record")
     with in_file(read.source):
         fit = frf_fit(given, record.averages, record, campaign)
-    said = (*read.messages, *dead_channels(given.dead, read.source), *tones_of(fit, read.source))
+    said = (
+        *read.messages,
+        *given.messages,
+        *dead_channels(given.dead, read.source),
+        *tones_of(fit, read.source),
+    )
     seen = {one.response for one in functions.used} | {unsigned(one.reference) for one in functions.used}
     return modes_of_fit(fit, said, frozenset(seen))
 
@@ -146,14 +156,22 @@ def responses_of(
     dead = tuple(name for i, name in enumerate(rows) if not np.nan_to_num(values[:, i]).any())
     coherence = _coherence(read.functions, rows, columns, f)
     acting = {name: force for name in columns if (force := _of_reference(name, forces)) is not None}
+    unnamed = [name for name in columns if name and name not in acting]
+    said: tuple[str, ...] = ()
+    if unnamed and acting:
+        said = (f"{read.source}: left out, as no [[force]] names them: the references {', '.join(unnamed)}",)
+    elif unnamed and len(unnamed) > len(rows):
+        said = (
+            f"{read.source}: no [[force]] names the references {', '.join(unnamed)}: the shapes have the places of "
+            "the sensors only; of a roving hammer, add [[force]] for each reference",
+        )
     if acting:
         kept = [columns.index(name) for name in acting]
         turned = values[:, :, kept].transpose(0, 2, 1)
         coherence = None if coherence is None else coherence[:, :, kept].transpose(0, 2, 1)
-        return Responses(
-            f, turned, coherence, tuple(force.name for force in acting.values()), dead, tuple(rows)
-        )
-    return Responses(f, values, coherence, tuple(rows), dead, tuple(columns))
+        names = tuple(force.name for force in acting.values())
+        return Responses(f, turned, coherence, names, dead, tuple(rows), said)
+    return Responses(f, values, coherence, tuple(rows), dead, tuple(columns), said)
 
 
 def _coherence(

@@ -8,13 +8,12 @@ section 2.2).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import fields
 
 import numpy as np
 
 from pkmodes.campaign.motion import Motion, base, motion_or_none
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.signals.functions import Function
+from pkmodes.signals.functions import Array, Complex, Function, computed
 
 #: Powers of the base units of a force and of a torque, which is that of an angle.
 FORCES = ({"gram": 1.0, "meter": 1.0, "second": -2.0}, {"gram": 1.0, "meter": 2.0, "second": -2.0})
@@ -75,15 +74,12 @@ def inverted(functions: Sequence[Function], source: str) -> tuple[Function, ...]
         what = f"cannot invert the functions of {sensors} sensors and {sensors} references: they may be reciprocals"
         what += " one by one, or the inverse of their matrix"
         raise MeasurementError(what, source, "export motion over force")
-    return tuple(map(_reciprocal, functions))
+    return tuple(computed(one, _reciprocal, (one.reference_unit, one.unit)) for one in functions)
 
 
-def _reciprocal(one: Function) -> Function:
-    values = np.asarray(one.values)
-    known = {each.name: getattr(one, each.name) for each in fields(Function)}
-    known |= {"unit": one.reference_unit, "reference_unit": one.unit}
-    reciprocal = np.divide(1.0, values, out=np.full_like(values, np.nan), where=values != 0.0)
-    return Function(**known | {"values": reciprocal})
+def _reciprocal(values: Array | Complex) -> Complex:
+    """Return 1 / values, NaN where they are 0."""
+    return np.divide(1.0, values, out=np.full(values.shape, np.nan, complex), where=values != 0.0)
 
 
 def _is_force(unit: str | None) -> bool:

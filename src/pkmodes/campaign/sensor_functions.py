@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.campaign.motion import Motion, motion, motion_or_none
-from pkmodes.campaign.sensors import Sensor, check_motion
+from pkmodes.campaign.sensors import Sensor, check_motion, signed
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.signals.functions import Asked, Function, Kind, SignalFile
@@ -48,7 +48,12 @@ class SensorFunctions:
 
 
 def sensor_functions(
-    path: Path, kind: Kind, names: frozenset[str], rate: float | None = None, header: tuple[str, ...] = ()
+    path: Path,
+    kind: Kind,
+    names: frozenset[str],
+    rate: float | None = None,
+    header: tuple[str, ...] = (),
+    signs: bool = False,
 ) -> SensorFunctions:
     """Read the functions of the sensors with some names.
 
@@ -60,6 +65,8 @@ def sensor_functions(
         Sampling rate of signals without times [Hz].
     header : tuple of str
         Names of the columns of a table, instead of its own.
+    signs : bool
+        Whether the sign in the name of a degree of freedom counts.
 
     Raises
     ------
@@ -68,6 +75,8 @@ def sensor_functions(
     """
     asked = Asked(rate=rate, columns=header)
     read = read_signals(path, replace(asked, sensors=names or None))
+    if signs:
+        read = replace(read, functions=tuple(map(signed, read.functions)))
     of_kind = [one for one in read.functions if one.kind is kind and not one.force]
     used = [one for one in of_kind if one.response in names or (not names and kind is Kind.SPECTRUM)]
     if not used:

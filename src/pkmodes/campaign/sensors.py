@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+
+import numpy as np
 
 from pkmodes.campaign.description import ForceTable, SensorTable
 from pkmodes.campaign.motion import Motion, motion, motion_of_voltage
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.response.directions import unit_direction
+from pkmodes.signals.functions import Function, computed
 
 #: Channel of a sensor that helps to find modes but is in no shape.
 NONE = "none"
 PLATFORM = "p_"
+#: The name of a degree of freedom of a universal file along a negative direction.
+NEGATIVE = re.compile(r"[0-9]+:-R?[XYZ]")
 
 
 @dataclass(frozen=True)
@@ -122,20 +128,24 @@ def _place(
         raise MeasurementError(what, where, remedy)
     if given.direction is not None:
         return Place(given.name, given.setup, _direction(given.direction, directions, f"{where}.direction"))
-    channel = str(given.channel)
+    channel, sign = str(given.channel), 1.0
     if channel == NONE:
         return Place(given.name, given.setup, {})
+    if channel not in known and channel.startswith("-"):
+        channel, sign = channel[1:].lstrip(), -1.0
     if channel not in known:
         raise MeasurementError(
             f"unknown channel {shown(channel)}", f"{where}.channel", nearest(channel, known)
         )
-    return Place(given.name, given.setup, {channel: 1.0})
+    return Place(given.name, given.setup, {channel: sign})
 
 
 def _direction(given: Sequence[float], directions: Collection[str], where: str) -> dict[str, float]:
     if not directions:
         what = "only a robot's platform has directions"
-        raise MeasurementError(what, where, "give a channel, or the robot file")
+        raise MeasurementError(
+            what, where, "give a channel, with a minus before it if against its direction; or the robot file"
+        )
     unit = unit_direction(given, directions, where, MeasurementError)
     return {f"{PLATFORM}{name}": float(share) for name, share in zip(directions, unit, strict=True) if share}
 
@@ -184,6 +194,12 @@ def _check_names(found: Sequence[Place], where: str) -> None:
                 raise MeasurementError(
                     what, f"{where}.{i + 1}.name", "each column of the files is one sensor"
                 )
+
+
+def signed(one: Function) -> Function:
+    """Return a function along the positive directions of its degrees of freedom."""
+    negative = [end for end in (one.response, one.reference) if NEGATIVE.fullmatch(end)]
+    return computed(one, np.negative) if len(negative) == 1 else one
 
 
 def unsigned(name: str) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -80,6 +80,32 @@ class StoredFunction(Function):
         if name == "values":
             return self.load()
         raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+
+
+def computed(
+    one: Function, of: Callable[[Array | Complex], Array | Complex], units: Sequence[str | None] | None = None
+) -> Function:
+    """Return a function whose values are computed from those of another, at each access.
+
+    Parameters
+    ----------
+    of : callable
+        From the values of the one to those of the other.
+    units : sequence of str or None, optional
+        Its unit and that of its denominator, if they are others.
+    """
+    unit, reference_unit = units or (one.unit, one.reference_unit)
+    return StoredFunction(
+        one.kind,
+        one.response,
+        one.reference,
+        one.abscissa,
+        unit,
+        reference_unit,
+        one.force,
+        one.assumed,
+        load=lambda: of(one.values),
+    )
 
 
 @dataclass(frozen=True, eq=False)
