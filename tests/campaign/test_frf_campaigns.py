@@ -77,6 +77,38 @@ def test_setups_are_joined_by_the_sensors_that_they_share(tmp_path: Path) -> Non
         np.testing.assert_allclose(row, shape / shape[np.argmax(np.abs(shape))], rtol=0, atol=0.02)
 
 
+@pytest.mark.parametrize("roves", ["hammer", "sensor"])
+def test_setups_without_a_common_sensor_are_joined_by_what_stays(tmp_path: Path, roves: str) -> None:
+    """A file for each point: of a hammer whose sensor stays, or of a sensor whose hammer stays at reference 9."""
+    frame, rng = Frame.build(), np.random.default_rng(11)
+    H = frame.accelerances(F)
+    for k in range(3):
+        name = f"acc/{k + 1}" if roves == "hammer" else "acc/9"
+        for i in range(2):
+            write_frf(
+                tmp_path / f"s{k}{i}.csv",
+                F,
+                {name: H[:, 2, k] if roves == "hammer" else H[:, k, 2]},
+                0.01,
+                rng,
+            )
+    sensor = '[[sensor]]\nname = "acc"\nunit = "m/s^2"\nchannel = '
+    places = sensor + '"none"\n' if roves == "hammer" else ""
+    for k in (1, 2, 3):
+        if roves == "hammer":
+            places += f'[[force]]\nname = "{k}"\nchannel = "floor_{k}"\nsetup = "s{k}"\n'
+        else:
+            places += f'{sensor}"floor_{k}"\nsetup = "s{k}"\n'
+    files = ", ".join(f's{k + 1} = ["s{k}0.csv", "s{k}1.csv"]' for k in range(3))
+    record = f'[[record]]\npose = "P1"\nkind = "frf"\nfiles = {{ {files} }}\n'
+    data = read_modes(identify(tmp_path, HEAD + places + record).file, CHANNELS)
+    natural, shapes = frame.modes()
+    np.testing.assert_allclose(data.frequency, natural, rtol=3e-4)
+    for row, shape in zip(data.shapes, shapes.T, strict=True):
+        np.testing.assert_allclose(row, shape / shape[np.argmax(np.abs(shape))], rtol=0, atol=0.02)
+    assert (data.shape_sigma > 0.0).all()
+
+
 def test_a_roving_hammer_gives_the_shape_at_its_blows(tmp_path: Path) -> None:
     """One sensor; the sign in the name of a reference is only a name, the campaign says what positive means."""
     frame, rng = Frame.build(), np.random.default_rng(8)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
@@ -10,6 +11,7 @@ import pytest
 
 from campaign.structures import CHANNELS, HEAD, Frame, accelerations, identify, record, refused, sensors
 from pkmodes.measured.reading import read_modes
+from signals.universal import dataset58b, packed
 
 IMPACT = HEAD + sensors("m/s^2", "g0", "m/s^2")
 ONE = IMPACT + record("impact", "b.csv")
@@ -24,8 +26,9 @@ def write_blows(
     bounce: float = 0.0,
     limit: float = np.inf,
     window: float = 0.0,
+    floor: int = 2,
 ) -> None:
-    """Write a table of blows on the third floor, two seconds apart, with noise of force and responses."""
+    """Write a table of blows on a floor, two seconds apart, with noise of force and responses."""
     t = STEP * np.arange(round((hits * APART + 0.05) / STEP))
     force = np.zeros(len(t))
     for k in range(hits):
@@ -35,7 +38,7 @@ def write_blows(
         ):
             inside = (t >= start) & (t < start + BLOW)
             force[inside] += size * np.sin(np.pi * (t[inside] - start) / BLOW)
-    a = accelerations(Frame.build(), STEP, force, 2)
+    a = accelerations(Frame.build(), STEP, force, floor)
     if window:
         a *= np.exp(-t / window)[:, None]
     a += 0.003 * a.std(axis=0) * rng.normal(size=a.shape)
@@ -78,6 +81,68 @@ def test_the_damping_of_a_window_is_taken_off(tmp_path: Path) -> None:
     np.testing.assert_allclose(
         read_modes(found.file, CHANNELS).numbers["damping"], Frame.build().ratios, rtol=0.1
     )
+
+
+SENSOR = '[[sensor]]\nname = "a3"\nchannel = "none"\nunit = "m/s^2"\n'
+
+
+def roving(*, repeats: int, named: str = "force") -> str:
+    """A sensor that stays, and a hammer that hits a floor in each setup."""
+    forces = "".join(
+        f'[[force]]\nname = "{named}"\nchannel = "floor_{k}"\nsetup = "at {k}"\n' for k in (1, 2, 3)
+    )
+    files = ", ".join(f'"at {k}" = {json.dumps([f"b{k}{i}.csv" for i in range(repeats)])}' for k in (1, 2, 3))
+    return HEAD + SENSOR + forces + f'[[record]]\npose = "P1"\nkind = "impact"\nfiles = {{ {files} }}\n'
+
+
+@pytest.mark.parametrize("repeats", [1, 3])
+def test_a_hammer_that_roves_in_time_gives_the_shapes_at_its_points(tmp_path: Path, repeats: int) -> None:
+    rng = np.random.default_rng(30)
+    for k in (1, 2, 3):
+        for i in range(repeats):
+            write_blows(tmp_path / f"b{k}{i}.csv", rng, floor=k - 1)
+    found = identify(tmp_path, roving(repeats=repeats))
+    data, frame = read_modes(found.file, CHANNELS), Frame.build()
+    natural, shapes = frame.modes()
+    np.testing.assert_allclose(data.frequency, natural, rtol=1e-3)
+    np.testing.assert_allclose(data.numbers["damping"], frame.ratios, rtol=0.05)
+    for row, sigma, shape in zip(data.shapes, data.shape_sigma, shapes.T, strict=True):
+        error = row - shape / shape[np.argmax(np.abs(shape))]
+        np.testing.assert_allclose(error, 0.0, rtol=0, atol=0.03)
+        assert np.abs(error).max() < 4.0 * sigma < 0.1
+    assert "share no sensor" not in found.remarks
+
+
+def test_the_degree_of_freedom_of_a_force_says_which_point_was_hit(tmp_path: Path) -> None:
+    """In universal files, with the signs and units of each: one setup after the other, one sensor."""
+    rng, scale = np.random.default_rng(31), {1: (1.0, "N"), 2: (1.0 / 4.4482216152605, "lbf"), 3: (1.0, "N")}
+    for k, (factor, unit) in scale.items():
+        write_blows(tmp_path / "b.csv", rng, floor=k - 1)
+        _, force, _, _, a3 = np.loadtxt(tmp_path / "b.csv", delimiter=",", skiprows=1).T
+        point = (
+            k,
+            -3 if k == 2 else 3,
+        )  # hit against Z: the hammer shows a push, the structure moves the other way
+        content = b"".join(
+            dataset58b(
+                packed(each, "d"), ordinate=4, count=len(force), step=STEP, response=dof, quantity=quantity
+            )
+            for each, dof, quantity in (
+                (factor * force, point, (13, unit)),
+                (-a3 if k == 2 else a3, (3, 3), (12, "m/s^2")),
+            )
+        )
+        (tmp_path / f"b{k}.uff").write_bytes(content)
+    sensor = '[[sensor]]\nname = "3:+Z"\nchannel = "floor_3"\n'
+    forces = "".join(f'[[force]]\nname = "{k}:+Z"\nchannel = "floor_{k}"\n' for k in (1, 2, 3))
+    files = ", ".join(f'"at {k}" = ["b{k}.uff"]' for k in (1, 2, 3))
+    text = 'signs = "file"\n' + HEAD + sensor + forces
+    text += f'[[record]]\npose = "P1"\nkind = "impact"\nfiles = {{ {files} }}\n'
+    data = read_modes(identify(tmp_path, text).file, CHANNELS)
+    for row, shape in zip(data.shapes, Frame.build().modes()[1].T, strict=True):
+        np.testing.assert_allclose(row, shape / shape[np.argmax(np.abs(shape))], rtol=0, atol=0.03)
+    other = refused(tmp_path, text.replace('name = "2:+Z"\nchannel', 'name = "7:+Z"\nchannel'))
+    assert 'expected a force of the campaign, "1:+Z", "7:+Z", "3:+Z", found "2:-Z" (b2.uff)' in other
 
 
 @pytest.mark.parametrize(

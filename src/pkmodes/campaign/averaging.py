@@ -118,6 +118,7 @@ def _of(modes: list[Found], shape: dict[str, complex]) -> Found:
 
     known = [mode.damping for mode in modes if np.isfinite(mode.damping)]
     found = [mode.found_in for mode in modes if mode.found_in is not None]
+    participation, apart = _participation(modes, shape)
     return Found(
         float(np.mean([mode.frequency for mode in modes])),
         float(np.mean(known)) if known else np.nan,
@@ -128,7 +129,28 @@ def _of(modes: list[Found], shape: dict[str, complex]) -> Found:
         min(found, key=lambda one: one[0] / one[1]) if len(found) == len(modes) else None,
         resolution=max(mode.resolution for mode in modes),
         shift=widest([mode.shift for mode in modes]),
+        participation=participation,
+        sigma_size=float(np.nanmax([together([mode.sigma_size for mode in modes]), apart]))
+        if participation
+        else np.nan,
     )
+
+
+def _participation(modes: Sequence[Found], shape: Mapping[str, complex]) -> tuple[dict[str, complex], float]:
+    """Return the mean participations of repeats that go with their mean shape, and how sure its size is, relative."""
+    found: dict[str, list[complex]] = {}
+    for mode in modes:
+        common = [name for name in mode.shape if name in shape]
+        own, mean = (np.array([each[name] for name in common]) for each in (mode.shape, shape))
+        scale = complex(np.vdot(mean, own) / np.vdot(mean, mean).real) if common else complex(np.nan)
+        for name, value in mode.participation.items():
+            found.setdefault(name, []).append(scale * value)
+    means = {name: complex(np.mean(values)) for name, values in found.items()}
+    largest = max(means, key=lambda name: abs(means[name]), default="")
+    if len(found.get(largest, ())) < 2:
+        return means, np.nan
+    values = np.array(found[largest])
+    return means, float(np.std(values, ddof=1) / np.sqrt(len(values)) / abs(means[largest]))
 
 
 def _logs(values: Sequence[float]) -> Array:

@@ -13,6 +13,9 @@ from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.identification.estimates import Estimate, Mode, alike
 from pkmodes.identification.level import LevelShift
 
+#: References of files that do not say where a force acts: it may act elsewhere in each setup.
+NAMELESS = ("", "force")
+
 
 @dataclass(frozen=True, eq=False)
 class Found:
@@ -39,6 +42,10 @@ class Found:
         Of its vibration in the file; NaN where unknown.
     shift : LevelShift or None
         How the frequency changes with the level within the file; over several files, the largest change.
+    participation : mapping of str to complex
+        Of the references that have a name: its product with the shape is the residue, an acceleration per force.
+    sigma_size : float
+        Standard deviation of the largest residue, relative; NaN where unknown.
     """
 
     frequency: float
@@ -51,6 +58,8 @@ class Found:
     resolution: float = 0.0
     level: float = np.nan
     shift: LevelShift | None = None
+    participation: Mapping[str, complex] = field(default_factory=dict)
+    sigma_size: float = np.nan
 
 
 def mac(one: Mapping[str, complex], other: Mapping[str, complex]) -> float:
@@ -123,11 +132,12 @@ class FileModes:
     fit: Fit | None = None
 
 
-def found_of(mode: Mode, names: Sequence[str]) -> Found:
-    """Return a mode of a fit with its shape by name, in accelerations; only their ratios count."""
+def found_of(mode: Mode, names: Sequence[str], references: Sequence[str] = ()) -> Found:
+    """Return a mode of a fit with its shape by name, in accelerations, and its participations by reference."""
     shape = {
         name: complex(value) for name, value in zip(names, mode.shape, strict=True) if np.isfinite(value)
     }
+    known = () if mode.participation is None else zip(references, mode.participation, strict=True)
     return Found(
         mode.frequency,
         mode.damping,
@@ -136,6 +146,8 @@ def found_of(mode: Mode, names: Sequence[str]) -> Found:
         mode.sigma_damping,
         mode.sigma_shape,
         mode.found_in,
+        participation={name: complex(value) for name, value in known if name not in NAMELESS},
+        sigma_size=mode.sigma_size,
     )
 
 
@@ -143,7 +155,7 @@ def modes_of_fit(
     fit: Fit, messages: Sequence[str], seen: frozenset[str], found: Callable[[Mode], Found] | None = None
 ) -> FileModes:
     """Return what a file gives by its fit; `found` turns a mode of the fit into one of the file: `found_of`."""
-    made = found or (lambda mode: found_of(mode, fit.responses))
+    made = found or (lambda mode: found_of(mode, fit.responses, fit.references))
     return FileModes(
         tuple(made(mode) for mode in fit.estimate.modes),
         tuple(messages),

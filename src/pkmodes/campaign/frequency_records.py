@@ -62,6 +62,15 @@ class Responses:
     references: tuple[str, ...]
     messages: tuple[str, ...] = ()
 
+    def roving(self, kept: Sequence[int], forces: Sequence[str]) -> Responses:
+        """Return the functions with some references, by the names of their forces, as places of the shape.
+
+        By reciprocity: a hammer roves, and the sensors are the references.
+        """
+        turned = self.values[:, :, kept].transpose(0, 2, 1)
+        coherence = None if self.coherence is None else self.coherence[:, :, kept].transpose(0, 2, 1)
+        return replace(self, values=turned, coherence=coherence, names=tuple(forces), references=self.names)
+
 
 def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
     """Return the modes of the frequency response functions in a file, their shapes by sensor.
@@ -155,7 +164,7 @@ def responses_of(
     check_size(values, read.source)
     dead = tuple(name for i, name in enumerate(rows) if not np.nan_to_num(values[:, i]).any())
     coherence = _coherence(read.functions, rows, columns, f)
-    acting = {name: force for name in columns if (force := _of_reference(name, forces)) is not None}
+    acting = {name: force for name in columns if (force := of_reference(name, forces)) is not None}
     unnamed = [name for name in columns if name and name not in acting]
     said: tuple[str, ...] = ()
     if unnamed and acting:
@@ -165,13 +174,10 @@ def responses_of(
             f"{read.source}: no [[force]] names the references {', '.join(unnamed)}: the shapes have the places of "
             "the sensors only; of a roving hammer, add [[force]] for each reference",
         )
+    found = Responses(f, values, coherence, tuple(rows), dead, tuple(columns), said)
     if acting:
-        kept = [columns.index(name) for name in acting]
-        turned = values[:, :, kept].transpose(0, 2, 1)
-        coherence = None if coherence is None else coherence[:, :, kept].transpose(0, 2, 1)
-        names = tuple(force.name for force in acting.values())
-        return Responses(f, turned, coherence, names, dead, tuple(rows), said)
-    return Responses(f, values, coherence, tuple(rows), dead, tuple(columns), said)
+        return found.roving([columns.index(name) for name in acting], [one.name for one in acting.values()])
+    return found
 
 
 def _coherence(
@@ -185,7 +191,7 @@ def _coherence(
     return found if np.isfinite(found).any() else None
 
 
-def _of_reference(name: str, forces: Mapping[str, Place]) -> Place | None:
+def of_reference(name: str, forces: Mapping[str, Place]) -> Place | None:
     """Return the force of a reference; the sign in its name is only a name."""
     return next((place for own, place in forces.items() if unsigned(own) == unsigned(name)), None)
 

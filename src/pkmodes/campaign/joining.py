@@ -1,6 +1,8 @@
 """Setups of a record: other excitations, hammer points or sensor places at one pose.
 
-Frequencies and damping are common to all setups; shapes are joined by the sensors that they share.
+Frequencies and damping are common to all setups.  Shapes are joined by the sensors that they share; those that share
+none by the references they share, of which their residues are accelerations per force: so a sensor that stays joins
+the points of a hammer that roves.
 """
 
 from __future__ import annotations
@@ -11,6 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from pkmodes.campaign.averaging import Mean, grouped_means, mean_shape
+from pkmodes.campaign.found import Found
 from pkmodes.campaign.levels import widest
 
 
@@ -29,15 +32,15 @@ def joined(setups: Mapping[str, Sequence[Mean]]) -> tuple[list[Mean], list[str]]
         if apart:
             which = ", ".join(names[i] for i in sorted(group))
             notes.append(
-                f"the shapes of the mode at {mean.mode.frequency:.4g} Hz share no sensor in the setups {which}: only "
-                "the one with most sensors is kept"
+                f"the shapes of the mode at {mean.mode.frequency:.4g} Hz share no sensor in the setups {which}, nor "
+                "a reference with a name: only the one with most sensors is kept"
             )
         means.append(mean)
     return means, notes
 
 
 def _together(members: Sequence[Mean]) -> tuple[Mean, bool]:
-    """Return one mode of several setups, and whether their shapes share no sensor."""
+    """Return one mode of several setups, and whether their shapes share no sensor or reference."""
     if len(members) == 1:
         return members[0], False
     modes = [one.mode for one in members]
@@ -51,11 +54,12 @@ def _together(members: Sequence[Mean]) -> tuple[Mean, bool]:
         [mode.sigma_damping for mode in modes],
         [one.damping_scatter * one.mode.damping for one in members],
     )
-    shapes = [mode.shape for mode in modes if mode.shape]
-    whole = max(shapes, key=len, default={})
-    linked = [shape for shape in shapes if shape.keys() & whole.keys()]
-    shape = mean_shape([whole, *(each for each in linked if each is not whole)])[0] if linked else {}
+    shaped = [mode for mode in modes if mode.shape]
+    whole, others, sizes = _by_reference(shaped)
+    linked = [mode.shape for mode in others if mode.shape.keys() & whole.keys()]
+    shape = mean_shape([whole, *linked])[0] if whole else {}
     known = [mode.sigma_shape for mode in modes if np.isfinite(mode.sigma_shape)]
+    sigma_shape = float(np.hypot(max(known, default=np.nan), max(sizes, default=0.0)))
     largest = [one.shape_scatter for one in members if np.isfinite(one.shape_scatter)]
     mode = replace(
         modes[0],
@@ -64,11 +68,12 @@ def _together(members: Sequence[Mean]) -> tuple[Mean, bool]:
         shape=shape,
         sigma_frequency=sigma,
         sigma_damping=sigma_damping,
-        sigma_shape=max(known, default=np.nan),
+        sigma_shape=sigma_shape,
         found_in=min(
             (mode.found_in for mode in modes if mode.found_in), key=lambda one: one[0] / one[1], default=None
         ),
         shift=widest([mode.shift for mode in modes]),
+        participation={},
     )
     files = tuple(sorted(i for one in members for i in one.files))
     relative = damping_scatter / damping if damping > 0.0 else np.nan
@@ -80,7 +85,34 @@ def _together(members: Sequence[Mean]) -> tuple[Mean, bool]:
         files,
         between=widest([one.between for one in members]),
     )
-    return joint, len(linked) < len(shapes)
+    return joint, len(linked) < len(others)
+
+
+def _by_reference(modes: Sequence[Found]) -> tuple[dict[str, complex], list[Found], list[float]]:
+    """Join the largest shape of a mode with those that share a reference with it, but no sensor.
+
+    Returns
+    -------
+    shape : dict of str to complex
+    others : list of Found
+        Those that are not part of it.
+    sigmas : list of float
+        Standard deviations of the sizes of the parts, relative; none for a single part.
+    """
+    if not modes:
+        return {}, [], []
+    base = max(modes, key=lambda mode: len(mode.shape))
+    shape, others, sigmas = dict(base.shape), list[Found](), list[float]()
+    for mode in modes:
+        common = [name for name in mode.participation if name in base.participation]
+        if mode is base or not common or mode.shape.keys() & shape.keys():
+            others += [] if mode is base else [mode]
+            continue
+        own, of_base = (np.array([one.participation[name] for name in common]) for one in (mode, base))
+        factor = np.vdot(of_base, own) / np.vdot(of_base, of_base).real
+        shape |= {name: complex(value * factor) for name, value in mode.shape.items()}
+        sigmas += [float(one.sigma_size) for one in (mode, base) if np.isfinite(one.sigma_size)]
+    return shape, others, sigmas
 
 
 def _weighted(

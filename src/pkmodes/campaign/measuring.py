@@ -214,4 +214,8 @@ def _named(mode: Found, setup: str, kind: Kind, campaign: Campaign) -> Found:
         return mode
     known = {**campaign.forces_in(setup), **campaign.sensors_in(setup)}
     names = {name: place.key for name, place in known.items()}
-    return replace(mode, shape={names[name]: value for name, value in mode.shape.items()})
+    return replace(
+        mode,
+        shape={names[name]: value for name, value in mode.shape.items()},
+        participation={names.get(name, name): value for name, value in mode.participation.items()},
+    )

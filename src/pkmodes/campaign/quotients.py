@@ -49,9 +49,12 @@ def force_factor(one: Function, source: str, said: Motion | None = None) -> floa
         what = f"expected a motion over a force, found {found}, a transmissibility, whose poles are not modes"
         remedy = 'measure the force; or give the responses in time, without a force, as kind = "ambient"'
         raise MeasurementError(what, where, remedy)
-    if one.reference_unit is None:
-        return 1.0
-    factor, powers = base(one.reference_unit, where)
+    return 1.0 if one.reference_unit is None else force_in(one.reference_unit)
+
+
+def force_in(unit: str) -> float:
+    """Return the factor of a unit of force, or of volts, to SI units."""
+    factor, powers = base(unit, "")
     return factor / 1000.0 ** powers.get("gram", 0.0)
 
 

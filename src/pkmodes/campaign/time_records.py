@@ -15,8 +15,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.found import FileModes, Fit, modes_of_fit
-from pkmodes.campaign.frequency_records import Responses, frf_fit, tones_of
+from pkmodes.campaign.found import NAMELESS, FileModes, Fit, modes_of_fit
+from pkmodes.campaign.frequency_records import Responses, frf_fit, of_reference, tones_of
+from pkmodes.campaign.quotients import force_in
 from pkmodes.campaign.sensor_functions import (
     ACCELERATION,
     check_size,
@@ -25,8 +26,9 @@ from pkmodes.campaign.sensor_functions import (
     motion_of,
     sensor_functions,
 )
+from pkmodes.campaign.sensors import Place
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.identification.estimates import Mode
+from pkmodes.identification.estimates import Estimate, Mode
 from pkmodes.identification.frf_estimates import impact_estimate
 from pkmodes.identification.level import levels
 from pkmodes.identification.ssi_bands import FEWEST_PERIODS
@@ -55,7 +57,9 @@ class TimeSignals:
     pieces : tuple of ndarray, shape (n_i, S)
         Responses in SI units; a gap begins another piece.
     forces : tuple of ndarray, shape (n_i,)
-        Empty without a force.
+        In SI units where the file gives one; empty without a force.
+    force : str
+        Name of the force in the file.
     names : tuple of str
     derivatives : ndarray of int, shape (S,)
         0 for displacements, 1 for velocities, 2 for accelerations.
@@ -68,6 +72,7 @@ class TimeSignals:
     step: float
     pieces: tuple[Array, ...]
     forces: tuple[Array, ...]
+    force: str
     names: tuple[str, ...]
     derivatives: NDArray[np.intp]
     messages: tuple[str, ...]
@@ -134,7 +139,12 @@ def time_signals(
         read.source,
         pieces[0].step * fewer,
         tuple(np.stack(each, axis=1) for each in zip(*columns, strict=True)),
-        tuple(piece.filled(np.asarray(force.values.real)) for force in forces for piece in pieces),
+        tuple(
+            piece.filled(np.asarray(force.values.real)) * (1.0 if force.unit is None else force_in(force.unit))
+            for force in forces
+            for piece in pieces
+        ),
+        forces[0].response if forces else "",
         tuple(names),
         np.array([of.derivative for of in motions]),
         (*read.messages, *gaps, *dead_channels(dead, read.source)),
@@ -240,6 +250,7 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
             f"expected at least {PERIODS_OF_BLOWS:g} periods of {record.band[0]:g} Hz, found {seconds:.3g} s"
         )
         raise MeasurementError(what, given.source, "measure longer, or narrow the band")
+    acting = _acting(given.force, setup, campaign, given.source)
     with in_file(given.source):
         functions = impact_estimate(
             given.step,
@@ -251,11 +262,55 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
         )
         f = functions.frequencies
         values = functions.H * given.as_accelerations(2j * np.pi * f)[:, :, None]
-        responses = Responses(f, values, functions.coherence, given.names, (), ("force",))
+        responses = Responses(f, values, functions.coherence, given.names, (), (given.force,))
+        if acting is not None:
+            responses = responses.roving([0], [acting.name])
         fit = frf_fit(responses, functions.averages, record, campaign)
     of_blows = [f"{given.source}: {message}" for message in functions.messages]
     said = (*given.messages, *of_blows, *tones_of(fit, given.source))
+    fit = replace(fit, estimate=_complete(fit.estimate, float(1.0 / f[1]), record.exponential))
     return _with_levels(fit, said, given, campaign.unsigned_forces_in(setup), record.exponential)
+
+
+def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Place | None:
+    """Return the force of the campaign that is measured in a file, None if it has none in this setup.
+
+    Raises
+    ------
+    MeasurementError
+        If it is none of the campaign's forces, or one of several.
+    """
+    forces = campaign.forces_in(setup)
+    if not forces:
+        return None
+    found = of_reference(name, forces)
+    if found is None and name in NAMELESS and len(forces) == 1:
+        found = next(iter(forces.values()))
+    if found is None:
+        what = f"expected a force of the campaign, {', '.join(map(shown, forces))}, found {shown(name)}"
+        remedy = 'name each [[force]] as in the files; where these say only "force", give each its setup'
+        raise MeasurementError(what, source, remedy)
+    return found
+
+
+def _complete(estimate: Estimate, length: float, exponential: float | None) -> Estimate:
+    """Return the modes of blows with the participations of complete decays: the record cuts them off.
+
+    Parameters
+    ----------
+    length : float
+        Of the record of each blow [s].
+    """
+
+    def whole(mode: Mode) -> Mode:
+        pole = mode.pole - (1.0 / exponential if exponential else 0.0)
+        return replace(mode, participation=np.asarray(mode.participation) / (1.0 - np.exp(pole * length)))
+
+    return replace(
+        estimate,
+        modes=tuple(map(whole, estimate.modes)),
+        added=tuple(one if isinstance(one, str) else whole(one) for one in estimate.added),
+    )
 
 
 def _with_levels(
@@ -277,7 +332,9 @@ def _with_levels(
     if not modes:
         return found
     poles = np.array([mode.pole for mode in modes])
-    shapes = np.array([mode.shape for mode in modes]) / given.as_accelerations(poles)
+    roving = fit.references == given.names
+    at_sensors = [mode.participation if roving else mode.shape for mode in modes]
+    shapes = np.array(at_sensors) / given.as_accelerations(poles)
     each = levels(given.step, given.pieces, poles, shapes, exponential)
     pairs = zip(found.modes, each, strict=True)
     with_levels = tuple(replace(mode, level=level.amplitude, shift=level.shift) for mode, level in pairs)

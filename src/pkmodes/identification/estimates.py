@@ -37,6 +37,10 @@ class Mode:
         its largest component.
     found_in : tuple of int
         In how many model orders, of how many.
+    participation : ndarray of complex128, shape (R,), or None
+        Of the references: its product with the shape is the residue of the functions.  None of responses alone.
+    sigma_size : float
+        One standard deviation of the largest residue, relative; NaN where unknown.
     """
 
     pole: complex
@@ -45,6 +49,8 @@ class Mode:
     sigma_damping: float
     sigma_shape: float
     found_in: tuple[int, int]
+    participation: Complex | None = None
+    sigma_size: float = math.nan
 
     @property
     def frequency(self) -> float:

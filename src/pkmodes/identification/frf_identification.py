@@ -211,6 +211,7 @@ def _mode(
     shape, covariance = modes.shapes[m] * scale, scale[:, None] * bounds.shapes[m] * scale
     known = determined(shape, covariance)
     sigmas = component_sigmas(shape[known], covariance[np.ix_(known, known)])
+    largest = int(np.argmax(np.where(known, np.abs(shape), 0.0)))
     return Mode(
         pole=pole,
         shape=np.where(known, shape, complex(np.nan, np.nan)),
@@ -218,6 +219,10 @@ def _mode(
         sigma_damping=float(bounds.poles[m, 0]) / abs(pole),
         sigma_shape=common_sigma(sigmas) if known.any() else math.nan,
         found_in=found_in,
+        participation=modes.participation[m],
+        sigma_size=math.sqrt(max(covariance[largest, largest].real, 0.0) / 2.0) / abs(shape[largest])
+        if known.any()
+        else math.nan,
     )
 
 
