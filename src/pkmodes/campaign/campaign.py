@@ -58,8 +58,8 @@ class Record:
         Names of a table's columns, by those of a measurement file.
     header : tuple of str
         Names of all columns of a table of signals, in order, where its own are others or missing.
-    invert : bool
-        Whether the functions are force over motion.
+    invert, conjugate : bool
+        Whether the functions are force over motion, or complex conjugates.
     """
 
     number: int
@@ -78,6 +78,7 @@ class Record:
     columns: Mapping[str, str]
     header: tuple[str, ...] = ()
     invert: bool = False
+    conjugate: bool = False
 
 
 @dataclass(frozen=True)
@@ -253,11 +254,12 @@ def _record(
         if count is not None and count < 1:
             what = f"expected at least 1, found {count}"
             raise MeasurementError(what, f"{where}.{name}", "count what is in each file")
-    if given.invert and given.kind != FUNCTIONS:
-        what = f"expected the kind {FUNCTIONS} with invert, found {shown(given.kind)}"
-        raise MeasurementError(
-            what, f"{where}.invert", "leave it out: only frequency responses have an inverse"
-        )
+    for name, asked in (("invert", given.invert), ("conjugate", given.conjugate)):
+        if asked and given.kind != FUNCTIONS:
+            what = f"expected the kind {FUNCTIONS} with {name}, found {shown(given.kind)}"
+            raise MeasurementError(
+                what, f"{where}.{name}", "leave it out: it is for frequency responses only"
+            )
     point, spread = _point(given, model, where)
     return Record(
         number=number,
@@ -276,6 +278,7 @@ def _record(
         columns=given.columns if isinstance(given.columns, dict) else {},
         header=tuple(given.columns) if isinstance(given.columns, list) else (),
         invert=given.invert,
+        conjugate=given.conjugate,
     )
 
 

@@ -74,6 +74,7 @@ class RecordTable(Part, frozen=True):
     rate: str | None = None
     columns: dict[str, str] | list[str] = {}
     invert: bool = False
+    conjugate: bool = False
 
 
 class EditTable(Part, frozen=True):

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.campaign.campaign import Campaign, Record
+from pkmodes.campaign.conjugates import phase_checked
 from pkmodes.campaign.found import FileModes, Fit, Found, modes_of_fit
 from pkmodes.campaign.quotients import force_factor, inverted
 from pkmodes.campaign.sensor_functions import (
@@ -87,6 +88,8 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
     read = functions.read
     if record.invert:
         functions = replace(functions, used=inverted(functions.used, read.source))
+    checked = phase_checked(functions.used, record.band, record.conjugate, read.source)
+    functions = replace(functions, used=checked)
     given = responses_of(functions, sensors, campaign.forces_in(setup), campaign.channels)
     low, high = record.band
     first, last = given.frequencies[0], given.frequencies[-1]

@@ -1,0 +1,82 @@
+"""Frequency responses with the phase of exp(-i omega t), their complex conjugates: poles that grow.
+
+The impulse response of a structure is zero before the blow, and that of a conjugate after it.  So their energies over
+time tell them apart (as Bendat and Piersol, Random Data, 4th edition, 2010, section 2.1: physically realisable
+systems), function by function, before any fit.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from pkmodes.core.base.errors import MeasurementError
+from pkmodes.signals.functions import Array, Complex, Function, computed
+
+#: How far above a half the share of the energy before the blow is of a conjugate: at least, and times the root of the
+#: number of lines.  That of noise is a half, with a standard deviation of 0.7 in the same measure.
+LEAST, NOISE = 0.15, 2.8
+#: Samples beside the blow that do not count: there the band's window spreads what is instantaneous.
+BESIDE = 3
+#: Lines in the band that the share needs.
+FEWEST = 16
+#: Steps between lines of one spacing differ by less than this part.
+EVEN = 0.01
+
+
+def phase_checked(
+    functions: Sequence[Function], band: tuple[float, float], conjugate: bool, source: str
+) -> tuple[Function, ...]:
+    """Return functions with the phase of exp(+i omega t).
+
+    Parameters
+    ----------
+    band : tuple of float
+        [Hz].
+    conjugate : bool
+        Whether those that are conjugates are mended, which may be some of a file; otherwise they are refused.
+
+    Raises
+    ------
+    MeasurementError
+        If a function is a conjugate, and this is not asked for.
+    """
+    shares = [_early(one.abscissa, np.asarray(one.values), band) for one in functions]
+    lines = np.count_nonzero((functions[0].abscissa >= band[0]) & (functions[0].abscissa <= band[1]))
+    surely = [share > _limit(lines) for share in shares]
+    mostly = bool(np.mean(shares) > (0.5 if conjugate else _limit(lines * len(shares))))
+    clearly = [share < 1.0 - _limit(lines) for share in shares]
+    wrong = [bad or (mostly and not good) for bad, good in zip(surely, clearly, strict=True)]
+    if conjugate:
+        return tuple(
+            computed(one, np.conj) if bad else one for one, bad in zip(functions, wrong, strict=True)
+        )
+    if any(wrong):
+        names = [f"{one.response}/{one.reference}".removesuffix("/") for one in functions]
+        which = [name for name, bad in zip(names, wrong, strict=True) if bad]
+        what = f"expected vibrations that decay after the force, found ones that grow before it in {len(which)} of "
+        what += (
+            f"{len(names)} functions ({', '.join(which[:4])}{', ...' if len(which) > 4 else ''}): these are "
+        )
+        what += "complex conjugates, with the phase of exp(-i omega t)"
+        raise MeasurementError(what, source, "write conjugate = true in the record")
+    return tuple(functions)
+
+
+def _limit(lines: int) -> float:
+    return 0.5 + max(LEAST, NOISE / math.sqrt(max(lines, 1)))
+
+
+def _early(frequencies: Array, values: Complex, band: tuple[float, float]) -> float:
+    """Return the share of the energy of an impulse response that comes before its blow; 0.5 where nothing tells."""
+    inside = (frequencies >= band[0]) & (frequencies <= band[1])
+    f, H = frequencies[inside], values[inside]
+    steps = np.diff(f)
+    if len(f) < FEWEST or np.ptp(steps) > EVEN * steps.mean() or not np.isfinite(H).all():
+        return 0.5
+    h = np.abs(np.fft.ifft(np.hanning(len(H)) * H / max(np.abs(H).max(), 1e-300))) ** 2
+    half = len(h) // 2
+    late, early = h[BESIDE + 1 : half].sum(), h[len(h) - half + 1 : len(h) - BESIDE].sum()
+    return float(early / (early + late)) if early + late > 0.0 else 0.5
