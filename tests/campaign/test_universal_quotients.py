@@ -68,6 +68,18 @@ def test_forces_of_several_units_give_the_shape_of_a_roving_hammer(tmp_path: Pat
     has_the_modes_of_the_frame(identify(tmp_path, HEAD + sensor + forces + record("frf", "r.uff")).file)
 
 
+def test_lines_outside_the_band_need_no_numbers(tmp_path: Path) -> None:
+    H = accelerances()
+    H[F < 10.0] = np.nan
+    H[-1] = np.inf
+    (tmp_path / "r.uff").write_bytes(b"".join(frf58(H[:, k], STEP, response=(k + 1, 3)) for k in range(3)))
+    has_the_modes_of_the_frame(identify(tmp_path, CAMPAIGN).file)
+    spectrum = b"".join(frf58(H[:, k], STEP, response=(k + 1, 3), function=9) for k in range(3))
+    (tmp_path / "r.uff").write_bytes(spectrum)
+    modes = identify(tmp_path, CAMPAIGN.replace('"frf"', '"spectrum"')).record["modes"]
+    np.testing.assert_allclose([one["frequency"] for one in modes], Frame.build().modes()[0], rtol=5e-3)
+
+
 @pytest.mark.parametrize(
     ("above", "below"), [((12, "NONE"), (12, "NONE")), ((12, "g"), (0, "g")), ((12, "g/g"), (0, "NONE"))]
 )

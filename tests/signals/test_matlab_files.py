@@ -93,6 +93,14 @@ def test_faults_are_refused(tmp_path: Path, fault: str) -> None:
     assert "signals.mat" in caught.value.where
 
 
+def test_gaps_of_frequency_responses_outside_the_band_are_no_damage(tmp_path: Path) -> None:
+    response = np.array([complex(np.nan, 0.0), 3 - 4j, 5j])
+    (found,) = read(tmp_path, Asked(band=(0.5, 1.0)), frequency=TIME, acc_1=response).functions
+    assert np.isnan(found.values).tolist() == [True, False, False]
+    with pytest.raises(MeasurementError, match="as value 1"):
+        read(tmp_path, Asked(band=(0.0, 1.0)), frequency=TIME, acc_1=response)
+
+
 def test_a_matrix_for_a_wanted_sensor_is_refused(tmp_path: Path) -> None:
     with pytest.raises(MeasurementError, match="vector") as caught:
         read(tmp_path, Asked(sensors=frozenset({"acc_1"})), time=TIME, acc_1=np.ones((3, 2)))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 from itertools import product
 from pathlib import Path
 
@@ -66,7 +67,44 @@ def test_minus_one_inside_a_header(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", ["heat_engine_housing.uff", "TestLab 161 164 18 15 82.uff"])
 def test_files_of_geometry_hold_no_signals(name: str) -> None:
     found = read_signals(DATA / name)
-    assert (found.functions, found.modes, found.messages) == ((), (), ())
+    assert (found.functions, found.modes) == ((), ())
+    results = [one for one in found.messages if "analysis type 1 at location 1 is not a mode" not in one]
+    assert not results  # a file has results of statics
+
+
+def mode_2414(
+    analysis: int, data_type: int, reals: Sequence[float], values: dict[int, Sequence[float]]
+) -> bytes:
+    """A dataset 2414 with three displacements at each node, laid out as the format says."""
+    lines = [f"{1:10d}", "mode", f"{1:10d}", *["NONE"] * 5]
+    lines.append("".join(f"{n:10d}" for n in (1, analysis, 2, 8, data_type, 3)))
+    lines += ["".join(f"{n:10d}" for n in (0, 0, 0, 0, 0, 1, 0, 0)), f"{0:10d}{0:10d}"]
+    for part in (reals[:6], reals[6:]):
+        lines.append("".join(f"{x:13.5E}" for x in part))
+    for node, numbers in values.items():
+        lines += [f"{node:10d}", "".join(f"{x:13.5E}" for x in numbers)]
+    return dataset(2414, "".join(f"{line}\n" for line in lines).encode())
+
+
+def test_modes_of_dataset_2414(tmp_path: Path) -> None:
+    """Time, frequency, eigenvalue, modal mass, viscous and hysteretic damping; the complex eigenvalue."""
+    normal = mode_2414(2, 2, [0.0, 12.5, 6.2e3, 7.0, 0.013, 0.0, *[0.0] * 6], {4: [0.0, 0.5, -1.0]})
+    structural = mode_2414(2, 4, [0.0, 40.0, 0.0, 1.0, 0.0, 0.05, *[0.0] * 6], {4: [1.0, 0.0, 0.0]})
+    eigenvalue = -3.0 + 400.0j
+    numbers = [0.0] * 6 + [eigenvalue.real, eigenvalue.imag, 1.0, 0.0, 0.0, 0.0]
+    damped = mode_2414(3, 5, numbers, {9: [1.0, 2.0, 0.0, 0.0, -0.5, 0.25]})
+    path = tmp_path / "m.unv"
+    path.write_bytes(normal + structural + damped + mode_2414(5, 5, [0.0] * 12, {9: [0.0] * 6}))
+    found = read_signals(path)
+    assert [(one.frequency, one.damping) for one in found.modes[:2]] == [(12.5, 0.013), (40.0, 0.025)]
+    assert found.modes[0].shape == {"4:+X": 0.0, "4:+Y": 0.5, "4:+Z": -1.0}
+    assert found.modes[2].frequency == pytest.approx(abs(eigenvalue) / (2 * np.pi), rel=1e-12)
+    assert found.modes[2].damping == pytest.approx(3.0 / abs(eigenvalue), rel=1e-12)
+    assert found.modes[2].shape["9:+Z"] == -0.5 + 0.25j
+    assert ["analysis type 5 at location 1 is not a mode" in one for one in found.messages] == [True]
+    path.write_bytes(normal[:-20])
+    with pytest.raises(MeasurementError, match="dataset 1 \\(2414\\)"):
+        read_signals(path)
 
 
 def test_real_and_complex_modes() -> None:

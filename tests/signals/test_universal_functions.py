@@ -268,7 +268,7 @@ FAULTS = {
     "one value too few": (dataset58(NUMBERS, count=5), "found 4"),
     "one value too many": (dataset58(NUMBERS, count=3), "found more"),
     "many more declared": (dataset58(NUMBERS, count=2**31), "to the end of the file"),
-    "not a number": (dataset58([1.0, np.nan, 1.0, 1.0]), "expected numbers"),
+    "not a number": (dataset58([1.0, np.nan, 1.0, 1.0]), "found nan as value 2"),
     "infinite": (dataset58(NUMBERS).replace(b"5.00000E-01", b"5.0000E+999"), "finite"),
     "a letter": (dataset58(NUMBERS).replace(b"5.00000E-01", b"5.0000QE-01"), "expected numbers"),
     "falling times": (dataset58([0.0, 1.0, 0.0, 1.0], count=2, spacing=0), "ascending"),
@@ -302,6 +302,34 @@ def test_faults_are_refused_with_the_dataset(subtests: pytest.Subtests, path: Pa
                 read_signals(path)
             assert f"{path}: dataset " in caught.value.where
             assert caught.value.remedy
+
+
+@pytest.mark.parametrize("gap", ["nan", "NaN", "-nan(ind)", "1.#QNAN", "inf", "-Infinity"])
+def test_gaps_of_functions_of_frequency_outside_the_band_are_no_damage(path: Path, gap: str) -> None:
+    text = dataset58([9.0, *PAIRS[1:]], ordinate=5, step=2.0, **FRF).replace(
+        b"  9.00000E+00", f"{gap:>13}".encode()
+    )
+    path.write_bytes(text)
+    (function,) = read_signals(path, Asked(band=(1.0, 6.0))).functions
+    assert np.isnan(function.values[0])
+    assert function.values[1:].tolist() == COMPLEX[1:]
+    with pytest.raises(MeasurementError, match=r"expected finite numbers, found .* as value 1"):
+        read_signals(path, Asked(band=(0.0, 6.0)))
+
+
+def test_gaps_of_binary_functions_and_of_spectra(path: Path) -> None:
+    lines = {"abscissa": (18, "Hz"), "step": 2.0}
+    binary = dataset58b(packed([*PAIRS[:4], np.nan, np.inf, 7.0, 8.0], "d"), ordinate=6, step=2.0, **FRF)
+    coherence = dataset58([1.0, 0.5, np.nan, 1.0], function=6, reference=(3, 1), **lines)
+    path.write_bytes(binary + coherence + dataset58([1.0, 2.0, np.inf, 4.0], function=9, **lines))
+    for band in ((0.0, 2.0), (6.0, 6.0)):
+        for one in read_signals(path, Asked(band=band)).functions:
+            assert np.isnan(one.values).tolist() == [False, False, True, False]
+    with pytest.raises(MeasurementError, match="as value 3"):
+        read_signals(path, Asked(band=(0.0, 4.0)))
+    path.write_bytes(dataset58([1.0, np.nan, 1.0, 1.0]))  # in time, nothing is outside a band
+    with pytest.raises(MeasurementError, match="as value 2"):
+        read_signals(path, Asked(band=(100.0, 200.0)))
 
 
 def test_a_file_that_changes_after_reading_is_noticed(path: Path) -> None:

@@ -82,9 +82,7 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
         If the file is faulty, or its functions are not those of the campaign.
     """
     sensors = campaign.sensors_in(setup)
-    functions = sensor_functions(
-        path, Kind.FRF, frozenset(sensors), header=record.header, signs=campaign.signs_of_file
-    )
+    functions = sensor_functions(path, Kind.FRF, frozenset(sensors), record, signs=campaign.signs_of_file)
     read = functions.read
     if record.invert:
         functions = replace(functions, used=inverted(functions.used, read.source))
@@ -209,7 +207,7 @@ def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -
     """
     sensors = campaign.sensors_in(setup)
     names = frozenset({*sensors, *(name.removeprefix("psd_") for name in sensors)})
-    functions = sensor_functions(path, Kind.SPECTRUM, names, header=record.header)
+    functions = sensor_functions(path, Kind.SPECTRUM, names, record)
     read, used = functions.read, functions.used
     f = used[0].abscissa
     power = np.stack([np.abs(one.values) for one in used], axis=1)

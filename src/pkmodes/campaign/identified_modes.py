@@ -50,7 +50,7 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
         return FileModes(listed, (), frozenset(campaign.named_in(setup)))
     read = read_signals(path)
     if not read.modes:
-        what = f"expected identified modes (dataset 55), found {len(read.functions)} functions and no mode"
+        what = f"expected identified modes (dataset 55 or 2414), found {len(read.functions)} functions and no mode"
         what += f"; skipped: {'; '.join(read.skipped)}" if read.skipped else ""
         remedy = 'choose another kind of record, such as kind = "frf"'
         raise MeasurementError(what, read.source, remedy)

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.campaign.campaign import Record
 from pkmodes.campaign.motion import Motion, motion, motion_or_none
 from pkmodes.campaign.sensors import Sensor, check_motion, signed
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
@@ -48,12 +49,7 @@ class SensorFunctions:
 
 
 def sensor_functions(
-    path: Path,
-    kind: Kind,
-    names: frozenset[str],
-    rate: float | None = None,
-    header: tuple[str, ...] = (),
-    signs: bool = False,
+    path: Path, kind: Kind, names: frozenset[str], record: Record, *, signs: bool = False
 ) -> SensorFunctions:
     """Read the functions of the sensors with some names.
 
@@ -61,10 +57,9 @@ def sensor_functions(
     ----------
     names : frozenset of str
         As in the file; all if it is empty and the kind needs no sensors.
-    rate : float, optional
-        Sampling rate of signals without times [Hz].
-    header : tuple of str
-        Names of the columns of a table, instead of its own.
+    record : Record
+        To which the file belongs: its band, outside of which functions of frequency may have gaps, its sampling rate,
+        and the names of a table's columns.
     signs : bool
         Whether the sign in the name of a degree of freedom counts.
 
@@ -73,14 +68,14 @@ def sensor_functions(
     MeasurementError
         If the file is faulty or has none of them, or their times or frequencies differ.
     """
-    asked = Asked(rate=rate, columns=header)
-    read = read_signals(path, replace(asked, sensors=names or None))
+    asked = Asked(record.rate, names or None, record.header, record.band)
+    read = read_signals(path, asked)
     if signs:
         read = replace(read, functions=tuple(map(signed, read.functions)))
     of_kind = [one for one in read.functions if one.kind is kind and not one.force]
     used = [one for one in of_kind if one.response in names or (not names and kind is Kind.SPECTRUM)]
     if not used:
-        _refuse_unknown_names(path, kind, names, asked)
+        _refuse_unknown_names(path, kind, names, replace(asked, sensors=None))
     for one in used:
         if not np.array_equal(one.abscissa, used[0].abscissa):
             what = f"the {WORDS[kind][1]} of {shown(one.response)} differ from those of {shown(used[0].response)}"

@@ -99,9 +99,7 @@ def time_signals(
         If the file is faulty, has none of the campaign's sensors, or its signals differ in their times.
     """
     sensors = campaign.sensors_in(setup)
-    functions = sensor_functions(
-        path, Kind.TIME, frozenset(sensors), record.rate, record.header, campaign.signs_of_file
-    )
+    functions = sensor_functions(path, Kind.TIME, frozenset(sensors), record, signs=campaign.signs_of_file)
     read, used = functions.read, functions.used
     time = used[0].abscissa
     forces = [one for one in read.functions if one.force]

@@ -38,6 +38,13 @@ def check_finite(values: NDArray[Any], where: str, before: int = 0) -> None:
         raise MeasurementError(what, where, "export the file again, or leave this signal out of it")
 
 
+def within(abscissa: Array, band: tuple[float, float] | None) -> slice:
+    """Return the points of an ascending abscissa in a band, all without one."""
+    if band is None:
+        return slice(0, abscissa.size)
+    return slice(int(np.searchsorted(abscissa, band[0])), int(np.searchsorted(abscissa, band[1], "right")))
+
+
 def check_abscissa(abscissa: Array, where: str) -> None:
     """Refuse an abscissa that is too short, not finite or not ascending.
 

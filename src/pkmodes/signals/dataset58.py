@@ -236,9 +236,25 @@ class Points:
     abscissa: Array | None
     values: Array | Complex | Stored
 
+    def check_finite(self, inside: slice) -> None:
+        """Refuse values that are not finite among some of the points.
+
+        Raises
+        ------
+        MeasurementError
+            With the number of the first one.
+        """
+        chunks = self.values.chunks("y") if isinstance(self.values, Stored) else [self.values]
+        start = 0
+        for chunk in chunks:
+            first = max(inside.start - start, 0)
+            part = chunk[first : max(inside.stop - start, 0)]
+            check_finite(part, f"{self.where}, in the data", start + first)
+            start += chunk.size
+
 
 def read_points(scanner: Scanner, binary: Binary | None, path: Path) -> Points:
-    """Read a dataset 58 to its end, and check all of its numbers.
+    """Read a dataset 58 to its end, and check its structure and abscissa.
 
     Parameters
     ----------
@@ -261,8 +277,6 @@ def read_points(scanner: Scanner, binary: Binary | None, path: Path) -> Points:
     offset = scanner.skip_bytes(header.count * point.itemsize)
     scanner.close()
     stored = Stored(path, offset, header.count, point, f"{scanner.where}, in the data")
-    for number, chunk in enumerate(stored.chunks("y")):
-        check_finite(chunk, stored.where, number * CHUNK)
     abscissa = None if header.even else np.real(stored.read("x"))
     if abscissa is not None:
         check_abscissa(abscissa, scanner.where)
@@ -274,7 +288,6 @@ def _from_text(scanner: Scanner) -> Points:
     header = read_header(scanner)
     numbers_each = (0 if header.even else 1) + (2 if header.complex else 1)
     numbers = read_numbers(scanner, header.count * numbers_each)
-    check_finite(numbers, f"{scanner.where}, in the data")
     abscissa: Array | None = None
     values = numbers
     if not header.even:

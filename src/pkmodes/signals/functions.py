@@ -167,11 +167,14 @@ class Asked:
         Names of the sensors whose functions are wanted; all by default.  Forces in time are always read.
     columns : tuple of str
         Names of the columns of a table, instead of its header; it may have none.
+    band : tuple of float, optional
+        Frequencies [Hz] outside of which functions of frequency may have gaps, NaN; by default they may have none.
     """
 
     rate: float | None = None
     sensors: frozenset[str] | None = None
     columns: tuple[str, ...] = ()
+    band: tuple[float, float] | None = None
 
     def wants(self, *names: str) -> bool:
         """Return whether a sensor that has any of these names is wanted."""

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.checks import FEWEST, check_abscissa, check_coherence
+from pkmodes.signals.checks import FEWEST, check_abscissa, check_coherence, within
 from pkmodes.signals.dataset58 import Axis, Header, Points, Stored, name_of, rotates
 from pkmodes.signals.functions import Array, Asked, Complex, Function, Kind, StoredFunction
 from pkmodes.signals.units import NO_UNIT, FileUnits, hertz_in, quotient, seconds_in, unit_text
@@ -69,7 +69,9 @@ class Abscissas:
 
 
 def converted(values: Array | Complex, kind: Kind) -> Array | Complex:
-    """Return values as their kind has them: a cross spectrum by its magnitude, a coherence real."""
+    """Return values as their kind has them: gaps are NaN, a cross spectrum has its magnitude, a coherence is real."""
+    if kind is not Kind.TIME and not (finite := np.isfinite(values)).all():
+        values = np.where(finite, values, np.nan)
     if kind is Kind.FRF or not np.iscomplexobj(values):
         return values
     return np.abs(values) if kind is Kind.SPECTRUM else np.real(values).copy()
@@ -120,15 +122,17 @@ def function_of(
     force = of_force and kind is Kind.TIME
     if not (force or asked.wants(response)):
         return None
+    factor = (seconds_in if kind is Kind.TIME else hertz_in)(header.abscissa.label) or 1.0
+    abscissa = abscissas.of(points, factor)
+    points.check_finite(within(abscissa, None if kind is Kind.TIME else asked.band))
     _check(points, kind)
     unit, reference_unit = _units(header, kind, units)
     assumed = not units.stated and header.ordinate.label.lower() in NO_UNIT
-    factor = (seconds_in if kind is Kind.TIME else hertz_in)(header.abscissa.label) or 1.0
     known: dict[str, Any] = {
         "kind": kind,
         "response": response,
         "reference": _reference(header, kind),
-        "abscissa": abscissas.of(points, factor),
+        "abscissa": abscissa,
         "unit": unit,
         "reference_unit": reference_unit,
         "force": force,

@@ -15,7 +15,7 @@ import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.formats import Format
-from pkmodes.signals.checks import FEWEST, check_abscissa, check_finite
+from pkmodes.signals.checks import FEWEST, check_abscissa, check_finite, within
 from pkmodes.signals.functions import Array, Asked, Complex, Function, Kind, SignalFile
 from pkmodes.signals.matlab_arrays import Variable, variables
 
@@ -77,7 +77,7 @@ def _content(found: Sequence[Variable], source: str, asked: Asked) -> SignalFile
     values = {one.name: _loaded(one.load, source) for one in read}
     abscissa = _abscissa(named, values, wanted, vectors, source, asked)
     functions = tuple(
-        _function(name, response, reference, values.pop(name), abscissa, kind, source)
+        _function(name, response, reference, values.pop(name), abscissa, kind, source, asked)
         for name, (response, reference) in wanted.items()
     )
     messages = [
@@ -180,12 +180,16 @@ def _function(
     abscissa: Array,
     kind: Kind,
     source: str,
+    asked: Asked,
 ) -> Function:
     where = f"{source}: {name}"
     if vector.size != abscissa.size:
         what = f"expected {abscissa.size} values, one for each time or frequency, found {vector.size}"
         raise MeasurementError(what, where, "save vectors of one length, or remove this one")
-    check_finite(vector, where)
+    inside = within(abscissa, None if kind is Kind.TIME else asked.band)
+    check_finite(vector[inside], where, inside.start)
+    if kind is not Kind.TIME:
+        vector = np.where(np.isfinite(vector), vector, np.nan)
     if kind is Kind.TIME and np.iscomplexobj(vector):
         what = "expected a real signal, found complex values"
         raise MeasurementError(what, where, 'name the abscissa "frequency" if these are frequency responses')

@@ -40,7 +40,7 @@ def read_signals(path: str | PathLike[str], asked: Asked = EVERYTHING) -> Signal
     Parameters
     ----------
     path : path-like
-        A universal file with datasets 58, 58b or 55; a MATLAB file up to version 7; or a table in text.
+        A universal file with datasets 58, 58b, 55 or 2414; a MATLAB file up to version 7; or a table in text.
     asked : Asked
         What is wanted of it; everything by default.
 

@@ -26,6 +26,13 @@ LONGEST_LINE = 4096
 INCOMPLETE = "the file is damaged or incomplete: copy or export it again"
 #: A number; Fortran leaves out the E of an exponent with three digits, and writes D for double precision.
 NUMBER = re.compile(rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[EeDd][+-]?\d+|[+-]\d{3}(?![\d.]))?")
+#: Bytes of numbers and between them.
+NUMERALS = b"0123456789+-.eEdD \t\r\n"
+#: What programs write for a value that is none.
+NOT_A_NUMBER = re.compile(
+    rb"[+-]?(?:nan(?:\(ind\))?|inf(?:inity)?|1\.#(?:qnan|snan|ind|inf)\d*)", re.IGNORECASE
+)
+NUMBER_OR_GAP = re.compile(rb"nan|" + NUMBER.pattern)
 EXPONENT = re.compile(rb"(?<=[\d.])[Dd](?=[+-]?\d)|(?<=[\d.])(?=[+-]\d{3}$)")
 #: Lines that are converted at once.
 CHUNK = 20_000
@@ -177,15 +184,18 @@ def begins_with_a_dataset(head: bytes) -> bool:
 
 
 def numbers_in(text: bytes) -> Array | None:
-    """Return the numbers in some text, None if it contains anything else.
+    """Return the numbers in some text, NaN for what is written for none; None if it contains anything else.
 
     Parameters
     ----------
     text : bytes
         Numbers, with blanks between them or in columns that touch.
     """
-    if text.translate(None, b"0123456789+-.eEdD \t\r\n"):  # also keeps out "nan" and "inf"
-        return None
+    gaps = bool(text.translate(None, NUMERALS))
+    if gaps:
+        text = NOT_A_NUMBER.sub(b" nan ", text)
+        if text.replace(b" nan ", b"").translate(None, NUMERALS):
+            return None
     if not text.strip():
         return np.empty(0)
     try:
@@ -196,9 +206,10 @@ def numbers_in(text: bytes) -> Array | None:
             return np.fromstring(text, sep=" ")
     except (ValueError, DeprecationWarning):
         pass
-    if NUMBER.sub(b"", text).strip():
+    if NUMBER.sub(b"", text.replace(b" nan ", b" ")).strip():
         return None
-    return np.array([float(EXPONENT.sub(b"E", number)) for number in NUMBER.findall(text)])
+    found = NUMBER_OR_GAP.findall(text) if gaps else NUMBER.findall(text)
+    return np.array([float(EXPONENT.sub(b"E", number)) for number in found])
 
 
 def read_numbers(scanner: Scanner, count: int) -> Array:
