@@ -50,6 +50,7 @@ COMMANDS = {
         diagnose {LOOP}/robot.toml {LOOP}/measured.csv --report diagnosis.html
         """,
     "control": "",
+    "hdf5": "",
     "derive": f"""
         generate {DELTA} --out generated
         check generated

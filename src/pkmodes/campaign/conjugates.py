@@ -44,7 +44,7 @@ def phase_checked(
         If a function is a conjugate, and this is not asked for.
     """
     shares = [_early(one.abscissa, np.asarray(one.values), band) for one in functions]
-    lines = np.count_nonzero((functions[0].abscissa >= band[0]) & (functions[0].abscissa <= band[1]))
+    lines = int(np.count_nonzero((functions[0].abscissa >= band[0]) & (functions[0].abscissa <= band[1])))
     surely = [share > _limit(lines) for share in shares]
     mostly = bool(np.mean(shares) > (0.5 if conjugate else _limit(lines * len(shares))))
     clearly = [share < 1.0 - _limit(lines) for share in shares]

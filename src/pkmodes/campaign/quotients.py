@@ -55,7 +55,7 @@ def force_factor(one: Function, source: str, said: Motion | None = None) -> floa
 def force_in(unit: str) -> float:
     """Return the factor of a unit of force, or of volts, to SI units."""
     factor, powers = base(unit, "")
-    return factor / 1000.0 ** powers.get("gram", 0.0)
+    return float(factor / 1000.0 ** powers.get("gram", 0.0))
 
 
 def inverted(functions: Sequence[Function], source: str) -> tuple[Function, ...]:
@@ -82,7 +82,7 @@ def inverted(functions: Sequence[Function], source: str) -> tuple[Function, ...]
 
 def _reciprocal(values: Array | Complex) -> Complex:
     """Return 1 / values, NaN where they are 0."""
-    return np.divide(1.0, values, out=np.full(values.shape, np.nan, complex), where=values != 0.0)
+    return np.asarray(np.divide(1.0, values, out=np.full(values.shape, np.nan, complex), where=values != 0.0))
 
 
 def _is_force(unit: str | None) -> bool:

@@ -92,7 +92,8 @@ def _refuse_unknown_names(path: Path, kind: Kind, names: frozenset[str], asked: 
         what += f"; skipped: {'; '.join(read.skipped)}" if read.skipped else ""
         raise MeasurementError(what, read.source, "choose another kind of record, or export other functions")
     what = f"expected a sensor of the campaign, found {', '.join(map(shown, found[:6]))}"
-    remedy = nearest(found[0], names) if names else "add [[sensor]] for each measured direction"
+    remedy = f"add [[sensor]] for each measured direction, named as in the file: name = {shown(found[0])}"
+    remedy = nearest(found[0], names, remedy) if names else remedy
     raise MeasurementError(what, read.source, remedy)
 
 

@@ -138,7 +138,8 @@ def time_signals(
         pieces[0].step * fewer,
         tuple(np.stack(each, axis=1) for each in zip(*columns, strict=True)),
         tuple(
-            piece.filled(np.asarray(force.values.real)) * (1.0 if force.unit is None else force_in(force.unit))
+            piece.filled(np.asarray(force.values.real))
+            * (1.0 if force.unit is None else force_in(force.unit))
             for force in forces
             for piece in pieces
         ),

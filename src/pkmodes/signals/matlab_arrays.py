@@ -1,11 +1,11 @@
-"""Vectors of numbers in MATLAB files of versions 5 to 7, whose structure is checked.
+"""Arrays of numbers in MATLAB files of versions 5 to 7, whose structure is checked; those in structs as well.
 
 An element has a tag with its type and size.  A variable is an element with parts: flags, dimensions, name, values,
 and imaginary values if it is complex; it may be compressed as a whole ("MAT-File Format", The MathWorks).  SciPy's
 reader cannot be used for files that may be damaged: with wrong sizes it reads memory that is not the file's.
 
-Of each variable only the first parts are read, or unpacked, until its values are asked for: a few compressed bytes
-may be gigabytes.
+Of each array only the first parts are read, or unpacked, until its values are asked for: a few compressed bytes may
+be gigabytes.  A struct is unpacked as a whole.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from typing import BinaryIO, NamedTuple
 
 import numpy as np
 
+from pkmodes.signals.arrays import Variable
 from pkmodes.signals.functions import Array, Complex
 
 HEADER = 128
@@ -25,35 +26,19 @@ MATRIX, COMPRESSED = 14, 15
 #: Types of stored numbers, and classes of variables that are arrays of numbers.
 TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 9: "f8", 12: "i8", 13: "u8"}
 NUMERIC = range(6, 16)
-CLASSES = {1: "a cell array", 2: "a struct", 3: "an object", 4: "text", 5: "a sparse matrix"}
+STRUCT = 2
+CLASSES = {1: "a cell array", STRUCT: "a struct", 3: "an object", 4: "text", 5: "a sparse matrix"}
 COMPLEX = 0x0800
 #: Bytes of a tag, and at most of the flags, dimensions and name of a variable.
 TAG, HEAD = 8, 1 << 16
+#: Bytes of a struct at most, and structs in one another.
+LARGEST_STRUCT, DEEPEST = 1 << 28, 8
 #: Compressed bytes that are unpacked at once.
 BLOCK = 1 << 20
 
 
 class DamagedError(ValueError):
     """The structure of a file is not that of a MATLAB file."""
-
-
-class Variable(NamedTuple):
-    """A variable.
-
-    Attributes
-    ----------
-    what : str
-        What it is, for messages.
-    size : int or None
-        Number of its values if it is a vector of numbers.
-    load : callable
-        Returns the values of a vector while the file is open.  Raises `DamagedError`.
-    """
-
-    name: str
-    what: str
-    size: int | None
-    load: Callable[[], Array | Complex]
 
 
 class _Element(NamedTuple):
@@ -107,13 +92,26 @@ def variables(file: BinaryIO, length: int) -> Iterator[Variable]:
             at = start + (4 if start == at + 4 else -(-size // 8) * 8)
         if kind != MATRIX:
             raise DamagedError(f"expected a variable, found an element of type {kind}")
-        variable = _variable(head, size, order, data)
-        if variable.name:  # what MATLAB stores for itself has none
-            yield variable
+        for variable in _variables(head, size, order, data):
+            if variable.name:  # what MATLAB stores for itself has none
+                yield variable
 
 
-def _variable(head: bytearray, size: int, order: str, data: Callable[[], memoryview]) -> Variable:
-    """Return a variable from the beginning of its parts, which have `size` bytes in all."""
+def _variables(
+    head: bytearray | memoryview,
+    size: int,
+    order: str,
+    data: Callable[[], memoryview],
+    name_in: str = "",
+    depth: int = 0,
+) -> Iterator[Variable]:
+    """Yield a variable from the beginning of its parts, which have `size` bytes in all, or the fields of a struct.
+
+    Parameters
+    ----------
+    name_in : str
+        Of a field in a struct, whose parts have none.
+    """
     parts = _elements(memoryview(head), order)
     try:
         flags, dimensions, name = (next(parts) for _ in range(3))
@@ -123,20 +121,49 @@ def _variable(head: bytearray, size: int, order: str, data: Callable[[], memoryv
         raise DamagedError("expected the flags, dimensions and name of a variable")
     (bits,) = struct.unpack(f"{order}I", flags.data[:4])
     sizes = np.frombuffer(dimensions.data, f"{order}i4") if len(dimensions.data) % 4 == 0 else np.array([-1])
-    text = bytes(name.data).decode("utf-8", "replace")
+    text = name_in or bytes(name.data).decode("utf-8", "replace")
     kind = bits & 0xFF
+    if kind == STRUCT and sizes.tolist() == [1, 1] and size <= LARGEST_STRUCT and depth < DEEPEST and text:
+        yield from _fields(data(), order, text, depth)
+        return
     if kind not in NUMERIC:
         what = CLASSES.get(kind, "another kind of variable")
-        return Variable(text, what, None, partial(_none, text))
+        yield Variable(text, what, None, partial(_none, text))
+        return
     what = f"an array of {' x '.join(map(str, sizes))} values"
     count = float(np.prod(sizes, dtype=np.float64)) if np.all(sizes >= 0) else np.inf
     if not count <= size <= 16.0 * count + len(head):  # a byte for each number at least, two of eight at most
         raise DamagedError(f"expected the values of {text}")
-    if sizes.size != 2 or sizes.min() != 1:
-        return Variable(text, what, None, partial(_none, text))
-    return Variable(
-        text, what, int(count), partial(_values, data, order, int(count), bool(bits & COMPLEX), text)
-    )
+    shape = tuple(map(int, sizes))
+    load = partial(_values, data, order, int(count), bool(bits & COMPLEX), text)
+    yield Variable(text, what, shape, load)
+
+
+def _fields(parts: memoryview, order: str, struct_name: str, depth: int) -> Iterator[Variable]:
+    """Yield the variables that are the fields of a struct."""
+    _, _, _, length, names, *values = _elements(parts, order)
+    width = int(np.frombuffer(length.data, f"{order}i4")[0]) if len(length.data) == 4 else 0
+    text = bytes(names.data)
+    fields = [
+        text[i : i + width].split(b"\0")[0].decode("utf-8", "replace")
+        for i in range(0, len(text), max(width, 1))
+    ]
+    if width < 1 or len(fields) != len(values) or any(one.type != MATRIX for one in values):
+        raise DamagedError("expected the fields of a struct")
+    for field, value in zip(fields, values, strict=True):
+        if value.data:
+            yield from _variables(
+                value.data,
+                len(value.data),
+                order,
+                partial(_same, value.data),
+                f"{struct_name}.{field}",
+                depth + 1,
+            )
+
+
+def _same(data: memoryview) -> memoryview:
+    return data
 
 
 def _values(

@@ -11,16 +11,17 @@ from pkmodes.measured.csv_format import check_regular, unreadable
 from pkmodes.measured.formats import Format
 from pkmodes.signals.functions import Asked, SignalFile
 from pkmodes.signals.matlab import MATLAB
+from pkmodes.signals.numpy_arrays import NUMPY
 from pkmodes.signals.table import TABLE
 from pkmodes.signals.universal_file import UNIVERSAL_FILE
 
 Reader = Callable[[Path, Asked], SignalFile]
 #: Formats by name, in the order in which they are tried.
-FORMATS: dict[str, Format[Reader]] = {known.name: known for known in (UNIVERSAL_FILE, MATLAB, TABLE)}
+FORMATS: dict[str, Format[Reader]] = {known.name: known for known in (UNIVERSAL_FILE, MATLAB, NUMPY, TABLE)}
 #: Number of bytes from which a format is recognised.
 HEAD = 4096
 EVERYTHING = Asked()
-WHAT, REMEDY = "the signals", "give a universal file, a MATLAB file or a table in text"
+WHAT, REMEDY = "the signals", "give a universal file, a MATLAB or NumPy file, or a table in text"
 
 
 def format_of(path: Path, head: bytes) -> Format[Reader] | None:
@@ -40,7 +41,7 @@ def read_signals(path: str | PathLike[str], asked: Asked = EVERYTHING) -> Signal
     Parameters
     ----------
     path : path-like
-        A universal file with datasets 58, 58b, 55 or 2414; a MATLAB file up to version 7; or a table in text.
+        A universal file with datasets 58, 58b, 55 or 2414; a MATLAB or NumPy file; or a table in text.
     asked : Asked
         What is wanted of it; everything by default.
 
