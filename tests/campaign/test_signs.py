@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from campaign.structures import HEAD, identify, record, refused
@@ -31,6 +32,10 @@ def roving(tmp_path: Path) -> Path:
         frf58(-H[:, k - 1] if d > 0 else H[:, k - 1], STEP, response=(3, -3), reference=(k, d))
         for k, d in DIRECTIONS.items()
     ]
+    parts += [
+        frf58(np.full(len(H), 0.9), STEP, response=(3, -3), reference=(k, d), function=6)
+        for k, d in DIRECTIONS.items()
+    ]
     (tmp_path / "r.uff").write_bytes(b"".join(parts))
     return tmp_path
 
@@ -42,7 +47,7 @@ def test_a_sign_before_the_channel_of_a_roving_hammer(roving: Path) -> None:
 
 def test_signs_of_the_file_are_taken_if_asked(roving: Path) -> None:
     campaign = 'signs = "file"\n' + HEAD + SENSOR.replace("-floor", "floor") + forces("", "", "")
-    has_the_modes_of_the_frame(identify(roving, campaign + record("frf", "r.uff")).file)
+    has_the_modes_of_the_frame(identify(roving, campaign + record("frf", "r.uff") + "averages = 10\n").file)
     wrong = campaign.replace('"file"', '"files"') + record("frf", "r.uff")
     assert 'expected "file", found' in refused(roving, wrong)
 

@@ -119,6 +119,7 @@ def _of(modes: list[Found], shape: dict[str, complex]) -> Found:
     known = [mode.damping for mode in modes if np.isfinite(mode.damping)]
     found = [mode.found_in for mode in modes if mode.found_in is not None]
     participation, apart = _participation(modes, shape)
+    of_fits = together([mode.sigma_size for mode in modes])
     return Found(
         float(np.mean([mode.frequency for mode in modes])),
         float(np.mean(known)) if known else np.nan,
@@ -130,9 +131,7 @@ def _of(modes: list[Found], shape: dict[str, complex]) -> Found:
         resolution=max(mode.resolution for mode in modes),
         shift=widest([mode.shift for mode in modes]),
         participation=participation,
-        sigma_size=float(np.nanmax([together([mode.sigma_size for mode in modes]), apart]))
-        if participation
-        else np.nan,
+        sigma_size=max((one for one in (of_fits, apart) if np.isfinite(one)), default=np.nan),
     )
 
 
@@ -142,7 +141,8 @@ def _participation(modes: Sequence[Found], shape: Mapping[str, complex]) -> tupl
     for mode in modes:
         common = [name for name in mode.shape if name in shape]
         own, mean = (np.array([each[name] for name in common]) for each in (mode.shape, shape))
-        scale = complex(np.vdot(mean, own) / np.vdot(mean, mean).real) if common else complex(np.nan)
+        size = float(np.vdot(mean, mean).real)
+        scale = complex(np.vdot(mean, own) / size) if size > 0.0 else complex(np.nan)
         for name, value in mode.participation.items():
             found.setdefault(name, []).append(scale * value)
     means = {name: complex(np.mean(values)) for name, values in found.items()}

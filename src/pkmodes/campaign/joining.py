@@ -104,12 +104,15 @@ def _by_reference(modes: Sequence[Found]) -> tuple[dict[str, complex], list[Foun
     base = max(modes, key=lambda mode: len(mode.shape))
     shape, others, sigmas = dict(base.shape), list[Found](), list[float]()
     for mode in modes:
-        common = [name for name in mode.participation if name in base.participation]
-        if mode is base or not common or mode.shape.keys() & shape.keys():
-            others += [] if mode is base else [mode]
+        if mode is base:
             continue
+        common = [name for name in mode.participation if name in base.participation]
         own, of_base = (np.array([one.participation[name] for name in common]) for one in (mode, base))
-        factor = np.vdot(of_base, own) / np.vdot(of_base, of_base).real
+        size = float(np.vdot(of_base, of_base).real)
+        if not size > 0.0 or mode.shape.keys() & shape.keys():
+            others.append(mode)
+            continue
+        factor = np.vdot(of_base, own) / size
         shape |= {name: complex(value * factor) for name, value in mode.shape.items()}
         sigmas += [float(one.sigma_size) for one in (mode, base) if np.isfinite(one.sigma_size)]
     return shape, others, sigmas

@@ -12,7 +12,7 @@ from pkmodes.campaign.description import ForceTable, SensorTable
 from pkmodes.campaign.motion import Motion, motion, motion_of_voltage
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.response.directions import unit_direction
-from pkmodes.signals.functions import Function, computed
+from pkmodes.signals.functions import Function, Kind, computed
 
 #: Channel of a sensor that helps to find modes but is in no shape.
 NONE = "none"
@@ -197,9 +197,10 @@ def _check_names(found: Sequence[Place], where: str) -> None:
 
 
 def signed(one: Function) -> Function:
-    """Return a function along the positive directions of its degrees of freedom."""
+    """Return a function along the positive directions of its degrees of freedom; a coherence has no sign."""
     negative = [end for end in (one.response, one.reference) if NEGATIVE.fullmatch(end)]
-    return computed(one, np.negative) if len(negative) == 1 else one
+    has_sign = one.kind in (Kind.FRF, Kind.TIME)
+    return computed(one, np.negative) if has_sign and len(negative) == 1 else one
 
 
 def unsigned(name: str) -> str:
