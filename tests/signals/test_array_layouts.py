@@ -140,9 +140,12 @@ def test_damaged_files_and_objects_are_refused(tmp_path: Path) -> None:
 def test_a_damaged_file_of_version_7_3_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "x.mat"
     hdf5(path, {"time": TIME, "acc": SIGNALS[:, 0]})
-    path.write_bytes(path.read_bytes()[:700])
-    with pytest.raises(MeasurementError, match="cannot read the MATLAB file"):
-        read_signals(path)
+    whole = path.read_bytes()
+    for damaged in (whole[:700], whole.replace(b"SNOD", b"SNOX"), whole.replace(b"HEAP", b"HEAX")):
+        assert damaged != whole
+        path.write_bytes(damaged)
+        with pytest.raises(MeasurementError, match="cannot read the MATLAB file"):
+            read_signals(path)
 
 
 def test_the_columns_of_a_matrix_that_is_taken_for_a_sensor_are_named(

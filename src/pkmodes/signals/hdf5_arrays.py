@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.arrays import Variable
+from pkmodes.signals.arrays import Variable, loaded
 from pkmodes.signals.functions import Array, Complex
 
 #: Structs in one another at most.
@@ -33,13 +33,8 @@ def hdf5_variables(path: Path, source: str) -> Iterator[Sequence[Variable]]:
         what = "expected a MATLAB file of version 7 or older, found version 7.3, which needs h5py"
         remedy = "install it with pip install 'pkmodes[hdf5]', or save the file with save -v7"
         raise MeasurementError(what, source, remedy) from None
-    try:
-        file = h5py.File(path, "r")
-    except Exception as error:  # damage makes HDF5 raise errors of several types
-        what = f"cannot read the MATLAB file: {error}"
-        raise MeasurementError(what, source, "the file is damaged: copy it again, or use save -v7") from None
-    with file:
-        yield list(_variables(file, "", 0))
+    with loaded(lambda: h5py.File(path, "r"), source, "MATLAB") as file:
+        yield loaded(lambda: list(_variables(file, "", 0)), source, "MATLAB")
 
 
 def _variables(group: Any, prefix: str, depth: int) -> Iterator[Variable]:
