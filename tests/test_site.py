@@ -41,7 +41,8 @@ with without_drawing():
     sys.exit(main(sys.argv[1:]))
 """
 #: Where the digital object identifiers lead: nothing else outside is linked without a reason.
-OUTSIDE = {"doi.org", "pint.readthedocs.io", "github.com", "docs.xarray.dev", "docs.dask.org"}
+OUTSIDE = {"doi.org", "pint.readthedocs.io", "github.com", "docs.xarray.dev", "semver.org"}
+OUTSIDE |= {"docs.dask.org", "jobqueue.dask.org", "kubernetes.dask.org"}
 LATEX = re.compile(r"\\[a-zA-Z]+|\$")
 
 

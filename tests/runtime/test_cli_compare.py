@@ -295,7 +295,7 @@ def test_measurements_that_are_refused(tmp_path: Path, text: str | None, parts: 
 def test_arguments_that_are_refused(tmp_path: Path) -> None:
     modes = write(tmp_path, measured())
     for arguments, part in {
-        (modes, modes): "not valid TOML",
+        (modes, modes, "--poses", modes): "--poses does not apply to two measurement files",
         (modes, PUBLISHED): "the robot file comes first: pkmodes compare ",
         (PUBLISHED,): "missing argument 'MODES.csv|ROBOT.toml' (pkmodes compare)",
         (PUBLISHED, modes, modes): "unexpected extra argument",
