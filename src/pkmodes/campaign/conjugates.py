@@ -56,11 +56,12 @@ def phase_checked(
     if any(wrong):
         names = [f"{one.response}/{one.reference}".removesuffix("/") for one in functions]
         which = [name for name, bad in zip(names, wrong, strict=True) if bad]
-        what = f"expected vibrations that decay after the force, found ones that grow before it in {len(which)} of "
-        what += (
-            f"{len(names)} functions ({', '.join(which[:4])}{', ...' if len(which) > 4 else ''}): these are "
+        some = f"{', '.join(which[:4])}{', ...' if len(which) > 4 else ''}"
+        what = (
+            "expected vibrations that decay after the force, found ones that grow before it in "
+            f"{len(which)} of {len(names)} functions ({some}): these are complex conjugates, with the phase of "
+            "exp(-i omega t)"
         )
-        what += "complex conjugates, with the phase of exp(-i omega t)"
         raise MeasurementError(what, source, "write conjugate = true in the record")
     return tuple(functions)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 from msgspec import Meta
@@ -159,7 +159,9 @@ def _paired(
     ]
 
 
-def _alike(first: Measurements, second: Measurements, rows: Any, others: Any) -> Array:
+def _alike(
+    first: Measurements, second: Measurements, rows: NDArray[np.intp], others: NDArray[np.intp]
+) -> Array:
     """Return the MAC of each row with each other, NaN where fewer than two components are in both."""
     common = [name for name in first.channels if name in second.channels]
     found = np.full((len(rows), len(others)), np.nan)
@@ -184,4 +186,5 @@ def _holm(p: Array) -> NDArray[np.bool_]:
 
 
 def _others(data: Measurements, paired: list[int]) -> list[int]:
-    return [int(data.lines[row]) for row in range(len(data.lines)) if row not in set(paired)]
+    """Return the lines of the rows without a partner."""
+    return [int(line) for line in np.delete(data.lines, paired)]

@@ -19,18 +19,11 @@ from pkmodes.signals.sampling import as_sampled
 from pkmodes.signals.table_columns import Column, Layout, layout_of
 from pkmodes.signals.table_programs import framed
 from pkmodes.signals.table_text import TableText, check_text, split_table
-from pkmodes.signals.units import hertz_in, quotient, seconds_in, unit_text
+from pkmodes.signals.units import hertz_in, quotient, radians_in, seconds_in, unit_text
 
 #: Larger tables would not fit into memory as text and as numbers.
 LARGEST_FILE = 1_000_000_000
-#: Units of phases, and where those without one are radians, between pi and -pi or up to 2 pi, or degrees.
-ANGLES = {
-    "rad": 1.0,
-    "deg": np.pi / 180.0,
-    "degree": np.pi / 180.0,
-    "degrees": np.pi / 180.0,
-    "°": np.pi / 180.0,
-}
+#: Phases without a unit are radians up to the first, between -pi and pi or up to 2 pi, and degrees from the second.
 RADIANS, DEGREES = 2.0 * np.pi, 40.0
 #: Bytes from which binary data are told from text.
 HEAD = 4096
@@ -57,6 +50,11 @@ def read(path: Path, asked: Asked) -> SignalFile:
         file.seek(0)
         frame = framed(file.read(), source)
     text = split_table(frame.content, source, asked.columns)
+    said = (
+        []
+        if frame.rate is None or asked.rate in (None, frame.rate)
+        else [_other_rate(frame.rate, asked.rate)]
+    )
     if asked.rate is None:
         asked = replace(asked, rate=frame.rate)
     layout = layout_of(text.names, f"{source}: line {text.header_line}", asked)
@@ -79,7 +77,7 @@ def read(path: Path, asked: Asked) -> SignalFile:
             _check_coherence(column, numbers, text)
     stated = _stated(text.comments)
     functions = tuple(_function(column, numbers, abscissa, stated, source) for column in layout.columns)
-    messages = tuple(f"{source}: {one}" for one in (*_losses(text.comments), *frame.losses))
+    messages = tuple(f"{source}: {one}" for one in (*said, *_losses(text.comments), *frame.losses))
     return SignalFile(source, functions, (), messages, stated)
 
 
@@ -111,6 +109,10 @@ def _abscissa(layout: Layout, numbers: dict[int, Array], rows: int, text: TableT
         where = f"{text.source}: line {text.line_of(row)}, column {name}"
         raise MeasurementError(what, where, "sort the rows, and give each value once, with enough digits")
     return abscissa
+
+
+def _other_rate(stated: float, asked: float | None) -> str:
+    return f"the file states a rate of {stated:g} Hz; that of the record, {asked:g} Hz, is used"
 
 
 def _clock(place: int, text: TableText) -> Array:
@@ -164,12 +166,12 @@ def _polar(column: Column, magnitude: Array, phase: Array, source: str) -> Compl
     if not label and RADIANS < largest < DEGREES:
         what = f"expected the unit of the phase, found none, and phases up to {largest:.4g}"
         raise MeasurementError(what, where, "write it in the header: [deg] or [rad]")
-    unit = unit_text(label) if label else ("rad" if largest <= RADIANS else "deg")
-    if unit not in ANGLES:
+    factor = radians_in(label or ("rad" if largest <= RADIANS else "deg"))
+    if factor is None:
         raise MeasurementError(f"expected a unit of angle, found {shown(label)}", where, "write deg or rad")
     if column.decibels:
         magnitude = 10.0 ** (magnitude / 20.0)
-    return np.asarray(magnitude * np.exp(1j * ANGLES[unit] * phase))
+    return np.asarray(magnitude * np.exp(1j * factor * phase))
 
 
 def _stated(comments: Sequence[str]) -> dict[str, str]:

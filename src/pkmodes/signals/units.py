@@ -93,11 +93,12 @@ def quotient(label: str) -> tuple[str | None, str | None]:
 
 def seconds_in(label: str) -> float | None:
     """Return the factor from a unit of time to s; None if it is not one."""
-    try:
-        factor, powers = base_units(unit_text(label) or "")
-    except QuantityError:
-        return None
-    return float(factor) if {name: Decimal(str(p)) for name, p in powers.items()} == {"second": 1} else None
+    return _factor_to("second", label)
+
+
+def radians_in(label: str) -> float | None:
+    """Return the factor from a unit of angle to rad; None if it is not one."""
+    return _factor_to("radian", label)
 
 
 def hertz_in(label: str) -> float | None:
@@ -106,6 +107,15 @@ def hertz_in(label: str) -> float | None:
         return float(frequency_factor(unit_text(label) or ""))
     except QuantityError:
         return None
+
+
+def _factor_to(unit: str, label: str) -> float | None:
+    """Return the factor from the unit in a label to a base unit; None if it is one of another kind."""
+    try:
+        factor, powers = base_units(unit_text(label) or "")
+    except QuantityError:
+        return None
+    return float(factor) if {name: Decimal(str(p)) for name, p in powers.items()} == {unit: 1} else None
 
 
 def _named(factor: float, known: Mapping[float, str]) -> str | None:
