@@ -33,6 +33,7 @@ def test_changes_are_those_of_the_files() -> None:
     assert [first.differs, second.differs] == [False, True]
     assert len(found.first_unpaired) == len(found.second_unpaired) == 1
     assert found.chi2 == pytest.approx(first.sigmas**2 + second.sigmas**2)
+    assert found.chi2 == pytest.approx(0.1**2 / 0.02 + 3.0**2 / 0.02)
     assert found.median_relative == pytest.approx(np.median([0.002, 0.05]))
 
 

@@ -101,7 +101,7 @@ def deliver(
 def unlike(
     folder: Path, contents: Mapping[str, str | bytes], option: str, overwrite: bool
 ) -> dict[str, str | bytes]:
-    """Return what is not yet in a folder as it shall be.
+    """Return the files that a folder lacks, or has with another content.
 
     Parameters
     ----------

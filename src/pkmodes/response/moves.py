@@ -40,7 +40,7 @@ class Move:
     deviation : ndarray, shape (T, d)
         Of the platform from `poses` [m].  Static sag under gravity is not part of it.
     robot : Robot
-        Which moves.
+        The robot that moves.
     """
 
     time: Array

@@ -240,7 +240,7 @@ class Statics(AtPoses):
     rotations : ndarray, shape (..., n - k)
         Rotations of the dependent coordinates from the unstrained transmissions [rad], in their order.
     robot : Robot
-        Whose they are.
+        The robot that they hold.
     valid : ndarray of bool, shape (...)
         Which poses could be evaluated.
     reason : ndarray of str, shape (...)
