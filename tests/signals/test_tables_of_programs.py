@@ -165,6 +165,17 @@ def test_times_printed_with_few_digits_are_even(rate: float, digits: int, repeat
     assert pieces[0].step == pytest.approx(1 / rate, rel=1e-6)
 
 
+def test_values_may_be_missing_outside_the_band(tmp_path: Path) -> None:
+    text = "frequency [kHz];re:s1;im:s1\n0;nan;nan\n0,001;;3\n0,002;4;5\n0,003;6;7\n0,004;8;NaN\n"
+    asked = Asked(band=(2.0, 3.5))
+    (found,) = read(tmp_path, text, asked).functions
+    assert found.abscissa.tolist() == [2.0, 3.0]
+    assert found.values.tolist() == [4 + 5j, 6 + 7j]
+    with pytest.raises(MeasurementError, match="found nothing") as error:
+        read(tmp_path, text.replace("0,003;6;7", "0,003;6;"), asked)
+    assert error.value.where.endswith("line 5, column im:s1")
+
+
 def test_a_carriage_return_inside_a_line_is_a_fault(tmp_path: Path) -> None:
     with pytest.raises(MeasurementError, match="a carriage return inside it") as error:
         read(tmp_path, "time,x,y\n0,1.5,2\n0.25,-2.5\r1,3\n")

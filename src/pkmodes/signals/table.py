@@ -58,9 +58,10 @@ def read(path: Path, asked: Asked) -> SignalFile:
     if asked.rate is None:
         asked = replace(asked, rate=frame.rate)
     layout = layout_of(text.names, f"{source}: line {text.header_line}", asked)
-    if layout.kind is Kind.FRF and layout.abscissa is not None:
-        text = text.without_empty_zero(layout.abscissa)
     wanted = [place for column in layout.columns for place in column.places]
+    if layout.kind is Kind.FRF and layout.abscissa is not None and text.may_have_gaps:
+        factor = _factor(layout, text)
+        text = text.without_gaps(layout.abscissa, wanted, lambda number: _counts(factor * number, asked.band))
     read_places = ([] if layout.abscissa is None else [layout.abscissa]) + wanted
     if not read_places:  # still checked, so that a damaged table is not taken for one without these sensors
         read_places = [0]
@@ -90,16 +91,7 @@ def _abscissa(layout: Layout, numbers: dict[int, Array], rows: int, text: TableT
         assert asked.rate is not None
         return np.arange(rows) / asked.rate
     name = text.names[layout.abscissa]
-    factor: float | None = 1.0
-    if layout.label:
-        factor = (seconds_in if layout.kind is Kind.TIME else hertz_in)(layout.label)
-    if factor is None:
-        where = f"{text.source}: line {text.header_line}, column {name}"
-        expected = "time" if layout.kind is Kind.TIME else "frequency"
-        raise MeasurementError(
-            f"expected a unit of {expected}, found {shown(layout.label)}", where, "correct it"
-        )
-    abscissa = numbers[layout.abscissa] * factor
+    abscissa = numbers[layout.abscissa] * _factor(layout, text)
     if layout.kind is Kind.TIME:
         abscissa = as_sampled(abscissa)
     late = np.flatnonzero(np.diff(abscissa) <= 0.0)
@@ -109,6 +101,24 @@ def _abscissa(layout: Layout, numbers: dict[int, Array], rows: int, text: TableT
         where = f"{text.source}: line {text.line_of(row)}, column {name}"
         raise MeasurementError(what, where, "sort the rows, and give each value once, with enough digits")
     return abscissa
+
+
+def _factor(layout: Layout, text: TableText) -> float:
+    """Return the factor of the times or frequencies to s or Hz."""
+    assert layout.abscissa is not None
+    factor = (seconds_in if layout.kind is Kind.TIME else hertz_in)(layout.label) if layout.label else 1.0
+    if factor is None:
+        where = f"{text.source}: line {text.header_line}, column {text.names[layout.abscissa]}"
+        expected = "time" if layout.kind is Kind.TIME else "frequency"
+        raise MeasurementError(
+            f"expected a unit of {expected}, found {shown(layout.label)}", where, "correct it"
+        )
+    return factor
+
+
+def _counts(frequency: float, band: tuple[float, float] | None) -> bool:
+    """Return whether a line must have its values: in the band, without one above 0 Hz."""
+    return frequency > 0.0 if band is None else band[0] <= frequency <= band[1]
 
 
 def _other_rate(stated: float, asked: float | None) -> str:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import io
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -25,6 +25,8 @@ BLANKS = re.compile(rb"[ \t]+")
 AROUND_LINES = re.compile(rb"^[ \t]+|[ \t]+(?=\r?$)", re.MULTILINE)
 #: Carriage returns that end no line; a reader of numbers would take them for line ends.
 INSIDE_LINES = re.compile(rb"\r(?![\r\n]|\Z)")
+#: Within the rows, what is or may be a missing value: no number, or nothing between two separators or at an end.
+GAP = re.compile(rb"[nN][aA][nN]|[iI][nN][fF]|[;,\t] *[;,\t\r\n]|^ *[;,\t]|[;,\t] *\Z", re.MULTILINE)
 MISSING = re.compile(r"[+-]?(?:nan|inf|infinity)|", re.IGNORECASE)
 REMEDY = "start with a row of names: time and the sensors, or frequency with re: and im: columns, or psd_x"
 #: Lines at the end in which spreadsheet programs leave nothing but separators.
@@ -112,18 +114,29 @@ class TableText:
         """Return the cells of a column."""
         return [self._cells(line)[column] for _, line in self._rows()]
 
-    def without_empty_zero(self, abscissa: int) -> TableText:
-        """Return the table without its first row if that is the line at 0 Hz and lacks a value: a division by 0."""
-        first = next(self._rows(), None)
-        if first is None:
-            return self
-        cells = self._cells(first[1])
-        if len(cells) != len(self.names) or not any(map(MISSING.fullmatch, cells)):
-            return self
-        at = number_in(cells[abscissa].replace(",", "."), None)
-        if at != 0.0:
-            return self
-        return self.without_first_row()
+    @property
+    def may_have_gaps(self) -> bool:
+        """Whether a cell may be empty or no finite number: a quick look, which may err on this side."""
+        return GAP.search(self.body) is not None
+
+    def without_gaps(
+        self, abscissa: int, wanted: Sequence[int], counts: Callable[[float], bool]
+    ) -> TableText:
+        """Return the table without the rows that lack a wanted value and do not count.
+
+        Parameters
+        ----------
+        counts : callable
+            Whether a row does, by the number in the column `abscissa`.
+        """
+        lines = self.body.split(b"\n")
+        for number, line in self._rows():
+            cells = self._cells(line)
+            if len(cells) == len(self.names) and any(MISSING.fullmatch(cells[i]) for i in wanted):
+                at = number_in(cells[abscissa].replace(",", "."), None)
+                if at is not None and not counts(at):
+                    lines[number - self.first_line] = b""  # the numbers of the others stay
+        return replace(self, body=b"\n".join(lines))
 
     def without_first_row(self) -> TableText:
         """Return the table without its first row."""
