@@ -118,7 +118,11 @@ def test_warnings_of_libraries_are_not_shown_unless_asked_for(tmp_path: Path) ->
 
 
 def test_a_program_that_imports_the_package_keeps_its_interrupts() -> None:
-    code = "import signal, pkmodes; print(signal.getsignal(signal.SIGINT) is signal.default_int_handler)"
+    # Set first: a process that is started in the background inherits that interrupts are ignored.
+    code = (
+        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); import pkmodes;"
+        "print(signal.getsignal(signal.SIGINT) is signal.default_int_handler)"
+    )
     done = subprocess.run(
         [sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT / "src"
     )
