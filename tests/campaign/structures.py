@@ -79,9 +79,9 @@ class Frame:
     ratios: np.ndarray
 
     @classmethod
-    def build(cls) -> Frame:
+    def build(cls, stiffer: float = 1.0) -> Frame:
         M = np.diag([4.0, 3.0, 2.0])
-        k = np.array([1.6e6, 1.1e6, 0.7e6])
+        k = stiffer * np.array([1.6e6, 1.1e6, 0.7e6])
         K = np.array([[k[0] + k[1], -k[1], 0.0], [-k[1], k[1] + k[2], -k[2]], [0.0, -k[2], k[2]]])
         return cls(M, K, np.array([0.012, 0.008, 0.02]))
 

@@ -5,7 +5,7 @@ Another kind is an entry of `KINDS` and a function.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,7 +13,8 @@ from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import FileModes
 from pkmodes.campaign.frequency_records import frf_modes, spectrum_modes
 from pkmodes.campaign.identified_modes import identified_modes
-from pkmodes.campaign.time_records import ambient_modes, impact_modes
+from pkmodes.campaign.impact_records import impact_modes, roving_modes
+from pkmodes.campaign.time_records import ambient_modes
 
 
 @dataclass(frozen=True)
@@ -28,16 +29,19 @@ class Kind:
     by_channel : bool
     signals : bool
         Whether its files have signals, to which a mode can be fitted.
+    roving : callable or None
+        The modes of one file of each setup, fitted together, where a hammer roved in front of sensors that stayed.
     """
 
     find: Callable[[Path, Record, str, Campaign], FileModes]
     by_channel: bool = False
     signals: bool = True
+    roving: Callable[[Mapping[str, Path], Record, Campaign], FileModes] | None = None
 
 
 KINDS = {
     "frf": Kind(frf_modes),
-    "impact": Kind(impact_modes),
+    "impact": Kind(impact_modes, roving=roving_modes),
     "ambient": Kind(ambient_modes),
     "spectrum": Kind(spectrum_modes),
     "modes": Kind(identified_modes, by_channel=True, signals=False),

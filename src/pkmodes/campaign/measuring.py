@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 from pkmodes.campaign.averaging import Mean, averaged
@@ -16,6 +17,7 @@ from pkmodes.campaign.inspection import Inspection, Repeats, inspection
 from pkmodes.campaign.joining import joined
 from pkmodes.campaign.kinds import Kind
 from pkmodes.campaign.results import LeftOut
+from pkmodes.campaign.roving import changed, points_of
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.asked import NEAR
 
@@ -48,7 +50,7 @@ class Measured:
 class _Setup:
     """The files of a setup that could be read, what to say of them, and those left out."""
 
-    paths: Sequence[Path]
+    names: Sequence[str]
     found: Sequence[FileModes]
     messages: Sequence[str]
     left_out: Sequence[LeftOut]
@@ -74,25 +76,20 @@ def measured(
     """
     asked = campaign.asked(record)
     check_asked(asked, record, kind, campaign.source)
+    setups = _setups(record, kind, campaign, keep_going, inspect)
     means: dict[str, list[Mean]] = {}
     added: dict[float, dict[str, Mean | str]] = {wanted: {} for wanted in asked.add}
-    left_out: list[LeftOut] = []
     messages = copied_repeats(record)
-    inspections: list[Inspection] = []
     repeats: list[Repeats] = []
-    for setup, paths in record.setups.items():
-        one = _read(record, setup, paths, kind, campaign, keep_going, inspect)
-        left_out += one.left_out
+    for setup, one in setups.items():
         messages += one.messages
         if not one.found:
             continue
-        inspections += [] if one.inspection is None else [one.inspection]
         messages += _gaps_in_the_record(record, setup, one, campaign)
-        least = max(1.0, OFTEN * len(one.found))
-        groups = [group for group in grouped([file.modes for file in one.found]) if len(group) >= least]
+        groups = _groups(one)
         more: dict[float, dict[int, Found]] = {}
         for i, wanted in enumerate(asked.add):
-            group = added_group([file.added[i] for file in one.found], wanted, least)
+            group = added_group([file.added[i] for file in one.found], wanted, _least(one))
             if isinstance(group, str):
                 added[wanted][setup] = group
             else:
@@ -101,56 +98,99 @@ def measured(
         means[setup] = together[: len(groups)]
         for wanted, mean in zip(more, together[len(groups) :], strict=True):
             added[wanted][setup] = mean
-        names = tuple(path.name for path in one.paths)
-        repeats.append(Repeats(setup, names, tuple(map(_frequencies, [*groups, *more.values()]))))
+        repeats.append(Repeats(setup, tuple(one.names), tuple(map(_frequencies, [*groups, *more.values()]))))
     found, notes = joined(means) if means else ([], [])
     further = [_joined(wanted, each, record, campaign, notes) for wanted, each in added.items() if means]
     said = [*messages, *(f"{record.pose}: {note}" for note in notes)]
+    left_out = [one for each in setups.values() for one in each.left_out]
+    inspections = [one.inspection for one in setups.values() if one.inspection is not None]
     return Measured(record, found, further, left_out, said, inspections, repeats)
 
 
+def _setups(
+    record: Record, kind: Kind, campaign: Campaign, keep_going: bool, inspect: bool
+) -> dict[str, _Setup]:
+    """Return the setups of a record; those of a hammer that roved over a steady machine are one."""
+    setups = {}
+    for setup, paths in record.setups.items():
+        files = {str(path): partial(_find, path, record, setup, kind, campaign) for path in paths}
+        setups[setup] = _read(setup, files, record, campaign, keep_going, inspect)
+    points = points_of(record, campaign)
+    if kind.roving is None or not points or any(one.left_out for one in setups.values()):
+        return setups
+    if shift := changed([averaged(_groups(one)) for one in setups.values()]):
+        said = f"{record.pose}: {shift}: each point is fitted by itself"
+        first = next(iter(setups))
+        return setups | {first: replace(setups[first], messages=[said, *setups[first].messages])}
+    runs = {
+        f"{record.pose}, file {i} of each setup": partial(kind.roving, each, record, campaign)
+        for i, each in enumerate(points, start=1)
+    }
+    return {"": _read("", runs, record, campaign, keep_going, inspect)}
+
+
+def _least(setup: _Setup) -> float:
+    """Return in how many files of a setup a mode must be."""
+    return max(1.0, OFTEN * len(setup.found))
+
+
+def _groups(setup: _Setup) -> list[dict[int, Found]]:
+    return [g for g in grouped([file.modes for file in setup.found]) if len(g) >= _least(setup)]
+
+
 def _read(
-    record: Record,
     setup: str,
-    paths: Sequence[Path],
-    kind: Kind,
+    files: Mapping[str, Callable[[], FileModes]],
+    record: Record,
     campaign: Campaign,
     keep_going: bool,
     inspect: bool,
 ) -> _Setup:
-    """Return the modes in each file of a setup that can be read."""
-    files: list[FileModes] = []
-    read: list[Path] = []
+    """Return the modes in each file of a setup that can be read; `files` are what reads them, by name."""
+    every: list[FileModes] = []
+    read: list[str] = []
     left_out: list[LeftOut] = []
     messages: list[str] = []
     drawn: Inspection | None = None
-    for path in paths:
+    for name, find in files.items():
         try:
-            found = kind.find(path, record, setup, campaign)
+            found = find()
         except MeasurementError as error:
             if not keep_going:
                 raise
-            left_out.append(LeftOut(str(path), f"{error.what} ({error.where})"))
+            left_out.append(LeftOut(name, f"{error.what} ({error.where})"))
             continue
-        if inspect and found.fit is not None and not files:
-            drawn = inspection(setup, path.name, found.fit)
-        found = replace(found, fit=None)  # its functions may be large
-        added = tuple(_added(one, record, setup, kind, campaign) for one in found.added)
-        every = [*found.modes, *(one for one in added if not isinstance(one, str))]
-        messages += [*found.messages, *_beside_tones(every, path, campaign.tones)]
-        inside = _in_band(found.modes, record, path, messages)
-        modes = tuple(_named(mode, setup, kind, campaign) for mode in inside)
-        files.append(replace(found, modes=modes, added=added))
-        read.append(path)
-    return _Setup(read, files, messages, left_out, drawn)
+        if inspect and found.fit is not None and not every:
+            drawn = inspection(setup, Path(name).name, found.fit)
+        added = tuple(_added(one, record) for one in found.added)
+        modes = [*found.modes, *(one for one in added if not isinstance(one, str))]
+        messages += [*found.messages, *_beside_tones(modes, name, campaign.tones)]
+        inside = _in_band(found.modes, record, name, messages)
+        # The functions of a fit may be large.
+        every.append(replace(found, modes=tuple(inside), added=added, fit=None))
+        read.append(Path(name).name)
+    return _Setup(read, every, messages, left_out, drawn)
 
 
-def _added(one: Found | str, record: Record, setup: str, kind: Kind, campaign: Campaign) -> Found | str:
+def _find(path: Path, record: Record, setup: str, kind: Kind, campaign: Campaign) -> FileModes:
+    """Return the modes of a file of a setup, by the keys of its sensors and forces."""
+    found = kind.find(path, record, setup, campaign)
+
+    def named(mode: Found) -> Found:
+        return _named(mode, setup, campaign)
+
+    if kind.by_channel:
+        return found
+    added = tuple(one if isinstance(one, str) else named(one) for one in found.added)
+    return replace(found, modes=tuple(map(named, found.modes)), added=added)
+
+
+def _added(one: Found | str, record: Record) -> Found | str:
     """Return a mode that the user adds, or why there is none in a file."""
     if isinstance(one, str):
         return one
     low, high = record.band
-    return _named(one, setup, kind, campaign) if low <= one.frequency <= high else "its fit leaves the band"
+    return one if low <= one.frequency <= high else "its fit leaves the band"
 
 
 def _gaps_in_the_record(record: Record, setup: str, one: _Setup, campaign: Campaign) -> list[str]:
@@ -186,7 +226,7 @@ def _frequencies(group: Mapping[int, Found]) -> dict[int, float]:
     return {i: mode.frequency for i, mode in sorted(group.items())}
 
 
-def _in_band(modes: Sequence[Found], record: Record, path: Path, messages: list[str]) -> list[Found]:
+def _in_band(modes: Sequence[Found], record: Record, path: str, messages: list[str]) -> list[Found]:
     low, high = record.band
     inside = [mode for mode in modes if low <= mode.frequency <= high]
     if len(inside) < len(modes):
@@ -195,7 +235,7 @@ def _in_band(modes: Sequence[Found], record: Record, path: Path, messages: list[
     return inside
 
 
-def _beside_tones(modes: Sequence[Found], path: Path, tones: Sequence[float]) -> list[str]:
+def _beside_tones(modes: Sequence[Found], path: str, tones: Sequence[float]) -> list[str]:
     """Name the modes that lie beside a stated tone or one of its multiples."""
     found = []
     for mode in modes:
@@ -208,10 +248,8 @@ def _beside_tones(modes: Sequence[Found], path: Path, tones: Sequence[float]) ->
     return found
 
 
-def _named(mode: Found, setup: str, kind: Kind, campaign: Campaign) -> Found:
+def _named(mode: Found, setup: str, campaign: Campaign) -> Found:
     """Return a mode whose sensors have names of their own where they hold in one setup only."""
-    if kind.by_channel:
-        return mode
     known = {**campaign.forces_in(setup), **campaign.sensors_in(setup)}
     names = {name: place.key for name, place in known.items()}
     return replace(

@@ -15,8 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.found import NAMELESS, FileModes, Fit, modes_of_fit
-from pkmodes.campaign.frequency_records import Responses, frf_fit, of_reference, tones_of
+from pkmodes.campaign.found import FileModes, Fit, modes_of_fit
 from pkmodes.campaign.quotients import force_in
 from pkmodes.campaign.sensor_functions import (
     ACCELERATION,
@@ -26,10 +25,8 @@ from pkmodes.campaign.sensor_functions import (
     motion_of,
     sensor_functions,
 )
-from pkmodes.campaign.sensors import Place
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.identification.estimates import Estimate, Mode
-from pkmodes.identification.frf_estimates import impact_estimate
+from pkmodes.identification.estimates import Mode
 from pkmodes.identification.level import levels
 from pkmodes.identification.ssi_bands import FEWEST_PERIODS
 from pkmodes.identification.ssi_identification import identify_responses
@@ -42,8 +39,6 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Longest gap that is bridged, in periods of the upper end of the band.
 BRIDGED = 0.1
-#: Periods of the lower end of the band that a record of blows has at least.
-PERIODS_OF_BLOWS = 2.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -220,99 +215,10 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
         given.names,
     )
     said = (*given.messages, *(f"{given.source}: {message}" for message in messages))
-    return _with_levels(fit, said, given, campaign.unsigned_forces_in(setup))
+    return with_levels(fit, said, given, campaign.unsigned_forces_in(setup))
 
 
-def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
-    """Return the modes of the blows in a file, their shapes by sensor.
-
-    Raises
-    ------
-    MeasurementError
-        If the file is faulty, has no force, or fewer blows than the campaign says.
-    """
-    given = time_signals(path, record, setup, campaign)
-    if not given.forces:
-        remedy = "name its column force, or give its type in the universal file; without a force the kind is ambient"
-        raise MeasurementError("expected a force, found none", given.source, remedy)
-    if len(given.pieces) > 1:
-        what = f"expected one piece of even sampling, found {len(given.pieces)}"
-        raise MeasurementError(what, given.source, "measure the blows again, or leave the file out")
-    force = given.forces[0]
-    if not np.ptp(force):
-        raise MeasurementError(
-            "expected blows, found a constant force", given.source, "check the hammer's cable"
-        )
-    seconds = len(force) * given.step
-    if seconds * record.band[0] < PERIODS_OF_BLOWS:
-        what = (
-            f"expected at least {PERIODS_OF_BLOWS:g} periods of {record.band[0]:g} Hz, found {seconds:.3g} s"
-        )
-        raise MeasurementError(what, given.source, "measure longer, or narrow the band")
-    acting = _acting(given.force, setup, campaign, given.source)
-    with in_file(given.source):
-        functions = impact_estimate(
-            given.step,
-            force,
-            given.pieces[0],
-            hits=record.hits,
-            exponential=record.exponential,
-            names=given.names,
-        )
-        f = functions.frequencies
-        values = functions.H * given.as_accelerations(2j * np.pi * f)[:, :, None]
-        responses = Responses(f, values, functions.coherence, given.names, (), (given.force,))
-        if acting is not None:
-            responses = responses.roving([0], [acting.name])
-        fit = frf_fit(responses, functions.averages, record, campaign)
-    of_blows = [f"{given.source}: {message}" for message in functions.messages]
-    said = (*given.messages, *of_blows, *tones_of(fit, given.source))
-    fit = replace(fit, estimate=_complete(fit.estimate, float(1.0 / f[1]), record.exponential))
-    return _with_levels(fit, said, given, campaign.unsigned_forces_in(setup), record.exponential)
-
-
-def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Place | None:
-    """Return the force of the campaign that is measured in a file, None if it has none in this setup.
-
-    Raises
-    ------
-    MeasurementError
-        If it is none of the campaign's forces, or one of several.
-    """
-    forces = campaign.forces_in(setup)
-    if not forces:
-        return None
-    found = of_reference(name, forces)
-    if found is None and name in NAMELESS and len(forces) == 1:
-        found = next(iter(forces.values()))
-    if found is None:
-        what = f"expected a force of the campaign, {', '.join(map(shown, forces))}, found {shown(name)}"
-        remedy = 'name each [[force]] as in the files; where these say only "force", give each its setup'
-        raise MeasurementError(what, source, remedy)
-    return found
-
-
-def _complete(estimate: Estimate, length: float, exponential: float | None) -> Estimate:
-    """Return the modes of blows with the participations of complete decays: the record cuts them off.
-
-    Parameters
-    ----------
-    length : float
-        Of the record of each blow [s].
-    """
-
-    def whole(mode: Mode) -> Mode:
-        pole = mode.pole - (1.0 / exponential if exponential else 0.0)
-        return replace(mode, participation=np.asarray(mode.participation) / (1.0 - np.exp(pole * length)))
-
-    return replace(
-        estimate,
-        modes=tuple(map(whole, estimate.modes)),
-        added=tuple(one if isinstance(one, str) else whole(one) for one in estimate.added),
-    )
-
-
-def _with_levels(
+def with_levels(
     fit: Fit, messages: Sequence[str], given: TimeSignals, forces: set[str], exponential: float | None = None
 ) -> FileModes:
     """Return what a file gives, its modes with their levels.

@@ -75,6 +75,18 @@ CATALOGUE = (
         "pkmodes identify examples/printer/campaign.toml --out modes.csv",
     ),
     _example(
+        "tapped_printer",
+        "Recordings of a printer with RepRapFirmware, one of whose belts is softer.",
+        "tapped-printer",
+        "pkmodes identify examples/tapped_printer/campaign.toml --out modes.csv",
+    ),
+    _example(
+        "roving_hammer",
+        "Blows in time at six points of a linear delta, and its robot file.",
+        "roving-hammer",
+        "pkmodes identify examples/roving_hammer/campaign.toml --out modes.csv",
+    ),
+    _example(
         "voron",
         "Published resonances of a real printer at several belt tensions.",
         "voron",

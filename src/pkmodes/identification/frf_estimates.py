@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,6 +55,8 @@ class ImpactEstimate:
         Number of blows.
     messages : tuple of str
         Double hits and overloads.
+    sigma_size : float
+        Standard deviation of the size of all functions by the noise of the force while it acts, relative.
     """
 
     frequencies: Array
@@ -61,6 +64,7 @@ class ImpactEstimate:
     coherence: Array | None
     averages: int
     messages: tuple[str, ...]
+    sigma_size: float
 
 
 def impact_estimate(
@@ -71,6 +75,7 @@ def impact_estimate(
     hits: int = 1,
     exponential: float | None = None,
     names: Sequence[str] = (),
+    longest: int | None = None,
 ) -> ImpactEstimate:
     """Return the functions of the blows in a file.
 
@@ -86,6 +91,8 @@ def impact_estimate(
         Time constant of a window that the responses have had, from the first sample [s].
     names : sequence of str
         Of the responses, for messages.
+    longest : int, optional
+        Samples after each blow that are used at most, so that the functions of several files have the same lines.
 
     Raises
     ------
@@ -96,27 +103,47 @@ def impact_estimate(
     ----------
     Bendat and Piersol 2010, section 9.1.
     """
-    offset = float(np.median(force))
-    pulses = force - offset
-    pulses = pulses if pulses.max() >= -pulses.min() else -pulses  # the hammer's sign is only its own
-    sign = 1.0 if force[int(np.argmax(np.abs(force - offset)))] >= offset else -1.0
+    pulses, sign = _pulses(force)
     starts = _blows(pulses, step, hits)
-    edges = [*starts, len(force)]
-    length = min(edges[i + 1] - edges[i] for i in range(len(starts)))
+    length = min(_shortest(starts, len(force)), longest or len(force))
     messages = [*overloads(force[:, None], ("force",)), *overloads(responses, names)]
     X = np.empty((len(starts), length // 2 + 1), complex)
     Y = np.empty((*X.shape, responses.shape[1]), complex)
+    impulse = variance = 0.0
     for i, start in enumerate(starts):
         piece = pulses[start : start + length]
         contact = _contact(piece, step)
         if _bounces(piece, step):
             messages.append(f"blow {i + 1} at {start * step:.3g} s is a double hit")
+        impulse += float(piece[contact].sum())
+        variance += _noise(piece) ** 2 * float(contact.sum())
         X[i] = np.fft.rfft(sign * np.where(contact, piece, 0.0))
         level = np.exp(start * step / exponential) if exponential else 1.0
         Y[i] = np.fft.rfft(responses[start : start + length], axis=0) * level
-    return ImpactEstimate(
-        np.asarray(np.fft.rfftfreq(length, step), dtype=float), *h1(X, Y), len(starts), tuple(messages)
-    )
+    lines = np.asarray(np.fft.rfftfreq(length, step), dtype=float)
+    return ImpactEstimate(lines, *h1(X, Y), len(starts), tuple(messages), float(np.sqrt(variance) / impulse))
+
+
+def samples_of_blows(step: float, force: Array, hits: int = 1) -> int:
+    """Return the number of samples from a blow to the next or to the end, the least one of a file.
+
+    Raises
+    ------
+    MeasurementError
+        If there are fewer blows.
+    """
+    return _shortest(_blows(_pulses(force)[0], step, hits), len(force))
+
+
+def _pulses(force: Array) -> tuple[Array, float]:
+    """Return a force from its rest, its blows positive, and their sign: the hammer's is only its own."""
+    pulses = force - float(np.median(force))
+    sign = 1.0 if pulses[int(np.argmax(np.abs(pulses)))] >= 0.0 else -1.0
+    return sign * pulses, sign
+
+
+def _shortest(starts: Sequence[int], end: int) -> int:
+    return min(after - start for start, after in pairwise([*starts, end]))
 
 
 def h1(X: Complex, Y: Complex) -> tuple[Complex, Array | None]:

@@ -8,6 +8,7 @@ Its linkages stretch, which its robot file does not declare.
 from __future__ import annotations
 
 import argparse
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -31,21 +32,21 @@ CHANNELS = (*RAILS, "p_x", "p_y", "p_z")
 REPEATS = 3
 
 
-def machine() -> Machine:
-    """Return the machine as it is."""
+def machine(effects: Mapping[str, float] = EFFECTS) -> Machine:
+    """Return the machine as it is, which has more than the robot file says."""
     declared = read("published").parameters
     real = declared._replace(**{name: getattr(declared, name) * factor for name, factor in ERRORS.items()})
     losses = Losses(0.004, dict.fromkeys(RAILS, 3.0), factor=0.006)
-    return Machine(true_modes, real, EFFECTS, losses=losses, held=True)
+    return Machine(true_modes, real, effects, losses=losses, held=True)
 
 
-def robot_text() -> str:
-    """Return the robot file as its owner would write it."""
+def robot_text(name: str = "tapped-delta") -> str:
+    """Return the robot file as its owner would write it, with the name of the robot."""
     text = ROBOTS["published"].split("format = 1", 1)[1]
     return (
         "# The published linear delta as a test engineer would declare it: four values have an uncertainty.\n"
         "# Something in it is more compliant than this file says, and something rubs: README.md.\n\nformat = 1"
-        + text.replace('name = "linear-delta-2022"', 'name = "tapped-delta"')
+        + text.replace('name = "linear-delta-2022"', f'name = "{name}"')
         + '\n[damping]                    # of bolted joints, roughly\nratio = { value = "0.5 %", sigma = "50 %" }\n'
     )
 

@@ -1,0 +1,190 @@
+"""Records of hammer blows in time: the functions of a file, or of all points over which a hammer roved.
+
+In front of sensors that stay, the points that are hit are the places of the shape and the sensors its references.
+Their functions, though measured one after the other, are those of one structure, and are fitted together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.campaign.campaign import Campaign, Record
+from pkmodes.campaign.found import NAMELESS, FileModes
+from pkmodes.campaign.frequency_records import Responses, frf_fit, of_reference, tones_of
+from pkmodes.campaign.sensor_functions import in_file
+from pkmodes.campaign.sensors import Place, unsigned
+from pkmodes.campaign.time_records import TimeSignals, time_signals, with_levels
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.identification.estimates import Estimate, Mode
+from pkmodes.identification.frf_estimates import impact_estimate, samples_of_blows
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+#: Periods of the lower end of the band that a record of blows has at least.
+PERIODS_OF_BLOWS = 2.0
+#: Relative difference of the rates of two files that is rounding.
+ROUNDING = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class _Blows:
+    """The signals of a file of blows, and the force of the campaign that acts in it; None if it names none."""
+
+    signals: TimeSignals
+    acting: Place | None
+
+
+def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
+    """Return the modes of the blows in a file, their shapes by sensor, or by force where the hammer roved.
+
+    Raises
+    ------
+    MeasurementError
+        If the file is faulty, has no force, or fewer blows than the campaign says.
+    """
+    one = _blows(path, record, setup, campaign)
+    names = () if one.acting is None else (one.acting.name,)
+    found = _modes([one], names, record, campaign, one.signals.source)
+    return replace(found, seen=found.seen | campaign.unsigned_forces_in(setup))
+
+
+def roving_modes(points: Mapping[str, Path], record: Record, campaign: Campaign) -> FileModes:
+    """Return the modes of the blows at all points of a hammer that roved, their shapes by the keys of the forces.
+
+    Parameters
+    ----------
+    points : mapping of str to Path
+        A file of each setup, each with a force of the campaign.
+
+    Raises
+    ------
+    MeasurementError
+        If a file is faulty, or they differ in their sensors or rates.
+    """
+    every = [_blows(path, record, setup, campaign) for setup, path in points.items()]
+    first = every[0].signals
+    for one in (each.signals for each in every):
+        if one.names != first.names or abs(one.step / first.step - 1.0) > ROUNDING:
+            what = f"expected the sensors and the rate of {first.source}"
+            raise MeasurementError(what, one.source, "measure all points alike")
+    acting = [one.acting for one in every if one.acting is not None]
+    found = _modes(every, [one.key for one in acting], record, campaign, record.pose)
+    return replace(found, seen=found.seen | {unsigned(one.name) for one in acting})
+
+
+def _blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows:
+    """Read a file of blows."""
+    given = time_signals(path, record, setup, campaign)
+    if not given.forces:
+        remedy = "name its column force, or give its type in the universal file; without a force the kind is ambient"
+        raise MeasurementError("expected a force, found none", given.source, remedy)
+    if len(given.pieces) > 1:
+        what = f"expected one piece of even sampling, found {len(given.pieces)}"
+        raise MeasurementError(what, given.source, "measure the blows again, or leave the file out")
+    if not np.ptp(given.forces[0]):
+        what = "expected blows, found a constant force"
+        raise MeasurementError(what, given.source, "check the hammer's cable")
+    seconds = len(given.forces[0]) * given.step
+    if seconds * record.band[0] < PERIODS_OF_BLOWS:
+        what = (
+            f"expected at least {PERIODS_OF_BLOWS:g} periods of {record.band[0]:g} Hz, found {seconds:.3g} s"
+        )
+        raise MeasurementError(what, given.source, "measure longer, or narrow the band")
+    return _Blows(given, _acting(given.force, setup, campaign, given.source))
+
+
+def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Place | None:
+    """Return the force of the campaign that is measured in a file, None if it has none in this setup.
+
+    Raises
+    ------
+    MeasurementError
+        If it is none of the campaign's forces, or one of several.
+    """
+    forces = campaign.forces_in(setup)
+    if not forces:
+        return None
+    found = of_reference(name, forces)
+    if found is None and name in NAMELESS and len(forces) == 1:
+        found = next(iter(forces.values()))
+    if found is None:
+        what = f"expected a force of the campaign, {', '.join(map(shown, forces))}, found {shown(name)}"
+        remedy = 'name each [[force]] as in the files; where these say only "force", give each its setup'
+        raise MeasurementError(what, source, remedy)
+    return found
+
+
+def _modes(
+    every: Sequence[_Blows], forces: Sequence[str], record: Record, campaign: Campaign, source: str
+) -> FileModes:
+    """Return the modes of files of blows, their shapes at the forces with these names, or else at the sensors."""
+    hits, signals = record.hits, [one.signals for one in every]
+    step, sensors = signals[0].step, signals[0].names
+    said = [message for one in signals for message in one.messages]
+    lengths, values, coherences, sizes = list[int](), list[Complex](), list[Array | None](), list[float]()
+    for one in signals:
+        with in_file(one.source):
+            lengths.append(samples_of_blows(step, one.forces[0], hits))
+    for one in signals:
+        with in_file(one.source):
+            functions = impact_estimate(
+                step,
+                one.forces[0],
+                one.pieces[0],
+                hits=hits,
+                exponential=record.exponential,
+                names=sensors,
+                longest=min(lengths),
+            )
+        said += [f"{one.source}: {message}" for message in functions.messages]
+        f = functions.frequencies
+        values.append(functions.H * one.as_accelerations(2j * np.pi * f)[:, :, None])
+        coherences.append(functions.coherence)
+        sizes.append(functions.sigma_size)
+    known = [one for one in coherences if one is not None]
+    coherence = np.concatenate(known, axis=2) if len(known) == len(signals) else None
+    reference = signals[0].force if len(signals) == 1 else ""
+    responses = Responses(f, np.concatenate(values, axis=2), coherence, sensors, (), (reference,))
+    if forces:
+        responses = responses.roving(range(len(forces)), forces)
+    with in_file(source):
+        fit = frf_fit(responses, functions.averages, record, campaign)
+    said += tones_of(fit, source)
+
+    def wider(mode: Mode) -> Mode:
+        # The functions of a file have a size in common: that of one component of the shape, or of all.
+        if len(signals) > 1:
+            return replace(mode, sigma_shape=float(np.hypot(mode.sigma_shape, max(sizes))))
+        return replace(mode, sigma_size=float(np.hypot(mode.sigma_size, max(sizes))))
+
+    estimate = _complete(fit.estimate, float(1.0 / f[1]), record.exponential)
+    fit = replace(fit, estimate=_each(estimate, wider))
+    together = replace(signals[0], pieces=tuple(piece for one in signals for piece in one.pieces))
+    return with_levels(fit, said, together, set(), record.exponential)
+
+
+def _complete(estimate: Estimate, length: float, exponential: float | None) -> Estimate:
+    """Return the modes of blows with the participations of complete decays: the record cuts them off.
+
+    Parameters
+    ----------
+    length : float
+        Of the record of each blow [s].
+    """
+
+    def whole(mode: Mode) -> Mode:
+        pole = mode.pole - (1.0 / exponential if exponential else 0.0)
+        return replace(mode, participation=np.asarray(mode.participation) / (1.0 - np.exp(pole * length)))
+
+    return _each(estimate, whole)
+
+
+def _each(estimate: Estimate, change: Callable[[Mode], Mode]) -> Estimate:
+    """Return an estimate whose modes are changed, those that the user adds too."""
+    added = tuple(one if isinstance(one, str) else change(one) for one in estimate.added)
+    return replace(estimate, modes=tuple(map(change, estimate.modes)), added=added)

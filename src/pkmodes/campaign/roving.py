@@ -1,0 +1,53 @@
+"""A hammer that roves in front of sensors that stay: whether the files of all its points can be fitted together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from pkmodes.campaign.averaging import Mean, grouped_means
+from pkmodes.campaign.campaign import Campaign, Record
+from pkmodes.campaign.found import Found
+
+#: Difference of the frequencies of a mode at two points at most, in half-power bandwidths, for functions to have one
+#: pole: what it does to the damping ratio is then within its scatter over repeated tests.
+SHIFT = 0.25
+
+
+def points_of(record: Record, campaign: Campaign) -> list[dict[str, Path]]:
+    """Return the files of each repeat by setup where every setup is a point of a roving hammer; none otherwise."""
+    setups = record.setups
+    sensors = [campaign.sensors_in(setup) for setup in setups]
+    alike = len({len(paths) for paths in setups.values()}) == 1 and all(one == sensors[0] for one in sensors)
+    if len(setups) < 2 or not alike or not all(map(campaign.forces_in, setups)):
+        return []
+    return [dict(zip(setups, files, strict=True)) for files in zip(*setups.values(), strict=True)]
+
+
+def changed(points: Sequence[Sequence[Mean]]) -> str:
+    """Return by how much the machine changed from point to point, if the functions are not those of one machine.
+
+    Warmth and settling change all modes; what differs in single ones are fits of modes that a point hardly shows.
+    """
+    shifts: list[list[float]] = [[] for _ in points]
+    widths = []
+    for group in grouped_means(points):
+        sure = {i: one.mode for i, one in group.items() if one.mode.sigma_frequency < _allowed(one.mode)}
+        if len(sure) < 2:
+            continue
+        middle = float(np.median([mode.frequency for mode in sure.values()]))
+        widths.append(min(_allowed(mode) / mode.frequency for mode in sure.values()))
+        for i, mode in sure.items():
+            shifts[i].append(mode.frequency / middle - 1.0)
+    each = [float(np.median(one)) for one in shifts if one]
+    apart = max(each, default=0.0) - min(each, default=0.0)
+    if not widths or apart <= float(np.median(widths)):
+        return ""
+    return f"the frequencies differ by {100.0 * apart:.2g} % between the points that were hit"
+
+
+def _allowed(mode: Found) -> float:
+    """Return the difference of the frequencies of a mode that is allowed [Hz]."""
+    return SHIFT * 2.0 * mode.damping * mode.frequency
