@@ -34,7 +34,7 @@ WHOLE, MOST_MISSING, NEIGHBOURS = 0.2, 0.1, 8
 #: Gaps of which each is said.
 MOST_NAMED = 3
 #: Samples that are looked at together.
-PART = 1_000_000
+PART = 100_000
 
 
 @dataclass(frozen=True)
@@ -186,10 +186,12 @@ def as_sampled(time: Array) -> Array:
     ):
         return time
     last_digit = next((one for one in ROUNDED if _are_multiples(time[-TAIL:], one)), 0.0)
-    number = np.arange(time.size)
-    slope, start = np.polyfit(number - number.mean(), time, 1)
-    even = start + slope * (number - number.mean())
-    return even if np.abs(time - even).max() <= HALF * last_digit else time
+    even: Array = np.arange(time.size, dtype=float)  # in place: a long record fills much of the memory
+    even -= 0.5 * (time.size - 1)
+    even *= float(even @ time) / float(even @ even)
+    even += float(time.mean())
+    apart = max(float(np.abs(part - even[low : low + part.size]).max()) for low, part in _parts(time))
+    return even if apart <= HALF * last_digit else time
 
 
 def _breaks(time: Array, usual: float, tolerance: float) -> NDArray[np.intp]:

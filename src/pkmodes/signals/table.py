@@ -50,13 +50,11 @@ def read(path: Path, asked: Asked) -> SignalFile:
         file.seek(0)
         frame = framed(file.read(), source)
     text = split_table(frame.content, source, asked.columns)
-    said = (
-        []
-        if frame.rate is None or asked.rate in (None, frame.rate)
-        else [_other_rate(frame.rate, asked.rate)]
-    )
+    rate, losses = frame.rate, frame.losses
+    del frame  # another copy of the table
+    said = [] if rate is None or asked.rate in (None, rate) else [_other_rate(rate, asked.rate)]
     if asked.rate is None:
-        asked = replace(asked, rate=frame.rate)
+        asked = replace(asked, rate=rate)
     layout = layout_of(text.names, f"{source}: line {text.header_line}", asked)
     wanted = [place for column in layout.columns for place in column.places]
     if layout.kind is Kind.FRF and layout.abscissa is not None and text.may_have_gaps:
@@ -78,7 +76,7 @@ def read(path: Path, asked: Asked) -> SignalFile:
             _check_coherence(column, numbers, text)
     stated = _stated(text.comments)
     functions = tuple(_function(column, numbers, abscissa, stated, source) for column in layout.columns)
-    messages = tuple(f"{source}: {one}" for one in (*said, *_losses(text.comments), *frame.losses))
+    messages = tuple(f"{source}: {one}" for one in (*said, *_losses(text.comments), *losses))
     return SignalFile(source, functions, (), messages, stated)
 
 
@@ -91,10 +89,11 @@ def _abscissa(layout: Layout, numbers: dict[int, Array], rows: int, text: TableT
         assert asked.rate is not None
         return np.arange(rows) / asked.rate
     name = text.names[layout.abscissa]
-    abscissa = numbers[layout.abscissa] * _factor(layout, text)
+    abscissa = numbers[layout.abscissa]
+    abscissa *= _factor(layout, text)  # in place: a long table fills much of the memory
     if layout.kind is Kind.TIME:
         abscissa = as_sampled(abscissa)
-    late = np.flatnonzero(np.diff(abscissa) <= 0.0)
+    late = np.flatnonzero(abscissa[1:] <= abscissa[:-1])
     if late.size:
         row = int(late[0]) + 1
         what = f"expected ascending values, found {abscissa[row]:.10g} after {abscissa[row - 1]:.10g}"

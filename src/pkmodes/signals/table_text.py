@@ -9,6 +9,7 @@ import io
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 
 import numpy as np
 
@@ -29,8 +30,10 @@ INSIDE_LINES = re.compile(rb"\r(?![\r\n]|\Z)")
 GAP = re.compile(rb"[nN][aA][nN]|[iI][nN][fF]|[;,\t] *[;,\t\r\n]|^ *[;,\t]|[;,\t] *\Z", re.MULTILINE)
 MISSING = re.compile(r"[+-]?(?:nan|inf|infinity)|", re.IGNORECASE)
 REMEDY = "start with a row of names: time and the sensors, or frequency with re: and im: columns, or psd_x"
-#: Lines at the end in which spreadsheet programs leave nothing but separators.
-EMPTY_END = re.compile(rb"(?:\n[ \t,;\r]*)+\Z")
+#: Bytes that are checked, and rows that are read, at once.
+PART, ROWS = 1 << 20, 1 << 16
+#: What lines at the end have in which spreadsheet programs leave nothing but separators.
+EMPTY = b" \t,;\r\n"
 COMMENT_LINES = re.compile(rb"^[ \t]*#.*\n?", re.MULTILINE)
 BLANK_LINES = re.compile(rb"^[ \t\r]*\n", re.MULTILINE)
 
@@ -92,19 +95,24 @@ class TableText:
             raise self._first_problem(wanted)
         if self.separator != ",":
             body = body.replace(b",", b".")
+        rows = io.TextIOWrapper(io.BytesIO(body), "latin-1")
+        found = np.empty((len(wanted), body.count(b"\n") + (not body.endswith(b"\n"))))
         try:
-            table = np.loadtxt(
-                io.TextIOWrapper(io.BytesIO(body), "latin-1"),
-                delimiter=self.separator,
-                comments=None,
-                usecols=wanted,
-                ndmin=2,
-            )
+            for first in range(0, found.shape[1], ROWS):  # in parts, of which there is another copy
+                part = found[:, first : first + ROWS]
+                part[:] = np.loadtxt(
+                    rows,
+                    delimiter=self.separator,
+                    comments=None,
+                    usecols=wanted,
+                    ndmin=2,
+                    max_rows=part.shape[1],
+                ).T
         except ValueError:
             raise self._first_problem(wanted) from None
-        if not np.all(np.isfinite(table)):
+        if not np.all(np.isfinite(found)):
             raise self._first_problem(wanted)
-        return np.ascontiguousarray(table.T)
+        return found
 
     def cell(self, column: int) -> str:
         """Return the text of a cell of the first row, "" without rows."""
@@ -153,17 +161,23 @@ class TableText:
 
     def _has_even_rows(self, body: bytes) -> bool:
         """Return whether each row has as many cells as the header."""
-        characters = np.frombuffer(body if body.endswith(b"\n") else body + b"\n", np.uint8)
-        ends = np.flatnonzero(characters == ord("\n"))
-        separators = np.flatnonzero(characters == ord(self.separator))
-        before = np.searchsorted(separators, ends)
-        return bool(np.all(np.diff(before, prepend=0) == len(self.names) - 1))
+        start, one_less = 0, len(self.names) - 1
+        while start < len(body):  # in parts, as the places of all separators fill more memory than the table
+            end = body.rfind(b"\n", start, start + PART) + 1 or body.find(b"\n", start) + 1 or len(body)
+            part = body[start:end]
+            characters = np.frombuffer(part if part.endswith(b"\n") else part + b"\n", np.uint8)
+            separators = np.flatnonzero(characters == ord(self.separator))
+            before = np.searchsorted(separators, np.flatnonzero(characters == ord("\n")))
+            if not np.all(np.diff(before, prepend=0) == one_less):
+                return False
+            start = end
+        return True
 
     def _rows(self) -> Iterator[tuple[int, str]]:
         """Yield the rows with the numbers of their lines."""
-        for number, line in enumerate(self.body.split(b"\n"), start=self.first_line):
+        for number, line in enumerate(io.BytesIO(self.body), start=self.first_line):
             if line.strip() and not line.lstrip().startswith(b"#"):
-                yield number, text_of(line).replace('"', "")
+                yield number, text_of(line.removesuffix(b"\n")).replace('"', "")
 
     def _cells(self, line: str) -> list[str]:
         return [cell.strip() for cell in line.split(self.separator)]
@@ -221,7 +235,8 @@ def split_table(content: bytes, source: str, columns: Sequence[str] = ()) -> Tab
     content = content.removeprefix(b"\xef\xbb\xbf")
     if b"\n" not in content:
         content = content.replace(b"\r", b"\n")
-    content = EMPTY_END.sub(b"\n", content)
+    last = content.find(b"\n", len(content.rstrip(EMPTY)))
+    content = content if last < 0 else content[: last + 1]
     comments: list[tuple[int, str]] = []
     start, number = 0, 0
     while start < len(content):
@@ -269,7 +284,7 @@ def _with_units(table: TableText) -> TableText:
 
 def _first_row(body: bytes) -> str:
     """Return the first line that is not a comment, "" without one."""
-    for line in body.split(b"\n", 1000)[:1000]:
+    for line in islice(io.BytesIO(body), 1000):
         if line.strip() and not line.lstrip().startswith(b"#"):
             return text_of(line).strip("\r\n")
     return ""
