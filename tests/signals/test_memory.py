@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import struct
 import tracemalloc
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.reading import read_signals
 
 ROWS = 200_000
@@ -31,3 +33,21 @@ def test_a_table_takes_four_times_its_size(tmp_path: Path, name: str, digits: in
         tracemalloc.stop()
     assert len(read.functions) >= 3
     assert peak < 4 * path.stat().st_size + 4_000_000
+
+
+def test_a_damaged_file_takes_no_room_for_what_it_states(tmp_path: Path) -> None:
+    """Of version 4 of MATLAB: a name of 1.7 GB, and a matrix of a gigabyte, in files of some bytes."""
+    for head in (
+        struct.pack("<5i", 0, 1, 1, 0, 1_700_000_000),
+        struct.pack(">5i", 1000, 11_585, 11_585, 0, 2),
+    ):
+        path = tmp_path / "signals.mat"
+        path.write_bytes(head + b"a\0" + bytes(64))
+        tracemalloc.start()
+        try:
+            with pytest.raises(MeasurementError, match="found the end of the file"):
+                read_signals(path)
+            peak = tracemalloc.get_traced_memory()[1]
+        finally:
+            tracemalloc.stop()
+        assert peak < 4_000_000

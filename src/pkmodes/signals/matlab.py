@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from functools import partial
 from os import fspath
 from pathlib import Path
@@ -13,11 +14,13 @@ from pkmodes.measured.formats import Format
 from pkmodes.signals.arrays import Variable, functions_of, loaded
 from pkmodes.signals.functions import Array, Asked, Complex, SignalFile
 from pkmodes.signals.hdf5_arrays import hdf5_variables
-from pkmodes.signals.matlab_arrays import variables
+from pkmodes.signals.matlab_arrays import DamagedError, variables
 
 HDF5 = b"\x89HDF\r\n\x1a\n"
 #: Classes of variables of version 4 that are not arrays of numbers, in words.
 TEXTS = {"char": "text", "sparse": "a sparse matrix"}
+#: Of version 4: bytes of the head of a variable, and of a value by the third digit of its type, which is below that.
+HEAD_OF_4, BYTES_OF_4, MOST_OF_4 = 20, {0: 8, 1: 4, 2: 4, 3: 2, 4: 2, 5: 1}, 10_000
 WHAT = "MATLAB"
 
 
@@ -42,13 +45,15 @@ def read(path: Path, asked: Asked) -> SignalFile:
 def _variables(file: BinaryIO, path: Path, head: bytes, source: str) -> list[Variable]:
     """Return all variables of a file; their values are read later."""
     if b"\0" in head[:4]:  # version 4 has no text at its beginning
-        return loaded(lambda: _of_version_4(path), source, WHAT)
+        return loaded(lambda: _of_version_4(file, path), source, WHAT)
     return loaded(lambda: list(variables(file, path.stat().st_size)), source, WHAT)
 
 
-def _of_version_4(path: Path) -> list[Variable]:
+def _of_version_4(file: BinaryIO, path: Path) -> list[Variable]:
     """Return the variables of a file of version 4, which has matrices only."""
     from scipy.io import loadmat, whosmat
+
+    _check_sizes(file, path.stat().st_size)
 
     def values(name: str) -> Array | Complex:
         found: Any = loadmat(path, appendmat=False, variable_names=[name])[name].ravel(order="F")
@@ -62,6 +67,24 @@ def _of_version_4(path: Path) -> list[Variable]:
         what = f"an array of {' x '.join(map(str, shape))} values" if numeric else TEXTS[of]
         found.append(Variable(name, what, tuple(shape) if numeric else None, partial(values, name)))
     return found
+
+
+def _check_sizes(file: BinaryIO, length: int) -> None:
+    """Refuse a file of version 4 that ends before its variables: SciPy's reader would make room for what they state."""
+    at = 0
+    while at < length:
+        file.seek(at)
+        head = file.read(HEAD_OF_4)
+        order = "<" if int.from_bytes(head[:4], "little") < MOST_OF_4 else ">"
+        if len(head) < HEAD_OF_4:
+            raise DamagedError("expected the head of a variable")
+        kind, rows, columns, is_complex, name = struct.unpack(f"{order}5i", head)
+        bytes_each = BYTES_OF_4.get(kind // 10 % 10)
+        if not 0 <= kind < MOST_OF_4 or bytes_each is None or min(rows, columns, name) < 0:
+            raise DamagedError("expected the head of a variable")
+        at += HEAD_OF_4 + name + rows * columns * bytes_each * (2 if is_complex else 1)
+        if at > length:
+            raise DamagedError(f"expected a variable of {rows} x {columns} values, found the end of the file")
 
 
 def recognises(head: bytes) -> bool:
