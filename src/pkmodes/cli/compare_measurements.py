@@ -28,7 +28,7 @@ def compare_measurement_files(
     from pkmodes.measured.compared import compare_measurements
     from pkmodes.report.measurements import changes, summary
 
-    first, second = (_read(file, band, drives) for file in files)
+    first, second = (read_table(file, band, drives) for file in files)
     result = compare_measurements(first, second)
 
     def show() -> None:
@@ -39,17 +39,21 @@ def compare_measurement_files(
     deliver(to, result.as_json(), show)
 
 
-def _read(file: Path, band: tuple[float, float] | None, drives: str | None) -> Measurements:
-    """Read a file of a robot, or of another structure, whose channels have names of its own."""
+def read_table(file: Path, band: tuple[float, float] | None, drives: str | None) -> Measurements:
+    """Read a file of a robot, or of another structure: without positions, or with channels of its own."""
     from pkmodes import updating
     from pkmodes.core.mechanism import registry
+    from pkmodes.measured.cells import separator_of
     from pkmodes.measured.csv_format import read_text
-    from pkmodes.measured.reading import read_modes
+    from pkmodes.measured.reading import read_measurements
     from pkmodes.updating.channels import channels
 
     text = read_text(file, str(file), "the measurements", "give a CSV file with one row for each mode")
-    own = SHAPE.findall(next((line for line in text.splitlines() if line.strip() and line[0] != "#"), ""))
-    known = {name for each in registry.names() for name in channels(registry.mechanism(each))}
-    if set(own) <= known:
+    header = next((line for line in text.splitlines() if line.strip() and line[0] != "#"), "")
+    own = SHAPE.findall(header)
+    machines = [registry.mechanism(name) for name in registry.names()]
+    known = {name for each in machines for name in channels(each)}
+    columns = {cell.partition("[")[0].strip(' "') for cell in header.split(separator_of(header))}
+    if set(own) <= known and columns & {component.name for each in machines for component in each.pose}:
         return updating.read(file, band, drives=drives)
-    return read_modes(file, own)
+    return read_measurements(file, own, positions=False, drives=drives)

@@ -14,7 +14,7 @@ from pkmodes.cli.generate import GenerateDocument
 from pkmodes.cli.modes import modes_document
 from pkmodes.cli.response import ResponseDocument
 from pkmodes.cli.sensitivities import SensitivitiesDocument
-from pkmodes.cli.shaper import ShaperDocument
+from pkmodes.cli.shaper_documents import MeasuredShaperDocument, ShaperDocument
 from pkmodes.cli.show import ShowDocument
 from pkmodes.diagnosis.compare import CompareDocument
 from pkmodes.diagnosis.verdict.document import DiagnoseDocument
@@ -24,7 +24,8 @@ from pkmodes.measured.compared import MeasurementsCompared
 from pkmodes.support.documents import Document, schema_of
 from pkmodes.support.writing import write_files
 
-#: What each command writes; `compare` writes the second of two robots, the third of two measurements.
+#: What each command writes; `compare` writes the second of two robots, the third of two measurements; `shaper` the
+#: second of measured modes.
 DOCUMENTS: dict[str, type[Document]] = {
     "examples": ExamplesDocument,
     "generate": GenerateDocument,
@@ -36,6 +37,7 @@ DOCUMENTS: dict[str, type[Document]] = {
     "sensitivities": SensitivitiesDocument,
     "response": ResponseDocument,
     "shaper": ShaperDocument,
+    "shaper-measured": MeasuredShaperDocument,
     "identify": IdentifyDocument,
     "compare": CompareDocument,
     "compare-robots": RobotsCompared,

@@ -1,110 +1,82 @@
-"""``pkmodes shaper``: input shapers for a machine with held motors, compared over the workspace."""
+"""``pkmodes shaper``: input shapers for a machine with held motors, over the workspace or for measured modes."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import click
 import numpy as np
-from msgspec import Meta
 
 from pkmodes.api import load
-from pkmodes.cli.delivery import deliver
+from pkmodes.cli.compare_measurements import read_table
+from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.options import (
+    FILE,
     comma_list,
     json_option,
+    measured_drives_option,
     mechanism_option,
     named_as_options,
     quantity_option,
     report_option,
-    robot_argument,
 )
 from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.reporting import report_file, sources_of
-from pkmodes.cli.targets import check_targets, report_target
-from pkmodes.core.base.drives import Drives
+from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.support.documents import Count, Document, Size
+from pkmodes.support.extras import require
+from pkmodes.support.writing import write_file
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from pkmodes.core.model import Model
-    from pkmodes.shaping.choice import Candidate, Choice
+    from pkmodes.report.blocks import Block, Summary
+    from pkmodes.report.sources import Source
+    from pkmodes.shaping.choice import Choice
+    from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
 
+#: Measured modes that are printed at most.
+MOST = 10
 #: Poses that are compared at most: all of them are held at once.
 POSES = 1_000_000
 #: Arguments of `pkmodes.Model.shapers` that have the names of their options.
-ARGUMENTS = ("modes", "left", "length", "tick", "firmware", "grid")
+ARGUMENTS = ("modes", "left", "length", "tick", "firmware", "grid", "damping")
 
 
-class UnshapedDocument(Document, frozen=True):
-    """Vibration of the platform without a shaper, for a step of its acceleration by 1 m/s^2."""
+@dataclass(frozen=True)
+class _Shown:
+    """A choice as JSON, and what makes its page, and the head and the blocks of what is printed."""
 
-    rms: Annotated[Size, Meta(description="Root mean square over the poses [s^2].")]
-    worst: Annotated[Size, Meta(description="Largest value [s^2].")]
-    pose: Annotated[list[float], Meta(description="Where it is largest, in SI units.")]
-
-
-class LeftDocument(Document, frozen=True):
-    """Vibration that a shaper leaves, relative to none."""
-
-    rms: Annotated[Size, Meta(description="Root mean square over that without a shaper.")]
-    worst: Annotated[Size, Meta(description="Largest value over the largest without a shaper.")]
-    pose: Annotated[list[float], Meta(description="Where most is left, in SI units.")]
-    rms_uncertain: Annotated[
-        Size | None,
-        Meta(
-            description="rms with frequencies spread by the standard deviations of the robot file; null without any."
-        ),
-    ]
-
-
-class CandidateDocument(Document, frozen=True):
-    """A shaper."""
-
-    kind: Annotated[str, Meta(description="Such as zv, or zv*zv for two modes.")]
-    follows_pose: Annotated[bool, Meta(description="Whether it is designed anew for the modes of each pose.")]
-    frequencies_hz: Annotated[
-        list[float] | None,
-        Meta(
-            description="Of the design, one for each factor [Hz]; null if it follows the pose, as the next three."
-        ),
-    ]
-    damping_ratios: Annotated[list[float] | None, Meta(description="Of the design, likewise.")]
-    amplitudes: Annotated[list[float] | None, Meta(description="Of the impulses; their sum is 1.")]
-    delays_s: Annotated[list[float] | None, Meta(description="Of the impulses [s].")]
-    duration_s: Annotated[Size, Meta(description="Delay of the last impulse [s]; the longest of all poses.")]
-    left: Annotated[LeftDocument, Meta(description="Vibration that it leaves.")]
-
-
-class ShaperDocument(Document, frozen=True):
-    """Shapers for the modes of held motors, compared over poses."""
-
-    robot: Annotated[str, Meta(description="Name of the robot.")]
-    drives: Drives
-    poses: Annotated[Count, Meta(description="Number of poses that count.")]
-    modes: Annotated[Count, Meta(description="Number of modes that count, the lowest.")]
-    unshaped: Annotated[UnshapedDocument, Meta(description="Without a shaper.")]
-    shapers: Annotated[
-        list[CandidateDocument],
-        Meta(description="The best fixed one of each kind, then those that follow the pose."),
-    ]
-    recommended: Annotated[Count, Meta(description="Index of the recommended one, which is fixed.")]
-    firmware: Annotated[
-        dict[str, str | None],
-        Meta(description="Lines for klipper, marlin and reprapfirmware; null where it has no such shaper."),
-    ]
-    notes: Annotated[list[str], Meta(description="What the reader should know.")]
+    choice: Choice
+    content: dict[str, Any]
+    page: Callable[[], str]
+    blocks: Callable[[], tuple[Summary, list[Block]]]
 
 
 @click.command(
-    epilog="\b\nExample:\n  pkmodes shaper robots/linear-delta-2022-identified.toml \\\n"
-    "    --grid x=0.32:0.82:26,y=-0.1:0.1:11,z=-0.24:-0.16:9"
+    epilog="\b\nExamples:\n  pkmodes shaper robots/linear-delta-2022-identified.toml \\\n"
+    "    --grid x=0.32:0.82:26,y=-0.1:0.1:11,z=-0.24:-0.16:9\n"
+    "  pkmodes shaper --measured modes.csv --spectrum resonances_x.csv --figure shapers.png"
 )
-@robot_argument
+@click.argument("robot", metavar="[ROBOT.toml]", type=FILE, required=False)
+@click.option(
+    "--measured",
+    metavar="MODES.csv",
+    type=FILE,
+    help="Measured modes instead of a robot file, such as identify writes: shapers for these, within their errors.",
+)
+@click.option(
+    "--spectrum",
+    metavar="FILE",
+    type=FILE,
+    help="Measured power spectrum over which the report and the figure draw the shapers, such as Klipper's "
+    "resonances_x.csv.",
+)
 @grid_option
 @poses_option
 @click.option(
@@ -118,7 +90,14 @@ class ShaperDocument(Document, frozen=True):
     "--modes",
     metavar="N",
     type=click.IntRange(1),
-    help="How many modes count, the lowest ones; by default 3.",
+    help="How many modes count, the lowest ones at each pose; by default 3, or all that are measured.",
+)
+@quantity_option(
+    "--damping",
+    "1",
+    "5 %",
+    metavar="RATIO",
+    help="Damping ratio of measured modes without one; by default anything from 0 to 10 %.",
 )
 @quantity_option(
     "--left",
@@ -150,40 +129,90 @@ class ShaperDocument(Document, frozen=True):
     metavar="NAME",
     help="klipper, marlin or reprapfirmware: recommend only a shaper that it has.",
 )
+@measured_drives_option
 @mechanism_option
+@click.option(
+    "--out",
+    metavar="FILE.csv",
+    type=FILE,
+    help="Table to write: what each fixed shaper leaves of a mode, over frequency, and the spectrum if given.",
+)
+@click.option(
+    "--figure",
+    metavar="FILE.svg",
+    type=FILE,
+    help="Picture of it to write; .svg, .png or .pdf.",
+)
 @report_option
 @json_option
 def shaper(
-    robot: Path,
+    robot: Path | None,
+    measured: Path | None,
+    spectrum: Path | None,
     grid: str | None,
     poses: Path | None,
     kinds: str | None,
     modes: int | None,
+    damping: float | None,
     left: float,
     length: float | None,
     tick: float,
     firmware: str | None,
+    drives: str | None,
+    out: Path | None,
+    figure: Path | None,
     report_to: Path | None,
     json_file: str | None,
 ) -> None:
     """Choose an input shaper: the best fixed one of each kind, beside those that follow the pose.
 
     Motors are held.  Prints what each leaves of the vibration, and lines for the firmware of printers.
+
+    With --measured there is no model: the best fixed shapers for the modes in the table, with what each leaves of
+    them within two standard deviations.
     """
-    check_targets(json_file, [robot, poses], report_target(report_to))
-    sources = sources_of(report_to, {"robot file": robot})
-    model = load(robot)
+    targets = (
+        Target("--out", out, "the table", (".csv",)),
+        Target("--figure", figure, "the picture", (".svg", ".png", ".pdf")),
+        report_target(report_to),
+    )
+    check_targets(json_file, [robot, measured, spectrum, poses], *targets)
+    foreign = {"--grid": grid, "--poses": poses} if measured else {"--damping": damping, "--drives": drives}
+    _check_source(robot, measured, foreign)
+    sources = sources_of(
+        report_to, {"robot file": robot, "measurement file": measured, "measured spectrum": spectrum}
+    )
+    seen = None
+    if spectrum is not None:
+        from pkmodes.shaping.measured_spectrum import read_spectrum
+
+        seen = read_spectrum(spectrum)
+    names = None if kinds is None else comma_list(kinds, "--shapers", "--shapers zv,mzv,zv*zv")
+    asked: dict[str, Any] = {
+        "modes": modes,
+        "left": left,
+        "length": length,
+        "tick": tick,
+        "firmware": firmware,
+    }
     with named_as_options(
         *ARGUMENTS, kind="--shapers", kinds="--shapers", poses="--poses" if poses else "--grid"
     ):
-        points = _points(model, grid, poses)
-        names = None if kinds is None else comma_list(kinds, "--shapers", "--shapers zv,mzv,zv*zv")
-        choice = model.shapers(
-            points, names, modes=modes, left=left, length=length, tick=tick, firmware=firmware
-        )
-    content = _document(model, choice).as_json()
-    report = report_file(report_to, lambda: _page(model, choice, content, sources))
-    deliver(json_file, content, lambda: _print(model, choice, content), report)
+        if measured is not None:
+            from pkmodes.shaping.measured_modes import measured_shapers
+
+            choice = measured_shapers(read_table(measured, None, drives), names, damping=damping, **asked)
+            shown = _of_measured(choice, seen, sources)
+        else:
+            model = load(cast("Path", robot))
+            choice = model.shapers(_points(model, grid, poses), names, **asked)
+            shown = _of_robot(model, choice, seen, sources)
+    files = [
+        ResultFile(out, lambda path: write_file(path, _curves(choice, seen))),
+        ResultFile(figure, _picture(choice, seen, figure)),
+        report_file(report_to, shown.page),
+    ]
+    deliver(json_file, shown.content, lambda: _print(shown), *files)
 
 
 def _points(model: Model, grid: str | None, poses: Path | None) -> NDArray[np.float64]:
@@ -204,48 +233,95 @@ def _points(model: Model, grid: str | None, poses: Path | None) -> NDArray[np.fl
     return np.asarray(points[model.check(points).valid & within(model)(points)])
 
 
-def _document(model: Model, choice: Choice) -> ShaperDocument:
-    from pkmodes.shaping.choice import lines_of
-    from pkmodes.shaping.remarks import remarks
-
-    best = choice.candidates[choice.recommended]
-    return ShaperDocument(
-        robot=model.robot.name,
-        drives="held",
-        poses=len(choice.ringing.poses),
-        modes=choice.ringing.frequencies.shape[1],
-        unshaped=UnshapedDocument.of(choice.unshaped),
-        shapers=[_candidate(one) for one in choice.candidates],
-        recommended=choice.recommended,
-        firmware=lines_of(best),
-        notes=[*choice.notes, *remarks(choice)],
-    )
+def _check_source(robot: Path | None, measured: Path | None, foreign: Mapping[str, object]) -> None:
+    """Refuse two sources of modes or none, and options that are of the other one."""
+    context = click.get_current_context()
+    if (robot is None) == (measured is None):
+        what = "--measured takes the place of ROBOT.toml: give one of them"
+        raise click.UsageError(what if robot else "give ROBOT.toml, or --measured MODES.csv", context)
+    of = "measured modes" if measured is None else "a robot file"
+    for option in (name for name, value in foreign.items() if value is not None):
+        raise click.UsageError(f"{option} is for {of}", context)
 
 
-def _candidate(one: Candidate) -> CandidateDocument:
-    fixed = not one.follows_pose
-    return CandidateDocument.of(
-        one,
-        frequencies_hz=list(one.frequencies) if fixed else None,
-        damping_ratios=[one.damping_ratio] * len(one.frequencies) if fixed else None,
-        amplitudes=one.shaper.amplitudes.tolist() if fixed else None,
-        delays_s=one.shaper.delays.tolist() if fixed else None,
-        duration_s=one.duration,
-        left=LeftDocument.of(one.left),
-    )
+def _of_robot(
+    model: Model, choice: Choice, spectrum: MeasuredSpectrum | None, sources: Sequence[Source]
+) -> _Shown:
+    from pkmodes.cli.shaper_documents import shaper_document
+
+    content = shaper_document(model, choice, spectrum).as_json()
+
+    def page() -> str:
+        from pkmodes.report.shaper import shaper_report
+
+        return shaper_report(model, choice, content, sources, spectrum)
+
+    def blocks() -> tuple[Summary, list[Block]]:
+        from pkmodes.report.shaper import firmware_lines, machine, shapers_table, summary
+
+        shown = [machine(model, choice, content), shapers_table(choice), *firmware_lines(content)]
+        return summary(model, choice, content), shown
+
+    return _Shown(choice, content, page, blocks)
 
 
-def _page(model: Model, choice: Choice, content: dict[str, Any], sources: Any) -> str:
-    from pkmodes.report.shaper import shaper_report
+def _of_measured(choice: Choice, spectrum: MeasuredSpectrum | None, sources: Sequence[Source]) -> _Shown:
+    from pkmodes.cli.shaper_documents import measured_document
 
-    return shaper_report(model, choice, content, sources)
+    content = measured_document(choice, spectrum).as_json()
+
+    def page() -> str:
+        from pkmodes.report.shaper_measured import measured_shaper_report
+
+        return measured_shaper_report(choice, content, sources, spectrum)
+
+    def blocks() -> tuple[Summary, list[Block]]:
+        from pkmodes.report.shaper import firmware_lines
+        from pkmodes.report.shaper_measured import modes_table, shapers_table, summary
+
+        shown = [shapers_table(content), modes_table(content, MOST), *firmware_lines(content)]
+        return summary(choice, content), shown
+
+    return _Shown(choice, content, page, blocks)
 
 
-def _print(model: Model, choice: Choice, content: dict[str, Any]) -> None:
+def _curves(choice: Choice, spectrum: MeasuredSpectrum | None) -> str:
+    """Return the table of what fixed shapers leave over frequency: at the lines of a spectrum, if given."""
+    from pkmodes.report.shaper import frequencies_drawn
+    from pkmodes.shaping.residual_vibration import residual
+
+    f = frequencies_drawn(choice) if spectrum is None else spectrum.frequencies
+    columns = {"frequency": f}
+    if spectrum is not None:
+        columns["density"] = spectrum.density
+    for one in (each for each in choice.candidates if not each.follows_pose):
+        columns[f"left:{one.kind}"] = residual(one.shaper, f, one.damping_ratio)
+    rows = np.column_stack(list(columns.values())).tolist()
+    return "".join(f"{','.join(map(str, cells))}\n" for cells in [list(columns), *rows])
+
+
+def _picture(
+    choice: Choice, spectrum: MeasuredSpectrum | None, figure: Path | None
+) -> Callable[[Path], None]:
+    """Return what writes the picture; it is drawn before anything is written."""
+    if figure is None:
+        return lambda path: None
+    require("pictures of shapers", "plot", "matplotlib")
+    from pkmodes.figures.files import rendered
+    from pkmodes.figures.pictures import Picture
+    from pkmodes.report.shaper import over_frequency
+
+    drawing, caption = over_frequency(choice, spectrum)
+    picture = Picture("shapers", "Input shapers", caption, drawing)
+    content = rendered(picture, figure.suffix[1:].lower())
+    return lambda path: write_file(path, content)
+
+
+def _print(shown: _Shown) -> None:
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.report.shaper import firmware_lines, machine, shapers_table, summary
 
-    terminal, head = Terminal(), summary(model, choice, content)
+    terminal = Terminal()
+    head, blocks = shown.blocks()
     terminal.summary(head)
-    terminal.show(machine(model, choice, content), shapers_table(choice), *firmware_lines(content))
+    terminal.show(*blocks)
     terminal.notes(head)

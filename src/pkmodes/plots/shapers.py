@@ -1,8 +1,9 @@
-"""What shapers leave of the vibration: over the workspace, and where frequencies differ from the model's."""
+"""What shapers leave of the vibration: over the workspace, over frequency, and where the model errs."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,9 +12,13 @@ from numpy.typing import NDArray
 from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.panel import Panel
 from pkmodes.plots.sheet import Sheet
-from pkmodes.plots.style import GREY, PALETTE, WIDTH
+from pkmodes.plots.style import BLUE, GREEN, GREY, INK, ORANGE, PALETTE, PURPLE, SKY, VERMILLION, WIDTH
 
 Array = NDArray[Any]
+#: Colours of shapers that are not recommended.
+OTHERS = (GREEN, ORANGE, PURPLE, SKY)
+#: End of an axis of per cent that is full.
+TOP = 104.0
 #: Share of a grid that poses fill, from which on it is drawn as one.
 FILLED = 0.25
 #: Height of a map over its width, at least and at most; space for titles and labels [inch].
@@ -123,3 +128,93 @@ def _curves(sheet: Sheet, panel: Panel, x: Array, left: Mapping[str, Array]) -> 
     panel.axes.set_xlim(x[0], x[-1])
     panel.axes.set_ylim(0.0, None)
     sheet.legend(panel, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, fontsize=7.5)
+
+
+@dataclass(frozen=True)
+class Curve:
+    """What a shaper leaves of a mode at each frequency [%], by its name; `marked` for the recommended one."""
+
+    name: str
+    left: Array
+    marked: bool
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """Amplitudes of a measured spectrum, before and after the recommended shaper [% of the highest before]."""
+
+    frequencies: Array
+    before: Array
+    after: Array
+
+
+@dataclass(frozen=True)
+class MarkedModes:
+    """Measured modes [Hz], and what the recommended shaper leaves of them: as measured, and at most [%]."""
+
+    frequencies: Array
+    left: Array
+    most: Array
+    within: str
+
+
+def over_frequency(
+    frequencies: Array, curves: Sequence[Curve], spectrum: Spectrum | None, modes: MarkedModes | None
+) -> Drawing:
+    """Draw what shapers leave of a mode at each frequency, over a measured spectrum where there is one.
+
+    Parameters
+    ----------
+    frequencies : ndarray, shape (F,)
+        Of the curves [Hz].
+    curves : sequence of Curve
+        The recommended one among them.
+    """
+    across = "frequency [Hz]"
+
+    def draw(sheet: Sheet) -> None:
+        panel = sheet.panel(3.6)
+        beside = panel
+        if spectrum is not None:
+            beside = sheet.adopt(panel.axes.twinx(), inner={"x"})
+            beside.axes.grid(visible=False)
+            beside.axes.spines["right"].set_visible(True)
+            _spectrum(panel, spectrum)
+            panel.label(x=across, y="amplitude of the spectrum [% of the highest]")
+        beside.label(x=across, y="left of a mode at this frequency [%]")
+        colours = iter(OTHERS)
+        for one in sorted(curves, key=lambda curve: not curve.marked):
+            style: dict[str, Any] = {"color": VERMILLION, "linewidth": 2.0, "zorder": 3}
+            if not one.marked:
+                style = {"color": next(colours), "linewidth": 1.1}
+            beside.plot(frequencies, one.left, "-" if one.marked else "--", label=one.name, **style)
+        if modes is not None:
+            ends = np.stack([modes.left, modes.most], axis=-1)
+            places = np.stack([modes.frequencies] * 2, axis=-1)
+            beside.lines(places, ends, color=INK, linewidth=1.0, label=modes.within, zorder=4)
+            dots: dict[str, Any] = {"marker": "o", "s": 14, "color": INK, "zorder": 5}
+            beside.scatter(modes.frequencies, modes.left, label="measured modes", **dots)
+        beside.axes.set_ylim(0.0, TOP)
+        panel.axes.set_xlim(0.0, frequencies[-1])
+        found = [one.axes.get_legend_handles_labels() for one in dict.fromkeys([panel, beside])]
+        handles, names = ([each for one in found for each in one[k]] for k in (0, 1))
+        place: dict[str, Any] = {
+            "loc": "lower center",
+            "bbox_to_anchor": (0.5, 1.0),
+            "ncols": 3,
+            "fontsize": 7.0,
+        }
+        sheet.legend_of(handles, names, above=panel, **place)
+
+    return Drawing(draw)
+
+
+def _spectrum(panel: Panel, spectrum: Spectrum) -> None:
+    """Draw the density, and what is left of it."""
+    panel.axes.fill_between(spectrum.frequencies, 0.0, spectrum.before, color=GREY, alpha=0.25, linewidth=0.0)
+    panel.plot(spectrum.frequencies, spectrum.before, color=GREY, linewidth=1.2, label="measured spectrum")
+    panel.axes.fill_between(spectrum.frequencies, 0.0, spectrum.after, color=BLUE, alpha=0.35, linewidth=0.0)
+    panel.plot(
+        spectrum.frequencies, spectrum.after, color=BLUE, linewidth=1.4, label="after the recommended shaper"
+    )
+    panel.axes.set_ylim(0.0, TOP)

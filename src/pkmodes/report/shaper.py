@@ -12,6 +12,7 @@ from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import SHOWN
 from pkmodes.plots import shapers
+from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import typeset
 from pkmodes.report.blocks import Cell, Column, Facts, Lines, Paragraph, Picture, Section, Summary, Table
 from pkmodes.report.formatting import clean, minus, number, pointer, sentence, thousands
@@ -19,6 +20,8 @@ from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.shaping.firmware import NAMES
+from pkmodes.shaping.measured_modes import WITHIN, MeasuredRinging
+from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
 from pkmodes.shaping.residual_vibration import residual
 from pkmodes.support.ordering import joined
 
@@ -30,6 +33,8 @@ if TYPE_CHECKING:
 ERRORS = np.linspace(-0.2, 0.2, 81)
 #: Shapers drawn over the frequency error at most, and poses at which they are evaluated.
 CURVES, POSES = 5, 400
+#: Frequencies of a curve, up to the highest mode or design times so much.
+DRAWN, ABOVE = 400, 1.4
 #: Poses whose components differ by less are in one layer [SI].
 SAME = 1e-9
 #: Per cent left everywhere below which a map would be of one colour.
@@ -39,7 +44,11 @@ LAYER = 0.3
 
 
 def shaper_report(
-    model: Model, choice: Choice, content: dict[str, Any], sources: Sequence[Source] | None = None
+    model: Model,
+    choice: Choice,
+    content: dict[str, Any],
+    sources: Sequence[Source] | None = None,
+    spectrum: MeasuredSpectrum | None = None,
 ) -> str:
     """Return the report of a choice.
 
@@ -49,6 +58,8 @@ def shaper_report(
         The JSON of the command.
     sources : sequence of Source, optional
         The input files as they were read; by default the robot file as it is now.
+    spectrum : MeasuredSpectrum, optional
+        Over which shapers are drawn.
 
     Returns
     -------
@@ -66,6 +77,7 @@ def shaper_report(
         Section("shapers", "Shapers", [shapers_table(choice)]),
         Section("machine", "The machine", [machine(model, choice, content)]),
         Section("workspace", "Over the workspace", [_over_workspace(model, choice)]),
+        *([] if spectrum is None else [over_frequency_section(choice, spectrum)]),
         Section("errors", "Where frequencies differ from the model's", [_against_error(choice)]),
         Section("firmware", "Lines for firmware", firmware_lines(content)),
         origin(sources, model.mechanism),
@@ -83,10 +95,10 @@ def summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
         kind="Shaper",
         headline=f"{best.kind} leaves {100.0 * best.left.worst:.2g} % of the largest vibration",
         reason=(
-            f"The recommended fixed shaper, for {_design(best)}; motors held. Where it leaves most, the vibration is "
-            f"{100.0 * best.left.worst:.2g} % of the largest one without a shaper. {_why(choice)}"
+            f"The recommended fixed shaper, for {design_of(best)}; motors held. Where it leaves most, the vibration "
+            f"is {100.0 * best.left.worst:.2g} % of the largest one without a shaper. {why_recommended(choice)}"
         ),
-        notes=[_sentence(clean(note, None)) for note in content["notes"]],
+        notes=[as_sentence(clean(note, None)) for note in content["notes"]],
         facts=[
             ("lasts", Cell(f"{1e3 * best.duration:.3g} ms", best.duration)),
             (
@@ -103,7 +115,7 @@ def summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
     )
 
 
-def _why(choice: Choice) -> str:
+def why_recommended(choice: Choice) -> str:
     """Return why it is recommended."""
     most, length = choice.left, choice.length
     lasting = "" if length is None else f" that lasts at most {1e3 * length:.4g} ms"
@@ -112,7 +124,7 @@ def _why(choice: Choice) -> str:
     return f"No fixed one{lasting} leaves at most {100.0 * most:.3g} % there; it leaves least."
 
 
-def _sentence(text: str) -> str:
+def as_sentence(text: str) -> str:
     """Return a note as a sentence; a name that stands first keeps its small letter."""
     whole = sentence(text)
     return whole if text.partition(" ")[0].isalpha() else text[:1] + whole[1:]
@@ -149,7 +161,8 @@ def _range(values: NDArray[np.float64], form: str) -> str:
     return " to ".join(ends)
 
 
-def _design(one: Candidate) -> str:
+def design_of(one: Candidate) -> str:
+    """Return the frequencies of a design in words."""
     return f"{joined([f'{f:.1f}' for f in one.frequencies])} Hz"
 
 
@@ -271,6 +284,73 @@ def _against_error(choice: Choice) -> Picture:
     return Picture.of(
         shapers.against_error(ERRORS, left, spread), "Against frequency error", caption, caption
     )
+
+
+def over_frequency(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple[Drawing, str]:
+    """Return the figure of what shapers leave at each frequency, over a spectrum if given; and its caption."""
+    at, best = choice.ringing, choice.candidates[choice.recommended]
+    fixed = _undominated(choice)
+    f = frequencies_drawn(choice)
+    if spectrum is not None:
+        spectrum = spectrum.up_to(f[-1])
+    curves = []
+    for one in fixed:
+        design = f"{one.kind} ({design_of(one)}): {100.0 * one.left.worst:.2g} %"
+        left = 100.0 * residual(one.shaper, f, one.damping_ratio)
+        curves.append(shapers.Curve(design + (", recommended" if one is best else ""), left, one is best))
+    ratio = f"{100.0 * best.damping_ratio:.2g} %"
+    caption = (
+        f"What each shaper leaves of a mode at each frequency, for the damping ratio of the designs, {ratio}."
+    )
+    if len(fixed) < sum(not one.follows_pose for one in choice.candidates):
+        caption += " Shapers that another one beats in both length and what it leaves are not drawn."
+    drawn = marked = None
+    if spectrum is not None:
+        before = 100.0 * np.sqrt(spectrum.density / spectrum.density.max())
+        after = before * residual(best.shaper, spectrum.frequencies, best.damping_ratio)
+        drawn = shapers.Spectrum(spectrum.frequencies, before, after)
+        summed = joined(list(map(clean, spectrum.directions)))
+        caption += (
+            f" Behind them the amplitude of the measured spectrum, the square root of its power density summed over "
+            f"{summed}; and what is left of it if each frequency is a mode of its own."
+        )
+    if isinstance(at, MeasuredRinging):
+        nominal, most = (100.0 * left for left in at.left_of(best))
+        words = f"within {WITHIN:g} standard deviations"
+        marked = shapers.MarkedModes(at.data.frequency[at.rows], nominal, most, words)
+        caption += (
+            " Dots are what the recommended one leaves of the measured modes with their own damping; lines reach to "
+            f"the most {words} of frequency and damping ratio."
+        )
+    return shapers.over_frequency(f, curves, drawn, marked), caption
+
+
+def frequencies_drawn(choice: Choice) -> NDArray[np.float64]:
+    """Return the frequencies at which curves are drawn [Hz], from above 0 to beyond all modes and designs."""
+    designs = [f for one in choice.candidates for f in one.frequencies]
+    return np.linspace(0.0, ABOVE * max(float(choice.ringing.frequencies.max()), *designs), DRAWN + 1)[1:]
+
+
+def _undominated(choice: Choice) -> list[Candidate]:
+    """Return the recommended shaper and fixed ones that no other beats in both length and what it leaves, a few."""
+    best = choice.candidates[choice.recommended]
+    fixed = sorted(
+        (one for one in choice.candidates if not one.follows_pose),
+        key=lambda one: (one.duration, one.left.worst),
+    )
+    least, found = np.inf, []
+    for one in fixed:
+        if one.left.worst < least and len(found) < CURVES:
+            found.append(one)
+            least = one.left.worst
+    return found if any(one is best for one in found) else [*found[: CURVES - 1], best]
+
+
+def over_frequency_section(choice: Choice, spectrum: MeasuredSpectrum | None) -> Section:
+    """Return the section of the figure."""
+    title = "Over frequency" if spectrum is None else "Over the measured spectrum"
+    drawing, caption = over_frequency(choice, spectrum)
+    return Section("frequency", title, [Picture.of(drawing, title, caption, caption)])
 
 
 def firmware_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:

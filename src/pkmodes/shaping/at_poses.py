@@ -108,8 +108,8 @@ def check_factors(kind: str, at: Ringing, where: str) -> int:
         If it has more factors than modes count.
     """
     count = len(factors(kind))
-    if count > at.frequencies.shape[1]:
-        what = f"{kind} is for {count} modes, and {at.frequencies.shape[1]} count"
+    if count > at.modes:
+        what = f"{kind} is for {count} modes, and {at.modes} count"
         raise PkmodesError(what, where, "leave out a factor, or count more modes")
     return count
 

@@ -29,8 +29,6 @@ LEFT = 0.1
 TICK = 1e-3
 #: A shaper needs as many ticks at least: its impulses would fall together.
 TICKS = 2
-#: Largest amplitude over the median from which on a few poses decide everything.
-DOMINATING = 20.0
 SHARE = Constraint("a share above 0 and at most 1", lambda value: is_number(value) and 0.0 < value <= 1.0)
 TIME = Constraint("a positive time in s", lambda value: is_number(value) and 0.0 < value < np.inf)
 
@@ -88,6 +86,17 @@ class Candidate:
         """How much longer a command takes [s], at most."""
         return float(np.max(self.shaper.durations))
 
+    @property
+    def rounding(self) -> float:
+        """Distance of a path of constant acceleration from its command, for 1 m/s^2 [s^2]; fixed shapers only.
+
+        The command is delayed by the mean of the impulses, and half their variance remains.
+        """
+        amplitudes, delays = self.shaper
+        return float(
+            0.5 * np.average((delays - np.average(delays, weights=amplitudes)) ** 2, weights=amplitudes)
+        )
+
 
 @dataclass(frozen=True)
 class Choice:
@@ -100,7 +109,7 @@ class Choice:
     unshaped : Amplitude
         In s^2: m of platform vibration for a step of 1 m/s^2.
     candidates : tuple of Candidate
-        The fixed ones, then those that follow the pose.
+        The fixed ones, then those that follow the pose, if modes are known between poses.
     recommended : int
         Index of a fixed one.
     notes : tuple of str
@@ -197,9 +206,7 @@ def choose(
         check_argument(firmware, one_of(NAMES), "firmware", "for example: klipper")
     if isinstance(kinds, str):
         kinds = (kinds,)
-    names = (
-        default_kinds(at.frequencies.shape[1]) if kinds is None else tuple(dict.fromkeys(map(plain, kinds)))
-    )
+    names = default_kinds(at.modes) if kinds is None else tuple(dict.fromkeys(map(plain, kinds)))
     for name in names:
         check_factors(name, at, "kinds")
     if not names:
@@ -207,8 +214,9 @@ def choose(
             "expected at least one kind of shaper, found none", "kinds", f"known: {', '.join(KINDS)}"
         )
     both: list[Candidate] = []
-    for number, name in enumerate((*names, *names)):
-        say(f"shaper {number + 1} of {2 * len(names)}: {name}")
+    every = (*names, *names) if at.known_between else names
+    for number, name in enumerate(every):
+        say(f"shaper {number + 1} of {len(every)}: {name}")
         if number < len(names):
             frequencies, fixed = best_fixed(name, at)
             both.append(_candidate(name, False, frequencies, at.mean_ratio, fixed, at))
@@ -221,13 +229,13 @@ def choose(
         longest = max(one.duration for one in both)
         what = f"the shapers last {1e3 * longest:.3g} ms at most, less than two ticks of {1e3 * tick:.3g} ms"
         raise PkmodesError(what, "tick", "shorten the tick, or choose a longer kind")
-    recommended, notes = _recommended(candidates, left, length, firmware)
+    recommended, notes = _recommended(candidates, left, length, firmware, at.where_most)
     if short:
         kept = {one.kind for one in candidates}
         listed = dict.fromkeys(f"{one.kind}{_variant(one) if one.kind in kept else ''}" for one in short)
         notes.append(f"{', '.join(listed)}: left out, shorter than two ticks of {1e3 * tick:.3g} ms")
     unshaped = _amplitude(at, at.unshaped)
-    return Choice(at, unshaped, candidates, recommended, (*_about(at), *notes), left, length, firmware)
+    return Choice(at, unshaped, candidates, recommended, (*at.notes(), *notes), left, length, firmware)
 
 
 def _per_cent(share: float) -> str:
@@ -236,22 +244,6 @@ def _per_cent(share: float) -> str:
 
 def _variant(one: Candidate) -> str:
     return " of the pose" if one.follows_pose else ", fixed"
-
-
-def _about(at: Ringing) -> list[str]:
-    notes = []
-    if at.left_out:
-        are = "pose is" if at.left_out == 1 else "poses are"
-        notes.append(f"{at.left_out} {are} left out: not reachable, or a mode does not oscillate there")
-    beyond = float(at.unshaped.max() / np.median(at.unshaped))
-    if beyond > DOMINATING:
-        notes.append(
-            f"the machine rings {beyond:.0f} times as much at the worst pose as at half of them: poses near singular "
-            "ones decide; give the part of the workspace that is used, as a grid or as [usable] in the robot file"
-        )
-    if not at.damping_ratios.any():
-        notes.append("the robot file has no damping: shapers are designed for none; see [damping]")
-    return notes
 
 
 def lines_of(one: Candidate) -> dict[str, str | None]:
@@ -294,7 +286,11 @@ def recommended_of(
 
 
 def _recommended(
-    candidates: tuple[Candidate, ...], left: float, length: float | None, firmware: str | None
+    candidates: tuple[Candidate, ...],
+    left: float,
+    length: float | None,
+    firmware: str | None,
+    where: str,
 ) -> tuple[int, list[str]]:
     """Return the index of the recommended shaper, and what is to be said of it."""
     best, good = recommended_of(candidates, left, length, firmware)
@@ -313,7 +309,7 @@ def _recommended(
         return best, notes
     of = "" if firmware is None else f" of {NAMES[firmware]}"
     notes.append(
-        f"no fixed shaper{of} leaves at most {100 * left:.3g} % at the worst pose; the best one is recommended"
+        f"no fixed shaper{of} leaves at most {100 * left:.3g} % {where}; the best one is recommended"
     )
     following = [one for one in candidates if one.follows_pose and (length is None or one.duration <= length)]
     if following:

@@ -19,8 +19,9 @@ from pkmodes.shaping.shapers import Shaper, shaper
 Array = NDArray[np.float64]
 #: Frequencies tried for each factor at most, and combinations of them.
 TRIED, COMBINATIONS = 160, 20_000
-#: Poses among which frequencies are looked for at most: those that ring most, and others evenly among the rest.
-POSES = 1200
+#: Modes at poses among which frequencies are looked for at most: those of poses that ring most, and of others evenly
+#: among the rest.
+MOST = 3600
 #: Frequencies tried reach this far beyond those of the machine: robust shapers are best beside them.
 BEYOND = 1.5
 #: Accuracy of the frequencies, relative: no shaper notices it.
@@ -33,7 +34,7 @@ STARTS, APART = 5, 3
 
 def best_fixed(kind: str, at: Ringing) -> tuple[tuple[float, ...], Shaper]:
     """Return design frequencies [Hz], one for each factor, and the shaper, for the mean damping ratio."""
-    names, zeta, some = names_of(kind), at.mean_ratio, _chosen(at.unshaped)
+    names, zeta, some = names_of(kind), at.mean_ratio, _chosen(at.unshaped, MOST // at.frequencies.shape[1])
     modes, weights = (at.frequencies[some], at.damping_ratios[some]), at.weights[some]
 
     def worst(log_frequencies: Array) -> float:
@@ -56,13 +57,13 @@ def fixed_shaper(kind: str, frequencies: Array, zeta: float) -> Shaper:
     return shaper(kind, frequencies if len(frequencies) > 1 else frequencies[0], zeta)
 
 
-def _chosen(unshaped: Array) -> NDArray[np.intp]:
-    """Return which poses the search looks at."""
-    if len(unshaped) <= POSES:
+def _chosen(unshaped: Array, count: int) -> NDArray[np.intp]:
+    """Return which poses the search looks at, at most so many."""
+    if len(unshaped) <= count:
         return np.arange(len(unshaped))
     order = np.argsort(-unshaped)
-    most, others = order[: POSES // 2], order[POSES // 2 :]
-    even = others[np.linspace(0, len(others) - 1, POSES - len(most)).astype(int)]
+    most, others = order[: count // 2], order[count // 2 :]
+    even = others[np.linspace(0, len(others) - 1, count - len(most)).astype(int)]
     return np.concatenate([most, even])
 
 

@@ -16,9 +16,7 @@ def remarks(choice: Choice) -> list[str]:
             "by formulas of its own: it leaves somewhat more than is said here"
         )
     if best.kind in MARLIN and best.damping_ratio < LEAST:
-        notes.append(
-            f"Marlin takes damping ratios from {LEAST:g} on: its line has that instead of the model's"
-        )
+        notes.append(f"Marlin takes damping ratios from {LEAST:g} on, and its line has that one")
     return notes
 
 
@@ -29,7 +27,7 @@ def _substitutes(choice: Choice, best: Candidate) -> list[str]:
         index, good = recommended_of(choice.candidates, choice.left, choice.length, name)
         if index is not None:
             one = choice.candidates[index]
-            worst = f"{100 * one.left.worst:.2g} % at the worst pose"
+            worst = f"{100 * one.left.worst:.2g} % {choice.ringing.where_most}"
             limit = f"{100 * choice.left:.3g} %"
             which = f"is the shortest that leaves at most {limit}" if good else "leaves least"
             instead = f"of those compared that it has, {one.kind} {which}: {worst}"

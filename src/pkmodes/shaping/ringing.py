@@ -20,6 +20,8 @@ from pkmodes.support.progress import say
 Array = NDArray[np.float64]
 #: Modes that count by default: the lowest ones.
 MODES = 3
+#: Largest amplitude over the median from which on a few poses decide everything.
+DOMINATING = 20.0
 #: Points and weights of the average over a normal distribution (Gauss and Hermite): exact for polynomials up to
 #: degree 17, and good to 1e-3 for what shapers leave of vibrations.
 SPREAD, SHARE = (np.array(column) for column in np.polynomial.hermite_e.hermegauss(9))
@@ -59,6 +61,38 @@ class Ringing:
     def shaped(self, left: Array) -> Array:
         """Return the same with a shaper that leaves some of each mode, (N, m), as (N,) [s^2]."""
         return np.asarray(np.linalg.norm(self.weights * left, axis=-1))
+
+    @property
+    def modes(self) -> int:
+        """How many modes a shaper may have factors for."""
+        return self.frequencies.shape[1]
+
+    @property
+    def known_between(self) -> bool:
+        """Whether shapers can be designed for any pose, so that they may follow it."""
+        return True
+
+    @property
+    def where_most(self) -> str:
+        """Where the most that a shaper leaves is looked for."""
+        return "at the worst pose"
+
+    def notes(self) -> list[str]:
+        """Return what the reader should know of these modes."""
+        notes = []
+        if self.left_out:
+            are = "pose is" if self.left_out == 1 else "poses are"
+            notes.append(f"{self.left_out} {are} left out: not reachable, or a mode does not oscillate there")
+        beyond = float(self.unshaped.max() / np.median(self.unshaped))
+        if beyond > DOMINATING:
+            notes.append(
+                f"the machine rings {beyond:.0f} times as much at the worst pose as at half of them: poses near "
+                "singular ones decide; give the part of the workspace that is used, as a grid or as [usable] in the "
+                "robot file"
+            )
+        if not self.damping_ratios.any():
+            notes.append("the robot file has no damping: shapers are designed for none; see [damping]")
+        return notes
 
     @property
     def mean_ratio(self) -> float:

@@ -1,0 +1,266 @@
+"""What ``pkmodes shaper --json`` writes: for a robot, and for measured modes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, Self
+
+import numpy as np
+from msgspec import Meta
+
+from pkmodes.core.base.drives import Drives
+from pkmodes.support.documents import Count, Document, Number, Size
+
+if TYPE_CHECKING:
+    from pkmodes.core.model import Model
+    from pkmodes.shaping.choice import Candidate, Choice
+    from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
+
+
+class UnshapedDocument(Document, frozen=True):
+    """Vibration of the platform without a shaper, for a step of its acceleration by 1 m/s^2."""
+
+    rms: Annotated[Size, Meta(description="Root mean square over the poses [s^2].")]
+    worst: Annotated[Size, Meta(description="Largest value [s^2].")]
+    pose: Annotated[list[float], Meta(description="Where it is largest, in SI units.")]
+
+
+class LeftDocument(Document, frozen=True):
+    """Vibration that a shaper leaves, relative to none."""
+
+    rms: Annotated[Size, Meta(description="Root mean square over that without a shaper.")]
+    worst: Annotated[Size, Meta(description="Largest value over the largest without a shaper.")]
+    pose: Annotated[list[float], Meta(description="Where most is left, in SI units.")]
+    rms_uncertain: Annotated[
+        Size | None,
+        Meta(
+            description="rms with frequencies spread by the standard deviations of the robot file; null without any."
+        ),
+    ]
+
+
+class CandidateDocument(Document, frozen=True):
+    """A shaper."""
+
+    kind: Annotated[str, Meta(description="Such as zv, or zv*zv for two modes.")]
+    follows_pose: Annotated[bool, Meta(description="Whether it is designed anew for the modes of each pose.")]
+    frequencies_hz: Annotated[
+        list[float] | None,
+        Meta(
+            description="Of the design, one for each factor [Hz]; null if it follows the pose, as the next three."
+        ),
+    ]
+    damping_ratios: Annotated[list[float] | None, Meta(description="Of the design, likewise.")]
+    amplitudes: Annotated[list[float] | None, Meta(description="Of the impulses; their sum is 1.")]
+    delays_s: Annotated[list[float] | None, Meta(description="Of the impulses [s].")]
+    duration_s: Annotated[Size, Meta(description="Delay of the last impulse [s]; the longest of all poses.")]
+    left: Annotated[LeftDocument, Meta(description="Vibration that it leaves.")]
+
+
+class SpectrumDocument(Document, frozen=True):
+    """A measured spectrum, over which shapers are drawn."""
+
+    file: Annotated[str, Meta(description="The file, as given.")]
+    peak_hz: Annotated[
+        Size, Meta(description="Its highest line, from half the lowest mode to twice the highest [Hz].")
+    ]
+    at_mode: Annotated[bool, Meta(description="Whether one of the modes is there, within a line or 2 %.")]
+    left: Annotated[
+        Size,
+        Meta(
+            description="What the recommended shaper leaves of a mode there with the damping ratio of its design."
+        ),
+    ]
+
+    @classmethod
+    def seen(cls, spectrum: MeasuredSpectrum | None, choice: Choice) -> tuple[Self | None, list[str]]:
+        """Return the document of a spectrum, and what is to be said of it; nothing without one."""
+        if spectrum is None:
+            return None, []
+        from pkmodes.shaping.residual_vibration import residual
+
+        best = choice.candidates[choice.recommended]
+        peak, known = spectrum.peak(choice.ringing.frequencies)
+        left = float(residual(best.shaper, peak, best.damping_ratio))
+        missing = (
+            f"the highest peak of the spectrum, at {peak:.4g} Hz, is at none of the modes: one may be missing; of a "
+            f"mode there the recommended shaper leaves {100.0 * left:.2g} %"
+        )
+        return cls(file=spectrum.source, peak_hz=peak, at_mode=known, left=left), [] if known else [missing]
+
+
+class ShaperDocument(Document, frozen=True):
+    """Shapers for the modes of held motors, compared over poses."""
+
+    robot: Annotated[str, Meta(description="Name of the robot.")]
+    drives: Drives
+    poses: Annotated[Count, Meta(description="Number of poses that count.")]
+    modes: Annotated[Count, Meta(description="Number of modes that count, the lowest.")]
+    unshaped: Annotated[UnshapedDocument, Meta(description="Without a shaper.")]
+    shapers: Annotated[
+        list[CandidateDocument],
+        Meta(description="The best fixed one of each kind, then those that follow the pose."),
+    ]
+    recommended: Annotated[Count, Meta(description="Index of the recommended one, which is fixed.")]
+    spectrum: SpectrumDocument | None
+    firmware: Annotated[
+        dict[str, str | None],
+        Meta(description="Lines for klipper, marlin and reprapfirmware; null where it has no such shaper."),
+    ]
+    notes: Annotated[list[str], Meta(description="What the reader should know.")]
+
+
+class MeasuredLeftDocument(Document, frozen=True):
+    """Vibration that a shaper leaves of measured modes, each relative to none."""
+
+    rms: Annotated[Size, Meta(description="Root mean square over the modes as measured.")]
+    worst: Annotated[Size, Meta(description="Largest value of a mode as measured.")]
+    worst_uncertain: Annotated[
+        Size,
+        Meta(
+            description="Largest value of a mode with its frequency and damping ratio anywhere within two standard "
+            "deviations: the one that decides."
+        ),
+    ]
+
+
+class MeasuredCandidateDocument(Document, frozen=True):
+    """A shaper for measured modes."""
+
+    kind: Annotated[str, Meta(description="Such as zv, or zv*zv for two modes.")]
+    frequencies_hz: Annotated[list[float], Meta(description="Of the design, one for each factor [Hz].")]
+    damping_ratios: Annotated[list[float], Meta(description="Of the design, likewise.")]
+    amplitudes: Annotated[list[float], Meta(description="Of the impulses; their sum is 1.")]
+    delays_s: Annotated[list[float], Meta(description="Of the impulses [s].")]
+    duration_s: Annotated[Size, Meta(description="Delay of the last impulse [s].")]
+    rounding_s2: Annotated[
+        Size,
+        Meta(
+            description="Distance of the shaped path from the command for each m/s^2 of acceleration [s^2]: half "
+            "the variance of the impulses in time."
+        ),
+    ]
+    left: Annotated[MeasuredLeftDocument, Meta(description="Vibration that it leaves.")]
+
+
+class MeasuredModeDocument(Document, frozen=True):
+    """A measured mode, and what the recommended shaper leaves of it."""
+
+    pose: Annotated[str, Meta(description="Label of its pose.")]
+    line: Annotated[Number, Meta(description="Line of the file.")]
+    frequency_hz: Annotated[Size, Meta(description="As measured [Hz].")]
+    sigma_hz: Annotated[Size, Meta(description="Its standard deviation [Hz].")]
+    damping_ratio: Annotated[
+        Size | None, Meta(description="As measured, or as --damping gives it; null where unknown.")
+    ]
+    left: Annotated[Size, Meta(description="Left of it as measured, relative to no shaper.")]
+    left_uncertain: Annotated[
+        Size,
+        Meta(description="At most, anywhere within two standard deviations of frequency and damping ratio."),
+    ]
+
+
+class MeasuredShaperDocument(Document, frozen=True):
+    """Fixed shapers for measured modes, each of which counts in full."""
+
+    measured: Annotated[str, Meta(description="The measurement file, as given.")]
+    drives: Annotated[Drives, Meta(description="What the motors did at the poses that count.")]
+    poses: Annotated[Count, Meta(description="Number of poses that count.")]
+    modes: Annotated[Count, Meta(description="Number of modes that count, at all poses together.")]
+    shapers: Annotated[list[MeasuredCandidateDocument], Meta(description="The best one of each kind.")]
+    recommended: Annotated[Count, Meta(description="Index of the recommended one.")]
+    measured_modes: Annotated[list[MeasuredModeDocument], Meta(description="In the order of the file.")]
+    spectrum: SpectrumDocument | None
+    firmware: Annotated[
+        dict[str, str | None],
+        Meta(description="Lines for klipper, marlin and reprapfirmware; null where it has no such shaper."),
+    ]
+    notes: Annotated[list[str], Meta(description="What the reader should know.")]
+
+
+def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | None) -> ShaperDocument:
+    """Return the result for a robot."""
+    from pkmodes.shaping.choice import lines_of
+    from pkmodes.shaping.remarks import remarks
+
+    best = choice.candidates[choice.recommended]
+    seen, said = SpectrumDocument.seen(spectrum, choice)
+    return ShaperDocument(
+        robot=model.robot.name,
+        drives="held",
+        poses=len(choice.ringing.poses),
+        modes=choice.ringing.frequencies.shape[1],
+        unshaped=UnshapedDocument.of(choice.unshaped),
+        shapers=[_candidate(one) for one in choice.candidates],
+        recommended=choice.recommended,
+        spectrum=seen,
+        firmware=lines_of(best),
+        notes=[*choice.notes, *remarks(choice), *said],
+    )
+
+
+def _candidate(one: Candidate) -> CandidateDocument:
+    design = None if one.follows_pose else _design(one)
+    empty = dict.fromkeys(("frequencies_hz", "damping_ratios", "amplitudes", "delays_s"))
+    return CandidateDocument.of(
+        one, **(design or empty), duration_s=one.duration, left=LeftDocument.of(one.left)
+    )
+
+
+def _design(one: Candidate) -> dict[str, list[float]]:
+    return {
+        "frequencies_hz": list(one.frequencies),
+        "damping_ratios": [one.damping_ratio] * len(one.frequencies),
+        "amplitudes": one.shaper.amplitudes.tolist(),
+        "delays_s": one.shaper.delays.tolist(),
+    }
+
+
+def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> MeasuredShaperDocument:
+    """Return the result for measured modes."""
+    from pkmodes.shaping.choice import lines_of
+    from pkmodes.shaping.measured_modes import MeasuredRinging
+    from pkmodes.shaping.remarks import remarks
+
+    at = choice.ringing
+    assert isinstance(at, MeasuredRinging)
+    data, best = at.data, choice.candidates[choice.recommended]
+    seen, said = SpectrumDocument.seen(spectrum, choice)
+    shapers = []
+    for one in choice.candidates:
+        left, most = at.left_of(one)
+        shares = {"rms": np.sqrt(np.mean(left**2)), "worst": left.max(), "worst_uncertain": most.max()}
+        shapers.append(
+            MeasuredCandidateDocument(
+                kind=one.kind,
+                **_design(one),
+                duration_s=one.duration,
+                rounding_s2=one.rounding,
+                left=MeasuredLeftDocument(**{key: float(share) for key, share in shares.items()}),
+            )
+        )
+    modes = []
+    for row, left, most in zip(at.rows, *at.left_of(best), strict=True):
+        known = np.isfinite(data.damping[row])
+        modes.append(
+            MeasuredModeDocument(
+                pose=data.labels[data.pose[row]],
+                line=int(data.lines[row]),
+                frequency_hz=float(data.frequency[row]),
+                sigma_hz=float(data.sigma[row]),
+                damping_ratio=float(data.damping[row]) if known else at.assumed,
+                left=float(left),
+                left_uncertain=float(most),
+            )
+        )
+    return MeasuredShaperDocument(
+        measured=data.source,
+        drives=data.drives[data.pose[at.rows[0]]],
+        poses=len(np.unique(data.pose[at.rows])),
+        modes=len(at.rows),
+        shapers=shapers,
+        recommended=choice.recommended,
+        measured_modes=modes,
+        spectrum=seen,
+        firmware=lines_of(best),
+        notes=[*choice.notes, *remarks(choice), *said],
+    )

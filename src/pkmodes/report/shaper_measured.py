@@ -1,0 +1,169 @@
+"""The report of ``pkmodes shaper --measured``: what shapers leave of measured modes, within their errors."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from pkmodes.report.blocks import Cell, Column, Section, Summary, Table
+from pkmodes.report.formatting import clean, label, number, plural, pointer, uncertain
+from pkmodes.report.page import need_report, page
+from pkmodes.report.sections import origin
+from pkmodes.report.shaper import (
+    as_sentence,
+    design_of,
+    firmware_lines,
+    over_frequency_section,
+    why_recommended,
+)
+from pkmodes.report.sources import Source
+from pkmodes.report.tables import table
+from pkmodes.shaping.choice import Choice
+from pkmodes.shaping.measured_modes import WITHIN
+from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
+
+#: What everything is said within.
+ERRORS = f"within {WITHIN:g} standard deviations of its frequency and damping ratio"
+
+
+def measured_shaper_report(
+    choice: Choice, content: dict[str, Any], sources: Sequence[Source], spectrum: MeasuredSpectrum | None
+) -> str:
+    """Return the report of a choice for measured modes.
+
+    Parameters
+    ----------
+    content : dict
+        The JSON of the command.
+    sources : sequence of Source
+        The input files as they were read.
+    spectrum : MeasuredSpectrum or None
+        Over which shapers are drawn.
+
+    Returns
+    -------
+    str
+        HTML that needs no other file and no network.
+
+    Raises
+    ------
+    MissingExtraError
+        If the libraries of the extra ``report`` are not installed.
+    """
+    need_report()
+    sections = [
+        Section("shapers", "Shapers", [shapers_table(content)]),
+        over_frequency_section(choice, spectrum),
+        Section("modes", "The measured modes", [modes_table(content)]),
+        Section("firmware", "Lines for firmware", firmware_lines(content)),
+        origin(sources, None),
+    ]
+    return page(summary(choice, content), sections)
+
+
+def summary(choice: Choice, content: dict[str, Any]) -> Summary:
+    """Return the recommended shaper, and what it leaves."""
+    best = choice.candidates[choice.recommended]
+    left = content["shapers"][choice.recommended]["left"]
+    at = ("shapers", choice.recommended, "left")
+    modes, poses = plural(content["modes"], "measured mode"), plural(content["poses"], "pose")
+    most = f"{100.0 * left['worst_uncertain']:.2g} %"
+    reason = (
+        f"The recommended shaper, for {design_of(best)}, leaves at most {most} of the vibration in each of the "
+        f"{modes} at {poses}, {ERRORS}. {why_recommended(choice)} How much each mode takes part in a movement is not "
+        "in the table, so each counts in full: of all of them together no larger share is left."
+    )
+    facts = [
+        ("lasts", Cell(f"{1e3 * best.duration:.3g} ms", best.duration)),
+        (
+            "most left of a mode as measured [%]",
+            number(left["worst"], ".2g", pointer(*at, "worst"), scale=100.0),
+        ),
+        (
+            f"most left of a mode within {WITHIN:g} \u03c3 [%]",
+            number(left["worst_uncertain"], ".2g", pointer(*at, "worst_uncertain"), scale=100.0),
+        ),
+    ]
+    if content["spectrum"] is not None:
+        seen = content["spectrum"]
+        facts.append(
+            ("highest peak of the spectrum [Hz]", number(seen["peak_hz"], ".1f", "/spectrum/peak_hz"))
+        )
+        facts.append(("left of a mode there [%]", number(seen["left"], ".2g", "/spectrum/left", scale=100.0)))
+    return Summary(
+        subject=clean(content["measured"]),
+        kind="Shaper",
+        headline=f"{best.kind} leaves at most {most} of each measured mode",
+        reason=reason,
+        notes=[as_sentence(clean(note, None)) for note in content["notes"]],
+        facts=facts,
+    )
+
+
+def shapers_table(content: dict[str, Any]) -> Table:
+    """Return all shapers, and what each leaves."""
+    keys = {"rms": "rms [%]", "worst": "worst [%]", "worst_uncertain": f"worst, {WITHIN:g} \u03c3 [%]"}
+    columns = [
+        Column("shaper", numbers=False),
+        Column("design [Hz]", numbers=False),
+        Column("lasts [ms]"),
+        *(Column(title, page_only=key == "rms") for key, title in keys.items()),
+        Column("rounds [\u00b5m]"),
+    ]
+    rows = []
+    for i, one in enumerate(content["shapers"]):
+        strong, at = i == content["recommended"], ("shapers", i)
+        cells = [
+            Cell(clean(one["kind"]) + (" *" if strong else ""), strong=strong),
+            Cell(", ".join(f"{f:.2f}" for f in one["frequencies_hz"])),
+            number(one["duration_s"], ".1f", pointer(*at, "duration_s"), scale=1e3),
+        ]
+        cells += [number(one["left"][key], ".2f", pointer(*at, "left", key), scale=100.0) for key in keys]
+        cells.append(number(one["rounding_s2"], ".1f", pointer(*at, "rounding_s2"), scale=1e6))
+        rows.append(cells)
+    caption = (
+        "What shapers leave of the measured modes: the root mean square and the largest of all as measured, and the "
+        f"largest with each mode {ERRORS}. Where it turns back, a shaped path is rounded by so much for each "
+        "m/s\u00b2 of acceleration."
+    )
+    return Table(caption, columns, rows, note="* The recommended one.", heads=2)
+
+
+def modes_table(content: dict[str, Any], most: int | None = None) -> Table:
+    """Return the measured modes with what the recommended shaper leaves of each, those of which most is left first.
+
+    Parameters
+    ----------
+    most : int, optional
+        How many at most; all by default.
+    """
+    modes = content["measured_modes"]
+    order = sorted(range(len(modes)), key=lambda i: -modes[i]["left_uncertain"])
+    rows = []
+    for i in order[:most]:
+        one, at = modes[i], ("measured_modes", i)
+        rows.append(
+            [
+                label(one["pose"]),
+                number(one["line"], ".0f", pointer(*at, "line")),
+                uncertain(
+                    one["frequency_hz"],
+                    one["sigma_hz"],
+                    pointer(*at, "frequency_hz"),
+                    pointer(*at, "sigma_hz"),
+                ),
+                number(one["damping_ratio"], ".2f", pointer(*at, "damping_ratio"), scale=100.0),
+                number(one["left"], ".2f", pointer(*at, "left"), scale=100.0),
+                number(one["left_uncertain"], ".2f", pointer(*at, "left_uncertain"), scale=100.0),
+            ]
+        )
+    columns = [Column("pose", numbers=False), Column("line"), Column("f [Hz]"), Column("damping ratio [%]")]
+    columns += [Column("left [%]"), Column(f"left, {WITHIN:g} \u03c3 [%]")]
+    caption = f"What the recommended shaper leaves of each measured mode: as measured, and at most {ERRORS}."
+    others = len(order) - len(rows)
+    note = (
+        f"{plural(others, 'mode')} of which less is left: the JSON and the report have them."
+        if others
+        else ""
+    )
+    return table(caption, columns, rows, note=note)

@@ -1,0 +1,197 @@
+r"""Measured modes as those that shapers are chosen for: each alone, at each pose, anywhere within its errors.
+
+A table of modes does not say how much each takes part in a movement.  So each counts in full: what a shaper leaves of
+all of them together, whatever their shares, never exceeds what it leaves of the one of which it leaves most,
+:math:`\sqrt{\sum w_i^2 v_i^2} \le \max v_i \sqrt{\sum w_i^2}`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.arguments import POSITIVE_INTEGER, Constraint, check_argument, is_number
+from pkmodes.core.base.drives import HELD
+from pkmodes.core.base.errors import MeasurementError
+from pkmodes.measured.measurements import Measurements
+from pkmodes.shaping.choice import LEFT, TICK, Candidate, Choice, choose, default_kinds
+from pkmodes.shaping.ringing import MODES, Ringing
+
+Array = NDArray[np.float64]
+#: Standard deviations within which frequency and damping ratio are looked at, and places there: frequencies with the
+#: least and the largest ratio, and the mode as measured, which is the last one.
+WITHIN = 2.0
+FREQUENCIES = np.repeat(np.linspace(-WITHIN, WITHIN, 5), 2)
+RATIOS = np.tile([-WITHIN, WITHIN], 5)
+PLACES = np.array([[*FREQUENCIES, 0.0], [*RATIOS, 0.0]])
+#: Least and largest damping ratio of a mode of which none is known, and the largest of all: beyond, none oscillates.
+UNKNOWN, LARGEST = (0.0, 0.1), 0.99
+RATIO = Constraint("a damping ratio from 0 to below 1", lambda value: is_number(value) and 0.0 <= value < 1.0)
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredRinging(Ringing):
+    """R measured modes, each of them at K places within its errors as if it were alone: N = R K poses of one mode.
+
+    Attributes
+    ----------
+    data : Measurements
+        The table.
+    rows : ndarray of int, shape (R,)
+        Those that count.
+    assumed : float or None
+        Damping ratio of the modes without one; None: anything within `UNKNOWN`.
+    """
+
+    data: Measurements = field(kw_only=True)
+    rows: NDArray[np.intp] = field(kw_only=True)
+    assumed: float | None = field(kw_only=True)
+
+    @property
+    def modes(self) -> int:
+        """The largest number of modes at a pose."""
+        return int(np.bincount(self.data.pose[self.rows]).max())
+
+    @property
+    def known_between(self) -> bool:
+        """No: a table has its poses only."""
+        return False
+
+    @property
+    def where_most(self) -> str:
+        """Where the most that a shaper leaves is looked for."""
+        return f"of the worst measured mode within {WITHIN:g} standard deviations"
+
+    def left_of(self, one: Candidate) -> tuple[Array, Array]:
+        """Return what a shaper leaves of each mode as measured, and at most within its errors, (R,) each."""
+        every = one.left_at.reshape(len(self.rows), -1)
+        return every[:, -1], every.max(axis=1)
+
+    def notes(self) -> list[str]:
+        """Return what the reader should know of these modes."""
+        notes, data = [], self.data
+        if self.left_out:
+            are = "pose is" if self.left_out == 1 else "poses are"
+            notes.append(
+                f"{self.left_out} {are} left out: motors turned freely there, and a machine stops with held ones"
+            )
+        if data.drives[data.pose[self.rows[0]]] != HELD:
+            notes.append(
+                "the table does not say that motors were held: shapers are for the modes in which the machine rings "
+                "while its motors hold it, which may be others"
+            )
+        unknown = int(np.isnan(data.damping[self.rows]).sum())
+        if unknown and self.assumed is None:
+            notes.append(
+                f"{unknown} of {len(self.rows)} modes have no damping ratio: for these, whichever from "
+                f"{100.0 * UNKNOWN[0]:g} to {100.0 * UNKNOWN[1]:g} % leaves most counts (--damping gives one)"
+            )
+        return notes
+
+
+def measured_ringing(
+    data: Measurements, modes: int | None = None, damping: float | None = None
+) -> MeasuredRinging:
+    """Return the modes of a table as those that shapers are chosen for.
+
+    Where motors were held at some poses and free at others, those of held motors count.
+
+    Parameters
+    ----------
+    data : Measurements
+        With a standard deviation of each frequency.
+    modes : int, optional
+        How many modes count at each pose, the lowest; by default all.
+    damping : float, optional
+        Damping ratio of the modes without one; by default anything from 0 to 10 %.
+
+    Raises
+    ------
+    PkmodesError
+        If an argument is invalid.
+    MeasurementError
+        If the table has no modes.
+    """
+    if modes is not None:
+        check_argument(modes, POSITIVE_INTEGER, "modes", "for example: 3")
+    if damping is not None:
+        check_argument(damping, RATIO, "damping", "for example: 0.05")
+    if not len(data.pose):
+        raise MeasurementError("expected measured modes, found none", data.source, "give a row for each mode")
+    held = np.array([drives == HELD for drives in data.drives])
+    used = held if held.any() else np.ones(len(held), bool)
+    order = np.lexsort((data.frequency, data.pose))
+    rank = np.concatenate([np.arange(n) for n in np.bincount(data.pose)])
+    counts = used[data.pose[order]] & (rank < (len(rank) if modes is None else modes))
+    rows = np.sort(order[counts])
+    f, sigma, zeta = data.frequency[rows], data.sigma[rows], data.damping[rows]
+    least, most = UNKNOWN if damping is None else (damping, damping)
+    middle, half = 0.5 * (least + most), 0.5 * (most - least) / WITHIN
+    known = np.isfinite(zeta)
+    ratios = np.where(known, zeta, middle)
+    spread = np.where(known, data.damping_sigma[rows], half)
+    steps, turns = PLACES
+    within = f[:, None] * np.exp(steps * (sigma / f)[:, None])
+    damped = np.clip(ratios[:, None] + turns * spread[:, None], 0.0, LARGEST)
+    size = within.size
+    return MeasuredRinging(
+        np.repeat(data.points[data.pose[rows]], within.shape[1], axis=0),
+        within.reshape(size, 1),
+        damped.reshape(size, 1),
+        np.ones((size, 1)),
+        None,
+        int(np.count_nonzero(~used)),
+        data=data,
+        rows=rows,
+        assumed=damping,
+    )
+
+
+def measured_shapers(
+    data: Measurements,
+    kinds: Sequence[str] | None = None,
+    *,
+    modes: int | None = None,
+    damping: float | None = None,
+    left: float = LEFT,
+    length: float | None = None,
+    tick: float = TICK,
+    firmware: str | None = None,
+) -> Choice:
+    """Compare fixed shapers for the modes in a table.
+
+    Parameters
+    ----------
+    data : Measurements
+        Such as `pkmodes.updating.read` reads.
+    kinds : str or sequence of str, optional
+        By default all for one mode, and products of zv for up to three modes.
+    modes : int, optional
+        How many modes count at each pose, the lowest; by default all.
+    damping : float, optional
+        Damping ratio of the modes without one; by default anything from 0 to 10 %.
+    left : float
+        Share that the recommended shaper may leave of each mode, within two standard deviations of its frequency and
+        damping ratio.
+    length, tick, firmware
+        As for `pkmodes.Model.shapers`.
+
+    Returns
+    -------
+    Choice
+        ``ringing`` is a `MeasuredRinging`; ``left.worst`` of a candidate is what it leaves at most of any mode within
+        two standard deviations.
+
+    Raises
+    ------
+    PkmodesError
+        If an argument is invalid, no shaper is long or short enough, or the firmware has none of them.
+    MeasurementError
+        If the table has no modes.
+    """
+    at = measured_ringing(data, modes, damping)
+    chosen = default_kinds(min(at.modes, MODES)) if kinds is None else kinds
+    return choose(at, chosen, left=left, length=length, tick=tick, firmware=firmware)

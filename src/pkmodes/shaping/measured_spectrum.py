@@ -1,0 +1,101 @@
+"""A measured power spectrum, over which shapers are drawn: such as Klipper's ``resonances_*.csv``."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from os import PathLike, fspath
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import MeasurementError
+from pkmodes.signals.functions import Kind
+from pkmodes.signals.reading import read_signals
+
+Array = NDArray[np.float64]
+#: The highest peak is looked for from the lowest mode over this to the highest mode times this.
+AROUND = 2.0
+#: Relative distance of a peak from its mode at most, or else a line: damping and what drives the machine shift peaks.
+NEAR = 0.02
+#: What else a file may hold, and what to do with it.
+OTHERS = {
+    Kind.TIME: "signals in time: give their spectrum (Klipper writes one with OUTPUT=resonances)",
+    Kind.FRF: "frequency responses: a spectrum has one column for each direction, such as psd_x",
+}
+
+
+@dataclass(frozen=True)
+class MeasuredSpectrum:
+    """A power spectral density at F frequencies above 0, the sum over the directions in a file.
+
+    Attributes
+    ----------
+    source : str
+        The file.
+    frequencies, density : ndarray, shape (F,)
+        Ascending [Hz]; in the unit of the file.
+    directions : tuple of str
+        The columns or degrees of freedom that are summed.
+    unit : str
+        Of the density; empty where the file does not say.
+    """
+
+    source: str
+    frequencies: Array
+    density: Array
+    directions: tuple[str, ...]
+    unit: str
+
+    def up_to(self, highest: float) -> MeasuredSpectrum:
+        """Return its part up to a frequency [Hz], of two lines at least."""
+        count = max(2, int(np.searchsorted(self.frequencies, highest, side="right")))
+        return replace(self, frequencies=self.frequencies[:count], density=self.density[:count])
+
+    def peak(self, modes: Array) -> tuple[float, bool]:
+        """Return the frequency of the highest line around some modes [Hz], and whether it is at one of them.
+
+        Below half the lowest mode, the spectrum of a machine that is moved has the movement itself.
+        """
+        inside = (self.frequencies >= modes.min() / AROUND) & (self.frequencies <= modes.max() * AROUND)
+        if not inside.any():
+            what = f"expected lines around the modes, from {modes.min() / AROUND:.4g} Hz, found none"
+            raise MeasurementError(what, self.source, "give the spectrum of a test that reaches the modes")
+        peak = float(self.frequencies[inside][np.argmax(self.density[inside])])
+        spacing = float(np.median(np.diff(self.frequencies)))
+        return peak, bool(np.abs(modes - peak).min() <= max(spacing, NEAR * peak))
+
+
+def read_spectrum(path: str | PathLike[str]) -> MeasuredSpectrum:
+    """Read a measured power spectrum.
+
+    Parameters
+    ----------
+    path : path-like
+        A table with a column ``freq`` or ``frequency`` [Hz] and densities ``psd_x``, ``psd_y``, ``psd_z``, as Klipper
+        writes it, or one column for each sensor; or power spectra in a universal, MATLAB or NumPy file.
+
+    Raises
+    ------
+    MeasurementError
+        If the file cannot be read, holds something else, or its spectra cannot be summed.
+    """
+    source = fspath(path)
+    read = read_signals(path)
+    found = [one for one in read.functions if one.kind is Kind.SPECTRUM]
+    if not found:
+        kinds = [one.kind for one in read.functions]
+        other = next((OTHERS[kind] for kind in OTHERS if kind in kinds), "none")
+        what, _, remedy = other.partition(": ")
+        raise MeasurementError(f"expected power spectra, found {what}", source, remedy or "give another file")
+    first = found[0]
+    for one in found:
+        if not np.array_equal(one.abscissa, first.abscissa) or one.unit != first.unit:
+            what = f"the spectra of {first.response} and {one.response} have other frequencies or units"
+            raise MeasurementError(what, source, "give spectra that can be added")
+    total = np.sum([np.real(one.values) for one in found], axis=0)
+    above = (first.abscissa > 0.0) & np.isfinite(total)
+    if np.count_nonzero(above) < 2 or (total[above] < 0.0).any() or not total[above].any():
+        what = "expected a power spectral density that is not negative and somewhere positive, at two frequencies"
+        raise MeasurementError(what, source, "give the density itself, not its logarithm")
+    names = tuple(one.response for one in found)
+    return MeasuredSpectrum(source, first.abscissa[above], total[above], names, first.unit or "")
