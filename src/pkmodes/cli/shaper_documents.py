@@ -61,7 +61,7 @@ class SpectrumDocument(Document, frozen=True):
 
     file: Annotated[str, Meta(description="The file, as given.")]
     peak_hz: Annotated[
-        Size, Meta(description="Its highest line, from half the lowest mode to twice the highest [Hz].")
+        Size, Meta(description="Its highest line, from half the lowest mode to 1.4 times the highest [Hz].")
     ]
     at_mode: Annotated[bool, Meta(description="Whether one of the modes is there, within a line or 2 %.")]
     left: Annotated[

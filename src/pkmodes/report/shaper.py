@@ -21,7 +21,7 @@ from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.shaping.firmware import NAMES
 from pkmodes.shaping.measured_modes import WITHIN, MeasuredRinging
-from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
+from pkmodes.shaping.measured_spectrum import ABOVE, BELOW, MeasuredSpectrum
 from pkmodes.shaping.residual_vibration import residual
 from pkmodes.support.ordering import joined
 
@@ -33,8 +33,8 @@ if TYPE_CHECKING:
 ERRORS = np.linspace(-0.2, 0.2, 81)
 #: Shapers drawn over the frequency error at most, and poses at which they are evaluated.
 CURVES, POSES = 5, 400
-#: Frequencies of a curve, up to the highest mode or design times so much.
-DRAWN, ABOVE = 400, 1.4
+#: Frequencies of a curve.
+DRAWN = 400
 #: Poses whose components differ by less are in one layer [SI].
 SAME = 1e-9
 #: Per cent left everywhere below which a map would be of one colour.
@@ -300,13 +300,15 @@ def over_frequency(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple[D
         curves.append(shapers.Curve(design + (", recommended" if one is best else ""), left, one is best))
     ratio = f"{100.0 * best.damping_ratio:.2g} %"
     caption = (
-        f"What each shaper leaves of a mode at each frequency, for the damping ratio of the designs, {ratio}."
+        f"What each shaper leaves of a mode at each frequency, for the damping ratio of the designs, {ratio}. The "
+        f"legend has the frequencies of each design, and the most that it leaves {at.where_most}."
     )
     if len(fixed) < sum(not one.follows_pose for one in choice.candidates):
         caption += " Shapers that another one beats in both length and what it leaves are not drawn."
     drawn = marked = None
     if spectrum is not None:
-        before = 100.0 * np.sqrt(spectrum.density / spectrum.density.max())
+        seen = spectrum.frequencies >= BELOW * at.frequencies.min()  # lower, the movement itself is higher
+        before = 100.0 * np.sqrt(spectrum.density / spectrum.density[seen].max())
         after = before * residual(best.shaper, spectrum.frequencies, best.damping_ratio)
         drawn = shapers.Spectrum(spectrum.frequencies, before, after)
         summed = joined(list(map(clean, spectrum.directions)))

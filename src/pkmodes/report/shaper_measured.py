@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 from pkmodes.report.blocks import Cell, Column, Section, Summary, Table
@@ -91,7 +92,7 @@ def summary(choice: Choice, content: dict[str, Any]) -> Summary:
         )
         facts.append(("left of a mode there [%]", number(seen["left"], ".2g", "/spectrum/left", scale=100.0)))
     return Summary(
-        subject=clean(content["measured"]),
+        subject=clean(Path(content["measured"]).name),
         kind="Shaper",
         headline=f"{best.kind} leaves at most {most} of each measured mode",
         reason=reason,

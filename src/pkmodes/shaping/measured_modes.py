@@ -80,8 +80,8 @@ class MeasuredRinging(Ringing):
             )
         if data.drives[data.pose[self.rows[0]]] != HELD:
             notes.append(
-                "the table does not say that motors were held: shapers are for the modes in which the machine rings "
-                "while its motors hold it, which may be others"
+                "the table does not say that motors were held: a machine whose motors turned freely in the test "
+                "rings in other modes at work; a printer's steppers hold in both"
             )
         unknown = int(np.isnan(data.damping[self.rows]).sum())
         if unknown and self.assumed is None:

@@ -13,8 +13,8 @@ from pkmodes.signals.functions import Kind
 from pkmodes.signals.reading import read_signals
 
 Array = NDArray[np.float64]
-#: The highest peak is looked for from the lowest mode over this to the highest mode times this.
-AROUND = 2.0
+#: Frequencies that count, over the lowest and the highest mode.
+BELOW, ABOVE = 0.5, 1.4
 #: Relative distance of a peak from its mode at most, or else a line: damping and what drives the machine shift peaks.
 NEAR = 0.02
 #: What else a file may hold, and what to do with it.
@@ -56,9 +56,10 @@ class MeasuredSpectrum:
 
         Below half the lowest mode, the spectrum of a machine that is moved has the movement itself.
         """
-        inside = (self.frequencies >= modes.min() / AROUND) & (self.frequencies <= modes.max() * AROUND)
-        if not inside.any():
-            what = f"expected lines around the modes, from {modes.min() / AROUND:.4g} Hz, found none"
+        low, high = BELOW * modes.min(), ABOVE * modes.max()
+        inside = (self.frequencies >= low) & (self.frequencies <= high)
+        if not self.density[inside].any():
+            what = f"expected a density around the modes, from {low:.4g} to {high:.4g} Hz, found none"
             raise MeasurementError(what, self.source, "give the spectrum of a test that reaches the modes")
         peak = float(self.frequencies[inside][np.argmax(self.density[inside])])
         spacing = float(np.median(np.diff(self.frequencies)))
