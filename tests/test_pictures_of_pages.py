@@ -32,7 +32,7 @@ def alike(one: Path, other: Path) -> bool:
     return float(np.mean(np.asarray(difference) > 40)) < 0.005
 
 
-@pytest.mark.parametrize("name", ["tutorial", "signals"])
+@pytest.mark.parametrize("name", ["tutorial", "signals", "shapers"])
 def test_the_pictures_are_current(name: str, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     spec = importlib.util.spec_from_file_location(f"{name}_pictures", FOLDER / f"{name}.py")

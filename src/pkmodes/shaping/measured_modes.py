@@ -84,11 +84,17 @@ class MeasuredRinging(Ringing):
                 "rings in other modes at work; a printer's steppers hold in both"
             )
         unknown = int(np.isnan(data.damping[self.rows]).sum())
-        if unknown and self.assumed is None:
-            notes.append(
-                f"{unknown} of {len(self.rows)} modes have no damping ratio: for these, whichever from "
-                f"{100.0 * UNKNOWN[0]:g} to {100.0 * UNKNOWN[1]:g} % leaves most counts (--damping gives one)"
+        if unknown:
+            lacking = (
+                "no mode has" if unknown == len(self.rows) else f"{unknown} of {len(self.rows)} modes lack"
             )
+            low, high = (100.0 * ratio for ratio in UNKNOWN)
+            taken = f"{100.0 * (self.assumed or 0.0):.3g} % is taken instead, by --damping"
+            if self.assumed is None:
+                taken = (
+                    f"whichever from {low:g} to {high:g} % leaves most counts instead (--damping gives one)"
+                )
+            notes.append(f"{lacking} a damping ratio: {taken}")
         return notes
 
 

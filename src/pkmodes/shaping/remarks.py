@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pkmodes.shaping.choice import Candidate, Choice, lines_of, recommended_of
 from pkmodes.shaping.firmware import DAMPED, KLIPPER, LEAST, MARLIN, NAMES, TOLERANT
+from pkmodes.support.ordering import joined
 
 
 def remarks(choice: Choice) -> list[str]:
@@ -32,4 +33,4 @@ def _substitutes(choice: Choice, best: Candidate) -> list[str]:
             which = f"is the shortest that leaves at most {limit}" if good else "leaves least"
             instead = f"of those compared that it has, {one.kind} {which}: {worst}"
             lacking.setdefault(f"{instead} (--shapers {one.kind} prints its lines)", []).append(NAMES[name])
-    return [f"no {best.kind} in {' and '.join(names)}; {instead}" for instead, names in lacking.items()]
+    return [f"no {best.kind} in {joined(names)}; {instead}" for instead, names in lacking.items()]
