@@ -13,8 +13,9 @@ from helpers.commands.printed_tables import printed_table
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
-from pkmodes.shaping.choice import Candidate, Choice
-from pkmodes.shaping.measured_modes import MeasuredRinging, measured_shapers
+from pkmodes.shaping import measured_shapers
+from pkmodes.shaping.choice import Candidate
+from pkmodes.shaping.measured_modes import of_measured
 from pkmodes.shaping.measured_spectrum import read_spectrum
 
 KINDS = ["zv", "mzv", "ei", "2hump_ei", "3hump_ei"]
@@ -31,11 +32,6 @@ def table(*rows: tuple[str, float, float, float, float], **others: Any) -> Measu
     """Return measurements of rows of pose, frequency, sigma, damping ratio and its sigma."""
     pose, f, sigma, zeta, spread = zip(*rows, strict=True)
     return Measurements.from_rows(pose, f, sigma, damping=zeta, damping_sigma=spread, **others)
-
-
-def of_measured(choice: Choice) -> MeasuredRinging:
-    assert isinstance(choice.ringing, MeasuredRinging)
-    return choice.ringing
 
 
 def amplitude_after(one: Candidate, f: np.ndarray, zeta: np.ndarray) -> np.ndarray:
@@ -64,6 +60,7 @@ def test_zv_leaves_of_a_band_what_the_closed_form_says() -> None:
     choice = measured_shapers(table(("a", 50.0, 1.0, 0.0, 0.0)), ["zv"])
     low, high = 50.0 * np.exp(-0.04), 50.0 * np.exp(0.04)
     (one,) = choice.candidates
+    assert "worst, 2 \u03c3 [%]" in choice._repr_html_()
     assert one.frequencies[0] == pytest.approx(0.5 * (low + high), rel=1e-4)
     assert one.left.worst == pytest.approx(np.sin(0.5 * np.pi * (high - low) / (high + low)), rel=1e-3)
     left, most = of_measured(choice).left_of(one)

@@ -34,8 +34,9 @@ from pkmodes.support.writing import write_file
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from pkmodes.cli.layout import Shown
     from pkmodes.core.model import Model
-    from pkmodes.report.blocks import Block, Summary
+    from pkmodes.report.blocks import Summary
     from pkmodes.report.sources import Source
     from pkmodes.shaping.choice import Choice
     from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
@@ -49,13 +50,12 @@ ARGUMENTS = ("modes", "left", "length", "tick", "firmware", "grid", "damping")
 
 
 @dataclass(frozen=True)
-class _Shown:
-    """A choice as JSON, and what makes its page, and the head and the blocks of what is printed."""
+class _Result:
+    """A choice as JSON, and what makes its page, and the head and blocks that are printed."""
 
-    choice: Choice
     content: dict[str, Any]
     page: Callable[[], str]
-    blocks: Callable[[], tuple[Summary, list[Block]]]
+    blocks: Callable[[], tuple[Summary, Sequence[Shown]]]
 
 
 @click.command(
@@ -106,7 +106,7 @@ class _Shown:
     metavar="SHARE",
     default="10 %",
     show_default=True,
-    help="What the recommended shaper may leave of the vibration at the worst pose.",
+    help="What the recommended shaper may leave of the vibration at the worst pose, or of the worst measured mode.",
 )
 @quantity_option(
     "--length",
@@ -246,7 +246,7 @@ def _check_source(robot: Path | None, measured: Path | None, foreign: Mapping[st
 
 def _of_robot(
     model: Model, choice: Choice, spectrum: MeasuredSpectrum | None, sources: Sequence[Source]
-) -> _Shown:
+) -> _Result:
     from pkmodes.cli.shaper_documents import shaper_document
 
     content = shaper_document(model, choice, spectrum).as_json()
@@ -256,16 +256,20 @@ def _of_robot(
 
         return shaper_report(model, choice, content, sources, spectrum)
 
-    def blocks() -> tuple[Summary, list[Block]]:
+    def blocks() -> tuple[Summary, Sequence[Shown]]:
         from pkmodes.report.shaper import firmware_lines, machine, shapers_table, summary
 
-        shown = [machine(model, choice, content), shapers_table(choice), *firmware_lines(content)]
+        shown: list[Shown] = [
+            machine(model, choice, content),
+            shapers_table(choice),
+            *firmware_lines(content),
+        ]
         return summary(model, choice, content), shown
 
-    return _Shown(choice, content, page, blocks)
+    return _Result(content, page, blocks)
 
 
-def _of_measured(choice: Choice, spectrum: MeasuredSpectrum | None, sources: Sequence[Source]) -> _Shown:
+def _of_measured(choice: Choice, spectrum: MeasuredSpectrum | None, sources: Sequence[Source]) -> _Result:
     from pkmodes.cli.shaper_documents import measured_document
 
     content = measured_document(choice, spectrum).as_json()
@@ -275,14 +279,14 @@ def _of_measured(choice: Choice, spectrum: MeasuredSpectrum | None, sources: Seq
 
         return measured_shaper_report(choice, content, sources, spectrum)
 
-    def blocks() -> tuple[Summary, list[Block]]:
+    def blocks() -> tuple[Summary, Sequence[Shown]]:
         from pkmodes.report.shaper import firmware_lines
         from pkmodes.report.shaper_measured import modes_table, shapers_table, summary
 
-        shown = [shapers_table(content), modes_table(content, MOST), *firmware_lines(content)]
+        shown: list[Shown] = [shapers_table(choice), modes_table(content, MOST), *firmware_lines(content)]
         return summary(choice, content), shown
 
-    return _Shown(choice, content, page, blocks)
+    return _Result(content, page, blocks)
 
 
 def _curves(choice: Choice, spectrum: MeasuredSpectrum | None) -> str:
@@ -317,7 +321,7 @@ def _picture(
     return lambda path: write_file(path, content)
 
 
-def _print(shown: _Shown) -> None:
+def _print(shown: _Result) -> None:
     from pkmodes.cli.terminal import Terminal
 
     terminal = Terminal()

@@ -8,6 +8,7 @@ import numpy as np
 from msgspec import Meta
 
 from pkmodes.core.base.drives import Drives
+from pkmodes.shaping.measured_modes import LeftOfModes, of_measured
 from pkmodes.support.documents import Count, Document, Number, Size
 
 if TYPE_CHECKING:
@@ -109,20 +110,6 @@ class ShaperDocument(Document, frozen=True):
     notes: Annotated[list[str], Meta(description="What the reader should know.")]
 
 
-class MeasuredLeftDocument(Document, frozen=True):
-    """Vibration that a shaper leaves of measured modes, each relative to none."""
-
-    rms: Annotated[Size, Meta(description="Root mean square over the modes as measured.")]
-    worst: Annotated[Size, Meta(description="Largest value of a mode as measured.")]
-    worst_uncertain: Annotated[
-        Size,
-        Meta(
-            description="Largest value of a mode with its frequency and damping ratio anywhere within two standard "
-            "deviations: the one that decides."
-        ),
-    ]
-
-
 class MeasuredCandidateDocument(Document, frozen=True):
     """A shaper for measured modes."""
 
@@ -139,7 +126,7 @@ class MeasuredCandidateDocument(Document, frozen=True):
             "the variance of the impulses in time."
         ),
     ]
-    left: Annotated[MeasuredLeftDocument, Meta(description="Vibration that it leaves.")]
+    left: Annotated[LeftOfModes, Meta(description="Vibration that it leaves.")]
 
 
 class MeasuredModeDocument(Document, frozen=True):
@@ -218,24 +205,20 @@ def _design(one: Candidate) -> dict[str, list[float]]:
 def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> MeasuredShaperDocument:
     """Return the result for measured modes."""
     from pkmodes.shaping.choice import lines_of
-    from pkmodes.shaping.measured_modes import MeasuredRinging
     from pkmodes.shaping.remarks import remarks
 
-    at = choice.ringing
-    assert isinstance(at, MeasuredRinging)
+    at = of_measured(choice)
     data, best = at.data, choice.candidates[choice.recommended]
     seen, said = SpectrumDocument.seen(spectrum, choice)
     shapers = []
     for one in choice.candidates:
-        left, most = at.left_of(one)
-        shares = {"rms": np.sqrt(np.mean(left**2)), "worst": left.max(), "worst_uncertain": most.max()}
         shapers.append(
             MeasuredCandidateDocument(
                 kind=one.kind,
                 **_design(one),
                 duration_s=one.duration,
                 rounding_s2=one.rounding,
-                left=MeasuredLeftDocument(**{key: float(share) for key, share in shares.items()}),
+                left=at.shares(one),
             )
         )
     modes = []

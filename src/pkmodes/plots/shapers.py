@@ -197,7 +197,10 @@ def over_frequency(
         beside.axes.set_ylim(0.0, TOP)
         panel.axes.set_xlim(0.0, frequencies[-1])
         found = [one.axes.get_legend_handles_labels() for one in dict.fromkeys([panel, beside])]
-        handles, names = ([each for one in found for each in one[k]] for k in (0, 1))
+        handles, names = (
+            [each for one in found for each in one[0]],
+            [each for one in found for each in one[1]],
+        )
         place: dict[str, Any] = {
             "loc": "lower center",
             "bbox_to_anchor": (0.5, 1.0),

@@ -13,6 +13,7 @@ from pkmodes.core.solve.fields import FIELDS
 from pkmodes.core.solve.results import Modes, Statics
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.report import shaper_measured
 from pkmodes.report.blocks import Cell, Column, Table
 from pkmodes.report.comparison import by_mode, judged
 from pkmodes.report.diagnosis import headline
@@ -22,6 +23,7 @@ from pkmodes.report.setting import Setting
 from pkmodes.report.shaper import shapers_table
 from pkmodes.response.moves import Move
 from pkmodes.shaping.choice import Choice
+from pkmodes.shaping.measured_modes import MeasuredRinging
 from pkmodes.support.motors import motors_in_words
 from pkmodes.support.words import in_words
 
@@ -105,7 +107,8 @@ def of_move(move: Move) -> str:
 
 def of_shapers(choice: Choice) -> str:
     """Return the shapers that were compared, and what each leaves."""
-    return _html(shapers_table(choice))
+    measured = isinstance(choice.ringing, MeasuredRinging)
+    return _html(shaper_measured.shapers_table(choice) if measured else shapers_table(choice))
 
 
 def of_comparison(result: Comparison) -> str:

@@ -110,9 +110,21 @@ def summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
                 "largest vibration without, for a step of 1 m/s\u00b2",
                 Cell(f"{1e6 * unshaped.worst:.3g} \u00b5m", unshaped.worst, pointer("unshaped", "worst")),
             ),
+            *spectrum_facts(content),
         ],
         head=head_of(model.robot.report),
     )
+
+
+def spectrum_facts(content: dict[str, Any]) -> list[tuple[str, Cell]]:
+    """Return what the recommended shaper does to the highest peak of a spectrum; nothing without one."""
+    seen = content["spectrum"]
+    if seen is None:
+        return []
+    return [
+        ("highest peak of the spectrum [Hz]", number(seen["peak_hz"], ".1f", pointer("spectrum", "peak_hz"))),
+        ("left of a mode there [%]", number(seen["left"], ".2g", pointer("spectrum", "left"), scale=100.0)),
+    ]
 
 
 def why_recommended(choice: Choice) -> str:
@@ -340,7 +352,8 @@ def _undominated(choice: Choice) -> list[Candidate]:
         (one for one in choice.candidates if not one.follows_pose),
         key=lambda one: (one.duration, one.left.worst),
     )
-    least, found = np.inf, []
+    least = np.inf
+    found: list[Candidate] = []
     for one in fixed:
         if one.left.worst < least and len(found) < CURVES:
             found.append(one)

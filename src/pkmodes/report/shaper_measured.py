@@ -15,12 +15,13 @@ from pkmodes.report.shaper import (
     design_of,
     firmware_lines,
     over_frequency_section,
+    spectrum_facts,
     why_recommended,
 )
 from pkmodes.report.sources import Source
 from pkmodes.report.tables import table
 from pkmodes.shaping.choice import Choice
-from pkmodes.shaping.measured_modes import WITHIN
+from pkmodes.shaping.measured_modes import WITHIN, of_measured
 from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
 
 #: What everything is said within.
@@ -53,7 +54,7 @@ def measured_shaper_report(
     """
     need_report()
     sections = [
-        Section("shapers", "Shapers", [shapers_table(content)]),
+        Section("shapers", "Shapers", [shapers_table(choice)]),
         over_frequency_section(choice, spectrum),
         Section("modes", "The measured modes", [modes_table(content)]),
         Section("firmware", "Lines for firmware", firmware_lines(content)),
@@ -65,10 +66,10 @@ def measured_shaper_report(
 def summary(choice: Choice, content: dict[str, Any]) -> Summary:
     """Return the recommended shaper, and what it leaves."""
     best = choice.candidates[choice.recommended]
-    left = content["shapers"][choice.recommended]["left"]
+    left = of_measured(choice).shares(best)
     at = ("shapers", choice.recommended, "left")
     modes, poses = plural(content["modes"], "measured mode"), plural(content["poses"], "pose")
-    most = f"{100.0 * left['worst_uncertain']:.2g} %"
+    most = f"{100.0 * left.worst_uncertain:.2g} %"
     reason = (
         f"The recommended shaper, for {design_of(best)}, leaves at most {most} of the vibration in each of the "
         f"{modes} at {poses}, {ERRORS}. {why_recommended(choice)} How much each mode takes part in a movement is not "
@@ -78,30 +79,24 @@ def summary(choice: Choice, content: dict[str, Any]) -> Summary:
         ("lasts", Cell(f"{1e3 * best.duration:.3g} ms", best.duration)),
         (
             "most left of a mode as measured [%]",
-            number(left["worst"], ".2g", pointer(*at, "worst"), scale=100.0),
+            number(left.worst, ".2g", pointer(*at, "worst"), scale=100.0),
         ),
         (
             f"most left of a mode within {WITHIN:g} \u03c3 [%]",
-            number(left["worst_uncertain"], ".2g", pointer(*at, "worst_uncertain"), scale=100.0),
+            number(left.worst_uncertain, ".2g", pointer(*at, "worst_uncertain"), scale=100.0),
         ),
     ]
-    if content["spectrum"] is not None:
-        seen = content["spectrum"]
-        facts.append(
-            ("highest peak of the spectrum [Hz]", number(seen["peak_hz"], ".1f", "/spectrum/peak_hz"))
-        )
-        facts.append(("left of a mode there [%]", number(seen["left"], ".2g", "/spectrum/left", scale=100.0)))
     return Summary(
         subject=clean(Path(content["measured"]).name),
         kind="Shaper",
         headline=f"{best.kind} leaves at most {most} of each measured mode",
         reason=reason,
         notes=[as_sentence(clean(note, None)) for note in content["notes"]],
-        facts=facts,
+        facts=[*facts, *spectrum_facts(content)],
     )
 
 
-def shapers_table(content: dict[str, Any]) -> Table:
+def shapers_table(choice: Choice) -> Table:
     """Return all shapers, and what each leaves."""
     keys = {"rms": "rms [%]", "worst": "worst [%]", "worst_uncertain": f"worst, {WITHIN:g} \u03c3 [%]"}
     columns = [
@@ -112,15 +107,16 @@ def shapers_table(content: dict[str, Any]) -> Table:
         Column("rounds [\u00b5m]"),
     ]
     rows = []
-    for i, one in enumerate(content["shapers"]):
-        strong, at = i == content["recommended"], ("shapers", i)
+    ringing = of_measured(choice)
+    for i, one in enumerate(choice.candidates):
+        strong, at, left = i == choice.recommended, ("shapers", i), ringing.shares(one)
         cells = [
-            Cell(clean(one["kind"]) + (" *" if strong else ""), strong=strong),
-            Cell(", ".join(f"{f:.2f}" for f in one["frequencies_hz"])),
-            number(one["duration_s"], ".1f", pointer(*at, "duration_s"), scale=1e3),
+            Cell(clean(one.kind) + (" *" if strong else ""), strong=strong),
+            Cell(", ".join(f"{f:.2f}" for f in one.frequencies)),
+            number(one.duration, ".1f", pointer(*at, "duration_s"), scale=1e3),
         ]
-        cells += [number(one["left"][key], ".2f", pointer(*at, "left", key), scale=100.0) for key in keys]
-        cells.append(number(one["rounding_s2"], ".1f", pointer(*at, "rounding_s2"), scale=1e6))
+        cells += [number(getattr(left, key), ".2f", pointer(*at, "left", key), scale=100.0) for key in keys]
+        cells.append(number(one.rounding, ".1f", pointer(*at, "rounding_s2"), scale=1e6))
         rows.append(cells)
     caption = (
         "What shapers leave of the measured modes: the root mean square and the largest of all as measured, and the "

@@ -1,10 +1,12 @@
 """Input shapers: commands split into a few delayed parts, so that the vibrations they excite cancel.
 
-`shaper` designs one for a mode, or one for each mode of a batch; `residual` says how much vibration a shaper leaves.
+`shaper` designs one for a mode, or one for each mode of a batch; `residual` says how much vibration a shaper leaves;
+`measured_shapers` compares them for measured modes.
 """
 
 from pkmodes.shaping.kinds import KINDS
+from pkmodes.shaping.measured_modes import measured_shapers
 from pkmodes.shaping.residual_vibration import residual
 from pkmodes.shaping.shapers import Shaper, shaper
 
-__all__ = ["KINDS", "Shaper", "residual", "shaper"]
+__all__ = ["KINDS", "Shaper", "measured_shapers", "residual", "shaper"]

@@ -9,8 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Annotated
 
 import numpy as np
+from msgspec import Meta
 from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import POSITIVE_INTEGER, Constraint, check_argument, is_number
@@ -19,6 +21,7 @@ from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
 from pkmodes.shaping.choice import LEFT, TICK, Candidate, Choice, choose, default_kinds
 from pkmodes.shaping.ringing import MODES, Ringing
+from pkmodes.support.documents import Document, Size
 
 Array = NDArray[np.float64]
 #: Standard deviations within which frequency and damping ratio are looked at, and places there: frequencies with the
@@ -30,6 +33,20 @@ PLACES = np.array([[*FREQUENCIES, 0.0], [*RATIOS, 0.0]])
 #: Least and largest damping ratio of a mode of which none is known, and the largest of all: beyond, none oscillates.
 UNKNOWN, LARGEST = (0.0, 0.1), 0.99
 RATIO = Constraint("a damping ratio from 0 to below 1", lambda value: is_number(value) and 0.0 <= value < 1.0)
+
+
+class LeftOfModes(Document, frozen=True):
+    """What a shaper leaves of measured modes, each relative to no shaper."""
+
+    rms: Annotated[Size, Meta(description="Root mean square over the modes as measured.")]
+    worst: Annotated[Size, Meta(description="Largest value of a mode as measured.")]
+    worst_uncertain: Annotated[
+        Size,
+        Meta(
+            description="Largest value of a mode with its frequency and damping ratio anywhere within two standard "
+            "deviations: the one that decides."
+        ),
+    ]
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,6 +86,13 @@ class MeasuredRinging(Ringing):
         """Return what a shaper leaves of each mode as measured, and at most within its errors, (R,) each."""
         every = one.left_at.reshape(len(self.rows), -1)
         return every[:, -1], every.max(axis=1)
+
+    def shares(self, one: Candidate) -> LeftOfModes:
+        """Return what a shaper leaves of all modes."""
+        left, most = self.left_of(one)
+        return LeftOfModes(
+            rms=float(np.sqrt(np.mean(left**2))), worst=float(left.max()), worst_uncertain=float(most.max())
+        )
 
     def notes(self) -> list[str]:
         """Return what the reader should know of these modes."""
@@ -154,6 +178,19 @@ def measured_ringing(
         rows=rows,
         assumed=damping,
     )
+
+
+def of_measured(choice: Choice) -> MeasuredRinging:
+    """Return the modes of a choice that `measured_shapers` made.
+
+    Raises
+    ------
+    TypeError
+        If they are those of a robot.
+    """
+    if not isinstance(choice.ringing, MeasuredRinging):
+        raise TypeError("expected a choice for measured modes")
+    return choice.ringing
 
 
 def measured_shapers(

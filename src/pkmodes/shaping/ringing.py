@@ -65,7 +65,7 @@ class Ringing:
     @property
     def modes(self) -> int:
         """How many modes a shaper may have factors for."""
-        return self.frequencies.shape[1]
+        return int(self.frequencies.shape[1])
 
     @property
     def known_between(self) -> bool:
