@@ -13,6 +13,7 @@ from helpers.commands.printed_tables import printed_table
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
+from pkmodes.report.shaper import over_frequency
 from pkmodes.shaping import measured_shapers
 from pkmodes.shaping.choice import Candidate
 from pkmodes.shaping.measured_modes import of_measured
@@ -256,6 +257,44 @@ def test_curves_over_the_spectrum_are_those_of_the_closed_forms(modes: str, tmp_
     assert found["spectrum"]["peak_hz"] == pytest.approx(40.0)
     assert found["spectrum"]["at_mode"] is True
     assert figure.read_text(encoding="utf-8").startswith("<?xml")
+
+
+def test_the_figure_shows_of_the_spectrum_what_the_recommended_shaper_leaves(tmp_path: Path) -> None:
+    """Of the amplitude, over the highest peak: what moves the machine at low frequencies is no peak."""
+    spectrum = resonances(tmp_path, ((50.0, 0.04, 1.0),))
+    lines = spectrum.read_text(encoding="utf-8").splitlines()
+    lines[2] = "1.6,1e9,0,0,1e9"
+    spectrum.write_text("\n".join(lines), encoding="utf-8")
+    choice = measured_shapers(table(("a", 50.0, 0.2, 0.0, 0.0)), ["zv", "mzv"])
+    drawing, caption = over_frequency(choice, read_spectrum(spectrum))
+    seen = {series.name: series for panel in drawing.wide.panels for series in panel.series}
+    before, after = seen["measured spectrum"], seen["after the recommended shaper"]
+    near = before.x > 25.0
+    assert before.y[near].max() == pytest.approx(100.0)
+    assert before.x[near][np.argmax(before.y[near])] == pytest.approx(49.6)
+    given = np.genfromtxt(spectrum, delimiter=",", names=True)[1 : len(before.x) + 1]
+    total = given["psd_x"] + given["psd_y"] + given["psd_z"]
+    np.testing.assert_allclose(before.y[near], 100.0 * np.sqrt(total[near] / total[near].max()))
+    best = choice.candidates[choice.recommended]
+    assert best.kind == "zv"
+    left = np.abs(np.cos(0.5 * np.pi * before.x / best.frequencies[0]))
+    np.testing.assert_allclose(after.y, before.y * left, atol=1e-6)
+    assert "summed over x, y and z" in caption
+    (dots,) = (seen[name] for name in seen if name == "measured modes")
+    assert dots.x.tolist() == [50.0]
+
+
+def test_the_shapers_of_a_robot_are_drawn_over_a_spectrum_too(tmp_path: Path) -> None:
+    spectrum, file, page = (
+        resonances(tmp_path, ((45.0, 0.04, 1.0),)),
+        tmp_path / "s.json",
+        tmp_path / "s.html",
+    )
+    grid = ["--grid", "x=0.05:0.25:2,y=0.1", "--shapers", "zv,mzv", "--spectrum", str(spectrum)]
+    robot = str(Path(__file__).parents[2] / "robots/corexy-printer.toml")
+    assert run(["shaper", robot, *grid, "--json", str(file), "--report", str(page)]) == 0
+    assert json.loads(file.read_text(encoding="utf-8"))["spectrum"]["peak_hz"] == pytest.approx(44.8)
+    assert "Over the measured spectrum" in page.read_text(encoding="utf-8")
 
 
 def test_a_peak_that_is_no_measured_mode_is_said(
