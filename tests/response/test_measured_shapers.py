@@ -324,6 +324,7 @@ def test_spectra_that_are_none_are_refused_with_what_to_do(tmp_path: Path) -> No
         ([], "give ROBOT.toml, or --measured MODES.csv"),
         (["robot.toml", "--measured", "MODES"], "--measured takes the place of ROBOT.toml: give one of them"),
         (["--measured", "MODES", "--grid", "x=0:1:3"], "--grid is for a robot file"),
+        (["modes.csv"], 'expected ROBOT.toml, found "modes.csv": measured modes are given by --measured'),
         (["robot.toml", "--damping", "5 %"], "--damping is for measured modes"),
         (["robot.toml", "--drives", "held"], "--drives is for measured modes"),
         (

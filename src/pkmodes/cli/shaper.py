@@ -27,7 +27,7 @@ from pkmodes.cli.options import (
 from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
-from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.support.extras import require
 from pkmodes.support.writing import write_file
 
@@ -202,17 +202,17 @@ def shaper(
             from pkmodes.shaping.measured_modes import measured_shapers
 
             choice = measured_shapers(read_table(measured, None, drives), names, damping=damping, **asked)
-            shown = _of_measured(choice, seen, sources)
+            result = _of_measured(choice, seen, sources)
         else:
             model = load(cast("Path", robot))
             choice = model.shapers(_points(model, grid, poses), names, **asked)
-            shown = _of_robot(model, choice, seen, sources)
+            result = _of_robot(model, choice, seen, sources)
     files = [
         ResultFile(out, lambda path: write_file(path, _curves(choice, seen))),
         ResultFile(figure, _picture(choice, seen, figure)),
-        report_file(report_to, shown.page),
+        report_file(report_to, result.page),
     ]
-    deliver(json_file, shown.content, lambda: _print(shown), *files)
+    deliver(json_file, result.content, lambda: _print(result), *files)
 
 
 def _points(model: Model, grid: str | None, poses: Path | None) -> NDArray[np.float64]:
@@ -239,6 +239,9 @@ def _check_source(robot: Path | None, measured: Path | None, foreign: Mapping[st
     if (robot is None) == (measured is None):
         what = "--measured takes the place of ROBOT.toml: give one of them"
         raise click.UsageError(what if robot else "give ROBOT.toml, or --measured MODES.csv", context)
+    if robot is not None and robot.suffix.lower() == ".csv":
+        what = f"expected ROBOT.toml, found {shown(str(robot))}: measured modes are given by --measured"
+        raise click.UsageError(what, context)
     of = "measured modes" if measured is None else "a robot file"
     for option in (name for name, value in foreign.items() if value is not None):
         raise click.UsageError(f"{option} is for {of}", context)
@@ -259,12 +262,12 @@ def _of_robot(
     def blocks() -> tuple[Summary, Sequence[Shown]]:
         from pkmodes.report.shaper import firmware_lines, machine, shapers_table, summary
 
-        shown: list[Shown] = [
+        printed: list[Shown] = [
             machine(model, choice, content),
             shapers_table(choice),
             *firmware_lines(content),
         ]
-        return summary(model, choice, content), shown
+        return summary(model, choice, content), printed
 
     return _Result(content, page, blocks)
 
@@ -283,8 +286,8 @@ def _of_measured(choice: Choice, spectrum: MeasuredSpectrum | None, sources: Seq
         from pkmodes.report.shaper import firmware_lines
         from pkmodes.report.shaper_measured import modes_table, shapers_table, summary
 
-        shown: list[Shown] = [shapers_table(choice), modes_table(content, MOST), *firmware_lines(content)]
-        return summary(choice, content), shown
+        printed: list[Shown] = [shapers_table(choice), modes_table(content, MOST), *firmware_lines(content)]
+        return summary(choice, content), printed
 
     return _Result(content, page, blocks)
 
@@ -321,11 +324,11 @@ def _picture(
     return lambda path: write_file(path, content)
 
 
-def _print(shown: _Result) -> None:
+def _print(result: _Result) -> None:
     from pkmodes.cli.terminal import Terminal
 
     terminal = Terminal()
-    head, blocks = shown.blocks()
+    head, blocks = result.blocks()
     terminal.summary(head)
     terminal.show(*blocks)
     terminal.notes(head)

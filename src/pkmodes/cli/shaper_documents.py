@@ -83,8 +83,8 @@ class SpectrumDocument(Document, frozen=True):
         peak, known = spectrum.peak(choice.ringing.frequencies)
         left = float(residual(best.shaper, peak, best.damping_ratio))
         missing = (
-            f"the highest peak of the spectrum, at {peak:.4g} Hz, is at none of the modes: one may be missing; of a "
-            f"mode there the recommended shaper leaves {100.0 * left:.2g} %"
+            f"the highest peak of the spectrum, at {peak:.4g} Hz, is at none of the modes: one may be missing or "
+            f"wrong; of a mode there the recommended shaper leaves {100.0 * left:.2g} %"
         )
         return cls(file=spectrum.source, peak_hz=peak, at_mode=known, left=left), [] if known else [missing]
 

@@ -316,7 +316,10 @@ def over_frequency(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple[D
         f"legend has the frequencies of each design, and the most that it leaves {at.where_most}."
     )
     if len(fixed) < sum(not one.follows_pose for one in choice.candidates):
-        caption += " Shapers that another one beats in both length and what it leaves are not drawn."
+        caption += (
+            f" At most {CURVES} are drawn: the recommended one, and the shortest of those that no other beats in "
+            "both length and what it leaves."
+        )
     drawn = marked = None
     if spectrum is not None:
         seen = spectrum.frequencies >= BELOW * at.frequencies.min()  # lower, the movement itself is higher

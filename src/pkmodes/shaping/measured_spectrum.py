@@ -36,15 +36,12 @@ class MeasuredSpectrum:
         Ascending [Hz]; in the unit of the file.
     directions : tuple of str
         The columns or degrees of freedom that are summed.
-    unit : str
-        Of the density; empty where the file does not say.
     """
 
     source: str
     frequencies: Array
     density: Array
     directions: tuple[str, ...]
-    unit: str
 
     def up_to(self, highest: float) -> MeasuredSpectrum:
         """Return its part up to a frequency [Hz], of two lines at least."""
@@ -99,4 +96,4 @@ def read_spectrum(path: str | PathLike[str]) -> MeasuredSpectrum:
         what = "expected a power spectral density that is not negative and somewhere positive, at two frequencies"
         raise MeasurementError(what, source, "give the density itself, not its logarithm")
     names = tuple(one.response for one in found)
-    return MeasuredSpectrum(source, first.abscissa[above], total[above], names, first.unit or "")
+    return MeasuredSpectrum(source, first.abscissa[above], total[above], names)
