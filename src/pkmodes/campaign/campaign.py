@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from os import PathLike, fspath
 from pathlib import Path
 
+from pkmodes.campaign.boards import Clock, clocks_of
 from pkmodes.campaign.description import (
     CampaignTable,
     EditTable,
@@ -60,6 +61,8 @@ class Record:
         Names of all columns of a table of signals, in order, where its own are others or missing.
     invert, conjugate : bool
         Whether the functions are force over motion, or complex conjugates.
+    clocks : mapping of str to Clock
+        Of the setups but the first, if all are boards that recorded together.
     """
 
     number: int
@@ -79,6 +82,17 @@ class Record:
     header: tuple[str, ...] = ()
     invert: bool = False
     conjugate: bool = False
+    clocks: Mapping[str, Clock] = field(default_factory=dict)
+
+    @property
+    def separate(self) -> Mapping[str, tuple[Path, ...]]:
+        """The setups that are identified one by one: boards that recorded together are one."""
+        return dict(list(self.setups.items())[:1]) if self.clocks else self.setups
+
+    def beside(self, path: Path) -> dict[str, Path]:
+        """Return the files of other boards that were recorded together with one of the first, by setup."""
+        number = next(iter(self.setups.values())).index(path) if self.clocks else 0
+        return {setup: self.setups[setup][number] for setup in self.clocks}
 
 
 @dataclass(frozen=True)
@@ -279,6 +293,7 @@ def _record(
         header=tuple(given.columns) if isinstance(given.columns, list) else (),
         invert=given.invert,
         conjugate=given.conjugate,
+        clocks={} if given.clock is None else clocks_of(given, files, where),
     )
 
 

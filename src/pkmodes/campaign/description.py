@@ -75,6 +75,7 @@ class RecordTable(Part, frozen=True):
     columns: dict[str, str] | list[str] = {}
     invert: bool = False
     conjugate: bool = False
+    clock: str | dict[str, str | int | float | Uncertain] | None = None
 
 
 class EditTable(Part, frozen=True):

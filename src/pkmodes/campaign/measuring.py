@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from pkmodes.campaign.averaging import Mean, averaged
+from pkmodes.campaign.boards import UnknownOffsetError
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.copies import copied_repeats
 from pkmodes.campaign.edits import added_group, check_asked, refuse_added
@@ -74,6 +75,15 @@ def measured(
     MeasurementError
         If a file is faulty, or a mode that the user asks for cannot be added.
     """
+    try:
+        return _measured(record, kind, campaign, keep_going, inspect)
+    except UnknownOffsetError as error:
+        alone = _measured(replace(record, clocks={}), kind, campaign, keep_going, inspect)
+        said = f"{record.pose}: each board is identified alone, with no phase between them: {error}"
+        return replace(alone, messages=[said, *alone.messages])
+
+
+def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool, inspect: bool) -> Measured:
     asked = campaign.asked(record)
     check_asked(asked, record, kind, campaign.source)
     setups = _setups(record, kind, campaign, keep_going, inspect)
@@ -112,7 +122,7 @@ def _setups(
 ) -> dict[str, _Setup]:
     """Return the setups of a record; those of a hammer that roved over a steady machine are one."""
     setups = {}
-    for setup, paths in record.setups.items():
+    for setup, paths in record.separate.items():
         files = {str(path): partial(_find, path, record, setup, kind, campaign) for path in paths}
         setups[setup] = _read(setup, files, record, campaign, keep_going, inspect)
     points = points_of(record, campaign)
@@ -196,7 +206,9 @@ def _added(one: Found | str, record: Record) -> Found | str:
 def _gaps_in_the_record(record: Record, setup: str, one: _Setup, campaign: Campaign) -> list[str]:
     """Name the sensors that are in no file, and single files."""
     said: list[str] = []
-    unseen = sorted(campaign.named_in(setup).difference(*(file.seen for file in one.found)))
+    named = campaign.named_in(setup)
+    named |= {other.key for other in campaign.sensors if other.setup in record.clocks}
+    unseen = sorted(named.difference(*(file.seen for file in one.found)))
     if unseen:
         said.append(f"{record.pose}: sensors or forces that are in none of the files: {', '.join(unseen)}")
     if len(one.found) == 1:
@@ -254,6 +266,6 @@ def _named(mode: Found, setup: str, campaign: Campaign) -> Found:
     names = {name: place.key for name, place in known.items()}
     return replace(
         mode,
-        shape={names[name]: value for name, value in mode.shape.items()},
+        shape={names.get(name, name): value for name, value in mode.shape.items()},
         participation={names.get(name, name): value for name, value in mode.participation.items()},
     )

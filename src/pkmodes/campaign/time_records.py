@@ -5,7 +5,7 @@ The columns of a file become arrays that are evenly sampled.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pkmodes.campaign.boards import Board, together, with_clocks
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import FileModes, Fit, modes_of_fit
 from pkmodes.campaign.quotients import force_in
@@ -26,6 +27,7 @@ from pkmodes.campaign.sensor_functions import (
     sensor_functions,
 )
 from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.identification.clocks import Delay
 from pkmodes.identification.estimates import Mode
 from pkmodes.identification.level import levels
 from pkmodes.identification.ssi_bands import FEWEST_PERIODS
@@ -61,6 +63,8 @@ class TimeSignals:
     messages : tuple of str
     gap : float
         Median of the times that are lost between the pieces [s]; 0 for a single piece.
+    starts : tuple of float
+        Times of the first samples of the pieces [s].
     """
 
     source: str
@@ -72,6 +76,7 @@ class TimeSignals:
     derivatives: NDArray[np.intp]
     messages: tuple[str, ...]
     gap: float = 0.0
+    starts: tuple[float, ...] = ()
 
     def as_accelerations(self, s: ArrayLike) -> Complex:
         """Return factors that make accelerations of the responses, (..., S), at complex frequencies s [1/s]."""
@@ -143,6 +148,7 @@ def time_signals(
         np.array([of.derivative for of in motions]),
         (*read.messages, *gaps, *dead_channels(dead, read.source)),
         _lost(time, pieces),
+        tuple(float(time[piece.part.start]) for piece in pieces),
     )
 
 
@@ -186,7 +192,7 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
     MeasurementError
         If the file is faulty, or too short for the band.
     """
-    given = time_signals(path, record, setup, campaign, highest=record.band[1])
+    given, delays, columns = _beside(path, record, setup, campaign)
     with in_file(given.source), _gaps_named(given):
         estimate, messages = identify_responses(
             given.step,
@@ -203,8 +209,14 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
             f"{len(short)} pieces between gaps are shorter than {shortest:.3g} s and were left out",
         )
 
+    unsigned: dict[str, list[str]] = {}
+
     def accelerations(mode: Mode) -> Mode:
-        return replace(mode, shape=mode.shape * given.as_accelerations(mode.pole))
+        whole = replace(mode, shape=mode.shape * given.as_accelerations(mode.pole))
+        known, lost = with_clocks(whole, columns, delays)
+        for name in lost:
+            unsigned.setdefault(name, []).append(f"{mode.frequency:.4g}")
+        return known
 
     fit = Fit(
         replace(
@@ -214,8 +226,64 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
         ),
         given.names,
     )
-    said = (*given.messages, *(f"{given.source}: {message}" for message in messages))
+    lost = [
+        f"the modes at {', '.join(modes)} Hz have no components of {name}: its clock is not known well enough to tell"
+        " their sign"
+        for name, modes in unsigned.items()
+    ]
+    said = (*given.messages, *(f"{given.source}: {message}" for message in (*messages, *lost)))
     return with_levels(fit, said, given, campaign.unsigned_forces_in(setup))
+
+
+def _beside(
+    path: Path, record: Record, setup: str, campaign: Campaign
+) -> tuple[TimeSignals, Mapping[str, Delay], Mapping[str, slice]]:
+    """Return the signals of a file with those of other boards that were recorded together with it.
+
+    Sensors of other boards go by the names that they have in the campaign.
+
+    Returns
+    -------
+    signals : TimeSignals
+    delays, columns : mapping
+        What was added to the times of each other board, and the columns of its signals, by setup.
+    """
+    given = time_signals(path, record, setup, campaign, highest=record.band[1])
+    others = {
+        name: time_signals(file, record, name, campaign, highest=record.band[1])
+        for name, file in record.beside(path).items()
+    }
+    if not others:
+        return given, {}, {}
+    names, columns = list(given.names), {}
+    taken = {campaign.sensors_in(setup)[name].key for name in names}
+    for name, other in others.items():
+        sensors = campaign.sensors_in(name)
+        keys = [sensors[one].key for one in other.names]
+        twice = next((key for key in keys if key in taken), None)
+        if twice is not None:
+            what = f"the sensor {shown(twice)} is in the files of both {setup} and {name}"
+            raise MeasurementError(what, other.source, f'give each [[sensor]] its own: setup = "{name}"')
+        columns[name] = slice(len(names), len(names) + len(keys))
+        names += keys
+        taken |= set(keys)
+    boards = {
+        name: Board(one.source, one.step, one.starts, one.pieces)
+        for name, one in {setup: given, **others}.items()
+    }
+    found = together(boards, record.clocks, record.band)
+    every = (given, *others.values())
+    joint = replace(
+        given,
+        step=found.step,
+        pieces=found.pieces,
+        starts=found.starts,
+        names=tuple(names),
+        derivatives=np.concatenate([one.derivatives for one in every]),
+        messages=(*(said for one in every for said in one.messages), *found.messages),
+        gap=max(one.gap for one in every),
+    )
+    return joint, found.delays, columns
 
 
 def with_levels(

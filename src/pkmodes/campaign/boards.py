@@ -1,0 +1,308 @@
+"""Files that boards with clocks of their own recorded together: brought to the clock of the first, on one grid.
+
+What a clock is not known to turns a shape: 1 ms is 18 degrees at 50 Hz.  Up to `MOST` the turn enters the standard
+deviation of the shape; beyond it the sign is not known, and the components of that board are left out.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import make_interp_spline
+
+from pkmodes.campaign.description import RecordTable, uncertain
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.identification.clocks import Delay, delay, rough_delay
+from pkmodes.identification.estimates import Mode, turned_real
+from pkmodes.signals.checks import FEWEST
+
+Array = NDArray[np.float64]
+Spans = list[tuple[float, float]]
+#: The kind of records of boards: responses in time.
+RESPONSES = "ambient"
+#: Standard deviation of times that a host gives to the samples of several boards [s].
+HOST = 2e-4
+#: Largest turn of a shape by one standard deviation of a clock: at twice as much its sign is lost [rad].
+MOST = math.pi / 4.0
+#: Largest drift of clocks whose files state their rates: of some 1300 Hz in whole numbers.
+DRIFT = 5e-4
+#: How far off a clock may be after a rough comparison, in standard deviations where they are stated, and a common
+#: clock that is checked [s, -, s].
+AFTER_ROUGH, SIGMAS, CHECKED = 0.1, 4.0, 0.01
+#: Highest frequency by which clocks are compared: the grid of delays and drifts grows with its square [Hz].
+COMPARED = 250.0
+#: A common clock that is off by less is not said [s].
+UNSAID = 1e-3
+#: Longest part of a record in which clocks of their own are compared [s].
+LONGEST = 300.0
+#: Highest frequency in parts of the sampling rate at which splines of this degree are right to 0.3 %.
+HIGHEST, DEGREE = 0.25, 5
+#: Samples on either side that a spline has beyond the times asked for.
+BESIDE = 32
+
+
+@dataclass(frozen=True)
+class Clock:
+    """The clock of a board beside that of the first.
+
+    Attributes
+    ----------
+    offset, sigma : float
+        What is to be added to its times to have those of the first board, and its standard deviation, infinite where
+        it is not known [s].
+    common : bool
+        Whether both boards have one clock.
+    """
+
+    offset: float
+    sigma: float
+    common: bool = False
+
+
+def clocks_of(given: RecordTable, files: Mapping[str, Sequence[str]], where: str) -> dict[str, Clock]:
+    """Return the clocks of the boards but the first.
+
+    Raises
+    ------
+    MeasurementError
+        If they mean nothing, or the files are not as many of each board.
+    """
+    where = f"{where}.clock"
+    first, *others = files
+    if given.kind != RESPONSES or not others or len({len(listed) for listed in files.values()}) > 1:
+        what = f"expected the kind {RESPONSES}, and as many files of each board, with clock"
+        counted = ", ".join(f"{len(listed)} of {shown(name)}" for name, listed in files.items())
+        remedy = (
+            'write files = { head = ["head_1.csv"], bed = ["bed_1.csv"] }, recorded together in this order'
+        )
+        raise MeasurementError(f"{what}, found {shown(given.kind)} and {counted}", where, remedy)
+    if given.clock == "common":
+        return {name: Clock(0.0, HOST, common=True) for name in others}
+    if given.clock == "own":
+        return {name: Clock(0.0, math.inf) for name in others}
+    if not isinstance(given.clock, dict) or set(given.clock) != set(others):
+        found = (
+            shown(given.clock) if isinstance(given.clock, str) else ", ".join(map(shown, given.clock or ()))
+        )
+        what = f'expected "common", "own", or a table of {", ".join(others)}, found {found or "none"}'
+        remedy = f'for example, to have times of {first}: {{ {others[0]} = {{ value = "12 ms", sigma = "3 ms" }} }}'
+        raise MeasurementError(what, where, remedy)
+    return {name: Clock(*uncertain(given.clock[name], "s", f"{where}.{name}")) for name in others}
+
+
+class UnknownOffsetError(Exception):
+    """What the clocks of two files differ by cannot be told."""
+
+
+@dataclass(frozen=True, eq=False)
+class Board:
+    """The signals of a board.
+
+    Attributes
+    ----------
+    file : str
+        For messages.
+    step : float
+        Between samples [s].
+    starts : tuple of float
+        Time of the first sample of each piece [s].
+    pieces : tuple of ndarray, shape (n_i, S)
+    """
+
+    file: str
+    step: float
+    starts: tuple[float, ...]
+    pieces: tuple[Array, ...]
+
+    @property
+    def spans(self) -> Spans:
+        """First and last time of each piece."""
+        return [
+            (start, start + (len(piece) - 1) * self.step)
+            for start, piece in zip(self.starts, self.pieces, strict=True)
+        ]
+
+    def later(self, by: Delay) -> Board:
+        """Return the board with what is to be added to its times."""
+        starts = tuple(start + by.seconds + by.drift * (start - by.middle) for start in self.starts)
+        return replace(self, starts=starts, step=self.step * (1.0 + by.drift))
+
+    def at(self, first: float, step: float, count: int) -> Array:
+        """Return the signals at even times within a piece."""
+        i = int(np.searchsorted(self.starts, first, side="right")) - 1
+        samples = (first - self.starts[i] + step * np.arange(count)) / self.step
+        low = max(math.floor(samples[0]) - BESIDE, 0)
+        values = self.pieces[i][low : math.ceil(samples[-1]) + BESIDE]
+        last = len(values) - 1
+        spline = make_interp_spline(np.arange(last + 1), values, k=min(DEGREE, last))
+        return np.asarray(spline((samples - low).clip(0.0, last)))
+
+
+@dataclass(frozen=True, eq=False)
+class Together:
+    """Signals of several boards on one grid.
+
+    Attributes
+    ----------
+    step : float
+        [s].
+    starts : tuple of float
+        [s].
+    pieces : tuple of ndarray, shape (n_i, S)
+        Of all boards, in their order.
+    delays : mapping of str to Delay
+        What was added to the times of each board but the first, by setup.
+    messages : tuple of str
+    """
+
+    step: float
+    starts: tuple[float, ...]
+    pieces: tuple[Array, ...]
+    delays: Mapping[str, Delay]
+    messages: tuple[str, ...]
+
+
+def together(boards: Mapping[str, Board], clocks: Mapping[str, Clock], band: tuple[float, float]) -> Together:
+    """Return the signals of all boards by the clock of the first one.
+
+    Raises
+    ------
+    MeasurementError
+        If a board samples too slowly, or the times of the boards have nothing in common.
+    UnknownOffsetError
+        If a clock of its own cannot be compared with the first.
+    """
+    for board in boards.values():
+        if band[1] > HIGHEST / board.step * (1.0 + 1e-6):  # the rate may have been reduced to just that
+            what = f"expected a band up to a quarter of the sampling rate, {HIGHEST / board.step:.4g} Hz"
+            remedy = "narrow the band of the record, or sample faster"
+            raise MeasurementError(f"{what}, found {band[1]:g} Hz", board.file, remedy)
+        if board.starts[0] == 0.0 and any(clock.common for clock in clocks.values()):
+            what = "expected times of one clock, found ones that are counted from the first sample"
+            remedy = (
+                'write clock = "own", or what is known: clock = { bed = { value = "0 ms", sigma = "2 ms" } }'
+            )
+            raise MeasurementError(what, board.file, remedy)
+    every = [next(iter(boards.values()))]
+    delays, said = dict[str, Delay](), list[str]()
+    for setup, clock in clocks.items():
+        by, message = _compared(every[0], boards[setup], clock, band)
+        every.append(boards[setup].later(by))
+        delays[setup] = by
+        said += [message] if message else []
+    longest = math.inf if all(clock.common for clock in clocks.values()) else LONGEST
+    step, parts = _overlaps(every, longest)
+    if parts[-1][0] + parts[-1][1] * step > parts[0][0] + longest:
+        said.append(f"{every[0].file}: {longest:g} s are used: over more, clocks of their own drift apart")
+    pieces = tuple(np.hstack([board.at(start, step, count) for board in every]) for start, count in parts)
+    return Together(step, tuple(start for start, _ in parts), pieces, delays, tuple(said))
+
+
+def _overlaps(boards: Sequence[Board], longest: float) -> tuple[float, list[tuple[float, int]]]:
+    """Return the finest step of boards, and the first times and counts of samples of the parts that all have.
+
+    Raises
+    ------
+    MeasurementError
+        If there is none.
+    """
+    step = min(board.step for board in boards)
+    spans = boards[0].spans
+    for board in boards[1:]:
+        spans = _both(spans, board.spans)
+    end = spans[0][0] + longest if spans else 0.0
+    counts = [(low, math.floor((min(high, end) - low) / step) + 1) for low, high in spans]
+    parts = [(low, count) for low, count in counts if count >= FEWEST]
+    if not parts:
+        found = " and ".join(f"{b.file} from {b.spans[0][0]:.6g} to {b.spans[-1][1]:.6g} s" for b in boards)
+        what = f"expected files that were recorded together, found {found}"
+        raise MeasurementError(what, boards[0].file, 'if each has a clock of its own, write clock = "own"')
+    return step, parts
+
+
+def _both(one: Spans, other: Spans) -> Spans:
+    """Return what is in both of two lists of spans in the order of time."""
+    found, i, k = list[tuple[float, float]](), 0, 0
+    while i < len(one) and k < len(other):
+        low, high = max(one[i][0], other[k][0]), min(one[i][1], other[k][1])
+        found += [(low, high)] if high > low else []
+        i, k = (i + 1, k) if one[i][1] < other[k][1] else (i, k + 1)
+    return found
+
+
+def _compared(first: Board, board: Board, clock: Clock, band: tuple[float, float]) -> tuple[Delay, str]:
+    """Return what is to be added to the times of a board, and what to say of it."""
+    stated = Delay(clock.offset, 0.0, 0.0, np.array(band), np.full(2, clock.sigma))
+    if clock.sigma == 0.0:
+        return stated, ""
+    own = not clock.common and SIGMAS * clock.sigma > AFTER_ROUGH
+    within = AFTER_ROUGH if own else CHECKED if clock.common else SIGMAS * clock.sigma
+    compared = (band[0], min(band[1], COMPARED))
+    try:
+        if own:
+            stated = replace(stated, seconds=_roughly(first, board, compared))
+        shifted = board.later(stated)
+        step, parts = _overlaps([first, shifted], LONGEST)
+        pieces = [(low, first.at(low, step, count), shifted.at(low, step, count)) for low, count in parts]
+        found = delay(step, pieces, compared, within=within, drift=0.0 if clock.common else DRIFT)
+        reason = "" if (found.turns <= MOST).any() else "the vibrations do not tell"
+    except MeasurementError as error:
+        reason = error.what
+    if reason and own:
+        raise UnknownOffsetError(f"what to add to the times of {board.file} is unknown: {reason}")
+    if reason:
+        return stated, ""
+    sigma, off = float(np.median(found.sigmas)), abs(found.seconds)
+    total = replace(found, seconds=stated.seconds + found.seconds, middle=found.middle - stated.seconds)
+    said = f"{1e3 * total.seconds:.2f} +- {1e3 * sigma:.2f} ms"
+    if clock.common and off > max(UNSAID, SIGMAS * sigma):
+        doubted = f"{board.file}: the campaign says that its clock is that of {first.file}, the vibrations that it is"
+        return replace(stated, sigmas=np.full(2, off)), f'{doubted} {said} off: if so, write clock = "own"'
+    if clock.common or sigma > clock.sigma:
+        return stated, ""
+    said += f", and {1e6 * total.drift:.0f} ppm" if total.drift else ""
+    return total, f"{board.file}: so that the shapes are real, {said} is added to its times"
+
+
+def _roughly(first: Board, board: Board, band: tuple[float, float]) -> float:
+    """Return what is to be added to the times of a board, by the longest piece of each."""
+    step, starts, longest = min(first.step, board.step), list[float](), list[Array]()
+    for each in (first, board):
+        low, high = max(each.spans, key=lambda span: span[1] - span[0])
+        starts.append(low)
+        longest.append(each.at(low, step, math.floor((high - low) / step) + 1))
+    return starts[0] - starts[1] + rough_delay(step, longest[0], longest[1], band)
+
+
+def with_clocks(
+    mode: Mode, columns: Mapping[str, slice], delays: Mapping[str, Delay]
+) -> tuple[Mode, list[str]]:
+    """Return a mode with what clocks are not known to in its shape, and the setups whose signs are not known.
+
+    Parameters
+    ----------
+    columns : mapping of str to slice
+        The components of each board.
+    """
+    turns = {setup: by.turn(mode.frequency) for setup, by in delays.items()}
+    lost = [setup for setup, turn in turns.items() if turn > MOST]
+    shape = mode.shape.copy()
+    for setup in lost:
+        shape[columns[setup]] = np.nan
+    known = turned_real(shape).real
+    if not np.isfinite(known).any():
+        return replace(mode, shape=shape), lost
+    largest = int(np.nanargmax(np.abs(known)))
+    variance = np.zeros(len(shape))
+    for setup, turn in turns.items():
+        for sign in () if setup in lost else (-1.0, 1.0):
+            other = shape.copy()
+            other[columns[setup]] *= np.exp(1j * sign * turn)
+            turned = turned_real(other).real
+            variance += 0.5 * (turned / turned[largest] - known) ** 2
+    spread = float(np.sqrt(np.nanmax(variance)))
+    return replace(mode, shape=shape, sigma_shape=float(np.hypot(mode.sigma_shape, spread))), lost
