@@ -70,7 +70,7 @@ def _of_version_4(file: BinaryIO, path: Path) -> list[Variable]:
 
 
 def _check_sizes(file: BinaryIO, length: int) -> None:
-    """Refuse a file of version 4 that ends before its variables: SciPy's reader would make room for what they state."""
+    """Refuse a file of version 4 that ends before its variables: SciPy would make room for what they state."""
     at = 0
     while at < length:
         file.seek(at)
