@@ -34,7 +34,8 @@ def check_finite(values: NDArray[Any], where: str, before: int = 0) -> None:
     """
     bad = np.flatnonzero(~np.isfinite(values))
     if bad.size:
-        what = f"expected finite numbers, found {values[bad[0]]} as value {before + bad[0] + 1}"
+        with np.errstate(invalid="ignore"):  # some of single precision that are no numbers
+            what = f"expected finite numbers, found {values[bad[0]]} as value {before + bad[0] + 1}"
         raise MeasurementError(what, where, "export the file again, or leave this signal out of it")
 
 
