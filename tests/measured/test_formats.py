@@ -86,7 +86,7 @@ def test_a_file_of_no_known_content_is_taken_at_its_suffix(tmp_path: Path, recor
     [
         ("modes.unv", b"    -1\n    55\n", 'expected the names of the columns, found "-1"'),
         ("modes.xlsx", b"PK\x03\x04", "expected CSV text, found an Excel workbook or another archive"),
-        ("modes.mat", b"\xff\xfe\x00", "expected UTF-8 text, found the byte 0xff"),
+        ("modes.mat", b"\xfe\x00\xff", "expected UTF-8 text, found the byte 0xfe"),
         ("modes.json", b"", "expected a header and rows, found none"),
     ],
 )

@@ -121,8 +121,8 @@ def test_units_are_converted_to_the_nearest_double() -> None:
             'expected one column "x", found none among "0, 1, 2" (poses); name them x, y, z',
         ),
         (
-            pandas.DataFrame(POSES, columns=["X", "Y", "Z"]),
-            'expected one column "x", found none among "X, Y, Z"',
+            pandas.DataFrame(POSES, columns=["X", "Y", "W"]),
+            'expected one column "z", found none among "X, Y, W"',
         ),
         (REVERSED[["z", "y"]], 'expected one column "x", found none'),
         (pandas.DataFrame(POSES, columns=["x", "x", "z"]), 'expected one column "x", found 2'),

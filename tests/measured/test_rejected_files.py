@@ -20,7 +20,13 @@ from pkmodes.measured.reading import read_measurements
     [
         ("pose,x,y,z,frequency", "line 1)", 'column "sigma" is missing', HEADER),
         (f"{HEADER},dampin", "line 1, column 7)", 'unknown column "dampin"', 'mean "damping"?'),
-        (f"{HEADER},Sigma_x", "line 1, column 7)", 'unknown column "Sigma_x"', 'mean "sigma_x"?'),
+        (f"{HEADER},sigmax", "line 1, column 7)", 'unknown column "sigmax"', 'mean "sigma_x"?'),
+        (
+            f"{HEADER},x_1",
+            "line 1, column 7)",
+            'unknown column "x_1"',
+            "write shape:x_1; otherwise remove it",
+        ),
         (f"{HEADER},temperature", "line 1, column 7)", 'unknown column "temperature"', "known: pose,"),
         (f"{HEADER},shape:theta_11", "line 1, column 7)", "is not a coordinate", 'mean "shape:theta_1_1"?'),
         (f"{HEADER},sigma", "line 1, column 7)", "is repeated, first as column 6", "remove one"),
@@ -40,8 +46,7 @@ from pkmodes.measured.reading import read_measurements
             "shape:x_1",
         ),
         (f'{HEADER.replace(",", ";")};"mode', "line 1)", "not valid CSV", "put a semicolon right after it"),
-        ("sep=,", "line 1)", 'found "sep=,", a line for spreadsheet programs', "remove this line"),
-        (f"sep=;\n{HEADER}", "line 1)", 'found "sep=;", a line for spreadsheet programs', "remove this line"),
+        ("sep=,", "line 2)", "expected the names of the columns", HEADER),
         (f"{HEADER},temperature", "line 1, column 7)", "unknown column", "remove it or correct the name"),
         ("A,0.6,0,-0.245,55.5,0.05", "line 1)", "expected the names of the columns", HEADER),
         (f'{HEADER},"mode', "line 1)", "not valid CSV", "close every quote"),
@@ -166,7 +171,9 @@ def test_a_file_that_may_not_be_read_is_told_as_such(tmp_path: Path, monkeypatch
 def test_rows_of_commas_alone_are_blank_and_decimal_commas_are_named(tmp_path: Path) -> None:
     assert read(tmp_path, f"{HEADER}\n,,,,,\n{ROW}\n, ,,,,\n").lines.tolist() == [3]
     line = refusal(tmp_path, f"{HEADER}\nA,0,6,0,-0,245,55,5,0,05\n")
-    assert "if numbers have decimal commas, write points, or separate the cells by semicolons" in line
+    assert (
+        "decimal commas, export the table with semicolons between the cells, or with decimal points" in line
+    )
 
 
 @pytest.mark.parametrize("separator", [";", "\t"])

@@ -102,7 +102,7 @@ def test_without_units_of_the_channels_a_shape_is_a_displacement_or_a_rotation(t
         ("shape:theta_1_1 [mm]", 'such as "deg" for shape:theta_1_1'),
         ("shape:x_1 [deg]", 'such as "mm" for shape:x_1'),
         ("shape:x_9 [mm]", 'did you mean "shape:x_1"'),
-        ("sigma_x (um)", r"square brackets: sigma_x [um]"),
+        ("sigma_x (um/s)", 'such as "mm" for sigma_x'),
         ("x [mm]", 'column "x" is repeated, first as column 2'),
         ("set:platform.mass", "unknown column"),
     ],

@@ -161,7 +161,7 @@ def _places(
         _refuse("two entries of columns name the same column", where, "give each its own")
     found: dict[str, tuple[int, Decimal | None]] = {}
     for i, cell in enumerate(names):
-        name, unit = parted(cell, list(theirs))
+        name, unit = parted(cell, [*theirs, *NUMBERS, "pose"])
         name = theirs.get(name, theirs.get(cell, name))
         if name.startswith(SHAPE) and name.removeprefix(SHAPE) not in channels:
             wanted = name.removeprefix(SHAPE)
@@ -172,11 +172,8 @@ def _places(
                     f"the column {shown(name)} is repeated", f"{where}, column {i + 1}", "remove one of them"
                 )
             found[name] = (i, _factor(name, unit, f"{where}, column {i + 1}") if unit else None)
-    missing = [
-        name
-        for name in columns.values()
-        if name not in names and name not in [n.partition(" [")[0] for n in names]
-    ]
+    given = {*names, *(parted(cell, list(theirs))[0] for cell in names)}
+    missing = [name for name in columns.values() if name not in given]
     if missing:
         _refuse(f"expected the column {shown(missing[0])}, found none", where, nearest(missing[0], names))
     if "frequency" not in found:

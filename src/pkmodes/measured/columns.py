@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,13 @@ Array = NDArray[np.float64]
 Integers = NDArray[np.int_]
 #: Default components of a pose and their units: a point in space.
 POSITION: Mapping[str, str] = MappingProxyType({"x": "m", "y": "m", "z": "m"})
+
+
+class Stated(NamedTuple):
+    """A value that the file states, and where: text with a unit, a number in SI units, or a list of them."""
+
+    value: Any
+    where: str
 
 
 class Numbers(Mapping[str, Array]):
@@ -75,6 +83,8 @@ class Columns:
         Paths of the parameters that were set to a known value at some poses: load cases.
     set_values : ndarray, shape (P, K)
         Those values in SI units, NaN where a pose has the declared value.
+    priors, usable : mapping of str to Stated
+        Standard deviations of candidates, and limits of ``[usable]``: what the file states for a diagnosis.
     """
 
     source: str
@@ -95,6 +105,8 @@ class Columns:
     drives: tuple[str, ...] = ()
     settings: tuple[str, ...] = ()
     set_values: Array = field(default_factory=lambda: np.empty((0, 0)))
+    priors: Mapping[str, Stated] = field(default_factory=dict)
+    usable: Mapping[str, Stated] = field(default_factory=dict)
 
     @property
     def conditions(self) -> Integers:

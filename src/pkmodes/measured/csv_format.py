@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 from os import PathLike, fspath
 from pathlib import Path
 from typing import NoReturn
@@ -14,6 +15,8 @@ from pkmodes.measured.header import components_of, read_header
 from pkmodes.measured.measurements import Measurements
 
 LARGEST_FILE = 50_000_000
+#: First bytes of text in UTF-16, in either order of bytes.
+UTF_16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 #: First bytes of spreadsheet files: a zip archive, and the older Excel format.
 WORKBOOKS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
 
@@ -30,12 +33,23 @@ def read(path: str | PathLike[str], machine: Machine) -> Measurements:
 
 def begins_with_a_header(head: bytes) -> bool:
     """Return whether the first line that is not a comment names the column of the poses."""
-    lines = (line.strip() for line in head.decode("utf-8-sig", "replace").splitlines())
+    lines = (line.strip() for line in decoded(head, "replace").splitlines())
     header = next((line for line in lines if line and not line.startswith("#")), "")
-    return "pose" in [cell.strip(' "') for cell in header.split(separator_of(header))]
+    return "pose" in [cell.strip(' "').lower() for cell in header.split(separator_of(header))]
 
 
 CSV = Format("CSV", (".csv",), begins_with_a_header, read)
+
+
+def decoded(content: bytes, errors: str = "strict") -> str:
+    """Return text in UTF-8, or in UTF-16 where its first bytes say so, as Excel's Unicode text.
+
+    Raises
+    ------
+    UnicodeDecodeError
+        If it is neither, and errors are not replaced.
+    """
+    return content.decode("utf-16" if content.startswith(UTF_16) else "utf-8-sig", errors)
 
 
 def _refuse(what: str, where: str, remedy: str) -> NoReturn:
@@ -73,7 +87,7 @@ def read_text(
         if content.startswith(WORKBOOKS):
             remedy = "open it in a spreadsheet program and save it as CSV UTF-8"
             _refuse("expected CSV text, found an Excel workbook or another archive", source, remedy)
-        return content.decode("utf-8-sig")
+        return decoded(content)
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
         what = f"expected UTF-8 text, found the byte 0x{error.object[error.start]:02x}"

@@ -13,6 +13,7 @@ import numpy as np
 from pkmodes.core.base.drives import DRIVES, FREE
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.measured.cells import SEPARATORS, Notation, separator_of
+from pkmodes.measured.columns import Stated
 from pkmodes.measured.header import SPREAD, TEXT, Column
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.quantities import required_columns, row_numbers
@@ -25,7 +26,7 @@ from pkmodes.measured.rules import (
     message,
     refuse,
 )
-from pkmodes.measured.statements import STATEMENT, STATEMENTS
+from pkmodes.measured.statements import ALSO, STATEMENT, STATEMENTS
 
 #: A line that tells spreadsheet programs the separator of the cells.
 SEPARATOR = re.compile(r"\"?sep\s*=\s*(.)\"?[,;\t]*", re.IGNORECASE)
@@ -40,6 +41,8 @@ class Lines(NamedTuple):
     notation: Notation
     band: tuple[float, float] | None
     drives: str | None
+    priors: dict[str, Stated]
+    usable: dict[str, Stated]
 
     def header(self, source: str, remedy: str) -> tuple[str, list[str]]:
         """Return the place and the cells of the header.
@@ -86,30 +89,31 @@ def read_lines(text: str, source: str) -> Lines:
         If such a comment is invalid or differs from a previous one.
     """
     records: list[tuple[int, str]] = []
-    stated: dict[str, tuple[Any, int]] = {}
+    stated: dict[str, dict[str, Stated]] = {name: {} for name in STATEMENTS}
     for number, line in enumerate(io.StringIO(text, newline=None), start=1):
         line, where = line.strip(" \n"), f"{source}: line {number}"  # a tab may end an empty cell
         comment = QUOTED_COMMENT.fullmatch(line)
         text = line.strip() if comment is None else comment[1]
         if (match := STATEMENT.fullmatch(text.rstrip(",; \t"))) is not None:
-            name = match[1].lower()
-            read, help_text = STATEMENTS[name]
+            word = match[1].lower()
+            name = ALSO.get(word, word)
+            statement = STATEMENTS[name]
             if match[2] != ":":
-                raise MeasurementError(
-                    f'expected a colon after "{name}", found {shown(text)}', where, help_text
-                )
-            value = read(match[3], where)
-            before, place = stated.setdefault(name, (value, number))
-            if value != before:
-                what = f"this {name} differs from that in line {place}"
+                what = f'expected a colon after "{word}", found {shown(text)}'
+                raise MeasurementError(what, where, statement.remedy)
+            value = statement.read(match[3], where)
+            key, value = value if statement.several else ("", value)
+            before = stated[name].setdefault(key, Stated(value, where))
+            if value != before.value:
+                what = f"this {word} differs from that in {before.where.removeprefix(f'{source}: ')}"
                 raise MeasurementError(what, where, "remove one of them")
         elif not records and SEPARATOR.fullmatch(text) is not None:
-            what = f"expected the names of the columns, found {shown(text)}, a line for spreadsheet programs"
-            raise MeasurementError(what, where, "remove this line")
+            continue  # the header shows what it states
         elif text.strip(",; \t") and not text.startswith("#"):  # spreadsheet programs fill blank lines
             records.append((number, line))
     notation = Notation(separator_of(records[0][1])) if records else Notation()
-    return Lines(records, notation, *(stated.get(name, (None, 0))[0] for name in STATEMENTS))
+    band, drives = (next((one.value for one in stated[name].values()), None) for name in ("band", "drives"))
+    return Lines(records, notation, band, drives, stated["prior"], stated["usable"])
 
 
 def read_table(
@@ -163,9 +167,9 @@ def read_table(
                 remedy = "remove the extra cells"
             if not short and notation.separator == ",":
                 remedy = (
-                    "if numbers have decimal commas, write points, or separate the cells by semicolons; else "
+                    "if numbers have decimal commas, export the table with semicolons between the cells, or "
                 )
-                remedy += "remove the extra cells"
+                remedy += "with decimal points; else remove the extra cells"
             problems.append(Problem(row, place, what, remedy))
             continue
         for column, cell in zip(columns, cells, strict=True):
@@ -233,6 +237,8 @@ def _measurements(
             name.removeprefix(SHAPE): column for name, column in numbers.items() if name.startswith(SHAPE)
         },
         band=lines.band,
+        priors=lines.priors,
+        usable=lines.usable,
         drives=drives,
         source=source,
         lines=np.array([line for line, _ in lines.records[1:]]),

@@ -1,12 +1,12 @@
 """The header of a measurement file: the names and units of the columns.
 
-A name may be followed by a unit, ``frequency [rad/s]``.  Columns without a unit are in SI units, frequencies in Hz.
+A name may be followed by a unit, ``frequency [rad/s]`` or ``frequency (rad/s)``.  Columns without a unit are in SI
+units, frequencies in Hz.
 """
 
 from __future__ import annotations
 
 import difflib
-import re
 from collections.abc import Collection, Mapping, Sequence
 from decimal import Decimal
 from typing import NamedTuple, NoReturn
@@ -22,6 +22,7 @@ from pkmodes.measured.quantities import (
     row_numbers,
 )
 from pkmodes.measured.rules import SET, SHAPE
+from pkmodes.measured.statements import ALSO
 from pkmodes.support.ordering import joined
 
 #: Columns of text.
@@ -53,7 +54,8 @@ def components_of(
     cells: Sequence[str], known: Sequence[Mapping[str, str]], channels: Collection[str]
 ) -> Mapping[str, str]:
     """Choose the pose components of a header from several sets: the largest complete set, else the best match."""
-    names = {parted(cell, [f"{SHAPE}{name}" for name in channels])[0] for cell in cells}
+    names_of = [*(f"{SHAPE}{name}" for name in channels), *(name for each in known for name in each)]
+    names = {parted(cell, names_of)[0] for cell in cells}
     return max(known, key=lambda each: (names >= each.keys(), len(names & each.keys())))
 
 
@@ -94,7 +96,7 @@ def read_header(
             f"the file uses bars: replace them, by semicolons if numbers have decimal commas; {help_text}"
         )
         _refuse(what, where, remedy)
-    parts = [parted(cell, known) for cell in cells]
+    parts = [(ALSO.get(name, name), unit) for name, unit in (parted(cell, [*known, *ALSO]) for cell in cells)]
     names = [name for name, _ in parts]
     if not set(names) & set(required):
         _refuse(f"expected the names of the columns, found {shown(','.join(cells))}", where, help_text)
@@ -145,9 +147,8 @@ def _refuse_unknown(name: str, place: str, known: Sequence[str]) -> NoReturn:
     if not name:
         _refuse("expected the name of a column, found nothing", place, "name the column or remove it")
     what = f"{shown(name)} is not a coordinate" if name.startswith(SHAPE) else f"unknown column {shown(name)}"
-    bare = re.sub(r"\s*\(.*\)$", "", name)
-    if bare != name and bare in known:
-        _refuse(what, place, f"write a unit in square brackets: {bare} [{name[len(bare) :].strip(' ()')}]")
+    if f"{SHAPE}{name}" in known:
+        _refuse(what, place, f"for the component of a mode shape, write {SHAPE}{name}; otherwise remove it")
     # There are very many settable values: suggest them only for names that start with their prefix or lack only it.
     others = [one for one in known if not one.startswith(SET)]
     some = [f"{SET}{name}"] if f"{SET}{name}" in known else others

@@ -1,13 +1,14 @@
-"""What comments of a measurement file say of the whole test: ``# band: 10 Hz, 400 Hz`` and ``# drives: held``.
+"""What comments of a measurement file say of the whole test: ``# band: 10 Hz, 400 Hz`` or ``# motors: held``.
 
-Another statement is an entry of `STATEMENTS`.
+Another statement is an entry of `STATEMENTS`.  Those of which there may be several have a name each, as in
+``# prior: measurement:offset.z = 2 mm``; what the names mean, the diagnosis of a robot knows.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 from pkmodes.core.base.drives import DRIVES
 from pkmodes.core.base.errors import MeasurementError, shown
@@ -18,6 +19,10 @@ from pkmodes.measured.rules import checked_band
 
 BAND_HELP = 'write "# band: 10 Hz, 400 Hz", or start the comment with another word'
 DRIVES_HELP = 'write "# drives: free" or "# drives: held", or start the comment with another word'
+PRIOR_HELP = 'write "# prior: measurement:offset.z = 2 mm", or start the comment with another word'
+USABLE_HELP = 'write "# usable: z = 40 mm, 300 mm", or start the comment with another word'
+#: What a statement gives under a name: text with a unit, or a number in SI units; or several of them.
+Value = str | float
 
 
 def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, float]:
@@ -39,11 +44,8 @@ def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, f
         If the text is not two frequencies above 0, the lower one first.
     """
     limits: list[float] = []
-    separator = ";" if ";" in text else ","
-    parts = text.split(separator)
+    parts = _parts(text)
     for part in parts if len(parts) == 2 else ():
-        if separator == ";":
-            part = part.replace(",", ".")
         number, *unit = part.split(maxsplit=1) or [""]
         glued = NUMBER.match(number)  # also "10Hz"
         if glued is not None and glued.end() < len(number):
@@ -75,10 +77,87 @@ def parse_drives(text: str, where: str) -> str:
     return word
 
 
-#: What a comment may say of the whole test: how it is read, and the remedy if it cannot be.
-STATEMENTS: dict[str, tuple[Callable[[str, str], Any], str]] = {
-    "band": (parse_band, BAND_HELP),
-    "drives": (parse_drives, DRIVES_HELP),
+def parse_prior(text: str, where: str, remedy: str = PRIOR_HELP) -> tuple[str, Value]:
+    """Read the prior of a candidate: its name, and the standard deviation of its value.
+
+    Raises
+    ------
+    MeasurementError
+        If the text is not a name and a value.
+    """
+    name, value = _named(text, where, remedy)
+    return name, _value(value.replace(",", "."))
+
+
+def parse_usable(text: str, where: str, remedy: str = USABLE_HELP) -> tuple[str, Value | list[Value]]:
+    """Read a limit of ``[usable]``: its name, and one value or two; brackets and quotes may be as in a robot file.
+
+    Raises
+    ------
+    MeasurementError
+        If the text is not a name and values.
+    """
+    name, given = _named(text, where, remedy)
+    values = [_value(part) for part in _parts(given.translate(str.maketrans("", "", '[]"')))]
+    return name, values if len(values) > 1 else values[0]
+
+
+def _named(text: str, where: str, remedy: str) -> tuple[str, str]:
+    name, _, value = (part.strip() for part in text.partition("="))
+    if not name or not value:
+        raise MeasurementError(f"expected a name = a value, found {shown(text.strip())}", where, remedy)
+    return name, value
+
+
+def _parts(text: str) -> list[str]:
+    """Return what commas separate, or semicolons, with decimal commas as points."""
+    separator = ";" if ";" in text else ","
+    return [
+        part.strip() if separator == "," else part.strip().replace(",", ".") for part in text.split(separator)
+    ]
+
+
+def _value(text: str) -> Value:
+    number = number_in(text, None)
+    return text if number is None else number
+
+
+class Statement(NamedTuple):
+    """A comment on the whole test.
+
+    Attributes
+    ----------
+    read : callable
+        Returns what it says, from its text and its place; where there may be several, its name and its value.
+    remedy : str
+        If it cannot be read.
+    begins : str
+        How its text begins, as a regular expression: so a missing colon does not go unnoticed.
+    several : bool
+        Whether there may be several, each with a name.
+    """
+
+    read: Callable[[str, str], Any]
+    remedy: str
+    begins: str
+    several: bool = False
+
+
+#: What a comment may say of the whole test, by its first word, and other words for that.
+STATEMENTS = {
+    "band": Statement(parse_band, BAND_HELP, "[0-9.]"),
+    "drives": Statement(parse_drives, DRIVES_HELP, r"(?:free|held)\b"),
+    "prior": Statement(parse_prior, PRIOR_HELP, r"[\w.:]+\s*=", several=True),
+    "usable": Statement(parse_usable, USABLE_HELP, r"\w+\s*[:=]", several=True),
 }
+ALSO = {"motors": "drives"}
 #: Such a comment.  Also matches without the colon, a mistake that would otherwise go unnoticed.
-STATEMENT = re.compile(r"#\s*(band|drives)\s*(:|=|(?=\s(?:[0-9.]|free\b|held\b)))(.*)", re.IGNORECASE)
+STATEMENT = re.compile(
+    r"#\s*({})\s*([:=]|(?=\s))(.*)".format(
+        "|".join(
+            rf"{word}(?=\s*[:=]|\s+{STATEMENTS[ALSO.get(word, word)].begins})"
+            for word in (*STATEMENTS, *ALSO)
+        )
+    ),
+    re.IGNORECASE,
+)

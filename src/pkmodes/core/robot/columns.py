@@ -1,4 +1,4 @@
-"""A column of numbers by the text at its head: a name, followed by a unit in square brackets or without one."""
+"""A column of numbers by the text at its head: a name, followed by a unit in brackets or without one."""
 
 from __future__ import annotations
 
@@ -12,8 +12,9 @@ from pkmodes.core.robot.units import QuantityError, base_units
 #: Radians per cycle, to convert an angular frequency to a frequency.
 CYCLE = Decimal("6.28318530717958647692528676656")
 
-#: A name, and a unit in square brackets.
+#: A name, and a unit in square brackets, or in parentheses as many programs write it.
 IN_BRACKETS = re.compile(r"(.*?)\s*\[([^\[\]]*)\]")
+IN_PARENTHESES = re.compile(r"(.*?)\s*\(([^()]*)\)")
 #: Units that a message suggests, by SI unit.
 EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"'}
 
@@ -42,10 +43,27 @@ def column_of(cell: str, where: str, units: Mapping[str, str]) -> tuple[str, Dec
 
 
 def parted(cell: str, known: Sequence[str]) -> tuple[str, str | None]:
-    """Split a cell into name and unit; brackets may also be part of a channel name."""
-    if cell in known or (match := IN_BRACKETS.fullmatch(cell)) is None:
-        return cell, None
-    return match[1], match[2].strip()
+    """Split a cell into name and unit; both brackets may also be part of a name.
+
+    Capitals do not matter where only one known name differs in nothing else.  Parentheses hold a unit only after a
+    known name.
+    """
+    whole = _known(cell, known)
+    if whole in known:
+        return whole, None
+    if (match := IN_BRACKETS.fullmatch(cell)) is not None:
+        return _known(match[1], known), match[2].strip()
+    if (match := IN_PARENTHESES.fullmatch(cell)) is not None and (name := _known(match[1], known)) in known:
+        return name, match[2].strip()
+    return cell, None
+
+
+def _known(name: str, known: Sequence[str]) -> str:
+    """Return the known name that is meant, else the name itself."""
+    if name in known:
+        return name
+    alike = [one for one in known if one.casefold() == name.casefold()]
+    return alike[0] if len(alike) == 1 else name
 
 
 def frequency_factor(unit: str) -> Decimal:
