@@ -121,7 +121,7 @@ PRIORS = [
     ({"parameter:link.length": "-1 mm"}, "standard deviation above 0"),
     ({"parameter:link.length": 0.0}, "standard deviation above 0"),
     ({"gearbox_compliance": "2 %"}, "standard deviation above 0"),  # of nothing
-    ("parameter:link.length", "expected standard deviations by candidate"),
+    ("parameter:link.length", "expected a mapping of names to values"),
     ({"parameter:platform.mass": 0.01}, "platform.mass is not a candidate: .* refitted anyway"),
     ({"platform.mass": 0.01}, "platform.mass is not a candidate: .* refitted anyway"),
     ({3: 0.01}, "no candidate 3"),

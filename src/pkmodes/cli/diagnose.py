@@ -82,6 +82,21 @@ SECONDS = 5.0
     metavar="VERDICTS",
     help="Verdicts that give exit code 1, separated by commas, or any for all except adequate; by default none.",
 )
+@click.option(
+    "--prior",
+    "priors",
+    metavar="NAME=SIGMA",
+    multiple=True,
+    help="How far a candidate may plausibly be from what is declared, one standard deviation, such as "
+    "measurement:offset.z=2mm; may be repeated, and stand in the file.",
+)
+@click.option(
+    "--usable",
+    metavar="LIMIT",
+    multiple=True,
+    help="Where the next measurement may be, as in [usable] of a robot file, such as z=40mm,300mm or radius=120mm; "
+    "may be repeated, and stand in the file.",
+)
 @band_option
 @measured_drives_option
 @repeated_mechanism_option
@@ -95,6 +110,8 @@ def diagnose(
     save_to: Path | None,
     report_to: Path | None,
     fail_on: str | None,
+    priors: tuple[str, ...],
+    usable: tuple[str, ...],
     band: str | None,
     drives: str | None,
     json_file: str | None,
@@ -116,11 +133,14 @@ def diagnose(
     failures = frozenset() if fail_on is None else _failing(_names(fail_on, "--fail-on"))
     from pkmodes import updating  # SciPy is loaded only where it is used
     from pkmodes.cli.diagnosis_tables import show
+    from pkmodes.measured.statements import parse_prior, parse_usable
 
+    plausible = dict(parse_prior(one, "--prior", "write --prior measurement:offset.z=2mm") for one in priors)
+    limits = dict(parse_usable(one, "--usable", "write --usable z=40mm,300mm") for one in usable)
     declared = read_robot(robot)
-    data = updating.read(modes, band_of(band), declared, drives=drives)
+    data = updating.read(modes, band_of(band), declared, drives=drives, priors=plausible, usable=limits)
     sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
-    with _progress() as progress, named_as_options("candidates", "holdout"):
+    with _progress() as progress, named_as_options("candidates", "holdout", "usable", priors="--prior"):
         result = updating.diagnose(
             declared,
             data,

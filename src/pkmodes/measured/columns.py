@@ -10,17 +10,50 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.base.errors import MeasurementError, shown
+
 Array = NDArray[np.float64]
 Integers = NDArray[np.int_]
+#: How what a file may state under a name is written in Python.
+EXAMPLES = {"priors": '{"parameter:link.length": "1 mm"}', "usable": '{"z": ["0 mm", "200 mm"]}'}
 #: Default components of a pose and their units: a point in space.
 POSITION: Mapping[str, str] = MappingProxyType({"x": "m", "y": "m", "z": "m"})
 
 
 class Stated(NamedTuple):
-    """A value that the file states, and where: text with a unit, a number in SI units, or a list of them."""
+    """A value that is stated of the whole test, and where: text with a unit, a number in SI units, or several."""
 
     value: Any
     where: str
+
+    @property
+    def text(self) -> str:
+        """The value as in a comment of a file."""
+        return ", ".join(map(str, self.value if isinstance(self.value, list | tuple) else [self.value]))
+
+
+def joined_with(stated: Mapping[str, Stated], given: Mapping[str, Any], argument: str) -> dict[str, Stated]:
+    """Return what is stated, and what an argument gives, which may not contradict it.
+
+    Raises
+    ------
+    MeasurementError
+        If it does, or is no mapping.
+    """
+    if not isinstance(given, Mapping):
+        what = f"expected a mapping of names to values, found {shown(given)}"
+        raise MeasurementError(what, argument, "write for example " + EXAMPLES[argument])
+    values = {
+        name: one if isinstance(one, Stated) else Stated(one, f"{argument}: {name}")
+        for name, one in given.items()
+    }
+    for name in stated.keys() & values.keys():
+        if stated[name].text.replace(" ", "") != values[name].text.replace(" ", ""):
+            what = f"the file states {name} = {stated[name].text}, not {values[name].text}"
+            raise MeasurementError(
+                what, stated[name].where, "leave it out of what you give, or correct the file"
+            )
+    return {**stated, **values}
 
 
 class Numbers(Mapping[str, Array]):

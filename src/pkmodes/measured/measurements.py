@@ -29,7 +29,7 @@ from pkmodes.measured.arguments import (
     read_only,
     renamed_columns,
 )
-from pkmodes.measured.columns import POSITION, Array, Columns, Numbers, Stated
+from pkmodes.measured.columns import POSITION, Array, Columns, Numbers, joined_with
 from pkmodes.measured.quantities import quantity_numbers
 from pkmodes.measured.rules import (
     SET,
@@ -138,8 +138,8 @@ class Measurements(Columns):
         components: Mapping[str, str] = POSITION,
         drives: str | Sequence[str] = FREE,
         settings: Mapping[str, ArrayLike] | None = None,
-        priors: Mapping[str, Stated] = MappingProxyType({}),
-        usable: Mapping[str, Stated] = MappingProxyType({}),
+        priors: Mapping[str, Any] = MappingProxyType({}),
+        usable: Mapping[str, Any] = MappingProxyType({}),
         **further: ArrayLike,
     ) -> Measurements:
         """Build measurements from columns with one entry for each of R rows.
@@ -181,8 +181,10 @@ class Measurements(Columns):
         settings : mapping of str to array_like of shape (R,), optional
             Known values of parameters by path, in SI units, NaN where the declared value applies.  Rows with the
             same label must agree.
-        priors, usable : mapping of str to Stated, optional
-            What the file states for a diagnosis; in Python, give it to `pkmodes.updating.diagnose`.
+        priors : mapping of str to float or str, optional
+            Standard deviations of candidates of a diagnosis by name, numbers in SI units or text with a unit.
+        usable : mapping of str to value, optional
+            Where the next measurement may be, as in ``[usable]`` of a robot file: ``{"z": ["0 mm", "200 mm"]}``.
         **further : array_like, shape (R,), optional
             Other measured quantities and their standard deviations.  Unknown names are refused; the error suggests
             the nearest argument.
@@ -268,8 +270,8 @@ class Measurements(Columns):
                 drives=tuple(motors[i] for i in introduced),
                 settings=tuple(known),
                 set_values=loads[introduced],
-                priors=dict(priors),
-                usable=dict(usable),
+                priors=joined_with({}, priors, "priors"),
+                usable=joined_with({}, usable, "usable"),
             )
         except BrokenRuleError as error:
             name, renamed = error.problem.column, renamed_columns()

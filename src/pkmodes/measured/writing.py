@@ -33,9 +33,8 @@ def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
     if len(motors) == 1:
         text.write(f"# drives: {next(iter(motors))}\n")
     for word, stated in (("prior", data.priors), ("usable", data.usable)):
-        for name, (value, _) in stated.items():
-            values = value if isinstance(value, list) else [value]
-            text.write(f"# {word}: {name} = {', '.join(map(str, values))}\n")
+        for name, one in stated.items():
+            text.write(f"# {word}: {name} = {one.text}\n")
     columns: dict[str, list[str]] = {"pose": [data.labels[i] for i in data.pose]}
     for k, name in enumerate(data.components):
         columns[name] = _numbers(data.points[data.pose, k])

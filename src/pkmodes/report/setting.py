@@ -79,6 +79,10 @@ class Setting:
         if self.data is not None and self.data.band is not None:
             low, high = self.data.band
             facts.append(("band", [Cell(f"{low:g} Hz to {high:g} Hz")]))
+        stated = {} if self.data is None else {"prior": self.data.priors, "usable": self.data.usable}
+        for what, values in stated.items():
+            if values:
+                facts.append((what, [Cell(clean(f"{name} = {one.text}")) for name, one in values.items()]))
         mechanism = None if self.robot is None else self.robot.mechanism
         return origin(self.sources, mechanism, [*facts, *more])
 

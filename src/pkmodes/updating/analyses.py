@@ -69,7 +69,7 @@ def diagnose(
         Labels of held-out poses, used in no choice or fit; by default one in six.
     priors : mapping of str to float or str, optional
         Prior standard deviations of the parameters of candidates: numbers in SI units, or text with a unit,
-        ``"1 mm"`` or ``"2 %"`` of the declared value.
+        ``"1 mm"`` or ``"2 %"`` of the declared value; beside those of the measurements.
     progress : callable, optional
         Called with a sentence at each step.
 
@@ -84,7 +84,7 @@ def diagnose(
     PkmodesError
         If a pose cannot be reached, or a name is unknown.
     """
-    measured = MeasuredRobot.of(robot, data)
+    measured = MeasuredRobot.of(robot, data).where_usable()
     suspected = measured.structure(candidates, priors)
     return diagnosis.diagnose(suspected, measured.data, holdout=holdout, progress=progress)
 

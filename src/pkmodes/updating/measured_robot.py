@@ -17,8 +17,10 @@ from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.units import NUMBER, QuantityError, base_units
+from pkmodes.core.robot.usable import USABLE, read_usable
 from pkmodes.diagnosis.arguments import check_measurements
 from pkmodes.diagnosis.problem import Candidate, Loss, Parameter
+from pkmodes.measured.columns import Stated, joined_with
 from pkmodes.measured.header import OTHER_MACHINE, SPREAD, owners
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.rules import SHAPE
@@ -83,6 +85,24 @@ class MeasuredRobot:
         check_reachable(robot, data, loads)
         return cls(robot, data, loads)
 
+    def where_usable(self) -> MeasuredRobot:
+        """Return the robot with the limits of ``[usable]`` that the measurements state in place of those it declares.
+
+        Raises
+        ------
+        MeasurementError
+            If there is no such limit, or it is none.
+        """
+        stated = self.data.usable
+
+        def refuse(path: str, what: str, remedy: str) -> NoReturn:
+            name = path.removeprefix(f"{USABLE}.").partition(".")[0]
+            raise MeasurementError(what, stated[name].where, remedy)
+
+        raw = {name: one.value for name, one in stated.items()}
+        limits = {**self.robot.usable, **read_usable(self.robot.mechanism, raw, refuse)}
+        return replace(self, robot=Robot.of(replace(self.robot, usable=limits)))
+
     def structure(
         self, candidates: Sequence[str] | None = None, priors: Mapping[str, float | str] | None = None
     ) -> RobotStructure:
@@ -96,8 +116,10 @@ class MeasuredRobot:
         losses = self._losses(candidates)
         parameters, causes, moves = suspects(self.robot, without_losses(self.robot, candidates), self.loads)
         parameters = of_frame(parameters, self.data)
-        if priors is not None:
-            causes = _with_priors(self.robot, parameters, causes, priors)
+        known = {cause.name for cause in causes}
+        # A prior of the measurements says nothing of a candidate that is not among those chosen.
+        stated = {n: one for n, one in self.data.priors.items() if candidates is None or n in known}
+        causes = _with_priors(self.robot, parameters, causes, joined_with(stated, priors or {}, "priors"))
         return RobotStructure(self.robot, self.data.points, parameters, causes, moves, self.loads, losses)
 
     def _losses(self, chosen: Sequence[str] | None) -> tuple[Loss, ...]:
@@ -145,41 +167,38 @@ def _with_priors(
     robot: Robot,
     parameters: Sequence[Parameter],
     candidates: Sequence[Candidate],
-    priors: Mapping[str, float | str],
+    priors: Mapping[str, Stated],
 ) -> list[Candidate]:
-    """Return the candidates with priors, given by candidate name.
+    """Return the candidates with priors, given by candidate name, each with its place for messages.
 
     Raises
     ------
     PkmodesError
         If there is no such candidate, or a prior is not a standard deviation of its parameters.
     """
-    if not isinstance(priors, Mapping):
-        what = f"expected standard deviations by candidate, found {shown(priors)}"
-        raise PkmodesError(what, "priors", 'write for example {"parameter:link.length": "1 mm"}')
     by_name = {parameter.name: parameter for parameter in parameters}
     with_sigma = {candidate.name: candidate for candidate in candidates}
     known = [candidate.name for candidate in candidates if candidate.claimable]
-    for name, given in priors.items():
+    for name, (given, where) in priors.items():
         if name not in known:
-            _refuse(robot, name, known)
-        sigmas = tuple(_deviation(given, by_name[each], name) for each in with_sigma[name].parameters)
+            _refuse(robot, name, known, where)
+        sigmas = tuple(_deviation(given, by_name[each], where) for each in with_sigma[name].parameters)
         with_sigma[name] = replace(with_sigma[name], sigma=sigmas)
     return list(with_sigma.values())
 
 
-def _refuse(robot: Robot, name: object, known: Sequence[str]) -> NoReturn:
+def _refuse(robot: Robot, name: object, known: Sequence[str], where: str) -> NoReturn:
     """Raise an error that says why there is no such candidate."""
     path = str(name).removeprefix("parameter:")
     quantity = robot.quantities.get(path)
     if quantity is not None and quantity.sigma is not None:
         state = "refitted anyway, within its sigma" if quantity.sigma else "known exactly"
         what = f"{path} is not a candidate: the robot file gives a sigma, so it is {state}"
-        raise PkmodesError(what, "priors", "leave it out, or remove the sigma from the robot file")
-    raise PkmodesError(f"there is no candidate {shown(name)} for a prior", "priors", nearest(name, known))
+        raise PkmodesError(what, where, "leave it out, or remove the sigma from the robot file")
+    raise PkmodesError(f"there is no candidate {shown(name)} for a prior", where, nearest(name, known))
 
 
-def _deviation(given: float | str, parameter: Parameter, name: str) -> float:
+def _deviation(given: float | str, parameter: Parameter, where: str) -> float:
     """Return a standard deviation in the unit of a parameter, from a number, text with a unit, or a percentage.
 
     Raises
@@ -187,7 +206,7 @@ def _deviation(given: float | str, parameter: Parameter, name: str) -> float:
     PkmodesError
         If it is not above 0.
     """
-    where, example = f"priors: {name}", f'"0.01 {parameter.unit}"' if parameter.unit != "1" else "0.01"
+    example = f'"0.01 {parameter.unit}"' if parameter.unit != "1" else "0.01"
     remedy = f"write a number in {parameter.unit}, or text with a unit such as {example}"
     value = given
     if isinstance(given, str):

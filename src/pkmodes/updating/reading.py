@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
+from types import MappingProxyType
+from typing import Any
 
 from pkmodes.core.base.drives import checked_drives
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, shown
 from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
+from pkmodes.measured.columns import joined_with
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
 from pkmodes.updating.channels import channels
@@ -25,6 +29,8 @@ def read(
     robot: Robot | Model | None = None,
     *,
     drives: str | None = None,
+    priors: Mapping[str, float | str] = MappingProxyType({}),
+    usable: Mapping[str, Any] = MappingProxyType({}),
 ) -> Measurements:
     """Read the modes measured on a robot.
 
@@ -39,6 +45,12 @@ def read(
     drives : {"free", "held"}, optional
         What the motors did in the test, if the file does not state it: they turned freely, which is the default, or
         position loops held them.
+    priors : mapping of str to float or str, optional
+        Standard deviations of candidates of a diagnosis by name, numbers in SI units or text with a unit, beside
+        those that the file states.
+    usable : mapping of str to value, optional
+        Where the next measurement may be, as in ``[usable]`` of a robot file, ``{"z": ["0 mm", "200 mm"]}``, whose
+        limits of the same name it replaces; beside what the file states.
 
     Returns
     -------
@@ -48,7 +60,7 @@ def read(
     Raises
     ------
     MeasurementError
-        If anything in the file is wrong, it states another band or other drives, or a row lies outside the band.
+        If anything in the file is wrong, it states something else than an argument, or a row lies outside the band.
     """
     if not isinstance(path, str | PathLike):
         raise PkmodesError(f"expected a path, found {shown(path)}", "read", "give the name of a CSV file")
@@ -61,6 +73,11 @@ def read(
         settings={name: unit for one in mechanisms for name, unit in settable(one, of).items()},
         drives=None if drives is None else checked_drives(drives),
         others=dict if of is None else partial(columns_of_others, of.mechanism),
+    )
+    data = replace(
+        data,
+        priors=joined_with(data.priors, priors, "priors"),
+        usable=joined_with(data.usable, usable, "usable"),
     )
     if band is None:
         return data

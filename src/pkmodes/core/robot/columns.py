@@ -62,8 +62,8 @@ def _known(name: str, known: Sequence[str]) -> str:
     """Return the known name that is meant, else the name itself."""
     if name in known:
         return name
-    alike = [one for one in known if one.casefold() == name.casefold()]
-    return alike[0] if len(alike) == 1 else name
+    alike = {one for one in known if one.casefold() == name.casefold()}
+    return alike.pop() if len(alike) == 1 else name
 
 
 def frequency_factor(unit: str) -> Decimal:
