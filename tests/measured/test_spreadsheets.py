@@ -66,10 +66,10 @@ def test_the_line_that_tells_excel_the_separator_is_read_over(tmp_path: Path) ->
 
 def test_a_header_in_capitals_tells_which_machine_it_is_of(tmp_path: Path) -> None:
     path = tmp_path / "modes.csv"
-    path.write_text("Pose,X (mm),Y,Z,Frequency,Sigma\nA,600,0,-0.245,55,0.1\n")
+    path.write_text("Pose,X (mm),Y,Frequency,Sigma\nA,600,0,55,0.1\n")
     planar, spatial = {"x": "m", "y": "m"}, {"x": "m", "y": "m", "z": "m"}
-    found = read_measurements(path, CHANNELS, components=[planar, spatial])
-    assert found.points.tolist() == [[0.6, 0.0, -0.245]]
+    found = read_measurements(path, CHANNELS, components=[spatial, planar])
+    assert found.points.tolist() == [[0.6, 0.0]]
 
 
 def test_a_column_may_say_what_the_motors_did(tmp_path: Path) -> None:

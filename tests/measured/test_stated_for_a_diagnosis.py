@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -14,7 +15,7 @@ from pkmodes import updating
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError, PkmodesError
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.robot.usable import Radius
+from pkmodes.core.robot.usable import Limits, Radius
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.writing import as_csv
 from pkmodes.report.setting import Setting
@@ -68,8 +69,10 @@ def test_a_comment_states_where_the_next_pose_may_be(robot: Robot, read) -> None
         ("# usable: z = ['-250 mm', '-240 mm']".replace("'", '"'), '# usable: radius = "70 cm"'),
     ):
         data = read(*lines)
-        measured = MeasuredRobot.of(robot, data).where_usable()
-        assert measured.robot.usable == {"z": (-0.25, -0.24), "radius": Radius(0.7, (0.0, 0.0))}
+        declared = Robot.of(replace(robot, usable={"x": Limits(0.1, 1.1), "z": Limits(-0.4, -0.1)}))
+        measured = MeasuredRobot.of(declared, data).where_usable()
+        of_both = {"x": (0.1, 1.1), "z": (-0.25, -0.24), "radius": Radius(0.7, (0.0, 0.0))}
+        assert measured.robot.usable == of_both
         drawn, _ = measured.structure().elsewhere(50)
         assert len(drawn) > 10
         assert np.all((drawn[:, 2] >= -0.25) & (drawn[:, 2] <= -0.24))
