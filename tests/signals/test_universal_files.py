@@ -12,6 +12,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from pkmodes.campaign.campaign import read_campaign
+from pkmodes.campaign.identify import identify
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.functions import Kind
 from pkmodes.signals.reading import read_signals
@@ -70,6 +72,43 @@ def test_files_of_geometry_hold_no_signals(name: str) -> None:
     assert (found.functions, found.modes) == ((), ())
     results = [one for one in found.messages if "analysis type 1 at location 1 is not a mode" not in one]
     assert not results  # a file has results of statics
+    assert any("holds nodes" in why for why in found.skipped)
+    trace_lines = "dataset 82 holds trace lines, which are for drawing"
+    assert (trace_lines in found.skipped) == name.startswith("TestLab")
+
+
+def nodes(number: int, axes: dict[int, int]) -> bytes:
+    """A dataset 15 or 2411 of nodes with the coordinate systems of their displacements."""
+    place, end = "".join(f"{x:13.5e}" for x in (0.1, 0.2, 0.3)), "\n" if number == 2411 else ""
+    lines = [f"{node:10d}{0:10d}{system:10d}{8:10d}{end}{place}\n" for node, system in axes.items()]
+    return dataset(number, "".join(lines).encode())
+
+
+@pytest.mark.parametrize("number", [15, 2411])
+def test_axes_that_differ_from_node_to_node_are_said(tmp_path: Path, number: int) -> None:
+    path = tmp_path / "m.unv"
+    modes = mode_2414(2, 2, [0.0, 31.2, *[0.0] * 10], {1: [0.0, 0.0, 1.0], 2: [0.0, 0.0, -0.5]})
+    path.write_bytes(nodes(number, {1: 1, 2: 5, 3: 7}) + modes)
+    found = read_signals(path)
+    assert [mode.frequency for mode in found.modes] == [31.2]
+    (said,) = found.messages
+    assert "coordinate system 1 at node 1, 5 at node 2: a direction" in said
+    for same in (nodes(number, {1: 1, 2: 1, 3: 7}), dataset(number, b"   no node\n"), b""):
+        path.write_bytes(same + modes + dataset(82, b"         1         2         8\nline\n"))
+        assert not read_signals(path).messages
+
+
+def test_a_file_of_geometry_alone_is_refused_as_that(tmp_path: Path) -> None:
+    (tmp_path / "m.unv").write_bytes(nodes(2411, {1: 0}) + dataset(82, b"x\n") + dataset(1858, b"x\n"))
+    (tmp_path / "c.toml").write_text(
+        'format = 1\nchannels = ["a"]\nband = ["1 Hz", "9 Hz"]\n[[sensor]]\nname = "1:+Z"\nchannel = "a"\n'
+        '[[record]]\npose = "P"\nkind = "modes"\nfiles = ["m.unv"]\n'
+    )
+    campaign = read_campaign(tmp_path / "c.toml")
+    with pytest.raises(MeasurementError) as error:
+        identify(campaign)
+    assert "dataset 2411 holds nodes; dataset 82 holds trace lines, which are for drawing" in error.value.what
+    assert "dataset 1858 holds what is not read" in error.value.what
 
 
 def mode_2414(

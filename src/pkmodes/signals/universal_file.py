@@ -1,4 +1,7 @@
-"""Universal files: functions in datasets 58 and 58b, modes in 55 and 2414, units in 164; other datasets are skipped.
+"""Universal files: functions in datasets 58 and 58b, modes in 55 and 2414, units in 164, nodes in 15 and 2411.
+
+Of nodes only their axes count: a direction is along those of its node.  Where sensors are, the campaign says.  Other
+datasets are skipped.
 
 The structure of the whole file is checked, so that a file that was cut off is refused.  A cut exactly between two
 datasets leaves a complete file: nothing in this format says how many there should be.
@@ -6,7 +9,7 @@ datasets leaves a complete file: nothing in this format says how many there shou
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from os import fspath
 from pathlib import Path
 
@@ -17,13 +20,19 @@ from pkmodes.signals.dataset58 import read_points
 from pkmodes.signals.functions import Asked, Function, ModeShape, SignalFile
 from pkmodes.signals.functions58 import Abscissas, function_of
 from pkmodes.signals.mode_datasets import read_55, read_2414
-from pkmodes.signals.scanning import Binary, Scanner, begins_with_a_dataset, numbers_in
+from pkmodes.signals.scanning import Binary, Scanner, begins_with_a_dataset, is_delimiter, numbers_in
 from pkmodes.signals.units import FileUnits
+from pkmodes.support.ordering import listed
 
 #: Numbers of the datasets that are read.
 FUNCTIONS, UNITS = 58, 164
 #: Those of modes, and their readers.
 MODES = {55: read_55, 2414: read_2414}
+#: Those of nodes, and the number of lines for each node.
+NODES = {15: 1, 2411: 2}
+#: What others hold, where a file has nothing else.
+OTHERS = {15: "nodes", 18: "coordinate systems", 82: "trace lines, which are for drawing", 151: "a header"}
+OTHERS |= {2411: "nodes", 2412: "elements", 2420: "coordinate systems"}
 
 
 def read(path: Path, asked: Asked) -> SignalFile:
@@ -39,6 +48,8 @@ def read(path: Path, asked: Asked) -> SignalFile:
     modes: list[ModeShape] = []
     skipped: dict[str, list[str]] = {}
     units, abscissas = FileUnits(), Abscissas()
+    others: dict[int, None] = {}
+    axes: dict[str, str] = {}
     with path.open("rb") as file:
         scanner = Scanner(file, path.stat().st_size, source)
         for dataset in scanner.datasets():
@@ -52,8 +63,12 @@ def read(path: Path, asked: Asked) -> SignalFile:
                 found = MODES[dataset.number](scanner)
             elif dataset.number == UNITS:
                 units = _units(scanner)
+            elif dataset.number in NODES:
+                axes |= _axes(scanner, NODES[dataset.number])
+                others[dataset.number] = None
             else:
                 scanner.skip_to_end()
+                others[dataset.number] = None
             if isinstance(found, Function):
                 functions.append(found)
             elif isinstance(found, ModeShape):
@@ -61,8 +76,40 @@ def read(path: Path, asked: Asked) -> SignalFile:
             elif found is not None:
                 skipped.setdefault(found, []).append(dataset.where)
     messages = tuple(f"{places[0]}: skipped: {_counted(why, places)}" for why, places in skipped.items())
-    whys = tuple(_counted(why, places) for why, places in skipped.items())
-    return SignalFile(source, tuple(functions), tuple(modes), messages, skipped=whys)
+    whys = [_counted(why, places) for why, places in skipped.items()]
+    whys += [f"dataset {number} holds {OTHERS.get(number, 'what is not read')}" for number in others]
+    used = [one.response for one in functions] + [name for mode in modes for name in mode.shape]
+    said = (*messages, *_different_axes(used, axes, source))
+    return SignalFile(source, tuple(functions), tuple(modes), said, skipped=tuple(whys))
+
+
+def _axes(scanner: Scanner, lines: int) -> dict[str, str]:
+    """Read nodes: return the coordinate system of the displacements at each; none where a line is no node.
+
+    https://www.ceas3.uc.edu/sdrluff/files/15.asc and 2411.asc.
+    """
+    found: dict[str, str] = {}
+    count, damaged = 0, False
+    while not is_delimiter(line := scanner.line("a node, or a line -1 that closes the dataset")):
+        node, _, system = (line[start : start + 10].strip().decode("latin-1") for start in (0, 10, 20))
+        if count % lines == 0:
+            damaged |= not (node.isdigit() and system.isdigit())
+            found[node] = system
+        count += 1
+    return {} if damaged else found
+
+
+def _different_axes(names: Sequence[str], axes: Mapping[str, str], source: str) -> list[str]:
+    """Say where the directions of a file are along different axes."""
+    nodes = dict.fromkeys(name.partition(":")[0] for name in names)
+    own = {node: axes[node] for node in nodes if node in axes}
+    if len(set(own.values())) < 2:
+        return []
+    each = listed([f"{system} at node {node}" for node, system in own.items()], 4)
+    return [
+        f"{source}: directions are along axes that differ from node to node, those of coordinate system {each}: a "
+        "direction in the campaign has to be that of its node's axis"
+    ]
 
 
 def _counted(why: str, places: Sequence[str]) -> str:
