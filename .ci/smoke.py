@@ -51,6 +51,7 @@ COMMANDS = {
         """,
     "control": "",
     "hdf5": "",
+    "zstd": "",
     "derive": f"""
         generate {DELTA} --out generated
         check generated

@@ -304,7 +304,7 @@ def test_the_runtime_imports_nothing_that_is_not_installed_with_it() -> None:
     """Not the virtual rig, which is not in the wheel, nor what only tests and benchmarks need."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     extras = project["optional-dependencies"]
-    of_users = ("map", "parquet", "cluster", "plot", "report", "control", "hdf5")
+    of_users = ("map", "parquet", "cluster", "plot", "report", "control", "hdf5", "zstd")
     declared = [*project["dependencies"], *(one for name in of_users for one in extras[name])]
     installed = {re.split(r"[\[>=<]", one)[0].lower().replace("-", "_") for one in declared}
     # Those that the declared ones need: pandas by xarray, Pillow by matplotlib.

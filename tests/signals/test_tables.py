@@ -188,7 +188,7 @@ FAULTS = {
     "a repeated column": ("time,a,a\n0,1,2\n1,2,3\n", "repeated", "column 3"),
     "no imaginary part": ("freq,re:a\n0,1\n1,2\n", "im:a", "line 1"),
     "a length of time": ("time [m],a\n0,1\n1,2\n", "unit of time", "time"),
-    "a workbook": (b"PK\x03\x04abc", "workbook", ""),
+    "a damaged archive": (b"PK\x03\x04abc", "cannot read the archive", ""),
     "UTF-16": ("time,a\n0,1\n1,2\n".encode("utf-16"), "binary", ""),
 }
 

@@ -169,12 +169,15 @@ class Asked:
         Names of the columns of a table, instead of its header; it may have none.
     band : tuple of float, optional
         Frequencies [Hz] outside of which functions of frequency may have gaps, NaN; by default they may have none.
+    member : str
+        Which of the records in a file that holds several; "" for the only one.
     """
 
     rate: float | None = None
     sensors: frozenset[str] | None = None
     columns: tuple[str, ...] = ()
     band: tuple[float, float] | None = None
+    member: str = ""
 
     def wants(self, *names: str) -> bool:
         """Return whether a sensor that has any of these names is wanted."""

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from os import PathLike, fspath
 from pathlib import Path
 
-from pkmodes.core.base.errors import MeasurementError
+from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.measured.csv_format import check_regular, unreadable
 from pkmodes.measured.formats import Format
+from pkmodes.signals.archives import ARCHIVE, SHAKE_AND_TUNE
 from pkmodes.signals.functions import Asked, SignalFile
 from pkmodes.signals.matlab import MATLAB
 from pkmodes.signals.numpy_arrays import NUMPY
@@ -17,7 +19,11 @@ from pkmodes.signals.universal_file import UNIVERSAL_FILE
 
 Reader = Callable[[Path, Asked], SignalFile]
 #: Formats by name, in the order in which they are tried.
-FORMATS: dict[str, Format[Reader]] = {known.name: known for known in (UNIVERSAL_FILE, MATLAB, NUMPY, TABLE)}
+FORMATS: dict[str, Format[Reader]] = {
+    known.name: known for known in (UNIVERSAL_FILE, MATLAB, NUMPY, SHAKE_AND_TUNE, ARCHIVE, TABLE)
+}
+#: Those that hold several records, each with a name.
+SEVERAL = (SHAKE_AND_TUNE, ARCHIVE)
 #: Number of bytes from which a format is recognised.
 HEAD = 4096
 EVERYTHING = Asked()
@@ -41,7 +47,8 @@ def read_signals(path: str | PathLike[str], asked: Asked = EVERYTHING) -> Signal
     Parameters
     ----------
     path : path-like
-        A universal file with datasets 58, 58b, 55 or 2414; a MATLAB or NumPy file; or a table in text.
+        A universal file with datasets 58, 58b, 55 or 2414; a MATLAB or NumPy file; a table in text; or one of several
+        records in a file of Shake&Tune or an archive, ``belts.zip/raw_data_a.csv``.
     asked : Asked
         What is wanted of it; everything by default.
 
@@ -55,7 +62,8 @@ def read_signals(path: str | PathLike[str], asked: Asked = EVERYTHING) -> Signal
     MeasurementError
         If the file cannot be read, is incomplete or invalid, with the place in it.
     """
-    source, place = fspath(path), Path(path)
+    place, member = _within(Path(path))
+    source = fspath(place)
     head = _head(place, source)
     if not head:
         raise MeasurementError("expected measured signals, found an empty file", source, REMEDY)
@@ -63,10 +71,23 @@ def read_signals(path: str | PathLike[str], asked: Asked = EVERYTHING) -> Signal
     if known is None:
         what = "expected a file of measured signals, found another kind of content"
         raise MeasurementError(what, source, REMEDY)
+    if member and known not in SEVERAL:
+        what = f"expected an archive or a file of Shake&Tune, found another file ({known.name})"
+        raise MeasurementError(what, source, f"leave {shown(member)} out of its name")
     try:
-        return known.read(place, asked)
+        return known.read(place, replace(asked, member=member))
     except OSError as error:
         raise unreadable(error, source, WHAT) from None
+
+
+def _within(path: Path) -> tuple[Path, str]:
+    """Return the file of a path, and the record that the path names in it; "" for the file alone."""
+    try:
+        parents = () if path.exists() else path.parents
+        file = next((one for one in parents if one.is_file()), None)
+    except OSError:  # such as a name that is too long; opening it says why
+        file = None
+    return (path, "") if file is None else (file, path.relative_to(file).as_posix())
 
 
 def _head(path: Path, source: str) -> bytes:

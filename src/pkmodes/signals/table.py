@@ -48,7 +48,12 @@ def read(path: Path, asked: Asked) -> SignalFile:
     with path.open("rb") as file:
         check_text(file.read(HEAD), source)  # before gigabytes of something else are read
         file.seek(0)
-        frame = framed(file.read(), source)
+        return tabulated(file.read(), source, asked)
+
+
+def tabulated(content: bytes, source: str, asked: Asked) -> SignalFile:
+    """Return the signals in the content of a table: see `read`."""
+    frame = framed(content, source)
     text = split_table(frame.content, source, asked.columns)
     rate, losses = frame.rate, frame.losses
     del frame  # another copy of the table
