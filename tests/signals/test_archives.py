@@ -8,6 +8,7 @@ import pickle
 import sys
 import tarfile
 import zipfile
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
@@ -107,6 +108,7 @@ def test_the_name_is_asked_for_only_where_there_are_several(tmp_path: Path) -> N
     assert 'did you mean "A_2025"' in refusal(path / "A_2024").remedy
 
 
+@pytest.mark.skipif(find_spec("zstandard") is None, reason="needs zstandard")
 def test_damaged_and_old_measurements_are_refused(subtests: pytest.Subtests, tmp_path: Path) -> None:
     path, whole = tmp_path / "x.stdata", as_lines({"X": SHORT[0]})
     for content, what in {
@@ -176,6 +178,10 @@ def test_an_archive_that_unpacks_to_too_much_is_refused(
     for name in ("a.zip", "a.tgz"):
         archive(tmp_path / name, {"a.csv": as_table(SHORT[0])})
         assert "found more" in refusal(tmp_path / name).what
+    archive(tmp_path / "two.tar", {"a.csv": as_table(SHORT[0][:150]), "b.csv": as_table(SHORT[0][:150])})
+    assert (
+        "found more" in refusal(tmp_path / "two.tar").what
+    )  # all of it, since finding the next unpacks each
     (tmp_path / "x.stdata").write_bytes(compressed(as_lines({"X": SHORT[0]})))
     assert "found more" in refusal(tmp_path / "x.stdata").what
 
