@@ -84,6 +84,10 @@ def test_options_of_robots_are_refused_and_a_structure_needs_none(
         )
     assert run(["compare", "a.csv", "b.csv"]) == 0
     assert "1 mode of 1 changed by more than the errors" in " ".join(capsys.readouterr().out.split())
+    table = "sep=;\nPose;Frequency (Hz);Sigma;Shape:floor_1;SHAPE:floor_2\nP;53,0;0,1;1;0,5\n"
+    Path("b.csv").write_text(table, encoding="utf-16")  # as Excel writes it
+    assert run(["compare", "a.csv", "b.csv"]) == 0
+    assert "1 mode of 1 changed by more than the errors" in " ".join(capsys.readouterr().out.split())
     for option in (["--grid", "x=0"], ["--report", "r.html"]):
         assert run(["compare", "a.csv", "b.csv", *option]) == 2
         assert "does not apply to two measurement files" in capsys.readouterr().err

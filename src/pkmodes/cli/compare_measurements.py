@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,7 +12,6 @@ if TYPE_CHECKING:
 
 #: Pairs that are printed without ``--all``.
 MOST = 10
-SHAPE = re.compile(r"shape:\s*([^,;\t\[\]\r\n\"]*[^,;\t\[\]\r\n\"\s])")
 
 
 def compare_measurement_files(
@@ -43,17 +41,20 @@ def read_table(file: Path, band: tuple[float, float] | None, drives: str | None)
     """Read a file of a robot, or of another structure: without positions, or with channels of its own."""
     from pkmodes import updating
     from pkmodes.core.mechanism import registry
-    from pkmodes.measured.cells import separator_of
+    from pkmodes.core.robot.columns import parted
     from pkmodes.measured.csv_format import read_text
+    from pkmodes.measured.csv_rows import read_lines
     from pkmodes.measured.reading import read_measurements
+    from pkmodes.measured.rules import SHAPE
     from pkmodes.updating.channels import channels
 
     text = read_text(file, str(file), "the measurements", "give a CSV file with one row for each mode")
-    header = next((line for line in text.splitlines() if line.strip() and line[0] != "#"), "")
-    own = SHAPE.findall(header)
+    _, cells = read_lines(text, str(file)).header(str(file), "start with the names of the columns")
     machines = [registry.mechanism(name) for name in registry.names()]
-    known = {name for each in machines for name in channels(each)}
-    columns = {cell.partition("[")[0].strip(' "') for cell in header.split(separator_of(header))}
-    if set(own) <= known and columns & {component.name for each in machines for component in each.pose}:
+    known = {f"{SHAPE}{name}" for each in machines for name in channels(each)}
+    poses = {component.name for each in machines for component in each.pose}
+    names = [parted(cell, [*known, *poses])[0] for cell in cells]
+    own = [name for name in names if name.lower().startswith(SHAPE)]
+    if set(own) <= known and poses.intersection(names):
         return updating.read(file, band, drives=drives)
-    return read_measurements(file, own, positions=False, drives=drives)
+    return read_measurements(file, [name[len(SHAPE) :] for name in own], positions=False, drives=drives)

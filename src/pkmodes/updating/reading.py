@@ -74,18 +74,16 @@ def read(
         drives=None if drives is None else checked_drives(drives),
         others=dict if of is None else partial(columns_of_others, of.mechanism),
     )
-    data = replace(
-        data,
-        priors=joined_with(data.priors, priors, "priors"),
-        usable=joined_with(data.usable, usable, "usable"),
-    )
-    if band is None:
-        return data
-    if data.band not in (None, band):
+    if band is not None and data.band not in (None, band):
         stated = f"{data.band[0]:g} Hz to {data.band[1]:g} Hz"
         what = f"the file states the band {stated}, not {band[0]:g} Hz to {band[1]:g} Hz"
         raise MeasurementError(what, data.source, "leave the band out, or correct the file")
-    return replace(data, band=band)
+    return replace(
+        data,
+        band=data.band if band is None else band,
+        priors=joined_with(data.priors, priors, "priors"),
+        usable=joined_with(data.usable, usable, "usable"),
+    )
 
 
 def _components(mechanism: Mechanism) -> dict[str, str]:
