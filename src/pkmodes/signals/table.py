@@ -54,9 +54,10 @@ def read(path: Path, asked: Asked) -> SignalFile:
 def tabulated(content: bytes, source: str, asked: Asked) -> SignalFile:
     """Return the signals in the content of a table: see `read`."""
     frame = framed(content, source)
+    del content
     text = split_table(frame.content, source, asked.columns)
     rate, losses = frame.rate, frame.losses
-    del frame  # another copy of the table
+    del frame  # other copies of the table
     said = [] if rate is None or asked.rate in (None, rate) else [_other_rate(rate, asked.rate)]
     if asked.rate is None:
         asked = replace(asked, rate=rate)
