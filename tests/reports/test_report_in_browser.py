@@ -40,6 +40,9 @@ DRAWN = """
 """
 
 
+UNFOLD = "document.querySelectorAll('details').forEach(one => { one.open = true; })"
+
+
 @pytest.fixture(scope="module", params=PAGES)
 def page(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory, shared: Shared) -> Path:
     """The report of each kind of result, as a file."""
@@ -64,6 +67,7 @@ def page(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactor
 @pytest.fixture(scope="module")
 def shown(page: Path) -> Iterator[Opened]:
     with opened(page) as browser:
+        browser.page.evaluate(UNFOLD)
         yield browser
 
 
@@ -93,8 +97,9 @@ def test_nothing_is_loaded_executed_or_complained_about(seen: Opened, page: Path
         return int(seen.page.locator(selector).count())
 
     assert count("iframe, img, object, script[src]") == 0
-    # Data have a type.  The view in three dimensions has two programs, three.js and itself; figures share one.
-    assert count("script:not([type])") == 2 * count(".pkview") + 1
+    # Data have a type.  The view in three dimensions has two programs, three.js and itself; figures share one, and
+    # so do folded sections.
+    assert count("script:not([type])") == 2 * count(".pkview") + 1 + min(count("details"), 1)
     assert count("[onerror], [onload], [onmouseover]") == 0
     assert "hacked" not in seen.page.title() or "<script>" in seen.page.title()
 
@@ -125,6 +130,7 @@ def test_panels_are_stacked_on_a_phone_and_not_on_paper_or_a_desk(tmp_path: Path
         .map(text => parseFloat(getComputedStyle(text).fontSize) * Math.hypot(text.getCTM().c, text.getCTM().d))),
     }))"""
     with opened(tmp_path / "page.html", width=360) as browser:
+        browser.page.evaluate(UNFOLD)
         phone = browser.page.evaluate(shown)
         assert all(one["layouts"] == 1 and one["said"] == one["wider"] for one in phone)
         assert all(one["narrow"] != one["wider"] for one in phone)
@@ -144,6 +150,34 @@ def test_panels_are_stacked_on_a_phone_and_not_on_paper_or_a_desk(tmp_path: Path
         box = browser.page.locator("#values .box").first
         assert "gearbox_compliance.compliance" in box.inner_text().replace("\n", "")
         assert box.evaluate("box => box.scrollWidth - box.clientWidth") <= 0
+
+
+def test_sections_fold_on_a_screen_and_not_on_paper(tmp_path: Path, shared: Shared) -> None:
+    """What is folded can be gone to, unfolded by a key or all together; paper has it, also without programs."""
+    place = tmp_path / "page.html"
+    place.write_text(page_of("effect_found", tmp_path, shared), encoding="utf-8")
+    visible = """() => [...document.querySelectorAll(".folded")].map(
+      one => one.querySelector("p, table, svg, dd").checkVisibility({contentVisibilityAuto: true}))"""
+    with opened(place) as browser:
+        page = browser.page
+        folded = page.evaluate(visible)
+        assert len(folded) >= 8
+        assert not any(folded)
+        assert page.locator("#causes table").is_visible()
+        page.locator("nav a[href='#candidates']").click()
+        browser.until("document.querySelector('#candidates details').open")
+        assert page.evaluate("document.querySelector('#candidates').getBoundingClientRect().top") < 100
+        page.locator("#values summary").focus()
+        page.keyboard.press("Enter")
+        assert page.locator("#values table").first.is_visible()
+        assert sum(page.evaluate(visible)) == 2
+        page.get_by_role("button", name="Unfold all").click()
+        assert all(page.evaluate(visible))
+        page.get_by_role("button", name="Fold all").click()
+        assert not any(page.evaluate(visible))
+    with opened(place, media="print", java_script_enabled=False) as browser:
+        assert browser.page.locator("#candidates table").first.is_visible()
+        assert browser.page.locator("#rows table").is_visible()
 
 
 def test_a_page_has_no_horizontal_scroll_at_any_width(seen: Opened) -> None:
@@ -217,6 +251,8 @@ def test_a_page_is_used_by_keyboard_alone(seen: Opened) -> None:
             continue  # the view in three dimensions has its own test
         if seen.page.evaluate("document.activeElement.closest('.save') !== null"):
             continue  # the buttons of a figure have theirs
+        if seen.page.evaluate("document.activeElement.matches('summary')"):
+            continue  # so have sections that fold
         assert "box" in seen.page.evaluate("document.activeElement.className")
         left -= 1
         style = "getComputedStyle(document.activeElement)"

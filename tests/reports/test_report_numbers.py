@@ -127,7 +127,7 @@ def test_advice_fits_the_verdict(made: Made) -> None:
     assert ("usual where the stated sigma is right" in made.page.all("main")[0].text) == (
         halved == {"unexplained"} and verdict != "unexplained"
     )
-    advice, why = made.page.by_id("next").text, made.content["next_measurement_reason"]
+    advice, why = made.page.by_id("action").text, made.content["next_measurement_reason"]
     assert (
         ("No next measurement is proposed" in advice)
         == (made.content["next_measurement"] is None)

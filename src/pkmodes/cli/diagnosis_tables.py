@@ -18,8 +18,9 @@ from pkmodes.diagnosis.verdict.findings import (
     why_larger,
 )
 from pkmodes.diagnosis.verdict.result import Damping, Diagnosis
+from pkmodes.report.action import action
 from pkmodes.report.damping import factors, refitted
-from pkmodes.report.numbers import errors, next_measurement, values
+from pkmodes.report.numbers import errors, values
 from pkmodes.report.setting import Setting
 from pkmodes.report.stability import stability_sentence
 from pkmodes.support.motors import motors_in_words
@@ -35,6 +36,7 @@ def show(robot: Robot, result: Diagnosis) -> None:
     terminal, setting = Terminal(), Setting(robot.name, robot, None, (), None)
     terminal.heading(f"{robot.name}: {result.verdict}")
     terminal.line(result.reason, "  ")
+    terminal.show(action(result, setting))
     _explained(terminal, result)
     terminal.show(*errors(result))
     _damping(terminal, result, setting)
@@ -150,7 +152,6 @@ def _remarks(terminal: Terminal, setting: Setting, result: Diagnosis) -> None:
     for remark in remarks:
         terminal.line()
         terminal.line(remark)
-    terminal.show(*next_measurement(result, setting))
 
 
 def largest_limits(result: Diagnosis) -> list[str]:

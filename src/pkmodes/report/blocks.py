@@ -305,11 +305,14 @@ class Section:
     ----------
     name : str
         Its id: letters and hyphens.
+    folded : bool
+        Whether a reader unfolds it, by a click or by going to it; on paper it is unfolded.
     """
 
     name: str
     title: str
     blocks: Sequence[Block]
+    folded: bool = False
 
 
 @dataclass(frozen=True)
@@ -326,6 +329,8 @@ class Summary:
         The verdict as in the JSON; empty if there is none.
     headline, reason : str
         What was found, and why or where.
+    action : Facts or None
+        What to do about it, in a box.
     facts : sequence of (str, Cell)
         The most important numbers.
     head : sequence of (str, str)
@@ -339,5 +344,6 @@ class Summary:
     reason: str = ""
     tone: Colour = "plain"
     notes: Sequence[str] = ()
+    action: Facts | None = None
     facts: Sequence[tuple[str, Cell]] = ()
     head: Sequence[tuple[str, str]] = ()

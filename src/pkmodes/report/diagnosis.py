@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+from dataclasses import replace
 from pathlib import Path
 
 from pkmodes.core.base.errors import PkmodesError
@@ -13,6 +14,7 @@ from pkmodes.diagnosis.verdict.result import Diagnosis, key
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report import explanations, figures, numbers
+from pkmodes.report.action import action
 from pkmodes.report.blocks import Block, Cell, Difference, Paragraph, Section, Summary
 from pkmodes.report.damping import damping
 from pkmodes.report.formatting import (
@@ -33,6 +35,8 @@ from pkmodes.report.setting import Setting
 from pkmodes.report.stability import stability_sentence
 from pkmodes.updating.corrected_robot import corrected_robot
 
+#: Sections that a reader sees without unfolding them.
+OPEN = ("errors", "causes", "modes")
 #: Most values of causes in the head.
 MOST = 5
 #: As in `diff`.
@@ -54,14 +58,13 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
         Section("candidates", "Candidates", explanations.candidates(result)),
         Section("values", "Values before and after", fitted),
         *_stability(result),
-        Section("next", "Next measurement", numbers.next_measurement(result, setting)),
         Section("correction", "Correction", _correction(result, setting.robot)),
         *view_section(setting.view),
         Section("rows", "All measured modes", [mode_table(result, evidence, setting)]),
         glossary(diagnosed=True),
         _origin(result, evidence, setting),
     ]
-    return page(_summary(result, setting), sections)
+    return page(_summary(result, setting), [replace(one, folded=one.name not in OPEN) for one in sections])
 
 
 def _stability(result: Diagnosis) -> list[Section]:
@@ -80,6 +83,7 @@ def _summary(result: Diagnosis, setting: Setting) -> Summary:
         reason=prose(sentence(result.reason) + _larger(result)),
         tone=VERDICTS[result.verdict].colour,
         notes=[prose(sentence(note)) for note in (*result.notes, *_of_damping(result))],
+        action=action(result, setting),
         facts=facts,
         head=setting.head,
     )

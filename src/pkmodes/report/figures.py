@@ -13,11 +13,13 @@ from pkmodes.report.formatting import clean, plural
 
 
 def sections(evidence: Evidence) -> list[Section]:
-    """Return the sections of the figures; none of the differences against the pose where the poses are unknown."""
-    where = pose_figures(evidence)
+    """Return the sections of the figures: mode by mode, pose by pose, and the shapes."""
+    first, *others = mode_figures(evidence)
+    others += pose_figures(evidence)
+    place = evidence.place
     return [
-        Section("modes", "Measurement and model", mode_figures(evidence)),
-        *([Section("poses", "Differences against the pose", where)] if where else []),
+        Section("modes", "Measurement and model", [first]),
+        *([Section("poses", f"{place.capitalize()} by {place}", others)] if others else []),
         Section("shapes", "Mode shapes", shape_figures(evidence)),
     ]
 

@@ -1,11 +1,11 @@
-"""The numbers of a diagnosis: errors of the stages, values before and after, stability, the next measurement."""
+"""The numbers of a diagnosis: errors of the stages, and values before and after."""
 
 from __future__ import annotations
 
 from pkmodes.diagnosis.verdict.findings import NOTICEABLE, Corrected
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
 from pkmodes.plots import scores
-from pkmodes.report.blocks import Cell, Column, Facts, Paragraph, Picture, Table
+from pkmodes.report.blocks import Cell, Column, Paragraph, Picture, Table
 from pkmodes.report.formatting import (
     clean,
     figures,
@@ -14,7 +14,6 @@ from pkmodes.report.formatting import (
     pointer,
     three_digits,
     uncertain,
-    unit,
     unit_cell,
 )
 from pkmodes.report.setting import Setting
@@ -23,7 +22,7 @@ from pkmodes.support.ordering import listed, sorted_labels
 
 
 def errors(result: Diagnosis) -> list[Table | Paragraph]:
-    """Return the errors of the stages, over fitted and held-out rows."""
+    """Return , over fitted and held-out rows."""
     stages, rows = result.errors, []
     for name, (title, error) in stages.items():
         at, strong = ("error", name), name == [*stages][-1]
@@ -128,32 +127,4 @@ def _value(result: Diagnosis, value: Corrected, setting: Setting) -> list[Cell]:
         unit_cell(value.unit),
         figures(prior, 2),
         number((value.value - value.declared) / prior if prior else None, "+.1f"),
-    ]
-
-
-def next_measurement(result: Diagnosis, setting: Setting) -> list[Paragraph | Facts]:
-    """Return where a measurement is expected to tell most about which explanation is true, or why nowhere."""
-    proposed = result.next_measurement
-    if proposed is None:
-        return [Paragraph(f"No next measurement is proposed: {clean(result.next_measurement_reason)}.")]
-    at = "next_measurement"
-    entries: list[tuple[str, list[Cell]]] = [
-        (f"{name} [{unit(symbol)}]" if unit(symbol) else name, [number(value, ".4f", pointer(at, "pose", k))])
-        for k, ((name, symbol), value) in enumerate(
-            zip(setting.components(len(proposed.pose)), proposed.pose, strict=True)
-        )
-    ]
-    if proposed.drives:
-        entries.append(("motors", [Cell(proposed.drives)]))
-    if proposed.load:
-        entries.append(("set", [setting.load(proposed.load)]))
-    one, other = map(clean, proposed.separates)
-    entries.append(("separates", [Cell(f"{one} and {other}")]))
-    sigmas = number(proposed.sigmas, ".0f", pointer(at, "sigmas"))
-    entries.append(("by", [sigmas, Cell("standard deviations")]))
-    caveat = [Paragraph(f"{proposed.caveat}.")] if proposed.caveat else []
-    return [
-        Paragraph("Measure next here, which is expected to tell most about which explanation is true:"),
-        Facts(entries),
-        *caveat,
     ]

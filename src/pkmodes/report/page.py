@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from jinja2 import Environment
 
 TEMPLATES, PAGE, STYLE, BROWSER = "templates", "page.html.j2", "style.css", "browser"
+#: The program of pages with folded sections.
+FOLDING = "fold"
 
 
 def need_report() -> None:
@@ -54,6 +56,8 @@ def page(summary: Summary, sections: Sequence[Section]) -> str:
 def _programs(sections: Sequence[Section]) -> list[str]:
     """Return the programs that the blocks of a page need in the browser, each once."""
     names = dict.fromkeys(name for section in sections for block in section.blocks for name in block.programs)
+    if any(section.folded for section in sections):
+        names[FOLDING] = None
     folder = files(__package__) / BROWSER
     return [
         "".join((folder / f"{part}.js").read_text(encoding="utf-8") for part in name.split("+"))

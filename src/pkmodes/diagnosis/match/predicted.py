@@ -60,13 +60,18 @@ class Predicted:
         paired = pairing.partner >= 0
         logs = prediction.log_frequencies
         own = np.where(paired, logs[data.pose, np.maximum(pairing.partner, 0)], np.nan)
-        with np.errstate(over="ignore"):
-            spectrum = np.exp(logs[:, prediction.rigid :])
         return cls(
             frequency=np.exp(own),
             mode=np.where(paired, pairing.partner - prediction.rigid + 1, 0),
             sigmas=(own - FREQUENCY.transformed(data)) / sigma,
             mac=pairing.mac,
             macs=pairer.macs(prediction),
-            spectrum=np.where(spectrum < FAR * data.frequency.max(), spectrum, np.nan),
+            spectrum=spectrum_of(prediction, data),
         )
+
+
+def spectrum_of(prediction: Prediction, data: Measurements) -> Array:
+    """Return the frequencies of the elastic modes of each setup [Hz], (S, m), see `Predicted`."""
+    with np.errstate(over="ignore"):
+        spectrum = np.exp(prediction.log_frequencies[:, prediction.rigid :])
+    return np.where(spectrum < FAR * data.frequency.max(), spectrum, np.nan)

@@ -8,6 +8,8 @@ from msgspec import Meta
 
 from pkmodes.support.documents import Document, Probability
 
+#: Statements that name no candidate.
+NOTHING_MISSING, OUTSIDE = "nothing_missing", "outside"
 #: What a probability is of: ``nothing_missing``, ``outside``, members of a class, or pairs.
 Statement = str | tuple[str, ...] | tuple[tuple[str, str], ...]
 
@@ -51,8 +53,8 @@ class Probabilities(Document, frozen=True):
     def statements(self) -> list[tuple[Statement, float]]:
         """All statements with their probabilities."""
         return [
-            ("nothing_missing", self.nothing_missing),
-            ("outside", self.outside),
+            (NOTHING_MISSING, self.nothing_missing),
+            (OUTSIDE, self.outside),
             *((one.members, one.probability) for one in self.classes),
             *((one.members, one.probability) for one in self.pairs),
         ]

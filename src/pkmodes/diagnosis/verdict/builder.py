@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.match.predicted import spectrum_of
 from pkmodes.diagnosis.match.stage import Stage
 from pkmodes.diagnosis.posterior.document import Probabilities
 from pkmodes.diagnosis.posterior.probabilities import probabilities
-from pkmodes.diagnosis.problem import reached_bounds
+from pkmodes.diagnosis.problem import Array, reached_bounds
 from pkmodes.diagnosis.readings.table import declared_otherwise, remarks
 from pkmodes.diagnosis.search.ranges import plausible_sizes
 from pkmodes.diagnosis.verdict import caveats, held_out, limits, misfit
@@ -56,6 +57,8 @@ class _Models:
         Its values.
     notes : tuple of str
         On its fit.
+    without : ndarray, shape (S, m), or None
+        Its spectrum without its causes.
     """
 
     last: Fit | None
@@ -66,6 +69,7 @@ class _Models:
     corrected: tuple[Corrected, ...]
     shape_scatter: float | None
     notes: tuple[str, ...]
+    without: Array | None
 
     @property
     def stages(self) -> Stages:
@@ -74,7 +78,7 @@ class _Models:
             None if one is None else one[0].predicted for one in (self.declared, self.refit, self.after)
         )
         assert before is not None
-        return Stages(before, refit, after)
+        return Stages(before, refit, after, self.without)
 
 
 @dataclass(frozen=True)
@@ -256,7 +260,16 @@ class DiagnosisBuilder:
             corrected=() if last is None else self.corrected(last, bounded),
             shape_scatter=None if last is None else store.shape_scatter(last),
             notes=() if last is None else tuple(notes(store, last, settled)),
+            without=None if causes is None else self._without(causes),
         )
+
+    def _without(self, fit: Fit) -> Array:
+        """Return the spectrum of a model whose causes are as declared, and all other values as fitted, (S, m)."""
+        values = fit.values.copy()
+        for cause in fit.causes:
+            own = list(self.fitter.indices(cause))
+            values[own] = self.fitter.declared[own]
+        return spectrum_of(self.setups.stage(values).prediction, self.setups.data)
 
     def _result(
         self,

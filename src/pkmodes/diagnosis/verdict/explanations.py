@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.posterior.document import Probabilities
+from pkmodes.diagnosis.posterior.document import NOTHING_MISSING, OUTSIDE, Probabilities
 
 #: Largest number of explanations: the most probable ones.
 MOST = 8
@@ -45,7 +45,7 @@ def explanations(store: FitStore, said: Probabilities | None, left: Sequence[Nam
     """
     remaining = {_causes(fit): (name, fit) for some in left for name, fit in some}
     tried = sorted((fit for fit in store.tried() if not fit.at_bound), key=store.criterion, reverse=True)
-    known = {_causes(fit): (" + ".join(_causes(fit)) or "nothing_missing", fit) for fit in tried} | remaining
+    known = {_causes(fit): (" + ".join(_causes(fit)) or NOTHING_MISSING, fit) for fit in tried} | remaining
     of: dict[Causes, float] = {}
     for p, members in _statements(said, remaining):
         fitted = [one for one in members if one in known and p >= LEAST]
@@ -69,9 +69,9 @@ def _causes(fit: Fit) -> Causes:
 def _statements(said: Probabilities | None, remaining: Iterable[Causes]) -> list[tuple[float, list[Causes]]]:
     """Return the probabilities of all statements, each with the causes of its members."""
     stated: list[tuple[float, list[Causes]]] = [
-        (p, [()] if what == "nothing_missing" else [(one,) if isinstance(one, str) else one for one in what])
+        (p, [()] if what == NOTHING_MISSING else [(one,) if isinstance(one, str) else one for one in what])
         for what, p in (said.statements if said else ())
-        if what != "outside"
+        if what != OUTSIDE
     ]
     listed = {one for _, members in stated for one in members}
     return [*stated, (said.outside if said else 1.0, [one for one in remaining if one not in listed])]

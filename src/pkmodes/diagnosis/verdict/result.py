@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pkmodes.core.base.attached import Attached
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.posterior.document import Probabilities
+from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.verdict.document import (
     CandidateDocument,
     CauseDocument,
@@ -45,11 +46,14 @@ class Stages:
     ----------
     before, refit, after : Predicted or None
         As declared, with the nuisances refitted, and with the causes.
+    without : ndarray, shape (S, m), or None
+        The spectrum of the last of them without its causes, at its values; None where it has none.
     """
 
     before: Predicted
     refit: Predicted | None
     after: Predicted | None
+    without: Array | None = None
 
 
 @dataclass(frozen=True)

@@ -23,6 +23,9 @@ class Verdict:
         Whether ``pkmodes diagnose --fail-on any`` ends with exit code 1.
     colour : str
         Colour of the heading.
+    inspect, sure : str
+        What to look at, and how sure the verdict is, in the words of an owner.  ``{likely}`` is a word for the
+        probability of what it claims, and ``{what}`` that claim; where causes were found, these are what to look at.
     nothing_next : str
         Why no next measurement is proposed where there are no two explanations between which one could decide.
     settled : bool
@@ -34,6 +37,8 @@ class Verdict:
     fails: bool
     colour: Colour
     nothing_next: str
+    inspect: str = "no part in particular: no cause is claimed"
+    sure: str = "not sure: no cause is claimed"
     settled: bool = False
 
 
@@ -43,6 +48,8 @@ ADEQUATE = Verdict(
     False,
     "good",
     "the residual is noise, so there are no explanations of it to separate",
+    "nothing: the model predicts what was measured",
+    "{likely} nothing is missing that these data could show",
     settled=True,
 )
 EFFECT_FOUND = Verdict(
@@ -51,10 +58,16 @@ EFFECT_FOUND = Verdict(
     True,
     "found",
     "these data tell what is claimed from every other candidate",
+    sure="{likely} {what}",
     settled=True,
 )
 AMBIGUOUS = Verdict(
-    "ambiguous", "Several explanations remain", True, "open", "no two of the explanations can be compared"
+    "ambiguous",
+    "Several explanations remain",
+    True,
+    "open",
+    "no two of the explanations can be compared",
+    sure="not sure: these data leave several explanations, and do not decide between them",
 )
 UNEXPLAINED = Verdict(
     "unexplained",
@@ -62,6 +75,9 @@ UNEXPLAINED = Verdict(
     True,
     "bad",
     "no explanations are left between which a measurement could decide",
+    "no part in particular: no cause is claimed; before the machine, check what the files say of units, directions, "
+    "motors and errors",
+    "not sure of any cause, so that none is claimed",
 )
 INSUFFICIENT_DATA = Verdict(
     "insufficient_data",
@@ -69,6 +85,8 @@ INSUFFICIENT_DATA = Verdict(
     True,
     "plain",
     "the data are too few to compare explanations: measure more modes, at more poses",
+    "nothing yet: the data are too few to say what is wrong, if anything is",
+    "not sure of anything: the data are too few",
 )
 
 #: All verdicts by their words, in the order of messages and of the schema.

@@ -1,0 +1,260 @@
+"""What to do about a diagnosis, in the words of an owner: what to inspect, what it does, how sure, what to measure.
+
+Each sentence is true by itself, and none is surer than the verdict.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import permutations
+
+import numpy as np
+
+from pkmodes.core.base.drives import motors
+from pkmodes.diagnosis.posterior.document import NOTHING_MISSING, OUTSIDE, Probabilities
+from pkmodes.diagnosis.verdict.findings import saved_as
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.diagnosis.verdict.stability_words import same, stable
+from pkmodes.diagnosis.verdict.verdicts import VERDICTS
+from pkmodes.report.blocks import Cell, Facts
+from pkmodes.report.formatting import SENTENCE, clean, label, named, number, plural, pointer, sentence, unit
+from pkmodes.report.setting import Setting
+from pkmodes.report.stability import CHANGES
+from pkmodes.support.numbers import plain, rounded
+from pkmodes.support.ordering import joined
+
+Entry = tuple[str, list[Cell]]
+#: Where to look for a cause, and what to do there.
+WHERE = {
+    "axis_belt_stiffness": "the belts: whether all have the same type, width, tension and wear",
+    "axis_reducer_stiffness": "the reducers: whether all are of the same type, and equally worn",
+    "belt_end_compliance": "the ends of the belts: how their teeth sit on the pulleys and in the clamps",
+    "belt_mass": "the belts: weigh a length of one",
+    "belt_tension_stiffness": "the tension of the belts: measure it, for example by the tone of a plucked belt",
+    "cable_stiffness": "the cables and hoses at the platform: take them off, and measure again",
+    "clamp_compliance": "the clamps of the belts: whether a belt gives in them",
+    "frame_compliance": "the frame: its screws and corners, and what it stands on",
+    "gearbox_compliance": "the gearboxes: hold a motor, load its pulley, and see how far the pulley turns",
+    "gearbox_inertia": "the gearboxes: look up their moment of inertia",
+    "link_compliance": "the linkages: whether their joints are tight, and their rods as stiff as they should be",
+    "payload": "the platform: weigh what moves with it, such as a tool, cables and hoses",
+    "servo_stiffness": "the motors: whether they were switched on during the measurement",
+}
+#: Where to look for other causes, by the beginning of their names.
+WHERE_ELSE = {
+    "measurement:": "the measurement: whether its poses have the origin and the axes of the robot file",
+    "parameter:": "the {words}: measure or look it up again",
+}
+#: What to say of a probability from the first number on: 96, 80 and 52 % of the most probable explanations were right
+#: (docs/probabilities-measured.md).
+LIKELY = ((0.9, "very likely that"), (0.7, "likely that"), (0.0, "doubtful whether"))
+#: Probabilities above this are not told apart.
+SUREST = 0.99
+#: Largest number of explanations of which it is said where to look.
+MOST = 5
+
+
+def action(result: Diagnosis, setting: Setting) -> Facts:
+    """Return what to inspect, its effect in hertz, how sure that is, and what to measure next."""
+    effect = _effect(result, setting)
+    return Facts(
+        [
+            *_inspect(result, setting),
+            ("effect", effect) if effect else ("difference", _difference(result)),
+            ("how sure", _sure(result)),
+            ("measure next", _next(result, setting)),
+        ]
+    )
+
+
+def _inspect(result: Diagnosis, setting: Setting) -> Iterator[Entry]:
+    """Yield where to look for each cause, or for each explanation that remains."""
+    causes = [effect.members for effect in result.effects]
+    if result.survivors:
+        causes = [tuple(each for group in result.survivors for each in group)]
+    for k, names in enumerate(causes):
+        places = [
+            *dict.fromkeys(
+                joined([_where(one, result, setting) for one in name.split(" + ")]) for name in names
+            )
+        ]
+        for i, place in enumerate(places[:MOST]):
+            yield "or" if i else "and" if k else "inspect", [Cell(sentence(place))]
+        if len(places) > MOST:
+            yield "or", [Cell(f"{plural(len(places) - MOST, 'further place')}: see the explanations below.")]
+    if not causes:
+        also = f"; but {clean(result.headline, SENTENCE)}" if result.headline else ""
+        yield "inspect", [Cell(sentence(f"{VERDICTS[result.verdict].inspect}{also}"))]
+
+
+def _where(name: str, result: Diagnosis, setting: Setting) -> str:
+    """Return where to look for a cause; its sentence where nobody said."""
+    if name in WHERE:
+        return WHERE[name]
+    for beginning, where in WHERE_ELSE.items():
+        if name.startswith(beginning):
+            path = name.removeprefix(beginning)
+            return where.format(words=setting.words(path).partition(",")[0] or f"value of {clean(path)}")
+    return _explanation(name, result)
+
+
+def _effect(result: Diagnosis, setting: Setting) -> list[Cell]:
+    """Return what the causes do to the frequencies at the measured poses; nothing where there are none."""
+    stages = result.stages
+    if stages is None or stages.after is None or stages.without is None:
+        return []
+    modes = min(int(stages.after.mode.max(initial=1)), stages.without.shape[1])
+    after, without = stages.after.spectrum[:, :modes], stages.without[:, :modes]
+    change = after - without
+    if not np.isfinite(change).any():
+        return []
+    labels = [*dict.fromkeys(row.pose for row in result.rows)]
+    at, mode = np.unravel_index(int(np.nanargmax(np.abs(change))), change.shape)
+    verb = "lower" if np.nanmax(change) <= 0.0 else "raise" if np.nanmin(change) >= 0.0 else "change"
+    who = f"they {verb}" if len(result.effects) > 1 else f"it {verb}s"
+    place = "setup" if setting.robot is None else "pose"
+    most = abs(float(change[at, mode]))
+    before, now = (rounded(float(one[at, mode]), most).columns[0] for one in (without, after))
+    return [
+        Cell(
+            f"In the model {who} the natural frequencies at the {plural(len(labels), f'measured {place}')} by up to "
+            f"{plain(most, 2)} Hz: that of mode {mode + 1} at"
+        ),
+        label(labels[at]),
+        Cell(f"from {before} to {now} Hz."),
+    ]
+
+
+def _difference(result: Diagnosis) -> list[Cell]:
+    """Return how far the last model without causes is from the measured frequencies."""
+    rows = [row for row in result.rows if not row.outlier]
+    predicted = [row.before if result.refit is None else row.refit for row in rows]
+    apart = [(f - row.measured, row) for f, row in zip(predicted, rows, strict=True) if f is not None]
+    if not apart:
+        return [Cell("The model has no mode near any measured frequency.")]
+    rms = float(np.sqrt(np.mean([size**2 for size, _ in apart])))
+    most, row = max(apart, key=lambda one: abs(one[0]))
+    title = "as declared" if result.refit is None else "with its uncertain values refitted"
+    lost = len(rows) - len(apart)
+    without = f" It has no mode for {plural(lost, 'other')}." if lost else ""
+    measured, own = (rounded(one, abs(most)).columns[0] for one in (row.measured, row.measured + most))
+    return [
+        Cell(
+            f"The model {title} differs from {plural(len(apart), 'measured mode')} by {plain(rms, 2)} Hz (rms), and "
+            f"by {plain(abs(most), 2)} Hz at most: at"
+        ),
+        label(row.pose),
+        Cell(f"it predicts {own} Hz where {measured} Hz are measured.{without}"),
+    ]
+
+
+def _sure(result: Diagnosis) -> list[Cell]:
+    """Return how sure the verdict is, what limits it, and how well the size of a cause is known."""
+    p, alike = _probability(result)
+    likely = "the tests allow that" if p is None else f"it is {next(w for least, w in LIKELY if p >= least)}"
+    said = VERDICTS[result.verdict].sure.format(likely=likely, what=_claim(result, alike))
+    sentences = [said if p is None else f"{said} (probability {_percent(p)})"]
+    if alike:
+        sentences.append("of what acts alike, the tests leave this alone")
+    if any(len(effect.members) > 1 for effect in result.effects):
+        sentences.append("these data cannot tell which of the alternatives it is")
+    if size := _size(result):
+        sentences.append(f"how large it is, is known to {size}")
+    if result.settled and result.stability and not stable(result):
+        changed = [one.change for one in result.stability if not same(result, one)]
+        words = joined([CHANGES.get(one, one) for one in changed], "or")
+        sentences.append(f"with {words}, the verdict is another")
+    if not result.settled and not result.survivors and result.probabilities is not None:
+        sentences.append(_most_probable(result, result.probabilities))
+    text = " ".join(map(sentence, sentences))
+    return [Cell(text.replace(" %", "\u00a0%"), plain=text)]
+
+
+def _claim(result: Diagnosis, alike: bool) -> str:
+    """Return what was claimed to be the cause, as a clause."""
+    one_of = any(len(effect.members) > 1 for effect in result.effects)
+    several = len(result.effects) > 1
+    who = "these" if several else "one of these" if one_of else "this"
+    like = f", or what acts like {'this' if who == 'this' else 'these'}," if alike else ""
+    return f"{who}{like} {'are the causes' if several else 'is the cause'}"
+
+
+def _probability(result: Diagnosis) -> tuple[float | None, bool]:
+    """Return how probable the claim is, and whether that includes causes which the tests of the verdict left out.
+
+    None where nothing is claimed, or nothing is known about it.
+    """
+    said = result.probabilities
+    if said is None or not result.settled:
+        return None, False
+    if not result.effects:
+        return said.nothing_missing, False
+    claimed = [set(effect.members) for effect in result.effects]
+    p, alike = 0.0, False
+    for statement in said.classes if len(claimed) == 1 else said.pairs:
+        own = [_claimed((one,) if isinstance(one, str) else one, claimed) for one in statement.members]
+        if any(own):
+            p, alike = p + statement.probability, alike or not all(own)
+    return p, alike
+
+
+def _claimed(causes: tuple[str, ...], claimed: list[set[str]]) -> bool:
+    """Return whether causes are those claimed, one of each class."""
+    return any(all(map(set.__contains__, claimed, order)) for order in permutations(causes))
+
+
+def _percent(p: float) -> str:
+    return f"over {100 * SUREST:.0f} %" if p > SUREST else f"{100 * p:.0f} %"
+
+
+def _most_probable(result: Diagnosis, said: Probabilities) -> str:
+    """Return the most probable explanation where none is sure enough for the verdict."""
+    what, p = said.top
+    if what == OUTSIDE:
+        return f"most probable is something that is no candidate ({_percent(p)})"
+    words = _explanation(what if isinstance(what, str) else _joined(what[0]), result)
+    like = "" if isinstance(what, str) or len(what) == 1 else ", or what acts like this"
+    return f"most probable, but not sure enough to be claimed, is: {words}{like} ({_percent(p)})"
+
+
+def _joined(causes: str | tuple[str, str]) -> str:
+    return causes if isinstance(causes, str) else " + ".join(causes)
+
+
+def _explanation(name: str, result: Diagnosis) -> str:
+    """Return an explanation in words, with its names."""
+    if name == NOTHING_MISSING:
+        return "nothing is missing"
+    return named(name, {one.name: one.sentence for one in result.candidates})
+
+
+def _size(result: Diagnosis) -> str:
+    """Return how well the size of the only cause is known, in per cent; empty where it has several values."""
+    values = [
+        one for effect in result.effects for name in effect.members for one in effect.alternatives[name]
+    ]
+    saved = saved_as(values[0], result.corrected) if len(values) == 1 else None
+    if saved is None or saved.value == saved.declared:
+        return ""
+    part = saved.saved_sigma / abs(saved.value - saved.declared)
+    return f"{plain(100.0 * part, 2)} % (one standard deviation)"
+
+
+def _next(result: Diagnosis, setting: Setting) -> list[Cell]:
+    """Return where a measurement is expected to tell most about which explanation is true, or why nowhere."""
+    proposed = result.next_measurement
+    if proposed is None:
+        return [Cell(f"No next measurement is proposed: {clean(result.next_measurement_reason)}.")]
+    at, text, cells = "next_measurement", "At", list[Cell]()
+    components = setting.components(len(proposed.pose))
+    for k, ((name, symbol), value) in enumerate(zip(components, proposed.pose, strict=True)):
+        cells += [Cell(f"{text} {name} ="), number(value, ".4f", pointer(at, "pose", k))]
+        text = f"{unit(symbol)},"
+    if proposed.drives:
+        text += f" {motors([proposed.drives])},"
+    one, other = (_explanation(name, result) for name in proposed.separates)
+    told = f"which is expected to tell most about what is true: {one}, or {other}; they differ there by"
+    caveat = f" {sentence(proposed.caveat)}" if proposed.caveat else ""
+    load = [Cell("Set"), setting.load(proposed.load)] if proposed.load else []
+    sigmas = number(proposed.sigmas, ".0f", pointer(at, "sigmas"))
+    return [*cells, Cell(f"{text} {told}"), sigmas, Cell(f"standard deviations.{caveat}"), *load]
