@@ -49,7 +49,11 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
     title = (
         "Remaining explanations" if result.survivors else "Cause" + ("s" if len(result.effects) > 1 else "")
     )
-    fitted = [*numbers.values(result, setting), *numbers.pulls(result, setting)]
+    fitted = [
+        *numbers.values(result, setting),
+        *numbers.pulls(result, setting),
+        *numbers.correlations(result),
+    ]
     sections = [
         Section("errors", "Error before and after", numbers.errors(result)),
         *([Section("causes", title, causes)] if causes else []),

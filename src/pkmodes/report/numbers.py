@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from pkmodes.diagnosis.verdict.findings import NOTICEABLE, Corrected
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
+from pkmodes.plots import correlations as dependence
 from pkmodes.plots import scores
 from pkmodes.report.blocks import Cell, Column, Paragraph, Picture, Table
 from pkmodes.report.formatting import (
@@ -101,6 +104,48 @@ def pulls(result: Diagnosis, setting: Setting) -> list[Picture]:
             "shaded prior means that the data say nothing about it.",
         )
     ]
+
+
+def correlations(result: Diagnosis) -> list[Picture]:
+    """Return the figures of how the fitted values depend on each other; nothing of fewer than two."""
+    kept, every = _corrected(result), np.array(result.correlation)
+    if len(every) != len(result.corrected):
+        return []
+    places = [k for k, value in enumerate(result.corrected) if value in kept]
+    rates = every[np.ix_(places, places)] if places else every
+    figure, parts = dependence.matrix(kept, rates), dependence.ellipses(kept, rates)
+    pairs = len(dependence.notable(kept, rates))
+    if figure is None:
+        return []
+    strong = (
+        f"{plural(pairs, 'pair')} with a correlation of {dependence.NOTABLE:.2f} or more"
+        if pairs
+        else f"No pair has a correlation of {dependence.NOTABLE:.2f} or more"
+    )
+    found = [
+        Picture.of(
+            figure,
+            "Correlation of the fitted values",
+            f"Correlation of each pair of the fitted values. {strong}.",
+            "Correlation of the fitted values, by the fit and the priors. Near +1 or \u22121 the data tell a "
+            "combination of two values far better than each: what is known better of one then moves the other. "
+            f"{strong}.",
+        )
+    ]
+    if parts is not None:
+        which = f" (the {dependence.PAIRS} strongest of {pairs})" if pairs > dependence.PAIRS else ""
+        found.append(
+            Picture.of(
+                parts,
+                "Error ellipses",
+                f"Ellipses of 68 and 95 % about the fitted values of {plural(min(pairs, dependence.PAIRS), 'pair')}.",
+                f"Error ellipses of pairs with a strong correlation{which}: deviations from the fitted values, in "
+                "per cent of these. The true pair is within an ellipse with the probability that it names, if errors "
+                "are normal and nothing else is missing: the standard deviations are those of the fit alone. A "
+                "cross, if there is one, is the declared pair.",
+            )
+        )
+    return found
 
 
 def _value(result: Diagnosis, value: Corrected, setting: Setting) -> list[Cell]:

@@ -1,0 +1,57 @@
+"""Correlations of fitted values, and the ellipses of pairs that hardly part."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pkmodes.diagnosis.verdict.findings import Corrected
+from pkmodes.plots import correlations
+from pkmodes.plots.drawing import Drawing
+
+RATES = np.array([[1.0, 0.9, 0.1], [0.9, 1.0, -0.75], [0.1, -0.75, 1.0]])
+
+
+def values(*sizes: float) -> list[Corrected]:
+    return [
+        Corrected(f"v{k}", size, 0.02 * abs(size), "1", 1.01 * size, 0.1, False)
+        for k, size in enumerate(sizes)
+    ]
+
+
+def table(drawing: Drawing | None) -> dict[str, list[str]]:
+    assert drawing is not None
+    return {column[0]: column[1:] for column in drawing.table}
+
+
+@pytest.mark.parametrize("probability", [0.68, 0.95])
+def test_an_ellipse_has_the_pairs_that_it_should(probability: float) -> None:
+    """Of 200 000 normal pairs: by the signed area of each pair and the edges of the polygon."""
+    sigma, rate = (3.0, 0.2), -0.8
+    covariance = np.outer(sigma, sigma) * [[1.0, rate], [rate, 1.0]]
+    pairs = np.random.default_rng(5).multivariate_normal([0.0, 0.0], covariance, 200_000)
+    edge = correlations.ellipse(sigma, rate, probability)
+    (x, y), step = edge[:, :-1], np.diff(edge)
+    inside = np.ones(len(pairs), dtype=bool)
+    for k in range(len(x)):
+        inside &= step[0, k] * (pairs[:, 1] - y[k]) - step[1, k] * (pairs[:, 0] - x[k]) > 0.0
+    assert inside.mean() == pytest.approx(probability, abs=0.004)
+
+
+def test_strong_pairs_alone_have_ellipses_the_strongest_first() -> None:
+    some = values(2.0, -5.0, 40.0)
+    assert correlations.notable(some, RATES) == [(0, 1), (1, 2)]
+    drawn = table(correlations.ellipses(some, RATES))
+    assert list(dict.fromkeys(drawn["panel"])) == ["correlation +0.90", "correlation \u22120.75"]
+    # Declared values are 1 % beyond the fitted ones.
+    at = drawn["series"].index("declared")
+    assert [float(drawn[f"v{k} [%]"][at]) for k in (0, 1)] == pytest.approx([1.0, -1.0])
+    assert correlations.ellipses(some, np.eye(3)) is None
+    assert correlations.notable(values(2.0, 0.0, 1.0), RATES) == []
+
+
+def test_the_matrix_names_its_values() -> None:
+    drawn = table(correlations.matrix(values(1.0, 2.0, 3.0), RATES))
+    assert [float(one) for one in drawn["correlation [1]"]] == RATES.ravel().tolist()
+    assert drawn["y (name)"][:3] == ["v0"] * 3
+    assert correlations.matrix(values(1.0), np.eye(1)) is None
