@@ -50,6 +50,19 @@ def test_measured_curves_lie_over_those_of_the_model(tmp_path: Path) -> None:
     assert len(panels[1].lines) == 1
 
 
+def test_the_robot_before_a_correction_is_drawn_between_both(tmp_path: Path) -> None:
+    found, declared = response(), pkmodes.load(ROBOT).with_values({"damping.ratio": 0.05})
+    before = declared.frf(POSE, np.linspace(5, 60, 56), ["force_x"], ["p_x", "p_y"], drives="held")
+    found.to_csv(tmp_path / "m.csv")
+    picture = response_picture(found, read_response(tmp_path / "m.csv"), before=before)
+    above = next(axes for axes in picture.figure.axes if axes.get_title("left") == "p_y/force_x")
+    lines = {line.get_label(): np.asarray(line.get_ydata()) for line in above.lines}
+    assert list(lines) == ["model", "before", "measured"]
+    np.testing.assert_allclose(lines["before"], np.abs(before.values[:, 1, 0]))
+    np.testing.assert_allclose(lines["model"], lines["measured"])
+    assert lines["before"].max() < 0.5 * lines["model"].max()
+
+
 def test_the_command_writes_a_picture(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     response().to_csv(tmp_path / "m.csv")
     arguments = [
@@ -72,6 +85,14 @@ def test_the_command_writes_a_picture(tmp_path: Path, capsys: pytest.CaptureFixt
         (
             ["--measured", str(tmp_path / "m.csv")],
             "--measured is for the picture and the report, which are not written (--measured)",
+        ),
+        (
+            ["--before", str(ROBOT)],
+            "--before is for the picture and the report, which are not written (--before)",
+        ),
+        (
+            ["--before", str(ROOT / "robots/corexy-printer.toml"), "--figure", str(tmp_path / "x.svg")],
+            "expected a linear_delta like the robot that is drawn, found a corexy",
         ),
         (["--figure", str(tmp_path / "r.jpg")], "expected a name that ends in .svg or .png or .pdf"),
         (["--figure", str(tmp_path / "x.svg"), "--measured", str(tmp_path / "none.csv")], "none.csv"),

@@ -119,6 +119,12 @@ class ResponseDocument(Document, frozen=True):
     help="Measured responses to draw over those of the model: a table like that of --out, a universal or a MATLAB "
     "file.",
 )
+@click.option(
+    "--before",
+    metavar="FILE.toml",
+    type=FILE,
+    help="Robot file of which the same is drawn dashed, such as the one that a diagnosis corrected.",
+)
 @drives_option
 @mechanism_option
 @report_option
@@ -136,6 +142,7 @@ def response(
     modes: int | None,
     figure: Path | None,
     measured: Path | None,
+    before: Path | None,
     drives: str,
     report_to: Path | None,
     json_file: str | None,
@@ -150,24 +157,31 @@ def response(
         Target("--figure", figure, "the picture", (".svg", ".png", ".pdf")),
         report_target(report_to),
     )
-    check_targets(json_file, [robot, measured], *targets)
+    check_targets(json_file, [robot, measured, before], *targets)
     given = _frequencies(frequencies, log)
     if modes is not None and model_file is None:
         what = "--modes is for the state space model, which is not written"
         raise PkmodesError(what, "--modes", "add --state-space FILE.mat, or leave --modes out")
-    if measured is not None and figure is None and report_to is None:
-        what = "--measured is for the picture and the report, which are not written"
-        raise PkmodesError(
-            what, "--measured", "add --report FILE.html or --figure FILE.svg, or leave --measured out"
-        )
-    sources = sources_of(report_to, {"robot file": robot, "measured responses": measured})
-    model = load(robot)
+    for option, file in (("--measured", measured), ("--before", before)):
+        if file is not None and figure is None and report_to is None:
+            what = f"{option} is for the picture and the report, which are not written"
+            raise PkmodesError(
+                what, option, f"add --report FILE.html or --figure FILE.svg, or leave {option} out"
+            )
+    inputs_read = {"robot file": robot, "robot file before": before, "measured responses": measured}
+    sources = sources_of(report_to, inputs_read)
+    model, other = load(robot), None if before is None else load(before)
+    if before is not None and other is not None:
+        _check_alike(model, other, before)
     point = pose_of(model, pose)
     into = comma_list(inputs, "--inputs", "--inputs torque_1,force_x")
     shown_by = [_output(name) for name in comma_list(outputs, "--outputs", "--outputs p_x,nozzle=1:1:0")]
     say("computing the responses")
     with named_as_options("inputs", "outputs", "frequencies", "quantity", "modes", "drives"):
         found = model.frf(point, given, into, shown_by, drives=drives, quantity=quantity)
+        first = None
+        if other is not None:
+            first = other.frf(point, given, into, shown_by, drives=drives, quantity=quantity)
         system = None
         if model_file is not None:
             system = model.state_space(point, into, shown_by, drives=drives, modes=modes, quantity=quantity)
@@ -182,7 +196,7 @@ def response(
     over = _measured(measured)
     files = [
         ResultFile(out, found.to_csv),
-        ResultFile(figure, _picture(found, figure, over)),
+        ResultFile(figure, _picture(found, figure, over, first)),
     ]
     if system is not None:
         files.append(ResultFile(model_file, system.to_mat))
@@ -190,7 +204,7 @@ def response(
         from pkmodes.report.response import response_report
 
         say("drawing the report")
-        page = response_report(model, found, over, sources)  # drawn before anything is written
+        page = response_report(model, found, over, sources, first)  # drawn before anything is written
         files.append(report_file(report_to, lambda: page))
     deliver(json_file, document.as_json(), lambda: _print(model, found, over), *files)
 
@@ -201,8 +215,21 @@ def _measured(file: Path | None) -> MeasuredResponse | None:
     return None if file is None else read_response(file)
 
 
+def _check_alike(model: Model, other: Model, file: Path) -> None:
+    """Refuse another robot of another mechanism."""
+    ours, theirs = (one.robot.mechanism_name for one in (model, other))
+    if ours != theirs:
+        what = f"expected a {ours} like the robot that is drawn, found a {theirs}"
+        raise PkmodesError(
+            what, f"--before {file}", "give the file of the same machine before it was corrected"
+        )
+
+
 def _picture(
-    found: FrequencyResponse, figure: Path | None, measured: MeasuredResponse | None
+    found: FrequencyResponse,
+    figure: Path | None,
+    measured: MeasuredResponse | None,
+    before: FrequencyResponse | None,
 ) -> Callable[[Path], None]:
     """Return what writes the picture; it is drawn before anything is written."""
     if figure is None:
@@ -211,7 +238,7 @@ def _picture(
     from pkmodes.figures.response_picture import response_picture
     from pkmodes.support.writing import write_file
 
-    content = rendered(response_picture(found, measured), figure.suffix[1:].lower())
+    content = rendered(response_picture(found, measured, before=before), figure.suffix[1:].lower())
     return lambda path: write_file(path, content)
 
 

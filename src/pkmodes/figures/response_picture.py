@@ -12,7 +12,10 @@ from pkmodes.support.extras import require
 
 
 def response_picture(
-    response: FrequencyResponse, measured: MeasuredResponse | None = None, index: Index = ()
+    response: FrequencyResponse,
+    measured: MeasuredResponse | None = None,
+    index: Index = (),
+    before: FrequencyResponse | None = None,
 ) -> Picture:
     """Draw the responses at a pose.
 
@@ -24,6 +27,8 @@ def response_picture(
         From `read_response`; channels that the model's response lacks are left out.
     index : tuple of int or int
         Of the pose; not needed for a single one.
+    before : FrequencyResponse, optional
+        Of the robot before a correction: the same channels at the same poses and frequencies.
 
     Returns
     -------
@@ -39,9 +44,9 @@ def response_picture(
         If matplotlib is not installed.
     """
     require("pictures of responses", "plot", "matplotlib")
-    found = DrawnChannels.of(response, measured, index)
+    found = DrawnChannels.of(response, measured, index, before)
     text = found.text
     if len(found.model) > MOST:
         text += f" The first {MOST} of {len(found.model)} channels: choose others by inputs and outputs."
-    drawn = responses(found.frequencies, found.model, found.units, found.measured, text)
+    drawn = responses(found.frequencies, found.model, found.units, found.measured, text, found.before)
     return Picture("response", "Frequency responses", text, drawn)

@@ -46,13 +46,13 @@ def matrix(values: Sequence[Corrected], correlation: Array) -> Drawing | None:
         names = [value.name.removeprefix("effects.") for value in values[:count]]
         longest = NARROW if sheet.narrow else LONGEST
         labels = [f"{short(name, longest)}  {k}" for k, name in enumerate(names, start=1)]
-        panel.name_places("y", places, labels, names)
-        panel.name_places("x", places, [str(k) for k in range(1, count + 1)], names)
+        panel.name_places("y", places.tolist(), labels, names)
+        panel.name_places("x", places.tolist(), [str(k) for k in range(1, count + 1)], names)
         panel.axes.invert_yaxis()
         panel.axes.grid(visible=False)
         panel.axes.tick_params(length=0)
         for (i, k), value in np.ndenumerate(shown):
-            ink, text = ink_on(mesh.to_rgba(value)), typeset(f"{value:+.2f}") if i != k else "1"
+            ink, text = ink_on(mesh.to_rgba(np.asarray(value))), typeset(f"{value:+.2f}") if i != k else "1"
             panel.axes.text(k + 1, i + 1, text, color=ink, ha="center", va="center", fontsize=7.5)
         sheet.scale(mesh, "correlation [1]", aspect=25)
 
@@ -76,7 +76,8 @@ def ellipse(sigma: tuple[float, float], correlation: float, probability: float) 
     angle = np.linspace(0.0, 2.0 * np.pi, POINTS)
     rest = max(1.0 - correlation**2, 0.0) ** 0.5
     circle = float(chi2.ppf(probability, 2)) ** 0.5 * np.stack([np.cos(angle), np.sin(angle)])
-    return np.diag(sigma) @ np.array([[1.0, 0.0], [correlation, rest]]) @ circle
+    points: Array = np.diag(sigma) @ np.array([[1.0, 0.0], [correlation, rest]]) @ circle
+    return points
 
 
 def ellipses(values: Sequence[Corrected], correlation: Array) -> Drawing | None:

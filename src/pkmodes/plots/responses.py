@@ -12,7 +12,7 @@ from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import decades
 from pkmodes.plots.panel import Panel
 from pkmodes.plots.sheet import Sheet
-from pkmodes.plots.style import BLUE, VERMILLION
+from pkmodes.plots.style import BLUE, GREY, VERMILLION
 from pkmodes.response.drawn_channels import without_response
 
 Array = NDArray[Any]
@@ -22,6 +22,7 @@ HEIGHT, MOST = 2.4, 12
 DECADES = 30.0
 FREQUENCY = "frequency [Hz]"
 #: Styles: the line of the model stays visible on a measured one that it fits.
+BEFORE = {"color": GREY, "linewidth": 1.1, "dashes": (4.0, 2.0), "label": "before", "zorder": 2.5}
 MODEL = {"color": BLUE, "linewidth": 1.1, "label": "model", "zorder": 3}
 MEASURED = {"color": VERMILLION, "linewidth": 2.4, "alpha": 0.55, "label": "measured", "zorder": 2}
 
@@ -32,6 +33,7 @@ def responses(
     units: Mapping[str, str],
     measured: tuple[Array, Mapping[str, Array]] | None = None,
     title: str = "",
+    before: Mapping[str, Array] | None = None,
 ) -> Drawing:
     """Draw responses: two channels side by side, magnitude above phase.
 
@@ -47,6 +49,8 @@ def responses(
         Frequencies, and responses by channel.
     title : str
         Above all.
+    before : mapping of str to ndarray, shape (F,), optional
+        Responses of another model by channel, such as the one before a correction.
     """
     names, silent = list(model)[:MOST], without_response(model, units)
     columns = min(2, len(names))
@@ -60,6 +64,8 @@ def responses(
         explained = False
         for k, (name, (above, below)) in enumerate(zip(names, groups, strict=True)):
             curves: list[tuple[Array, Array, dict[str, Any]]] = [(frequencies, model[name], MODEL)]
+            if before is not None and name in before:
+                curves.append((frequencies, before[name], BEFORE))
             if measured is not None and name in measured[1]:
                 curves.append((measured[0], measured[1][name], MEASURED))
             if name in silent:

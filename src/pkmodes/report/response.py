@@ -52,6 +52,7 @@ def response_report(
     response: FrequencyResponse,
     measured: MeasuredResponse | None = None,
     sources: Sequence[Source] | None = None,
+    before: FrequencyResponse | None = None,
 ) -> str:
     """Return the report of frequency responses at one pose.
 
@@ -65,6 +66,8 @@ def response_report(
         From `pkmodes.figures.read_response`.
     sources : sequence of Source, optional
         The input files as they were read; by default the robot file as it is now.
+    before : FrequencyResponse, optional
+        Of the robot before a correction: the same channels at the same pose and frequencies.
 
     Returns
     -------
@@ -80,7 +83,7 @@ def response_report(
     """
     need_report()
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
-    drawn = DrawnChannels.of(response, measured)
+    drawn = DrawnChannels.of(response, measured, before=before)
     sections = [
         Section("responses", "Frequency responses", [*_pictures(drawn), largest(drawn)]),
         Section("modes", "Modes of the model", [_modes(model, response)]),
@@ -174,13 +177,19 @@ def _pictures(drawn: DrawnChannels) -> list[Block]:
     for start in range(0, len(names), TOGETHER):
         chosen = names[start : start + TOGETHER]
         drawing = responses(
-            drawn.frequencies, {name: drawn.model[name] for name in chosen}, drawn.units, drawn.measured
+            drawn.frequencies,
+            {name: drawn.model[name] for name in chosen},
+            drawn.units,
+            drawn.measured,
+            before=drawn.before,
         )
         shown = ", ".join(clean(name) for name in chosen)
         title = "Responses" if len(names) <= TOGETHER else f"Responses, {start + 1} to {start + len(chosen)}"
         caption = f"Magnitude and phase of {shown}; a phase of \u221290\u00b0 lags behind."
         if drawn.measured is not None and not drawn.measured[1].keys().isdisjoint(chosen):
             caption += " Broad lines are measured, thin ones the model."
+        if drawn.before is not None:
+            caption += " Dashed lines are the machine as it was described before."
         blocks.append(Picture.of(drawing, title, f"Magnitude and phase of {shown}.", caption))
     return blocks
 

@@ -40,6 +40,8 @@ class DrawnChannels:
         Channels from a prescribed motion to itself, which are left out.
     text : str
         What is drawn: quantity, robot, pose, and what the motors do.
+    before : mapping of str to ndarray, complex128, shape (F,), or None
+        Of another robot, such as the one before a correction, by channel.
     """
 
     frequencies: Array
@@ -49,12 +51,22 @@ class DrawnChannels:
     silent: tuple[str, ...]
     prescribed: tuple[str, ...]
     text: str
+    before: Mapping[str, Array] | None = None
 
     @classmethod
     def of(
-        cls, response: FrequencyResponse, measured: MeasuredResponse | None = None, index: Index = ()
+        cls,
+        response: FrequencyResponse,
+        measured: MeasuredResponse | None = None,
+        index: Index = (),
+        before: FrequencyResponse | None = None,
     ) -> DrawnChannels:
         """Choose the channels of a response.
+
+        Parameters
+        ----------
+        before : FrequencyResponse, optional
+            Of another robot: the same channels at the same poses and frequencies.
 
         Raises
         ------
@@ -64,11 +76,13 @@ class DrawnChannels:
         """
         where = response.one(index)
         values = response.values[where]
-        model, units = {}, {}
+        model, units, first = {}, {}, {}
         for o, output in enumerate(response.outputs):
             for i, into in enumerate(response.inputs):
                 name = f"{output}/{into}"
                 model[name], units[name] = values[:, o, i], response.units[o][i]
+                if before is not None:
+                    first[name] = before.values[where][:, o, i]
         if measured is not None:
             stated = {"quantity": response.quantity, "drives": response.drives}
             measured.check(stated | {f"unit {name}": unit for name, unit in units.items()})
@@ -90,12 +104,15 @@ class DrawnChannels:
             silent = []
         at = placed(response.robot.mechanism, response.poses[where], "g")
         also = "" if over is None else ", with measured responses"
+        also += "" if before is None else f", before: {before.robot.name}"
         quantity = response.quantity.capitalize()
         doing = motors_in_words(response.robot, response.drives)
         text = f"{quantity} of {response.robot.name} at {at}, {doing}{also}."
         if silent:
             text += f" No response in {', '.join(silent)}."
-        return cls(response.frequencies, model, units, over, tuple(silent), tuple(prescribed), text)
+        return cls(
+            response.frequencies, model, units, over, tuple(silent), tuple(prescribed), text, first or None
+        )
 
 
 def without_response(model: Mapping[str, NDArray[Any]], units: Mapping[str, str]) -> list[str]:
