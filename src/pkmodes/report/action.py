@@ -155,7 +155,7 @@ def _sure(result: Diagnosis) -> list[Cell]:
     said = VERDICTS[result.verdict].sure.format(likely=likely, what=_claim(result, alike))
     sentences = [said if p is None else f"{said} (probability {_percent(p)})"]
     if alike:
-        sentences.append("of what acts alike, the tests leave this alone")
+        sentences.append("the tests exclude all others that act alike")
     if any(len(effect.members) > 1 for effect in result.effects):
         sentences.append("these data cannot tell which of the alternatives it is")
     if size := _size(result):

@@ -48,7 +48,7 @@ ADEQUATE = Verdict(
     False,
     "good",
     "the residual is noise, so there are no explanations of it to separate",
-    "nothing: the model predicts what was measured",
+    "nothing: the model explains what was measured",
     "{likely} nothing is missing that these data could show",
     settled=True,
 )

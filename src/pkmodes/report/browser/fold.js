@@ -3,7 +3,7 @@
 const folds = [...document.querySelectorAll(".folded > details")];
 
 function unfoldTarget() {
-  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const target = document.querySelector(":target");
   const fold = target?.closest(".folded")?.querySelector("details");
   if (!fold) return;
   fold.open = true;
