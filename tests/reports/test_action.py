@@ -18,9 +18,10 @@ from pkmodes import read_robot, updating
 from pkmodes.diagnosis import Diagnosis
 from pkmodes.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
 from pkmodes.diagnosis.verdict.findings import Finding
-from pkmodes.report.action import action
+from pkmodes.report.action import LIKELY, action
 from pkmodes.report.setting import Setting
 
+ROOT = Path(__file__).parents[2]
 #: Words that are surer than a verdict without a claim.
 SURE = re.compile(r"likely|certain|found|is the cause|are the causes")
 
@@ -121,3 +122,16 @@ def test_a_declared_value_is_to_be_measured_again() -> None:
     effect = Finding(name, (name,), (), {name: ()}, 1e-9, "")
     found = said(replace(result, verdict="effect_found", effects=(effect,)), robot)
     assert found["inspect"] == "The width of each belt: measure or look it up again."
+
+
+def test_the_documentation_says_how_often_each_word_is_right() -> None:
+    """From the table that the suites wrote: the explanations with a probability from each limit to the next."""
+    text = (ROOT / "docs" / "probabilities-measured.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| ([\d.]+) to [\d.]+ \| (\d+) \| [\d.]+ \| (\d+) \|", text, re.M)
+    rates, above = [], 1.01
+    for least, _ in LIKELY:
+        some = [(int(count), int(right)) for low, count, right in rows if least <= float(low) < above]
+        rates.append(round(100 * sum(right for _, right in some) / sum(count for count, _ in some)))
+        above = least
+    said = f"{rates[0]}, {rates[1]} and {rates[2]} % [were right](probabilities-measured.md)"
+    assert said in (ROOT / "docs" / "diagnosis.md").read_text(encoding="utf-8").replace("\n  ", " ")
