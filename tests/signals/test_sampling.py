@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.sampling import even_pieces
+from pkmodes.signals.sampling import even_pieces, stated_pieces
 
 
 @pytest.mark.parametrize("rate", [3208.0, 3272.0, 12800.0, 25600.0])
@@ -119,3 +119,21 @@ def test_one_step_longer_by_a_tenth_is_a_gap_although_times_are_round() -> None:
     time = np.arange(200) * 1e-3
     time[100:] += 1e-4
     assert [piece.part for piece in even_pieces(time, "record")[0]] == [slice(0, 100), slice(100, 200)]
+
+
+@pytest.mark.parametrize("burst", [1, 32, 512])
+@pytest.mark.parametrize("clock", [0.98, 1.0, 1.02])
+@pytest.mark.parametrize("lost", [0, 1500])
+def test_times_of_arrival_show_samples_that_are_missing(burst: int, clock: float, lost: int) -> None:
+    """Samples arrive in bursts, with delays, and their clock is not as stated: only what is lost stays late."""
+    rng, count, at = np.random.default_rng(4), 20_000, 12_000
+    number = np.arange(count) + np.where(np.arange(count) < at, 0, lost)
+    sent = np.repeat(number[burst - 1 :: burst], burst)  # all with the last of their burst
+    time = sent / (1000.0 * clock) + 1e-6 * np.arange(len(sent))
+    time[7000:7040] = time[7000] + 0.04 + 1e-6 * np.arange(40)  # a delay that is made up for
+    time = np.maximum.accumulate(time + 1e-9 * rng.uniform(size=len(time)))
+    pieces, said = stated_pieces(time, 1000.0, "record")
+    assert len(pieces) == len(said) + 1 == (2 if lost else 1)
+    if lost:
+        assert abs(pieces[1].part.start - at) <= burst
+    assert all(piece.step == 1e-3 for piece in pieces)

@@ -14,6 +14,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
+from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.checks import FEWEST
@@ -31,6 +32,9 @@ MOST_GAPS = 0.05
 #: How far from a whole number of steps a gap may be that is bridged, in steps; the share of samples that may be
 #: missing in such gaps; and the neighbours on either side that stand for them.
 WHOLE, MOST_MISSING, NEIGHBOURS = 0.2, 0.1, 8
+#: Samples by which all those after a gap are later than all those before it, in uneven times of even samples; and the
+#: part of the record on either side that is looked at.
+LATER, AROUND = 2.0, 0.1
 #: Gaps of which each is said.
 MOST_NAMED = 3
 #: Samples that are looked at together.
@@ -129,6 +133,40 @@ def even_pieces(time: Array, where: str, bridged: float = 0.0) -> tuple[tuple[Pi
     of_bridged = _summed(time, breaks[short], usual, where)
     said = [f"{of_bridged}: {missing} samples are interpolated"] if missing else []
     return tuple(pieces), (*said, *_said(time, splits, usual, where))
+
+
+def stated_pieces(time: Array, rate: float, where: str) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
+    """Split a record of even samples with uneven times, such as those of their arrival, where samples are missing.
+
+    From there on all times are later.
+
+    Parameters
+    ----------
+    time : ndarray, shape (n,)
+        Strictly ascending [s].
+    rate : float
+        Of sampling [Hz].
+    where : str
+        The record, for messages.
+
+    Returns
+    -------
+    pieces : tuple of Piece
+        In the order of time.
+    messages : tuple of str
+        What to say of the gaps.
+    """
+    number = np.arange(time.size)
+    slope, start = np.polyfit(number, time, 1)
+    late, half = time - (start + slope * number), int(0.5 * AROUND * time.size)
+    i = np.arange(half, time.size - 1 - half)
+    after, before = minimum_filter1d(late, 2 * half + 1), maximum_filter1d(late, 2 * half + 1)
+    gaps = i[(after[i + 1 + half] - before[i - half]) * rate >= LATER]
+    edges = [0, *(int(k) + 1 for k in gaps), time.size]
+    pieces = tuple(
+        Piece(slice(low, high), 1.0 / rate) for low, high in pairwise(edges) if high - low >= FEWEST
+    )
+    return pieces, _said(time, gaps, 1.0 / rate, where)
 
 
 def _piece(time: Array, part: slice, gaps: NDArray[np.intp], steps: NDArray[np.intp]) -> Piece:
