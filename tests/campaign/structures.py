@@ -45,19 +45,19 @@ class Identified(NamedTuple):
 MODES, DOCUMENT = "modes.csv", "modes.json"
 
 
-def _answer(folder: Path, campaign: str) -> tuple[int, str]:
+def _answer(folder: Path, campaign: str, *options: str) -> tuple[int, str]:
     """Return the exit code, and what is said beside the result, on one line."""
     (folder / "c.toml").write_text(campaign, encoding="utf-8")
     (folder / MODES).unlink(missing_ok=True)
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
-        found = answer("identify", "c.toml", "--out", MODES, "--json", DOCUMENT)
+        found = answer("identify", "c.toml", "--out", MODES, "--json", DOCUMENT, *options)
     return found.code, " ".join(found.err.split())
 
 
-def identify(folder: Path, campaign: str) -> Identified:
+def identify(folder: Path, campaign: str, *options: str) -> Identified:
     """Identify the modes of a campaign, whose files are in the folder."""
-    code, remarks = _answer(folder, campaign)
+    code, remarks = _answer(folder, campaign, *options)
     assert code == 0
     return Identified(json.loads((folder / DOCUMENT).read_text(encoding="utf-8")), folder / MODES, remarks)
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -79,6 +82,94 @@ def test_samples_lost_now_and_then_are_bridged_where_the_band_allows_it(tmp_path
     for one, other in zip(whole, found["modes"], strict=True):
         assert abs(one["frequency"] - other["frequency"]) < 0.2 * one["sigma"]
         assert abs(one["damping"] - other["damping"]) < 0.2 * one["sigma_damping"]
+
+
+def changed(folder: Path, name: str, change: Callable[[np.ndarray], np.ndarray], seed: int = 37) -> None:
+    """Write an ambient record whose table (N, 4), times and three signals, is changed."""
+    write_ambient(folder / name, np.random.default_rng(seed), 20.0)
+    table = change(np.loadtxt(folder / name, delimiter=",", skiprows=1))
+    np.savetxt(folder / name, table, delimiter=",", header="time,a1,a2,a3", comments="", fmt="%.9g")
+
+
+def stopped_at(second: float, table: np.ndarray) -> np.ndarray:
+    late = table[:, 0] >= second
+    table[late, 2] = table[np.argmax(late), 2]
+    return table
+
+
+@pytest.mark.parametrize(
+    ("second", "sentence"),
+    [
+        (0.0, "a.csv: a2 shows nothing: all its values are equal; this file gives no shape component of it"),
+        (12.0, "a.csv: a2 keeps one value from 12 s to 20 s while others go on: this file gives no shape"),
+    ],
+)
+def test_a_sensor_that_is_silent_in_one_record_is_in_no_shape_of_it(
+    tmp_path: Path, second: float, sentence: str
+) -> None:
+    """Its repeat and another pose have the component, as if it had been measured there alone."""
+    changed(tmp_path, "a.csv", lambda table: stopped_at(second, table))
+    changed(tmp_path, "b.csv", lambda table: table, seed=38)
+    alone = record("ambient", "a.csv") + record("ambient", "b.csv", pose="P2")
+    found = identify(tmp_path, HEAD + SENSORS + alone)
+    assert sentence in found.remarks
+    data = read_modes(found.file, CHANNELS)
+    of = [data.shapes[data.pose == number] for number in (0, 1)]
+    assert np.isnan(of[0][:, 1]).all()
+    assert np.isfinite(of[0][:, [0, 2]]).all()
+    assert np.isfinite(of[1]).all()
+    both = read_modes(identify(tmp_path, HEAD + SENSORS + record("ambient", "a.csv", "b.csv")).file, CHANNELS)
+    np.testing.assert_allclose(both.frequency, Frame.build().modes()[0], rtol=4e-3)
+    for row, sigma, shape in zip(both.shapes, both.shape_sigma, Frame.build().modes()[1].T, strict=True):
+        error = row - shape / shape[np.argmax(np.abs(shape))]
+        assert np.abs(error).max() < 4.0 * max(sigma, 0.01)
+
+
+def test_a_sensor_whose_range_was_exceeded_is_said_with_its_share(tmp_path: Path) -> None:
+    def cut(table: np.ndarray) -> np.ndarray:
+        limit = 2.5 * table[:, 2].std()
+        table[:, 2] = np.round(np.clip(table[:, 2], -limit, limit) / limit * 127.0)
+        table[:, 3] = np.round(table[:, 3] / np.abs(table[:, 3]).max() * 127.0)  # as coarse, and whole
+        return table
+
+    changed(tmp_path, "a.csv", cut)
+    found = identify(tmp_path, HEAD + SENSORS + record("ambient", "a.csv"))
+    overloaded = [one for one in found.record["messages"] if "overloaded" in one]
+    share = 100.0 * np.mean(np.abs(np.loadtxt(tmp_path / "a.csv", delimiter=",", skiprows=1)[:, 2]) == 127.0)
+    assert len(overloaded) == 1
+    assert (
+        f"a.csv: a2 is overloaded: {share:.2g} % of its samples are clipped at 127 and -127" in overloaded[0]
+    )
+
+
+LOST = slice(9000, 9400)
+
+
+def test_samples_that_are_missing_in_the_middle_are_said(tmp_path: Path) -> None:
+    """Times that jump, though uneven or with a rate; and times as even as if none were missing, beside a rate."""
+    rng = np.random.default_rng(39)
+    without = partial(np.delete, obj=LOST, axis=0)
+
+    def late(table: np.ndarray) -> np.ndarray:
+        table[:, 0] += STEP * rng.uniform(0.0, 0.9, len(table))
+        return without(table)
+
+    def spread(table: np.ndarray) -> np.ndarray:
+        kept = without(table)
+        kept[:, 0] = np.linspace(table[0, 0], table[-1, 0], len(kept))
+        return kept
+
+    changed(tmp_path, "jump.csv", without)
+    changed(tmp_path, "late.csv", late)
+    changed(tmp_path, "spread.csv", spread)
+    text = HEAD + SENSORS
+    jump = "s is 401 times the usual one: the record is split there"
+    stated = 'rate = "1024 Hz"\n'
+    assert jump in identify(tmp_path, text + record("ambient", "jump.csv") + stated).remarks
+    said = identify(tmp_path, text + record("ambient", "late.csv") + stated).remarks
+    assert re.search(r"late.csv: the step from 8.78\d* s to 9.1\d* s is 40\d.* times the usual one", said)
+    said = identify(tmp_path, text + record("ambient", "spread.csv") + stated).remarks
+    assert "1004 Hz; the record states 1024 Hz: by that, 400 samples are missing" in said
 
 
 def test_a_record_too_long_for_memory_is_reduced_to_fewer_samples(

@@ -99,13 +99,19 @@ def test_boards_that_recorded_together_give_whole_shapes(
         assert drift == pytest.approx(1e6 * written["drift"], abs=60.0)  # steps of 76 ppm are tried
 
 
-def test_a_sensor_that_a_board_lacks_is_said(tmp_path: Path) -> None:
+def test_a_sensor_that_a_board_lacks_is_refused_or_said(tmp_path: Path) -> None:
     write(tmp_path, later=0.437)
     table = np.loadtxt(tmp_path / "bed.csv", delimiter=",", skiprows=1)[:, :3]
     np.savetxt(tmp_path / "bed.csv", table, "%.6f", ",", header="time,x,y", comments="")
-    found = identify(tmp_path, HEAD + RECORD + 'clock = "own"\n')
-    assert read_modes(found.file, NAMES[:5]).shapes.shape == (3, 5)
-    assert "in none of the files: z of bed" in found.remarks
+    text = HEAD + RECORD + 'clock = "own"\n'
+    said = refused(tmp_path, text)
+    assert 'expected the sensor "z of bed" in a file, found "x", "y" in those of P1' in said
+    (tmp_path / "more").mkdir()
+    write(tmp_path / "more", later=0.437)
+    whole = RECORD.replace("P1", "P2").replace("head.csv", "more/head.csv").replace("bed.csv", "more/bed.csv")
+    found = identify(tmp_path, text + whole + 'clock = "own"\n')
+    assert read_modes(found.file, NAMES).shapes.shape == (6, 6)
+    assert 'P1: no file of it has the sensor "z of bed" of the campaign' in found.remarks
 
 
 def test_boards_that_felt_other_blows_are_identified_alone(tmp_path: Path) -> None:

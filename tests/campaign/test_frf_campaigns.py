@@ -175,13 +175,6 @@ def test_what_does_not_fit_the_campaign_is_refused(
     assert message in refused(tmp_path, text.replace(*change, times))
 
 
-def test_sensors_that_are_in_none_of_the_files_are_said(tmp_path: Path) -> None:
-    write_frf(tmp_path / "r.csv", F, in_units(Frame.build().accelerances(F)), 0.02, np.random.default_rng(5))
-    text = HEAD + SENSORS + record("frf", "r.csv")
-    found = identify(tmp_path, text.replace('name = "a1"', 'name = "b1"'))
-    assert "P1: sensors or forces that are in none of the files: b1" in found.remarks
-
-
 def test_dead_sensors_and_modes_beside_tones_are_said(tmp_path: Path) -> None:
     frame = Frame.build()
     H = in_units(frame.accelerances(F))

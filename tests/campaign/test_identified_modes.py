@@ -186,3 +186,28 @@ def test_two_sigma_cover_the_truth_with_few_repeats(tmp_path: Path, n: int) -> N
     assert 0.93 <= np.mean(covered) <= 0.98
     errors, sigmas = np.array(ratio).mean(axis=0)
     assert 0.6 <= np.sqrt(errors / sigmas) <= 1.5
+
+
+def test_what_a_measurement_file_may_not_hold_is_left_out_and_said(tmp_path: Path) -> None:
+    """Standard deviations as large as what they belong to: the file that is written can be read again."""
+    write(
+        tmp_path,
+        "p1.csv",
+        "frequency,sigma,damping,sigma_damping,shape:x_1,shape:x_2,sigma_shape\n"
+        "50,0.1,0.02,0.001,1,0.5,1.3\n60,0.1,0.03,1.2,1,-0.5,0.05\n70,71,0.02,0.001,1,0.3,0.05\n",
+    )
+    found = identify(
+        tmp_path, f'{BEGIN}\n[[record]]\npose = "P1"\n{POSE}\nkind = "modes"\nfiles = ["p1.csv"]\n'
+    )
+    data = updating.read(found.file, robot=None)
+    np.testing.assert_allclose(data.frequency, [50.0, 60.0])
+    np.testing.assert_allclose(data.shapes, [[np.nan, np.nan], [1.0, -0.5]])
+    np.testing.assert_allclose(data.shape_sigma, [np.nan, 0.05])
+    np.testing.assert_allclose(data.numbers["damping"], [0.02, np.nan])
+    assert found.record["modes"][0]["complexity"] is None
+    assert (
+        "the mode at 50 Hz has no shape: its standard deviation is 1.3 of the largest component"
+        in found.remarks
+    )
+    assert "the mode at 60 Hz has no damping ratio: its standard deviation is 1.2" in found.remarks
+    assert "the mode at 70 Hz is left out: the standard deviation of its frequency is 71 Hz" in found.remarks

@@ -76,6 +76,24 @@ def test_double_hits_and_overloads_are_said(tmp_path: Path) -> None:
     assert "double hit" in found.remarks
 
 
+@pytest.mark.parametrize("seed", [2, 4])
+def test_blows_that_the_noise_hides_give_a_file_that_can_be_read(tmp_path: Path, seed: int) -> None:
+    """Responses with twelve times their own size of noise: what nothing is known of is blank, and said."""
+    rng = np.random.default_rng(seed)
+    for i in range(2):
+        write_blows(tmp_path / f"b{i}.csv", rng, 2)
+        table = np.loadtxt(tmp_path / f"b{i}.csv", delimiter=",", skiprows=1)
+        table[:, 2:] += 12.0 * table[:, 2:].std(axis=0) * rng.normal(size=table[:, 2:].shape)
+        np.savetxt(tmp_path / f"b{i}.csv", table, delimiter=",", header="time,force,a1,a2,a3", comments="")
+    text = HEAD + sensors("m/s^2", "m/s^2", "m/s^2") + record("impact", "b0.csv", "b1.csv") + "hits = 2\n"
+    found = identify(tmp_path, text)
+    data = read_modes(found.file, CHANNELS)
+    known = np.isfinite(data.shapes).any(axis=1)
+    for mode, has in zip(found.record["modes"], known, strict=True):
+        assert has != (f"the mode at {mode['frequency']:.4g} Hz has no shape" in found.remarks)
+    assert not np.isfinite(data.shape_sigma[~known]).any()
+
+
 def test_the_damping_of_a_window_is_taken_off(tmp_path: Path) -> None:
     write_blows(tmp_path / "b.csv", np.random.default_rng(4), window=0.4)
     found = identify(tmp_path, ONE + 'exponential = "0.4 s"\n')
@@ -112,6 +130,21 @@ def test_a_hammer_that_roves_in_time_gives_the_shapes_at_its_points(tmp_path: Pa
         np.testing.assert_allclose(error, 0.0, rtol=0, atol=0.03)
         assert np.abs(error).max() < 4.0 * sigma < 0.1
     assert "share no sensor" not in found.remarks
+
+
+def test_a_sensor_that_is_silent_at_one_point_is_no_reference_of_the_others(tmp_path: Path) -> None:
+    rng = np.random.default_rng(33)
+    for k in (1, 2, 3):
+        write_blows(tmp_path / f"b{k}0.csv", rng, floor=k - 1)
+    table = np.loadtxt(tmp_path / "b20.csv", delimiter=",", skiprows=1)
+    table[:, 3] = 0.37
+    np.savetxt(
+        tmp_path / "b20.csv", table, delimiter=",", header="time,force,a1,a2,a3", comments="", fmt="%.9g"
+    )
+    found = identify(tmp_path, roving(repeats=1).replace(SENSOR, SENSOR + SENSOR.replace("a3", "a2")))
+    assert "b20.csv: a2 shows nothing" in found.remarks
+    for row, shape in zip(read_modes(found.file, CHANNELS).shapes, Frame.build().modes()[1].T, strict=True):
+        np.testing.assert_allclose(row, shape / shape[np.argmax(np.abs(shape))], rtol=0, atol=0.03)
 
 
 def test_points_hit_on_a_changed_machine_are_fitted_one_by_one(tmp_path: Path) -> None:

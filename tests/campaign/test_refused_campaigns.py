@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -214,3 +215,37 @@ def test_a_mode_without_any_standard_deviation_is_refused(
 def test_a_campaign_that_is_no_regular_file_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["identify", "/dev/zero", "--out", "m.csv"]) == 2
     assert "it is not a regular file (/dev/zero)" in capsys.readouterr().err
+
+
+def test_what_was_left_out_is_named_at_the_end_and_in_the_json(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Every file with its reason, also where a record has no other; what is asked of its modes is then of none."""
+    monkeypatch.chdir(tmp_path)
+    for name, text in (("p1", "50"), ("p2", "fifty"), ("p3", "-1"), ("p4", "60")):
+        Path(f"{name}.csv").write_text(f"frequency\n{text}\n", encoding="utf-8")
+    two = RECORD.replace('["p1.csv"]', '["p1.csv", "p2.csv"]')
+    lost = RECORD.replace("P1", "P2").replace("p1.csv", "p3.csv")
+    last = RECORD.replace("P1", "P3").replace("p1.csv", "p4.csv")
+    strike = '[[edit]]\npose = "P2"\nstrike = ["50 Hz"]\n'
+    Path("c.toml").write_text(HEAD + two + lost + last + strike, encoding="utf-8")
+    arguments = ["identify", "c.toml", "--out", "modes.csv", "--keep-going", "--report", "r.html"]
+    assert run([*arguments, "--json", "-"]) == 0
+    printed = capsys.readouterr()
+    records = json.loads(printed.out)["records"]
+    assert [record["pose"] for record in records] == ["P1", "P2", "P3"]
+    assert [[one["file"] for one in record["left_out"]] for record in records] == [["p2.csv"], ["p3.csv"], []]
+    assert [len(record["modes"]) for record in records] == [1, 0, 1]
+    for record, reason in zip(
+        records, ("expected a finite number", "expected a frequency above 0"), strict=False
+    ):
+        assert reason in record["left_out"][0]["reason"]
+    ends = [line[:34] for line in printed.err.splitlines()[-3:]]
+    assert ends == [
+        "left out: p2.csv: expected a finit",
+        "left out: p3.csv: expected a frequ",
+        "left out: P2, as no file of it is ",
+    ]
+    assert run(arguments) == 0
+    assert "P2, modes, motors free\nleft out\n" in capsys.readouterr().out
+    assert "No file could be used of" in Path("r.html").read_text(encoding="utf-8")

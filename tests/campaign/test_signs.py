@@ -68,7 +68,7 @@ def test_signs_of_sensors(tmp_path: Path, signs: tuple[str, ...] | None) -> None
 def test_references_that_no_force_names_are_said(roving: Path) -> None:
     said = identify(roving, HEAD + SENSOR + record("frf", "r.uff")).remarks
     assert (
-        "no [[force]] names the references 1:-Z, 2:+Z, 3:-Z: the shapes have the places of the sensors only"
+        "no [[force]] names the references 1:-Z, 2:+Z, 3:-Z: their shapes have the places of the sensors only"
         in said
     )
     some = HEAD + SENSOR + forces("-", "") + record("frf", "r.uff")

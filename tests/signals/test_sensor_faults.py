@@ -25,7 +25,7 @@ def vibrations(rng: np.random.Generator) -> Iterator[tuple[str, np.ndarray]]:
     yield "noise", rng.normal(size=COUNT)
     yield "heavy tails", rng.standard_t(3, size=COUNT)
     yield "motor", np.sin(2.0 * np.pi * rng.uniform(3.0, 100.0) * TIME)
-    yield "motor in step with the sampling", np.sin(2.0 * np.pi * RATE / 42.0 * TIME)
+    yield "motor in step with the sampling", np.sin(2.0 * np.pi * 25.0 * np.arange(COUNT) / 1000.0)
     yield "beat", np.sin(2.0 * np.pi * 21.0 * TIME) + np.sin(2.0 * np.pi * 21.3 * TIME)
     yield "sweep", signal.chirp(TIME, 5.0, TIME[-1], 120.0) * (1.0 + 0.5 * np.sin(TIME))
 
@@ -73,6 +73,22 @@ def test_a_sensor_that_stops_is_told_from_one_with_few_digits() -> None:
             assert stopped(used) is None, name
             dead = used.copy()
             dead[12_000:15_000] = dead[12_000]
-            assert stopped(dead) == slice(12_000, 15_000), name
+            found = stopped(dead)
+            assert found is not None, name
+            assert abs(found.start - 12_000) + abs(found.stop - 15_000) <= 2, (
+                name
+            )  # its neighbours may be as large
     assert stopped(np.round(0.2 * rng.normal(size=COUNT))) is None
     assert stopped(np.full(COUNT, 9.81)) == slice(0, COUNT)
+
+
+def test_a_long_signal_is_looked_at_in_parts(monkeypatch: pytest.MonkeyPatch) -> None:
+    rng = np.random.default_rng(8)
+    cut = np.clip(rng.normal(size=COUNT), -2.0, np.inf)
+    cut[3_000:9_000] = 0.5
+    whole = clipped(cut)
+    monkeypatch.setattr("pkmodes.signals.sensor_faults.PART", 1000)
+    assert clipped(cut) == whole
+    assert whole[0] == (-2.0,)
+    assert stopped(cut) == slice(3_000, 9_000)
+    assert stopped(rng.normal(size=COUNT)) is None

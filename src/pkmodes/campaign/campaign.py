@@ -20,7 +20,7 @@ from pkmodes.campaign.description import (
     share,
     uncertain,
 )
-from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, sensors_of, unsigned
+from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, sensors_of
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.core.model import Model
 from pkmodes.core.robot.reading import read_robot
@@ -137,14 +137,6 @@ class Campaign:
     def forces_in(self, setup: str) -> dict[str, Place]:
         """Return the forces that hold in a setup, by name."""
         return {one.name: one for one in self.forces if one.setup in (None, setup)}
-
-    def named_in(self, setup: str) -> set[str]:
-        """Return the names of sensors and forces that the files of a setup should have, forces without signs."""
-        return {*self.sensors_in(setup), *self.unsigned_forces_in(setup)}
-
-    def unsigned_forces_in(self, setup: str) -> set[str]:
-        """Return the names of the forces that hold in a setup, without their signs."""
-        return set(map(unsigned, self.forces_in(setup)))
 
     def asked(self, record: Record) -> Asked:
         """Return what the user asks of the modes of a record."""

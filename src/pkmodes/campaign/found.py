@@ -117,19 +117,22 @@ class FileModes:
     modes : tuple of Found
     messages : tuple of str
         What the user should know.
-    seen : frozenset of str
-        Names of the sensors and, without their signs, of the forces in the file.
+    seen : frozenset of str, or None
+        Names of the sensors and, without their signs, of the forces in the file; None if it needs none.
     added : tuple of Found or str
         For each frequency from which the user asked for a mode: the mode, or why there is none.
     fit : Fit or None
         None for modes that are already identified.
+    unnamed : tuple of str
+        References of the file, if the campaign names none of them: its shapes have the places of the sensors.
     """
 
     modes: tuple[Found, ...]
     messages: tuple[str, ...]
-    seen: frozenset[str]
+    seen: frozenset[str] | None
     added: tuple[Found | str, ...] = ()
     fit: Fit | None = None
+    unnamed: tuple[str, ...] = ()
 
 
 def found_of(mode: Mode, names: Sequence[str], references: Sequence[str] = ()) -> Found:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.conjugates import phase_checked
-from pkmodes.campaign.found import FileModes, Fit, Found, modes_of_fit
+from pkmodes.campaign.found import NAMELESS, FileModes, Fit, Found, modes_of_fit
 from pkmodes.campaign.quotients import force_factor, inverted
 from pkmodes.campaign.sensor_functions import (
     ACCELERATION,
@@ -53,6 +53,8 @@ class Responses:
         Names of the R.
     messages : tuple of str
         What is left out of the shapes.
+    roves : bool
+        Whether the S places are those of forces.
     """
 
     frequencies: Array
@@ -62,6 +64,7 @@ class Responses:
     dead: tuple[str, ...]
     references: tuple[str, ...]
     messages: tuple[str, ...] = ()
+    roves: bool = False
 
     def roving(self, kept: Sequence[int], forces: Sequence[str]) -> Responses:
         """Return the functions with some references, by the names of their forces, as places of the shape.
@@ -70,7 +73,9 @@ class Responses:
         """
         turned = self.values[:, :, kept].transpose(0, 2, 1)
         coherence = None if self.coherence is None else self.coherence[:, :, kept].transpose(0, 2, 1)
-        return replace(self, values=turned, coherence=coherence, names=tuple(forces), references=self.names)
+        return replace(
+            self, values=turned, coherence=coherence, names=tuple(forces), references=self.names, roves=True
+        )
 
 
 def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
@@ -106,7 +111,8 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
         *tones_of(fit, read.source),
     )
     seen = {one.response for one in functions.used} | {unsigned(one.reference) for one in functions.used}
-    return modes_of_fit(fit, said, frozenset(seen))
+    unnamed = () if given.roves else tuple(name for name in given.references if name not in NAMELESS)
+    return replace(modes_of_fit(fit, said, frozenset(seen)), unnamed=unnamed)
 
 
 def frf_fit(given: Responses, averages: int | None, record: Record, campaign: Campaign) -> Fit:
@@ -170,11 +176,6 @@ def responses_of(
     said: tuple[str, ...] = ()
     if unnamed and acting:
         said = (f"{read.source}: left out, as no [[force]] names them: the references {', '.join(unnamed)}",)
-    elif unnamed and len(unnamed) > len(rows):
-        said = (
-            f"{read.source}: no [[force]] names the references {', '.join(unnamed)}: the shapes have the places of "
-            "the sensors only; of a roving hammer, add [[force]] for each reference",
-        )
     found = Responses(f, values, coherence, tuple(rows), dead, tuple(columns), said)
     if acting:
         return found.roving([columns.index(name) for name in acting], [one.name for one in acting.values()])
@@ -221,7 +222,8 @@ def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -
     def found(mode: Mode) -> Found:
         return Found(mode.frequency, sigma_frequency=mode.sigma_frequency, resolution=line)
 
-    said = (*read.messages, *(f"{read.source}: {message}" for message in messages))
+    dead = dead_channels([used[i].response for i in np.flatnonzero(~power.any(axis=0))], read.source)
+    said = (*read.messages, *dead, *(f"{read.source}: {message}" for message in messages))
     seen = frozenset({one.response for one in used} | {f"psd_{one.response}" for one in used})
     responses = tuple(one.response for one in used)
-    return modes_of_fit(Fit(estimate, responses), said, seen | campaign.unsigned_forces_in(setup), found)
+    return modes_of_fit(Fit(estimate, responses), said, seen, found)

@@ -47,7 +47,7 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
     if not _universal(path):
         listed = tuple(read_mode_table(path, record.columns, campaign.channels, record.pose))
         _check_apart(listed, str(path))
-        return FileModes(listed, (), frozenset(campaign.named_in(setup)))
+        return FileModes(listed, (), None)
     read = read_signals(path)
     if not read.modes:
         what = f"expected identified modes (dataset 55 or 2414), found {len(read.functions)} functions and no mode"
@@ -67,10 +67,7 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
     )
     _check_apart(found, read.source)
     seen = {name for mode in read.modes for name in mode.shape}
-    messages = list(read.messages)
-    if places and not seen & places.keys():
-        messages.append(f"{read.source}: no sensor of the campaign is in the file: its shapes are left out")
-    return FileModes(found, tuple(messages), frozenset(seen) | campaign.unsigned_forces_in(setup))
+    return FileModes(found, read.messages, frozenset(seen))
 
 
 def _check_apart(modes: Sequence[Found], source: str) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,13 +14,16 @@ from pkmodes.campaign.edits import edited
 from pkmodes.campaign.kinds import KINDS
 from pkmodes.campaign.levels import level_messages, with_half
 from pkmodes.campaign.measuring import Measured, measured
+from pkmodes.campaign.missing import refuse_missing
 from pkmodes.campaign.results import Identification, IdentifiedMode, Parts, RecordResult
 from pkmodes.campaign.revisits import revisited
 from pkmodes.campaign.sensors import Place
 from pkmodes.campaign.shapes import by_channel, turned_shape
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.identification.asked import NOTHING
 from pkmodes.identification.estimates import collinearity
 from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import DAMPING, SHAPE_SIGMA
 from pkmodes.support.progress import say
 from pkmodes.support.threads import one_blas_thread
 
@@ -58,13 +62,15 @@ def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = Fa
         if kind is None:
             raise MeasurementError(f"unknown kind {shown(record.kind)}", where, nearest(record.kind, KINDS))
         every.append(measured(record, kind, campaign, keep_going, inspect))
+    if not any(one.left_out for one in every):  # a file left out may have what the others lack
+        refuse_missing(
+            [(one.record, *file) for one in every for files in one.places for file in files], campaign
+        )
     repeatability, notes = campaign.repeatability, list[str]()
     if repeatability is None:
         repeatability, notes = revisited([(one.record, one.means) for one in every], campaign.source)
     _check_some_left(every, campaign.source)
-    results = tuple(
-        _result(one, campaign, repeatability) for one in every if one.means or one.added or not one.left_out
-    )
+    results = tuple(_result(one, campaign, repeatability) for one in every)
     return Identification(results, repeatability, _measurements_of(results, campaign), tuple(notes))
 
 
@@ -81,7 +87,15 @@ def _result(measured: Measured, campaign: Campaign, repeatability: float) -> Rec
     places = {} if KINDS[record.kind].by_channel else campaign.places
     modes = [_mode(mean, places, repeatability) for mean in measured.means]
     added = [_mode(mean, places, repeatability, ADDED) for mean in measured.added]
-    kept, struck = edited(modes, added, campaign.asked(record), record.pose, campaign.source)
+    asked = campaign.asked(record) if measured.repeats else NOTHING
+    every, struck = edited(modes, added, asked, record.pose, campaign.source)
+    if KINDS[record.kind].signals and any(mode.shape for mode in every):
+        said += [
+            f"{record.pose}: the mode at {mode.frequency:.4g} Hz has no shape: no component stands out of the noise"
+            for mode in every
+            if not mode.shape
+        ]
+    kept = [one for mode in every if (one := _readable(mode, record.pose, said)) is not None]
     reported = {mode.frequency for mode in kept}
     for mean in (*measured.means, *measured.added):
         if mean.mode.frequency in reported:
@@ -131,7 +145,7 @@ def _mode(
         sigma_damping=damping if damping > LEAST * mode.damping else np.nan,
         shape={name: value.real for name, value in turned.items()},
         sigma_shape=float(np.sqrt(np.nansum(of_shape**2)))
-        if len(shape) > 1 and np.isfinite(of_shape).any()
+        if len(shape) > 1 and np.nan_to_num(of_shape).any()
         else np.nan,
         complexity=collinearity(np.array(list(shape.values()))) if shape else np.nan,
         found_in=mode.found_in,
@@ -139,6 +153,23 @@ def _mode(
         edited=edit,
         complex_shape=turned,
     )
+
+
+def _readable(mode: IdentifiedMode, pose: str, said: list[str]) -> IdentifiedMode | None:
+    """Return what a measurement file may hold of a mode, None for nothing; what is left out is said."""
+    where = f"{pose}: the mode at {mode.frequency:.4g} Hz"
+    if mode.sigma >= mode.frequency:
+        said.append(f"{where} is left out: the standard deviation of its frequency is {mode.sigma:.3g} Hz")
+        return None
+    if not SHAPE_SIGMA.range.holds(np.array(mode.sigma_shape)):
+        said.append(
+            f"{where} has no shape: its standard deviation is {mode.sigma_shape:.3g} of the largest component"
+        )
+        mode = replace(mode, shape={}, sigma_shape=np.nan, complexity=np.nan, complex_shape={})
+    if not DAMPING.sigma.range.holds(np.array(mode.sigma_damping)):
+        said.append(f"{where} has no damping ratio: its standard deviation is {mode.sigma_damping:.3g}")
+        mode = replace(mode, damping=np.nan, sigma_damping=np.nan)
+    return mode
 
 
 def _measurements_of(results: Sequence[RecordResult], campaign: Campaign) -> Measurements:

@@ -50,7 +50,8 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
     one = _blows(path, record, setup, campaign)
     names = () if one.acting is None else (one.acting.name,)
     found = _modes([one], names, record, campaign, one.signals.source)
-    return replace(found, seen=found.seen | campaign.unsigned_forces_in(setup))
+    unnamed = (one.signals.force,) if not names and one.signals.force not in NAMELESS else ()
+    return replace(found, seen=one.signals.seen | set(map(unsigned, names)), unnamed=unnamed)
 
 
 def roving_modes(points: Mapping[str, Path], record: Record, campaign: Campaign) -> FileModes:
@@ -69,12 +70,16 @@ def roving_modes(points: Mapping[str, Path], record: Record, campaign: Campaign)
     every = [_blows(path, record, setup, campaign) for setup, path in points.items()]
     first = every[0].signals
     for one in (each.signals for each in every):
-        if one.names != first.names or abs(one.step / first.step - 1.0) > ROUNDING:
+        if one.seen != first.seen or abs(one.step / first.step - 1.0) > ROUNDING:
             what = f"expected the sensors and the rate of {first.source}"
             raise MeasurementError(what, one.source, "measure all points alike")
-    acting = [one.acting for one in every if one.acting is not None]
-    found = _modes(every, [one.key for one in acting], record, campaign, record.pose)
-    return replace(found, seen=found.seen | {unsigned(one.name) for one in acting})
+    names = [name for name in first.names if all(name in one.signals.names for one in every)]
+    if not names:
+        what = "expected a sensor that is not silent at any point that was hit, found none"
+        raise MeasurementError(what, record.pose, "check the sensors and their cables")
+    every = [replace(one, signals=one.signals.of(names)) for one in every]
+    acting = [one.acting.key for one in every if one.acting is not None]
+    return _modes(every, acting, record, campaign, record.pose)
 
 
 def _blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows:
@@ -138,7 +143,6 @@ def _modes(
                 one.pieces[0],
                 hits=hits,
                 exponential=record.exponential,
-                names=sensors,
                 longest=min(lengths),
             )
         said += [f"{one.source}: {message}" for message in functions.messages]
@@ -165,7 +169,7 @@ def _modes(
     estimate = _complete(fit.estimate, float(1.0 / f[1]), record.exponential)
     fit = replace(fit, estimate=_each(estimate, wider))
     together = replace(signals[0], pieces=tuple(piece for one in signals for piece in one.pieces))
-    return with_levels(fit, said, together, set(), record.exponential)
+    return with_levels(fit, said, together, record.exponential)
 
 
 def _complete(estimate: Estimate, length: float, exponential: float | None) -> Estimate:

@@ -31,17 +31,20 @@ class Kind:
         Whether its files have signals, to which a mode can be fitted.
     roving : callable or None
         The modes of one file of each setup, fitted together, where a hammer roved in front of sensors that stayed.
+    forces : bool
+        Whether the forces of the campaign are in its files.
     """
 
     find: Callable[[Path, Record, str, Campaign], FileModes]
     by_channel: bool = False
     signals: bool = True
     roving: Callable[[Mapping[str, Path], Record, Campaign], FileModes] | None = None
+    forces: bool = False
 
 
 KINDS = {
-    "frf": Kind(frf_modes),
-    "impact": Kind(impact_modes, roving=roving_modes),
+    "frf": Kind(frf_modes, forces=True),
+    "impact": Kind(impact_modes, roving=roving_modes, forces=True),
     "ambient": Kind(ambient_modes),
     "spectrum": Kind(spectrum_modes),
     "modes": Kind(identified_modes, by_channel=True, signals=False),

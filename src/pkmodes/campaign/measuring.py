@@ -17,6 +17,7 @@ from pkmodes.campaign.grouping import grouped
 from pkmodes.campaign.inspection import Inspection, Repeats, inspection
 from pkmodes.campaign.joining import joined
 from pkmodes.campaign.kinds import Kind
+from pkmodes.campaign.missing import Places, lacking, places_in, unnamed
 from pkmodes.campaign.results import LeftOut
 from pkmodes.campaign.roving import changed, points_of
 from pkmodes.core.base.errors import MeasurementError
@@ -36,6 +37,8 @@ class Measured:
         The modes found, and those that the user adds, by the frequencies asked for.
     inspections : sequence of Inspection
         Of the first file of each setup, if they were asked for.
+    places : sequence of sequence of tuple
+        Of each setup its files, each with whether it has the sensors and forces that it should have.
     """
 
     record: Record
@@ -45,17 +48,19 @@ class Measured:
     messages: Sequence[str]
     inspections: Sequence[Inspection]
     repeats: Sequence[Repeats]
+    places: Sequence[Sequence[tuple[Path, Places]]]
 
 
 @dataclass(frozen=True, eq=False)
 class _Setup:
-    """The files of a setup that could be read, what to say of them, and those left out."""
+    """The files of a setup that could be read, what to say of them, and those left out; `places` as in `Measured`."""
 
     names: Sequence[str]
     found: Sequence[FileModes]
     messages: Sequence[str]
     left_out: Sequence[LeftOut]
     inspection: Inspection | None
+    places: Sequence[Sequence[tuple[Path, Places]]] = ()
 
 
 def measured(
@@ -95,7 +100,7 @@ def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool, 
         messages += one.messages
         if not one.found:
             continue
-        messages += _gaps_in_the_record(record, setup, one, campaign)
+        messages += _single(record, setup, one)
         groups = _groups(one)
         more: dict[float, dict[int, Found]] = {}
         for i, wanted in enumerate(asked.add):
@@ -111,10 +116,13 @@ def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool, 
         repeats.append(Repeats(setup, tuple(one.names), tuple(map(_frequencies, [*groups, *more.values()]))))
     found, notes = joined(means) if means else ([], [])
     further = [_joined(wanted, each, record, campaign, notes) for wanted, each in added.items() if means]
+    places = [each for one in setups.values() for each in one.places]
+    every = [file for one in setups.values() for file in one.found]
+    messages += [*lacking(record.pose, places), *unnamed(record.pose, every, campaign)]
     said = [*messages, *(f"{record.pose}: {note}" for note in notes)]
     left_out = [one for each in setups.values() for one in each.left_out]
     inspections = [one.inspection for one in setups.values() if one.inspection is not None]
-    return Measured(record, found, further, left_out, said, inspections, repeats)
+    return Measured(record, found, further, left_out, said, inspections, repeats, places)
 
 
 def _setups(
@@ -124,7 +132,11 @@ def _setups(
     setups = {}
     for setup, paths in record.separate.items():
         files = {str(path): partial(_find, path, record, setup, kind, campaign) for path in paths}
-        setups[setup] = _read(setup, files, record, campaign, keep_going, inspect)
+        one = _read(setup, files, record, campaign, keep_going, inspect)
+        left_out = {each.file for each in one.left_out}
+        read = [path for path in paths if str(path) not in left_out]
+        has = [places_in(file.seen, record, setup, kind, campaign) for file in one.found]
+        setups[setup] = replace(one, places=[list(zip(read, has, strict=True))])
     points = points_of(record, campaign)
     if kind.roving is None or not points or any(one.left_out for one in setups.values()):
         return setups
@@ -136,7 +148,8 @@ def _setups(
         f"{record.pose}, file {i} of each setup": partial(kind.roving, each, record, campaign)
         for i, each in enumerate(points, start=1)
     }
-    return {"": _read("", runs, record, campaign, keep_going, inspect)}
+    together = _read("", runs, record, campaign, keep_going, inspect)
+    return {"": replace(together, places=[each for one in setups.values() for each in one.places])}
 
 
 def _least(setup: _Setup) -> float:
@@ -203,18 +216,11 @@ def _added(one: Found | str, record: Record) -> Found | str:
     return one if low <= one.frequency <= high else "its fit leaves the band"
 
 
-def _gaps_in_the_record(record: Record, setup: str, one: _Setup, campaign: Campaign) -> list[str]:
-    """Name the sensors that are in no file, and single files."""
-    said: list[str] = []
-    named = campaign.named_in(setup)
-    named |= {other.key for other in campaign.sensors if other.setup in record.clocks}
-    unseen = sorted(named.difference(*(file.seen for file in one.found)))
-    if unseen:
-        said.append(f"{record.pose}: sensors or forces that are in none of the files: {', '.join(unseen)}")
-    if len(one.found) == 1:
-        of = f" of the setup {setup}" if setup else ""
-        said.append(f"{record.pose}: a single file{of}: the scatter of repeats is unknown")
-    return said
+def _single(record: Record, setup: str, one: _Setup) -> list[str]:
+    """Say that a setup has a single file."""
+    of = f" of the setup {setup}" if setup else ""
+    said = f"{record.pose}: a single file{of}: the scatter of repeats is unknown"
+    return [said] if len(one.found) == 1 else []
 
 
 def _joined(

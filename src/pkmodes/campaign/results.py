@@ -112,7 +112,9 @@ class RecordDocument(Document, frozen=True):
     struck: Annotated[
         tuple[float, ...], Meta(description="Frequencies of modes that the campaign strikes out [Hz].")
     ]
-    left_out: Annotated[tuple[LeftOut, ...], Meta(description="Faulty files.")]
+    left_out: Annotated[
+        tuple[LeftOut, ...], Meta(description="Faulty files; all of them where the record is left out.")
+    ]
     messages: Annotated[tuple[str, ...], Meta(description="What the reader should know.")]
 
 
@@ -139,6 +141,11 @@ class RecordResult:
     messages: tuple[str, ...]
     inspections: tuple[Inspection, ...] = ()
     repeats: tuple[Repeats, ...] = ()
+
+    @property
+    def is_left_out(self) -> bool:
+        """Whether none of its files could be used."""
+        return not self.repeats
 
     def document(self) -> RecordDocument:
         """Return them in the form described in docs/json.md."""

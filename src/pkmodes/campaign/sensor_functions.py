@@ -147,7 +147,10 @@ def check_size(values: NDArray[Any], source: str) -> None:
 
 def dead_channels(names: Sequence[str], source: str) -> list[str]:
     """Return a sentence for each sensor that shows nothing."""
-    return [f"{source}: {name} shows nothing: all its values are equal; it is in no shape" for name in names]
+    return [
+        f"{source}: {name} shows nothing: all its values are equal; this file gives no shape component of it"
+        for name in names
+    ]
 
 
 @contextmanager

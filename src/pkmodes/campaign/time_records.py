@@ -18,10 +18,10 @@ from pkmodes.campaign.boards import Board, together, with_clocks
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import FileModes, Fit, modes_of_fit
 from pkmodes.campaign.quotients import force_in
+from pkmodes.campaign.sensor_faults import overloads, silent
 from pkmodes.campaign.sensor_functions import (
     ACCELERATION,
     check_size,
-    dead_channels,
     in_file,
     motion_of,
     sensor_functions,
@@ -35,12 +35,15 @@ from pkmodes.identification.ssi_identification import identify_responses
 from pkmodes.signals.checks import FEWEST
 from pkmodes.signals.functions import Kind
 from pkmodes.signals.reduction import reduced, reduction
-from pkmodes.signals.sampling import Piece, even_pieces
+from pkmodes.signals.sampling import Piece, even_pieces, stated_pieces
+from pkmodes.signals.sensor_faults import stopped
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Longest gap that is bridged, in periods of the upper end of the band.
 BRIDGED = 0.1
+#: Rates are the same that differ by less, relative.
+SAME_RATE = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,8 +61,11 @@ class TimeSignals:
     force : str
         Name of the force in the file.
     names : tuple of str
+        Of the S sensors that show something.
     derivatives : ndarray of int, shape (S,)
         0 for displacements, 1 for velocities, 2 for accelerations.
+    seen : frozenset of str
+        Names of all the campaign's sensors in the file.
     messages : tuple of str
     gap : float
         Median of the times that are lost between the pieces [s]; 0 for a single piece.
@@ -74,9 +80,16 @@ class TimeSignals:
     force: str
     names: tuple[str, ...]
     derivatives: NDArray[np.intp]
+    seen: frozenset[str]
     messages: tuple[str, ...]
     gap: float = 0.0
     starts: tuple[float, ...] = ()
+
+    def of(self, names: Sequence[str]) -> TimeSignals:
+        """Return those of some sensors."""
+        at = [self.names.index(name) for name in names]
+        pieces = tuple(piece[:, at] for piece in self.pieces)
+        return replace(self, pieces=pieces, names=tuple(names), derivatives=self.derivatives[at])
 
     def as_accelerations(self, s: ArrayLike) -> Complex:
         """Return factors that make accelerations of the responses, (..., S), at complex frequencies s [1/s]."""
@@ -117,18 +130,23 @@ def time_signals(
     motions = [motion_of(one, sensors[one.response], campaign.channels, read.source) for one in used]
     pieces, gaps = _pieces(time, record, read.source)
     fewer = 1 if highest is None else reduction(len(time), pieces[0].step, highest)
-    dead: list[str] = []
+    overloaded, blows = list[str](), bool(forces)
+    for one in forces:
+        overloaded += overloads(one.response, one.values.real, read.source, of_blows=blows)
+    rests: dict[int, slice] = {}
     columns: list[list[Array]] = []
-    for one, of in zip(used, motions, strict=True):  # a long signal fills much of the memory: one at a time
-        values = one.values.real
-        least, largest = values.min(), values.max()
-        check_size(of.factor * np.array([least, largest]), read.source)
-        if least == largest:
-            dead.append(one.response)
+    for i, (one, of) in enumerate(zip(used, motions, strict=True)):
+        values = one.values.real  # a long signal fills much of the memory: one at a time
+        check_size(of.factor * np.array([values.min(), values.max()]), read.source)
+        if (rest := stopped(values)) is not None:
+            rests[i] = rest
+        overloaded += overloads(one.response, values, read.source, of_blows=blows)
         columns.append([of.factor * reduced(piece.filled(values), fewer) for piece in pieces])
-    if len(dead) == len(used):
-        what = f"expected signals, found only constant ones: {', '.join(dead)}"
+    still, of_still = silent(used, rests, time, read.source)
+    if len(still) == len(used):
+        what = f"expected signals, found only constant ones: {', '.join(names)}"
         raise MeasurementError(what, read.source, "check the sensors and their cables")
+    moving = [i for i in range(len(used)) if i not in still]
     if record.band[1] > 0.5 / pieces[0].step:
         half = 0.5 / pieces[0].step
         what = f"expected a band below half the sampling rate, {half:.6g} Hz, found {record.band[1]:g} Hz"
@@ -136,7 +154,7 @@ def time_signals(
     return TimeSignals(
         read.source,
         pieces[0].step * fewer,
-        tuple(np.stack(each, axis=1) for each in zip(*columns, strict=True)),
+        tuple(np.stack(each, axis=1) for each in zip(*(columns[i] for i in moving), strict=True)),
         tuple(
             piece.filled(np.asarray(force.values.real))
             * (1.0 if force.unit is None else force_in(force.unit))
@@ -144,9 +162,10 @@ def time_signals(
             for piece in pieces
         ),
         forces[0].response if forces else "",
-        tuple(names),
-        np.array([of.derivative for of in motions]),
-        (*read.messages, *gaps, *dead_channels(dead, read.source)),
+        tuple(names[i] for i in moving),
+        np.array([motions[i].derivative for i in moving]),
+        frozenset(names),
+        (*read.messages, *gaps, *of_still, *overloaded),
         _lost(time, pieces),
         tuple(float(time[piece.part.start]) for piece in pieces),
     )
@@ -156,13 +175,20 @@ def _pieces(time: Array, record: Record, source: str) -> tuple[tuple[Piece, ...]
     """Return the even parts of a record, and what to say of them; a rate prevails over times that are uneven."""
     rate = record.rate
     try:
-        return even_pieces(time, source, BRIDGED / record.band[1])
+        pieces, said = even_pieces(time, source, BRIDGED / record.band[1])
     except MeasurementError:
         if rate is None or time.size < FEWEST:
             raise
-    by_times = (time.size - 1) / float(time[-1] - time[0])
-    said = f"{source}: its times are uneven: the rate of the record, {rate:g} Hz, is used; by the times it is"
-    return (Piece(slice(0, time.size), 1.0 / rate),), (f"{said} {by_times:.6g} Hz",)
+        pieces, said = stated_pieces(time, rate, source)
+        by_times = (time.size - 1) / float(time[-1] - time[0])
+        uneven = f"{source}: its times are uneven: the rate of the record, {rate:g} Hz, is used; by the times it is"
+        return pieces, (f"{uneven} {by_times:.6g} Hz", *said)
+    by_times = 1.0 / pieces[0].step
+    if rate is not None and abs(by_times / rate - 1.0) > SAME_RATE:
+        even = f"{source}: its times are even and used, {by_times:.6g} Hz; the record states {rate:g} Hz"
+        lost = time.size * (rate / by_times - 1.0)
+        said = (*said, f"{even}: by that, {lost:.0f} samples are missing" if lost > 0.0 else even)
+    return pieces, said
 
 
 def _lost(time: Array, pieces: Sequence[Piece]) -> float:
@@ -232,7 +258,7 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
         for name, modes in unsigned.items()
     ]
     said = (*given.messages, *(f"{given.source}: {message}" for message in (*messages, *lost)))
-    return with_levels(fit, said, given, campaign.unsigned_forces_in(setup))
+    return with_levels(fit, said, given)
 
 
 def _beside(
@@ -255,11 +281,12 @@ def _beside(
     }
     if not others:
         return given, {}, {}
-    names, columns = list(given.names), {}
+    names, columns, seen = list(given.names), {}, set(given.seen)
     taken = {campaign.sensors_in(setup)[name].key for name in names}
     for name, other in others.items():
         sensors = campaign.sensors_in(name)
         keys = [sensors[one].key for one in other.names]
+        seen |= {sensors[one].key for one in other.seen}
         twice = next((key for key in keys if key in taken), None)
         if twice is not None:
             what = f"the sensor {shown(twice)} is in the files of both {setup} and {name}"
@@ -280,6 +307,7 @@ def _beside(
         starts=found.starts,
         names=tuple(names),
         derivatives=np.concatenate([one.derivatives for one in every]),
+        seen=frozenset(seen),
         messages=(*(said for one in every for said in one.messages), *found.messages),
         gap=max(one.gap for one in every),
     )
@@ -287,7 +315,7 @@ def _beside(
 
 
 def with_levels(
-    fit: Fit, messages: Sequence[str], given: TimeSignals, forces: set[str], exponential: float | None = None
+    fit: Fit, messages: Sequence[str], given: TimeSignals, exponential: float | None = None
 ) -> FileModes:
     """Return what a file gives, its modes with their levels.
 
@@ -295,12 +323,10 @@ def with_levels(
     ----------
     fit : Fit
         With shapes in accelerations of the file's sensors.
-    forces : set of str
-        Names of the forces of the setup.
     exponential : float, optional
         Time constant of a window that the responses have had [s].
     """
-    found = modes_of_fit(fit, messages, frozenset(given.names) | forces)
+    found = modes_of_fit(fit, messages, given.seen)
     modes = fit.estimate.modes
     if not modes:
         return found

@@ -71,7 +71,11 @@ def identify(
         lambda path: (f"wrote {path}: {rows} mode{'' if rows == 1 else 's'}",),
     )
     report = report_file(report_to, lambda: _page(found, declared, content, sources))
-    deliver(json_file, content, lambda: _print(found, declared, content), file, report)
+    try:
+        deliver(json_file, content, lambda: _print(found, declared, content), file, report)
+    finally:
+        for line in _left_out(found):
+            echo(line, err=True)
 
 
 def _page(
@@ -83,11 +87,16 @@ def _page(
 
 
 def _said(found: Identification) -> list[str]:
+    every = [message for one in found.records for message in one.messages]
+    return [f"note: {message}" for message in (*every, *found.messages)]
+
+
+def _left_out(found: Identification) -> list[str]:
     lines = []
     for one in found.records:
         lines += [f"left out: {each.file}: {each.reason}" for each in one.left_out]
-        lines += [f"note: {message}" for message in one.messages]
-    return [*lines, *(f"note: {message}" for message in found.messages)]
+        lines += [f"left out: {one.record.pose}, as no file of it is left"] if one.is_left_out else []
+    return lines
 
 
 def _print(found: Identification, campaign: Campaign, content: dict[str, Any]) -> None:
@@ -103,7 +112,7 @@ def _print(found: Identification, campaign: Campaign, content: dict[str, Any]) -
         if found_modes:
             terminal.block(replace(modes_table(index, found_modes), caption=""))
         else:
-            terminal.line("no mode was found")
+            terminal.line("left out" if one.is_left_out else "no mode was found")
         terminal.line()
     repeatability = f"{100.0 * found.repeatability:.2g} %"
     terminal.line(

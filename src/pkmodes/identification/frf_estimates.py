@@ -33,10 +33,6 @@ NOISE = 8.0
 LEAD = 4
 #: Pulses of one contact are no further apart than this [s].
 CONTACT = 0.003
-#: Equal extreme samples in a row that mean overload.
-FLAT = 3
-#: unless it is where the signal rests, within this part of its range.
-RESTING = 0.05
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +50,7 @@ class ImpactEstimate:
     averages : int
         Number of blows.
     messages : tuple of str
-        Double hits and overloads.
+        Double hits.
     sigma_size : float
         Standard deviation of the size of all functions by the noise of the force while it acts, relative.
     """
@@ -74,7 +70,6 @@ def impact_estimate(
     *,
     hits: int = 1,
     exponential: float | None = None,
-    names: Sequence[str] = (),
     longest: int | None = None,
 ) -> ImpactEstimate:
     """Return the functions of the blows in a file.
@@ -89,8 +84,6 @@ def impact_estimate(
         Number of blows.
     exponential : float, optional
         Time constant of a window that the responses have had, from the first sample [s].
-    names : sequence of str
-        Of the responses, for messages.
     longest : int, optional
         Samples after each blow that are used at most, so that the functions of several files have the same lines.
 
@@ -106,7 +99,7 @@ def impact_estimate(
     pulses, sign = _pulses(force)
     starts = _blows(pulses, step, hits)
     length = min(_shortest(starts, len(force)), longest or len(force))
-    messages = [*overloads(force[:, None], ("force",)), *overloads(responses, names)]
+    messages: list[str] = []
     X = np.empty((len(starts), length // 2 + 1), complex)
     Y = np.empty((*X.shape, responses.shape[1]), complex)
     impulse = variance = 0.0
@@ -160,21 +153,6 @@ def h1(X: Complex, Y: Complex) -> tuple[Complex, Array | None]:
 def without_window(poles: Complex, time_constant: float | None) -> Complex:
     """Return poles without the damping of an exponential window, None for no window."""
     return np.asarray(poles + 1.0 / time_constant if time_constant else poles, dtype=complex)
-
-
-def overloads(signals: Array, names: Sequence[str] = ()) -> list[str]:
-    """Return a sentence for each signal (N, S) that stays at its extreme value: its range was exceeded."""
-    found = []
-    for s, signal in enumerate(signals.T):
-        name = names[s] if names else f"response {s + 1}"
-        for extreme in (signal.max(), signal.min()):
-            flat = np.concatenate([[False], signal == extreme, [False]])
-            edges = np.flatnonzero(flat[1:] != flat[:-1])
-            away = abs(extreme - np.median(signal)) > RESTING * np.ptp(signal)
-            if away and (edges[1::2] - edges[::2]).max() >= FLAT:
-                found.append(f"{name} is overloaded: it stays at {extreme:.4g}")
-                break
-    return found
 
 
 def _blows(pulses: Array, step: float, hits: int) -> list[int]:

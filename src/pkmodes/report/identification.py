@@ -65,7 +65,10 @@ def identification_report(
 
 def _summary(found: Identification, campaign: Campaign) -> Summary:
     modes = [mode for result in found.records for mode in result.modes]
-    count, poses = plural(len(modes), "mode"), plural(len(found.records), "pose")
+    count, poses = (
+        plural(len(modes), "mode"),
+        plural(sum(not one.is_left_out for one in found.records), "pose"),
+    )
     attention = _attention(found)
     said = [f"{what} {listed(places, PLACES)}." for what, places in attention]
     notes = [clean(note, SENTENCE) for note in (*said, *found.messages)]
@@ -130,7 +133,11 @@ def _attention(found: Identification) -> list[tuple[str, list[str]]]:
     left = [result.record.pose for result in found.records for _ in result.left_out]
     said = [
         (f"{plural(len(left), 'faulty file')} left out:", left),
-        ("No mode was found at", [result.record.pose for result in found.records if not result.modes]),
+        ("No file could be used of", [one.record.pose for one in found.records if one.is_left_out]),
+        (
+            "No mode was found at",
+            [one.record.pose for one in found.records if not (one.modes or one.is_left_out)],
+        ),
         ("Added by the campaign:", _modes_with(found, lambda mode, _: mode.edited is not None)),
         (
             "Struck out by the campaign:",

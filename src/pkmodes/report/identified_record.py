@@ -49,7 +49,8 @@ def record_section(
     """
     record = result.record
     blocks: list[Block] = [Facts(_facts(index, result, campaign))]
-    blocks.append(modes_table(index, content["modes"]) if result.modes else Paragraph("No mode was found."))
+    nothing = Paragraph("No file of it could be used." if result.is_left_out else "No mode was found.")
+    blocks.append(modes_table(index, content["modes"]) if result.modes else nothing)
     if result.messages:
         said = [clean(message, SENTENCE) for message in result.messages[:MOST_MESSAGES]]
         more = len(result.messages) - len(said)

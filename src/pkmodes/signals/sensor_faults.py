@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from pkmodes.signals.functions import Array
@@ -16,23 +18,35 @@ RESTING = 0.05
 #: Part of a record for which a sensor that stopped keeps its value, and how many times as long as at any other time.
 STOPPED, LONGER = 0.1, 10.0
 
+#: Samples that are looked at together.
+PART = 1_000_000
+
 
 def clipped(values: Array, fewest: int = FEWEST) -> tuple[tuple[float, ...], float]:
     """Return the extreme values at which a signal (N,) is cut off, and the share of its samples there.
 
     Many samples, at least the `fewest`, are at such a value, and few at the next ones.
     """
-    cut, count, alike = list[float](), 0, ALIKE * float(np.ptp(values))
+    rest = float(np.median(values[:: 1 + len(values) // PART]))
+    size = float(np.ptp(values))
+    alike, cut, count = ALIKE * size, list[float](), 0
+
+    def at(level: float) -> int:
+        return sum(int((np.abs(part - level) <= alike).sum()) for part in _parts(values))
+
     for sign in (1.0, -1.0):
-        level = sign * float((sign * values).max())
-        there = int((np.abs(values - level) <= alike).sum())
-        if there < fewest or abs(level - np.median(values)) <= RESTING * np.ptp(values):
+        level = beside = sign * max(float((sign * part).max()) for part in _parts(values))
+        there = at(level)
+        if there < fewest or abs(level - rest) <= RESTING * size:
             continue
-        beside, most = level, 0
+        most = 0
         for _ in range(NEXT):
-            beyond = sign * values >= sign * beside - alike
-            beside = sign * float(np.max(sign * values, where=~beyond, initial=-np.inf))
-            most = max(most, int((np.abs(values - beside) <= alike).sum()))
+            within = sign * beside - alike
+            tops = (
+                np.max(sign * part, where=sign * part < within, initial=-np.inf) for part in _parts(values)
+            )
+            beside = sign * float(max(tops))
+            most = max(most, at(beside))
         if there >= MORE * most:
             cut.append(level)
             count += there
@@ -41,10 +55,22 @@ def clipped(values: Array, fewest: int = FEWEST) -> tuple[tuple[float, ...], flo
 
 def stopped(values: Array) -> slice | None:
     """Return the part of a signal (N,) in which it keeps one value, far longer than anywhere else; None for none."""
-    changes = np.concatenate([[0], np.flatnonzero(values[1:] != values[:-1]) + 1, [len(values)]])
-    lengths = np.diff(changes)
-    longest = int(np.argmax(lengths))
-    others = np.delete(lengths, longest)
-    if lengths[longest] < STOPPED * len(values) or lengths[longest] < LONGER * others.max(initial=1):
+    runs: list[tuple[int, int]] = []
+    begin = 0
+    for low in range(0, len(values), PART):
+        part = values[low : low + PART + 1]  # with the first sample of the next
+        edges = np.concatenate([[begin], low + 1 + np.flatnonzero(part[1:] != part[:-1])])
+        lengths = np.diff(edges)
+        runs += [(int(lengths[k]), int(edges[k])) for k in np.argsort(lengths)[-2:]]
+        begin = int(edges[-1])
+    runs.append((len(values) - begin, begin))
+    (longest, start), *others = sorted(runs, reverse=True)
+    if longest < STOPPED * len(values) or longest < LONGER * (others[0][0] if others else 1):
         return None
-    return slice(int(changes[longest]), int(changes[longest + 1]))
+    return slice(start, start + longest)
+
+
+def _parts(values: Array) -> Iterator[Array]:
+    """Yield parts of a signal: a long one fills much of the memory."""
+    for low in range(0, len(values), PART):
+        yield values[low : low + PART]

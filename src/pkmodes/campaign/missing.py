@@ -1,0 +1,112 @@
+"""Sensors and forces of a campaign that its files lack.
+
+What is in no file at all has a wrong name, and is refused.  What only some files lack is said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from pkmodes.campaign.campaign import Campaign, Record
+from pkmodes.campaign.found import FileModes
+from pkmodes.campaign.kinds import Kind
+from pkmodes.campaign.sensors import Place, Sensor, unsigned
+from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.signals.functions import Asked
+from pkmodes.signals.reading import read_signals
+from pkmodes.support.ordering import joined, listed
+
+#: Whether a file has each place that it should have: a sensor or a force, by its key.
+Places = Mapping[str, bool]
+#: Names in a file that an error shows.
+MOST = 6
+
+
+def places_in(
+    seen: frozenset[str] | None, record: Record, setup: str, kind: Kind, campaign: Campaign
+) -> Places:
+    """Return whether a file has the places that hold in its setup; none for a file that needs no places.
+
+    Parameters
+    ----------
+    seen : frozenset of str, or None
+        Names in the file: `FileModes.seen`.
+    """
+    if seen is None:
+        return {}
+    sensors, forces = campaign.sensors_in(setup), campaign.forces_in(setup) if kind.forces else {}
+    found = {_label(one): name in seen for name, one in sensors.items()}
+    found |= {_label(one): one.key in seen for one in campaign.sensors if one.setup in record.clocks}
+    return found | {_label(one): unsigned(name) in seen for name, one in forces.items()}
+
+
+def _label(place: Place) -> str:
+    return f"the {'sensor' if isinstance(place, Sensor) else 'force'} {shown(place.key)}"
+
+
+def lacking(pose: str, setups: Sequence[Sequence[tuple[Path, Places]]]) -> list[str]:
+    """Return sentences on what the files of a record lack, by setup."""
+    every = [places for files in setups for _, places in files]
+    wanted = list(dict.fromkeys(label for places in every for label in places))
+    nowhere = [label for label in wanted if not any(places.get(label) for places in every)]
+    said = [f"{pose}: no file of it has {joined(nowhere, 'or')} of the campaign"] if nowhere else []
+    for files in setups:
+        some = {label for _, places in files for label, has in places.items() if has}
+        for path, places in files:
+            absent = [label for label, has in places.items() if not has and label in some]
+            said += [f"{path}: it lacks {joined(absent)}, which its repeats have"] if absent else []
+    return said
+
+
+def unnamed(pose: str, files: Sequence[FileModes], campaign: Campaign) -> list[str]:
+    """Return a sentence on references that no force names, if a hammer may have roved over them."""
+    names = list(dict.fromkeys(name for one in files for name in one.unnamed))
+    sensors = {one.name for one in campaign.sensors} & {name for one in files for name in one.seen or ()}
+    if not names or not (campaign.forces or len(names) > len(sensors)):
+        return []
+    return [
+        f"{pose}: no [[force]] names the references {', '.join(names)}: their shapes have the places of the sensors "
+        "only; of a roving hammer, add [[force]] for each reference"
+    ]
+
+
+def refuse_missing(files: Sequence[tuple[Record, Path, Places]], campaign: Campaign) -> None:
+    """Refuse a sensor or force that is in no file of the campaign.
+
+    Raises
+    ------
+    MeasurementError
+        With the names in the first file that should have it.
+    """
+    places = {**_numbered("sensor", campaign.sensors), **_numbered("force", campaign.forces)}
+    for where, place in places.items():
+        label = _label(place)
+        wanting = [(record, path) for record, path, has in files if label in has]
+        if not wanting or any(has.get(label) for _, _, has in files):
+            continue
+        first = wanting[0][0]
+        own = [path for record, path in wanting if record is first]
+        beside = [path for one in own for path in first.beside(one).values()]
+        paths = first.setups[place.setup] if place.setup is not None else [*own, *beside]
+        of_sensors = isinstance(place, Sensor)
+        names = list(dict.fromkeys(name for path in paths for name in _names(path, first, of_sensors)))
+        found = listed([shown(name) for name in names], MOST) or "none"
+        new = [name for name in names if name not in {one.name for one in places.values()}]
+        what = f"expected {label} in a file, found {found} in those of {first.pose}"
+        remedy = nearest(place.name, new, "correct the name, or remove it from the campaign")
+        raise MeasurementError(what, f"{campaign.source}: {where}.name", remedy)
+
+
+def _numbered(kind: str, places: Sequence[Place]) -> dict[str, Place]:
+    return {f"{kind}.{i}": one for i, one in enumerate(places, start=1)}
+
+
+def _names(path: Path, record: Record, sensors: bool) -> Iterator[str]:
+    """Yield the names of the sensors in a file, or of the forces and references."""
+    read = read_signals(path, Asked(record.rate, None, record.header, record.band))
+    for one in read.functions:
+        name = one.response if sensors or one.force else one.reference
+        if name and not (sensors and one.force):
+            yield name
+    yield from (name for mode in read.modes for name in mode.shape if sensors)

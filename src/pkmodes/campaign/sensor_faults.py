@@ -1,0 +1,59 @@
+"""Sensors at fault in a record of signals in time: cut off at the ends of their range, silent, or stopped."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from pkmodes.campaign.sensor_functions import dead_channels
+from pkmodes.signals.functions import Array, Function
+from pkmodes.signals.sensor_faults import clipped
+
+#: Samples at an extreme value that are looked at in records of blows, whose pulses have few.
+OF_BLOWS = 3
+#: A sensor goes on while another has stopped if it has there this part of its usual standard deviation.
+GOES_ON = 0.5
+
+
+def overloads(name: str, values: Array, source: str, *, of_blows: bool) -> list[str]:
+    """Return a sentence on a signal (N,) whose range was exceeded."""
+    levels, share = clipped(values, OF_BLOWS) if of_blows else clipped(values)
+    if not levels:
+        return []
+    at = " and ".join(f"{level:.4g}" for level in levels)
+    return [
+        f"{source}: {name} is overloaded: {100.0 * share:.2g} % of its samples are clipped at {at}, which changes"
+        " shapes and damping: measure again with a larger range"
+    ]
+
+
+def silent(
+    used: Sequence[Function], rests: Mapping[int, slice], time: Array, source: str
+) -> tuple[set[int], list[str]]:
+    """Return which signals show nothing, or stopped while others went on, and a sentence on each.
+
+    Parameters
+    ----------
+    rests : mapping of int to slice
+        Where some of the signals keep one value.
+    """
+    found, said = set[int](), list[str]()
+    moving = [one for i, one in enumerate(used) if i not in rests]
+    for i, rest in rests.items():
+        name = used[i].response
+        if rest.stop - rest.start == time.size:
+            found.add(i)
+            said += dead_channels([name], source)
+        elif any(_goes_on(one.values.real, rest) for one in moving):
+            found.add(i)
+            first, last = time[rest.start], time[rest.stop - 1]
+            said.append(
+                f"{source}: {name} keeps one value from {first:.4g} s to {last:.4g} s while others go on: this file "
+                "gives no shape component of it"
+            )
+    return found, said
+
+
+def _goes_on(values: Array, rest: slice) -> bool:
+    return bool(np.std(values[rest]) >= GOES_ON * np.std(values))
