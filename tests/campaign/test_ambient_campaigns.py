@@ -188,30 +188,35 @@ def test_a_record_too_long_for_memory_is_reduced_to_fewer_samples(
         assert abs(one["damping"] - other["damping"]) < 0.2 * one["sigma_damping"]
 
 
-def test_spectra_give_frequencies_alone(tmp_path: Path) -> None:
-    """Klipper's table: lines 1.6 Hz apart, no phase."""
+@pytest.mark.parametrize("repeats", [1, 4])
+def test_spectra_give_frequencies_alone(tmp_path: Path, repeats: int) -> None:
+    """Klipper's table: lines 1.6 Hz apart, no phase; repeats have the same lines, and average nothing of them out."""
     f = np.arange(4.8, 250.0, 1.6)
     frame = Frame.build()
     natural, _ = frame.modes()
     power = np.abs(np.einsum("fkk->fk", frame.accelerances(f))) ** 2
-    table = np.column_stack([f, power, power.sum(axis=1)])
-    np.savetxt(
-        tmp_path / "k.csv",
-        table,
-        delimiter=",",
-        header="freq,psd_x,psd_y,psd_z,psd_xyz",
-        comments="",
-        fmt="%.6e",
-    )
+    rng = np.random.default_rng(37)
+    for i in range(4):
+        noisy = power * np.exp(0.05 * rng.normal(size=power.shape))
+        np.savetxt(
+            tmp_path / f"k{i}.csv",
+            np.column_stack([f, noisy, noisy.sum(axis=1)]),
+            delimiter=",",
+            header="freq,psd_x,psd_y,psd_z,psd_xyz",
+            comments="",
+            fmt="%.6e",
+        )
     sensor = "".join(f'[[sensor]]\nname = "{name}"\nchannel = "none"\n' for name in "xyz")
-    found = identify(tmp_path, HEAD + sensor + record("spectrum", "k.csv"))
+    files = [f"k{i}.csv" for i in range(repeats)]
+    found = identify(tmp_path, HEAD + sensor + record("spectrum", *files))
     modes = found.record["modes"]
     assert len(modes) == 3
     for mode, expected in zip(modes, natural, strict=True):
         assert abs(mode["frequency"] - expected) < 2.0 * mode["sigma"]
-        assert 0.4 <= mode["sigma_parts"]["fit"] < 0.6
+        assert 1.6 / np.sqrt(12.0) <= mode["sigma_parts"]["fit"] < 0.6
         assert mode["damping"] is None
         assert mode["found_in"] is None
     data = read_modes(found.file, CHANNELS)
     assert not data.channels
     assert np.isnan(data.numbers["damping"]).all()
+    assert "sigma,damping,sigma_damping,mode,sigma_shape\n" in found.file.read_text(encoding="utf-8")

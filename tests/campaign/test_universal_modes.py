@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 from pathlib import Path
 
 import numpy as np
@@ -41,6 +42,10 @@ def test_modes_have_the_shapes_of_the_campaigns_sensors(
     np.testing.assert_allclose(data.frequency, [20.0, 50.0])
     np.testing.assert_allclose(data.numbers["damping"], [0.02, np.nan])  # 0 of dataset 55 is blank
     np.testing.assert_allclose(data.shapes, [[0.5, 1.0], [1.0, -0.75]])
+    with Path("modes.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    unknown = [(row["damping"], row["sigma_damping"], row["sigma_shape"]) for row in rows]
+    assert unknown == [("0.02", "", ""), ("", "", "")]  # there, and blank: the program that wrote m.uff knew no more
 
 
 @pytest.mark.parametrize(

@@ -22,6 +22,7 @@ from pkmodes.campaign.shapes import by_channel, turned_shape
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.identification.asked import NOTHING
 from pkmodes.identification.estimates import collinearity
+from pkmodes.identification.spectra import LEAST as LEAST_LINE
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.quantities import DAMPING, SHAPE_SIGMA
 from pkmodes.support.progress import say
@@ -133,7 +134,8 @@ def _mode(
     turned = turned_shape(shape)
     parts = Parts(
         with_half(float(np.nan_to_num(mean.scatter)) * mode.frequency, mean.between),
-        with_half(mode.sigma_frequency, mode.shift),
+        # Where a mode lies between two lines is the same in every repeat, and no number of them averages it out.
+        max(with_half(mode.sigma_frequency, mode.shift), LEAST_LINE * mode.resolution),
         repeatability * mode.frequency,
     )
     damping = float(np.hypot(np.nan_to_num(mean.damping_scatter) * mode.damping, mode.sigma_damping))

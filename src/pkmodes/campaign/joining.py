@@ -72,6 +72,7 @@ def _together(members: Sequence[Mean]) -> tuple[Mean, bool]:
         found_in=min(
             (mode.found_in for mode in modes if mode.found_in), key=lambda one: one[0] / one[1], default=None
         ),
+        resolution=min(mode.resolution for mode in modes),
         shift=widest([mode.shift for mode in modes]),
         participation={},
     )

@@ -11,12 +11,15 @@ import numpy as np
 
 from pkmodes.measured.columns import Columns
 from pkmodes.measured.header import SPREAD
-from pkmodes.measured.quantities import QUANTITIES, SHAPE_SIGMA
+from pkmodes.measured.quantities import QUANTITIES, SHAPE_SIGMA, row_numbers
 from pkmodes.measured.rules import SET, SHAPE
 
 
 def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
-    """Return measurements as CSV, in SI units and Hz; columns that hold nothing are left out.
+    """Return measurements as CSV, in SI units and Hz.
+
+    The columns of quantities and of standard deviations are always there, blank where a number is not known; others that
+    hold nothing are left out.
 
     Parameters
     ----------
@@ -41,10 +44,11 @@ def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
         if data.point_sigma[:, k].any():
             columns[f"{SPREAD}{name}"] = _numbers(data.point_sigma[data.pose, k])
     for quantity in QUANTITIES.values():
-        known = np.isfinite(data.numbers[quantity.value.argument])
-        for number in (quantity.value, quantity.sigma):
-            # The usual standard deviation of a quantity that is not measured says nothing.
-            columns[number.column] = _numbers(np.where(known, data.numbers[number.argument], np.nan))
+        values, sigmas = (data.numbers[number.argument] for number in (quantity.value, quantity.sigma))
+        if quantity.usual_sigma is not None:  # blank means the usual one, which says nothing of a blank quantity
+            usual = np.isnan(values) | (sigmas == quantity.usual_sigma(values))
+            sigmas = np.where(usual, np.nan, sigmas)
+        columns |= {quantity.value.column: _numbers(values), quantity.sigma.column: _numbers(sigmas)}
     if len(motors) > 1:
         columns["drives"] = [data.drives[i] for i in data.pose]
     for k, name in enumerate(data.settings):
@@ -53,7 +57,8 @@ def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
     for k, name in enumerate(data.channels):
         columns[f"{SHAPE}{name}"] = _numbers(data.shapes[:, k])
     columns[SHAPE_SIGMA.column] = _numbers(data.shape_sigma)
-    columns = {name: cells for name, cells in columns.items() if any(cells)}
+    always = {number.column for number in row_numbers()}
+    columns = {name: cells for name, cells in columns.items() if any(cells) or name in always}
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
     writer.writerows(zip(*columns.values(), strict=True))
