@@ -10,7 +10,7 @@ import pytest
 
 from pkmodes.campaign.averaging import Mean, averaged, mean_shape
 from pkmodes.campaign.found import Found, mac
-from pkmodes.campaign.grouping import _apart, grouped
+from pkmodes.campaign.grouping import _apart, grouped, reunited
 from pkmodes.campaign.joining import joined
 from pkmodes.campaign.motion import motion
 from pkmodes.campaign.revisits import revisited
@@ -39,6 +39,40 @@ def test_shapes_tell_modes_that_cross_apart() -> None:
     )
     found = sorted(tuple(mode.frequency for _, mode in sorted(group.items())) for group in groups)
     assert found == [(50.0, 50.3), (50.2, 50.1)]
+
+
+@pytest.mark.parametrize("move", [0.0, 0.004, 0.006, 0.012, 0.02])
+def test_what_moves_between_setups_is_one_mode_and_a_close_pair_stays_two(move: float) -> None:
+    """A pair 1 % apart, which moves as far as that; no shape tells them apart."""
+    f = np.array([40.0, 60.0, 60.6, 90.0])
+    visits = [[Found(value) for value in f], [Found(value) for value in f * (1.0 - move)]]
+    assert reunited(visits) == [{0: k, 1: k} for k in range(4)]
+
+
+@pytest.mark.parametrize(
+    ("others", "shapes", "count"),
+    [
+        (
+            [58.0, 63.0],
+            ({"a": 1 + 0j}, {"a": -1 + 0j}),
+            3,
+        ),  # it alone moved, half as far as the next mode at most
+        (
+            [58.0, 62.0],
+            ({"a": 1 + 0j}, {"a": -1 + 0j}),
+            4,
+        ),  # nearer: another mode that the other setup does not see
+        ([58.0, 63.0], ({"a": 1 + 0j}, {"b": 1 + 0j}), 4),  # nothing joins them
+        ([58.0, 63.0], ({"a": 1 + 0j, "b": 1 + 0j}, {"a": 1 + 0j, "b": -1 + 0j}), 4),  # other shapes
+    ],
+)
+def test_a_mode_that_moves_alone_is_one_if_no_other_is_near(
+    others: list[float], shapes: tuple[dict[str, complex], dict[str, complex]], count: int
+) -> None:
+    visits = [
+        [*map(Found, others), Found(f, shape=shape)] for f, shape in zip((60.0, 60.9), shapes, strict=True)
+    ]
+    assert len(reunited(visits)) == count
 
 
 def by_definition(files: list[list[Found]]) -> list[list[tuple[int, Found]]]:
@@ -89,6 +123,7 @@ def test_thousands_of_modes_are_grouped_and_averaged_in_seconds() -> None:
     start = time.process_time()
     assert len(averaged(grouped([modes]))) == 2000
     assert len(grouped([modes, [Found(mode.frequency, shape=mode.shape) for mode in modes[::4]]])) == 2000
+    assert len(reunited([modes, [Found(0.98 * mode.frequency, shape=mode.shape) for mode in modes]])) == 2000
     assert time.process_time() - start < 5.0
 
 
@@ -101,6 +136,14 @@ def test_setups_are_weighted_by_their_variances_and_their_spread_counts_where_it
     assert near.mode.sigma_frequency == pytest.approx(1.0 / np.sqrt(1e4 + 2.5e3))
     (apart,), _ = joined({"x": [mean(50.0, 0.01)], "y": [mean(50.2, 0.01)]})
     assert apart.mode.frequency * apart.scatter == pytest.approx(0.1)  # half their difference
+    # A machine that warmed was as much the one as the other, however well each is known.
+    setups = {"x": [mean(50.0, 0.001)], "y": [mean(50.4, 0.1)]}
+    (warmed,), notes = joined(setups)
+    assert warmed.mode.frequency == pytest.approx(50.2)
+    assert warmed.mode.frequency * warmed.scatter == pytest.approx(0.2)
+    assert "the setups x, y differ by more than their standard deviations" in notes[0]
+    assert "50 to 50.4 Hz" in notes[0]
+    assert not joined(setups, repeatability=3e-3)[1]  # which explains it
 
 
 def test_shapes_without_a_common_sensor_are_said() -> None:

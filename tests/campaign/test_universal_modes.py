@@ -45,7 +45,10 @@ def test_modes_have_the_shapes_of_the_campaigns_sensors(
     with Path("modes.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     unknown = [(row["damping"], row["sigma_damping"], row["sigma_shape"]) for row in rows]
-    assert unknown == [("0.02", "", ""), ("", "", "")]  # there, and blank: the program that wrote m.uff knew no more
+    assert unknown == [
+        ("0.02", "", ""),
+        ("", "", ""),
+    ]  # there, and blank: the program that wrote m.uff knew no more
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from scipy.stats import t as student
 
 from pkmodes.campaign.found import Found
-from pkmodes.campaign.grouping import grouped
+from pkmodes.campaign.grouping import reunited
 from pkmodes.campaign.levels import between_files, widest
 from pkmodes.identification.level import LevelShift
 
@@ -103,10 +103,8 @@ def averaged(groups: Sequence[dict[int, Found]]) -> list[Mean]:
 
 def grouped_means(listed: Sequence[Sequence[Mean]]) -> list[dict[int, Mean]]:
     """Return groups of means that are of one mode, each by the place of its setup or label in the list."""
-    return [
-        {i: next(mean for mean in listed[i] if mean.mode is mode) for i, mode in group.items()}
-        for group in grouped([[mean.mode for mean in each] for each in listed])
-    ]
+    groups = reunited([[mean.mode for mean in each] for each in listed])
+    return [{i: listed[i][k] for i, k in group.items()} for group in groups]
 
 
 def _of(modes: list[Found], shape: dict[str, complex]) -> Found:

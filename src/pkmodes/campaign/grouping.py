@@ -2,11 +2,16 @@
 
 Pairs of groups merge in the order of their distance, differences of frequency and of shape together; the mean
 distance of their members counts (average linkage), so that a chain of neighbours is not a group.
+
+Between setups, or visits, a machine warms and its belts settle, which moves its modes farther than that, most of them
+by about the same part of their frequencies.  Such a move is taken off first where more modes then pair.  What moved
+by itself is the same mode if it is nearer than half the distance to the next one, and the shapes agree.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from heapq import heapify, heappop, heappush
 
 import numpy as np
@@ -16,6 +21,10 @@ from pkmodes.campaign.found import Found, mac
 #: Relative difference of frequencies of one mode in two files at most: between files of a campaign joints settle and
 #: temperatures change by some parts in a thousand.
 APART = 0.01
+#: The same between setups or visits, for which a machine runs longer.
+MOVED = 0.03
+#: Modes that move together at least; and pairs of modes among which such a move can be told.
+TOGETHER, MOST_PAIRS = 2, 1_000_000
 #: MAC of two shapes of one mode at least.
 ALIKE = 0.5
 #: Factor on widths, so that rounding excludes nothing.
@@ -38,6 +47,59 @@ def grouped(files: Sequence[Sequence[Found]]) -> list[dict[int, Found]]:
         near.append({i: mode})
     groups += _merged(near) if near else []
     return sorted(groups, key=lambda group: float(np.mean([mode.frequency for mode in group.values()])))
+
+
+def reunited(visits: Sequence[Sequence[Found]]) -> list[dict[int, int]]:
+    """Return the modes of several setups or visits, as places in their lists; ascending in frequency."""
+    base = max(visits, key=len)
+    moves = [_move(modes, base) for modes in visits]
+    stayed = [
+        [replace(mode, frequency=mode.frequency * by) for mode in modes]
+        for modes, by in zip(visits, moves, strict=True)
+    ]
+    groups = grouped(visits)
+    moved = grouped(stayed) if set(moves) != {1.0} else groups
+    if len(moved) < len(groups):
+        groups, visits = moved, stayed
+    places = {mode: k for modes in visits for k, mode in enumerate(modes)}
+    logs = [float(np.mean([np.log(mode.frequency) for mode in group.values()])) for group in groups]
+    apart = [np.inf, *np.diff(logs), np.inf]
+    found: list[dict[int, Found]] = []
+    for i, group in enumerate(groups):
+        if (
+            i
+            and apart[i] < min(MOVED, 0.5 * apart[i - 1], 0.5 * apart[i + 1])
+            and _may_be_one(found[-1], group)
+        ):
+            found[-1] |= group
+        else:
+            found.append(group)
+    return [{i: places[mode] for i, mode in group.items()} for group in found]
+
+
+def _move(modes: Sequence[Found], base: Sequence[Found]) -> float:
+    """Return the factor that brings most frequencies of a visit to those of another one."""
+    logs, others = (np.sort(np.log([mode.frequency for mode in each])) for each in (modes, base))
+    first, last = (np.searchsorted(others, logs + side * MOVED) for side in (-1, 1))
+    if not TOGETHER <= (last - first).sum() <= MOST_PAIRS:
+        return 1.0
+    apart = np.sort(np.concatenate([others[i:j] - log for i, j, log in zip(first, last, logs, strict=True)]))
+    starts, ends = (np.searchsorted(apart, apart + side * 0.5 * APART) for side in (-1, 1))
+    most = np.flatnonzero(ends - starts == (ends - starts).max())
+    best = most[np.argmin(np.abs(apart[most]))]
+    if ends[best] - starts[best] < TOGETHER:
+        return 1.0
+    return float(np.exp(np.median(apart[starts[best] : ends[best]])))
+
+
+def _may_be_one(one: Mapping[int, Found], other: Mapping[int, Found]) -> bool:
+    """Return whether groups of different visits share sensors or references, and their shapes do not contradict."""
+    return not one.keys() & other.keys() and all(
+        (a.shape.keys() & b.shape.keys() or a.participation.keys() & b.participation.keys())
+        and mac(a.shape, b.shape) >= ALIKE
+        for a in one.values()
+        for b in other.values()
+    )
 
 
 def _merged(modes: list[dict[int, Found]]) -> list[dict[int, Found]]:

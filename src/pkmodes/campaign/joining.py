@@ -3,6 +3,9 @@
 Frequencies and damping are common to all setups.  Shapes are joined by the sensors that they share; those that share
 none by the references they share, of which their residues are accelerations per force: so a sensor that stays joins
 the points of a hammer that roves.
+
+Where the frequencies of a mode differ by more than the standard deviations of both setups, the machine has warmed or
+settled between: it had both, whatever their weights.
 """
 
 from __future__ import annotations
@@ -16,19 +19,26 @@ from pkmodes.campaign.averaging import Mean, grouped_means, mean_shape
 from pkmodes.campaign.found import Found
 from pkmodes.campaign.levels import widest
 
+#: Standard deviations of a difference above which setups differ.
+SURE = 2.0
 
-def joined(setups: Mapping[str, Sequence[Mean]]) -> tuple[list[Mean], list[str]]:
-    """Return the modes of all setups of a record, and sentences on shapes that could not be joined.
+
+def joined(setups: Mapping[str, Sequence[Mean]], repeatability: float = 0.0) -> tuple[list[Mean], list[str]]:
+    """Return the modes of all setups of a record, and sentences on those that differ or could not be joined.
 
     The mean over setups is weighted by their variances.  Where setups differ by more than these tell, their spread
-    counts instead.
+    counts instead; and half their difference where it is more than two of its standard deviations, which include the
+    relative `repeatability`.
     """
     if len(setups) == 1:
         return list(next(iter(setups.values()))), []
     names, listed = list(setups), list(setups.values())
-    means, notes = [], []
+    means, notes, moved = [], list[str](), list[tuple[float, float]]()
     for group in grouped_means(listed):
-        mean, apart = _together([group[i] for i in sorted(group)])
+        members = [group[i] for i in sorted(group)]
+        ends = _differing(members, repeatability)
+        mean, apart = _together(members, ends)
+        moved += [ends] if ends else []
         if apart:
             which = ", ".join(names[i] for i in sorted(group))
             notes.append(
@@ -36,10 +46,29 @@ def joined(setups: Mapping[str, Sequence[Mean]]) -> tuple[list[Mean], list[str]]
                 "a reference with a name: only the one with most sensors is kept"
             )
         means.append(mean)
+    if moved:
+        each = ", ".join(f"{low:.5g} to {high:.5g}" for low, high in moved)
+        notes.append(
+            f"the setups {', '.join(names)} differ by more than their standard deviations, as of a machine that "
+            f"warms or settles, in the modes at {each} Hz: each is one row, with half the difference in sigma"
+        )
     return means, notes
 
 
-def _together(members: Sequence[Mean]) -> tuple[Mean, bool]:
+def _differing(members: Sequence[Mean], repeatability: float) -> tuple[float, float] | None:
+    """Return the lowest and the highest frequency of a mode [Hz] if their errors do not explain the difference."""
+    ordered = sorted(members, key=lambda one: one.mode.frequency)
+    ends = ordered[0], ordered[-1]
+    low, high = (one.mode.frequency for one in ends)
+    errors = [
+        (np.nan_to_num(one.scatter) ** 2 + repeatability**2) * one.mode.frequency**2
+        + one.mode.sigma_frequency**2
+        for one in ends
+    ]
+    return (low, high) if high - low > SURE * np.sqrt(sum(errors)) else None
+
+
+def _together(members: Sequence[Mean], differing: tuple[float, float] | None) -> tuple[Mean, bool]:
     """Return one mode of several setups, and whether their shapes share no sensor or reference."""
     if len(members) == 1:
         return members[0], False
@@ -49,6 +78,9 @@ def _together(members: Sequence[Mean]) -> tuple[Mean, bool]:
         [mode.sigma_frequency for mode in modes],
         [one.scatter * one.mode.frequency for one in members],
     )
+    if differing is not None:
+        low, high = differing
+        frequency, scatter = 0.5 * (low + high), max(float(np.nan_to_num(scatter)), 0.5 * (high - low))
     damping, sigma_damping, damping_scatter = _weighted(
         [mode.damping for mode in modes],
         [mode.sigma_damping for mode in modes],

@@ -114,7 +114,7 @@ def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool, 
         for wanted, mean in zip(more, together[len(groups) :], strict=True):
             added[wanted][setup] = mean
         repeats.append(Repeats(setup, tuple(one.names), tuple(map(_frequencies, [*groups, *more.values()]))))
-    found, notes = joined(means) if means else ([], [])
+    found, notes = joined(means, campaign.repeatability or 0.0) if means else ([], [])
     further = [_joined(wanted, each, record, campaign, notes) for wanted, each in added.items() if means]
     places = [each for one in setups.values() for each in one.places]
     every = [file for one in setups.values() for file in one.found]
@@ -235,7 +235,7 @@ def _joined(
     if not found:
         reasons = [one for one in by_setup.values() if isinstance(one, str)]
         refuse_added(wanted, f"{reasons[0]} ({record.pose})", campaign.source)
-    means, more = joined(found)
+    means, more = joined(found, campaign.repeatability or 0.0)
     notes += more
     return min(means, key=lambda mean: abs(mean.mode.frequency - wanted))
 
