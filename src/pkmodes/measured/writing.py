@@ -18,8 +18,8 @@ from pkmodes.measured.rules import SET, SHAPE
 def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
     """Return measurements as CSV, in SI units and Hz.
 
-    The columns of quantities and of standard deviations are always there, blank where a number is not known; others that
-    hold nothing are left out.
+    The columns of quantities and their standard deviations are always there, blank where a number is not known; others
+    that hold nothing are left out.
 
     Parameters
     ----------

@@ -72,6 +72,22 @@ class Piece:
             found[missing] = CubicSpline(self.numbers[near], values[near])(missing)
         return found
 
+    def once_more(self, filled: Array) -> Array:
+        """Return filled samples of which as many are lost again, half way between the gaps, and interpolated.
+
+        What the samples as they were filled differ from these by is like what they differ from the truth by.
+        """
+        numbers = np.arange(len(filled)) if self.numbers is None else self.numbers
+        found, gaps = filled.copy(), np.flatnonzero(np.diff(numbers) > 1)
+        for begin, end, after in zip(numbers[gaps], numbers[gaps + 1], numbers[[*gaps[1:], -1]], strict=True):
+            first = (end + after - (end - begin)) // 2 + 1
+            lost = np.arange(first, first + end - begin - 1)
+            near = np.r_[max(0, first - NEIGHBOURS) : first, lost[-1] + 1 : lost[-1] + 1 + NEIGHBOURS]
+            near = near[near < len(filled)]
+            if lost[-1] < len(filled):
+                found[lost] = CubicSpline(near, filled[near])(lost)
+        return found
+
 
 def even_pieces(time: Array, where: str, bridged: float = 0.0) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
     """Split a record at its gaps.
