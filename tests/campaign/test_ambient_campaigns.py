@@ -6,11 +6,15 @@ import re
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from campaign.structures import CHANNELS, HEAD, Frame, accelerations, identify, record, refused, sensors
+from pkmodes.campaign.found import Fit
+from pkmodes.campaign.time_records import with_bridges
+from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
 from pkmodes.measured.reading import read_modes
 
 SENSORS = sensors("m/s^2", "g0", "mm/s")
@@ -70,15 +74,19 @@ def test_a_rate_prevails_over_uneven_times_and_columns_are_named_in_the_record(t
 def test_samples_lost_now_and_then_are_bridged_where_the_band_allows_it(tmp_path: Path) -> None:
     write_ambient(tmp_path / "whole.csv", np.random.default_rng(36))
     head, *rows = (tmp_path / "whole.csv").read_text().splitlines()
-    kept = [row for i, row in enumerate(rows) if i % 100]
-    (tmp_path / "a.csv").write_text("\n".join([head, *kept]) + "\n")
+    at_random = set(np.random.default_rng(39).choice(range(40, len(rows), 40), 409, replace=False))
+    for name, lost in (("a.csv", set(range(0, len(rows), 100))), ("b.csv", at_random)):
+        kept = [row for i, row in enumerate(rows) if i not in lost]
+        (tmp_path / name).write_text("\n".join([head, *kept]) + "\n")
     error = refused(tmp_path, HEAD + SENSORS + record("ambient", "a.csv"))
     assert "gaps of 0.977 ms split it" in error
     assert "end the band at 102 Hz or lower" in error
     narrow = HEAD.replace("200 Hz", "102 Hz") + SENSORS
     whole = identify(tmp_path, narrow + record("ambient", "whole.csv")).record["modes"]
-    found = identify(tmp_path, narrow + record("ambient", "a.csv")).record
+    found = identify(tmp_path, narrow + record("ambient", "b.csv")).record
     assert any("409 gaps" in one and "409 samples are interpolated" in one for one in found["messages"])
+    (said,) = (one for one in found["messages"] if "interpolated once more" in one)
+    assert 0.01 < float(said.split(" move the modes by ")[1].split()[0]) < 0.5
     for one, other in zip(whole, found["modes"], strict=True):
         assert abs(one["frequency"] - other["frequency"]) < 0.2 * one["sigma"]
         assert abs(one["damping"] - other["damping"]) < 0.2 * one["sigma_damping"]
@@ -170,6 +178,24 @@ def test_samples_that_are_missing_in_the_middle_are_said(tmp_path: Path) -> None
     assert re.search(r"late.csv: the step from 8.78\d* s to 9.1\d* s is 40\d.* times the usual one", said)
     said = identify(tmp_path, text + record("ambient", "spread.csv") + stated).remarks
     assert "1004 Hz; the record states 1024 Hz: by that, 400 samples are missing" in said
+
+
+def test_what_interpolating_once_more_changes_is_in_sigma() -> None:
+    """Frequency and damping of one mode change by twice their standard deviations: five times the variance."""
+    none = np.zeros(0, complex)
+
+    def fit(signals: list[SimpleNamespace]) -> tuple[Fit, tuple[str, ...]]:
+        omega, damping = 2.0 * np.pi * (50.0 + signals[0].changed), 0.01 + 0.001 * signals[0].changed
+        pole = omega * complex(-damping, np.sqrt(1.0 - damping**2))
+        mode = Mode(pole, np.ones(1, complex), 0.05, 5e-5, 0.02, (1, 1))
+        return Fit(Estimate((mode,), Stabilisation(np.zeros(0, int), ()), none.real, none, none), ("a",)), ()
+
+    given = SimpleNamespace(changed=0.0, once_more=SimpleNamespace(changed=0.1))
+    found, said = with_bridges(fit, [given], "a.csv")
+    (mode,) = found.estimate.modes
+    sigmas = mode.sigma_frequency, mode.sigma_damping, mode.sigma_shape
+    np.testing.assert_allclose(sigmas, np.sqrt(5.0) * np.array([0.05, 5e-5, 0.02]))
+    assert "move the modes by 2 of their standard deviations" in said[0]
 
 
 def test_a_record_too_long_for_memory_is_reduced_to_fewer_samples(

@@ -136,3 +136,21 @@ def test_times_of_arrival_show_samples_that_are_missing(burst: int, clock: float
     if lost:
         assert abs(pieces[1].part.start - at) <= burst
     assert all(piece.step == 1e-3 for piece in pieces)
+
+
+def test_interpolating_once_more_shows_what_interpolation_misses() -> None:
+    """Noise and a vibration above the band: the spline misses as much of other samples as of those lost."""
+    rng = np.random.default_rng(8)
+    n, step = 20_000, 1e-3
+    time = step * np.arange(n)
+    lost = rng.choice(np.arange(20, n - 20, 12), 900, replace=False)
+    kept = np.delete(np.arange(n), lost)
+    signal = np.sin(2.0 * np.pi * 150.0 * time) + 0.1 * rng.normal(size=n)
+    (piece,), _ = even_pieces(time[kept], "here", 1.5 * step)
+    filled = piece.filled(signal[kept])
+    again = piece.once_more(filled)
+    changed = np.flatnonzero(again != filled)
+    assert 0.98 * len(lost) < len(changed) <= len(lost)
+    assert not np.isin(changed, lost).any()
+    truly = np.sqrt(np.mean((filled - signal)[lost] ** 2))
+    assert np.sqrt(np.mean((again - filled)[changed] ** 2)) == pytest.approx(truly, rel=0.1)

@@ -6,7 +6,7 @@ Their functions, though measured one after the other, are those of one structure
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -14,11 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.found import NAMELESS, FileModes
+from pkmodes.campaign.found import NAMELESS, FileModes, Fit
 from pkmodes.campaign.frequency_records import Responses, frf_fit, of_reference, tones_of
 from pkmodes.campaign.sensor_functions import in_file
 from pkmodes.campaign.sensors import Place, unsigned
-from pkmodes.campaign.time_records import TimeSignals, time_signals, with_levels
+from pkmodes.campaign.time_records import TimeSignals, time_signals, with_bridges, with_levels
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.identification.estimates import Estimate, Mode
 from pkmodes.identification.frf_estimates import impact_estimate, samples_of_blows
@@ -128,9 +128,19 @@ def _modes(
     every: Sequence[_Blows], forces: Sequence[str], record: Record, campaign: Campaign, source: str
 ) -> FileModes:
     """Return the modes of files of blows, their shapes at the forces with these names, or else at the sensors."""
-    hits, signals = record.hits, [one.signals for one in every]
-    step, sensors = signals[0].step, signals[0].names
-    said = [message for one in signals for message in one.messages]
+    signals = [one.signals for one in every]
+    fit, more = with_bridges(lambda given: _fit(given, forces, record, campaign, source), signals, source)
+    said = (*(message for one in signals for message in one.messages), *more)
+    together = replace(signals[0], pieces=tuple(piece for one in signals for piece in one.pieces))
+    return with_levels(fit, said, together, record.exponential)
+
+
+def _fit(
+    signals: Sequence[TimeSignals], forces: Sequence[str], record: Record, campaign: Campaign, source: str
+) -> tuple[Fit, tuple[str, ...]]:
+    """Return the fit of files of blows, and what to say of it."""
+    hits, step, sensors = record.hits, signals[0].step, signals[0].names
+    said = list[str]()
     lengths, values, coherences, sizes = list[int](), list[Complex](), list[Array | None](), list[float]()
     for one in signals:
         with in_file(one.source):
@@ -167,9 +177,7 @@ def _modes(
         return replace(mode, sigma_size=float(np.hypot(mode.sigma_size, max(sizes))))
 
     estimate = _complete(fit.estimate, float(1.0 / f[1]), record.exponential)
-    fit = replace(fit, estimate=_each(estimate, wider))
-    together = replace(signals[0], pieces=tuple(piece for one in signals for piece in one.pieces))
-    return with_levels(fit, said, together, record.exponential)
+    return replace(fit, estimate=estimate.changed(wider)), tuple(said)
 
 
 def _complete(estimate: Estimate, length: float, exponential: float | None) -> Estimate:
@@ -185,10 +193,4 @@ def _complete(estimate: Estimate, length: float, exponential: float | None) -> E
         pole = mode.pole - (1.0 / exponential if exponential else 0.0)
         return replace(mode, participation=np.asarray(mode.participation) / (1.0 - np.exp(pole * length)))
 
-    return _each(estimate, whole)
-
-
-def _each(estimate: Estimate, change: Callable[[Mode], Mode]) -> Estimate:
-    """Return an estimate whose modes are changed, those that the user adds too."""
-    added = tuple(one if isinstance(one, str) else change(one) for one in estimate.added)
-    return replace(estimate, modes=tuple(map(change, estimate.modes)), added=added)
+    return estimate.changed(whole)

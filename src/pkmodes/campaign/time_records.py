@@ -5,7 +5,7 @@ The columns of a file become arrays that are evenly sampled.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.campaign.boards import Board, together, with_clocks
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import FileModes, Fit, modes_of_fit
+from pkmodes.campaign.grouping import APART
 from pkmodes.campaign.quotients import force_in
 from pkmodes.campaign.sensor_faults import overloads, silent
 from pkmodes.campaign.sensor_functions import (
@@ -71,6 +72,8 @@ class TimeSignals:
         Median of the times that are lost between the pieces [s]; 0 for a single piece.
     starts : tuple of float
         Times of the first samples of the pieces [s].
+    once_more : TimeSignals or None
+        The same with as many samples interpolated once more; None if none are.
     """
 
     source: str
@@ -84,12 +87,16 @@ class TimeSignals:
     messages: tuple[str, ...]
     gap: float = 0.0
     starts: tuple[float, ...] = ()
+    once_more: TimeSignals | None = None
 
     def of(self, names: Sequence[str]) -> TimeSignals:
         """Return those of some sensors."""
         at = [self.names.index(name) for name in names]
         pieces = tuple(piece[:, at] for piece in self.pieces)
-        return replace(self, pieces=pieces, names=tuple(names), derivatives=self.derivatives[at])
+        more = None if self.once_more is None else self.once_more.of(names)
+        return replace(
+            self, pieces=pieces, names=tuple(names), derivatives=self.derivatives[at], once_more=more
+        )
 
     def as_accelerations(self, s: ArrayLike) -> Complex:
         """Return factors that make accelerations of the responses, (..., S), at complex frequencies s [1/s]."""
@@ -134,14 +141,19 @@ def time_signals(
     for one in forces:
         overloaded += overloads(one.response, one.values.real, read.source, of_blows=blows)
     rests: dict[int, slice] = {}
-    columns: list[list[Array]] = []
+    columns, others = list[list[Array]](), list[list[Array]]()
+    bridged = any(piece.numbers is not None for piece in pieces)
     for i, (one, of) in enumerate(zip(used, motions, strict=True)):
         values = one.values.real  # a long signal fills much of the memory: one at a time
         check_size(of.factor * np.array([values.min(), values.max()]), read.source)
         if (rest := stopped(values)) is not None:
             rests[i] = rest
         overloaded += overloads(one.response, values, read.source, of_blows=blows)
-        columns.append([of.factor * reduced(piece.filled(values), fewer) for piece in pieces])
+        filled = [piece.filled(values) for piece in pieces]
+        columns.append([of.factor * reduced(one, fewer) for one in filled])
+        if bridged:
+            again = (piece.once_more(one) for piece, one in zip(pieces, filled, strict=True))
+            others.append([of.factor * reduced(one, fewer) for one in again])
     still, of_still = silent(used, rests, time, read.source)
     if len(still) == len(used):
         what = f"expected signals, found only constant ones: {', '.join(names)}"
@@ -151,16 +163,17 @@ def time_signals(
         half = 0.5 / pieces[0].step
         what = f"expected a band below half the sampling rate, {half:.6g} Hz, found {record.band[1]:g} Hz"
         raise MeasurementError(what, read.source, "narrow the band of the record, or sample faster")
-    return TimeSignals(
+    units = [1.0 if one.unit is None else force_in(one.unit) for one in forces]
+    acting = tuple(
+        piece.filled(np.asarray(force.values.real)) * unit
+        for force, unit in zip(forces, units, strict=True)
+        for piece in pieces
+    )
+    found = TimeSignals(
         read.source,
         pieces[0].step * fewer,
         tuple(np.stack(each, axis=1) for each in zip(*(columns[i] for i in moving), strict=True)),
-        tuple(
-            piece.filled(np.asarray(force.values.real))
-            * (1.0 if force.unit is None else force_in(force.unit))
-            for force in forces
-            for piece in pieces
-        ),
+        acting,
         forces[0].response if forces else "",
         tuple(names[i] for i in moving),
         np.array([motions[i].derivative for i in moving]),
@@ -169,6 +182,14 @@ def time_signals(
         _lost(time, pieces),
         tuple(float(time[piece.part.start]) for piece in pieces),
     )
+    if not bridged:
+        return found
+    other = replace(
+        found,
+        pieces=tuple(np.stack(each, axis=1) for each in zip(*(others[i] for i in moving), strict=True)),
+        forces=tuple(piece.once_more(one) for piece, one in zip(pieces * len(forces), acting, strict=True)),
+    )
+    return replace(found, once_more=other)
 
 
 def _pieces(time: Array, record: Record, source: str) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
@@ -210,6 +231,41 @@ def _gaps_named(given: TimeSignals) -> Iterator[None]:
         raise MeasurementError(what, error.where, remedy) from None
 
 
+def with_bridges(
+    find: Callable[[Sequence[TimeSignals]], tuple[Fit, tuple[str, ...]]],
+    given: Sequence[TimeSignals],
+    source: str,
+) -> tuple[Fit, tuple[str, ...]]:
+    """Return the fit of signals, and what to say of it; interpolated samples are in its standard deviations.
+
+    They add what interpolating as many once more changes, relative to the standard deviations, over all modes.
+    """
+    fit, said = find(given)
+    if not fit.estimate.modes or all(one.once_more is None for one in given):
+        return fit, said
+    others = find([one.once_more or one for one in given])[0].estimate.modes
+    changes: list[float] = []
+    for mode in fit.estimate.modes:
+        other = min(others, key=lambda one: abs(one.frequency - mode.frequency), default=mode)
+        if other is mode or abs(other.frequency / mode.frequency - 1.0) > APART:
+            continue
+        for name in ("frequency", "damping"):
+            sigma = getattr(mode, f"sigma_{name}")
+            changes += [(getattr(other, name) - getattr(mode, name)) / sigma] if sigma > 0.0 else []
+    if not changes:
+        what = "with as many samples interpolated once more no mode is found: none can be trusted"
+        return fit, (*said, f"{source}: {what}")
+    moved = float(np.sqrt(np.mean(np.square(changes))))
+
+    def wider(mode: Mode) -> Mode:
+        names = "sigma_frequency", "sigma_damping", "sigma_shape", "sigma_size"
+        return replace(mode, **{name: getattr(mode, name) * np.hypot(1.0, moved) for name in names})
+
+    what = f"as many samples interpolated once more move the modes by {moved:.2g} of their standard deviations, rms"
+    sentence = f"{source}: {what}: this is added in quadrature"
+    return replace(fit, estimate=fit.estimate.changed(wider)), (*said, sentence)
+
+
 def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
     """Return the modes of the responses in a file, their shapes by sensor.
 
@@ -219,22 +275,26 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
         If the file is faulty, or too short for the band.
     """
     given, delays, columns = _beside(path, record, setup, campaign)
-    with in_file(given.source), _gaps_named(given):
+
+    def found(signals: Sequence[TimeSignals]) -> tuple[Fit, tuple[str, ...]]:
         estimate, messages = identify_responses(
             given.step,
-            given.pieces,
+            signals[0].pieces,
             band=record.band,
             tones=campaign.tones,
             asked=campaign.asked(record),
         )
+        return Fit(estimate, given.names), tuple(f"{given.source}: {message}" for message in messages)
+
+    with in_file(given.source), _gaps_named(given):
+        fit, messages = with_bridges(found, [given], given.source)
     shortest = FEWEST_PERIODS / record.band[0]
     short = [piece for piece in given.pieces if len(piece) * given.step < shortest]
     if short:
         messages = (
             *messages,
-            f"{len(short)} pieces between gaps are shorter than {shortest:.3g} s and were left out",
+            f"{given.source}: {len(short)} pieces between gaps are shorter than {shortest:.3g} s and were left out",
         )
-
     unsigned: dict[str, list[str]] = {}
 
     def accelerations(mode: Mode) -> Mode:
@@ -244,20 +304,13 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
             unsigned.setdefault(name, []).append(f"{mode.frequency:.4g}")
         return known
 
-    fit = Fit(
-        replace(
-            estimate,
-            modes=tuple(accelerations(mode) for mode in estimate.modes),
-            added=tuple(one if isinstance(one, str) else accelerations(one) for one in estimate.added),
-        ),
-        given.names,
-    )
+    fit = replace(fit, estimate=fit.estimate.changed(accelerations))
     lost = [
-        f"the modes at {', '.join(modes)} Hz have no components of {name}: its clock is not known well enough to tell"
-        " their sign"
+        f"{given.source}: the modes at {', '.join(modes)} Hz have no components of {name}: its clock is not known well"
+        " enough to tell their sign"
         for name, modes in unsigned.items()
     ]
-    said = (*given.messages, *(f"{given.source}: {message}" for message in (*messages, *lost)))
+    said = (*given.messages, *messages, *lost)
     return with_levels(fit, said, given)
 
 
@@ -300,6 +353,12 @@ def _beside(
     }
     found = together(boards, record.clocks, record.band)
     every = (given, *others.values())
+    bridged = any(one.once_more is not None for one in every)
+    more = (
+        (f"{given.source}: what interpolating adds to sigma is not known of several boards",)
+        if bridged
+        else ()
+    )
     joint = replace(
         given,
         step=found.step,
@@ -308,8 +367,9 @@ def _beside(
         names=tuple(names),
         derivatives=np.concatenate([one.derivatives for one in every]),
         seen=frozenset(seen),
-        messages=(*(said for one in every for said in one.messages), *found.messages),
+        messages=(*(said for one in every for said in one.messages), *found.messages, *more),
         gap=max(one.gap for one in every),
+        once_more=None,
     )
     return joint, found.delays, columns
 

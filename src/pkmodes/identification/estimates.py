@@ -9,7 +9,8 @@ a motion is known).
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -110,6 +111,11 @@ class Estimate:
     synthesised: Complex
     added: tuple[Mode | str, ...] = ()
     tones: tuple[float, ...] = ()
+
+    def changed(self, change: Callable[[Mode], Mode]) -> Estimate:
+        """Return it with another mode for each, also for each that the user asked for."""
+        added = tuple(one if isinstance(one, str) else change(one) for one in self.added)
+        return replace(self, modes=tuple(map(change, self.modes)), added=added)
 
 
 def alike(one: Complex, other: Complex) -> float:

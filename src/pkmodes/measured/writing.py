@@ -18,8 +18,8 @@ from pkmodes.measured.rules import SET, SHAPE
 def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
     """Return measurements as CSV, in SI units and Hz.
 
-    The columns of quantities and their standard deviations are always there, blank where a number is not known; others
-    that hold nothing are left out.
+    The columns of quantities and standard deviations are always there, blank where a number is not known; others that
+    hold nothing are left out.
 
     Parameters
     ----------
@@ -45,7 +45,9 @@ def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
             columns[f"{SPREAD}{name}"] = _numbers(data.point_sigma[data.pose, k])
     for quantity in QUANTITIES.values():
         values, sigmas = (data.numbers[number.argument] for number in (quantity.value, quantity.sigma))
-        if quantity.usual_sigma is not None:  # blank means the usual one, which says nothing of a blank quantity
+        if (
+            quantity.usual_sigma is not None
+        ):  # blank means the usual one, which says nothing of a blank quantity
             usual = np.isnan(values) | (sigmas == quantity.usual_sigma(values))
             sigmas = np.where(usual, np.nan, sigmas)
         columns |= {quantity.value.column: _numbers(values), quantity.sigma.column: _numbers(sigmas)}
