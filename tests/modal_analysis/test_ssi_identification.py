@@ -19,6 +19,7 @@ from pkmodes.identification.ssi_identification import identify_responses
 from pkmodes_rig.structures.driven import (
     Array,
     Structure,
+    accelerations,
     adxl345,
     ambient,
     decay,
@@ -129,6 +130,25 @@ def test_a_sweep_gives_the_modes_that_it_passes() -> None:
     assert found.false == 0
     assert np.max(np.abs(found.frequency)) < 0.002
     assert np.median(np.abs(found.damping)) < 0.004  # as for a transient; 0.007 as for noise
+
+
+def swept(speed: Array, rate: float, rng: np.random.Generator) -> Array:
+    """Accelerations under orders of a speed [Hz], among them one of a motor that is no multiple, with 1 % noise."""
+    turn = 2 * np.pi * np.cumsum(speed) / rate
+    force = sum(a * np.sin(k * turn + rng.uniform(0, 6)) for k, a in ((1, 1.0), (2, 0.4), (1.7, 0.3)))
+    clean = accelerations(PLAIN, force[:, None] * np.ones(len(PLAIN.driven)), rate)
+    return clean + 0.01 * clean.std(axis=0) * rng.normal(size=clean.shape)
+
+
+@pytest.mark.parametrize("after", ["ends", "stands", "turns back"])
+def test_where_an_order_of_a_sweep_ends_is_no_mode(after: str) -> None:
+    """Orders 1, 1.7 and 2 end at 40, 68 and 80 Hz, where a fit finds rows that are no mode; all modes stay."""
+    rng, rate, t = np.random.default_rng(9310), 800.0, np.arange(0.0, 40.0, 1.0 / 800.0)
+    up = np.minimum(4.0 + 36.0 * t / {"ends": 40.0, "stands": 36.0, "turns back": 20.0}[after], 40.0)
+    speed = np.minimum(up, 40.0 - 36.0 * (t - 20.0) / 20.0) if after == "turns back" else up
+    estimate, said = identify_responses(1.0 / rate, swept(speed, rate, rng), band=(10.0, 100.0))
+    assert [round(mode.frequency) for mode in estimate.modes] == [18, 47, 52, 90]
+    assert any(sentence.endswith("as of a sweep: no mode can be told there") for sentence in said)
 
 
 PLAIN = structure(

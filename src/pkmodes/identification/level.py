@@ -113,11 +113,11 @@ def levels(
     spectra = [np.fft.rfft(piece - piece.mean(axis=0), axis=0) for piece in pieces]
     found = []
     for m, pole in enumerate(poles):
-        half, along = _half_width(poles, m), _along(shapes[m])
+        half, along = _half_width(poles, m), along_shape(shapes[m])
         decays: list[Segments] = []
         second = fourth = 0.0
         for piece, spectrum in zip(pieces, spectra, strict=True):
-            z, step = _followed(spectrum @ along, len(piece), t_step, pole, half)
+            z, step = followed(spectrum @ along, len(piece), t_step, pole, half)
             decays += [
                 _segments(part, FINE * step, noise, lost)
                 for part, noise in _decays(z, step, lost - pole.real)
@@ -137,13 +137,13 @@ def _half_width(poles: Complex, m: int) -> float:
     return float(min(OF_FREQUENCY * f[m], OF_DISTANCE * others.min(initial=np.inf)))
 
 
-def _along(shape: Complex) -> Complex:
+def along_shape(shape: Complex) -> Complex:
     """Return the coefficients of the responses (S,) that follow a shape, of unit length."""
     known = np.nan_to_num(shape)
     return np.asarray(known.conj() / max(float(np.linalg.norm(known)), 1e-300))
 
 
-def _followed(
+def followed(
     spectrum: Complex, length: int, t_step: float, pole: complex, half: float
 ) -> tuple[Complex, float]:
     """Return z, finely sampled, and its step [s]."""

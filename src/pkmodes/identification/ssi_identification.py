@@ -22,6 +22,7 @@ from pkmodes.identification.ssi_bands import PreparedRecord, parts, prepared, us
 from pkmodes.identification.ssi_parts import FIRST, ORDERS, PartMode, Wanted, modes_of_part
 from pkmodes.identification.ssi_selection import Refined, refined
 from pkmodes.identification.ssi_uncertainty import sigma
+from pkmodes.identification.sweeps import at_end_of_line
 from pkmodes.identification.tones import Tone, find_tones, tones_alone, without_tones
 
 Array = NDArray[np.float64]
@@ -95,6 +96,9 @@ def identify_responses(
     kept = [
         one for one in beside_all(record, distinct(found)) if not rest_of_tone(one.mode, found_tones, record)
     ]
+    longest = max(record.plain, key=lambda one: len(one.frequencies))
+    swept = [one for one in kept if at_end_of_line(longest, t_step, one.mode)]
+    kept = [one for one in kept if one not in swept]
     kept, wanted = with_wanted(record, kept, wanted, found_tones, asked)
     modes = tuple(_mode(record, one) for one in kept if band[0] <= one.mode.undamped <= band[1])
     listed = [wanted.get(f, "it is outside the band") for f in asked.add]
@@ -104,6 +108,12 @@ def identify_responses(
     lines = tuple(tone.frequency for tone in found_tones if band[0] <= tone.frequency <= band[1])
     estimate = Estimate(modes, stabilisation, *_drawn(record, every, band), added, lines)
     said = _sentences(found_tones, every, record.seconds)
+    if swept:
+        at = ", ".join(f"{one.mode.undamped:.4g}" for one in swept)
+        said = (
+            *said,
+            f"at {at} Hz a line begins, ends, turns or stands, as of a sweep: no mode can be told there",
+        )
     return estimate, said if alone is None else (*said, NOTHING_ELSE)
 
 

@@ -1,0 +1,75 @@
+"""Where the line of a sweep begins, ends, turns or stands: no mode can be told there.
+
+While a motor changes its speed, orders of it, also those of its steps and bearings, pass through the band, and excite
+modes as they pass.  Where an order begins or ends, the spectrum has an edge or a peak as well, which nothing in it
+tells from a mode.  Time does: around the moment of most power, the frequency of the response, in a band a few times
+wider than the peak, passes from one side of a mode to the other, or stays and decays as the mode rings.  At an end of
+an order it does neither: the line comes from one side and is gone at once, or stays, or turns back.  Random responses
+do neither as well, but not in one short part of a record.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.identification.level import along_shape, followed
+from pkmodes.identification.ssi_bands import Lines
+from pkmodes.identification.ssi_selection import Refined
+
+#: Half width of the band-pass in half bandwidths of the peak, and at least in parts of the frequency.
+WIDE, LEAST_WIDE = 3.0, 0.015
+#: Half bandwidths from a peak at which a line has passed it; at least this part of the half width of the band-pass,
+#: within which noise moves a frequency.
+PASSED, LEAST_PASSED = 1.75, 0.25
+#: Power relative to the highest below which nothing is left of a line.
+LEFT = 1e-3
+#: Part of the time in which a mode rings down to that, before which a line is gone at once.
+AT_ONCE = 0.5
+#: Least share of the power near a frequency that is in one pass, and the longest pass as a part of the record.
+ONE_PASS, SHORT = 0.6, 0.25
+#: Standard deviations of the kernel of the band-pass over which a frequency is averaged.
+AVERAGED = 2.0
+
+
+def at_end_of_line(lines: Lines, t_step: float, mode: Refined) -> bool:
+    """Return whether the line of a sweep begins, ends, turns or stands at a mode.
+
+    Parameters
+    ----------
+    lines : Lines
+        Of the longest piece, without padding.
+    t_step : float
+        Between samples [s].
+    mode : Refined
+    """
+    width = mode.rate / (2.0 * math.pi)
+    half = max(WIDE * width, LEAST_WIDE * mode.frequency)
+    length = round(1.0 / (lines.step * t_step))
+    z, step = followed(lines.values @ along_shape(mode.shape), length, t_step, mode.pole, half)
+    power = np.abs(z[:-1]) ** 2
+    near = max(round(AVERAGED / (2.0 * math.pi * half * step)), 1)
+    turns = np.convolve(z[1:] * z[:-1].conj(), np.ones(near), "same")
+    away = np.angle(turns) / (2.0 * math.pi * step)  # of the frequency of the response from the mode's [Hz]
+    reach = max(PASSED * width, LEAST_PASSED * half)
+    ringing = AT_ONCE * -math.log(LEFT) / (2.0 * mode.rate * step)
+    while_it_rings = np.ones(max(min(round(1.0 / (mode.rate * step)), len(power)), 1))
+    top = int(np.argmax(np.convolve(power / (1.0 + (away / width) ** 2), while_it_rings, "same")))
+    moved, samples = [], []
+    for side in (slice(top, None, -1), slice(top, None)):
+        passed = _first(np.abs(away[side]) > reach, near)
+        gone = _first(power[side] < LEFT * power[top], near)
+        if ringing < gone < passed:
+            return False
+        moved.append(float(np.sign(away[side][passed])) if passed < min(gone, len(away[side])) else 0.0)
+        samples.append(min(passed, gone))
+    share = power[max(top - samples[0], 0) : top + samples[1] + 1].sum() / power[np.abs(away) < reach].sum()
+    return bool(moved[0] * moved[1] >= 0.0 and share > ONE_PASS and sum(samples) < SHORT * len(away))
+
+
+def _first(held: NDArray[np.bool_], count: int) -> int:
+    """Return the first place from which a condition holds for so many samples; the length if it never does."""
+    found = np.flatnonzero(np.convolve(held, np.ones(count))[count - 1 : len(held)] >= count)
+    return int(found[0]) if found.size else len(held)
