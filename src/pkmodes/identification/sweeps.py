@@ -26,6 +26,8 @@ WIDE, LEAST_WIDE = 3.0, 0.015
 PASSED, LEAST_PASSED = 1.75, 0.25
 #: Power relative to the highest below which nothing is left of a line.
 LEFT = 1e-3
+#: The same where what remains is of another mode, into which the first has faded; a line that moves is as strong.
+FADED = 0.1
 #: Part of the time in which a mode rings down to that, before which a line is gone at once.
 AT_ONCE = 0.5
 #: Least share of the power near a frequency that is in one pass, and the longest pass as a part of the record.
@@ -61,12 +63,14 @@ def at_end_of_line(lines: Lines, t_step: float, mode: Refined) -> bool:
     for side in (slice(top, None, -1), slice(top, None)):
         passed = _first(np.abs(away[side]) > reach, near)
         gone = _first(power[side] < LEFT * power[top], near)
-        if ringing < gone < passed:
+        faded = passed < min(gone, len(away[side])) and power[side][passed] < FADED * power[top]
+        if ringing < gone < passed or faded:
             return False
         moved.append(float(np.sign(away[side][passed])) if passed < min(gone, len(away[side])) else 0.0)
         samples.append(min(passed, gone))
     share = power[max(top - samples[0], 0) : top + samples[1] + 1].sum() / power[np.abs(away) < reach].sum()
-    return bool(moved[0] * moved[1] >= 0.0 and share > ONE_PASS and sum(samples) < SHORT * len(away))
+    comes = any(moved) and moved[0] * moved[1] >= 0.0  # a line that moves, and does not pass
+    return bool(comes and share > ONE_PASS and sum(samples) < SHORT * len(away))
 
 
 def _first(held: NDArray[np.bool_], count: int) -> int:
