@@ -306,8 +306,8 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
 
     fit = replace(fit, estimate=fit.estimate.changed(accelerations))
     lost = [
-        f"{given.source}: the modes at {', '.join(modes)} Hz have no components of {name}: its clock is not known well"
-        " enough to tell their sign"
+        f"{given.source}: the modes at {', '.join(modes)} Hz have no components of {name}: its clock is not known"
+        " well enough to tell their sign"
         for name, modes in unsigned.items()
     ]
     said = (*given.messages, *messages, *lost)

@@ -68,9 +68,10 @@ def at_end_of_line(lines: Lines, t_step: float, mode: Refined) -> bool:
             return False
         moved.append(float(np.sign(away[side][passed])) if passed < min(gone, len(away[side])) else 0.0)
         samples.append(min(passed, gone))
-    share = power[max(top - samples[0], 0) : top + samples[1] + 1].sum() / power[np.abs(away) < reach].sum()
+    one_pass = power[max(top - samples[0], 0) : top + samples[1] + 1].sum()
+    every = power[np.abs(away) < reach].sum()
     comes = any(moved) and moved[0] * moved[1] >= 0.0  # a line that moves, and does not pass
-    return bool(comes and share > ONE_PASS and sum(samples) < SHORT * len(away))
+    return bool(comes and one_pass > ONE_PASS * every > 0.0 and sum(samples) < SHORT * len(away))
 
 
 def _first(held: NDArray[np.bool_], count: int) -> int:
