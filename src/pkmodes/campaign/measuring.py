@@ -100,7 +100,6 @@ def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool, 
         messages += one.messages
         if not one.found:
             continue
-        messages += _single(record, setup, one)
         groups = _groups(one)
         more: dict[float, dict[int, Found]] = {}
         for i, wanted in enumerate(asked.add):
@@ -118,7 +117,11 @@ def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool, 
     further = [_joined(wanted, each, record, campaign, notes) for wanted, each in added.items() if means]
     places = [each for one in setups.values() for each in one.places]
     every = [file for one in setups.values() for file in one.found]
-    messages += [*lacking(record.pose, places), *unnamed(record.pose, every, campaign)]
+    messages += [
+        *_single(record, setups),
+        *lacking(record.pose, places),
+        *unnamed(record.pose, every, campaign),
+    ]
     said = [*messages, *(f"{record.pose}: {note}" for note in notes)]
     left_out = [one for each in setups.values() for one in each.left_out]
     inspections = [one.inspection for one in setups.values() if one.inspection is not None]
@@ -216,11 +219,15 @@ def _added(one: Found | str, record: Record) -> Found | str:
     return one if low <= one.frequency <= high else "its fit leaves the band"
 
 
-def _single(record: Record, setup: str, one: _Setup) -> list[str]:
-    """Say that a setup has a single file."""
-    of = f" of the setup {setup}" if setup else ""
-    said = f"{record.pose}: a single file{of}: the scatter of repeats is unknown"
-    return [said] if len(one.found) == 1 else []
+def _single(record: Record, setups: Mapping[str, _Setup]) -> list[str]:
+    """Say which setups have a single file."""
+    alone = [name for name, one in setups.items() if len(one.found) == 1]
+    if not alone:
+        return []
+    of = (
+        " of each setup" if len(alone) == len(setups) > 1 else f" of {', '.join(alone)}" if any(alone) else ""
+    )
+    return [f"{record.pose}: a single file{of}: the scatter of repeats is unknown"]
 
 
 def _joined(
