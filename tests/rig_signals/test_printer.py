@@ -53,7 +53,7 @@ def test_spectra_give_the_two_resonances_within_their_errors() -> None:
         assert len(record.modes) == 2
         for mode, frequency in zip(record.modes, true, strict=True):
             assert abs(mode.frequency - frequency) < 2.0 * mode.sigma
-            assert mode.sigma < 0.6
+            assert mode.sigma < 0.7  # lines 1.6 Hz apart, of which 0.29 at least is not known
             assert mode.files == 4
 
 

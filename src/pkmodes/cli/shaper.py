@@ -61,7 +61,7 @@ class _Result:
 @click.command(
     epilog="\b\nExamples:\n  pkmodes shaper robots/linear-delta-2022-identified.toml \\\n"
     "    --grid x=0.32:0.82:26,y=-0.1:0.1:11,z=-0.24:-0.16:9\n"
-    "  pkmodes shaper --measured modes.csv --spectrum resonances_x.csv --figure shapers.png"
+    "  pkmodes shaper --measured modes.csv --spectrum psd_x.csv --figure left.png"
 )
 @click.argument("robot", metavar="[ROBOT.toml]", type=FILE, required=False)
 @click.option(
