@@ -307,8 +307,8 @@ def test_the_runtime_imports_nothing_that_is_not_installed_with_it() -> None:
     of_users = ("map", "parquet", "cluster", "plot", "report", "control", "hdf5", "zstd")
     declared = [*project["dependencies"], *(one for name in of_users for one in extras[name])]
     installed = {re.split(r"[\[>=<]", one)[0].lower().replace("-", "_") for one in declared}
-    # Those that the declared ones need: pandas by xarray, Pillow by matplotlib.
-    installed |= {"pkmodes_description", "pkmodes_derive", "pandas", "PIL"}
+    # Those that the declared ones need or bring: pandas by xarray, Pillow and mpl_toolkits by matplotlib.
+    installed |= {"pkmodes_description", "pkmodes_derive", "pandas", "PIL", "mpl_toolkits"}
     for file in files("src/pkmodes"):
         assert imports(file) <= installed, file
 

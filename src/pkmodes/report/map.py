@@ -12,6 +12,7 @@ from pkmodes.maps.left_out import shown
 from pkmodes.maps.spread import spread_along
 from pkmodes.maps.summary import summary_of
 from pkmodes.plots import sweeps
+from pkmodes.plots.volume import volume
 from pkmodes.report.blocks import (
     Block,
     Cell,
@@ -79,6 +80,7 @@ def map_report(
         Section("modes", "Range of each frequency", [ranges(model, content)]),
         *_explored(model, dataset, view),
         *view_section(view),
+        *_volume(model, dataset),
         *_changes(model, dataset, shown(dataset)),
         *_figures(model, dataset),
         origin(sources, model.mechanism, _about(content), str(dataset.attrs["version"])),
@@ -99,6 +101,21 @@ def _explored(model: Model, dataset: xarray.Dataset, view: str | None) -> list[S
     """Return the section of the interactive map, where there are poses to choose from."""
     explorer = explorer_of(model, dataset, axis_units(model), machine=view is not None)
     return [] if explorer is None else [Section("explore", "Pose by pose", [explorer])]
+
+
+def _volume(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
+    """Yield the picture of a map over a volume, and over nothing else."""
+    components = model.mechanism.directions
+    several = [str(dim) for dim in dataset["frequency"].dims[:-1] if dataset.sizes[dim] > 1]
+    if len(components) != 3 or set(several) != set(components) or not dataset["valid"].any():
+        return
+    text = "The poses of the map that can be reached, coloured by the frequency of mode 1: from outside, and cut open"
+    drawing = volume(
+        dataset.squeeze([dim for dim in dataset["frequency"].dims[:-1] if dim not in several]), components
+    )
+    yield Section(
+        "volume", "The reachable volume", [Picture.of(drawing, "The reachable volume", text, text + ".")]
+    )
 
 
 def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) -> Iterator[Section]:
