@@ -148,14 +148,23 @@ def test_a_sensor_that_is_silent_at_one_point_is_no_reference_of_the_others(tmp_
 
 
 def test_points_hit_on_a_changed_machine_are_fitted_one_by_one(tmp_path: Path) -> None:
-    """The functions of one structure are fitted together; not those of one whose frequencies fell by 0.75 %."""
+    """Where its frequencies fell by 0.75 %; with 0.2 % the functions are those of one, and half of it is in sigma."""
     rng = np.random.default_rng(32)
-    for last, said in ((1.0, False), (0.985, True)):
+    text = roving(repeats=1).replace("band =", 'repeatability = "0.01 %"\nband =')
+    for last, said in ((1.0, ""), (0.996, "0.2 %"), (0.985, "0.75 %")):
         for k in (1, 2, 3):
             write_blows(tmp_path / f"b{k}0.csv", rng, floor=k - 1, stiffer=last if k == 3 else 1.0)
-        remarks = identify(tmp_path, roving(repeats=1)).remarks
-        each = "differ by 0.75 % between the points that were hit: each point is fitted by itself"
-        assert (each in remarks) is said
+        found = identify(tmp_path, text)
+        for change, then in (
+            ("0.2 %", "half of it is in sigma"),
+            ("0.75 %", "each point is fitted by itself"),
+        ):
+            sentence = f"differ by {change} between the points that were hit: {then}"
+            assert (sentence in found.remarks) is (said == change)
+        if said == "0.2 %":
+            data = read_modes(found.file, CHANNELS)
+            assert (data.sigma > 0.00098 * data.frequency).all()
+            assert (data.sigma < 0.0012 * data.frequency).all()
 
 
 def test_the_degree_of_freedom_of_a_force_says_which_point_was_hit(tmp_path: Path) -> None:

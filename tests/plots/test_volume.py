@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
-import numpy as np
-import xarray
+from itertools import product
+from types import SimpleNamespace
 
-from pkmodes.plots.volume import volume
+import numpy as np
+import pytest
+import xarray
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+
+from pkmodes.plots.volume import _cells, volume
 
 
 def ball(radius: float) -> xarray.Dataset:
@@ -43,3 +49,36 @@ def test_the_sides_of_the_cells_enclose_the_poses_that_can_be_reached() -> None:
     behind = valid.copy()
     behind[:, : first + (last - first + 1) // 2] = False
     assert len(cut.get_facecolor()) == sides(behind)
+
+
+def test_each_side_has_the_place_and_the_colour_of_its_cell(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Cell by cell: a side where no cell with a value is beside it."""
+    taken: list[tuple[np.ndarray, np.ndarray]] = []
+
+    def collection(sides: np.ndarray, *, facecolors: np.ndarray, **_: object) -> None:
+        taken.append((sides, facecolors))
+
+    monkeypatch.setattr("mpl_toolkits.mplot3d.art3d.Poly3DCollection", collection)
+    values = np.arange(24.0).reshape(2, 3, 4)
+    values[0, 1] = values[1, 2, 3] = np.nan
+    edges = [np.array([0.0, 1.0, 3.0]), np.arange(4.0), np.array([-4.0, -2.0, -1.0, 0.0, 5.0])]
+    colours = ScalarMappable(Normalize(0.0, 23.0))
+    _cells(SimpleNamespace(add_collection3d=lambda _: None), edges, values, colours)
+    ((sides, faces),) = taken
+    expected = {}
+    for cell in np.ndindex(values.shape):
+        if np.isnan(values[cell]):
+            continue
+        for axis, end in product(range(3), (0, 1)):
+            beside = list(cell)
+            beside[axis] += 2 * end - 1
+            if 0 <= beside[axis] < values.shape[axis] and np.isfinite(values[tuple(beside)]):
+                continue
+            middle = [0.5 * (edges[k][cell[k]] + edges[k][cell[k] + 1]) for k in range(3)]
+            middle[axis] = edges[axis][cell[axis] + end]
+            red, green, blue, _ = colours.to_rgba(values[cell])
+            light = (0.82, 0.92, 1.0)[axis]
+            expected[tuple(middle)] = (light * red, light * green, light * blue, 1.0)
+    found = {tuple(side.mean(axis=0)): tuple(face) for side, face in zip(sides, faces, strict=True)}
+    assert len(found) == len(sides)
+    assert found == {place: pytest.approx(colour) for place, colour in expected.items()}

@@ -13,7 +13,7 @@ from helpers.commands.printed_tables import printed_table
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
-from pkmodes.report.shaper import over_frequency
+from pkmodes.report.shaper_curves import over_frequency
 from pkmodes.shaping import measured_shapers
 from pkmodes.shaping.choice import Candidate
 from pkmodes.shaping.measured_modes import of_measured

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -133,6 +133,11 @@ class FileModes:
     added: tuple[Found | str, ...] = ()
     fit: Fit | None = None
     unnamed: tuple[str, ...] = ()
+
+    def changed(self, change: Callable[[Found], Found]) -> FileModes:
+        """Return it with another mode for each, also for each that the user asked for."""
+        added = tuple(one if isinstance(one, str) else change(one) for one in self.added)
+        return replace(self, modes=tuple(map(change, self.modes)), added=added)
 
 
 def found_of(mode: Mode, names: Sequence[str], references: Sequence[str] = ()) -> Found:

@@ -9,12 +9,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from pkmodes.campaign.ambient_records import ambient_modes
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import FileModes
 from pkmodes.campaign.frequency_records import frf_modes, spectrum_modes
 from pkmodes.campaign.identified_modes import identified_modes
 from pkmodes.campaign.impact_records import impact_modes, roving_modes
-from pkmodes.campaign.time_records import ambient_modes
 
 
 @dataclass(frozen=True)

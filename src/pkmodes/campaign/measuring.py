@@ -19,7 +19,7 @@ from pkmodes.campaign.joining import joined
 from pkmodes.campaign.kinds import Kind
 from pkmodes.campaign.missing import Places, lacking, places_in, unnamed
 from pkmodes.campaign.results import LeftOut
-from pkmodes.campaign.roving import changed, points_of
+from pkmodes.campaign.roving import change_of, points_of
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.asked import NEAR
 
@@ -143,8 +143,10 @@ def _setups(
     points = points_of(record, campaign)
     if kind.roving is None or not points or any(one.left_out for one in setups.values()):
         return setups
-    if shift := changed([averaged(_groups(one)) for one in setups.values()]):
-        said = f"{record.pose}: {shift}: each point is fitted by itself"
+    change = change_of([averaged(_groups(one)) for one in setups.values()])
+    differ = f"{record.pose}: the frequencies differ by {100.0 * change.apart:.2g} % between the points that were hit"
+    if change.apart > change.allowed:
+        said = f"{differ}: each point is fitted by itself"
         first = next(iter(setups))
         return setups | {first: replace(setups[first], messages=[said, *setups[first].messages])}
     runs = {
@@ -152,7 +154,14 @@ def _setups(
         for i, each in enumerate(points, start=1)
     }
     together = _read("", runs, record, campaign, keep_going, inspect)
-    return {"": replace(together, places=[each for one in setups.values() for each in one.places])}
+    noted = [f"{differ}: half of it is in sigma"] if change.apart > (campaign.repeatability or 0.0) else []
+    joint = replace(
+        together,
+        found=[file.changed(change.on) for file in together.found],
+        messages=[*noted, *together.messages],
+        places=[each for one in setups.values() for each in one.places],
+    )
+    return {"": joint}
 
 
 def _least(setup: _Setup) -> float:
@@ -202,13 +211,7 @@ def _find(path: Path, record: Record, setup: str, kind: Kind, campaign: Campaign
     """Return the modes of a file of a setup, by the keys of its sensors and forces."""
     found = kind.find(path, record, setup, campaign)
 
-    def named(mode: Found) -> Found:
-        return _named(mode, setup, campaign)
-
-    if kind.by_channel:
-        return found
-    added = tuple(one if isinstance(one, str) else named(one) for one in found.added)
-    return replace(found, modes=tuple(map(named, found.modes)), added=added)
+    return found if kind.by_channel else found.changed(lambda mode: _named(mode, setup, campaign))
 
 
 def _added(one: Found | str, record: Record) -> Found | str:
@@ -222,12 +225,8 @@ def _added(one: Found | str, record: Record) -> Found | str:
 def _single(record: Record, setups: Mapping[str, _Setup]) -> list[str]:
     """Say which setups have a single file."""
     alone = [name for name, one in setups.items() if len(one.found) == 1]
-    if not alone:
-        return []
-    of = (
-        " of each setup" if len(alone) == len(setups) > 1 else f" of {', '.join(alone)}" if any(alone) else ""
-    )
-    return [f"{record.pose}: a single file{of}: the scatter of repeats is unknown"]
+    of = f" of {'each setup' if len(alone) == len(setups) else ', '.join(alone)}" if len(setups) > 1 else ""
+    return [f"{record.pose}: a single file{of}: the scatter of repeats is unknown"] if alone else []
 
 
 def _joined(
@@ -251,16 +250,16 @@ def _frequencies(group: Mapping[int, Found]) -> dict[int, float]:
     return {i: mode.frequency for i, mode in sorted(group.items())}
 
 
-def _in_band(modes: Sequence[Found], record: Record, path: str, messages: list[str]) -> list[Found]:
+def _in_band(modes: Sequence[Found], record: Record, file: str, messages: list[str]) -> list[Found]:
     low, high = record.band
     inside = [mode for mode in modes if low <= mode.frequency <= high]
     if len(inside) < len(modes):
         outside = ", ".join(f"{mode.frequency:.4g}" for mode in modes if mode not in inside)
-        messages.append(f"{path}: outside the band, left out: {outside} Hz")
+        messages.append(f"{file}: outside the band, left out: {outside} Hz")
     return inside
 
 
-def _beside_tones(modes: Sequence[Found], path: str, tones: Sequence[float]) -> list[str]:
+def _beside_tones(modes: Sequence[Found], file: str, tones: Sequence[float]) -> list[str]:
     """Name the modes that lie beside a stated tone or one of its multiples."""
     found = []
     for mode in modes:
@@ -268,7 +267,7 @@ def _beside_tones(modes: Sequence[Found], path: str, tones: Sequence[float]) -> 
             multiple = max(1, round(mode.frequency / tone))
             if abs(mode.frequency / (multiple * tone) - 1.0) <= NEAR:
                 found.append(
-                    f"{path}: the mode at {mode.frequency:.4g} Hz lies beside the tone at {multiple * tone:.4g} Hz"
+                    f"{file}: the mode at {mode.frequency:.4g} Hz lies beside the tone at {multiple * tone:.4g} Hz"
                 )
     return found
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -12,8 +13,21 @@ from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import Found
 
 #: Difference of the frequencies of a mode at two points at most, in half-power bandwidths, for functions to have one
-#: pole: what it does to the damping ratio is then within its scatter over repeated tests.
-SHIFT = 0.25
+#: pole.
+SHIFT = 0.15
+
+
+@dataclass(frozen=True)
+class Change:
+    """By how much a machine changed from point to point, and by how much it may, both relative to its frequencies."""
+
+    apart: float
+    allowed: float
+
+    def on(self, mode: Found) -> Found:
+        """Return a mode of the functions of all points: the machine had both ends of the change."""
+        sigma = float(np.hypot(mode.sigma_frequency, 0.5 * self.apart * mode.frequency))
+        return replace(mode, sigma_frequency=sigma)
 
 
 def points_of(record: Record, campaign: Campaign) -> list[dict[str, Path]]:
@@ -26,26 +40,23 @@ def points_of(record: Record, campaign: Campaign) -> list[dict[str, Path]]:
     return [dict(zip(setups, files, strict=True)) for files in zip(*setups.values(), strict=True)]
 
 
-def changed(points: Sequence[Sequence[Mean]]) -> str:
-    """Return by how much the machine changed from point to point, if the functions are not those of one machine.
+def change_of(points: Sequence[Sequence[Mean]]) -> Change:
+    """Return by how much the machine changed from point to point.
 
     Warmth and settling change all modes; what differs in single ones are fits of modes that a point hardly shows.
     """
     shifts: list[list[float]] = [[] for _ in points]
     widths = []
     for group in grouped_means(points):
-        sure = {i: one.mode for i, one in group.items() if one.mode.sigma_frequency < _allowed(one.mode)}
-        if len(sure) < 2:
+        known = {i: one.mode for i, one in group.items() if one.mode.sigma_frequency < _allowed(one.mode)}
+        if len(known) < 2:
             continue
-        middle = float(np.median([mode.frequency for mode in sure.values()]))
-        widths.append(min(_allowed(mode) / mode.frequency for mode in sure.values()))
-        for i, mode in sure.items():
+        middle = float(np.median([mode.frequency for mode in known.values()]))
+        widths.append(min(_allowed(mode) / mode.frequency for mode in known.values()))
+        for i, mode in known.items():
             shifts[i].append(mode.frequency / middle - 1.0)
     each = [float(np.median(one)) for one in shifts if one]
-    apart = max(each, default=0.0) - min(each, default=0.0)
-    if not widths or apart <= float(np.median(widths)):
-        return ""
-    return f"the frequencies differ by {100.0 * apart:.2g} % between the points that were hit"
+    return Change(max(each) - min(each) if each else 0.0, float(np.median(widths)) if widths else np.inf)
 
 
 def _allowed(mode: Found) -> float:

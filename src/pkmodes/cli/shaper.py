@@ -12,7 +12,6 @@ import click
 import numpy as np
 
 from pkmodes.api import load
-from pkmodes.cli.compare_measurements import read_table
 from pkmodes.cli.delivery import ResultFile, deliver
 from pkmodes.cli.options import (
     FILE,
@@ -200,15 +199,18 @@ def shaper(
     ):
         if measured is not None:
             from pkmodes.shaping.measured_modes import measured_shapers
+            from pkmodes.updating.reading import read_any
 
-            choice = measured_shapers(read_table(measured, None, drives), names, damping=damping, **asked)
+            choice = measured_shapers(read_any(measured, drives=drives), names, damping=damping, **asked)
             result = _of_measured(choice, seen, sources)
         else:
             model = load(cast("Path", robot))
             choice = model.shapers(_points(model, grid, poses), names, **asked)
             result = _of_robot(model, choice, seen, sources)
+    from pkmodes.report.shaper_curves import curves_csv
+
     files = [
-        ResultFile(out, lambda path: write_file(path, _curves(choice, seen))),
+        ResultFile(out, lambda path: write_file(path, curves_csv(choice, seen))),
         ResultFile(figure, _picture(choice, seen, figure)),
         report_file(report_to, result.page),
     ]
@@ -292,21 +294,6 @@ def _of_measured(choice: Choice, spectrum: MeasuredSpectrum | None, sources: Seq
     return _Result(content, page, blocks)
 
 
-def _curves(choice: Choice, spectrum: MeasuredSpectrum | None) -> str:
-    """Return the table of what fixed shapers leave over frequency: at the lines of a spectrum, if given."""
-    from pkmodes.report.shaper import frequencies_drawn
-    from pkmodes.shaping.residual_vibration import residual
-
-    f = frequencies_drawn(choice) if spectrum is None else spectrum.frequencies
-    columns = {"frequency": f}
-    if spectrum is not None:
-        columns["density"] = spectrum.density
-    for one in (each for each in choice.candidates if not each.follows_pose):
-        columns[f"left:{one.kind}"] = residual(one.shaper, f, one.damping_ratio)
-    rows = np.column_stack(list(columns.values())).tolist()
-    return "".join(f"{','.join(map(str, cells))}\n" for cells in [list(columns), *rows])
-
-
 def _picture(
     choice: Choice, spectrum: MeasuredSpectrum | None, figure: Path | None
 ) -> Callable[[Path], None]:
@@ -316,7 +303,7 @@ def _picture(
     require("pictures of shapers", "plot", "matplotlib")
     from pkmodes.figures.files import rendered
     from pkmodes.figures.pictures import Picture
-    from pkmodes.report.shaper import over_frequency
+    from pkmodes.report.shaper_curves import over_frequency
 
     drawing, caption = over_frequency(choice, spectrum)
     picture = Picture("shapers", "Input shapers", caption, drawing)

@@ -15,8 +15,8 @@ from pkmodes.plots.labels import typeset
 from pkmodes.plots.panels import widened
 from pkmodes.plots.plane import limits_of
 from pkmodes.plots.sheet import Sheet
-from pkmodes.plots.style import INK, WIDTH
-from pkmodes.plots.workspace import AZIMUTH, ELEVATION
+from pkmodes.plots.style import WIDTH
+from pkmodes.plots.workspace import AZIMUTH, ELEVATION, bare
 
 if TYPE_CHECKING:
     import xarray
@@ -30,15 +30,15 @@ CORNER = 0.1
 LIGHT = (0.82, 0.92, 1.0)
 
 
-def volume(dataset: xarray.Dataset, across: tuple[str, str, str]) -> Drawing:
+def volume(dataset: xarray.Dataset, across: Sequence[str]) -> Drawing:
     """Draw the first frequency in a volume.
 
     Parameters
     ----------
     dataset : xarray.Dataset
         A map with the axes `across` alone.
-    across : tuple of str
-        Components of the pose, to be drawn as x, y and z.
+    across : sequence of str
+        The three components of the pose, to be drawn as x, y and z.
     """
     part = dataset.isel(_around(dataset, across)).load().transpose(*across, ...)
     known = part["valid"].values & ~unstable(part).values
@@ -123,14 +123,7 @@ def _frame(axes: Any, places: list[Array], labels: list[str]) -> None:
         getattr(axes, f"set_{letter}label")(label, labelpad={"x": -2, "y": 2, "z": 2}[letter])
     axes.set_box_aspect([np.ptp(one) for one in ends], zoom=0.88)
     axes.view_init(ELEVATION, AZIMUTH)
-    axes.grid(visible=False)
-    axes.tick_params(pad=-3, labelsize=7)
-    axes.tick_params(axis="z", pad=0)
-    for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
-        axis.set_pane_color((0, 0, 0, 0))
-        axis.line.set_color(INK)
-        axis.line.set_linewidth(0.5)
-    axes.locator_params(nbins=4)
+    bare(axes)
     for axis, (low, high) in zip((axes.xaxis, axes.yaxis, axes.zaxis), ends, strict=True):
         beside = CORNER * (high - low)
         axis.set_ticks([at for at in axis.get_majorticklocs() if low + beside <= at <= high - beside])

@@ -141,6 +141,11 @@ def _volume(axes: Any, plane: Plane, volume: Volume, low: float, high: float) ->
     for letter, name in zip("xyz", names, strict=True):
         getattr(axes, f"set_{letter}label")(plane.label(name), labelpad={"x": -4, "y": 1, "z": 2}[letter])
     axes.set_box_aspect([np.ptp(values) for values in (x, y, heights)], zoom=0.9)
+    bare(axes)
+
+
+def bare(axes: Any) -> None:
+    """Leave nothing of axes in three dimensions but thin lines and a few numbers."""
     axes.grid(visible=False)
     axes.tick_params(pad=-3, labelsize=7)
     axes.tick_params(axis="z", pad=0)

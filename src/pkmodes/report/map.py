@@ -105,17 +105,16 @@ def _explored(model: Model, dataset: xarray.Dataset, view: str | None) -> list[S
 
 def _volume(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     """Yield the picture of a map over a volume, and over nothing else."""
-    components = model.mechanism.directions
-    several = [str(dim) for dim in dataset["frequency"].dims[:-1] if dataset.sizes[dim] > 1]
-    if len(components) != 3 or set(several) != set(components) or not dataset["valid"].any():
+    components = [component.name for component in model.mechanism.pose]
+    dims = dataset["frequency"].dims[:-1]
+    if len(components) != 3 or {dim for dim in dims if dataset.sizes[dim] > 1} != {*components}:
         return
-    text = "The poses of the map that can be reached, coloured by the frequency of mode 1: from outside, and cut open"
-    drawing = volume(
-        dataset.squeeze([dim for dim in dataset["frequency"].dims[:-1] if dim not in several]), components
-    )
-    yield Section(
-        "volume", "The reachable volume", [Picture.of(drawing, "The reachable volume", text, text + ".")]
-    )
+    if not dataset["valid"].any():
+        return
+    title = "The reachable volume"
+    text = "The poses that can be reached, coloured by the frequency of mode 1: from outside, and cut open."
+    drawing = volume(dataset.squeeze([dim for dim in dims if dim not in components]), components)
+    yield Section("volume", title, [Picture.of(drawing, title, text, text)])
 
 
 def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) -> Iterator[Section]:

@@ -25,7 +25,7 @@ from pkmodes.support.ordering import listed, sorted_labels
 
 
 def errors(result: Diagnosis) -> list[Table | Paragraph]:
-    """Return , over fitted and held-out rows."""
+    """Return the errors of the stages, over fitted and held-out rows."""
     stages, rows = result.errors, []
     for name, (title, error) in stages.items():
         at, strong = ("error", name), name == [*stages][-1]

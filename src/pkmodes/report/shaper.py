@@ -12,29 +12,25 @@ from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import SHOWN
 from pkmodes.plots import shapers
-from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import typeset
 from pkmodes.report.blocks import Cell, Column, Facts, Lines, Paragraph, Picture, Section, Summary, Table
 from pkmodes.report.formatting import clean, minus, number, pointer, sentence, thousands
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin
+from pkmodes.report.shaper_curves import CURVES, design_of, over_frequency_section, spectrum_facts
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.shaping.firmware import NAMES
-from pkmodes.shaping.measured_modes import WITHIN, MeasuredRinging
-from pkmodes.shaping.measured_spectrum import ABOVE, BELOW, MeasuredSpectrum
 from pkmodes.shaping.residual_vibration import residual
-from pkmodes.support.ordering import joined
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
     from pkmodes.shaping.choice import Candidate, Choice
+    from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
 
 #: Relative errors of the frequencies in the second figure.
 ERRORS = np.linspace(-0.2, 0.2, 81)
-#: Shapers drawn over the frequency error at most, and poses at which they are evaluated.
-CURVES, POSES = 5, 400
-#: Frequencies of a curve.
-DRAWN = 400
+#: Poses at which shapers are evaluated over the frequency error at most.
+POSES = 400
 #: Poses whose components differ by less are in one layer [SI].
 SAME = 1e-9
 #: Per cent left everywhere below which a map would be of one colour.
@@ -116,17 +112,6 @@ def summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
     )
 
 
-def spectrum_facts(content: dict[str, Any]) -> list[tuple[str, Cell]]:
-    """Return what the recommended shaper does to the highest peak of a spectrum; nothing without one."""
-    seen = content["spectrum"]
-    if seen is None:
-        return []
-    return [
-        ("highest peak of the spectrum [Hz]", number(seen["peak_hz"], ".1f", pointer("spectrum", "peak_hz"))),
-        ("left of a mode there [%]", number(seen["left"], ".2g", pointer("spectrum", "left"), scale=100.0)),
-    ]
-
-
 def why_recommended(choice: Choice) -> str:
     """Return why it is recommended."""
     most, length = choice.left, choice.length
@@ -171,11 +156,6 @@ def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
 def _range(values: NDArray[np.float64], form: str) -> str:
     ends = dict.fromkeys(format(end, form) for end in (values.min() + 0.0, values.max() + 0.0))
     return " to ".join(ends)
-
-
-def design_of(one: Candidate) -> str:
-    """Return the frequencies of a design in words."""
-    return f"{joined([f'{f:.1f}' for f in one.frequencies])} Hz"
 
 
 def shapers_table(choice: Choice) -> Table:
@@ -296,79 +276,6 @@ def _against_error(choice: Choice) -> Picture:
     return Picture.of(
         shapers.against_error(ERRORS, left, spread), "Against frequency error", caption, caption
     )
-
-
-def over_frequency(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple[Drawing, str]:
-    """Return the figure of what shapers leave at each frequency, over a spectrum if given; and its caption."""
-    at, best = choice.ringing, choice.candidates[choice.recommended]
-    fixed = _undominated(choice)
-    f = frequencies_drawn(choice)
-    if spectrum is not None:
-        spectrum = spectrum.up_to(f[-1])
-    curves = []
-    for one in fixed:
-        design = f"{one.kind} ({design_of(one)}): {100.0 * one.left.worst:.2g} %"
-        left = 100.0 * residual(one.shaper, f, one.damping_ratio)
-        curves.append(shapers.Curve(design + (", recommended" if one is best else ""), left, one is best))
-    ratio = f"{100.0 * best.damping_ratio:.2g} %"
-    caption = (
-        f"What each shaper leaves of a mode at each frequency, for the damping ratio of the designs, {ratio}. The "
-        f"legend has the frequencies of each design, and the most that it leaves {at.where_most}."
-    )
-    if len(fixed) < sum(not one.follows_pose for one in choice.candidates):
-        caption += (
-            f" At most {CURVES} are drawn: the recommended one, and the shortest of those that no other beats in "
-            "both length and what it leaves."
-        )
-    drawn = marked = None
-    if spectrum is not None:
-        seen = spectrum.frequencies >= BELOW * at.frequencies.min()  # lower, the movement itself is higher
-        before = 100.0 * np.sqrt(spectrum.density / spectrum.density[seen].max())
-        after = before * residual(best.shaper, spectrum.frequencies, best.damping_ratio)
-        drawn = shapers.Spectrum(spectrum.frequencies, before, after)
-        summed = joined(list(map(clean, spectrum.directions)))
-        caption += (
-            f" Behind them the amplitude of the measured spectrum, the square root of its power density summed over "
-            f"{summed}; and what is left of it if each frequency is a mode of its own."
-        )
-    if isinstance(at, MeasuredRinging):
-        nominal, most = (100.0 * left for left in at.left_of(best))
-        words = f"within {WITHIN:g} standard deviations"
-        marked = shapers.MarkedModes(at.data.frequency[at.rows], nominal, most, words)
-        caption += (
-            " Dots are what the recommended one leaves of the measured modes with their own damping; lines reach to "
-            f"the most {words} of frequency and damping ratio."
-        )
-    return shapers.over_frequency(f, curves, drawn, marked), caption
-
-
-def frequencies_drawn(choice: Choice) -> NDArray[np.float64]:
-    """Return the frequencies at which curves are drawn [Hz], from above 0 to beyond all modes and designs."""
-    designs = [f for one in choice.candidates for f in one.frequencies]
-    return np.linspace(0.0, ABOVE * max(float(choice.ringing.frequencies.max()), *designs), DRAWN + 1)[1:]
-
-
-def _undominated(choice: Choice) -> list[Candidate]:
-    """Return the recommended shaper and fixed ones that no other beats in both length and what it leaves, a few."""
-    best = choice.candidates[choice.recommended]
-    fixed = sorted(
-        (one for one in choice.candidates if not one.follows_pose),
-        key=lambda one: (one.duration, one.left.worst),
-    )
-    least = np.inf
-    found: list[Candidate] = []
-    for one in fixed:
-        if one.left.worst < least and len(found) < CURVES:
-            found.append(one)
-            least = one.left.worst
-    return found if any(one is best for one in found) else [*found[: CURVES - 1], best]
-
-
-def over_frequency_section(choice: Choice, spectrum: MeasuredSpectrum | None) -> Section:
-    """Return the section of the figure."""
-    title = "Over frequency" if spectrum is None else "Over the measured spectrum"
-    drawing, caption = over_frequency(choice, spectrum)
-    return Section("frequency", title, [Picture.of(drawing, title, caption, caption)])
 
 
 def firmware_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:

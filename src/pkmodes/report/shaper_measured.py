@@ -10,14 +10,8 @@ from pkmodes.report.blocks import Cell, Column, Section, Summary, Table
 from pkmodes.report.formatting import clean, label, number, plural, pointer, uncertain
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin
-from pkmodes.report.shaper import (
-    as_sentence,
-    design_of,
-    firmware_lines,
-    over_frequency_section,
-    spectrum_facts,
-    why_recommended,
-)
+from pkmodes.report.shaper import as_sentence, firmware_lines, why_recommended
+from pkmodes.report.shaper_curves import design_of, over_frequency_section, spectrum_facts
 from pkmodes.report.sources import Source
 from pkmodes.report.tables import table
 from pkmodes.shaping.choice import Choice

@@ -19,8 +19,8 @@ from pkmodes.signals.matlab_arrays import DamagedError, variables
 HDF5 = b"\x89HDF\r\n\x1a\n"
 #: Classes of variables of version 4 that are not arrays of numbers, in words.
 TEXTS = {"char": "text", "sparse": "a sparse matrix"}
-#: Of version 4: bytes of the head of a variable, and of a value by the third digit of its type, which is below that.
-HEAD_OF_4, BYTES_OF_4, MOST_OF_4 = 20, {0: 8, 1: 4, 2: 4, 3: 2, 4: 2, 5: 1}, 10_000
+#: Variables of version 4: bytes of the head; the type is below this; and bytes of a value by the tens of the type.
+HEAD_OF_4, TYPES_OF_4, BYTES_OF_4 = 20, 10_000, {0: 8, 1: 4, 2: 4, 3: 2, 4: 2, 5: 1}
 WHAT = "MATLAB"
 
 
@@ -75,12 +75,12 @@ def _check_sizes(file: BinaryIO, length: int) -> None:
     while at < length:
         file.seek(at)
         head = file.read(HEAD_OF_4)
-        order = "<" if int.from_bytes(head[:4], "little") < MOST_OF_4 else ">"
+        order = "<" if int.from_bytes(head[:4], "little") < TYPES_OF_4 else ">"
         if len(head) < HEAD_OF_4:
             raise DamagedError("expected the head of a variable")
         kind, rows, columns, is_complex, name = struct.unpack(f"{order}5i", head)
         bytes_each = BYTES_OF_4.get(kind // 10 % 10)
-        if not 0 <= kind < MOST_OF_4 or bytes_each is None or min(rows, columns, name) < 0:
+        if not 0 <= kind < TYPES_OF_4 or bytes_each is None or min(rows, columns, name) < 0:
             raise DamagedError("expected the head of a variable")
         at += HEAD_OF_4 + name + rows * columns * bytes_each * (2 if is_complex else 1)
         if at > length:

@@ -1,4 +1,4 @@
-"""Read the modes measured on a robot: the columns of its mechanism, or of any mechanism."""
+"""Read the modes measured on a robot: the columns of its mechanism, of any mechanism, or of another structure."""
 
 from __future__ import annotations
 
@@ -14,10 +14,14 @@ from pkmodes.core.base.drives import checked_drives
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, shown
 from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
 from pkmodes.core.model import Model
+from pkmodes.core.robot.columns import parted
 from pkmodes.core.robot.robot import Robot
 from pkmodes.measured.columns import joined_with
+from pkmodes.measured.csv_format import read_text
+from pkmodes.measured.csv_rows import read_lines
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
+from pkmodes.measured.rules import SHAPE
 from pkmodes.updating.channels import channels
 from pkmodes.updating.load_cases import settable
 from pkmodes.updating.measured_robot import columns_of_others, robot_of
@@ -74,16 +78,56 @@ def read(
         drives=None if drives is None else checked_drives(drives),
         others=dict if of is None else partial(columns_of_others, of.mechanism),
     )
-    if band is not None and data.band not in (None, band):
-        stated = f"{data.band[0]:g} Hz to {data.band[1]:g} Hz"
-        what = f"the file states the band {stated}, not {band[0]:g} Hz to {band[1]:g} Hz"
-        raise MeasurementError(what, data.source, "leave the band out, or correct the file")
     return replace(
-        data,
-        band=data.band if band is None else band,
+        _within(band, data),
         priors=joined_with(data.priors, priors, "priors"),
         usable=joined_with(data.usable, usable, "usable"),
     )
+
+
+def read_any(
+    path: str | Path, band: tuple[float, float] | None = None, *, drives: str | None = None
+) -> Measurements:
+    """Read the modes measured on a robot, or on another structure: without positions, or with channels of its own.
+
+    Parameters
+    ----------
+    path, band, drives
+        As for `read`.
+
+    Returns
+    -------
+    Measurements
+        In SI units and Hz.
+
+    Raises
+    ------
+    MeasurementError
+        If anything in the file is wrong, it states another band, or a row lies outside the band.
+    """
+    source = str(path)
+    text = read_text(Path(path), source, "the measurements", "give a CSV file with one row for each mode")
+    _, cells = read_lines(text, source).header(source, "start with the names of the columns")
+    machines = [mechanism(name) for name in names()]
+    known = {f"{SHAPE}{name}" for each in machines for name in channels(each)}
+    poses = {name for each in machines for name in _components(each)}
+    columns = [parted(cell, [*known, *poses])[0] for cell in cells]
+    own = [name for name in columns if name.lower().startswith(SHAPE)]
+    if set(own) <= known and poses.intersection(columns):
+        return read(path, band, drives=drives)
+    data = read_measurements(path, [name[len(SHAPE) :] for name in own], positions=False, drives=drives)
+    return _within(band, data)
+
+
+def _within(band: tuple[float, float] | None, data: Measurements) -> Measurements:
+    """Return measurements with the band of an argument, which may not contradict theirs."""
+    if band is None:
+        return data
+    if data.band not in (None, band):
+        stated = f"{data.band[0]:g} Hz to {data.band[1]:g} Hz"
+        what = f"the file states the band {stated}, not {band[0]:g} Hz to {band[1]:g} Hz"
+        raise MeasurementError(what, data.source, "leave the band out, or correct the file")
+    return replace(data, band=band)
 
 
 def _components(mechanism: Mechanism) -> dict[str, str]:
