@@ -18,7 +18,8 @@ from pkmodes import read_robot, updating
 from pkmodes.diagnosis import Diagnosis
 from pkmodes.diagnosis.posterior.document import ClassProbability, PairProbability, Probabilities
 from pkmodes.diagnosis.verdict.findings import Finding
-from pkmodes.report.action import LIKELY, action
+from pkmodes.report.action import LIKELY, _alike, action
+from pkmodes.report.formatting import sentence
 from pkmodes.report.setting import Setting
 
 ROOT = Path(__file__).parents[2]
@@ -61,6 +62,21 @@ def test_the_effect_is_the_difference_of_two_robots(shared: Shared) -> None:
         f"In the model it lowers the natural frequencies at the 9 measured poses by up to {-change.min():.1f} Hz: "
         f"that of mode {mode + 1} at {data.labels[at]} from {before[at, mode]:.1f} to {after[at, mode]:.1f} Hz."
     )
+
+
+def test_modes_that_a_cause_brings_are_no_change_of_others() -> None:
+    """As those of a frame that moves: the sixth mode is not lowered from 156 to 102 Hz."""
+    without = np.array([28.1, 35.8, 50.9, 125.5, 140.6, 155.6])
+    moved = without * (1.0 + np.array([-3.0, 2.0, -9.0, 1.0, 0.5, -2.0]) * 1e-3)
+    after = np.sort([*moved, 95.0, 96.4, 101.7])
+    assert _alike(after, without) == [(0, 0), (1, 1), (2, 2), (6, 3), (7, 4), (8, 5)]
+    lowered = np.array([20.0, 40.0, 60.0, np.nan])
+    assert _alike(lowered, 2.5 * lowered) == [(0, 0), (1, 1), (2, 2)]  # as many: in their order, however far
+
+
+def test_a_name_that_begins_a_sentence_keeps_its_small_letter() -> None:
+    assert sentence("effects.payload.mass may be it") == "effects.payload.mass may be it."
+    assert sentence("nothing, for once.") == "Nothing, for once."
 
 
 @pytest.mark.parametrize("verdict", VERDICTS)

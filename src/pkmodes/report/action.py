@@ -12,6 +12,7 @@ import numpy as np
 
 from pkmodes.core.base.drives import motors
 from pkmodes.diagnosis.posterior.document import NOTHING_MISSING, OUTSIDE, Probabilities
+from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.verdict.findings import saved_as
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.stability_words import same, stable
@@ -99,30 +100,57 @@ def _where(name: str, result: Diagnosis, setting: Setting) -> str:
 
 
 def _effect(result: Diagnosis, setting: Setting) -> list[Cell]:
-    """Return what the causes do to the frequencies at the measured poses; nothing where there are none."""
+    """Return what the causes do to the frequencies at the measured poses; nothing where there are none.
+
+    Modes go with each other by their order; of a cause that brings modes of its own, such as a frame that moves, by
+    their frequencies.
+    """
     stages = result.stages
     if stages is None or stages.after is None or stages.without is None:
         return []
-    modes = min(int(stages.after.mode.max(initial=1)), stages.without.shape[1])
-    after, without = stages.after.spectrum[:, :modes], stages.without[:, :modes]
-    change = after - without
-    if not np.isfinite(change).any():
+    count = int(stages.after.mode.max(initial=1))
+    every = zip(stages.after.spectrum, stages.without, strict=True)
+    pairs = [_alike(after, without) for after, without in every]
+    changes = [
+        (float(stages.after.spectrum[i, k] - stages.without[i, n]), i, k, n)
+        for i, each in enumerate(pairs)
+        for k, n in each
+        if k < count
+    ]
+    if not changes:
         return []
+    sizes = [change for change, *_ in changes]
+    most, at, mode, own = max(changes, key=lambda one: abs(one[0]))
     labels = [*dict.fromkeys(row.pose for row in result.rows)]
-    at, mode = np.unravel_index(int(np.nanargmax(np.abs(change))), change.shape)
-    verb = "lower" if np.nanmax(change) <= 0.0 else "raise" if np.nanmin(change) >= 0.0 else "change"
+    new = [f for k, f in enumerate(stages.after.spectrum[at, :count]) if k not in dict(pairs[at])]
+    verb = "lower" if max(sizes) <= 0.0 else "raise" if min(sizes) >= 0.0 else "change"
     who = f"they {verb}" if len(result.effects) > 1 else f"it {verb}s"
     place = "setup" if setting.robot is None else "pose"
-    most = abs(float(change[at, mode]))
-    before, now = (rounded(float(one[at, mode]), most).columns[0] for one in (without, after))
+    before, now = (
+        rounded(float(f), abs(most)).columns[0]
+        for f in (stages.without[at, own], stages.after.spectrum[at, mode])
+    )
+    are = "another is" if len(new) == 1 else "others are"
+    others = f"; {are} new, there {joined([f'{f:.4g}' for f in new])} Hz" if new else ""
     return [
         Cell(
             f"In the model {who} the natural frequencies at the {plural(len(labels), f'measured {place}')} by up to "
-            f"{plain(most, 2)} Hz: that of mode {mode + 1} at"
+            f"{plain(abs(most), 2)} Hz: that of mode {mode + 1} at"
         ),
         label(labels[at]),
-        Cell(f"from {before} to {now} Hz."),
+        Cell(f"from {before} to {now} Hz{others}."),
     ]
+
+
+def _alike(after: Array, without: Array) -> list[tuple[int, int]]:
+    """Return which frequencies of two models go with each other: as places in both."""
+    f, g = (one[np.isfinite(one)] for one in (after, without))
+    if len(f) == len(g):
+        return [(k, k) for k in range(len(f))]
+    from scipy.optimize import linear_sum_assignment
+
+    apart = np.log(f[:, None] / g) ** 2
+    return [(int(k), int(n)) for k, n in zip(*linear_sum_assignment(apart), strict=True)]
 
 
 def _difference(result: Diagnosis) -> list[Cell]:

@@ -38,8 +38,10 @@ def prose(text: object) -> str:
 
 
 def sentence(text: str) -> str:
-    """Begin with a capital and end with a full stop."""
-    return f"{text[:1].upper()}{text[1:]}" + ("" if text.endswith((".", "?", "!")) else ".")
+    """Begin with a capital, unless with a name that has dots or underscores, and end with a full stop."""
+    first = text.partition(" ")[0].rstrip(".,;:")
+    begun = text if "." in first or "_" in first else f"{text[:1].upper()}{text[1:]}"
+    return begun + ("" if text.endswith((".", "?", "!")) else ".")
 
 
 def figures(value: float | None, digits: int = 6, at: str = "") -> Cell:
