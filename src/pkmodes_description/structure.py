@@ -32,6 +32,7 @@ Name = Annotated[str, Meta(min_length=1)]
 Count = Annotated[int, Meta(ge=0)]
 Index = tuple[Count, ...]
 Sign = Literal["at_least_zero", "above_zero"]
+Axis = Literal["x", "y", "z"]
 ElementShape = Literal["line", "wheel", "block", "plate", "ball"]
 
 
@@ -304,7 +305,7 @@ class Drawing(Part, frozen=True):
     uprights: Count
 
 
-class Description(Part, frozen=True):
+class Description(Part, frozen=True, omit_defaults=True):
     """A mechanism.
 
     Attributes
@@ -321,7 +322,7 @@ class Description(Part, frozen=True):
     independent_are : str
         Plural noun for them, such as "arm angles".
     directions : tuple of str
-        Components of the platform's motion.
+        Axes along which the platform moves; pose components of these names are its position.
     drives : tuple of Named
         The drives on which the static torques act.
     rigid_modes : int
@@ -339,6 +340,9 @@ class Description(Part, frozen=True):
     difference_pairs : tuple of (str, str)
         A field that enters only through its difference from another, and the other, which has the sensitivities.
     drawing : Drawing
+    rotations : tuple of str
+        Axes about which the platform turns; pose components ``r`` + axis are its rotation.  Empty where it only
+        translates.
     """
 
     name: Name = field(name="mechanism")
@@ -360,3 +364,12 @@ class Description(Part, frozen=True):
     scales: tuple[Scale, ...]
     difference_pairs: tuple[tuple[str, str], ...] = field(name="differences")
     drawing: Drawing
+    rotations: tuple[Axis, ...] = ()
+
+    @property
+    def platform(self) -> tuple[Named, ...]:
+        """The components of the platform's motion, the rows of its Jacobian: displacements, then small rotations."""
+        return (
+            *(Named(f"p_{axis}", "m", f"displacement along {axis}") for axis in self.directions),
+            *(Named(f"r_{axis}", "rad", f"small rotation about {axis}") for axis in self.rotations),
+        )

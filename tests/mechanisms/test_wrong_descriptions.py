@@ -68,6 +68,7 @@ REFERENCES = (
     ),
     ("linear_delta", ("effects", 12, "coordinates", 0, "name"), "x_1", '"x_1" occurs twice in coordinates'),
     ("linear_delta", ("directions",), ["x", "y", "q"], '"q" in directions is none of x, y, z'),
+    ("linear_delta", ("rotations",), ["z"], '"rz" in rotations is none of x, y, z'),
     ("linear_delta", ("pose", 0, "unit"), "mm", '"mm" in the units of pose is none of m, rad'),
     ("linear_delta", ("tables", 1, "name"), "platform", '"platform" occurs twice in tables'),
     ("linear_delta", ("tables", 1, "keys", 1, "name"), "length", '"length" occurs twice in link'),
