@@ -31,6 +31,12 @@ class Chain:
         self._partials: dict[tuple[Expr, Symbol], Expr] = {}
         self._names: dict[Expr, list[Symbol]] = {}
 
+    def copy(self, *, rules: bool = True) -> Chain:
+        """Return a chain with the definitions made so far, and with the rules or without."""
+        other = Chain()
+        other._definitions, other._rules = dict(self._definitions), dict(self._rules) if rules else {}
+        return other
+
     @property
     def definitions(self) -> Mapping[Symbol, Expr]:
         """Definitions in the order they were made; each uses only earlier ones and inputs."""

@@ -40,11 +40,11 @@ def check_declared(machine: Machine) -> None:
     ):
         if not present:
             raise DefinitionError(what, "", remedy)
-    if len(machine.pose) != len(machine.directions):
+    if len(machine.pose) != len(machine.components):
         raise DefinitionError(
-            f"the pose has {len(machine.pose)} components, DIRECTIONS {len(machine.directions)}",
+            f"the pose has {len(machine.pose)} components, DIRECTIONS and ROTATIONS {len(machine.components)}",
             "",
-            "give the pose one component for each direction",
+            "give the pose one component for each direction and each rotation",
         )
     _check_coordinates(machine)
     _check_closures(machine)
@@ -74,7 +74,7 @@ def _uses(machine: Machine) -> Iterator[tuple[str, Iterable[Symbol]]]:
     yield "m.follows", machine.follows
     yield "m.arms", (arm.angle for arm in machine.arms)
     yield "m.rotor", (rotor.coordinate for rotor in machine.rotors)
-    yield "m.reducers", (q for reducer in machine.reducers for q in reducer.twist)
+    yield "m.reducers", (q for spring in machine.transmissions for q in spring.twist)
     yield "m.belt", (q for belt in machine.belts for run in belt.runs for form, _ in run.ends for q in form)
 
 

@@ -38,6 +38,8 @@ class EffectParameter:
         Physical bounds: None when any value is meaningful; the null value itself is always allowed.
     fitted : bool
         Whether it is estimated from measurements; a declared constant of the machine is not.
+    along_legs : tuple of str
+        Unit and description where the drives move along legs; empty if these are the same.
     """
 
     name: str
@@ -48,6 +50,14 @@ class EffectParameter:
     greater_than: float | None = 0.0
     fitted: bool = True
     less_than: float | None = None
+    along_legs: tuple[str, str] | None = None
+
+    def on(self, machine: Any) -> EffectParameter:
+        """Return the parameter with the unit that it has on a machine."""
+        if self.along_legs is None or not machine.linear_drives:
+            return self
+        unit, description = self.along_legs
+        return replace(self, unit=unit, description=description)
 
     def at(self, place: str) -> EffectParameter:
         """Return the parameter for one part."""
@@ -158,7 +168,9 @@ class Effect:
         parts = self.parts(machine)
         numbers = [str(number) for number in range(1, len(parts) + 1)]
         parameters = [
-            p.at(place) for p in self.parameters for place in (numbers if "{j}" in p.name else numbers[:1])
+            p.on(machine).at(place)
+            for p in self.parameters
+            for place in (numbers if "{j}" in p.name else numbers[:1])
         ]
         places: tuple[str, ...] = ()
         if self.released:

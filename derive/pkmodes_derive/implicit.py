@@ -20,18 +20,31 @@ replaces all of them: with multipliers :math:`\Phi_s^T \mu = V_s` (the forces th
 
 which is the Hessian of the Lagrangian on the tangent space of the constraints.
 
+With six closures this is written in blocks (`congruent`): the second derivatives of :math:`L = V - \mu \cdot \Phi` with
+respect to q and s as if they were independent, projected by D,
+
+.. math:: \frac{d^2 V}{dq^2} = L_{qq} + L_{qs} D + (L_{qs} D)^T + D^T L_{ss} D .
+
+Where s has small rotations, :math:`L_{ss}` is that of the exponential chart at the pose (`with_small_rotations`,
+`turning`).  K in the coordinates of the drives is the same in every chart.
+
 No linear system is solved symbolically: the solutions are written with the adjugate, entry by entry, and its minors
-are named in systems larger than three by three (`Solver`).
+are named in systems larger than three by three (`Solver`).  It needs no pivots, so a pose has no branches and poses
+can be evaluated side by side.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
 
-from sympy import Add, Expr, Integer, Matrix, Symbol
+from sympy import Add, Expr, Integer, Matrix, Rational, Symbol, eye
 
 from pkmodes_derive.chain import Chain
-from pkmodes_derive.vocabulary import Vocabulary
+from pkmodes_derive.turning import Turning
+from pkmodes_derive.vectors import axis, cross, dot
+from pkmodes_derive.vocabulary import AXES, Vocabulary
 
 
 def first_order(
@@ -72,6 +85,108 @@ def constrained_hessian(
     return chain.hessian(lagrangian, independent, hold=(*mu, *jacobian))
 
 
+@dataclass(frozen=True)
+class SecondDerivatives:
+    """Second derivatives of a function with respect to the independent and the dependent variables.
+
+    Attributes
+    ----------
+    independent, mixed, dependent : sympy.Matrix
+        L_qq (n by n), L_sq (d by n) and L_ss (d by d).
+    """
+
+    independent: Matrix
+    mixed: Matrix
+    dependent: Matrix
+
+
+def second_derivatives(
+    function: Expr, independent: Sequence[Symbol], dependent: Sequence[Symbol], partial: Chain
+) -> SecondDerivatives:
+    """Differentiate twice with the chain `partial`, in which dependent and independent variables are unrelated."""
+    by_dependent = [partial.derivative(function, s) for s in dependent]
+    by_independent = [partial.derivative(function, q) for q in independent]
+    return SecondDerivatives(
+        Matrix([[partial.derivative(first, q) for q in independent] for first in by_independent]),
+        Matrix([[partial.derivative(first, q) for q in independent] for first in by_dependent]),
+        Matrix([[partial.derivative(first, s) for s in dependent] for first in by_dependent]),
+    )
+
+
+def with_small_rotations(
+    second: SecondDerivatives,
+    function: Expr,
+    turning: Turning,
+    partial: Chain,
+    name: Callable[[int, int, Expr], Expr],
+) -> SecondDerivatives:
+    r"""Replace the block of the small rotations, the last dependent variables, by that of the exponential chart.
+
+    With the gradients :math:`g_w = \partial L/\partial w` with respect to the vectors w that are fixed in the platform,
+
+    .. math:: L_{ik} = \sum_w \left[\tfrac12 (w_i g_{w,k} + w_k g_{w,i}) - \delta_{ik}\, w \cdot g_w
+              + (e_i \times w) \cdot \frac{\partial g_w}{\partial \varphi_k}\right].
+
+    Parameters
+    ----------
+    name : callable
+        ``name(v, i, expression)`` names component i of the gradient with respect to vector v.
+    """
+    places = [AXES.index(axis) for axis in turning.axes]
+    first = second.dependent.shape[0] - len(places)
+    matrix = second.dependent.copy()
+    block = Matrix.zeros(3, 3)
+    for v, vector in enumerate(turning.fixed):
+        held = turning.symbols
+        gradient = [
+            partial.derivative(function, w, hold=held) if w.is_Symbol else Integer(0) for w in vector
+        ]
+        if not any(gradient):
+            continue
+        named = [name(v, i, entry) for i, entry in enumerate(gradient)]
+        product = Matrix(3, 3, lambda i, k, vector=vector, named=named: vector[i] * named[k])
+        block += (product + product.T) * Rational(1, 2) - product.trace() * eye(3)
+        for k, small in zip(places, turning.small, strict=True):
+            rates = [partial.derivative(entry, small) for entry in gradient]
+            for i in places:
+                block[i, k] += dot(cross(axis(AXES[i]), vector), rates)
+    for a, i in enumerate(places):
+        for b, k in enumerate(places):
+            matrix[first + a, first + b] = block[i, k]
+    return replace(second, dependent=matrix)
+
+
+def congruent(
+    second: SecondDerivatives, D: Matrix, name: Callable[[int, int, Expr], Expr]
+) -> list[list[Expr]]:
+    """Return L_qq + L_qs D + (L_qs D)^T + D^T L_ss D.
+
+    Parameters
+    ----------
+    D : sympy.Matrix
+        d by n.
+    name : callable
+        ``name(i, k, expression)`` names entry i, k of L_ss D + L_sq.
+    """
+    d, n = D.shape
+    product = Matrix(
+        d,
+        n,
+        lambda i, k: name(
+            i, k, Add(second.mixed[i, k], *(second.dependent[i, m] * D[m, k] for m in range(d)))
+        ),
+    )
+    upper = {
+        (k, m): Add(
+            second.independent[k, m],
+            *(D[i, k] * product[i, m] + second.mixed[i, k] * D[i, m] for i in range(d)),
+        )
+        for k in range(n)
+        for m in range(k, n)
+    }
+    return [[upper[min(k, m), max(k, m)] for m in range(n)] for k in range(n)]
+
+
 class Solver:
     """Solver for linear systems with Phi_s, through its named adjugate and determinant.
 
@@ -81,25 +196,35 @@ class Solver:
         Phi_s, square.
     chain : Chain
         Receives the definitions.
-    directions : sequence of str
-        Directions of the dependent coordinates, used in names.
+    components : sequence of str
+        Names of the dependent coordinates; rotations, whose columns are in m^2, come last.
+    rotations : int
+        Number of these.
     """
 
     def __init__(
-        self, matrix: Matrix, vocabulary: Vocabulary, chain: Chain, directions: Sequence[str]
+        self,
+        matrix: Matrix,
+        vocabulary: Vocabulary,
+        chain: Chain,
+        components: Sequence[str],
+        rotations: int = 0,
     ) -> None:
         n = matrix.shape[0]
         self._matrix, self._vocabulary, self._chain = matrix, vocabulary, chain
+        power = n + rotations
+        self._rotations = rotations
         self._minors: dict[tuple[tuple[int, ...], tuple[int, ...]], Expr] = {}
         self.adjugate = Matrix.zeros(n, n)
         for j in range(n):
-            for m, axis in enumerate(directions):
-                unit = {2: "m", 3: "m^2"}.get(n, f"m^{n - 1}")
+            for m, axis in enumerate(components):
+                left = power - (2 if m >= n - rotations else 1)
+                unit = "m" if left == 1 else f"m^{left}"
                 name = vocabulary.declare(
                     "A_{i}_{j}", unit, "adjugate of D_l, entry {i}, {j}", "A_{{{i}{j}}}", i=axis, j=j + 1
                 )
                 self.adjugate[m, j] = chain.define(name, self._cofactor(j, m))
-        self.determinant = vocabulary.declare("det_D_l", f"m^{n}", "determinant of D_l", r"\det D_l")
+        self.determinant = vocabulary.declare("det_D_l", f"m^{power}", "determinant of D_l", r"\det D_l")
         chain.define(self.determinant, Add(*(matrix[0, m] * self.adjugate[m, 0] for m in range(n))))
 
     def solve(self, right_hand_side: Sequence[Expr]) -> list[Expr]:
@@ -115,7 +240,18 @@ class Solver:
         if n == 3:
             return cofactor(self._matrix, row, column)
         rows, columns = (tuple(i for i in range(n) if i != gone) for gone in (row, column))
-        return (-1) ** (row + column) * self._minor(rows, columns)
+        if n < 6:
+            return (-1) ** (row + column) * self._minor(rows, columns)
+        # Laplace's expansion by the rows above and below the middle, of which few minors are needed.
+        above = tuple(i for i in rows if i < n // 2)
+        below = tuple(i for i in rows if i >= n // 2)
+        parts = []
+        for some in combinations(range(n - 1), len(above)):
+            others = tuple(i for i in range(n - 1) if i not in some)
+            sign = (-1) ** (row + column + sum(some) - sum(range(len(above))))
+            first = self._minor(above, tuple(columns[i] for i in some))
+            parts.append(sign * first * self._minor(below, tuple(columns[i] for i in others)))
+        return Add(*parts)
 
     def _minor(self, rows: tuple[int, ...], columns: tuple[int, ...]) -> Expr:
         """Return the determinant of a submatrix, expanded along its first row; shared minors are named."""
@@ -131,8 +267,9 @@ class Solver:
                 places = ("".join(str(i + 1) for i in some) for some in (rows, columns))
                 index = dict(zip(("r", "c"), places, strict=True))
                 what = "minor of D_l, rows {r} and columns {c}"
+                turned = sum(m >= self._matrix.shape[0] - self._rotations for m in columns)
                 name = self._vocabulary.declare(
-                    "minor_{r}_{c}", f"m^{len(rows)}", what, "|D_l|_{{{r},{c}}}", **index
+                    "minor_{r}_{c}", f"m^{len(rows) + turned}", what, "|D_l|_{{{r},{c}}}", **index
                 )
                 expression = self._chain.define(name, expression)
             self._minors[rows, columns] = expression

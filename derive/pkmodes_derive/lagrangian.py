@@ -10,15 +10,31 @@ For :math:`T(q, \dot q)`, quadratic in the velocities, and :math:`V(q)`,
 so that :math:`M \ddot q + h + \nabla V = Q` (equations 33, 44, 47 and 48 of the paper).  V is a potential
 energy: forces are -dV/dq and K is positive for a restoring force.  The paper uses a force function
 U = -V and K = -H_U, which is the same K.
+
+Of a platform that turns the twist :math:`t = (v, \omega) = D \dot q` is not the rate of coordinates.  With the momenta
+:math:`\pi = \partial T/\partial t` and the vectors w that are fixed in the platform (`turning`),
+
+.. math::
+    h_k = D_k \cdot z + \frac{d}{dt} \frac{\partial T}{\partial \dot q_k} - \frac{\partial T}{\partial q_k}, \qquad
+    z_v = \dot\pi_v, \quad
+    z_\omega = \dot\pi_\omega - \omega \times \pi_\omega - \sum_w w \times \frac{\partial T}{\partial w},
+
+with partial derivatives of T(t, w, q, q_dot) (Boltzmann and Hamel's equations).
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
-from sympy import Add, Expr, Symbol
+from sympy import Add, Expr, Integer, Matrix, Symbol
 
 from pkmodes_derive.chain import Chain
+from pkmodes_derive.turning import Turning
+from pkmodes_derive.vectors import cross
+from pkmodes_derive.vocabulary import AXES
+
+#: A symbol by which values are differentiated along a motion.
+TIME = Symbol("time", real=True)
 
 
 def mass_matrix(kinetic: Expr, velocities: Sequence[Symbol], chain: Chain) -> list[list[Expr]]:
@@ -47,4 +63,53 @@ def velocity_forces(
             *(chain.derivative(momentum, q) * dq for q, dq in zip(coordinates, velocities, strict=True))
         )
         forces.append(rate - chain.derivative(kinetic, coordinate))
+    return forces
+
+
+def velocity_forces_of_twist(
+    kinetic: Expr,
+    coordinates: Sequence[Symbol],
+    velocities: Sequence[Symbol],
+    twist: Sequence[Symbol],
+    D: Matrix,
+    turning: Turning,
+    moving: Chain,
+    name: Callable[[str, int, Expr], Expr],
+) -> list[Expr]:
+    """Return the Coriolis and centrifugal forces h for a platform that turns (module docstring).
+
+    Parameters
+    ----------
+    kinetic : sympy.Expr
+        T in the twist, the vectors fixed in the platform, the coordinates and their rates.
+    D : sympy.Matrix
+        Twist per unit of each rate.
+    moving : Chain
+        Definitions without rules, but those for the derivatives with respect to the symbol `TIME` at q_ddot = 0.
+    name : callable
+        ``name(what, i, expression)`` names component i of "momentum" or "force".
+    """
+    held = (*twist, *turning.symbols)
+    momenta = [
+        name("momentum", i, moving.derivative(kinetic, t, hold=held)) for i, t in enumerate(twist)
+    ]
+    force = [moving.derivative(momentum, TIME) for momentum in momenta]
+    first = len(twist) - len(turning.axes)
+    moment = cross(turning.spatial(turning.rates), turning.spatial(momenta[first:]))
+    gyroscopic = [-component for component in moment]
+    for vector in turning.fixed:
+        gradient = [
+            moving.derivative(kinetic, w, hold=held) if w.is_Symbol else Integer(0) for w in vector
+        ]
+        if any(gradient):
+            for i, component in enumerate(cross(vector, gradient)):
+                gyroscopic[i] -= component
+    for i, axis in enumerate(turning.axes, start=first):
+        force[i] += gyroscopic[AXES.index(axis)]
+    force = [name("force", i, component) for i, component in enumerate(force)]
+    forces = []
+    for k, (q, rate) in enumerate(zip(coordinates, velocities, strict=True)):
+        own = moving.derivative(moving.derivative(kinetic, rate, hold=held), TIME)
+        along = Add(*(D[i, k] * component for i, component in enumerate(force)))
+        forces.append(along + own - moving.derivative(kinetic, q, hold=held))
     return forces

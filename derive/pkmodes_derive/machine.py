@@ -15,8 +15,24 @@ from pkmodes_derive.chain import Chain
 from pkmodes_derive.drawing import Drawing
 from pkmodes_derive.effect import Coordinate, Effect
 from pkmodes_derive.functions import Argument, Output
-from pkmodes_derive.parts import Arm, Belt, Clamp, Drive, Form, Link, PointMass, Reducer, Rod, Rotor, Run
+from pkmodes_derive.parts import (
+    Arm,
+    Belt,
+    Body,
+    Clamp,
+    Drive,
+    Form,
+    Leg,
+    LegPart,
+    Link,
+    PointMass,
+    Reducer,
+    Rod,
+    Rotor,
+    Run,
+)
 from pkmodes_derive.tables import Tables
+from pkmodes_derive.turning import Turning
 from pkmodes_derive.vocabulary import AXES, DeclarationError, Field, Vocabulary
 from pkmodes_description import Margin, ParameterGroup, Requirement, Scale
 
@@ -75,8 +91,10 @@ class Machine:
         All generalised coordinates without effects, their rates and small displacements.
     follows : dict
         The other coordinates as functions of the independent ones with rigid transmissions, also valid for rates.
-    points, rods, arms, links, rotors, drives, belts, reducers : lists
-        Its parts.
+    points, rods, arms, bodies, legs, links, rotors, drives, belts, reducers, leg_springs : lists
+        Its parts; the springs of reducers twist, those of legs stretch.
+    turning : Turning or None
+        The rotation of the platform, if it turns.
     units : set of tuple
         Unit vectors.
     differences : dict
@@ -85,6 +103,8 @@ class Machine:
         Values that depend on one independent coordinate alone, with that coordinate and their derivative.
     directions : tuple of str
         Directions in which the platform and the frame move.
+    components : tuple of str
+        The components of the platform's motion: the directions, then "r" and the axis for each rotation.
     frame : list of lists of Coordinate
         Released coordinates of the frame, for each direction.
     v_p, delta_p : tuple of sympy.Symbol
@@ -107,8 +127,13 @@ class Machine:
         What a picture of the machine shows, if the mechanism declares it.
     """
 
-    def __init__(self, name: str, title: str, directions: Sequence[str] = AXES) -> None:
+    def __init__(
+        self, name: str, title: str, directions: Sequence[str] = AXES, rotations: Sequence[str] = ()
+    ) -> None:
         self.name, self.title, self.directions = name, title, tuple(directions)
+        self.rotations = tuple(rotations)
+        self.components = (*self.directions, *(f"r{axis}" for axis in self.rotations))
+        self.turning: Turning | None = None
         self.vocabulary = Vocabulary(LETTERS)
         self.tables, self.chain = Tables(self.vocabulary), Chain()
         self.inverse: dict[Symbol, Expr] = {}
@@ -128,11 +153,14 @@ class Machine:
         self.points: list[PointMass] = []
         self.rods: list[Rod] = []
         self.arms: list[Arm] = []
+        self.bodies: list[Body] = []
+        self.legs: list[Leg] = []
         self.links: list[Link] = []
         self.rotors: list[Rotor] = []
         self.drives: list[Drive] = []
         self.belts: list[Belt] = []
         self.reducers: list[Reducer] = []
+        self.leg_springs: list[Reducer] = []
         self.frame: list[list[Coordinate]] = [[] for _ in self.directions]
         self.v_p: tuple[Symbol, ...] = ()
         self.delta_p: tuple[Symbol, ...] = ()
@@ -211,7 +239,51 @@ class Machine:
         position = self.vector(name, "m", pose_is, latex)
         self.pose = self.dependent = position
         self.pose_is = pose_is
+        if self.rotations:
+            self.turning = Turning(self.rotations, self.vocabulary, self.chain)
+            self.pose = (*position, *self.turning.vector)
+            self.dependent = (*position, *self.turning.small)
         return position
+
+    def fixed_in_platform(self, names: Sequence[Symbol], vector: Sequence[Expr]) -> tuple[Symbol, ...]:
+        """Name a vector that is fixed in the platform, given in platform axes."""
+        if self.turning is None:
+            raise DeclarationError("the platform does not turn", 'write, for example, ROTATIONS = ("z",)')
+        return self.turning.fix(names, vector)
+
+    def body(
+        self, mass: Expr, centre: Sequence[Expr], inertia: Sequence[Expr], products: Sequence[Expr] = ()
+    ) -> Body:
+        """Add a body that turns with the platform.
+
+        Parameters
+        ----------
+        mass : sympy.Expr
+            Mass [kg].
+        centre : sequence of sympy.Expr
+            Its centre of mass from the origin of the platform, in platform axes [m].
+        inertia : sequence of sympy.Expr
+            Moments of inertia about the centre of mass, one for each axis of rotation, platform axes [kg m^2].
+        products : sequence of sympy.Expr
+            I_xy, I_xz and I_yz of the tensor, which are its entries; none in a plane.
+        """
+        v = self.vocabulary
+        names = self.vector("c", "m", "centre of mass of the platform from its origin", "c")
+        self.fixed_in_platform(names, centre)
+        assert self.turning is not None
+        of = dict(zip(((0, 1), (0, 2), (1, 2)), products, strict=False))
+        entries = [
+            [one if i == k else of.get((min(i, k), max(i, k)), Integer(0)) for k in range(len(inertia))]
+            for i, one in enumerate(inertia)
+        ]
+        what = "inertia tensor of the platform about its centre of mass, base frame, entry {i}{a}"
+        tensor = self.turning.tensor(
+            lambda i, k: v.declare("J_{i}_{a}", "kg m^2", what, "J_{{{i}{a}}}", i=AXES[i], a=AXES[k]), entries
+        )
+        position = tuple(p + c for p, c in zip(self.dependent, names, strict=False))
+        position = tuple((*position, Integer(0))[:3])
+        self.bodies.append(Body(mass, position, tensor))
+        return self.bodies[-1]
 
     def independent_pose(self, coordinates: Sequence[Symbol], pose_is: str) -> None:
         """Declare the independent coordinates themselves as the pose."""
@@ -233,10 +305,39 @@ class Machine:
         """Declare a vector to be a unit vector, whose square is replaced by 1."""
         self.units.add(tuple(vector))
 
-    def link(self, vector: Sequence[Symbol], length: Expr, coordinate: Symbol) -> Link:
-        """Close a loop with a rigid link."""
-        self.links.append(Link(tuple(vector), length, coordinate))
+    def link(
+        self, vector: Sequence[Symbol], length: Expr, coordinate: Symbol, lever: Sequence[Symbol] = ()
+    ) -> Link:
+        """Close a loop with a rigid link, or with a leg whose length is its coordinate.
+
+        Where the platform turns, `lever` is its joint from the platform's origin, from `fixed_in_platform`.
+        """
+        self.links.append(Link(tuple(vector), length, coordinate, tuple(lever)))
         return self.links[-1]
+
+    def leg(
+        self,
+        link: Link,
+        ends: tuple[Sequence[Expr], Sequence[Expr]],
+        parts: Sequence[LegPart],
+        **index: object,
+    ) -> Leg:
+        """Give a leg that changes its length its bodies; its length is the coordinate of its link."""
+        v = self.vocabulary
+        felt = "inertia of leg {j} at its platform joint, perpendicular to the leg"
+        lifted = "mass that is lifted with the vector of leg {j}"
+        leg = Leg(
+            link.vector,
+            (ends[0], ends[1]),
+            link.coordinate,
+            tuple(parts),
+            v.declare("m_perp_{j}", "kg", felt, r"m_{{\perp,{j}}}", **index),
+            v.declare("m_lift_{j}", "kg", lifted, r"m_{{\uparrow,{j}}}", **index),
+        )
+        self.define(leg.inertia, leg.perpendicular_inertia)
+        self.define(leg.weight, leg.moving_mass + leg.moment / leg.length)
+        self.legs.append(leg)
+        return leg
 
     def turns(self, symbol: Symbol, coordinate: Symbol, derivative: Expr) -> None:
         """Declare a value that depends on one independent coordinate alone, by its derivative."""
@@ -244,7 +345,7 @@ class Machine:
         self.turned[symbol] = coordinate, derivative
 
     def rotor(self, coordinate: Symbol, inertia: Expr, name: Symbol | None = None) -> Rotor:
-        """Add a body that turns on a bearing of the frame."""
+        """Add a body that turns on a bearing of the frame; in metres, what it moves along a leg."""
         self.rotors.append(Rotor(coordinate, inertia, name))
         return self.rotors[-1]
 
@@ -264,6 +365,12 @@ class Machine:
                 "write m.drive([(driven, 1)], ...) or m.drive([(driven, 1), (idler, 0)], ...)",
             )
         self.drives.append(Drive(tuple(rotors), motor, torque, winds_up))
+
+    @property
+    def linear_drives(self) -> bool:
+        """Whether the drives move along legs, in metres, rather than turn."""
+        moved = {self.vocabulary[r.coordinate].unit for drive in self.drives for r, _ in drive.rotors}
+        return moved == {"m"}
 
     def rail(self, coordinate: Symbol) -> None:
         """Declare that a body slides along a rail, its position a coordinate."""
@@ -285,6 +392,11 @@ class Machine:
         """Common stem of the names of the independent coordinates, used in descriptions of derivatives."""
         first: str = self.independent[0].name
         return first.rsplit("_", 1)[0]
+
+    @property
+    def transmissions(self) -> list[Reducer]:
+        """The springs between two coordinates: those of reducers, then those of legs."""
+        return [*self.reducers, *self.leg_springs]
 
     @property
     def base(self) -> int:
@@ -374,6 +486,8 @@ class Machine:
             rod.ends = _exact(rod.ends[0]), _exact(rod.ends[1])
         for arm in self.arms:
             arm.centre = _exact(arm.centre)
+        for leg in self.legs:
+            leg.ends = _exact(leg.ends[0]), _exact(leg.ends[1])
         self.v_p = self.of_platform("v_p", "m/s", "velocity of the platform", r"(\dot{{p}})_{i}")
 
     def of_platform(self, name: str, unit: str, description: str, latex: str) -> tuple[Symbol, ...]:

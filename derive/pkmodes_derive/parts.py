@@ -55,8 +55,100 @@ class Arm:
 
 
 @dataclass
+class Body:
+    """A body that turns with the platform.
+
+    Attributes
+    ----------
+    mass : sympy.Expr
+        Mass [kg].
+    centre : sequence of sympy.Expr
+        Position of its centre of mass [m].
+    inertia : tuple of tuple of sympy.Expr
+        Inertia tensor about the centre of mass [kg m^2], for the axes about which the platform turns, base frame.
+    """
+
+    mass: Expr
+    centre: Position
+    inertia: tuple[tuple[Expr, ...], ...]
+
+
+@dataclass(frozen=True)
+class LegPart:
+    """A body that lies along a leg and turns with it, but not about it.
+
+    Attributes
+    ----------
+    mass, inertia : sympy.Expr
+        Mass [kg], and moment of inertia about its centre of mass, perpendicular to the leg [kg m^2].
+    end : int
+        The joint from which it keeps its distance: 0 at the frame, 1 at the platform.
+    along : sympy.Expr
+        Coordinate of its centre of mass from that joint [m], in the direction from the frame to the platform.
+    """
+
+    mass: Expr
+    inertia: Expr
+    end: int
+    along: Expr
+
+
+@dataclass
+class Leg:
+    """A leg that changes its length, with its bodies.
+
+    Attributes
+    ----------
+    vector : tuple of sympy.Symbol
+        From its joint on the frame to its joint on the platform [m], as for its `Link`.
+    ends : tuple of Position
+        Positions of both joints [m].
+    length : sympy.Symbol
+        Its coordinate, which is the distance of the joints [m].
+    parts : tuple of LegPart
+    inertia, weight : sympy.Symbol
+        Names of what the platform joint feels perpendicular to the leg [kg], and of the mass that is lifted where
+        `vector` grows [kg].
+    """
+
+    vector: tuple[Symbol, ...]
+    ends: tuple[Position, Position]
+    length: Symbol
+    parts: tuple[LegPart, ...]
+    inertia: Symbol
+    weight: Symbol
+
+    @property
+    def mass(self) -> Expr:
+        """Mass of all its parts [kg]."""
+        return Add(*(part.mass for part in self.parts))
+
+    @property
+    def moving_mass(self) -> Expr:
+        """Mass of the parts that move along it [kg]."""
+        return Add(*(part.mass for part in self.parts if part.end == 1))
+
+    @property
+    def moment(self) -> Expr:
+        """Sum of mass times distance along the leg, each from its own joint [kg m]."""
+        return Add(*(part.mass * part.along for part in self.parts))
+
+    @property
+    def perpendicular_inertia(self) -> Expr:
+        """Twice the kinetic energy per squared speed of the platform joint perpendicular to the leg [kg]."""
+        shares = [
+            part.mass * ((1 if part.end == 1 else 0) + part.along / self.length) ** 2
+            + part.inertia / self.length**2
+            for part in self.parts
+        ]
+        return Add(*shares)
+
+
+@dataclass
 class Link:
-    """A rigid link that closes a loop between the joint of an independent coordinate and the platform.
+    """A link that closes a loop between the joint of an independent coordinate and the platform.
+
+    It is rigid, or a leg whose length is its coordinate.
 
     Attributes
     ----------
@@ -66,6 +158,8 @@ class Link:
         Declared length [m].
     coordinate : sympy.Symbol
         Its independent coordinate.
+    lever : tuple of sympy.Symbol
+        Its joint from the origin of a platform that turns [m], base frame; empty for one that does not.
     elongation : list of Coordinate
         Released coordinates that lengthen it.
     """
@@ -73,7 +167,13 @@ class Link:
     vector: tuple[Symbol, ...]
     length: Expr
     coordinate: Symbol
+    lever: tuple[Symbol, ...] = ()
     elongation: list[Coordinate] = field(default_factory=list)
+
+    @property
+    def rigid(self) -> bool:
+        """Whether its length is fixed."""
+        return self.length != self.coordinate
 
 
 @dataclass
@@ -198,7 +298,7 @@ class Belt:
 
 @dataclass
 class Reducer:
-    """A torsional spring between two coordinates, with a named stiffness [N m/rad] and a loss factor."""
+    """A spring between two coordinates, with a named stiffness [N m/rad, N/m] and a loss factor."""
 
     stiffness: Symbol
     declared: Expr

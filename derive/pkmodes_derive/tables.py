@@ -24,6 +24,7 @@ DIMENSIONS = (
     "number",
     "moment of inertia",
     "specific stiffness",
+    "stiffness",
     "torsional stiffness",
     "acceleration",
 )
@@ -164,6 +165,43 @@ class Declared:
                 at_least=at_least,
                 above=above,
                 signed=signed,
+            )
+        )
+        return symbols
+
+    def vector_of(
+        self,
+        key: str,
+        symbol: str,
+        dimension: str,
+        description: str,
+        latex: str,
+        elements: Sequence[str] = AXES,
+        *,
+        field: str = "",
+        above: float | None = None,
+        default: float | None = None,
+    ) -> Symbols:
+        """Declare several numbers under one key of a single table; letter i for the element.
+
+        They may have either sign if there is no bound.  With a default the key may be left out.
+        """
+        unit, name = unit_of(dimension), field or f"{self.name}_{key}"
+        declare = self._tables._vocabulary.declare
+        symbols = tuple(declare(f"{symbol}_{{i}}", unit, description, latex, i=one) for one in elements)
+        text = description.format(i="i")
+        self._tables.field(name, (len(elements),), symbols, unit, text)
+        self.keys.append(
+            Key(
+                key,
+                "vector",
+                name,
+                dimension,
+                text,
+                elements=tuple(elements),
+                above=above,
+                default=default,
+                signed=above is None,
             )
         )
         return symbols

@@ -1,10 +1,10 @@
-"""Products of vectors written as tuples of expressions."""
+"""Vectors written as tuples of expressions: products, and those of rotation matrices."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sympy import Add, Expr
+from sympy import Add, Expr, Integer
 
 
 def dot(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
@@ -15,3 +15,13 @@ def dot(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
 def cross(a: Sequence[Expr], b: Sequence[Expr]) -> tuple[Expr, Expr, Expr]:
     """Return the vector product."""
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def axis(name: str) -> tuple[Expr, Expr, Expr]:
+    """Return the unit vector along x, y or z."""
+    return tuple(Integer(name == one) for one in "xyz")  # type: ignore[return-value]
+
+
+def skew(a: Sequence[Expr]) -> list[list[Expr]]:
+    """Return the matrix [a], with [a] b = a x b."""
+    return [[Integer(0), -a[2], a[1]], [a[2], Integer(0), -a[0]], [-a[1], a[0], Integer(0)]]

@@ -91,8 +91,10 @@ def _key(key: Key, parameters: Iterable[str]) -> Iterator[str]:
         yield "it has to belong either to a field or to an effect"
     if key.effect:
         yield from _unknown("effect", [key.effect], parameters)
-    if (key.effect or key.default is not None) and key.kind != "quantity":
-        yield f"a {key.kind} cannot have a default or belong to an effect"
+    if key.effect and key.kind != "quantity":
+        yield f"a {key.kind} cannot belong to an effect"
+    if key.default is not None and key.kind not in ("quantity", "vector"):
+        yield f"a {key.kind} cannot have a default"
     if bool(key.elements) != (key.kind in ("vector", "pair", "signs")):
         yield f"{len(key.elements)} elements of a {key.kind}"
     if key.kind == "pair" and len(key.elements) != 2:

@@ -72,7 +72,7 @@ class Key(Part, frozen=True):
     at_least, above, at_most, below : float or None
         Bounds of each quantity in SI units.
     default : float or None
-        In SI units; a key without a default is required.
+        In SI units, of every element of a vector; a key without a default is required.
     effect : str
         The effect parameter that takes this value, ``<effect>.<parameter>``; empty for none.
     signed : bool

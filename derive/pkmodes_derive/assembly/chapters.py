@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
-from sympy import Add, Matrix, Rational, sqrt
+from sympy import Add, Expr, Integer, Matrix, Rational, Symbol, sqrt
 
 from pkmodes_derive import lagrangian
 from pkmodes_derive.assembly.condensed import Condensed
-from pkmodes_derive.assembly.derived import flat, units_of_damping, units_of_mass, units_of_stiffness
+from pkmodes_derive.assembly.derived import (
+    drive_units,
+    flat,
+    units_of_damping,
+    units_of_mass,
+    units_of_stiffness,
+)
 from pkmodes_derive.functions import Function, Output
 from pkmodes_derive.machine import Extra
+from pkmodes_derive.turning import Turning
 from pkmodes_derive.vectors import cross
 
 HALF = Rational(1, 2)
@@ -54,7 +61,9 @@ def _position(c: Condensed) -> list[Function]:
             "equations 1 to 3" if m.links else "the pose itself",
             [c.pose],
             Output(m.argument, (n,), m.independent, _unit(c, "m", "rad"), what),
-            details="NaN if the pose is out of reach (see `reach_margin`)." if m.links else "",
+            details="NaN if the pose is out of reach (see `reach_margin`)."
+            if any(e.name == "reach_margin" for e in m.extras)
+            else "",
         ),
         *(extra(c, e) for e in m.extras),
     ]
@@ -77,16 +86,30 @@ def _closures(c: Condensed) -> list[Function]:
     kin, n = c.kin, len(c.machine.independent)
     assert kin.solver is not None
     # Entry by entry, because SymPy would write the root of det^2 as |det|, which rules out a complex step.
-    inverse_norm2 = Add(*((entry / kin.solver.determinant) ** 2 for entry in kin.solver.adjugate))
-    jacobian_norm2 = Add(*(entry**2 for entry in kin.D_l))
-    q = c.machine.argument
+    length = _characteristic_length(c)
+    inverse_norm2 = Add(
+        *(
+            (kin.solver.adjugate[m, j] * length[m] / kin.solver.determinant) ** 2
+            for m in range(n)
+            for j in range(n)
+        )
+    )
+    jacobian_norm2 = Add(*((kin.D_l[j, m] / length[m]) ** 2 for j in range(n) for m in range(n)))
+    q, turns = c.machine.argument, bool(c.machine.rotations)
     return [
         c.function(
             "constraint_jacobians",
             f"Constraint Jacobians D_l and D_r of D_l p_dot = D_r {q}_dot.",
             "equations 14 and 15",
             [c.pose],
-            Output("D_l", (n, n), tuple(kin.D_l), "m", "row j: linkage vector c_j - e_j in the base frame"),
+            Output(
+                "D_l",
+                (n, n),
+                tuple(kin.D_l),
+                "m, m^2" if turns else "m",
+                "row j: linkage vector c_j - e_j in the base frame"
+                + (", and its moment about the platform's origin" if turns else ""),
+            ),
             Output(
                 "D_r",
                 (n, n),
@@ -98,7 +121,9 @@ def _closures(c: Condensed) -> list[Function]:
         c.function(
             "jacobian_condition",
             "Assembly branch and condition number of D_l in the Frobenius norm.",
-            "equation 15; |D_l| |D_l^-1|, one to three times the condition number in the 2-norm",
+            "equation 15; |D_l| |D_l^-1|, one to three times the condition number in the 2-norm"
+            if n == 3
+            else f"equation 15; |D_l| |D_l^-1|, one to {n} times the condition number in the 2-norm",
             [c.pose],
             Output(
                 "determinant",
@@ -114,21 +139,36 @@ def _closures(c: Condensed) -> list[Function]:
                 "1",
                 f"Frobenius condition number, at least {n}",
             ),
+            details="Moments are divided by a characteristic length, the root mean square distance of the platform "
+            "joints from the platform's origin."
+            if turns
+            else "",
         ),
     ]
+
+
+def _characteristic_length(c: Condensed) -> list[Expr]:
+    """Return what the columns of D_l are divided by: 1 for displacements, a length for rotations."""
+    m = c.machine
+    if m.turning is None:
+        return [Integer(1)] * len(m.components)
+    levers = [link.lever for link in m.links]
+    length = sqrt(Add(*(component**2 for lever in levers for component in lever)) / len(levers))
+    return [Integer(1)] * len(m.directions) + [length] * len(m.rotations)
 
 
 def _motion(c: Condensed) -> list[Function]:
     """Return the functions for velocities, accelerations and kinetic energy."""
     m, kin, energies = c.machine, c.kin, c.energies
-    n, d, q = len(m.independent), len(m.directions), m.argument
+    n, d, q = len(m.independent), len(m.components), m.argument
+    turns = bool(m.rotations)
     functions = [
         c.function(
             "platform_jacobian",
             "Platform Jacobian D_p" + (" = D_l^-1 D_r." if m.links else "."),
             "equation 15",
             [c.pose],
-            Output("D_p", (d, n), tuple(kin.D_p), _unit(c, "1", "m"), "dp_i/dq_k, base frame"),
+            Output("D_p", (d, n), tuple(kin.D_p), _unit(c, *_units(c, "1", "m")), "dp_i/dq_k, base frame"),
         ),
         c.function(
             "platform_jacobian_rate",
@@ -136,7 +176,11 @@ def _motion(c: Condensed) -> list[Function]:
             "equation 17",
             [c.pose, c.free_rates],
             Output(
-                "D_p_dot", (d, n), flat(energies.D_p_dot), _unit(c, "1/s", "m/s"), f"d(D_p)/dt at {q}_dot"
+                "D_p_dot",
+                (d, n),
+                flat(energies.D_p_dot),
+                _unit(c, *_units(c, "1/s", "m/s")),
+                f"d(D_p)/dt at {q}_dot",
             ),
         ),
         c.function(
@@ -148,12 +192,21 @@ def _motion(c: Condensed) -> list[Function]:
                 "P",
                 (d, n, n),
                 flat([tuple(of) for of in kin.P]),
-                _unit(c, "1/m", "m"),
-                "d2p_i/dq_k dq_l as P[i, k, l]",
+                _unit(c, *_units(c, "1/m", "m")),
+                "d2p_i/dq_k dq_l as P[i, k, l]"
+                + (", of rotations in the exponential chart at the pose" if turns else ""),
             ),
         ),
     ]
-    return [*functions, *(_links(c) if m.rods and d == 3 else []), *_dynamics(c)]
+    return [*functions, *(_links(c) if m.rods and len(m.directions) == 3 else []), *_dynamics(c)]
+
+
+def _units(c: Condensed, for_length: str, for_angle: str) -> tuple[str, str]:
+    """Return the units of a Jacobian of the platform, whose rotations come last."""
+    if not c.machine.rotations:
+        return for_length, for_angle
+    turned = {"1": "1/m", "m": "1", "1/s": "1/(m s)", "m/s": "1/s", "1/m": "1/m^2"}
+    return f"{for_length}, {turned[for_length]}", f"{for_angle}, {turned[for_angle]}"
 
 
 def _links(c: Condensed) -> list[Function]:
@@ -190,7 +243,9 @@ def _midpoint_jacobian(c: Condensed, j: int) -> Matrix:
     first, _ = c.machine.rods[j].ends
     n = len(c.machine.independent)
     moved = Matrix(3, n, lambda m, k: c.kin.chain.derivative(first[m], c.machine.independent[k]))
-    return Matrix(3, n, lambda m, k: (c.kin.D_p[m, k] + moved[m, k]) * HALF)
+    if c.machine.turning is None:
+        return Matrix(3, n, lambda m, k: (c.kin.D_p[m, k] + moved[m, k]) * HALF)
+    return Matrix(3, n, lambda m, k: moved[m, k] + HALF * c.kin.U[j][m, k])
 
 
 def _angular_jacobian(c: Condensed, j: int) -> Matrix:
@@ -208,6 +263,11 @@ def _dynamics(c: Condensed) -> list[Function]:
         else "symmetric"
     )
     velocities = tuple(m.velocities[i] for i in c.derived.free)
+    if m.turning is None:
+        h = lagrangian.velocity_forces(c.moving_energy, m.independent, velocities, c.kin.chain)
+        known = c.locked
+    else:
+        h, known = _forces_of_twist(c, m.turning, velocities), c.locked
     return [
         c.function(
             "kinetic_energy",
@@ -232,14 +292,55 @@ def _dynamics(c: Condensed) -> list[Function]:
             Output(
                 "h",
                 (n,),
-                tuple(lagrangian.velocity_forces(c.moving_energy, m.independent, velocities, c.kin.chain)),
+                tuple(h),
                 _unit(c, "N", "N m"),
                 f"generalised forces conjugate to the {m.independent_are}",
             ),
             details="With released joints locked and transmissions rigid." if m.effects else "",
-            known=c.locked,
+            known=known,
         ),
     ]
+
+
+def _forces_of_twist(c: Condensed, turning: Turning, velocities: tuple[Symbol, ...]) -> list[Expr]:
+    """Return the velocity forces of a platform that turns."""
+    m, kin = c.machine, c.kin
+    twist = (*m.v_p, *turning.rates)
+    moving = kin.chain.copy(rules=False)
+    for q, rate in zip(m.independent, velocities, strict=True):
+        moving.rule(q, lagrangian.TIME, rate)
+    for symbol, (q, derivative) in m.turned.items():
+        moving.rule(symbol, lagrangian.TIME, derivative * m.velocities[m.coordinates.index(q)])
+    for i, (t, row) in enumerate(zip(twist, c.energies.D_p_dot, strict=True)):
+        what = "acceleration of the platform at constant rates of the coordinates, component {i}"
+        unit = "m/s^2" if i < len(m.directions) else "rad/s^2"
+        bias = m.vocabulary.declare("a_p_{i}", unit, what, "a_{{p,{i}}}", i=m.components[i])
+        kin.chain.define(bias, Add(*(d * rate for d, rate in zip(row, velocities, strict=True))))
+        moving.rule(t, lagrangian.TIME, bias)
+    for p, t in zip(m.dependent, m.v_p, strict=False):
+        moving.rule(p, lagrangian.TIME, t)
+    for vector in turning.fixed:
+        turned = cross(turning.spatial(turning.rates), vector)
+        for component, rate in zip(vector, turned, strict=True):
+            if component.is_Symbol:
+                moving.rule(component, lagrangian.TIME, rate)
+
+    def named(what: str, i: int, value: Expr) -> Expr:
+        unit = "kg m/s" if what == "momentum" else "N"
+        if i >= len(m.directions):
+            unit = "kg m^2/s" if what == "momentum" else "N m"
+        symbol, stem = ("pi", r"\pi") if what == "momentum" else ("z", "z")
+        name = m.vocabulary.declare(
+            f"{symbol}_{{i}}", unit, f"{what} of the moving bodies, component {{i}}", f"{stem}_{{i}}", i=m.components[i]
+        )
+        moving.define(name, value)
+        return kin.chain.define(name, value)
+
+    h = lagrangian.velocity_forces_of_twist(
+        c.moving_energy, m.independent, velocities, twist, kin.D_p, turning, moving, named
+    )
+    c.definitions = kin.definitions
+    return h
 
 
 def _gravity(c: Condensed) -> list[Function]:
@@ -288,6 +389,7 @@ def _transmissions(c: Condensed) -> list[Function]:
             )
         )
     force = ", ".join({"m": "N", "rad": "N m"}[u] for u in c.delta_q.unit.split(", "))
+    of_drives, by = drive_units(m), "rotations" if "rad" in drive_units(m)[1] else "displacements"
     zero = {0: "no", 2: "two", 3: "three"}.get(c.rigid_modes, str(c.rigid_modes))
     return functions + [
         c.function(
@@ -319,22 +421,24 @@ def _transmissions(c: Condensed) -> list[Function]:
         ),
         c.function(
             "static_equilibrium",
-            "Drive torques that hold the pose, and the corresponding rotations.",
+            f"Drive {of_drives[2]} that hold the pose, and the corresponding {by}.",
             "equation 44, solved at the pose",
             [c.pose],
             Output(
                 "tau_st",
                 (len(m.drives),),
                 c.equilibrium.torques,
-                "N m",
-                "torques on the driven rotors, positive in the direction of their rotation",
+                of_drives[0],
+                "torques on the driven rotors, positive in the direction of their rotation"
+                if by == "rotations"
+                else "forces of the drives, positive in the direction of their coordinates",
             ),
             Output(
                 "theta_st",
                 (len(rotations),),
                 rotations,
-                "rad",
-                "rotations relative to the unstrained transmissions, in the order of the coordinates",
+                of_drives[1],
+                f"{by} relative to the unstrained transmissions, in the order of the coordinates",
             ),
             details="Springs added by effects are relaxed at the pose, and released joints are locked."
             if m.effects

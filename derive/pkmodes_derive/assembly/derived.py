@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from sympy import Add, Expr, Integer, Symbol
+from sympy import Add, Expr, Integer, Matrix, Symbol
 
-from pkmodes_derive import lagrangian
+from pkmodes_derive import implicit, lagrangian
 from pkmodes_derive.assembly import energy, kinematics, statics
+from pkmodes_derive.chain import Chain
+from pkmodes_derive.differentiation import partial_derivative
 from pkmodes_derive.functions import Argument
 from pkmodes_derive.machine import Machine
 
@@ -43,8 +45,10 @@ class Derived:
     @property
     def pose(self) -> Argument:
         """The pose as an argument of a function."""
+        units = (self.machine.vocabulary[q].unit for q in self.machine.pose)
+        turned = ", then the platform's rotation vector" if self.machine.rotations else ""
         return Argument(
-            "p", self.machine.pose, self.machine.vocabulary[self.machine.pose[0]].unit, self.machine.pose_is
+            "p", self.machine.pose, ", ".join(dict.fromkeys(units)), self.machine.pose_is + turned
         )
 
     @property
@@ -54,7 +58,9 @@ class Derived:
 
     def platform_motion(self, rates: Sequence[Symbol]) -> list[list[Expr]]:
         """Return the derivatives of the platform's absolute velocity with respect to some rates."""
-        return [[self.kin.chain.derivative(v, rate) for rate in rates] for v in self.machine.v_p]
+        turning = self.machine.turning
+        motion = (*self.machine.v_p, *(turning.rates if turning is not None else ()))
+        return [[self.kin.chain.derivative(v, rate) for rate in rates] for v in motion]
 
 
 def derive(machine: Machine) -> Derived:
@@ -68,13 +74,53 @@ def derive(machine: Machine) -> Derived:
         kin,
         energies,
         equilibrium,
-        lagrangian.mass_matrix(energies.T_ss + energies.T_t, machine.rates, kin.chain),
+        _mass_matrix(machine, kin, energies),
         kin.chain.hessian(energies.V_el, machine.small, hold=hold),
         _placed(machine, kin, equilibrium.gravity_hessian),
         lagrangian.damping_matrix(energies.R, machine.rates, kin.chain),
         kin.chain.hessian(energies.V_loss, machine.small, hold=hold),
         hold,
     )
+
+
+def _mass_matrix(machine: Machine, kin: kinematics.Kinematics, energies: energy.Energies) -> Rows:
+    """Return M: the twist of a platform that turns is eliminated in blocks, which takes far fewer operations."""
+    T = energies.T_ss + energies.T_t
+    if machine.turning is None:
+        return lagrangian.mass_matrix(T, machine.rates, kin.chain)
+    twist = (*machine.v_p, *machine.turning.rates)
+    unrelated = Chain()
+    by_rates = Matrix(
+        [[partial_derivative(kin.chain.definitions[v], rate) for rate in machine.rates] for v in twist]
+    )
+    second = implicit.second_derivatives(T, machine.rates, twist, unrelated)
+    return implicit.congruent(
+        _named_mass(machine, second), by_rates, lambda i, k, value: _momentum(machine, i, k, value)
+    )
+
+
+def _named_mass(machine: Machine, second: implicit.SecondDerivatives) -> implicit.SecondDerivatives:
+    """Name the apparent mass of the platform: what it would be if it carried the other bodies at their joints."""
+    names, v = machine.components, machine.vocabulary
+    first, matrix = len(machine.directions), second.dependent.copy()
+    for i in range(len(names)):
+        for k in range(i, len(names)):
+            if matrix[i, k] != 0:
+                unit = ("kg", "kg m", "kg m^2")[(i >= first) + (k >= first)]
+                what = "apparent mass of the platform, entry {i}, {a}"
+                name = v.declare("M_p_{i}_{a}", unit, what, "(M_p)_{{{i}{a}}}", i=names[i], a=names[k])
+                matrix[i, k] = matrix[k, i] = machine.define(name, matrix[i, k])
+    return replace(second, dependent=matrix)
+
+
+def _momentum(machine: Machine, i: int, k: int, value: Expr) -> Expr:
+    if value.is_number or value.is_Symbol:
+        return value
+    unit = "kg" if i < len(machine.directions) else "kg m"
+    what = "momentum of the platform along {i} per unit rate of coordinate {k}"
+    place = {"i": machine.components[i], "k": machine.all_coordinates[k].name}
+    name = machine.vocabulary.declare("h_{i}_{k}", unit, what, "h_{{{i},{k}}}", **place)
+    return machine.define(name, value)
 
 
 def _placed(machine: Machine, kin: kinematics.Kinematics, block: Rows) -> list[list[Expr]]:
@@ -117,6 +163,14 @@ def units_of_stiffness(machine: Machine) -> str:
 def units_of_damping(machine: Machine) -> str:
     """Return the units of the entries of C_v."""
     return _listed(machine, "N s/m", "N s", "N m s")
+
+
+def drive_units(machine: Machine) -> tuple[str, str, str]:
+    """Return the units of the loads and of the static displacements of the drives, and what the loads are."""
+    v = machine.vocabulary
+    loads = dict.fromkeys(v[drive.torque].unit for drive in machine.drives)
+    moved = dict.fromkeys(v[q].unit for q in machine.coordinates if q not in machine.independent)
+    return ", ".join(loads), ", ".join(moved), "torques" if "N m" in loads else "forces"
 
 
 def _listed(machine: Machine, translation: str, both: str, rotation: str) -> str:

@@ -4,6 +4,8 @@ Everything that the modal analysis needs follows from these expressions by diffe
 
 * T_ss of the structure (equation 24): point masses; slender rods with end velocities v_e and v_c, each
   :math:`\tfrac{m}{6}(v_e \cdot v_e + v_e \cdot v_c + v_c \cdot v_c)`, translation and rotation together; arms;
+  bodies that turn with the platform, :math:`\tfrac12 m v^2 + \tfrac12 \omega \cdot J \omega`; parts of legs, whose
+  direction u turns with :math:`\dot u = (\dot s - u \dot l)/l`;
 * T_t of rotors and motors (equations 28 to 30);
 * V_g (equation 26 with the sign of a potential energy);
 * V_el of belts and reducers about a reference configuration (equations 34 to 41).
@@ -20,7 +22,8 @@ from sympy import Add, Expr, Integer, Rational, Symbol, collect, diff, expand
 
 from pkmodes_derive.assembly.kinematics import Kinematics
 from pkmodes_derive.machine import Machine
-from pkmodes_derive.vectors import dot
+from pkmodes_derive.parts import Leg
+from pkmodes_derive.vectors import axis, cross, dot
 from pkmodes_derive.vocabulary import AXES
 
 HALF, SIXTH = Rational(1, 2), Rational(1, 6)
@@ -72,13 +75,11 @@ class Energies:
 def derive(machine: Machine, kinematics: Kinematics) -> Energies:
     """Write the energies; named values are defined in the chain of `kinematics`."""
     inertias = _rotor_inertias(machine)
-    stiffnesses = (*_define_belts(machine), *_define_reducers(machine))
+    stiffnesses = (*_define_belts(machine), *_define_transmissions(machine))
     _define_platform_motion(machine, kinematics)
     D_p_dot = _jacobian_rate(machine, kinematics)
-    for m, row in enumerate(D_p_dot if machine.links else ()):
-        for q, rate in zip(machine.independent, row, strict=True):
-            # d(v_p)/dq_k = sum_l P_kl qdot_l, which is column k of the time derivative of D_p (equation 49).
-            kinematics.chain.rule(machine.v_p[m], q, rate)
+    if machine.links:
+        _differentiate_motion(machine, kinematics, D_p_dot)
     transmissions = _elastic(machine)
     springs = zip(machine.released, machine.compliances, strict=True)
     return Energies(
@@ -95,6 +96,25 @@ def derive(machine: Machine, kinematics: Kinematics) -> Energies:
     )
 
 
+def _differentiate_motion(
+    machine: Machine, kinematics: Kinematics, D_p_dot: Sequence[Sequence[Expr]]
+) -> None:
+    """Set d(v_p)/dq_k = sum_l P_kl qdot_l, which is column k of the time derivative of D_p (equation 49).
+
+    For the angular velocity the columns differ by its cross product with that per unit of qdot_k (`turning`).
+    """
+    first = len(machine.directions)
+    for k, q in enumerate(machine.independent):
+        column = [row[k] for row in D_p_dot]
+        for v, rate in zip(machine.v_p, column[:first], strict=True):
+            kinematics.chain.rule(v, q, rate)
+        if machine.turning is not None:
+            rates = machine.turning.rates
+            apart = machine.turning.commutator(tuple(kinematics.D_p[first:, k]), rates)
+            for w, rate, more in zip(rates, column[first:], apart, strict=True):
+                kinematics.chain.rule(w, q, rate + more)
+
+
 def _define_platform_motion(machine: Machine, kinematics: Kinematics) -> None:
     """Define velocity and, if effects need it, small displacement of the platform: D times the coordinates."""
     places = [machine.coordinates.index(q) for q in machine.independent]
@@ -108,15 +128,25 @@ def _define_platform_motion(machine: Machine, kinematics: Kinematics) -> None:
         if machine.delta_p:
             displaced = Add(*(d * q for d, q in zip(row, small, strict=True)), *(c.position for c in frame))
             machine.define(machine.delta_p[i], displaced)
+    if machine.turning is not None:
+        for i, w in enumerate(machine.turning.rates, start=len(machine.directions)):
+            machine.define(w, Add(*(d * rate for d, rate in zip(kinematics.D[i, :], rates, strict=True))))
 
 
 def _velocity(machine: Machine, position: Sequence[Expr]) -> Velocity:
     """Return the absolute velocity of a body-fixed point."""
-    if not any(
-        (a - b).free_symbols - _constants(machine) for a, b in zip(position, machine.platform, strict=True)
-    ):
-        return [(v, BASIS[AXES.index(axis)]) for v, axis in zip(machine.v_p, machine.directions, strict=True)]
-    moved: Velocity = []
+    lever = tuple(a - b for a, b in zip(position, machine.platform, strict=True))
+    turning = machine.turning
+    fixed = turning.symbols if turning is not None else set()
+    if not any(component.free_symbols - fixed - _constants(machine) for component in lever):
+        moved = [
+            (v, BASIS[AXES.index(name)]) for v, name in zip(machine.v_p, machine.directions, strict=True)
+        ]
+        if turning is not None and any(lever):
+            turned = zip(turning.rates, turning.axes, strict=True)
+            moved += [(w, cross(axis(name), lever)) for w, name in turned]
+        return moved
+    moved = []
     for q in machine.independent:
         rate = machine.velocities[machine.coordinates.index(q)]
         along = tuple(machine.chain.derivative(component, q) for component in position)
@@ -124,6 +154,26 @@ def _velocity(machine: Machine, position: Sequence[Expr]) -> Velocity:
             moved.append((rate, along))
     frame = zip(machine.frame_rate, BASIS, strict=True)
     return [*moved, *((rate, axis) for rate, axis in frame if rate != 0)]
+
+
+def _leg(machine: Machine, leg: Leg) -> Expr:
+    """Return the kinetic energy of the bodies of a leg, from the velocity of its vector s and its rate l_dot.
+
+    Its direction u = s/l turns with u_dot = (s_dot - u l_dot)/l, and u . s_dot = l_dot, so the square of u_dot is
+    (s_dot . s_dot - l_dot^2) / l^2.
+    """
+    start, end = (_velocity(machine, position) for position in leg.ends)
+    moved = [*end, *((-rate, vector) for rate, vector in start)]
+    l_dot = machine.velocities[machine.coordinates.index(leg.length)]
+    T = HALF * leg.inertia * _product(machine, moved, moved)
+    T += HALF * (leg.moving_mass - leg.inertia) * l_dot**2
+    if any(machine.frame_rate):
+        direction = tuple(component / leg.length for component in leg.vector)
+        turned = [(rate * leg.moment / leg.length, vector) for rate, vector in moved]
+        turned.append((-l_dot * leg.moment / leg.length, direction))
+        along = [(rate * leg.moving_mass, vector) for rate, vector in moved]
+        T += HALF * leg.mass * _product(machine, start, start) + _product(machine, start, [*along, *turned])
+    return T
 
 
 def _constants(machine: Machine) -> set[Symbol]:
@@ -160,6 +210,16 @@ def _structure(machine: Machine) -> Expr:
         along = tuple(machine.chain.derivative(component, arm.angle) for component in arm.centre)
         u = machine.frame_rate
         T += HALF * arm.inertia * rate**2 + arm.mass * (rate * dot(along, u) + HALF * dot(u, u))
+    for body in machine.bodies:
+        assert machine.turning is not None
+        v, w = _velocity(machine, body.centre), machine.turning.rates
+        turned = Add(
+            *(w[i] * body.inertia[i][k] * w[k] for i in range(len(w)) for k in range(len(w)))
+        )
+        T += HALF * body.mass * _product(machine, v, v) + HALF * turned
+    T += Add(*(_leg(machine, leg) for leg in machine.legs))
+    if machine.turning is not None:
+        return T
     # One coefficient for each product of velocities: the apparent mass.
     v_p = machine.v_p
     return collect(expand(T), [c**2 for c in v_p] + list(v_p))
@@ -207,17 +267,35 @@ def _jacobian_rate(machine: Machine, kinematics: Kinematics) -> tuple[tuple[Expr
             )
             for k in range(n)
         )
-        for axis in machine.directions
+        for axis in machine.components
     )
+    D_l_dot = [[*s_dot[j], *_moment_rates(machine, kinematics, j, q_dot)] for j in range(len(s_dot))]
     for k in range(n):
         right = []
         for j, link in enumerate(machine.links):
             own = chain.definitions[kinematics.D_r[j, j]]
             rate = _diagonal_rate(machine, own, link.vector, s_dot[j], q[j], q_dot[j]) if j == k else 0
-            right.append(rate - dot(s_dot[j], tuple(kinematics.D_p[:, k])))
+            right.append(rate - dot(D_l_dot[j], tuple(kinematics.D_p[:, k])))
         for m, component in enumerate(kinematics.solver.solve(right)):
             machine.define(names[m][k], component)
     return names
+
+
+def _moment_rates(
+    machine: Machine, kinematics: Kinematics, j: int, q_dot: Sequence[Symbol]
+) -> tuple[Symbol, ...]:
+    """Name the time derivatives of the entries of D_l that belong to rotations."""
+    names = []
+    for m, name in enumerate(machine.components[len(machine.directions) :], start=len(machine.directions)):
+        rates = (
+            machine.chain.derivative(kinematics.D_l[j, m], q) * rate
+            for q, rate in zip(machine.independent, q_dot, strict=True)
+        )
+        what = "rate of change of the moment of linkage vector {j}, component {i}"
+        latex = r"(\dot{{D}}_l)_{{{j}{i}}}"
+        rate = machine.vocabulary.declare("D_l_dot_{j}_{i}", "m^2/s", what, latex, j=j + 1, i=name)
+        names.append(machine.define(rate, Add(*rates)))
+    return tuple(names)
 
 
 def _diagonal_rate(
@@ -233,6 +311,7 @@ def _gravity(machine: Machine) -> Expr:
     frame = machine.frame_position
     bodies = [(body.mass, body.position) for body in machine.points]
     bodies += [(arm.mass, arm.centre) for arm in machine.arms]
+    bodies += [(body.mass, body.centre) for body in machine.bodies]
     for rod in machine.rods:
         midway = tuple((a + b) * HALF for a, b in zip(*rod.ends, strict=True))
         bodies.append((rod.mass, midway))
@@ -240,6 +319,7 @@ def _gravity(machine: Machine) -> Expr:
         Add(
             *(mass * (position[m] + frame[m]) for mass, position in bodies),
             *(mass * position[m] for mass, position in machine.weights),
+            *(leg.mass * (leg.ends[0][m] + frame[m]) + leg.weight * leg.vector[m] for leg in machine.legs),
         )
         for m in range(3)
     ]
@@ -276,10 +356,10 @@ def _define_belts(machine: Machine) -> tuple[Symbol, ...]:
     return tuple(run.stiffness for belt in machine.belts for run in belt.runs)
 
 
-def _define_reducers(machine: Machine) -> tuple[Symbol, ...]:
-    for reducer in machine.reducers:
-        machine.define(reducer.stiffness, reducer.declared * (1 + reducer.change))
-    return tuple(reducer.stiffness for reducer in machine.reducers)
+def _define_transmissions(machine: Machine) -> tuple[Symbol, ...]:
+    for spring in machine.transmissions:
+        machine.define(spring.stiffness, spring.declared * (1 + spring.change))
+    return tuple(spring.stiffness for spring in machine.transmissions)
 
 
 def _losses(machine: Machine) -> Expr:
@@ -290,18 +370,18 @@ def _losses(machine: Machine) -> Expr:
         for run in belt.runs:
             a, b = (machine.displacement(*end) for end in run.ends)
             V.append(HALF * belt.loss * run.stiffness**2 * run.length / modulus * (a - b) ** 2)
-    for reducer in machine.reducers:
-        V.append(HALF * reducer.loss * reducer.stiffness * machine.displacement(reducer.twist) ** 2)
+    for spring in machine.transmissions:
+        V.append(HALF * spring.loss * spring.stiffness * machine.displacement(spring.twist) ** 2)
     return Add(*V)
 
 
 def _elastic(machine: Machine) -> Expr:
-    """Return the elastic energy of belts (equation 38 with the sign of a potential energy) and reducers."""
+    """Return the elastic energy of belts (equation 38 with the sign of a potential energy), reducers and legs."""
     V = []
     for belt in machine.belts:
         for run in belt.runs:
             a, b = (machine.displacement(*end) for end in run.ends)
             V.append(HALF * run.stiffness * (a - b) ** 2)
-    for reducer in machine.reducers:
-        V.append(HALF * reducer.stiffness * machine.displacement(reducer.twist) ** 2)
+    for spring in machine.transmissions:
+        V.append(HALF * spring.stiffness * machine.displacement(spring.twist) ** 2)
     return Add(*V)

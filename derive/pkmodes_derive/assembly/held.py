@@ -95,7 +95,7 @@ def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset()) -> HeldMotor
                 flat([[M[a][b] for b in kept] for a in kept]),
                 flat(K),
                 flat(platform),
-                tuple(momenta[a][m] for m in range(len(machine.directions)) for a in kept),
+                tuple(momenta[a][m] for m in range(len(machine.components)) for a in kept),
                 damping,
             ),
         ),
@@ -113,7 +113,7 @@ def _function(
     damping: tuple[tuple[Expr, ...], ...],
 ) -> Function:
     m, n = d.machine, len(names)
-    across = (len(m.directions), n)
+    across = (len(m.components), n)
     outputs = [
         Output("M", (n, n), M, units_of_mass(m), "mass matrix"),
         Output("K", (n, n), K, units_of_stiffness(m), "stiffness matrix, symmetric"),

@@ -22,6 +22,8 @@ from pkmodes_derive.machine import Machine
 from pkmodes_derive.vectors import dot
 from pkmodes_derive.vocabulary import AXES
 
+HALF = Rational(1, 2)
+
 
 @dataclass(frozen=True)
 class Kinematics:
@@ -55,6 +57,8 @@ class Kinematics:
         dp/dq for all of `independent`; its first columns are D_p.
     reference : dict
         Values of released coordinates in the reference configuration.
+    partial : Chain
+        Definitions in which coordinates and platform are unrelated, for `implicit.second_derivatives`.
     """
 
     chain: Chain
@@ -70,6 +74,7 @@ class Kinematics:
     right: Matrix
     D: Matrix
     reference: dict[Symbol, Expr]
+    partial: Chain
 
     @property
     def definitions(self) -> dict[Symbol, Expr]:
@@ -88,7 +93,7 @@ class Kinematics:
 
 def derive(machine: Machine) -> Kinematics:
     """Derive the kinematics; the derivative rules for the platform and D_p are added to the machine's chain."""
-    chain = machine.chain
+    chain, partial = machine.chain, machine.chain.copy()
     elongations = tuple(c.position for link in machine.links for c in link.elongation)
     independent = (*machine.independent, *elongations)
     reference: dict[Symbol, Expr] = dict.fromkeys(elongations, Integer(0))
@@ -99,21 +104,23 @@ def derive(machine: Machine) -> Kinematics:
         zero = tuple(Matrix.zeros(n, n) for _ in machine.directions)
         inverse = machine.inverse
         return Kinematics(
-            chain, inverse, [], None, empty, empty, D, (), zero, independent, empty, D, reference
+            chain, inverse, [], None, empty, empty, D, (), zero, independent, empty, D, reference, partial
         )
     closures = [
         _closure(link.vector, link.length, [c.position for c in link.elongation]) for link in machine.links
     ]
     D_l, right = implicit.first_order(closures, independent, machine.dependent, chain)
+    if machine.turning is not None:
+        _name_moments(machine, D_l)
     right = right.xreplace(reference)  # released coordinates are zero in the reference configuration
     D_r = _diagonal(machine, right, n)
-    solver = implicit.Solver(D_l, machine.vocabulary, chain, machine.directions)
+    solver = implicit.Solver(D_l, machine.vocabulary, chain, machine.components, len(machine.rotations))
     D = _jacobian(machine, solver, right, independent)
     D_p = D[:, :n]
     U = tuple(_link_jacobian(machine, j, independent) for j in range(len(machine.links)))
     P = _second_derivatives(machine, closures, D_p, solver)
     return Kinematics(
-        chain, machine.inverse, closures, solver, D_l, D_r, D_p, U, P, independent, right, D, reference
+        chain, machine.inverse, closures, solver, D_l, D_r, D_p, U, P, independent, right, D, reference, partial
     )
 
 
@@ -123,7 +130,7 @@ def _components(machine: Machine) -> tuple[Expr, ...]:
 
 
 def _closure(s: Sequence[Symbol], length: Expr, elongation: Sequence[Symbol]) -> Expr:
-    return (dot(s, s) - Add(length, *elongation) ** 2) * Rational(1, 2)
+    return (dot(s, s) - Add(length, *elongation) ** 2) * HALF
 
 
 def _diagonal(machine: Machine, right: Matrix, n: int) -> Matrix:
@@ -141,23 +148,44 @@ def _diagonal(machine: Machine, right: Matrix, n: int) -> Matrix:
     return D_r
 
 
+def _name_moments(machine: Machine, D_l: Matrix) -> None:
+    """Name the entries of D_l that belong to rotations: moments of the linkage vectors about the platform's origin."""
+    first = len(machine.directions)
+    for j in range(len(machine.links)):
+        for m, axis in enumerate(machine.components[first:], start=first):
+            name = machine.vocabulary.declare(
+                "D_l_{j}_{i}",
+                "m^2",
+                "moment of linkage vector {j} about the platform's origin, component {i}",
+                "(D_l)_{{{j}{i}}}",
+                j=j + 1,
+                i=axis,
+            )
+            D_l[j, m] = machine.define(name, D_l[j, m])
+
+
 def _jacobian(
     machine: Machine, solver: implicit.Solver, right: Matrix, independent: tuple[Symbol, ...]
 ) -> Matrix:
     v, n = machine.vocabulary, len(machine.independent)
     D = Matrix.zeros(len(machine.dependent), len(independent))
     columns = [solver.solve(tuple(right[:, k])) for k in range(len(independent))]
-    for m, axis in enumerate(machine.directions):
+    for m, axis in enumerate(machine.components):
+        turns = m >= len(machine.directions)
         for k, q in enumerate(independent):
             if k < n:
                 what = f"platform Jacobian, dp_{{i}}/d{machine.stem}_{{k}}"
-                unit = machine.unit_by(machine.independent[k], "1", "m")
+                unit = machine.unit_by(machine.independent[k], *(("1/m", "1") if turns else ("1", "m")))
                 name = v.declare("D_p_{i}_{k}", unit, what, "(D_p)_{{{i}{k}}}", i=axis, k=k + 1)
             else:
                 what = "platform Jacobian, dp_{i}/ddelta_{k}"
-                name = v.declare("D_delta_{i}_{k}", "1", what, r"(D_\delta)_{{{i}{k}}}", i=axis, k=k - n + 1)
+                unit = "1/m" if turns else "1"
+                name = v.declare("D_delta_{i}_{k}", unit, what, r"(D_\delta)_{{{i}{k}}}", i=axis, k=k - n + 1)
             D[m, k] = machine.define(name, columns[k][m])
             machine.chain.rule(machine.dependent[m], q, name)
+    if machine.turning is not None:
+        for k, q in enumerate(independent):
+            machine.turning.follow(q, tuple(D[len(machine.directions) :, k]))
     return D
 
 
@@ -194,6 +222,9 @@ def _second_derivatives(
     for k in range(n):
         for m in range(k, n):
             forcing = implicit.second_order_forcing(closures, q[k], q[m], chain, jacobian=tuple(D_p))
+            if machine.turning is not None:  # the second derivatives of the exponential chart are symmetric
+                other = implicit.second_order_forcing(closures, q[m], q[k], chain, jacobian=tuple(D_p))
+                forcing = [(a + b) * HALF for a, b in zip(forcing, other, strict=True)]
             names = []
             for j in range(len(closures)):
                 what = f"right-hand side of closure {{j}}, differentiated {by}"
@@ -209,18 +240,29 @@ def _second_derivatives(
                 )
                 machine.define(names[j], forcing[j])
             solution = solver.solve(names)
-            for i, axis in enumerate(machine.directions):
+            for i, axis in enumerate(machine.components):
                 what, place = f"second derivative of p_{{i}} {by}", {"k": k + 1, "l": m + 1}
+                turns = i >= len(machine.directions)
                 name = v.declare(
                     "P_{i}_{k}{l}",
-                    machine.unit_by(machine.independent[k], "1/m", "m"),
+                    machine.unit_by(machine.independent[k], *(("1/m^2", "1") if turns else ("1/m", "m"))),
                     what,
                     "(P_{i})_{{{k}{l}}}",
                     i=axis,
                     **place,
                 )
                 P[i][k, m] = P[i][m, k] = machine.define(name, solution[i])
-                chain.rule(D_p[i, k], q[m], name)
+                rates = _unsymmetric(machine, i, name, D_p[:, k], D_p[:, m])
+                chain.rule(D_p[i, k], q[m], rates[0])
                 if m != k:
-                    chain.rule(D_p[i, m], q[k], name)
+                    chain.rule(D_p[i, m], q[k], rates[1])
     return P
+
+
+def _unsymmetric(machine: Machine, i: int, name: Symbol, at_k: Matrix, at_m: Matrix) -> tuple[Expr, Expr]:
+    """Return d(D_ik)/dq_m and d(D_im)/dq_k: for angular velocities they differ by a commutator (`turning`)."""
+    first = len(machine.directions)
+    if machine.turning is None or i < first:
+        return name, name
+    half = HALF * machine.turning.commutator(tuple(at_m)[first:], tuple(at_k)[first:])[i - first]
+    return name + half, name - half

@@ -8,7 +8,15 @@ from sympy import Add, Expr, Symbol, diff
 
 from pkmodes_derive.assembly import chapters, sensitivity
 from pkmodes_derive.assembly.condensed import Condensed
-from pkmodes_derive.assembly.derived import Derived, added, derive, flat, units_of_mass, units_of_stiffness
+from pkmodes_derive.assembly.derived import (
+    Derived,
+    added,
+    derive,
+    drive_units,
+    flat,
+    units_of_mass,
+    units_of_stiffness,
+)
 from pkmodes_derive.assembly.dissipation import dissipation, loss_of_joints
 from pkmodes_derive.assembly.kinematics import Kinematics
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output, Relation
@@ -46,8 +54,8 @@ def describe(machine: Machine, rigid_modes: int | None, drawing: Drawing) -> Des
     v = machine.vocabulary
     named = tuple(Named(q.name, v[q].unit, v[q].description) for q in machine.coordinates)
     pose = tuple(
-        Named(axis, v[q].unit, f"{axis} of the {machine.pose_is}")
-        for axis, q in zip(machine.directions, machine.pose, strict=True)
+        Named(axis, v[q].unit, _component(machine, axis))
+        for axis, q in zip(machine.components, machine.pose, strict=True)
     )
     return Description(
         name=machine.name,
@@ -59,11 +67,7 @@ def describe(machine: Machine, rigid_modes: int | None, drawing: Drawing) -> Des
         independent_are=machine.independent_are,
         directions=machine.directions,
         drives=tuple(
-            Named(
-                str(j),
-                "N m",
-                v[drive.torque].description.removeprefix("static torque on ").removeprefix("the "),
-            )
+            Named(str(j), v[drive.torque].unit, _driven(v[drive.torque].description))
             for j, drive in enumerate(machine.drives, start=1)
         ),
         rigid_modes=rigid_modes or 0,
@@ -76,7 +80,24 @@ def describe(machine: Machine, rigid_modes: int | None, drawing: Drawing) -> Des
         difference_pairs=tuple(machine.differences.items()),
         sample=dict(machine.sample),
         drawing=drawing,
+        rotations=machine.rotations,
     )
+
+
+def _component(machine: Machine, axis: str) -> str:
+    """Return what a component of the pose is."""
+    if axis in machine.directions:
+        return f"{axis} of the {machine.pose_is}"
+    if len(machine.rotations) == 1:
+        return f"rotation of the platform about {axis[1:]}"
+    return f"component {axis[1:]} of the platform's rotation vector"
+
+
+def _driven(description: str) -> str:
+    """Return the part that a static load acts on, from the description of the load."""
+    for words in ("static torque on ", "static force on ", "the "):
+        description = description.removeprefix(words)
+    return description
 
 
 def extended(machine: Machine) -> Model:
@@ -87,6 +108,37 @@ def extended(machine: Machine) -> Model:
     stiffnesses 1/c to the diagonal of K.
     """
     d, v = derive(machine), machine.vocabulary
+    functions, constants = _derivatives(d)
+    return Model(
+        mechanism=machine.name,
+        coordinates=tuple((q.name, v[q].unit) for q in machine.all_coordinates),
+        vocabulary=v,
+        groups=(
+            FieldGroup("Parameters", "parameters", tuple(machine.tables.fields), declared=False),
+            FieldGroup("Effects", "effects", machine.effect_fields, null=0.0),
+        ),
+        functions=(
+            _matrices(d),
+            _motion(d),
+            _motors(d),
+            _joints(d),
+            dissipation(d),
+            loss_of_joints(d),
+            _static_equilibrium(d),
+            *_needs(machine),
+            *functions,
+        ),
+        constants=tuple(constants),
+    )
+
+
+def _derivatives(d: Derived) -> tuple[list[Function], list[tuple[str, str, tuple[object, ...]]]]:
+    """Return the functions for the derivatives of M and K, and the lists of what they are derivatives of.
+
+    Of a platform that turns only the lists are written: there would be tens of thousands of expressions, and the
+    runtime differentiates `extended_matrices` by complex step, which is exact to rounding.
+    """
+    machine = d.machine
     place = {
         symbol: (field.name, index)
         for field in (*machine.tables.fields, *machine.effect_fields)
@@ -118,31 +170,15 @@ def extended(machine: Machine) -> Model:
             "The same for `geometry_sensitivities`.",
         ),
     ):
-        function, places = _sensitivities(d, name, title, source, some, also)
-        functions.append(function)
+        if machine.turning is None:
+            function, places = _sensitivities(d, name, title, source, some, also)
+            functions.append(function)
+        else:
+            places = sensitivity.depending(d, some)
+            comment = comment.replace("`geometry_sensitivities`", "parameters that move coordinates")
         listed = tuple((*place[theta], *entries) for theta, entries in zip(some, places, strict=True))
         constants.append((comment, name.upper(), listed))
-    return Model(
-        mechanism=machine.name,
-        coordinates=tuple((q.name, v[q].unit) for q in machine.all_coordinates),
-        vocabulary=v,
-        groups=(
-            FieldGroup("Parameters", "parameters", tuple(machine.tables.fields), declared=False),
-            FieldGroup("Effects", "effects", machine.effect_fields, null=0.0),
-        ),
-        functions=(
-            _matrices(d),
-            _motion(d),
-            _motors(d),
-            _joints(d),
-            dissipation(d),
-            loss_of_joints(d),
-            _static_equilibrium(d),
-            *_needs(machine),
-            *functions,
-        ),
-        constants=tuple(constants),
-    )
+    return functions, constants
 
 
 def _matrices(d: Derived) -> Function:
@@ -242,19 +278,21 @@ def _needs(machine: Machine) -> list[Function]:
 def _static_equilibrium(d: Derived) -> Function:
     """Return the function for the static equilibrium (equation 44)."""
     torques, rotations = d.equilibrium.torques, d.equilibrium.rotations
+    loads, moved, what = drive_units(d.machine)
+    by = "rotations" if "rad" in moved else "displacements"
     return Function(
         "extended_static_equilibrium",
-        "Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.",
+        f"Drive {what} and {by} that hold the pose, with the weights and stiffness changes of effects.",
         "equation 44; springs added by effects are relaxed at the pose, and released joints are locked",
         (d.pose,),
         (
-            Output("tau_st", (len(torques),), torques, "N m", "torques on the driven rotors"),
+            Output("tau_st", (len(torques),), torques, loads, f"{what} on the driven rotors"),
             Output(
                 "theta_st",
                 (len(rotations),),
                 rotations,
-                "rad",
-                "rotations relative to the unstrained transmissions",
+                moved,
+                f"{by} relative to the unstrained transmissions",
             ),
         ),
         d.kin.definitions,

@@ -15,11 +15,11 @@ zero: they have a separate function, several times shorter than the one for the 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from sympy import Add, Expr, Symbol, diff
 
-from pkmodes_derive.assembly.derived import Derived
+from pkmodes_derive.assembly.derived import Derived, added
 from pkmodes_derive.chain import Chain
 from pkmodes_derive.machine import Machine
 from pkmodes_description import CHOICES
@@ -50,6 +50,27 @@ def _quantities(machine: Machine) -> list[Symbol]:
     chosen = {key.field for table in machine.tables.described() for key in table.keys if key.kind in CHOICES}
     left_out = chosen | set(machine.differences)
     return [s for field in machine.tables.fields if field.name not in left_out for s in field.symbols]
+
+
+def depending(
+    derived: Derived, parameters: Sequence[Symbol]
+) -> tuple[tuple[tuple[tuple[int, int], ...], ...], ...]:
+    """Return, for each parameter, the entries of M and of K in the upper triangle that it may change."""
+    definitions = derived.kin.definitions
+    known: dict[Symbol, frozenset[Symbol]] = {}
+    for symbol, value in definitions.items():
+        known[symbol] = _inputs(value, known)
+    by_matrix = []
+    for matrix in (derived.M, added(derived.K_el, derived.K_g)):
+        n = range(len(matrix))
+        inputs = {(k, m): _inputs(matrix[k][m], known) for k in n for m in n if k <= m}
+        by_matrix.append([tuple(at for at, of in inputs.items() if theta in of) for theta in parameters])
+    return tuple(zip(*by_matrix, strict=True))
+
+
+def _inputs(expression: Expr, known: Mapping[Symbol, frozenset[Symbol]]) -> frozenset[Symbol]:
+    """Return the inputs that an expression depends on, from those of the values that it uses."""
+    return frozenset().union(*(known.get(s, frozenset((s,))) for s in expression.free_symbols))
 
 
 class PoseChain:

@@ -41,15 +41,15 @@ class Spring:
 
 
 def springs(d: Derived) -> tuple[Spring, ...]:
-    """Return the springs: belt spans, reducers, then those that effects add."""
+    """Return the springs: belt spans, reducers, legs, then those that effects add."""
     machine, collected = d.machine, []
     for belt in machine.belts:
         for run in belt.runs:
             a, b = (machine.displacement(*end) for end in run.ends)
             collected.append(_spring(d, run.stiffness, a - b, run))
-    for reducer in machine.reducers:
-        twist = machine.displacement(reducer.twist)
-        collected.append(_spring(d, reducer.stiffness, twist, reducer))
+    for spring in machine.transmissions:
+        twist = machine.displacement(spring.twist)
+        collected.append(_spring(d, spring.stiffness, twist, spring))
     for energy, effect in zip(machine.elastic, machine.elastic_of, strict=True):
         collected += _of_effect(d, energy, effect)
     return tuple(collected)

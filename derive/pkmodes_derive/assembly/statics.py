@@ -22,7 +22,7 @@ from pkmodes_derive import implicit, lagrangian
 from pkmodes_derive.assembly.energy import Energies
 from pkmodes_derive.assembly.kinematics import Kinematics
 from pkmodes_derive.machine import Machine
-from pkmodes_derive.vocabulary import DeclarationError
+from pkmodes_derive.vocabulary import AXES, DeclarationError
 
 TIE = "connect each coordinate that moves the platform to its own drive with a reducer or a belt"
 
@@ -42,7 +42,7 @@ class Statics:
     rotations : tuple
         Displacements of the other coordinates relative to the unstrained transmissions, in order.
     torques : tuple
-        Drive torques [N m], positive in the direction of their rotors.
+        Drive torques [N m], or forces [N], positive in the direction of their rotors.
     """
 
     gravity_gradient: list[Expr]
@@ -64,11 +64,19 @@ class _Equation:
 def derive(machine: Machine, kinematics: Kinematics, energies: Energies) -> Statics:
     """Solve equation 44 in closed form, block by block, and name the solution in the chain of `kinematics`."""
     chain = kinematics.chain
-    gravity = lagrangian.gradient(energies.V_g, machine.independent, chain)
-    mu = _force_densities(machine, kinematics, energies)
-    hessian = implicit.constrained_hessian(
-        energies.V_g, kinematics.closures, mu, kinematics.independent, tuple(kinematics.D), chain
-    )
+    by_platform = _platform_forces(machine, kinematics, energies)
+    mu = _force_densities(machine, kinematics, by_platform)
+    if machine.turning is None:
+        gravity = lagrangian.gradient(energies.V_g, machine.independent, chain)
+        hessian = implicit.constrained_hessian(
+            energies.V_g, kinematics.closures, mu, kinematics.independent, tuple(kinematics.D), chain
+        )
+    else:
+        gravity = [
+            Add(kinematics.partial.derivative(energies.V_g, q), *(f * d for f, d in zip(by_platform, D, strict=True)))
+            for q, D in zip(machine.independent, kinematics.D_p.T.tolist(), strict=True)
+        ]
+        hessian = _hessian_in_blocks(machine, kinematics, energies, mu)
     places = [machine.coordinates.index(q) for q in machine.independent]
     # The independent coordinates and released joints hold the pose.
     fixed = (*(machine.displacements[i] for i in places), *(c.position for c in machine.released))
@@ -189,6 +197,47 @@ def _solved(
     return solution
 
 
+def _hessian_in_blocks(
+    machine: Machine, kinematics: Kinematics, energies: Energies, mu: Sequence[Symbol]
+) -> list[list[Expr]]:
+    """Return the Hessian of gravity along the constraints for a platform that turns."""
+    lagrangian = energies.V_g - Add(*(m * phi for m, phi in zip(mu, kinematics.closures, strict=True)))
+    second = implicit.second_derivatives(
+        lagrangian, kinematics.independent, machine.dependent, kinematics.partial
+    )
+    names, first, v = machine.components, len(machine.directions), machine.vocabulary
+    assert machine.turning is not None
+
+    def gradient(number: int, i: int, value: Expr) -> Expr:
+        what = "derivative of gravity and closures with respect to vector {j} that turns, component {i}"
+        name = v.declare("g_{j}_{i}", "N", what, "g_{{{j},{i}}}", j=number + 1, i=AXES[i])
+        return machine.define(name, value)
+
+    second = implicit.with_small_rotations(
+        second, lagrangian, machine.turning, kinematics.partial, gradient
+    )
+    matrix, mixed = second.dependent.copy(), second.mixed.xreplace(kinematics.reference)
+    for i in range(len(names)):
+        for k in range(i, len(names)):
+            if matrix[i, k] != 0:
+                what = "second derivative of gravity and closures with respect to the platform, entry {i}, {a}"
+                unit = ("N/m", "N", "N m")[(i >= first) + (k >= first)]
+                name = v.declare("L_{i}_{a}", unit, what, "L_{{{i}{a}}}", i=names[i], a=names[k])
+                matrix[i, k] = matrix[k, i] = machine.define(name, matrix[i, k])
+
+    def named(i: int, k: int, value: Expr) -> Expr:
+        if value.is_number or value.is_Symbol:
+            return value
+        what = "force on the platform along {i} per unit of coordinate {k}"
+        place = {"i": names[i], "k": kinematics.independent[k].name}
+        unit = "N/m" if i < first else "N"
+        return machine.define(v.declare("f_{i}_{k}", unit, what, "f_{{{i},{k}}}", **place), value)
+
+    independent = second.independent.xreplace(kinematics.reference)
+    blocks = implicit.SecondDerivatives(independent, mixed, matrix)
+    return implicit.congruent(blocks, kinematics.D, named)
+
+
 def _static_name(machine: Machine, coordinate: Symbol) -> Symbol:
     quantity = machine.vocabulary[coordinate]
     stem, *index = coordinate.name.split("_")
@@ -208,7 +257,22 @@ def _static_name(machine: Machine, coordinate: Symbol) -> Symbol:
     )
 
 
-def _force_densities(machine: Machine, kinematics: Kinematics, energies: Energies) -> tuple[Symbol, ...]:
+def _platform_forces(machine: Machine, kinematics: Kinematics, energies: Energies) -> list[Expr]:
+    """Return dV_g/dp with the independent coordinates held, named where the platform turns."""
+    if machine.turning is None:
+        return [diff(energies.V_g, component) for component in machine.dependent]
+    forces = []
+    for i, component in enumerate(machine.dependent):
+        unit = "N" if i < len(machine.directions) else "N m"
+        what = "gradient of the gravitational potential energy with respect to the platform, component {i}"
+        name = machine.vocabulary.declare("G_p_{i}", unit, what, "G_{{p,{i}}}", i=machine.components[i])
+        forces.append(machine.define(name, kinematics.partial.derivative(energies.V_g, component)))
+    return forces
+
+
+def _force_densities(
+    machine: Machine, kinematics: Kinematics, gradient: Sequence[Expr]
+) -> tuple[Symbol, ...]:
     """Name the solution mu of D_l^T mu = dV_g/dp, with the independent coordinates held."""
     if kinematics.solver is None:
         return ()
@@ -217,7 +281,6 @@ def _force_densities(machine: Machine, kinematics: Kinematics, energies: Energie
         machine.vocabulary.declare("mu_{j}", "N/m", what, r"\mu_{j}", j=j)
         for j in range(1, len(machine.links) + 1)
     )
-    gradient = [diff(energies.V_g, component) for component in machine.dependent]
     for name, value in zip(names, kinematics.solver.multipliers(gradient), strict=True):
         machine.define(name, value)
     return names

@@ -27,6 +27,7 @@ EFFECT = Effect(
             "viscous friction of every motor, seen at the driven rotor",
             "b_D",
             "b_D",
+            along_legs=("N s/m", "viscous friction of every drive, along its leg"),
         ),
     ),
     apply=apply,

@@ -18,6 +18,15 @@ EFFECT = Effect(
     name="gearbox_inertia",
     sentence="the gearboxes have inertia",
     parts=lambda machine: machine.drives,
-    parameters=(EffectParameter("inertia", "kg m^2", "extra inertia on every driven pulley", "I_G", "I_G"),),
+    parameters=(
+        EffectParameter(
+            "inertia",
+            "kg m^2",
+            "extra inertia on every driven pulley",
+            "I_G",
+            "I_G",
+            along_legs=("kg", "extra mass that every drive moves along its leg"),
+        ),
+    ),
     apply=apply,
 )

@@ -27,6 +27,7 @@ EFFECT = Effect(
             "torsional stiffness to ground at every motor, seen at the driven rotor",
             "k_S",
             "k_S",
+            along_legs=("N/m", "stiffness to ground at every drive, along its leg"),
         ),
     ),
     apply=apply,

@@ -92,7 +92,7 @@ def _reported(name: str, during: str = "") -> AbstractContextManager[None]:
 
 
 def _machine(module: ModuleType, name: str, effects: Sequence[Effect]) -> Machine:
-    declared = Machine(name, module.TITLE, module.DIRECTIONS)
+    declared = Machine(name, module.TITLE, module.DIRECTIONS, getattr(module, "ROTATIONS", ()))
     module.declare(declared)
     declared.finish()
     apply_effects(declared, effects)

@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.system.evaluation import ExtendedSystem
@@ -30,6 +31,8 @@ POSE = "pose"
 
 #: Step of complex-step differentiation, which has no cancellation.
 STEP = 1e-30
+#: Poses times parameters that are differentiated at once.
+AT_ONCE = 4096
 #: Relative size of the rounding left when a spring is eliminated.
 TAKEN_OUT = 1e-12
 
@@ -88,6 +91,21 @@ def joints_of(mechanism: Mechanism) -> dict[Slot, tuple[int, ...]]:
         for q, one in zip(effect.coordinates, place, strict=True):
             joints[f"{compliance}.{q.name}", ()] = (one,)
     return joints
+
+
+def _stepped(numbers: Any, names: Sequence[tuple[str, tuple[int, ...]]]) -> Any:
+    """Return parameters or effects with a complex step in one number after the other, along a new first axis."""
+    stepped = {}
+    for k, (field, index) in enumerate(names):
+        if field in numbers._fields:
+            if field not in stepped:
+                value = np.asarray(getattr(numbers, field))
+                own = value.shape[value.ndim - len(index) :]
+                batch = value.shape[: value.ndim - len(index)] or (1,)
+                copies = np.broadcast_to(value, (len(names), *batch, *own))
+                stepped[field] = copies.astype(complex)
+            stepped[field][(k, ..., *index)] += STEP * 1j
+    return numbers._replace(**stepped)
 
 
 def geometry_of(mechanism: Mechanism) -> frozenset[str]:
@@ -197,6 +215,8 @@ class MatrixDerivatives:
         Those with respect to the geometry come last and take most of the time; they are zero if no path needs them.
         """
         extended = self.system.mechanism.extended
+        if not self.system.generated.has("value_sensitivities"):
+            return self._by_complex_step()
         values = self.system.single("value_sensitivities", self._p)
         if self._directions[1][:, len(extended.VALUE_SENSITIVITIES) :].any():
             geometry = self.system.single("geometry_sensitivities", self._p)
@@ -205,6 +225,29 @@ class MatrixDerivatives:
             geometry = tuple(np.zeros((len(self._p), count)) for count in counts)
         of_M, of_K = (np.hstack(both) for both in zip(values, geometry, strict=True))
         return of_M, of_K
+
+    def _by_complex_step(self) -> tuple[Array, Array]:
+        """Derivatives of the entries of M and K by complex step, for a mechanism without generated ones.
+
+        Only those with respect to numbers that a path moves are computed, a block of them at once.
+        """
+        mechanism, system = self.system.mechanism, self.system
+        of = [_entries(mechanism, matrix) for matrix in (0, 1)]
+        values = tuple(np.zeros((len(self._p), len(entries.slot))) for entries in of)
+        listed, moved = _listed(mechanism), np.flatnonzero(self._directions[1].any(axis=(0, 2)))
+        size = max(1, AT_ONCE // max(1, len(self._p)))
+        for block in (moved[i : i + size] for i in range(0, len(moved), size)):
+            names = [listed[slot][:2] for slot in block]
+            generated = Generated(
+                mechanism.extended, _stepped(system.parameters, names), _stepped(system.effects, names)
+            )
+            M, K_el, K_g = generated.extended_matrices(self._p)
+            for entries, matrix, out in zip(of, (M, K_el + K_g), values, strict=True):
+                rates = np.broadcast_to(np.imag(matrix) / STEP, (len(block), len(self._p), *matrix.shape[-2:]))
+                for k, slot in enumerate(block):
+                    some = np.flatnonzero(entries.slot == slot)
+                    out[:, some] = rates[k][:, entries.row[some], entries.column[some]]
+        return values[0], values[1]
 
     @cached_property
     def _by_pose(self) -> tuple[Array, Array] | None:

@@ -45,17 +45,16 @@ def base(model: Model, description: Description) -> Function:
     matrices, jacobian = by_name["modal_matrices"], by_name["platform_jacobian"]
     M, K = matrices.outputs
     (D_p,) = jacobian.outputs
-    pose = [component.name for component in description.pose]
     names = [component.name for component in description.coordinates]
     width = D_p.shape[1]
     entries: list[Expr] = []
-    for direction in description.directions:
-        row = D_p.entries[pose.index(direction) * width :][:width]
+    for i in range(len(description.platform)):
+        row = D_p.entries[i * width :][:width]
         at = {names.index(name): value for name, value in zip(description.independent, row, strict=True)}
         entries += [at.get(i, Integer(0)) for i in range(len(names))]
     motion = Output(
         "J_p",
-        (len(description.directions), len(names)),
+        (len(description.platform), len(names)),
         tuple(entries),
         D_p.unit,
         "motion of the platform with respect to every coordinate",

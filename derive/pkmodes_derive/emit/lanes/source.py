@@ -70,7 +70,7 @@ def files(
         sizes=[
             ("POSE", len(description.pose)),
             ("INDEPENDENT", len(description.independent)),
-            ("DIRECTIONS", len(description.directions)),
+            ("DIRECTIONS", len(description.platform)),
             ("BASE", len(base.coordinates)),
             ("ALL", len(extended.coordinates)),
             ("GRADIENT", len(inputs)),

@@ -229,11 +229,12 @@ class Tables:
         self.problems.append(PkmodesError(what, f"{self.source}: {path}", remedy))
 
 
-def default_of(key: Key) -> Quantity | None:
-    """Return the default of a quantity, None if the file must give it."""
+def default_of(key: Key) -> schema.Value | None:
+    """Return the default of a quantity or vector, None if the file must give it."""
     if key.default is None:
         return None
-    return Quantity(key.default, DIMENSIONS[key.dimension][0])
+    one = Quantity(key.default, DIMENSIONS[key.dimension][0])
+    return one if key.kind == "quantity" else (one,) * len(key.elements)
 
 
 def _of_effect(raw: Any, parameter: EffectParameter) -> Quantity:

@@ -1,0 +1,128 @@
+"""The table of a platform that turns in space, with the conditions that its inertia and its rotation must meet."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sympy import Expr, Float, Matrix, Symbol, pi, sqrt
+
+from pkmodes_derive.description import Margin, Requirement
+from pkmodes_derive.functions import Output
+from pkmodes_derive.machine import Extra, Machine
+from pkmodes_derive.vectors import dot
+from pkmodes_derive.vocabulary import AXES
+
+PRODUCTS = ("xy", "xz", "yz")
+#: A thin plate meets the triangle inequality exactly: what rounding may take from it, relative to the trace.
+ROUNDING = Float("1e-9")
+
+
+@dataclass(frozen=True)
+class PlatformTable:
+    """The quantities of a platform: mass, centre of mass, moments and products of inertia in platform axes."""
+
+    mass: Symbol
+    centre: tuple[Symbol, ...]
+    inertia: tuple[Symbol, ...]
+    products: tuple[Symbol, ...]
+
+
+def platform_that_turns(m: Machine) -> PlatformTable:
+    """Declare the table ``[platform]`` and its conditions."""
+    table = m.tables.single("platform", "the moving platform")
+    (mass,) = table.quantity("mass", "m_p", "mass", "platform mass", above=0.0)
+    centre = table.vector_of(
+        "center",
+        "c_p",
+        "length",
+        "component {i} of the platform's centre of mass from its origin, platform axes",
+        "c_{{p,{i}}}",
+    )
+    inertia = table.vector_of(
+        "inertia",
+        "I_p",
+        "moment of inertia",
+        "moment of inertia of the platform about its centre of mass, axis {i} of the platform",
+        "I_{{p,{i}}}",
+        above=0.0,
+    )
+    products = table.vector_of(
+        "products",
+        "I_p",
+        "moment of inertia",
+        "entry {i} of the platform's inertia tensor about its centre of mass, platform axes",
+        "I_{{p,{i}}}",
+        PRODUCTS,
+        default=0.0,
+    )
+    _require_a_body(m, inertia, products)
+    return PlatformTable(mass, centre, inertia, products)
+
+
+def _require_a_body(m: Machine, inertia: tuple[Symbol, ...], products: tuple[Symbol, ...]) -> None:
+    """Require the inertia of a body: its second moments of mass, tr(I)/2 - I, are not negative in any direction."""
+    xy, xz, yz = products
+    tensor = Matrix([[inertia[0], xy, xz], [xy, inertia[1], yz], [xz, yz, inertia[2]]])
+    trace = tensor.trace()
+    moments = Matrix(3, 3, lambda i, k: (trace / 2 if i == k else 0) - tensor[i, k])
+    minors: list[Expr] = []
+    for i, k in ((0, 1), (0, 2), (1, 2)):
+        minors.append((moments[i, i] * moments[k, k] - moments[i, k] ** 2) / trace**2 + ROUNDING)
+    margins = [moments[i, i] / trace + ROUNDING for i in range(3)]
+    margins += [*minors, moments.det(method="berkowitz") / trace**3 + ROUNDING]
+    m.extras.append(
+        Extra(
+            "inertia_margin",
+            "Whether the platform's inertia is that of a body.",
+            "principal minors of its second moments of mass, divided by powers of the trace",
+            (Output("margin", (7,), tuple(margins), "1", "none is negative for a body"),),
+            arguments=(),
+            definitions={},
+        )
+    )
+    along = (*(f"platform.inertia.{axis}" for axis in AXES), *(f"platform.products.{two}" for two in PRODUCTS))
+    m.requirements += (
+        Requirement(
+            "inertia_margin",
+            "at_least_zero",
+            (*along, "platform.products.yz"),
+            "expected the inertia of a body, in which no moment exceeds the sum of the other two about any axes",
+            "check the inertia: it is about the centre of mass, and products are the tensor's entries",
+            "1",
+        ),
+    )
+
+
+def rotation_margin(m: Machine) -> None:
+    """Require a rotation of less than 90 degrees, and a pose that is not singular."""
+    assert m.turning is not None
+    angle = sqrt(dot(m.turning.vector, m.turning.vector))
+    m.extras.append(
+        Extra(
+            "rotation_margin",
+            "By how much the rotation of the platform is less than 90 degrees.",
+            "the norm of the rotation vector",
+            (Output("margin", (), (pi / 2 - angle,), "rad", "positive for a rotation below 90 degrees"),),
+        )
+    )
+    m.margins += (
+        Margin(
+            "rotation",
+            "rotation_margin",
+            0,
+            "above_zero",
+            "the platform turns by 90 degrees or more",
+            "the platform turns {short} beyond 90 degrees",
+            "choose a rotation vector shorter than 90 degrees",
+        ),
+        Margin(
+            "singular",
+            "jacobian_condition",
+            1,
+            "at_most_limit",
+            "the pose is singular",
+            "the pose is singular: the condition number of D_l is {value}",
+            "choose a pose farther from the singularity",
+            unit="1",
+        ),
+    )

@@ -1,0 +1,12328 @@
+# Generated from the derivation of hexapod.
+# By pkmodes_derive 0.1.0 with SymPy 1.14.0.
+# Do not edit: regenerate with `python -m pkmodes_derive generate`.
+"""Dynamics of the mechanism hexapod, for a robot given by its parameters.
+
+Arrays are batch first: a leading `...` stands for any batch shape, including none, and arguments broadcast.
+Complex arguments are accepted (for complex-step derivatives).  All quantities are in SI units and in the base
+frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+
+Names in the code.  Indices: leg j; coordinate k of a derivative; coordinate l of a second derivative;
+component i = x, y, z; rows r of a minor; columns c of a minor; axis a of the platform.  t1, t2, ... are
+subexpressions shared by several values.
+
+* w_p_i [rad/s]: angular velocity of the platform, component i
+* half_angle [rad]: half the angle of rotation
+* s_half [1]: sine of half the angle over half the angle
+* c_half [1]: cosine of half the angle
+* R_i_a [1]: rotation matrix of the platform: component i of its axis a
+* l_j [m]: length of leg j
+* B_j_i [m]: platform joint j from the platform's origin, base frame, component i
+* d_j_i [m]: leg j, from base joint to platform joint, component i
+* c_i [m]: centre of mass of the platform from its origin, component i
+* J_i_a [kg m^2]: inertia tensor of the platform about its centre of mass, base frame, entry ia
+* m_perp_j [kg]: inertia of leg j at its platform joint, perpendicular to the leg
+* m_lift_j [kg]: mass that is lifted with the vector of leg j
+* f_st_j [N]: static force on drive j
+* v_p_i [m/s]: velocity of the platform, component i
+* D_l_j_i [m^2]: moment of linkage vector j about the platform's origin, component i
+* A_i_j [m^8]: adjugate of D_l, entry i, j
+* minor_r_c [m^2]: minor of D_l, rows r and columns c
+* minor_r_c [m^4]: minor of D_l, rows r and columns c
+* minor_r_c [m^6]: minor of D_l, rows r and columns c
+* minor_r_c [m^3]: minor of D_l, rows r and columns c
+* minor_r_c [m^5]: minor of D_l, rows r and columns c
+* A_i_j [m^7]: adjugate of D_l, entry i, j
+* det_D_l [m^9]: determinant of D_l
+* D_p_i_k [1]: platform Jacobian, dp_i/dl_k
+* D_p_i_k [1/m]: platform Jacobian, dp_i/dl_k
+* U_j_i_k [1]: derivative of linkage vector j, component i, with respect to l_k
+* f_j_kl [1]: right-hand side of closure j, differentiated with respect to l_k and l_l
+* P_i_kl [1/m]: second derivative of p_i with respect to l_k and l_l
+* P_i_kl [1/m^2]: second derivative of p_i with respect to l_k and l_l
+* s_dot_j_i [m/s]: rate of change of linkage vector j, component i
+* D_p_dot_i_k [1/s]: time derivative of dp_i/dl_k
+* D_l_dot_j_i [m^2/s]: rate of change of the moment of linkage vector j, component i
+* G_p_i [N]: gradient of the gravitational potential energy with respect to the platform, component i
+* G_p_i [N m]: gradient of the gravitational potential energy with respect to the platform, component i
+* mu_j [N/m]: static force in linkage j divided by its length, positive in compression
+* g_j_i [N]: derivative of gravity and closures with respect to vector j that turns, component i
+* L_i_a [N/m]: second derivative of gravity and closures with respect to the platform, entry i, a
+* L_i_a [N]: second derivative of gravity and closures with respect to the platform, entry i, a
+* L_i_a [N m]: second derivative of gravity and closures with respect to the platform, entry i, a
+* f_i_k [N/m]: force on the platform along i per unit of coordinate k
+* f_i_k [N]: force on the platform along i per unit of coordinate k
+* G_j [N]: gradient of the gravitational potential energy with respect to l_j
+* s_j_st [m]: static length that motor j commands, relative to the unstrained transmissions
+* M_p_i_a [kg]: apparent mass of the platform, entry i, a
+* M_p_i_a [kg m]: apparent mass of the platform, entry i, a
+* M_p_i_a [kg m^2]: apparent mass of the platform, entry i, a
+* h_i_k [kg]: momentum of the platform along i per unit rate of coordinate k
+* h_i_k [kg m]: momentum of the platform along i per unit rate of coordinate k
+* a_p_i [m/s^2]: acceleration of the platform at constant rates of the coordinates, component i
+* a_p_i [rad/s^2]: acceleration of the platform at constant rates of the coordinates, component i
+* pi_i [kg m^2/s]: momentum of the moving bodies, component i
+* z_i [N]: force of the moving bodies, component i
+* z_i [N m]: force of the moving bodies, component i
+"""
+
+from math import prod
+from typing import NamedTuple
+
+import numpy as np
+
+__all__ = [
+    "COORDINATES",
+    "COORDINATE_UNITS",
+    "Parameters",
+    "RIGID_MODES",
+    "constraint_jacobians",
+    "elastic_gradient",
+    "elastic_hessian",
+    "elastic_potential",
+    "gravity_gradient",
+    "gravity_hessian",
+    "gravity_potential",
+    "inertia_margin",
+    "inverse_kinematics",
+    "jacobian_condition",
+    "kinetic_energy",
+    "mass_matrix",
+    "modal_matrices",
+    "platform_jacobian",
+    "platform_jacobian_rate",
+    "platform_second_derivatives",
+    "rotation_margin",
+    "static_equilibrium",
+    "stiffness_matrix",
+    "travel_margin",
+    "velocity_forces",
+]
+
+#: Generalised coordinates, in the order of M and K, and their units.
+COORDINATES = (
+    "l_1",
+    "l_2",
+    "l_3",
+    "l_4",
+    "l_5",
+    "l_6",
+    "s_1",
+    "s_2",
+    "s_3",
+    "s_4",
+    "s_5",
+    "s_6",
+)
+COORDINATE_UNITS = (
+    "m",
+    "m",
+    "m",
+    "m",
+    "m",
+    "m",
+    "m",
+    "m",
+    "m",
+    "m",
+    "m",
+    "m",
+)
+
+#: Number of rigid-body modes: motions that strain no elastic part, at any pose and for any parameters.
+RIGID_MODES = 6
+
+
+class Parameters(NamedTuple):
+    """Parameters of a robot; every field may have its own leading batch axes.
+
+    Attributes
+    ----------
+    platform_mass : float or array, shape (...) [kg]
+        Platform mass.
+    platform_center : array, shape (..., 3) [m]
+        Component i of the platform's centre of mass from its origin, platform axes.
+    platform_inertia : array, shape (..., 3) [kg m^2]
+        Moment of inertia of the platform about its centre of mass, axis i of the platform.
+    platform_products : array, shape (..., 3) [kg m^2]
+        Entry i of the platform's inertia tensor about its centre of mass, platform axes.
+    gravity : array, shape (..., 3) [m/s^2]
+        Gravitational acceleration g, base frame.
+    base : array, shape (..., 6, 3) [m]
+        Base joint j.
+    joint : array, shape (..., 6, 3) [m]
+        Platform joint j from the platform's origin, platform axes.
+    limits : array, shape (..., 6, 2) [m]
+        min(l_j), max(l_j).
+    leg_stiffness : array, shape (..., 6) [N/m]
+        Stiffness of the transmission of leg j.
+    leg_base_mass : array, shape (..., 6) [kg]
+        Mass of the part of leg j that turns about the base joint.
+    leg_base_center : array, shape (..., 6) [m]
+        Centre of mass of the part of leg j that turns about the base joint, from the base joint.
+    leg_base_inertia : array, shape (..., 6) [kg m^2]
+        Moment of inertia of the part of leg j that turns about the base joint about its centre of mass,
+        perpendicular to the leg.
+    leg_rod_mass : array, shape (..., 6) [kg]
+        Mass of the part of leg j that ends in the platform joint.
+    leg_rod_center : array, shape (..., 6) [m]
+        Centre of mass of the part of leg j that ends in the platform joint, from the platform joint.
+    leg_rod_inertia : array, shape (..., 6) [kg m^2]
+        Moment of inertia of the part of leg j that ends in the platform joint about its centre of mass,
+        perpendicular to the leg.
+    motor_inertia : array, shape (..., 6) [kg m^2]
+        Moment of inertia of motor j.
+    motor_travel : array, shape (..., 6) [m]
+        Change of the length of leg j per radian of its motor.
+    """
+
+    platform_mass: float
+    platform_center: np.ndarray
+    platform_inertia: np.ndarray
+    platform_products: np.ndarray
+    gravity: np.ndarray
+    base: np.ndarray
+    joint: np.ndarray
+    limits: np.ndarray
+    leg_stiffness: np.ndarray
+    leg_base_mass: np.ndarray
+    leg_base_center: np.ndarray
+    leg_base_inertia: np.ndarray
+    leg_rod_mass: np.ndarray
+    leg_rod_center: np.ndarray
+    leg_rod_inertia: np.ndarray
+    motor_inertia: np.ndarray
+    motor_travel: np.ndarray
+
+
+def _entries(array, shape):
+    """Return the entries of an array of shape (..., *shape), row by row; numbers if there is no batch."""
+    array = np.asarray(array)
+    array = array.astype(np.result_type(float, array), copy=False)
+    batch = array.ndim - len(shape)
+    if batch < 0 or array.shape[batch:] != shape:
+        expected = ", ".join(map(str, ("...", *shape)))
+        raise ValueError(f"expected an array of shape ({expected}), found shape {array.shape}")
+    count = prod(shape)
+    flat = array.reshape(*array.shape[:batch], count)
+    return tuple(flat[..., i][()] for i in range(count))
+
+
+def _batch(*arrays):
+    """Return the common batch shape and type of the arguments."""
+    return np.broadcast_shapes(*map(np.shape, arrays)), np.result_type(float, *arrays)
+
+
+def inverse_kinematics(p, parameters):
+    """Leg lengths at a pose.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    l : array, shape (..., 6) [m]
+        Leg lengths l_1, l_2, l_3, l_4, l_5, l_6.
+
+    Notes
+    -----
+    Equations 1 to 3.
+    216 operations; 2724 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    batch, dtype = _batch(p_x, a_1_x, b_1_x)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    l_1 = np.sqrt(d_1_x**2 + d_1_y**2 + d_1_z**2)
+    l_2 = np.sqrt(d_2_x**2 + d_2_y**2 + d_2_z**2)
+    l_3 = np.sqrt(d_3_x**2 + d_3_y**2 + d_3_z**2)
+    l_4 = np.sqrt(d_4_x**2 + d_4_y**2 + d_4_z**2)
+    l_5 = np.sqrt(d_5_x**2 + d_5_y**2 + d_5_z**2)
+    l_6 = np.sqrt(d_6_x**2 + d_6_y**2 + d_6_z**2)
+    l_out = np.empty((*batch, 6), dtype)
+    l_out[..., 0] = l_1
+    l_out[..., 1] = l_2
+    l_out[..., 2] = l_3
+    l_out[..., 3] = l_4
+    l_out[..., 4] = l_5
+    l_out[..., 5] = l_6
+    return l_out
+
+
+def inertia_margin(parameters):
+    """Whether the platform's inertia is that of a body.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    margin : array, shape (..., 7) [1]
+        None is negative for a body.
+
+    Notes
+    -----
+    Principal minors of its second moments of mass, divided by powers of the trace.
+    96 operations; 162 with every named value expanded.
+    """
+    I_p_x, I_p_y, I_p_z = _entries(parameters.platform_inertia, (3,))
+    I_p_xy, I_p_xz, I_p_yz = _entries(parameters.platform_products, (3,))
+    batch, dtype = _batch(I_p_x, I_p_xy)
+    t1 = I_p_x + I_p_y + I_p_z
+    t2 = 1.0/t1
+    t3 = (1/2)*I_p_x
+    t4 = (1/2)*I_p_y
+    t5 = (1/2)*I_p_z
+    t6 = -t3 + t4 + t5
+    t7 = t3 - t4 + t5
+    t8 = t3 + t4 - t5
+    t9 = 1.0/(t1**2)
+    t10 = I_p_xy**2
+    t11 = I_p_xz**2
+    t12 = I_p_yz**2
+    t13 = I_p_y**2
+    t14 = I_p_z**2
+    t15 = I_p_x**2
+    margin_out = np.empty((*batch, 7), dtype)
+    margin_out[..., 0] = t2*t6 + 1e-09
+    margin_out[..., 1] = t2*t7 + 1e-09
+    margin_out[..., 2] = t2*t8 + 1e-09
+    margin_out[..., 3] = t9*(-t10 + t6*t7) + 1e-09
+    margin_out[..., 4] = t9*(-t11 + t6*t8) + 1e-09
+    margin_out[..., 5] = t9*(-t12 + t7*t8) + 1e-09
+    margin_out[..., 6] = (
+        1e-09 + (-1/8*I_p_x**3 - 1/4*I_p_x*I_p_y*I_p_z + (1/2)*I_p_x*t12 + (1/8)*I_p_x*t13 + (1/8)*I_p_x*t14
+        - 2*I_p_xy*I_p_xz*I_p_yz - 1/8*I_p_y**3 + (1/2)*I_p_y*t11 + (1/8)*I_p_y*t14 + (1/8)*I_p_y*t15
+        - 1/8*I_p_z**3 + (1/2)*I_p_z*t10 + (1/8)*I_p_z*t13 + (1/8)*I_p_z*t15 - t10*t3 - t10*t4 - t11*t3
+        - t11*t5 - t12*t4 - t12*t5)/t1**3
+    )
+    return margin_out
+
+
+def travel_margin(p, parameters):
+    """Distance of each leg's length from its limits.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    margin : array, shape (..., 6, 2) [m]
+        For each leg: above the least and below the greatest length.
+
+    Notes
+    -----
+    The limits of the robot file.
+    228 operations; 5460 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    (
+        l_min_1, l_max_1, l_min_2, l_max_2, l_min_3, l_max_3, l_min_4, l_max_4, l_min_5, l_max_5, l_min_6,
+        l_max_6,
+    ) = _entries(parameters.limits, (6, 2))
+    batch, dtype = _batch(p_x, a_1_x, b_1_x, l_min_1)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    l_1 = np.sqrt(d_1_x**2 + d_1_y**2 + d_1_z**2)
+    l_2 = np.sqrt(d_2_x**2 + d_2_y**2 + d_2_z**2)
+    l_3 = np.sqrt(d_3_x**2 + d_3_y**2 + d_3_z**2)
+    l_4 = np.sqrt(d_4_x**2 + d_4_y**2 + d_4_z**2)
+    l_5 = np.sqrt(d_5_x**2 + d_5_y**2 + d_5_z**2)
+    l_6 = np.sqrt(d_6_x**2 + d_6_y**2 + d_6_z**2)
+    margin_out = np.empty((*batch, 6, 2), dtype)
+    margin_out[..., 0, 0] = l_1 - l_min_1
+    margin_out[..., 0, 1] = -l_1 + l_max_1
+    margin_out[..., 1, 0] = l_2 - l_min_2
+    margin_out[..., 1, 1] = -l_2 + l_max_2
+    margin_out[..., 2, 0] = l_3 - l_min_3
+    margin_out[..., 2, 1] = -l_3 + l_max_3
+    margin_out[..., 3, 0] = l_4 - l_min_4
+    margin_out[..., 3, 1] = -l_4 + l_max_4
+    margin_out[..., 4, 0] = l_5 - l_min_5
+    margin_out[..., 4, 1] = -l_5 + l_max_5
+    margin_out[..., 5, 0] = l_6 - l_min_6
+    margin_out[..., 5, 1] = -l_6 + l_max_6
+    return margin_out
+
+
+def rotation_margin(p, parameters):
+    """By how much the rotation of the platform is less than 90 degrees.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    margin : array, shape (...) [rad]
+        Positive for a rotation below 90 degrees.
+
+    Notes
+    -----
+    The norm of the rotation vector.
+    9 operations; 9 with every named value expanded.
+    """
+    p_x, _, _, rot_x, rot_y, rot_z = _entries(p, (6,))
+    batch, dtype = _batch(p_x)
+    margin_out = np.empty(batch, dtype)
+    margin_out[...] = -np.sqrt(rot_x**2 + rot_y**2 + rot_z**2) + (1/2)*np.pi
+    return margin_out[()]
+
+
+def constraint_jacobians(p, parameters):
+    """Constraint Jacobians D_l and D_r of D_l p_dot = D_r l_dot.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    D_l : array, shape (..., 6, 6) [m, m^2]
+        Row j: linkage vector c_j - e_j in the base frame, and its moment about the platform's origin.
+    D_r : array, shape (..., 6, 6) [m]
+        Diagonal: component of linkage vector j along the motion of its joint.
+
+    Notes
+    -----
+    Equations 14 and 15.
+    270 operations; 16116 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    batch, dtype = _batch(p_x, a_1_x, b_1_x)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    l_1 = np.sqrt(d_1_x**2 + d_1_y**2 + d_1_z**2)
+    l_2 = np.sqrt(d_2_x**2 + d_2_y**2 + d_2_z**2)
+    l_3 = np.sqrt(d_3_x**2 + d_3_y**2 + d_3_z**2)
+    l_4 = np.sqrt(d_4_x**2 + d_4_y**2 + d_4_z**2)
+    l_5 = np.sqrt(d_5_x**2 + d_5_y**2 + d_5_z**2)
+    l_6 = np.sqrt(d_6_x**2 + d_6_y**2 + d_6_z**2)
+    D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y
+    D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x
+    D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x
+    D_l_2_rx = B_2_y*d_2_z - B_2_z*d_2_y
+    D_l_2_ry = -B_2_x*d_2_z + B_2_z*d_2_x
+    D_l_2_rz = B_2_x*d_2_y - B_2_y*d_2_x
+    D_l_3_rx = B_3_y*d_3_z - B_3_z*d_3_y
+    D_l_3_ry = -B_3_x*d_3_z + B_3_z*d_3_x
+    D_l_3_rz = B_3_x*d_3_y - B_3_y*d_3_x
+    D_l_4_rx = B_4_y*d_4_z - B_4_z*d_4_y
+    D_l_4_ry = -B_4_x*d_4_z + B_4_z*d_4_x
+    D_l_4_rz = B_4_x*d_4_y - B_4_y*d_4_x
+    D_l_5_rx = B_5_y*d_5_z - B_5_z*d_5_y
+    D_l_5_ry = -B_5_x*d_5_z + B_5_z*d_5_x
+    D_l_5_rz = B_5_x*d_5_y - B_5_y*d_5_x
+    D_l_6_rx = B_6_y*d_6_z - B_6_z*d_6_y
+    D_l_6_ry = -B_6_x*d_6_z + B_6_z*d_6_x
+    D_l_6_rz = B_6_x*d_6_y - B_6_y*d_6_x
+    D_l_out = np.empty((*batch, 6, 6), dtype)
+    D_l_out[..., 0, 0] = d_1_x
+    D_l_out[..., 0, 1] = d_1_y
+    D_l_out[..., 0, 2] = d_1_z
+    D_l_out[..., 0, 3] = D_l_1_rx
+    D_l_out[..., 0, 4] = D_l_1_ry
+    D_l_out[..., 0, 5] = D_l_1_rz
+    D_l_out[..., 1, 0] = d_2_x
+    D_l_out[..., 1, 1] = d_2_y
+    D_l_out[..., 1, 2] = d_2_z
+    D_l_out[..., 1, 3] = D_l_2_rx
+    D_l_out[..., 1, 4] = D_l_2_ry
+    D_l_out[..., 1, 5] = D_l_2_rz
+    D_l_out[..., 2, 0] = d_3_x
+    D_l_out[..., 2, 1] = d_3_y
+    D_l_out[..., 2, 2] = d_3_z
+    D_l_out[..., 2, 3] = D_l_3_rx
+    D_l_out[..., 2, 4] = D_l_3_ry
+    D_l_out[..., 2, 5] = D_l_3_rz
+    D_l_out[..., 3, 0] = d_4_x
+    D_l_out[..., 3, 1] = d_4_y
+    D_l_out[..., 3, 2] = d_4_z
+    D_l_out[..., 3, 3] = D_l_4_rx
+    D_l_out[..., 3, 4] = D_l_4_ry
+    D_l_out[..., 3, 5] = D_l_4_rz
+    D_l_out[..., 4, 0] = d_5_x
+    D_l_out[..., 4, 1] = d_5_y
+    D_l_out[..., 4, 2] = d_5_z
+    D_l_out[..., 4, 3] = D_l_5_rx
+    D_l_out[..., 4, 4] = D_l_5_ry
+    D_l_out[..., 4, 5] = D_l_5_rz
+    D_l_out[..., 5, 0] = d_6_x
+    D_l_out[..., 5, 1] = d_6_y
+    D_l_out[..., 5, 2] = d_6_z
+    D_l_out[..., 5, 3] = D_l_6_rx
+    D_l_out[..., 5, 4] = D_l_6_ry
+    D_l_out[..., 5, 5] = D_l_6_rz
+    D_r_out = np.zeros((*batch, 6, 6), dtype)
+    D_r_out[..., 0, 0] = l_1
+    D_r_out[..., 1, 1] = l_2
+    D_r_out[..., 2, 2] = l_3
+    D_r_out[..., 3, 3] = l_4
+    D_r_out[..., 4, 4] = l_5
+    D_r_out[..., 5, 5] = l_6
+    return D_l_out, D_r_out
+
+
+def jacobian_condition(p, parameters):
+    """Assembly branch and condition number of D_l in the Frobenius norm.
+
+    Moments are divided by a characteristic length, the root mean square distance of the platform joints from
+    the platform's origin.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    determinant : array, shape (...) [m^9]
+        Det D_l; its sign is the assembly branch.
+    condition : array, shape (...) [1]
+        Frobenius condition number, at least 6.
+
+    Notes
+    -----
+    Equation 15; |D_l| |D_l^-1|, one to 6 times the condition number in the 2-norm.
+    1649 operations; 18478002 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    batch, dtype = _batch(p_x, a_1_x, b_1_x)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y
+    D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x
+    D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x
+    D_l_2_rx = B_2_y*d_2_z - B_2_z*d_2_y
+    D_l_2_ry = -B_2_x*d_2_z + B_2_z*d_2_x
+    D_l_2_rz = B_2_x*d_2_y - B_2_y*d_2_x
+    D_l_3_rx = B_3_y*d_3_z - B_3_z*d_3_y
+    D_l_3_ry = -B_3_x*d_3_z + B_3_z*d_3_x
+    D_l_3_rz = B_3_x*d_3_y - B_3_y*d_3_x
+    D_l_4_rx = B_4_y*d_4_z - B_4_z*d_4_y
+    D_l_4_ry = -B_4_x*d_4_z + B_4_z*d_4_x
+    D_l_4_rz = B_4_x*d_4_y - B_4_y*d_4_x
+    D_l_5_rx = B_5_y*d_5_z - B_5_z*d_5_y
+    D_l_5_ry = -B_5_x*d_5_z + B_5_z*d_5_x
+    D_l_5_rz = B_5_x*d_5_y - B_5_y*d_5_x
+    D_l_6_rx = B_6_y*d_6_z - B_6_z*d_6_y
+    D_l_6_ry = -B_6_x*d_6_z + B_6_z*d_6_x
+    D_l_6_rz = B_6_x*d_6_y - B_6_y*d_6_x
+    minor_23_23 = d_2_y*d_3_z - d_2_z*d_3_y
+    minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry
+    minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx
+    minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx
+    minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45
+    minor_23_24 = -D_l_2_rx*d_3_y + D_l_3_rx*d_2_y
+    minor_56_36 = -D_l_5_rz*d_6_z + D_l_6_rz*d_5_z
+    minor_56_35 = -D_l_5_ry*d_6_z + D_l_6_ry*d_5_z
+    minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + d_4_z*minor_56_56
+    minor_23_25 = -D_l_2_ry*d_3_y + D_l_3_ry*d_2_y
+    minor_56_34 = -D_l_5_rx*d_6_z + D_l_6_rx*d_5_z
+    minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + d_4_z*minor_56_46
+    minor_23_26 = -D_l_2_rz*d_3_y + D_l_3_rz*d_2_y
+    minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + d_4_z*minor_56_45
+    minor_23_34 = -D_l_2_rx*d_3_z + D_l_3_rx*d_2_z
+    minor_56_26 = -D_l_5_rz*d_6_y + D_l_6_rz*d_5_y
+    minor_56_25 = -D_l_5_ry*d_6_y + D_l_6_ry*d_5_y
+    minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + d_4_y*minor_56_56
+    minor_23_35 = -D_l_2_ry*d_3_z + D_l_3_ry*d_2_z
+    minor_56_24 = -D_l_5_rx*d_6_y + D_l_6_rx*d_5_y
+    minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + d_4_y*minor_56_46
+    minor_23_36 = -D_l_2_rz*d_3_z + D_l_3_rz*d_2_z
+    minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + d_4_y*minor_56_45
+    minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx
+    minor_56_23 = d_5_y*d_6_z - d_5_z*d_6_y
+    minor_456_236 = D_l_4_rz*minor_56_23 + d_4_y*minor_56_36 - d_4_z*minor_56_26
+    minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx
+    minor_456_235 = D_l_4_ry*minor_56_23 + d_4_y*minor_56_35 - d_4_z*minor_56_25
+    minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry
+    minor_456_234 = D_l_4_rx*minor_56_23 + d_4_y*minor_56_34 - d_4_z*minor_56_24
+    A_x_1 = (
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234
+    )
+    minor_23_13 = d_2_x*d_3_z - d_2_z*d_3_x
+    minor_23_14 = -D_l_2_rx*d_3_x + D_l_3_rx*d_2_x
+    minor_23_15 = -D_l_2_ry*d_3_x + D_l_3_ry*d_2_x
+    minor_23_16 = -D_l_2_rz*d_3_x + D_l_3_rz*d_2_x
+    minor_56_16 = -D_l_5_rz*d_6_x + D_l_6_rz*d_5_x
+    minor_56_15 = -D_l_5_ry*d_6_x + D_l_6_ry*d_5_x
+    minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + d_4_x*minor_56_56
+    minor_56_14 = -D_l_5_rx*d_6_x + D_l_6_rx*d_5_x
+    minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + d_4_x*minor_56_46
+    minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + d_4_x*minor_56_45
+    minor_56_13 = d_5_x*d_6_z - d_5_z*d_6_x
+    minor_456_136 = D_l_4_rz*minor_56_13 + d_4_x*minor_56_36 - d_4_z*minor_56_16
+    minor_456_135 = D_l_4_ry*minor_56_13 + d_4_x*minor_56_35 - d_4_z*minor_56_15
+    minor_456_134 = D_l_4_rx*minor_56_13 + d_4_x*minor_56_34 - d_4_z*minor_56_14
+    A_y_1 = (
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134
+    )
+    minor_23_12 = d_2_x*d_3_y - d_2_y*d_3_x
+    minor_56_12 = d_5_x*d_6_y - d_5_y*d_6_x
+    minor_456_126 = D_l_4_rz*minor_56_12 + d_4_x*minor_56_26 - d_4_y*minor_56_16
+    minor_456_125 = D_l_4_ry*minor_56_12 + d_4_x*minor_56_25 - d_4_y*minor_56_15
+    minor_456_124 = D_l_4_rx*minor_56_12 + d_4_x*minor_56_24 - d_4_y*minor_56_14
+    A_z_1 = (
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124
+    )
+    minor_456_123 = d_4_x*minor_56_23 - d_4_y*minor_56_13 + d_4_z*minor_56_12
+    A_rx_1 = (
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123
+    )
+    A_ry_1 = (
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123
+    )
+    A_rz_1 = (
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123
+    )
+    minor_13_23 = d_1_y*d_3_z - d_1_z*d_3_y
+    minor_13_24 = -D_l_1_rx*d_3_y + D_l_3_rx*d_1_y
+    minor_13_25 = -D_l_1_ry*d_3_y + D_l_3_ry*d_1_y
+    minor_13_26 = -D_l_1_rz*d_3_y + D_l_3_rz*d_1_y
+    minor_13_34 = -D_l_1_rx*d_3_z + D_l_3_rx*d_1_z
+    minor_13_35 = -D_l_1_ry*d_3_z + D_l_3_ry*d_1_z
+    minor_13_36 = -D_l_1_rz*d_3_z + D_l_3_rz*d_1_z
+    minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx
+    minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx
+    minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry
+    A_x_2 = (
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234
+    )
+    minor_13_13 = d_1_x*d_3_z - d_1_z*d_3_x
+    minor_13_14 = -D_l_1_rx*d_3_x + D_l_3_rx*d_1_x
+    minor_13_15 = -D_l_1_ry*d_3_x + D_l_3_ry*d_1_x
+    minor_13_16 = -D_l_1_rz*d_3_x + D_l_3_rz*d_1_x
+    A_y_2 = (
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134
+    )
+    minor_13_12 = d_1_x*d_3_y - d_1_y*d_3_x
+    A_z_2 = (
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124
+    )
+    A_rx_2 = (
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123
+    )
+    A_ry_2 = (
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123
+    )
+    A_rz_2 = (
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123
+    )
+    minor_12_23 = d_1_y*d_2_z - d_1_z*d_2_y
+    minor_12_24 = -D_l_1_rx*d_2_y + D_l_2_rx*d_1_y
+    minor_12_25 = -D_l_1_ry*d_2_y + D_l_2_ry*d_1_y
+    minor_12_26 = -D_l_1_rz*d_2_y + D_l_2_rz*d_1_y
+    minor_12_34 = -D_l_1_rx*d_2_z + D_l_2_rx*d_1_z
+    minor_12_35 = -D_l_1_ry*d_2_z + D_l_2_ry*d_1_z
+    minor_12_36 = -D_l_1_rz*d_2_z + D_l_2_rz*d_1_z
+    minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx
+    minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx
+    minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry
+    A_x_3 = (
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234
+    )
+    minor_12_13 = d_1_x*d_2_z - d_1_z*d_2_x
+    minor_12_14 = -D_l_1_rx*d_2_x + D_l_2_rx*d_1_x
+    minor_12_15 = -D_l_1_ry*d_2_x + D_l_2_ry*d_1_x
+    minor_12_16 = -D_l_1_rz*d_2_x + D_l_2_rz*d_1_x
+    A_y_3 = (
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134
+    )
+    minor_12_12 = d_1_x*d_2_y - d_1_y*d_2_x
+    A_z_3 = (
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124
+    )
+    A_rx_3 = (
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123
+    )
+    A_ry_3 = (
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123
+    )
+    A_rz_3 = (
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123
+    )
+    minor_123_234 = D_l_1_rx*minor_23_23 + d_1_y*minor_23_34 - d_1_z*minor_23_24
+    minor_123_235 = D_l_1_ry*minor_23_23 + d_1_y*minor_23_35 - d_1_z*minor_23_25
+    minor_123_236 = D_l_1_rz*minor_23_23 + d_1_y*minor_23_36 - d_1_z*minor_23_26
+    minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + d_1_y*minor_23_45
+    minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + d_1_y*minor_23_46
+    minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + d_1_y*minor_23_56
+    minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + d_1_z*minor_23_45
+    minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + d_1_z*minor_23_46
+    minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + d_1_z*minor_23_56
+    minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45
+    A_x_4 = (
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23
+    )
+    minor_123_134 = D_l_1_rx*minor_23_13 + d_1_x*minor_23_34 - d_1_z*minor_23_14
+    minor_123_135 = D_l_1_ry*minor_23_13 + d_1_x*minor_23_35 - d_1_z*minor_23_15
+    minor_123_136 = D_l_1_rz*minor_23_13 + d_1_x*minor_23_36 - d_1_z*minor_23_16
+    minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + d_1_x*minor_23_45
+    minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + d_1_x*minor_23_46
+    minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + d_1_x*minor_23_56
+    A_y_4 = (
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13
+    )
+    minor_123_124 = D_l_1_rx*minor_23_12 + d_1_x*minor_23_24 - d_1_y*minor_23_14
+    minor_123_125 = D_l_1_ry*minor_23_12 + d_1_x*minor_23_25 - d_1_y*minor_23_15
+    minor_123_126 = D_l_1_rz*minor_23_12 + d_1_x*minor_23_26 - d_1_y*minor_23_16
+    A_z_4 = (
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12
+    )
+    minor_123_123 = d_1_x*minor_23_23 - d_1_y*minor_23_13 + d_1_z*minor_23_12
+    A_rx_4 = (
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12
+    )
+    A_ry_4 = (
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12
+    )
+    A_rz_4 = (
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12
+    )
+    minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry
+    minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx
+    minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx
+    minor_46_36 = -D_l_4_rz*d_6_z + D_l_6_rz*d_4_z
+    minor_46_35 = -D_l_4_ry*d_6_z + D_l_6_ry*d_4_z
+    minor_46_34 = -D_l_4_rx*d_6_z + D_l_6_rx*d_4_z
+    minor_46_26 = -D_l_4_rz*d_6_y + D_l_6_rz*d_4_y
+    minor_46_25 = -D_l_4_ry*d_6_y + D_l_6_ry*d_4_y
+    minor_46_24 = -D_l_4_rx*d_6_y + D_l_6_rx*d_4_y
+    minor_46_23 = d_4_y*d_6_z - d_4_z*d_6_y
+    A_x_5 = (
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23
+    )
+    minor_46_16 = -D_l_4_rz*d_6_x + D_l_6_rz*d_4_x
+    minor_46_15 = -D_l_4_ry*d_6_x + D_l_6_ry*d_4_x
+    minor_46_14 = -D_l_4_rx*d_6_x + D_l_6_rx*d_4_x
+    minor_46_13 = d_4_x*d_6_z - d_4_z*d_6_x
+    A_y_5 = (
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13
+    )
+    minor_46_12 = d_4_x*d_6_y - d_4_y*d_6_x
+    A_z_5 = (
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12
+    )
+    A_rx_5 = (
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12
+    )
+    A_ry_5 = (
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12
+    )
+    A_rz_5 = (
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12
+    )
+    minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry
+    minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx
+    minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx
+    minor_45_36 = -D_l_4_rz*d_5_z + D_l_5_rz*d_4_z
+    minor_45_35 = -D_l_4_ry*d_5_z + D_l_5_ry*d_4_z
+    minor_45_34 = -D_l_4_rx*d_5_z + D_l_5_rx*d_4_z
+    minor_45_26 = -D_l_4_rz*d_5_y + D_l_5_rz*d_4_y
+    minor_45_25 = -D_l_4_ry*d_5_y + D_l_5_ry*d_4_y
+    minor_45_24 = -D_l_4_rx*d_5_y + D_l_5_rx*d_4_y
+    minor_45_23 = d_4_y*d_5_z - d_4_z*d_5_y
+    A_x_6 = (
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23
+    )
+    minor_45_16 = -D_l_4_rz*d_5_x + D_l_5_rz*d_4_x
+    minor_45_15 = -D_l_4_ry*d_5_x + D_l_5_ry*d_4_x
+    minor_45_14 = -D_l_4_rx*d_5_x + D_l_5_rx*d_4_x
+    minor_45_13 = d_4_x*d_5_z - d_4_z*d_5_x
+    A_y_6 = (
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13
+    )
+    minor_45_12 = d_4_x*d_5_y - d_4_y*d_5_x
+    A_z_6 = (
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12
+    )
+    A_rx_6 = (
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12
+    )
+    A_ry_6 = (
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12
+    )
+    A_rz_6 = (
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12
+    )
+    det_D_l = A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*d_1_x + A_y_1*d_1_y + A_z_1*d_1_z
+    t12 = (
+        (1/6)*B_1_x**2 + (1/6)*B_1_y**2 + (1/6)*B_1_z**2 + (1/6)*B_2_x**2 + (1/6)*B_2_y**2 + (1/6)*B_2_z**2
+        + (1/6)*B_3_x**2 + (1/6)*B_3_y**2 + (1/6)*B_3_z**2 + (1/6)*B_4_x**2 + (1/6)*B_4_y**2 + (1/6)*B_4_z**2
+        + (1/6)*B_5_x**2 + (1/6)*B_5_y**2 + (1/6)*B_5_z**2 + (1/6)*B_6_x**2 + (1/6)*B_6_y**2 + (1/6)*B_6_z**2
+    )
+    t13 = 1.0/t12
+    t14 = 1.0/(det_D_l**2)
+    t15 = t12*t14
+    determinant_out = np.empty(batch, dtype)
+    determinant_out[...] = det_D_l
+    condition_out = np.empty(batch, dtype)
+    condition_out[...] = (
+        np.sqrt((A_rx_1**2*t15 + A_rx_2**2*t15 + A_rx_3**2*t15 + A_rx_4**2*t15 + A_rx_5**2*t15 + A_rx_6**2*t15
+        + A_ry_1**2*t15 + A_ry_2**2*t15 + A_ry_3**2*t15 + A_ry_4**2*t15 + A_ry_5**2*t15 + A_ry_6**2*t15
+        + A_rz_1**2*t15 + A_rz_2**2*t15 + A_rz_3**2*t15 + A_rz_4**2*t15 + A_rz_5**2*t15 + A_rz_6**2*t15
+        + A_x_1**2*t14 + A_x_2**2*t14 + A_x_3**2*t14 + A_x_4**2*t14 + A_x_5**2*t14 + A_x_6**2*t14
+        + A_y_1**2*t14 + A_y_2**2*t14 + A_y_3**2*t14 + A_y_4**2*t14 + A_y_5**2*t14 + A_y_6**2*t14
+        + A_z_1**2*t14 + A_z_2**2*t14 + A_z_3**2*t14 + A_z_4**2*t14 + A_z_5**2*t14
+        + A_z_6**2*t14)*(D_l_1_rx**2*t13 + D_l_1_ry**2*t13 + D_l_1_rz**2*t13 + D_l_2_rx**2*t13
+        + D_l_2_ry**2*t13 + D_l_2_rz**2*t13 + D_l_3_rx**2*t13 + D_l_3_ry**2*t13 + D_l_3_rz**2*t13
+        + D_l_4_rx**2*t13 + D_l_4_ry**2*t13 + D_l_4_rz**2*t13 + D_l_5_rx**2*t13 + D_l_5_ry**2*t13
+        + D_l_5_rz**2*t13 + D_l_6_rx**2*t13 + D_l_6_ry**2*t13 + D_l_6_rz**2*t13 + d_1_x**2 + d_1_y**2
+        + d_1_z**2 + d_2_x**2 + d_2_y**2 + d_2_z**2 + d_3_x**2 + d_3_y**2 + d_3_z**2 + d_4_x**2 + d_4_y**2
+        + d_4_z**2 + d_5_x**2 + d_5_y**2 + d_5_z**2 + d_6_x**2 + d_6_y**2 + d_6_z**2))
+    )
+    return determinant_out[()], condition_out[()]
+
+
+def platform_jacobian(p, parameters):
+    """Platform Jacobian D_p = D_l^-1 D_r.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    D_p : array, shape (..., 6, 6) [1, 1/m]
+        dp_i/dq_k, base frame.
+
+    Notes
+    -----
+    Equation 15.
+    1478 operations; 17956152 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    batch, dtype = _batch(p_x, a_1_x, b_1_x)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    l_1 = np.sqrt(d_1_x**2 + d_1_y**2 + d_1_z**2)
+    l_2 = np.sqrt(d_2_x**2 + d_2_y**2 + d_2_z**2)
+    l_3 = np.sqrt(d_3_x**2 + d_3_y**2 + d_3_z**2)
+    l_4 = np.sqrt(d_4_x**2 + d_4_y**2 + d_4_z**2)
+    l_5 = np.sqrt(d_5_x**2 + d_5_y**2 + d_5_z**2)
+    l_6 = np.sqrt(d_6_x**2 + d_6_y**2 + d_6_z**2)
+    D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y
+    D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x
+    D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x
+    D_l_2_rx = B_2_y*d_2_z - B_2_z*d_2_y
+    D_l_2_ry = -B_2_x*d_2_z + B_2_z*d_2_x
+    D_l_2_rz = B_2_x*d_2_y - B_2_y*d_2_x
+    D_l_3_rx = B_3_y*d_3_z - B_3_z*d_3_y
+    D_l_3_ry = -B_3_x*d_3_z + B_3_z*d_3_x
+    D_l_3_rz = B_3_x*d_3_y - B_3_y*d_3_x
+    D_l_4_rx = B_4_y*d_4_z - B_4_z*d_4_y
+    D_l_4_ry = -B_4_x*d_4_z + B_4_z*d_4_x
+    D_l_4_rz = B_4_x*d_4_y - B_4_y*d_4_x
+    D_l_5_rx = B_5_y*d_5_z - B_5_z*d_5_y
+    D_l_5_ry = -B_5_x*d_5_z + B_5_z*d_5_x
+    D_l_5_rz = B_5_x*d_5_y - B_5_y*d_5_x
+    D_l_6_rx = B_6_y*d_6_z - B_6_z*d_6_y
+    D_l_6_ry = -B_6_x*d_6_z + B_6_z*d_6_x
+    D_l_6_rz = B_6_x*d_6_y - B_6_y*d_6_x
+    minor_23_23 = d_2_y*d_3_z - d_2_z*d_3_y
+    minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry
+    minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx
+    minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx
+    minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45
+    minor_23_24 = -D_l_2_rx*d_3_y + D_l_3_rx*d_2_y
+    minor_56_36 = -D_l_5_rz*d_6_z + D_l_6_rz*d_5_z
+    minor_56_35 = -D_l_5_ry*d_6_z + D_l_6_ry*d_5_z
+    minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + d_4_z*minor_56_56
+    minor_23_25 = -D_l_2_ry*d_3_y + D_l_3_ry*d_2_y
+    minor_56_34 = -D_l_5_rx*d_6_z + D_l_6_rx*d_5_z
+    minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + d_4_z*minor_56_46
+    minor_23_26 = -D_l_2_rz*d_3_y + D_l_3_rz*d_2_y
+    minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + d_4_z*minor_56_45
+    minor_23_34 = -D_l_2_rx*d_3_z + D_l_3_rx*d_2_z
+    minor_56_26 = -D_l_5_rz*d_6_y + D_l_6_rz*d_5_y
+    minor_56_25 = -D_l_5_ry*d_6_y + D_l_6_ry*d_5_y
+    minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + d_4_y*minor_56_56
+    minor_23_35 = -D_l_2_ry*d_3_z + D_l_3_ry*d_2_z
+    minor_56_24 = -D_l_5_rx*d_6_y + D_l_6_rx*d_5_y
+    minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + d_4_y*minor_56_46
+    minor_23_36 = -D_l_2_rz*d_3_z + D_l_3_rz*d_2_z
+    minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + d_4_y*minor_56_45
+    minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx
+    minor_56_23 = d_5_y*d_6_z - d_5_z*d_6_y
+    minor_456_236 = D_l_4_rz*minor_56_23 + d_4_y*minor_56_36 - d_4_z*minor_56_26
+    minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx
+    minor_456_235 = D_l_4_ry*minor_56_23 + d_4_y*minor_56_35 - d_4_z*minor_56_25
+    minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry
+    minor_456_234 = D_l_4_rx*minor_56_23 + d_4_y*minor_56_34 - d_4_z*minor_56_24
+    A_x_1 = (
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234
+    )
+    minor_23_13 = d_2_x*d_3_z - d_2_z*d_3_x
+    minor_23_14 = -D_l_2_rx*d_3_x + D_l_3_rx*d_2_x
+    minor_23_15 = -D_l_2_ry*d_3_x + D_l_3_ry*d_2_x
+    minor_23_16 = -D_l_2_rz*d_3_x + D_l_3_rz*d_2_x
+    minor_56_16 = -D_l_5_rz*d_6_x + D_l_6_rz*d_5_x
+    minor_56_15 = -D_l_5_ry*d_6_x + D_l_6_ry*d_5_x
+    minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + d_4_x*minor_56_56
+    minor_56_14 = -D_l_5_rx*d_6_x + D_l_6_rx*d_5_x
+    minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + d_4_x*minor_56_46
+    minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + d_4_x*minor_56_45
+    minor_56_13 = d_5_x*d_6_z - d_5_z*d_6_x
+    minor_456_136 = D_l_4_rz*minor_56_13 + d_4_x*minor_56_36 - d_4_z*minor_56_16
+    minor_456_135 = D_l_4_ry*minor_56_13 + d_4_x*minor_56_35 - d_4_z*minor_56_15
+    minor_456_134 = D_l_4_rx*minor_56_13 + d_4_x*minor_56_34 - d_4_z*minor_56_14
+    A_y_1 = (
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134
+    )
+    minor_23_12 = d_2_x*d_3_y - d_2_y*d_3_x
+    minor_56_12 = d_5_x*d_6_y - d_5_y*d_6_x
+    minor_456_126 = D_l_4_rz*minor_56_12 + d_4_x*minor_56_26 - d_4_y*minor_56_16
+    minor_456_125 = D_l_4_ry*minor_56_12 + d_4_x*minor_56_25 - d_4_y*minor_56_15
+    minor_456_124 = D_l_4_rx*minor_56_12 + d_4_x*minor_56_24 - d_4_y*minor_56_14
+    A_z_1 = (
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124
+    )
+    minor_456_123 = d_4_x*minor_56_23 - d_4_y*minor_56_13 + d_4_z*minor_56_12
+    A_rx_1 = (
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123
+    )
+    A_ry_1 = (
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123
+    )
+    A_rz_1 = (
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123
+    )
+    minor_13_23 = d_1_y*d_3_z - d_1_z*d_3_y
+    minor_13_24 = -D_l_1_rx*d_3_y + D_l_3_rx*d_1_y
+    minor_13_25 = -D_l_1_ry*d_3_y + D_l_3_ry*d_1_y
+    minor_13_26 = -D_l_1_rz*d_3_y + D_l_3_rz*d_1_y
+    minor_13_34 = -D_l_1_rx*d_3_z + D_l_3_rx*d_1_z
+    minor_13_35 = -D_l_1_ry*d_3_z + D_l_3_ry*d_1_z
+    minor_13_36 = -D_l_1_rz*d_3_z + D_l_3_rz*d_1_z
+    minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx
+    minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx
+    minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry
+    A_x_2 = (
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234
+    )
+    minor_13_13 = d_1_x*d_3_z - d_1_z*d_3_x
+    minor_13_14 = -D_l_1_rx*d_3_x + D_l_3_rx*d_1_x
+    minor_13_15 = -D_l_1_ry*d_3_x + D_l_3_ry*d_1_x
+    minor_13_16 = -D_l_1_rz*d_3_x + D_l_3_rz*d_1_x
+    A_y_2 = (
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134
+    )
+    minor_13_12 = d_1_x*d_3_y - d_1_y*d_3_x
+    A_z_2 = (
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124
+    )
+    A_rx_2 = (
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123
+    )
+    A_ry_2 = (
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123
+    )
+    A_rz_2 = (
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123
+    )
+    minor_12_23 = d_1_y*d_2_z - d_1_z*d_2_y
+    minor_12_24 = -D_l_1_rx*d_2_y + D_l_2_rx*d_1_y
+    minor_12_25 = -D_l_1_ry*d_2_y + D_l_2_ry*d_1_y
+    minor_12_26 = -D_l_1_rz*d_2_y + D_l_2_rz*d_1_y
+    minor_12_34 = -D_l_1_rx*d_2_z + D_l_2_rx*d_1_z
+    minor_12_35 = -D_l_1_ry*d_2_z + D_l_2_ry*d_1_z
+    minor_12_36 = -D_l_1_rz*d_2_z + D_l_2_rz*d_1_z
+    minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx
+    minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx
+    minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry
+    A_x_3 = (
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234
+    )
+    minor_12_13 = d_1_x*d_2_z - d_1_z*d_2_x
+    minor_12_14 = -D_l_1_rx*d_2_x + D_l_2_rx*d_1_x
+    minor_12_15 = -D_l_1_ry*d_2_x + D_l_2_ry*d_1_x
+    minor_12_16 = -D_l_1_rz*d_2_x + D_l_2_rz*d_1_x
+    A_y_3 = (
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134
+    )
+    minor_12_12 = d_1_x*d_2_y - d_1_y*d_2_x
+    A_z_3 = (
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124
+    )
+    A_rx_3 = (
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123
+    )
+    A_ry_3 = (
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123
+    )
+    A_rz_3 = (
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123
+    )
+    minor_123_234 = D_l_1_rx*minor_23_23 + d_1_y*minor_23_34 - d_1_z*minor_23_24
+    minor_123_235 = D_l_1_ry*minor_23_23 + d_1_y*minor_23_35 - d_1_z*minor_23_25
+    minor_123_236 = D_l_1_rz*minor_23_23 + d_1_y*minor_23_36 - d_1_z*minor_23_26
+    minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + d_1_y*minor_23_45
+    minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + d_1_y*minor_23_46
+    minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + d_1_y*minor_23_56
+    minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + d_1_z*minor_23_45
+    minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + d_1_z*minor_23_46
+    minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + d_1_z*minor_23_56
+    minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45
+    A_x_4 = (
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23
+    )
+    minor_123_134 = D_l_1_rx*minor_23_13 + d_1_x*minor_23_34 - d_1_z*minor_23_14
+    minor_123_135 = D_l_1_ry*minor_23_13 + d_1_x*minor_23_35 - d_1_z*minor_23_15
+    minor_123_136 = D_l_1_rz*minor_23_13 + d_1_x*minor_23_36 - d_1_z*minor_23_16
+    minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + d_1_x*minor_23_45
+    minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + d_1_x*minor_23_46
+    minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + d_1_x*minor_23_56
+    A_y_4 = (
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13
+    )
+    minor_123_124 = D_l_1_rx*minor_23_12 + d_1_x*minor_23_24 - d_1_y*minor_23_14
+    minor_123_125 = D_l_1_ry*minor_23_12 + d_1_x*minor_23_25 - d_1_y*minor_23_15
+    minor_123_126 = D_l_1_rz*minor_23_12 + d_1_x*minor_23_26 - d_1_y*minor_23_16
+    A_z_4 = (
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12
+    )
+    minor_123_123 = d_1_x*minor_23_23 - d_1_y*minor_23_13 + d_1_z*minor_23_12
+    A_rx_4 = (
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12
+    )
+    A_ry_4 = (
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12
+    )
+    A_rz_4 = (
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12
+    )
+    minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry
+    minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx
+    minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx
+    minor_46_36 = -D_l_4_rz*d_6_z + D_l_6_rz*d_4_z
+    minor_46_35 = -D_l_4_ry*d_6_z + D_l_6_ry*d_4_z
+    minor_46_34 = -D_l_4_rx*d_6_z + D_l_6_rx*d_4_z
+    minor_46_26 = -D_l_4_rz*d_6_y + D_l_6_rz*d_4_y
+    minor_46_25 = -D_l_4_ry*d_6_y + D_l_6_ry*d_4_y
+    minor_46_24 = -D_l_4_rx*d_6_y + D_l_6_rx*d_4_y
+    minor_46_23 = d_4_y*d_6_z - d_4_z*d_6_y
+    A_x_5 = (
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23
+    )
+    minor_46_16 = -D_l_4_rz*d_6_x + D_l_6_rz*d_4_x
+    minor_46_15 = -D_l_4_ry*d_6_x + D_l_6_ry*d_4_x
+    minor_46_14 = -D_l_4_rx*d_6_x + D_l_6_rx*d_4_x
+    minor_46_13 = d_4_x*d_6_z - d_4_z*d_6_x
+    A_y_5 = (
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13
+    )
+    minor_46_12 = d_4_x*d_6_y - d_4_y*d_6_x
+    A_z_5 = (
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12
+    )
+    A_rx_5 = (
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12
+    )
+    A_ry_5 = (
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12
+    )
+    A_rz_5 = (
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12
+    )
+    minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry
+    minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx
+    minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx
+    minor_45_36 = -D_l_4_rz*d_5_z + D_l_5_rz*d_4_z
+    minor_45_35 = -D_l_4_ry*d_5_z + D_l_5_ry*d_4_z
+    minor_45_34 = -D_l_4_rx*d_5_z + D_l_5_rx*d_4_z
+    minor_45_26 = -D_l_4_rz*d_5_y + D_l_5_rz*d_4_y
+    minor_45_25 = -D_l_4_ry*d_5_y + D_l_5_ry*d_4_y
+    minor_45_24 = -D_l_4_rx*d_5_y + D_l_5_rx*d_4_y
+    minor_45_23 = d_4_y*d_5_z - d_4_z*d_5_y
+    A_x_6 = (
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23
+    )
+    minor_45_16 = -D_l_4_rz*d_5_x + D_l_5_rz*d_4_x
+    minor_45_15 = -D_l_4_ry*d_5_x + D_l_5_ry*d_4_x
+    minor_45_14 = -D_l_4_rx*d_5_x + D_l_5_rx*d_4_x
+    minor_45_13 = d_4_x*d_5_z - d_4_z*d_5_x
+    A_y_6 = (
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13
+    )
+    minor_45_12 = d_4_x*d_5_y - d_4_y*d_5_x
+    A_z_6 = (
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12
+    )
+    A_rx_6 = (
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12
+    )
+    A_ry_6 = (
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12
+    )
+    A_rz_6 = (
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12
+    )
+    det_D_l = A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*d_1_x + A_y_1*d_1_y + A_z_1*d_1_z
+    t12 = 1.0/det_D_l
+    t13 = l_1*t12
+    D_p_x_1 = A_x_1*t13
+    t14 = l_2*t12
+    D_p_x_2 = A_x_2*t14
+    t15 = l_3*t12
+    D_p_x_3 = A_x_3*t15
+    t16 = l_4*t12
+    D_p_x_4 = A_x_4*t16
+    t17 = l_5*t12
+    D_p_x_5 = A_x_5*t17
+    t18 = l_6*t12
+    D_p_x_6 = A_x_6*t18
+    D_p_y_1 = A_y_1*t13
+    D_p_y_2 = A_y_2*t14
+    D_p_y_3 = A_y_3*t15
+    D_p_y_4 = A_y_4*t16
+    D_p_y_5 = A_y_5*t17
+    D_p_y_6 = A_y_6*t18
+    D_p_z_1 = A_z_1*t13
+    D_p_z_2 = A_z_2*t14
+    D_p_z_3 = A_z_3*t15
+    D_p_z_4 = A_z_4*t16
+    D_p_z_5 = A_z_5*t17
+    D_p_z_6 = A_z_6*t18
+    D_p_rx_1 = A_rx_1*t13
+    D_p_rx_2 = A_rx_2*t14
+    D_p_rx_3 = A_rx_3*t15
+    D_p_rx_4 = A_rx_4*t16
+    D_p_rx_5 = A_rx_5*t17
+    D_p_rx_6 = A_rx_6*t18
+    D_p_ry_1 = A_ry_1*t13
+    D_p_ry_2 = A_ry_2*t14
+    D_p_ry_3 = A_ry_3*t15
+    D_p_ry_4 = A_ry_4*t16
+    D_p_ry_5 = A_ry_5*t17
+    D_p_ry_6 = A_ry_6*t18
+    D_p_rz_1 = A_rz_1*t13
+    D_p_rz_2 = A_rz_2*t14
+    D_p_rz_3 = A_rz_3*t15
+    D_p_rz_4 = A_rz_4*t16
+    D_p_rz_5 = A_rz_5*t17
+    D_p_rz_6 = A_rz_6*t18
+    D_p_out = np.empty((*batch, 6, 6), dtype)
+    D_p_out[..., 0, 0] = D_p_x_1
+    D_p_out[..., 0, 1] = D_p_x_2
+    D_p_out[..., 0, 2] = D_p_x_3
+    D_p_out[..., 0, 3] = D_p_x_4
+    D_p_out[..., 0, 4] = D_p_x_5
+    D_p_out[..., 0, 5] = D_p_x_6
+    D_p_out[..., 1, 0] = D_p_y_1
+    D_p_out[..., 1, 1] = D_p_y_2
+    D_p_out[..., 1, 2] = D_p_y_3
+    D_p_out[..., 1, 3] = D_p_y_4
+    D_p_out[..., 1, 4] = D_p_y_5
+    D_p_out[..., 1, 5] = D_p_y_6
+    D_p_out[..., 2, 0] = D_p_z_1
+    D_p_out[..., 2, 1] = D_p_z_2
+    D_p_out[..., 2, 2] = D_p_z_3
+    D_p_out[..., 2, 3] = D_p_z_4
+    D_p_out[..., 2, 4] = D_p_z_5
+    D_p_out[..., 2, 5] = D_p_z_6
+    D_p_out[..., 3, 0] = D_p_rx_1
+    D_p_out[..., 3, 1] = D_p_rx_2
+    D_p_out[..., 3, 2] = D_p_rx_3
+    D_p_out[..., 3, 3] = D_p_rx_4
+    D_p_out[..., 3, 4] = D_p_rx_5
+    D_p_out[..., 3, 5] = D_p_rx_6
+    D_p_out[..., 4, 0] = D_p_ry_1
+    D_p_out[..., 4, 1] = D_p_ry_2
+    D_p_out[..., 4, 2] = D_p_ry_3
+    D_p_out[..., 4, 3] = D_p_ry_4
+    D_p_out[..., 4, 4] = D_p_ry_5
+    D_p_out[..., 4, 5] = D_p_ry_6
+    D_p_out[..., 5, 0] = D_p_rz_1
+    D_p_out[..., 5, 1] = D_p_rz_2
+    D_p_out[..., 5, 2] = D_p_rz_3
+    D_p_out[..., 5, 3] = D_p_rz_4
+    D_p_out[..., 5, 4] = D_p_rz_5
+    D_p_out[..., 5, 5] = D_p_rz_6
+    return D_p_out
+
+
+def platform_jacobian_rate(p, l_dot, parameters):
+    """Time derivative of the platform Jacobian.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    l_dot : array, shape (..., 6) [m/s]
+        Leg velocities.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    D_p_dot : array, shape (..., 6, 6) [1/s, 1/(m s)]
+        d(D_p)/dt at l_dot.
+
+    Notes
+    -----
+    Equation 17.
+    4070 operations; 25665058188 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    l_1_dot, l_2_dot, l_3_dot, l_4_dot, l_5_dot, l_6_dot = _entries(l_dot, (6,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    batch, dtype = _batch(p_x, l_1_dot, a_1_x, b_1_x)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    l_1 = np.sqrt(d_1_x**2 + d_1_y**2 + d_1_z**2)
+    l_2 = np.sqrt(d_2_x**2 + d_2_y**2 + d_2_z**2)
+    l_3 = np.sqrt(d_3_x**2 + d_3_y**2 + d_3_z**2)
+    l_4 = np.sqrt(d_4_x**2 + d_4_y**2 + d_4_z**2)
+    l_5 = np.sqrt(d_5_x**2 + d_5_y**2 + d_5_z**2)
+    l_6 = np.sqrt(d_6_x**2 + d_6_y**2 + d_6_z**2)
+    D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y
+    D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x
+    D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x
+    D_l_2_rx = B_2_y*d_2_z - B_2_z*d_2_y
+    D_l_2_ry = -B_2_x*d_2_z + B_2_z*d_2_x
+    D_l_2_rz = B_2_x*d_2_y - B_2_y*d_2_x
+    D_l_3_rx = B_3_y*d_3_z - B_3_z*d_3_y
+    D_l_3_ry = -B_3_x*d_3_z + B_3_z*d_3_x
+    D_l_3_rz = B_3_x*d_3_y - B_3_y*d_3_x
+    D_l_4_rx = B_4_y*d_4_z - B_4_z*d_4_y
+    D_l_4_ry = -B_4_x*d_4_z + B_4_z*d_4_x
+    D_l_4_rz = B_4_x*d_4_y - B_4_y*d_4_x
+    D_l_5_rx = B_5_y*d_5_z - B_5_z*d_5_y
+    D_l_5_ry = -B_5_x*d_5_z + B_5_z*d_5_x
+    D_l_5_rz = B_5_x*d_5_y - B_5_y*d_5_x
+    D_l_6_rx = B_6_y*d_6_z - B_6_z*d_6_y
+    D_l_6_ry = -B_6_x*d_6_z + B_6_z*d_6_x
+    D_l_6_rz = B_6_x*d_6_y - B_6_y*d_6_x
+    minor_23_23 = d_2_y*d_3_z - d_2_z*d_3_y
+    minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry
+    minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx
+    minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx
+    minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45
+    minor_23_24 = -D_l_2_rx*d_3_y + D_l_3_rx*d_2_y
+    minor_56_36 = -D_l_5_rz*d_6_z + D_l_6_rz*d_5_z
+    minor_56_35 = -D_l_5_ry*d_6_z + D_l_6_ry*d_5_z
+    minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + d_4_z*minor_56_56
+    minor_23_25 = -D_l_2_ry*d_3_y + D_l_3_ry*d_2_y
+    minor_56_34 = -D_l_5_rx*d_6_z + D_l_6_rx*d_5_z
+    minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + d_4_z*minor_56_46
+    minor_23_26 = -D_l_2_rz*d_3_y + D_l_3_rz*d_2_y
+    minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + d_4_z*minor_56_45
+    minor_23_34 = -D_l_2_rx*d_3_z + D_l_3_rx*d_2_z
+    minor_56_26 = -D_l_5_rz*d_6_y + D_l_6_rz*d_5_y
+    minor_56_25 = -D_l_5_ry*d_6_y + D_l_6_ry*d_5_y
+    minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + d_4_y*minor_56_56
+    minor_23_35 = -D_l_2_ry*d_3_z + D_l_3_ry*d_2_z
+    minor_56_24 = -D_l_5_rx*d_6_y + D_l_6_rx*d_5_y
+    minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + d_4_y*minor_56_46
+    minor_23_36 = -D_l_2_rz*d_3_z + D_l_3_rz*d_2_z
+    minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + d_4_y*minor_56_45
+    minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx
+    minor_56_23 = d_5_y*d_6_z - d_5_z*d_6_y
+    minor_456_236 = D_l_4_rz*minor_56_23 + d_4_y*minor_56_36 - d_4_z*minor_56_26
+    minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx
+    minor_456_235 = D_l_4_ry*minor_56_23 + d_4_y*minor_56_35 - d_4_z*minor_56_25
+    minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry
+    minor_456_234 = D_l_4_rx*minor_56_23 + d_4_y*minor_56_34 - d_4_z*minor_56_24
+    A_x_1 = (
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234
+    )
+    minor_23_13 = d_2_x*d_3_z - d_2_z*d_3_x
+    minor_23_14 = -D_l_2_rx*d_3_x + D_l_3_rx*d_2_x
+    minor_23_15 = -D_l_2_ry*d_3_x + D_l_3_ry*d_2_x
+    minor_23_16 = -D_l_2_rz*d_3_x + D_l_3_rz*d_2_x
+    minor_56_16 = -D_l_5_rz*d_6_x + D_l_6_rz*d_5_x
+    minor_56_15 = -D_l_5_ry*d_6_x + D_l_6_ry*d_5_x
+    minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + d_4_x*minor_56_56
+    minor_56_14 = -D_l_5_rx*d_6_x + D_l_6_rx*d_5_x
+    minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + d_4_x*minor_56_46
+    minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + d_4_x*minor_56_45
+    minor_56_13 = d_5_x*d_6_z - d_5_z*d_6_x
+    minor_456_136 = D_l_4_rz*minor_56_13 + d_4_x*minor_56_36 - d_4_z*minor_56_16
+    minor_456_135 = D_l_4_ry*minor_56_13 + d_4_x*minor_56_35 - d_4_z*minor_56_15
+    minor_456_134 = D_l_4_rx*minor_56_13 + d_4_x*minor_56_34 - d_4_z*minor_56_14
+    A_y_1 = (
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134
+    )
+    minor_23_12 = d_2_x*d_3_y - d_2_y*d_3_x
+    minor_56_12 = d_5_x*d_6_y - d_5_y*d_6_x
+    minor_456_126 = D_l_4_rz*minor_56_12 + d_4_x*minor_56_26 - d_4_y*minor_56_16
+    minor_456_125 = D_l_4_ry*minor_56_12 + d_4_x*minor_56_25 - d_4_y*minor_56_15
+    minor_456_124 = D_l_4_rx*minor_56_12 + d_4_x*minor_56_24 - d_4_y*minor_56_14
+    A_z_1 = (
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124
+    )
+    minor_456_123 = d_4_x*minor_56_23 - d_4_y*minor_56_13 + d_4_z*minor_56_12
+    A_rx_1 = (
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123
+    )
+    A_ry_1 = (
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123
+    )
+    A_rz_1 = (
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123
+    )
+    minor_13_23 = d_1_y*d_3_z - d_1_z*d_3_y
+    minor_13_24 = -D_l_1_rx*d_3_y + D_l_3_rx*d_1_y
+    minor_13_25 = -D_l_1_ry*d_3_y + D_l_3_ry*d_1_y
+    minor_13_26 = -D_l_1_rz*d_3_y + D_l_3_rz*d_1_y
+    minor_13_34 = -D_l_1_rx*d_3_z + D_l_3_rx*d_1_z
+    minor_13_35 = -D_l_1_ry*d_3_z + D_l_3_ry*d_1_z
+    minor_13_36 = -D_l_1_rz*d_3_z + D_l_3_rz*d_1_z
+    minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx
+    minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx
+    minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry
+    A_x_2 = (
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234
+    )
+    minor_13_13 = d_1_x*d_3_z - d_1_z*d_3_x
+    minor_13_14 = -D_l_1_rx*d_3_x + D_l_3_rx*d_1_x
+    minor_13_15 = -D_l_1_ry*d_3_x + D_l_3_ry*d_1_x
+    minor_13_16 = -D_l_1_rz*d_3_x + D_l_3_rz*d_1_x
+    A_y_2 = (
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134
+    )
+    minor_13_12 = d_1_x*d_3_y - d_1_y*d_3_x
+    A_z_2 = (
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124
+    )
+    A_rx_2 = (
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123
+    )
+    A_ry_2 = (
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123
+    )
+    A_rz_2 = (
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123
+    )
+    minor_12_23 = d_1_y*d_2_z - d_1_z*d_2_y
+    minor_12_24 = -D_l_1_rx*d_2_y + D_l_2_rx*d_1_y
+    minor_12_25 = -D_l_1_ry*d_2_y + D_l_2_ry*d_1_y
+    minor_12_26 = -D_l_1_rz*d_2_y + D_l_2_rz*d_1_y
+    minor_12_34 = -D_l_1_rx*d_2_z + D_l_2_rx*d_1_z
+    minor_12_35 = -D_l_1_ry*d_2_z + D_l_2_ry*d_1_z
+    minor_12_36 = -D_l_1_rz*d_2_z + D_l_2_rz*d_1_z
+    minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx
+    minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx
+    minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry
+    A_x_3 = (
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234
+    )
+    minor_12_13 = d_1_x*d_2_z - d_1_z*d_2_x
+    minor_12_14 = -D_l_1_rx*d_2_x + D_l_2_rx*d_1_x
+    minor_12_15 = -D_l_1_ry*d_2_x + D_l_2_ry*d_1_x
+    minor_12_16 = -D_l_1_rz*d_2_x + D_l_2_rz*d_1_x
+    A_y_3 = (
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134
+    )
+    minor_12_12 = d_1_x*d_2_y - d_1_y*d_2_x
+    A_z_3 = (
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124
+    )
+    A_rx_3 = (
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123
+    )
+    A_ry_3 = (
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123
+    )
+    A_rz_3 = (
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123
+    )
+    minor_123_234 = D_l_1_rx*minor_23_23 + d_1_y*minor_23_34 - d_1_z*minor_23_24
+    minor_123_235 = D_l_1_ry*minor_23_23 + d_1_y*minor_23_35 - d_1_z*minor_23_25
+    minor_123_236 = D_l_1_rz*minor_23_23 + d_1_y*minor_23_36 - d_1_z*minor_23_26
+    minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + d_1_y*minor_23_45
+    minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + d_1_y*minor_23_46
+    minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + d_1_y*minor_23_56
+    minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + d_1_z*minor_23_45
+    minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + d_1_z*minor_23_46
+    minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + d_1_z*minor_23_56
+    minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45
+    A_x_4 = (
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23
+    )
+    minor_123_134 = D_l_1_rx*minor_23_13 + d_1_x*minor_23_34 - d_1_z*minor_23_14
+    minor_123_135 = D_l_1_ry*minor_23_13 + d_1_x*minor_23_35 - d_1_z*minor_23_15
+    minor_123_136 = D_l_1_rz*minor_23_13 + d_1_x*minor_23_36 - d_1_z*minor_23_16
+    minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + d_1_x*minor_23_45
+    minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + d_1_x*minor_23_46
+    minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + d_1_x*minor_23_56
+    A_y_4 = (
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13
+    )
+    minor_123_124 = D_l_1_rx*minor_23_12 + d_1_x*minor_23_24 - d_1_y*minor_23_14
+    minor_123_125 = D_l_1_ry*minor_23_12 + d_1_x*minor_23_25 - d_1_y*minor_23_15
+    minor_123_126 = D_l_1_rz*minor_23_12 + d_1_x*minor_23_26 - d_1_y*minor_23_16
+    A_z_4 = (
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12
+    )
+    minor_123_123 = d_1_x*minor_23_23 - d_1_y*minor_23_13 + d_1_z*minor_23_12
+    A_rx_4 = (
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12
+    )
+    A_ry_4 = (
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12
+    )
+    A_rz_4 = (
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12
+    )
+    minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry
+    minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx
+    minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx
+    minor_46_36 = -D_l_4_rz*d_6_z + D_l_6_rz*d_4_z
+    minor_46_35 = -D_l_4_ry*d_6_z + D_l_6_ry*d_4_z
+    minor_46_34 = -D_l_4_rx*d_6_z + D_l_6_rx*d_4_z
+    minor_46_26 = -D_l_4_rz*d_6_y + D_l_6_rz*d_4_y
+    minor_46_25 = -D_l_4_ry*d_6_y + D_l_6_ry*d_4_y
+    minor_46_24 = -D_l_4_rx*d_6_y + D_l_6_rx*d_4_y
+    minor_46_23 = d_4_y*d_6_z - d_4_z*d_6_y
+    A_x_5 = (
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23
+    )
+    minor_46_16 = -D_l_4_rz*d_6_x + D_l_6_rz*d_4_x
+    minor_46_15 = -D_l_4_ry*d_6_x + D_l_6_ry*d_4_x
+    minor_46_14 = -D_l_4_rx*d_6_x + D_l_6_rx*d_4_x
+    minor_46_13 = d_4_x*d_6_z - d_4_z*d_6_x
+    A_y_5 = (
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13
+    )
+    minor_46_12 = d_4_x*d_6_y - d_4_y*d_6_x
+    A_z_5 = (
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12
+    )
+    A_rx_5 = (
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12
+    )
+    A_ry_5 = (
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12
+    )
+    A_rz_5 = (
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12
+    )
+    minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry
+    minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx
+    minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx
+    minor_45_36 = -D_l_4_rz*d_5_z + D_l_5_rz*d_4_z
+    minor_45_35 = -D_l_4_ry*d_5_z + D_l_5_ry*d_4_z
+    minor_45_34 = -D_l_4_rx*d_5_z + D_l_5_rx*d_4_z
+    minor_45_26 = -D_l_4_rz*d_5_y + D_l_5_rz*d_4_y
+    minor_45_25 = -D_l_4_ry*d_5_y + D_l_5_ry*d_4_y
+    minor_45_24 = -D_l_4_rx*d_5_y + D_l_5_rx*d_4_y
+    minor_45_23 = d_4_y*d_5_z - d_4_z*d_5_y
+    A_x_6 = (
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23
+    )
+    minor_45_16 = -D_l_4_rz*d_5_x + D_l_5_rz*d_4_x
+    minor_45_15 = -D_l_4_ry*d_5_x + D_l_5_ry*d_4_x
+    minor_45_14 = -D_l_4_rx*d_5_x + D_l_5_rx*d_4_x
+    minor_45_13 = d_4_x*d_5_z - d_4_z*d_5_x
+    A_y_6 = (
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13
+    )
+    minor_45_12 = d_4_x*d_5_y - d_4_y*d_5_x
+    A_z_6 = (
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12
+    )
+    A_rx_6 = (
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12
+    )
+    A_ry_6 = (
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12
+    )
+    A_rz_6 = (
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12
+    )
+    det_D_l = A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*d_1_x + A_y_1*d_1_y + A_z_1*d_1_z
+    t12 = 1.0/det_D_l
+    t13 = l_1*t12
+    D_p_x_1 = A_x_1*t13
+    t14 = l_2*t12
+    D_p_x_2 = A_x_2*t14
+    t15 = l_3*t12
+    D_p_x_3 = A_x_3*t15
+    t16 = l_4*t12
+    D_p_x_4 = A_x_4*t16
+    t17 = l_5*t12
+    D_p_x_5 = A_x_5*t17
+    t18 = l_6*t12
+    D_p_x_6 = A_x_6*t18
+    D_p_y_1 = A_y_1*t13
+    D_p_y_2 = A_y_2*t14
+    D_p_y_3 = A_y_3*t15
+    D_p_y_4 = A_y_4*t16
+    D_p_y_5 = A_y_5*t17
+    D_p_y_6 = A_y_6*t18
+    D_p_z_1 = A_z_1*t13
+    D_p_z_2 = A_z_2*t14
+    D_p_z_3 = A_z_3*t15
+    D_p_z_4 = A_z_4*t16
+    D_p_z_5 = A_z_5*t17
+    D_p_z_6 = A_z_6*t18
+    D_p_rx_1 = A_rx_1*t13
+    D_p_rx_2 = A_rx_2*t14
+    D_p_rx_3 = A_rx_3*t15
+    D_p_rx_4 = A_rx_4*t16
+    D_p_rx_5 = A_rx_5*t17
+    D_p_rx_6 = A_rx_6*t18
+    D_p_ry_1 = A_ry_1*t13
+    D_p_ry_2 = A_ry_2*t14
+    D_p_ry_3 = A_ry_3*t15
+    D_p_ry_4 = A_ry_4*t16
+    D_p_ry_5 = A_ry_5*t17
+    D_p_ry_6 = A_ry_6*t18
+    D_p_rz_1 = A_rz_1*t13
+    D_p_rz_2 = A_rz_2*t14
+    D_p_rz_3 = A_rz_3*t15
+    D_p_rz_4 = A_rz_4*t16
+    D_p_rz_5 = A_rz_5*t17
+    D_p_rz_6 = A_rz_6*t18
+    t19 = B_1_y*D_p_rz_1
+    U_1_x_1 = B_1_z*D_p_ry_1 + D_p_x_1 - t19
+    t20 = B_1_y*D_p_rz_2
+    U_1_x_2 = B_1_z*D_p_ry_2 + D_p_x_2 - t20
+    t21 = B_1_y*D_p_rz_3
+    U_1_x_3 = B_1_z*D_p_ry_3 + D_p_x_3 - t21
+    t22 = B_1_y*D_p_rz_4
+    U_1_x_4 = B_1_z*D_p_ry_4 + D_p_x_4 - t22
+    t23 = B_1_y*D_p_rz_5
+    U_1_x_5 = B_1_z*D_p_ry_5 + D_p_x_5 - t23
+    t24 = B_1_y*D_p_rz_6
+    U_1_x_6 = B_1_z*D_p_ry_6 + D_p_x_6 - t24
+    t25 = B_1_x*D_p_rz_1 - B_1_z*D_p_rx_1
+    U_1_y_1 = D_p_y_1 + t25
+    t26 = B_1_x*D_p_rz_2 - B_1_z*D_p_rx_2
+    U_1_y_2 = D_p_y_2 + t26
+    t27 = B_1_x*D_p_rz_3 - B_1_z*D_p_rx_3
+    U_1_y_3 = D_p_y_3 + t27
+    t28 = B_1_x*D_p_rz_4 - B_1_z*D_p_rx_4
+    U_1_y_4 = D_p_y_4 + t28
+    t29 = B_1_x*D_p_rz_5 - B_1_z*D_p_rx_5
+    U_1_y_5 = D_p_y_5 + t29
+    t30 = B_1_x*D_p_rz_6 - B_1_z*D_p_rx_6
+    U_1_y_6 = D_p_y_6 + t30
+    t31 = B_1_x*D_p_ry_1
+    U_1_z_1 = B_1_y*D_p_rx_1 + D_p_z_1 - t31
+    t32 = B_1_x*D_p_ry_2
+    U_1_z_2 = B_1_y*D_p_rx_2 + D_p_z_2 - t32
+    t33 = B_1_x*D_p_ry_3
+    U_1_z_3 = B_1_y*D_p_rx_3 + D_p_z_3 - t33
+    t34 = B_1_x*D_p_ry_4
+    U_1_z_4 = B_1_y*D_p_rx_4 + D_p_z_4 - t34
+    t35 = B_1_x*D_p_ry_5
+    U_1_z_5 = B_1_y*D_p_rx_5 + D_p_z_5 - t35
+    t36 = B_1_x*D_p_ry_6
+    U_1_z_6 = B_1_y*D_p_rx_6 + D_p_z_6 - t36
+    t37 = B_2_y*D_p_rz_1
+    U_2_x_1 = B_2_z*D_p_ry_1 + D_p_x_1 - t37
+    t38 = B_2_y*D_p_rz_2
+    U_2_x_2 = B_2_z*D_p_ry_2 + D_p_x_2 - t38
+    t39 = B_2_y*D_p_rz_3
+    U_2_x_3 = B_2_z*D_p_ry_3 + D_p_x_3 - t39
+    t40 = B_2_y*D_p_rz_4
+    U_2_x_4 = B_2_z*D_p_ry_4 + D_p_x_4 - t40
+    t41 = B_2_y*D_p_rz_5
+    U_2_x_5 = B_2_z*D_p_ry_5 + D_p_x_5 - t41
+    t42 = B_2_y*D_p_rz_6
+    U_2_x_6 = B_2_z*D_p_ry_6 + D_p_x_6 - t42
+    t43 = B_2_x*D_p_rz_1 - B_2_z*D_p_rx_1
+    U_2_y_1 = D_p_y_1 + t43
+    t44 = B_2_x*D_p_rz_2 - B_2_z*D_p_rx_2
+    U_2_y_2 = D_p_y_2 + t44
+    t45 = B_2_x*D_p_rz_3 - B_2_z*D_p_rx_3
+    U_2_y_3 = D_p_y_3 + t45
+    t46 = B_2_x*D_p_rz_4 - B_2_z*D_p_rx_4
+    U_2_y_4 = D_p_y_4 + t46
+    t47 = B_2_x*D_p_rz_5 - B_2_z*D_p_rx_5
+    U_2_y_5 = D_p_y_5 + t47
+    t48 = B_2_x*D_p_rz_6 - B_2_z*D_p_rx_6
+    U_2_y_6 = D_p_y_6 + t48
+    t49 = B_2_x*D_p_ry_1
+    U_2_z_1 = B_2_y*D_p_rx_1 + D_p_z_1 - t49
+    t50 = B_2_x*D_p_ry_2
+    U_2_z_2 = B_2_y*D_p_rx_2 + D_p_z_2 - t50
+    t51 = B_2_x*D_p_ry_3
+    U_2_z_3 = B_2_y*D_p_rx_3 + D_p_z_3 - t51
+    t52 = B_2_x*D_p_ry_4
+    U_2_z_4 = B_2_y*D_p_rx_4 + D_p_z_4 - t52
+    t53 = B_2_x*D_p_ry_5
+    U_2_z_5 = B_2_y*D_p_rx_5 + D_p_z_5 - t53
+    t54 = B_2_x*D_p_ry_6
+    U_2_z_6 = B_2_y*D_p_rx_6 + D_p_z_6 - t54
+    t55 = B_3_y*D_p_rz_1
+    U_3_x_1 = B_3_z*D_p_ry_1 + D_p_x_1 - t55
+    t56 = B_3_y*D_p_rz_2
+    U_3_x_2 = B_3_z*D_p_ry_2 + D_p_x_2 - t56
+    t57 = B_3_y*D_p_rz_3
+    U_3_x_3 = B_3_z*D_p_ry_3 + D_p_x_3 - t57
+    t58 = B_3_y*D_p_rz_4
+    U_3_x_4 = B_3_z*D_p_ry_4 + D_p_x_4 - t58
+    t59 = B_3_y*D_p_rz_5
+    U_3_x_5 = B_3_z*D_p_ry_5 + D_p_x_5 - t59
+    t60 = B_3_y*D_p_rz_6
+    U_3_x_6 = B_3_z*D_p_ry_6 + D_p_x_6 - t60
+    t61 = B_3_x*D_p_rz_1 - B_3_z*D_p_rx_1
+    U_3_y_1 = D_p_y_1 + t61
+    t62 = B_3_x*D_p_rz_2 - B_3_z*D_p_rx_2
+    U_3_y_2 = D_p_y_2 + t62
+    t63 = B_3_x*D_p_rz_3 - B_3_z*D_p_rx_3
+    U_3_y_3 = D_p_y_3 + t63
+    t64 = B_3_x*D_p_rz_4 - B_3_z*D_p_rx_4
+    U_3_y_4 = D_p_y_4 + t64
+    t65 = B_3_x*D_p_rz_5 - B_3_z*D_p_rx_5
+    U_3_y_5 = D_p_y_5 + t65
+    t66 = B_3_x*D_p_rz_6 - B_3_z*D_p_rx_6
+    U_3_y_6 = D_p_y_6 + t66
+    t67 = B_3_x*D_p_ry_1
+    U_3_z_1 = B_3_y*D_p_rx_1 + D_p_z_1 - t67
+    t68 = B_3_x*D_p_ry_2
+    U_3_z_2 = B_3_y*D_p_rx_2 + D_p_z_2 - t68
+    t69 = B_3_x*D_p_ry_3
+    U_3_z_3 = B_3_y*D_p_rx_3 + D_p_z_3 - t69
+    t70 = B_3_x*D_p_ry_4
+    U_3_z_4 = B_3_y*D_p_rx_4 + D_p_z_4 - t70
+    t71 = B_3_x*D_p_ry_5
+    U_3_z_5 = B_3_y*D_p_rx_5 + D_p_z_5 - t71
+    t72 = B_3_x*D_p_ry_6
+    U_3_z_6 = B_3_y*D_p_rx_6 + D_p_z_6 - t72
+    t73 = B_4_y*D_p_rz_1
+    U_4_x_1 = B_4_z*D_p_ry_1 + D_p_x_1 - t73
+    t74 = B_4_y*D_p_rz_2
+    U_4_x_2 = B_4_z*D_p_ry_2 + D_p_x_2 - t74
+    t75 = B_4_y*D_p_rz_3
+    U_4_x_3 = B_4_z*D_p_ry_3 + D_p_x_3 - t75
+    t76 = B_4_y*D_p_rz_4
+    U_4_x_4 = B_4_z*D_p_ry_4 + D_p_x_4 - t76
+    t77 = B_4_y*D_p_rz_5
+    U_4_x_5 = B_4_z*D_p_ry_5 + D_p_x_5 - t77
+    t78 = B_4_y*D_p_rz_6
+    U_4_x_6 = B_4_z*D_p_ry_6 + D_p_x_6 - t78
+    t79 = B_4_x*D_p_rz_1 - B_4_z*D_p_rx_1
+    U_4_y_1 = D_p_y_1 + t79
+    t80 = B_4_x*D_p_rz_2 - B_4_z*D_p_rx_2
+    U_4_y_2 = D_p_y_2 + t80
+    t81 = B_4_x*D_p_rz_3 - B_4_z*D_p_rx_3
+    U_4_y_3 = D_p_y_3 + t81
+    t82 = B_4_x*D_p_rz_4 - B_4_z*D_p_rx_4
+    U_4_y_4 = D_p_y_4 + t82
+    t83 = B_4_x*D_p_rz_5 - B_4_z*D_p_rx_5
+    U_4_y_5 = D_p_y_5 + t83
+    t84 = B_4_x*D_p_rz_6 - B_4_z*D_p_rx_6
+    U_4_y_6 = D_p_y_6 + t84
+    t85 = B_4_x*D_p_ry_1
+    U_4_z_1 = B_4_y*D_p_rx_1 + D_p_z_1 - t85
+    t86 = B_4_x*D_p_ry_2
+    U_4_z_2 = B_4_y*D_p_rx_2 + D_p_z_2 - t86
+    t87 = B_4_x*D_p_ry_3
+    U_4_z_3 = B_4_y*D_p_rx_3 + D_p_z_3 - t87
+    t88 = B_4_x*D_p_ry_4
+    U_4_z_4 = B_4_y*D_p_rx_4 + D_p_z_4 - t88
+    t89 = B_4_x*D_p_ry_5
+    U_4_z_5 = B_4_y*D_p_rx_5 + D_p_z_5 - t89
+    t90 = B_4_x*D_p_ry_6
+    U_4_z_6 = B_4_y*D_p_rx_6 + D_p_z_6 - t90
+    t91 = B_5_y*D_p_rz_1
+    U_5_x_1 = B_5_z*D_p_ry_1 + D_p_x_1 - t91
+    t92 = B_5_y*D_p_rz_2
+    U_5_x_2 = B_5_z*D_p_ry_2 + D_p_x_2 - t92
+    t93 = B_5_y*D_p_rz_3
+    U_5_x_3 = B_5_z*D_p_ry_3 + D_p_x_3 - t93
+    t94 = B_5_y*D_p_rz_4
+    U_5_x_4 = B_5_z*D_p_ry_4 + D_p_x_4 - t94
+    t95 = B_5_y*D_p_rz_5
+    U_5_x_5 = B_5_z*D_p_ry_5 + D_p_x_5 - t95
+    t96 = B_5_y*D_p_rz_6
+    U_5_x_6 = B_5_z*D_p_ry_6 + D_p_x_6 - t96
+    t97 = B_5_x*D_p_rz_1 - B_5_z*D_p_rx_1
+    U_5_y_1 = D_p_y_1 + t97
+    t98 = B_5_x*D_p_rz_2 - B_5_z*D_p_rx_2
+    U_5_y_2 = D_p_y_2 + t98
+    t99 = B_5_x*D_p_rz_3 - B_5_z*D_p_rx_3
+    U_5_y_3 = D_p_y_3 + t99
+    t100 = B_5_x*D_p_rz_4 - B_5_z*D_p_rx_4
+    U_5_y_4 = D_p_y_4 + t100
+    t101 = B_5_x*D_p_rz_5 - B_5_z*D_p_rx_5
+    U_5_y_5 = D_p_y_5 + t101
+    t102 = B_5_x*D_p_rz_6 - B_5_z*D_p_rx_6
+    U_5_y_6 = D_p_y_6 + t102
+    t103 = B_5_x*D_p_ry_1
+    U_5_z_1 = B_5_y*D_p_rx_1 + D_p_z_1 - t103
+    t104 = B_5_x*D_p_ry_2
+    U_5_z_2 = B_5_y*D_p_rx_2 + D_p_z_2 - t104
+    t105 = B_5_x*D_p_ry_3
+    U_5_z_3 = B_5_y*D_p_rx_3 + D_p_z_3 - t105
+    t106 = B_5_x*D_p_ry_4
+    U_5_z_4 = B_5_y*D_p_rx_4 + D_p_z_4 - t106
+    t107 = B_5_x*D_p_ry_5
+    U_5_z_5 = B_5_y*D_p_rx_5 + D_p_z_5 - t107
+    t108 = B_5_x*D_p_ry_6
+    U_5_z_6 = B_5_y*D_p_rx_6 + D_p_z_6 - t108
+    t109 = B_6_y*D_p_rz_1
+    U_6_x_1 = B_6_z*D_p_ry_1 + D_p_x_1 - t109
+    t110 = B_6_y*D_p_rz_2
+    U_6_x_2 = B_6_z*D_p_ry_2 + D_p_x_2 - t110
+    t111 = B_6_y*D_p_rz_3
+    U_6_x_3 = B_6_z*D_p_ry_3 + D_p_x_3 - t111
+    t112 = B_6_y*D_p_rz_4
+    U_6_x_4 = B_6_z*D_p_ry_4 + D_p_x_4 - t112
+    t113 = B_6_y*D_p_rz_5
+    U_6_x_5 = B_6_z*D_p_ry_5 + D_p_x_5 - t113
+    t114 = B_6_y*D_p_rz_6
+    U_6_x_6 = B_6_z*D_p_ry_6 + D_p_x_6 - t114
+    t115 = B_6_x*D_p_rz_1 - B_6_z*D_p_rx_1
+    U_6_y_1 = D_p_y_1 + t115
+    t116 = B_6_x*D_p_rz_2 - B_6_z*D_p_rx_2
+    U_6_y_2 = D_p_y_2 + t116
+    t117 = B_6_x*D_p_rz_3 - B_6_z*D_p_rx_3
+    U_6_y_3 = D_p_y_3 + t117
+    t118 = B_6_x*D_p_rz_4 - B_6_z*D_p_rx_4
+    U_6_y_4 = D_p_y_4 + t118
+    t119 = B_6_x*D_p_rz_5 - B_6_z*D_p_rx_5
+    U_6_y_5 = D_p_y_5 + t119
+    t120 = B_6_x*D_p_rz_6 - B_6_z*D_p_rx_6
+    U_6_y_6 = D_p_y_6 + t120
+    t121 = B_6_x*D_p_ry_1
+    U_6_z_1 = B_6_y*D_p_rx_1 + D_p_z_1 - t121
+    t122 = B_6_x*D_p_ry_2
+    U_6_z_2 = B_6_y*D_p_rx_2 + D_p_z_2 - t122
+    t123 = B_6_x*D_p_ry_3
+    U_6_z_3 = B_6_y*D_p_rx_3 + D_p_z_3 - t123
+    t124 = B_6_x*D_p_ry_4
+    U_6_z_4 = B_6_y*D_p_rx_4 + D_p_z_4 - t124
+    t125 = B_6_x*D_p_ry_5
+    U_6_z_5 = B_6_y*D_p_rx_5 + D_p_z_5 - t125
+    t126 = B_6_x*D_p_ry_6
+    U_6_z_6 = B_6_y*D_p_rx_6 + D_p_z_6 - t126
+    s_dot_1_x = (
+        U_1_x_1*l_1_dot + U_1_x_2*l_2_dot + U_1_x_3*l_3_dot + U_1_x_4*l_4_dot + U_1_x_5*l_5_dot
+        + U_1_x_6*l_6_dot
+    )
+    s_dot_1_y = (
+        U_1_y_1*l_1_dot + U_1_y_2*l_2_dot + U_1_y_3*l_3_dot + U_1_y_4*l_4_dot + U_1_y_5*l_5_dot
+        + U_1_y_6*l_6_dot
+    )
+    s_dot_1_z = (
+        U_1_z_1*l_1_dot + U_1_z_2*l_2_dot + U_1_z_3*l_3_dot + U_1_z_4*l_4_dot + U_1_z_5*l_5_dot
+        + U_1_z_6*l_6_dot
+    )
+    s_dot_2_x = (
+        U_2_x_1*l_1_dot + U_2_x_2*l_2_dot + U_2_x_3*l_3_dot + U_2_x_4*l_4_dot + U_2_x_5*l_5_dot
+        + U_2_x_6*l_6_dot
+    )
+    s_dot_2_y = (
+        U_2_y_1*l_1_dot + U_2_y_2*l_2_dot + U_2_y_3*l_3_dot + U_2_y_4*l_4_dot + U_2_y_5*l_5_dot
+        + U_2_y_6*l_6_dot
+    )
+    s_dot_2_z = (
+        U_2_z_1*l_1_dot + U_2_z_2*l_2_dot + U_2_z_3*l_3_dot + U_2_z_4*l_4_dot + U_2_z_5*l_5_dot
+        + U_2_z_6*l_6_dot
+    )
+    s_dot_3_x = (
+        U_3_x_1*l_1_dot + U_3_x_2*l_2_dot + U_3_x_3*l_3_dot + U_3_x_4*l_4_dot + U_3_x_5*l_5_dot
+        + U_3_x_6*l_6_dot
+    )
+    s_dot_3_y = (
+        U_3_y_1*l_1_dot + U_3_y_2*l_2_dot + U_3_y_3*l_3_dot + U_3_y_4*l_4_dot + U_3_y_5*l_5_dot
+        + U_3_y_6*l_6_dot
+    )
+    s_dot_3_z = (
+        U_3_z_1*l_1_dot + U_3_z_2*l_2_dot + U_3_z_3*l_3_dot + U_3_z_4*l_4_dot + U_3_z_5*l_5_dot
+        + U_3_z_6*l_6_dot
+    )
+    s_dot_4_x = (
+        U_4_x_1*l_1_dot + U_4_x_2*l_2_dot + U_4_x_3*l_3_dot + U_4_x_4*l_4_dot + U_4_x_5*l_5_dot
+        + U_4_x_6*l_6_dot
+    )
+    s_dot_4_y = (
+        U_4_y_1*l_1_dot + U_4_y_2*l_2_dot + U_4_y_3*l_3_dot + U_4_y_4*l_4_dot + U_4_y_5*l_5_dot
+        + U_4_y_6*l_6_dot
+    )
+    s_dot_4_z = (
+        U_4_z_1*l_1_dot + U_4_z_2*l_2_dot + U_4_z_3*l_3_dot + U_4_z_4*l_4_dot + U_4_z_5*l_5_dot
+        + U_4_z_6*l_6_dot
+    )
+    s_dot_5_x = (
+        U_5_x_1*l_1_dot + U_5_x_2*l_2_dot + U_5_x_3*l_3_dot + U_5_x_4*l_4_dot + U_5_x_5*l_5_dot
+        + U_5_x_6*l_6_dot
+    )
+    s_dot_5_y = (
+        U_5_y_1*l_1_dot + U_5_y_2*l_2_dot + U_5_y_3*l_3_dot + U_5_y_4*l_4_dot + U_5_y_5*l_5_dot
+        + U_5_y_6*l_6_dot
+    )
+    s_dot_5_z = (
+        U_5_z_1*l_1_dot + U_5_z_2*l_2_dot + U_5_z_3*l_3_dot + U_5_z_4*l_4_dot + U_5_z_5*l_5_dot
+        + U_5_z_6*l_6_dot
+    )
+    s_dot_6_x = (
+        U_6_x_1*l_1_dot + U_6_x_2*l_2_dot + U_6_x_3*l_3_dot + U_6_x_4*l_4_dot + U_6_x_5*l_5_dot
+        + U_6_x_6*l_6_dot
+    )
+    s_dot_6_y = (
+        U_6_y_1*l_1_dot + U_6_y_2*l_2_dot + U_6_y_3*l_3_dot + U_6_y_4*l_4_dot + U_6_y_5*l_5_dot
+        + U_6_y_6*l_6_dot
+    )
+    s_dot_6_z = (
+        U_6_z_1*l_1_dot + U_6_z_2*l_2_dot + U_6_z_3*l_3_dot + U_6_z_4*l_4_dot + U_6_z_5*l_5_dot
+        + U_6_z_6*l_6_dot
+    )
+    t127 = B_1_y*D_p_rx_1 - t31
+    t128 = B_1_y*D_p_rx_2 - t32
+    t129 = B_1_y*D_p_rx_3 - t33
+    t130 = B_1_y*D_p_rx_4 - t34
+    t131 = B_1_y*D_p_rx_5 - t35
+    t132 = B_1_y*D_p_rx_6 - t36
+    D_l_dot_1_rx = (
+        l_1_dot*(B_1_y*U_1_z_1 - B_1_z*U_1_y_1 - d_1_y*t127 + d_1_z*t25) + l_2_dot*(B_1_y*U_1_z_2
+        - B_1_z*U_1_y_2 - d_1_y*t128 + d_1_z*t26) + l_3_dot*(B_1_y*U_1_z_3 - B_1_z*U_1_y_3 - d_1_y*t129
+        + d_1_z*t27) + l_4_dot*(B_1_y*U_1_z_4 - B_1_z*U_1_y_4 - d_1_y*t130 + d_1_z*t28)
+        + l_5_dot*(B_1_y*U_1_z_5 - B_1_z*U_1_y_5 - d_1_y*t131 + d_1_z*t29) + l_6_dot*(B_1_y*U_1_z_6
+        - B_1_z*U_1_y_6 - d_1_y*t132 + d_1_z*t30)
+    )
+    t133 = B_1_z*D_p_ry_1 - t19
+    t134 = B_1_z*D_p_ry_2 - t20
+    t135 = B_1_z*D_p_ry_3 - t21
+    t136 = B_1_z*D_p_ry_4 - t22
+    t137 = B_1_z*D_p_ry_5 - t23
+    t138 = B_1_z*D_p_ry_6 - t24
+    D_l_dot_1_ry = (
+        l_1_dot*(-B_1_x*U_1_z_1 + B_1_z*U_1_x_1 + d_1_x*t127 - d_1_z*t133) + l_2_dot*(-B_1_x*U_1_z_2
+        + B_1_z*U_1_x_2 + d_1_x*t128 - d_1_z*t134) + l_3_dot*(-B_1_x*U_1_z_3 + B_1_z*U_1_x_3 + d_1_x*t129
+        - d_1_z*t135) + l_4_dot*(-B_1_x*U_1_z_4 + B_1_z*U_1_x_4 + d_1_x*t130 - d_1_z*t136)
+        + l_5_dot*(-B_1_x*U_1_z_5 + B_1_z*U_1_x_5 + d_1_x*t131 - d_1_z*t137) + l_6_dot*(-B_1_x*U_1_z_6
+        + B_1_z*U_1_x_6 + d_1_x*t132 - d_1_z*t138)
+    )
+    D_l_dot_1_rz = (
+        l_1_dot*(B_1_x*U_1_y_1 - B_1_y*U_1_x_1 - d_1_x*t25 + d_1_y*t133) + l_2_dot*(B_1_x*U_1_y_2
+        - B_1_y*U_1_x_2 - d_1_x*t26 + d_1_y*t134) + l_3_dot*(B_1_x*U_1_y_3 - B_1_y*U_1_x_3 - d_1_x*t27
+        + d_1_y*t135) + l_4_dot*(B_1_x*U_1_y_4 - B_1_y*U_1_x_4 - d_1_x*t28 + d_1_y*t136)
+        + l_5_dot*(B_1_x*U_1_y_5 - B_1_y*U_1_x_5 - d_1_x*t29 + d_1_y*t137) + l_6_dot*(B_1_x*U_1_y_6
+        - B_1_y*U_1_x_6 - d_1_x*t30 + d_1_y*t138)
+    )
+    t139 = B_2_y*D_p_rx_1 - t49
+    t140 = B_2_y*D_p_rx_2 - t50
+    t141 = B_2_y*D_p_rx_3 - t51
+    t142 = B_2_y*D_p_rx_4 - t52
+    t143 = B_2_y*D_p_rx_5 - t53
+    t144 = B_2_y*D_p_rx_6 - t54
+    D_l_dot_2_rx = (
+        l_1_dot*(B_2_y*U_2_z_1 - B_2_z*U_2_y_1 - d_2_y*t139 + d_2_z*t43) + l_2_dot*(B_2_y*U_2_z_2
+        - B_2_z*U_2_y_2 - d_2_y*t140 + d_2_z*t44) + l_3_dot*(B_2_y*U_2_z_3 - B_2_z*U_2_y_3 - d_2_y*t141
+        + d_2_z*t45) + l_4_dot*(B_2_y*U_2_z_4 - B_2_z*U_2_y_4 - d_2_y*t142 + d_2_z*t46)
+        + l_5_dot*(B_2_y*U_2_z_5 - B_2_z*U_2_y_5 - d_2_y*t143 + d_2_z*t47) + l_6_dot*(B_2_y*U_2_z_6
+        - B_2_z*U_2_y_6 - d_2_y*t144 + d_2_z*t48)
+    )
+    t145 = B_2_z*D_p_ry_1 - t37
+    t146 = B_2_z*D_p_ry_2 - t38
+    t147 = B_2_z*D_p_ry_3 - t39
+    t148 = B_2_z*D_p_ry_4 - t40
+    t149 = B_2_z*D_p_ry_5 - t41
+    t150 = B_2_z*D_p_ry_6 - t42
+    D_l_dot_2_ry = (
+        l_1_dot*(-B_2_x*U_2_z_1 + B_2_z*U_2_x_1 + d_2_x*t139 - d_2_z*t145) + l_2_dot*(-B_2_x*U_2_z_2
+        + B_2_z*U_2_x_2 + d_2_x*t140 - d_2_z*t146) + l_3_dot*(-B_2_x*U_2_z_3 + B_2_z*U_2_x_3 + d_2_x*t141
+        - d_2_z*t147) + l_4_dot*(-B_2_x*U_2_z_4 + B_2_z*U_2_x_4 + d_2_x*t142 - d_2_z*t148)
+        + l_5_dot*(-B_2_x*U_2_z_5 + B_2_z*U_2_x_5 + d_2_x*t143 - d_2_z*t149) + l_6_dot*(-B_2_x*U_2_z_6
+        + B_2_z*U_2_x_6 + d_2_x*t144 - d_2_z*t150)
+    )
+    D_l_dot_2_rz = (
+        l_1_dot*(B_2_x*U_2_y_1 - B_2_y*U_2_x_1 - d_2_x*t43 + d_2_y*t145) + l_2_dot*(B_2_x*U_2_y_2
+        - B_2_y*U_2_x_2 - d_2_x*t44 + d_2_y*t146) + l_3_dot*(B_2_x*U_2_y_3 - B_2_y*U_2_x_3 - d_2_x*t45
+        + d_2_y*t147) + l_4_dot*(B_2_x*U_2_y_4 - B_2_y*U_2_x_4 - d_2_x*t46 + d_2_y*t148)
+        + l_5_dot*(B_2_x*U_2_y_5 - B_2_y*U_2_x_5 - d_2_x*t47 + d_2_y*t149) + l_6_dot*(B_2_x*U_2_y_6
+        - B_2_y*U_2_x_6 - d_2_x*t48 + d_2_y*t150)
+    )
+    t151 = B_3_y*D_p_rx_1 - t67
+    t152 = B_3_y*D_p_rx_2 - t68
+    t153 = B_3_y*D_p_rx_3 - t69
+    t154 = B_3_y*D_p_rx_4 - t70
+    t155 = B_3_y*D_p_rx_5 - t71
+    t156 = B_3_y*D_p_rx_6 - t72
+    D_l_dot_3_rx = (
+        l_1_dot*(B_3_y*U_3_z_1 - B_3_z*U_3_y_1 - d_3_y*t151 + d_3_z*t61) + l_2_dot*(B_3_y*U_3_z_2
+        - B_3_z*U_3_y_2 - d_3_y*t152 + d_3_z*t62) + l_3_dot*(B_3_y*U_3_z_3 - B_3_z*U_3_y_3 - d_3_y*t153
+        + d_3_z*t63) + l_4_dot*(B_3_y*U_3_z_4 - B_3_z*U_3_y_4 - d_3_y*t154 + d_3_z*t64)
+        + l_5_dot*(B_3_y*U_3_z_5 - B_3_z*U_3_y_5 - d_3_y*t155 + d_3_z*t65) + l_6_dot*(B_3_y*U_3_z_6
+        - B_3_z*U_3_y_6 - d_3_y*t156 + d_3_z*t66)
+    )
+    t157 = B_3_z*D_p_ry_1 - t55
+    t158 = B_3_z*D_p_ry_2 - t56
+    t159 = B_3_z*D_p_ry_3 - t57
+    t160 = B_3_z*D_p_ry_4 - t58
+    t161 = B_3_z*D_p_ry_5 - t59
+    t162 = B_3_z*D_p_ry_6 - t60
+    D_l_dot_3_ry = (
+        l_1_dot*(-B_3_x*U_3_z_1 + B_3_z*U_3_x_1 + d_3_x*t151 - d_3_z*t157) + l_2_dot*(-B_3_x*U_3_z_2
+        + B_3_z*U_3_x_2 + d_3_x*t152 - d_3_z*t158) + l_3_dot*(-B_3_x*U_3_z_3 + B_3_z*U_3_x_3 + d_3_x*t153
+        - d_3_z*t159) + l_4_dot*(-B_3_x*U_3_z_4 + B_3_z*U_3_x_4 + d_3_x*t154 - d_3_z*t160)
+        + l_5_dot*(-B_3_x*U_3_z_5 + B_3_z*U_3_x_5 + d_3_x*t155 - d_3_z*t161) + l_6_dot*(-B_3_x*U_3_z_6
+        + B_3_z*U_3_x_6 + d_3_x*t156 - d_3_z*t162)
+    )
+    D_l_dot_3_rz = (
+        l_1_dot*(B_3_x*U_3_y_1 - B_3_y*U_3_x_1 - d_3_x*t61 + d_3_y*t157) + l_2_dot*(B_3_x*U_3_y_2
+        - B_3_y*U_3_x_2 - d_3_x*t62 + d_3_y*t158) + l_3_dot*(B_3_x*U_3_y_3 - B_3_y*U_3_x_3 - d_3_x*t63
+        + d_3_y*t159) + l_4_dot*(B_3_x*U_3_y_4 - B_3_y*U_3_x_4 - d_3_x*t64 + d_3_y*t160)
+        + l_5_dot*(B_3_x*U_3_y_5 - B_3_y*U_3_x_5 - d_3_x*t65 + d_3_y*t161) + l_6_dot*(B_3_x*U_3_y_6
+        - B_3_y*U_3_x_6 - d_3_x*t66 + d_3_y*t162)
+    )
+    t163 = B_4_y*D_p_rx_1 - t85
+    t164 = B_4_y*D_p_rx_2 - t86
+    t165 = B_4_y*D_p_rx_3 - t87
+    t166 = B_4_y*D_p_rx_4 - t88
+    t167 = B_4_y*D_p_rx_5 - t89
+    t168 = B_4_y*D_p_rx_6 - t90
+    D_l_dot_4_rx = (
+        l_1_dot*(B_4_y*U_4_z_1 - B_4_z*U_4_y_1 - d_4_y*t163 + d_4_z*t79) + l_2_dot*(B_4_y*U_4_z_2
+        - B_4_z*U_4_y_2 - d_4_y*t164 + d_4_z*t80) + l_3_dot*(B_4_y*U_4_z_3 - B_4_z*U_4_y_3 - d_4_y*t165
+        + d_4_z*t81) + l_4_dot*(B_4_y*U_4_z_4 - B_4_z*U_4_y_4 - d_4_y*t166 + d_4_z*t82)
+        + l_5_dot*(B_4_y*U_4_z_5 - B_4_z*U_4_y_5 - d_4_y*t167 + d_4_z*t83) + l_6_dot*(B_4_y*U_4_z_6
+        - B_4_z*U_4_y_6 - d_4_y*t168 + d_4_z*t84)
+    )
+    t169 = B_4_z*D_p_ry_1 - t73
+    t170 = B_4_z*D_p_ry_2 - t74
+    t171 = B_4_z*D_p_ry_3 - t75
+    t172 = B_4_z*D_p_ry_4 - t76
+    t173 = B_4_z*D_p_ry_5 - t77
+    t174 = B_4_z*D_p_ry_6 - t78
+    D_l_dot_4_ry = (
+        l_1_dot*(-B_4_x*U_4_z_1 + B_4_z*U_4_x_1 + d_4_x*t163 - d_4_z*t169) + l_2_dot*(-B_4_x*U_4_z_2
+        + B_4_z*U_4_x_2 + d_4_x*t164 - d_4_z*t170) + l_3_dot*(-B_4_x*U_4_z_3 + B_4_z*U_4_x_3 + d_4_x*t165
+        - d_4_z*t171) + l_4_dot*(-B_4_x*U_4_z_4 + B_4_z*U_4_x_4 + d_4_x*t166 - d_4_z*t172)
+        + l_5_dot*(-B_4_x*U_4_z_5 + B_4_z*U_4_x_5 + d_4_x*t167 - d_4_z*t173) + l_6_dot*(-B_4_x*U_4_z_6
+        + B_4_z*U_4_x_6 + d_4_x*t168 - d_4_z*t174)
+    )
+    D_l_dot_4_rz = (
+        l_1_dot*(B_4_x*U_4_y_1 - B_4_y*U_4_x_1 - d_4_x*t79 + d_4_y*t169) + l_2_dot*(B_4_x*U_4_y_2
+        - B_4_y*U_4_x_2 - d_4_x*t80 + d_4_y*t170) + l_3_dot*(B_4_x*U_4_y_3 - B_4_y*U_4_x_3 - d_4_x*t81
+        + d_4_y*t171) + l_4_dot*(B_4_x*U_4_y_4 - B_4_y*U_4_x_4 - d_4_x*t82 + d_4_y*t172)
+        + l_5_dot*(B_4_x*U_4_y_5 - B_4_y*U_4_x_5 - d_4_x*t83 + d_4_y*t173) + l_6_dot*(B_4_x*U_4_y_6
+        - B_4_y*U_4_x_6 - d_4_x*t84 + d_4_y*t174)
+    )
+    t175 = B_5_y*D_p_rx_1 - t103
+    t176 = B_5_y*D_p_rx_2 - t104
+    t177 = B_5_y*D_p_rx_3 - t105
+    t178 = B_5_y*D_p_rx_4 - t106
+    t179 = B_5_y*D_p_rx_5 - t107
+    t180 = B_5_y*D_p_rx_6 - t108
+    D_l_dot_5_rx = (
+        l_1_dot*(B_5_y*U_5_z_1 - B_5_z*U_5_y_1 - d_5_y*t175 + d_5_z*t97) + l_2_dot*(B_5_y*U_5_z_2
+        - B_5_z*U_5_y_2 - d_5_y*t176 + d_5_z*t98) + l_3_dot*(B_5_y*U_5_z_3 - B_5_z*U_5_y_3 - d_5_y*t177
+        + d_5_z*t99) + l_4_dot*(B_5_y*U_5_z_4 - B_5_z*U_5_y_4 - d_5_y*t178 + d_5_z*t100)
+        + l_5_dot*(B_5_y*U_5_z_5 - B_5_z*U_5_y_5 - d_5_y*t179 + d_5_z*t101) + l_6_dot*(B_5_y*U_5_z_6
+        - B_5_z*U_5_y_6 - d_5_y*t180 + d_5_z*t102)
+    )
+    t181 = B_5_z*D_p_ry_1 - t91
+    t182 = B_5_z*D_p_ry_2 - t92
+    t183 = B_5_z*D_p_ry_3 - t93
+    t184 = B_5_z*D_p_ry_4 - t94
+    t185 = B_5_z*D_p_ry_5 - t95
+    t186 = B_5_z*D_p_ry_6 - t96
+    D_l_dot_5_ry = (
+        l_1_dot*(-B_5_x*U_5_z_1 + B_5_z*U_5_x_1 + d_5_x*t175 - d_5_z*t181) + l_2_dot*(-B_5_x*U_5_z_2
+        + B_5_z*U_5_x_2 + d_5_x*t176 - d_5_z*t182) + l_3_dot*(-B_5_x*U_5_z_3 + B_5_z*U_5_x_3 + d_5_x*t177
+        - d_5_z*t183) + l_4_dot*(-B_5_x*U_5_z_4 + B_5_z*U_5_x_4 + d_5_x*t178 - d_5_z*t184)
+        + l_5_dot*(-B_5_x*U_5_z_5 + B_5_z*U_5_x_5 + d_5_x*t179 - d_5_z*t185) + l_6_dot*(-B_5_x*U_5_z_6
+        + B_5_z*U_5_x_6 + d_5_x*t180 - d_5_z*t186)
+    )
+    D_l_dot_5_rz = (
+        l_1_dot*(B_5_x*U_5_y_1 - B_5_y*U_5_x_1 - d_5_x*t97 + d_5_y*t181) + l_2_dot*(B_5_x*U_5_y_2
+        - B_5_y*U_5_x_2 - d_5_x*t98 + d_5_y*t182) + l_3_dot*(B_5_x*U_5_y_3 - B_5_y*U_5_x_3 - d_5_x*t99
+        + d_5_y*t183) + l_4_dot*(B_5_x*U_5_y_4 - B_5_y*U_5_x_4 - d_5_x*t100 + d_5_y*t184)
+        + l_5_dot*(B_5_x*U_5_y_5 - B_5_y*U_5_x_5 - d_5_x*t101 + d_5_y*t185) + l_6_dot*(B_5_x*U_5_y_6
+        - B_5_y*U_5_x_6 - d_5_x*t102 + d_5_y*t186)
+    )
+    t187 = B_6_y*D_p_rx_1 - t121
+    t188 = B_6_y*D_p_rx_2 - t122
+    t189 = B_6_y*D_p_rx_3 - t123
+    t190 = B_6_y*D_p_rx_4 - t124
+    t191 = B_6_y*D_p_rx_5 - t125
+    t192 = B_6_y*D_p_rx_6 - t126
+    D_l_dot_6_rx = (
+        l_1_dot*(B_6_y*U_6_z_1 - B_6_z*U_6_y_1 - d_6_y*t187 + d_6_z*t115) + l_2_dot*(B_6_y*U_6_z_2
+        - B_6_z*U_6_y_2 - d_6_y*t188 + d_6_z*t116) + l_3_dot*(B_6_y*U_6_z_3 - B_6_z*U_6_y_3 - d_6_y*t189
+        + d_6_z*t117) + l_4_dot*(B_6_y*U_6_z_4 - B_6_z*U_6_y_4 - d_6_y*t190 + d_6_z*t118)
+        + l_5_dot*(B_6_y*U_6_z_5 - B_6_z*U_6_y_5 - d_6_y*t191 + d_6_z*t119) + l_6_dot*(B_6_y*U_6_z_6
+        - B_6_z*U_6_y_6 - d_6_y*t192 + d_6_z*t120)
+    )
+    t193 = B_6_z*D_p_ry_1 - t109
+    t194 = B_6_z*D_p_ry_2 - t110
+    t195 = B_6_z*D_p_ry_3 - t111
+    t196 = B_6_z*D_p_ry_4 - t112
+    t197 = B_6_z*D_p_ry_5 - t113
+    t198 = B_6_z*D_p_ry_6 - t114
+    D_l_dot_6_ry = (
+        l_1_dot*(-B_6_x*U_6_z_1 + B_6_z*U_6_x_1 + d_6_x*t187 - d_6_z*t193) + l_2_dot*(-B_6_x*U_6_z_2
+        + B_6_z*U_6_x_2 + d_6_x*t188 - d_6_z*t194) + l_3_dot*(-B_6_x*U_6_z_3 + B_6_z*U_6_x_3 + d_6_x*t189
+        - d_6_z*t195) + l_4_dot*(-B_6_x*U_6_z_4 + B_6_z*U_6_x_4 + d_6_x*t190 - d_6_z*t196)
+        + l_5_dot*(-B_6_x*U_6_z_5 + B_6_z*U_6_x_5 + d_6_x*t191 - d_6_z*t197) + l_6_dot*(-B_6_x*U_6_z_6
+        + B_6_z*U_6_x_6 + d_6_x*t192 - d_6_z*t198)
+    )
+    D_l_dot_6_rz = (
+        l_1_dot*(B_6_x*U_6_y_1 - B_6_y*U_6_x_1 - d_6_x*t115 + d_6_y*t193) + l_2_dot*(B_6_x*U_6_y_2
+        - B_6_y*U_6_x_2 - d_6_x*t116 + d_6_y*t194) + l_3_dot*(B_6_x*U_6_y_3 - B_6_y*U_6_x_3 - d_6_x*t117
+        + d_6_y*t195) + l_4_dot*(B_6_x*U_6_y_4 - B_6_y*U_6_x_4 - d_6_x*t118 + d_6_y*t196)
+        + l_5_dot*(B_6_x*U_6_y_5 - B_6_y*U_6_x_5 - d_6_x*t119 + d_6_y*t197) + l_6_dot*(B_6_x*U_6_y_6
+        - B_6_y*U_6_x_6 - d_6_x*t120 + d_6_y*t198)
+    )
+    t199 = (
+        -D_l_dot_2_rx*D_p_rx_1 - D_l_dot_2_ry*D_p_ry_1 - D_l_dot_2_rz*D_p_rz_1 - D_p_x_1*s_dot_2_x
+        - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z
+    )
+    t200 = (
+        -D_l_dot_3_rx*D_p_rx_1 - D_l_dot_3_ry*D_p_ry_1 - D_l_dot_3_rz*D_p_rz_1 - D_p_x_1*s_dot_3_x
+        - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z
+    )
+    t201 = (
+        -D_l_dot_4_rx*D_p_rx_1 - D_l_dot_4_ry*D_p_ry_1 - D_l_dot_4_rz*D_p_rz_1 - D_p_x_1*s_dot_4_x
+        - D_p_y_1*s_dot_4_y - D_p_z_1*s_dot_4_z
+    )
+    t202 = (
+        -D_l_dot_5_rx*D_p_rx_1 - D_l_dot_5_ry*D_p_ry_1 - D_l_dot_5_rz*D_p_rz_1 - D_p_x_1*s_dot_5_x
+        - D_p_y_1*s_dot_5_y - D_p_z_1*s_dot_5_z
+    )
+    t203 = (
+        -D_l_dot_6_rx*D_p_rx_1 - D_l_dot_6_ry*D_p_ry_1 - D_l_dot_6_rz*D_p_rz_1 - D_p_x_1*s_dot_6_x
+        - D_p_y_1*s_dot_6_y - D_p_z_1*s_dot_6_z
+    )
+    t204 = (
+        -D_l_dot_1_rx*D_p_rx_1 - D_l_dot_1_ry*D_p_ry_1 - D_l_dot_1_rz*D_p_rz_1 - D_p_x_1*s_dot_1_x
+        - D_p_y_1*s_dot_1_y - D_p_z_1*s_dot_1_z + l_1_dot
+    )
+    D_p_dot_x_1 = t12*(A_x_1*t204 + A_x_2*t199 + A_x_3*t200 + A_x_4*t201 + A_x_5*t202 + A_x_6*t203)
+    D_p_dot_y_1 = t12*(A_y_1*t204 + A_y_2*t199 + A_y_3*t200 + A_y_4*t201 + A_y_5*t202 + A_y_6*t203)
+    D_p_dot_z_1 = t12*(A_z_1*t204 + A_z_2*t199 + A_z_3*t200 + A_z_4*t201 + A_z_5*t202 + A_z_6*t203)
+    D_p_dot_rx_1 = t12*(A_rx_1*t204 + A_rx_2*t199 + A_rx_3*t200 + A_rx_4*t201 + A_rx_5*t202 + A_rx_6*t203)
+    D_p_dot_ry_1 = t12*(A_ry_1*t204 + A_ry_2*t199 + A_ry_3*t200 + A_ry_4*t201 + A_ry_5*t202 + A_ry_6*t203)
+    D_p_dot_rz_1 = t12*(A_rz_1*t204 + A_rz_2*t199 + A_rz_3*t200 + A_rz_4*t201 + A_rz_5*t202 + A_rz_6*t203)
+    t205 = (
+        -D_l_dot_1_rx*D_p_rx_2 - D_l_dot_1_ry*D_p_ry_2 - D_l_dot_1_rz*D_p_rz_2 - D_p_x_2*s_dot_1_x
+        - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z
+    )
+    t206 = (
+        -D_l_dot_3_rx*D_p_rx_2 - D_l_dot_3_ry*D_p_ry_2 - D_l_dot_3_rz*D_p_rz_2 - D_p_x_2*s_dot_3_x
+        - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z
+    )
+    t207 = (
+        -D_l_dot_4_rx*D_p_rx_2 - D_l_dot_4_ry*D_p_ry_2 - D_l_dot_4_rz*D_p_rz_2 - D_p_x_2*s_dot_4_x
+        - D_p_y_2*s_dot_4_y - D_p_z_2*s_dot_4_z
+    )
+    t208 = (
+        -D_l_dot_5_rx*D_p_rx_2 - D_l_dot_5_ry*D_p_ry_2 - D_l_dot_5_rz*D_p_rz_2 - D_p_x_2*s_dot_5_x
+        - D_p_y_2*s_dot_5_y - D_p_z_2*s_dot_5_z
+    )
+    t209 = (
+        -D_l_dot_6_rx*D_p_rx_2 - D_l_dot_6_ry*D_p_ry_2 - D_l_dot_6_rz*D_p_rz_2 - D_p_x_2*s_dot_6_x
+        - D_p_y_2*s_dot_6_y - D_p_z_2*s_dot_6_z
+    )
+    t210 = (
+        -D_l_dot_2_rx*D_p_rx_2 - D_l_dot_2_ry*D_p_ry_2 - D_l_dot_2_rz*D_p_rz_2 - D_p_x_2*s_dot_2_x
+        - D_p_y_2*s_dot_2_y - D_p_z_2*s_dot_2_z + l_2_dot
+    )
+    D_p_dot_x_2 = t12*(A_x_1*t205 + A_x_2*t210 + A_x_3*t206 + A_x_4*t207 + A_x_5*t208 + A_x_6*t209)
+    D_p_dot_y_2 = t12*(A_y_1*t205 + A_y_2*t210 + A_y_3*t206 + A_y_4*t207 + A_y_5*t208 + A_y_6*t209)
+    D_p_dot_z_2 = t12*(A_z_1*t205 + A_z_2*t210 + A_z_3*t206 + A_z_4*t207 + A_z_5*t208 + A_z_6*t209)
+    D_p_dot_rx_2 = t12*(A_rx_1*t205 + A_rx_2*t210 + A_rx_3*t206 + A_rx_4*t207 + A_rx_5*t208 + A_rx_6*t209)
+    D_p_dot_ry_2 = t12*(A_ry_1*t205 + A_ry_2*t210 + A_ry_3*t206 + A_ry_4*t207 + A_ry_5*t208 + A_ry_6*t209)
+    D_p_dot_rz_2 = t12*(A_rz_1*t205 + A_rz_2*t210 + A_rz_3*t206 + A_rz_4*t207 + A_rz_5*t208 + A_rz_6*t209)
+    t211 = (
+        -D_l_dot_1_rx*D_p_rx_3 - D_l_dot_1_ry*D_p_ry_3 - D_l_dot_1_rz*D_p_rz_3 - D_p_x_3*s_dot_1_x
+        - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z
+    )
+    t212 = (
+        -D_l_dot_2_rx*D_p_rx_3 - D_l_dot_2_ry*D_p_ry_3 - D_l_dot_2_rz*D_p_rz_3 - D_p_x_3*s_dot_2_x
+        - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z
+    )
+    t213 = (
+        -D_l_dot_4_rx*D_p_rx_3 - D_l_dot_4_ry*D_p_ry_3 - D_l_dot_4_rz*D_p_rz_3 - D_p_x_3*s_dot_4_x
+        - D_p_y_3*s_dot_4_y - D_p_z_3*s_dot_4_z
+    )
+    t214 = (
+        -D_l_dot_5_rx*D_p_rx_3 - D_l_dot_5_ry*D_p_ry_3 - D_l_dot_5_rz*D_p_rz_3 - D_p_x_3*s_dot_5_x
+        - D_p_y_3*s_dot_5_y - D_p_z_3*s_dot_5_z
+    )
+    t215 = (
+        -D_l_dot_6_rx*D_p_rx_3 - D_l_dot_6_ry*D_p_ry_3 - D_l_dot_6_rz*D_p_rz_3 - D_p_x_3*s_dot_6_x
+        - D_p_y_3*s_dot_6_y - D_p_z_3*s_dot_6_z
+    )
+    t216 = (
+        -D_l_dot_3_rx*D_p_rx_3 - D_l_dot_3_ry*D_p_ry_3 - D_l_dot_3_rz*D_p_rz_3 - D_p_x_3*s_dot_3_x
+        - D_p_y_3*s_dot_3_y - D_p_z_3*s_dot_3_z + l_3_dot
+    )
+    D_p_dot_x_3 = t12*(A_x_1*t211 + A_x_2*t212 + A_x_3*t216 + A_x_4*t213 + A_x_5*t214 + A_x_6*t215)
+    D_p_dot_y_3 = t12*(A_y_1*t211 + A_y_2*t212 + A_y_3*t216 + A_y_4*t213 + A_y_5*t214 + A_y_6*t215)
+    D_p_dot_z_3 = t12*(A_z_1*t211 + A_z_2*t212 + A_z_3*t216 + A_z_4*t213 + A_z_5*t214 + A_z_6*t215)
+    D_p_dot_rx_3 = t12*(A_rx_1*t211 + A_rx_2*t212 + A_rx_3*t216 + A_rx_4*t213 + A_rx_5*t214 + A_rx_6*t215)
+    D_p_dot_ry_3 = t12*(A_ry_1*t211 + A_ry_2*t212 + A_ry_3*t216 + A_ry_4*t213 + A_ry_5*t214 + A_ry_6*t215)
+    D_p_dot_rz_3 = t12*(A_rz_1*t211 + A_rz_2*t212 + A_rz_3*t216 + A_rz_4*t213 + A_rz_5*t214 + A_rz_6*t215)
+    t217 = (
+        -D_l_dot_1_rx*D_p_rx_4 - D_l_dot_1_ry*D_p_ry_4 - D_l_dot_1_rz*D_p_rz_4 - D_p_x_4*s_dot_1_x
+        - D_p_y_4*s_dot_1_y - D_p_z_4*s_dot_1_z
+    )
+    t218 = (
+        -D_l_dot_2_rx*D_p_rx_4 - D_l_dot_2_ry*D_p_ry_4 - D_l_dot_2_rz*D_p_rz_4 - D_p_x_4*s_dot_2_x
+        - D_p_y_4*s_dot_2_y - D_p_z_4*s_dot_2_z
+    )
+    t219 = (
+        -D_l_dot_3_rx*D_p_rx_4 - D_l_dot_3_ry*D_p_ry_4 - D_l_dot_3_rz*D_p_rz_4 - D_p_x_4*s_dot_3_x
+        - D_p_y_4*s_dot_3_y - D_p_z_4*s_dot_3_z
+    )
+    t220 = (
+        -D_l_dot_5_rx*D_p_rx_4 - D_l_dot_5_ry*D_p_ry_4 - D_l_dot_5_rz*D_p_rz_4 - D_p_x_4*s_dot_5_x
+        - D_p_y_4*s_dot_5_y - D_p_z_4*s_dot_5_z
+    )
+    t221 = (
+        -D_l_dot_6_rx*D_p_rx_4 - D_l_dot_6_ry*D_p_ry_4 - D_l_dot_6_rz*D_p_rz_4 - D_p_x_4*s_dot_6_x
+        - D_p_y_4*s_dot_6_y - D_p_z_4*s_dot_6_z
+    )
+    t222 = (
+        -D_l_dot_4_rx*D_p_rx_4 - D_l_dot_4_ry*D_p_ry_4 - D_l_dot_4_rz*D_p_rz_4 - D_p_x_4*s_dot_4_x
+        - D_p_y_4*s_dot_4_y - D_p_z_4*s_dot_4_z + l_4_dot
+    )
+    D_p_dot_x_4 = t12*(A_x_1*t217 + A_x_2*t218 + A_x_3*t219 + A_x_4*t222 + A_x_5*t220 + A_x_6*t221)
+    D_p_dot_y_4 = t12*(A_y_1*t217 + A_y_2*t218 + A_y_3*t219 + A_y_4*t222 + A_y_5*t220 + A_y_6*t221)
+    D_p_dot_z_4 = t12*(A_z_1*t217 + A_z_2*t218 + A_z_3*t219 + A_z_4*t222 + A_z_5*t220 + A_z_6*t221)
+    D_p_dot_rx_4 = t12*(A_rx_1*t217 + A_rx_2*t218 + A_rx_3*t219 + A_rx_4*t222 + A_rx_5*t220 + A_rx_6*t221)
+    D_p_dot_ry_4 = t12*(A_ry_1*t217 + A_ry_2*t218 + A_ry_3*t219 + A_ry_4*t222 + A_ry_5*t220 + A_ry_6*t221)
+    D_p_dot_rz_4 = t12*(A_rz_1*t217 + A_rz_2*t218 + A_rz_3*t219 + A_rz_4*t222 + A_rz_5*t220 + A_rz_6*t221)
+    t223 = (
+        -D_l_dot_1_rx*D_p_rx_5 - D_l_dot_1_ry*D_p_ry_5 - D_l_dot_1_rz*D_p_rz_5 - D_p_x_5*s_dot_1_x
+        - D_p_y_5*s_dot_1_y - D_p_z_5*s_dot_1_z
+    )
+    t224 = (
+        -D_l_dot_2_rx*D_p_rx_5 - D_l_dot_2_ry*D_p_ry_5 - D_l_dot_2_rz*D_p_rz_5 - D_p_x_5*s_dot_2_x
+        - D_p_y_5*s_dot_2_y - D_p_z_5*s_dot_2_z
+    )
+    t225 = (
+        -D_l_dot_3_rx*D_p_rx_5 - D_l_dot_3_ry*D_p_ry_5 - D_l_dot_3_rz*D_p_rz_5 - D_p_x_5*s_dot_3_x
+        - D_p_y_5*s_dot_3_y - D_p_z_5*s_dot_3_z
+    )
+    t226 = (
+        -D_l_dot_4_rx*D_p_rx_5 - D_l_dot_4_ry*D_p_ry_5 - D_l_dot_4_rz*D_p_rz_5 - D_p_x_5*s_dot_4_x
+        - D_p_y_5*s_dot_4_y - D_p_z_5*s_dot_4_z
+    )
+    t227 = (
+        -D_l_dot_6_rx*D_p_rx_5 - D_l_dot_6_ry*D_p_ry_5 - D_l_dot_6_rz*D_p_rz_5 - D_p_x_5*s_dot_6_x
+        - D_p_y_5*s_dot_6_y - D_p_z_5*s_dot_6_z
+    )
+    t228 = (
+        -D_l_dot_5_rx*D_p_rx_5 - D_l_dot_5_ry*D_p_ry_5 - D_l_dot_5_rz*D_p_rz_5 - D_p_x_5*s_dot_5_x
+        - D_p_y_5*s_dot_5_y - D_p_z_5*s_dot_5_z + l_5_dot
+    )
+    D_p_dot_x_5 = t12*(A_x_1*t223 + A_x_2*t224 + A_x_3*t225 + A_x_4*t226 + A_x_5*t228 + A_x_6*t227)
+    D_p_dot_y_5 = t12*(A_y_1*t223 + A_y_2*t224 + A_y_3*t225 + A_y_4*t226 + A_y_5*t228 + A_y_6*t227)
+    D_p_dot_z_5 = t12*(A_z_1*t223 + A_z_2*t224 + A_z_3*t225 + A_z_4*t226 + A_z_5*t228 + A_z_6*t227)
+    D_p_dot_rx_5 = t12*(A_rx_1*t223 + A_rx_2*t224 + A_rx_3*t225 + A_rx_4*t226 + A_rx_5*t228 + A_rx_6*t227)
+    D_p_dot_ry_5 = t12*(A_ry_1*t223 + A_ry_2*t224 + A_ry_3*t225 + A_ry_4*t226 + A_ry_5*t228 + A_ry_6*t227)
+    D_p_dot_rz_5 = t12*(A_rz_1*t223 + A_rz_2*t224 + A_rz_3*t225 + A_rz_4*t226 + A_rz_5*t228 + A_rz_6*t227)
+    t229 = (
+        -D_l_dot_1_rx*D_p_rx_6 - D_l_dot_1_ry*D_p_ry_6 - D_l_dot_1_rz*D_p_rz_6 - D_p_x_6*s_dot_1_x
+        - D_p_y_6*s_dot_1_y - D_p_z_6*s_dot_1_z
+    )
+    t230 = (
+        -D_l_dot_2_rx*D_p_rx_6 - D_l_dot_2_ry*D_p_ry_6 - D_l_dot_2_rz*D_p_rz_6 - D_p_x_6*s_dot_2_x
+        - D_p_y_6*s_dot_2_y - D_p_z_6*s_dot_2_z
+    )
+    t231 = (
+        -D_l_dot_3_rx*D_p_rx_6 - D_l_dot_3_ry*D_p_ry_6 - D_l_dot_3_rz*D_p_rz_6 - D_p_x_6*s_dot_3_x
+        - D_p_y_6*s_dot_3_y - D_p_z_6*s_dot_3_z
+    )
+    t232 = (
+        -D_l_dot_4_rx*D_p_rx_6 - D_l_dot_4_ry*D_p_ry_6 - D_l_dot_4_rz*D_p_rz_6 - D_p_x_6*s_dot_4_x
+        - D_p_y_6*s_dot_4_y - D_p_z_6*s_dot_4_z
+    )
+    t233 = (
+        -D_l_dot_5_rx*D_p_rx_6 - D_l_dot_5_ry*D_p_ry_6 - D_l_dot_5_rz*D_p_rz_6 - D_p_x_6*s_dot_5_x
+        - D_p_y_6*s_dot_5_y - D_p_z_6*s_dot_5_z
+    )
+    t234 = (
+        -D_l_dot_6_rx*D_p_rx_6 - D_l_dot_6_ry*D_p_ry_6 - D_l_dot_6_rz*D_p_rz_6 - D_p_x_6*s_dot_6_x
+        - D_p_y_6*s_dot_6_y - D_p_z_6*s_dot_6_z + l_6_dot
+    )
+    D_p_dot_x_6 = t12*(A_x_1*t229 + A_x_2*t230 + A_x_3*t231 + A_x_4*t232 + A_x_5*t233 + A_x_6*t234)
+    D_p_dot_y_6 = t12*(A_y_1*t229 + A_y_2*t230 + A_y_3*t231 + A_y_4*t232 + A_y_5*t233 + A_y_6*t234)
+    D_p_dot_z_6 = t12*(A_z_1*t229 + A_z_2*t230 + A_z_3*t231 + A_z_4*t232 + A_z_5*t233 + A_z_6*t234)
+    D_p_dot_rx_6 = t12*(A_rx_1*t229 + A_rx_2*t230 + A_rx_3*t231 + A_rx_4*t232 + A_rx_5*t233 + A_rx_6*t234)
+    D_p_dot_ry_6 = t12*(A_ry_1*t229 + A_ry_2*t230 + A_ry_3*t231 + A_ry_4*t232 + A_ry_5*t233 + A_ry_6*t234)
+    D_p_dot_rz_6 = t12*(A_rz_1*t229 + A_rz_2*t230 + A_rz_3*t231 + A_rz_4*t232 + A_rz_5*t233 + A_rz_6*t234)
+    D_p_dot_out = np.empty((*batch, 6, 6), dtype)
+    D_p_dot_out[..., 0, 0] = D_p_dot_x_1
+    D_p_dot_out[..., 0, 1] = D_p_dot_x_2
+    D_p_dot_out[..., 0, 2] = D_p_dot_x_3
+    D_p_dot_out[..., 0, 3] = D_p_dot_x_4
+    D_p_dot_out[..., 0, 4] = D_p_dot_x_5
+    D_p_dot_out[..., 0, 5] = D_p_dot_x_6
+    D_p_dot_out[..., 1, 0] = D_p_dot_y_1
+    D_p_dot_out[..., 1, 1] = D_p_dot_y_2
+    D_p_dot_out[..., 1, 2] = D_p_dot_y_3
+    D_p_dot_out[..., 1, 3] = D_p_dot_y_4
+    D_p_dot_out[..., 1, 4] = D_p_dot_y_5
+    D_p_dot_out[..., 1, 5] = D_p_dot_y_6
+    D_p_dot_out[..., 2, 0] = D_p_dot_z_1
+    D_p_dot_out[..., 2, 1] = D_p_dot_z_2
+    D_p_dot_out[..., 2, 2] = D_p_dot_z_3
+    D_p_dot_out[..., 2, 3] = D_p_dot_z_4
+    D_p_dot_out[..., 2, 4] = D_p_dot_z_5
+    D_p_dot_out[..., 2, 5] = D_p_dot_z_6
+    D_p_dot_out[..., 3, 0] = D_p_dot_rx_1
+    D_p_dot_out[..., 3, 1] = D_p_dot_rx_2
+    D_p_dot_out[..., 3, 2] = D_p_dot_rx_3
+    D_p_dot_out[..., 3, 3] = D_p_dot_rx_4
+    D_p_dot_out[..., 3, 4] = D_p_dot_rx_5
+    D_p_dot_out[..., 3, 5] = D_p_dot_rx_6
+    D_p_dot_out[..., 4, 0] = D_p_dot_ry_1
+    D_p_dot_out[..., 4, 1] = D_p_dot_ry_2
+    D_p_dot_out[..., 4, 2] = D_p_dot_ry_3
+    D_p_dot_out[..., 4, 3] = D_p_dot_ry_4
+    D_p_dot_out[..., 4, 4] = D_p_dot_ry_5
+    D_p_dot_out[..., 4, 5] = D_p_dot_ry_6
+    D_p_dot_out[..., 5, 0] = D_p_dot_rz_1
+    D_p_dot_out[..., 5, 1] = D_p_dot_rz_2
+    D_p_dot_out[..., 5, 2] = D_p_dot_rz_3
+    D_p_dot_out[..., 5, 3] = D_p_dot_rz_4
+    D_p_dot_out[..., 5, 4] = D_p_dot_rz_5
+    D_p_dot_out[..., 5, 5] = D_p_dot_rz_6
+    return D_p_dot_out
+
+
+def platform_second_derivatives(p, parameters):
+    """Second derivatives of the platform position with respect to the leg lengths.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    P : array, shape (..., 6, 6, 6) [1/m, 1/m^2]
+        d2p_i/dq_k dq_l as P[i, k, l], of rotations in the exponential chart at the pose.
+
+    Notes
+    -----
+    Equation 49, by the implicit function theorem to second order.
+    7580 operations; 31766693832 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    batch, dtype = _batch(p_x, a_1_x, b_1_x)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    l_1 = np.sqrt(d_1_x**2 + d_1_y**2 + d_1_z**2)
+    l_2 = np.sqrt(d_2_x**2 + d_2_y**2 + d_2_z**2)
+    l_3 = np.sqrt(d_3_x**2 + d_3_y**2 + d_3_z**2)
+    l_4 = np.sqrt(d_4_x**2 + d_4_y**2 + d_4_z**2)
+    l_5 = np.sqrt(d_5_x**2 + d_5_y**2 + d_5_z**2)
+    l_6 = np.sqrt(d_6_x**2 + d_6_y**2 + d_6_z**2)
+    D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y
+    D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x
+    D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x
+    D_l_2_rx = B_2_y*d_2_z - B_2_z*d_2_y
+    D_l_2_ry = -B_2_x*d_2_z + B_2_z*d_2_x
+    D_l_2_rz = B_2_x*d_2_y - B_2_y*d_2_x
+    D_l_3_rx = B_3_y*d_3_z - B_3_z*d_3_y
+    D_l_3_ry = -B_3_x*d_3_z + B_3_z*d_3_x
+    D_l_3_rz = B_3_x*d_3_y - B_3_y*d_3_x
+    D_l_4_rx = B_4_y*d_4_z - B_4_z*d_4_y
+    D_l_4_ry = -B_4_x*d_4_z + B_4_z*d_4_x
+    D_l_4_rz = B_4_x*d_4_y - B_4_y*d_4_x
+    D_l_5_rx = B_5_y*d_5_z - B_5_z*d_5_y
+    D_l_5_ry = -B_5_x*d_5_z + B_5_z*d_5_x
+    D_l_5_rz = B_5_x*d_5_y - B_5_y*d_5_x
+    D_l_6_rx = B_6_y*d_6_z - B_6_z*d_6_y
+    D_l_6_ry = -B_6_x*d_6_z + B_6_z*d_6_x
+    D_l_6_rz = B_6_x*d_6_y - B_6_y*d_6_x
+    minor_23_23 = d_2_y*d_3_z - d_2_z*d_3_y
+    minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry
+    minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx
+    minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx
+    minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45
+    minor_23_24 = -D_l_2_rx*d_3_y + D_l_3_rx*d_2_y
+    minor_56_36 = -D_l_5_rz*d_6_z + D_l_6_rz*d_5_z
+    minor_56_35 = -D_l_5_ry*d_6_z + D_l_6_ry*d_5_z
+    minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + d_4_z*minor_56_56
+    minor_23_25 = -D_l_2_ry*d_3_y + D_l_3_ry*d_2_y
+    minor_56_34 = -D_l_5_rx*d_6_z + D_l_6_rx*d_5_z
+    minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + d_4_z*minor_56_46
+    minor_23_26 = -D_l_2_rz*d_3_y + D_l_3_rz*d_2_y
+    minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + d_4_z*minor_56_45
+    minor_23_34 = -D_l_2_rx*d_3_z + D_l_3_rx*d_2_z
+    minor_56_26 = -D_l_5_rz*d_6_y + D_l_6_rz*d_5_y
+    minor_56_25 = -D_l_5_ry*d_6_y + D_l_6_ry*d_5_y
+    minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + d_4_y*minor_56_56
+    minor_23_35 = -D_l_2_ry*d_3_z + D_l_3_ry*d_2_z
+    minor_56_24 = -D_l_5_rx*d_6_y + D_l_6_rx*d_5_y
+    minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + d_4_y*minor_56_46
+    minor_23_36 = -D_l_2_rz*d_3_z + D_l_3_rz*d_2_z
+    minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + d_4_y*minor_56_45
+    minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx
+    minor_56_23 = d_5_y*d_6_z - d_5_z*d_6_y
+    minor_456_236 = D_l_4_rz*minor_56_23 + d_4_y*minor_56_36 - d_4_z*minor_56_26
+    minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx
+    minor_456_235 = D_l_4_ry*minor_56_23 + d_4_y*minor_56_35 - d_4_z*minor_56_25
+    minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry
+    minor_456_234 = D_l_4_rx*minor_56_23 + d_4_y*minor_56_34 - d_4_z*minor_56_24
+    A_x_1 = (
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234
+    )
+    minor_23_13 = d_2_x*d_3_z - d_2_z*d_3_x
+    minor_23_14 = -D_l_2_rx*d_3_x + D_l_3_rx*d_2_x
+    minor_23_15 = -D_l_2_ry*d_3_x + D_l_3_ry*d_2_x
+    minor_23_16 = -D_l_2_rz*d_3_x + D_l_3_rz*d_2_x
+    minor_56_16 = -D_l_5_rz*d_6_x + D_l_6_rz*d_5_x
+    minor_56_15 = -D_l_5_ry*d_6_x + D_l_6_ry*d_5_x
+    minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + d_4_x*minor_56_56
+    minor_56_14 = -D_l_5_rx*d_6_x + D_l_6_rx*d_5_x
+    minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + d_4_x*minor_56_46
+    minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + d_4_x*minor_56_45
+    minor_56_13 = d_5_x*d_6_z - d_5_z*d_6_x
+    minor_456_136 = D_l_4_rz*minor_56_13 + d_4_x*minor_56_36 - d_4_z*minor_56_16
+    minor_456_135 = D_l_4_ry*minor_56_13 + d_4_x*minor_56_35 - d_4_z*minor_56_15
+    minor_456_134 = D_l_4_rx*minor_56_13 + d_4_x*minor_56_34 - d_4_z*minor_56_14
+    A_y_1 = (
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134
+    )
+    minor_23_12 = d_2_x*d_3_y - d_2_y*d_3_x
+    minor_56_12 = d_5_x*d_6_y - d_5_y*d_6_x
+    minor_456_126 = D_l_4_rz*minor_56_12 + d_4_x*minor_56_26 - d_4_y*minor_56_16
+    minor_456_125 = D_l_4_ry*minor_56_12 + d_4_x*minor_56_25 - d_4_y*minor_56_15
+    minor_456_124 = D_l_4_rx*minor_56_12 + d_4_x*minor_56_24 - d_4_y*minor_56_14
+    A_z_1 = (
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124
+    )
+    minor_456_123 = d_4_x*minor_56_23 - d_4_y*minor_56_13 + d_4_z*minor_56_12
+    A_rx_1 = (
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123
+    )
+    A_ry_1 = (
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123
+    )
+    A_rz_1 = (
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123
+    )
+    minor_13_23 = d_1_y*d_3_z - d_1_z*d_3_y
+    minor_13_24 = -D_l_1_rx*d_3_y + D_l_3_rx*d_1_y
+    minor_13_25 = -D_l_1_ry*d_3_y + D_l_3_ry*d_1_y
+    minor_13_26 = -D_l_1_rz*d_3_y + D_l_3_rz*d_1_y
+    minor_13_34 = -D_l_1_rx*d_3_z + D_l_3_rx*d_1_z
+    minor_13_35 = -D_l_1_ry*d_3_z + D_l_3_ry*d_1_z
+    minor_13_36 = -D_l_1_rz*d_3_z + D_l_3_rz*d_1_z
+    minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx
+    minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx
+    minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry
+    A_x_2 = (
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234
+    )
+    minor_13_13 = d_1_x*d_3_z - d_1_z*d_3_x
+    minor_13_14 = -D_l_1_rx*d_3_x + D_l_3_rx*d_1_x
+    minor_13_15 = -D_l_1_ry*d_3_x + D_l_3_ry*d_1_x
+    minor_13_16 = -D_l_1_rz*d_3_x + D_l_3_rz*d_1_x
+    A_y_2 = (
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134
+    )
+    minor_13_12 = d_1_x*d_3_y - d_1_y*d_3_x
+    A_z_2 = (
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124
+    )
+    A_rx_2 = (
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123
+    )
+    A_ry_2 = (
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123
+    )
+    A_rz_2 = (
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123
+    )
+    minor_12_23 = d_1_y*d_2_z - d_1_z*d_2_y
+    minor_12_24 = -D_l_1_rx*d_2_y + D_l_2_rx*d_1_y
+    minor_12_25 = -D_l_1_ry*d_2_y + D_l_2_ry*d_1_y
+    minor_12_26 = -D_l_1_rz*d_2_y + D_l_2_rz*d_1_y
+    minor_12_34 = -D_l_1_rx*d_2_z + D_l_2_rx*d_1_z
+    minor_12_35 = -D_l_1_ry*d_2_z + D_l_2_ry*d_1_z
+    minor_12_36 = -D_l_1_rz*d_2_z + D_l_2_rz*d_1_z
+    minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx
+    minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx
+    minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry
+    A_x_3 = (
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234
+    )
+    minor_12_13 = d_1_x*d_2_z - d_1_z*d_2_x
+    minor_12_14 = -D_l_1_rx*d_2_x + D_l_2_rx*d_1_x
+    minor_12_15 = -D_l_1_ry*d_2_x + D_l_2_ry*d_1_x
+    minor_12_16 = -D_l_1_rz*d_2_x + D_l_2_rz*d_1_x
+    A_y_3 = (
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134
+    )
+    minor_12_12 = d_1_x*d_2_y - d_1_y*d_2_x
+    A_z_3 = (
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124
+    )
+    A_rx_3 = (
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123
+    )
+    A_ry_3 = (
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123
+    )
+    A_rz_3 = (
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123
+    )
+    minor_123_234 = D_l_1_rx*minor_23_23 + d_1_y*minor_23_34 - d_1_z*minor_23_24
+    minor_123_235 = D_l_1_ry*minor_23_23 + d_1_y*minor_23_35 - d_1_z*minor_23_25
+    minor_123_236 = D_l_1_rz*minor_23_23 + d_1_y*minor_23_36 - d_1_z*minor_23_26
+    minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + d_1_y*minor_23_45
+    minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + d_1_y*minor_23_46
+    minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + d_1_y*minor_23_56
+    minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + d_1_z*minor_23_45
+    minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + d_1_z*minor_23_46
+    minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + d_1_z*minor_23_56
+    minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45
+    A_x_4 = (
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23
+    )
+    minor_123_134 = D_l_1_rx*minor_23_13 + d_1_x*minor_23_34 - d_1_z*minor_23_14
+    minor_123_135 = D_l_1_ry*minor_23_13 + d_1_x*minor_23_35 - d_1_z*minor_23_15
+    minor_123_136 = D_l_1_rz*minor_23_13 + d_1_x*minor_23_36 - d_1_z*minor_23_16
+    minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + d_1_x*minor_23_45
+    minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + d_1_x*minor_23_46
+    minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + d_1_x*minor_23_56
+    A_y_4 = (
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13
+    )
+    minor_123_124 = D_l_1_rx*minor_23_12 + d_1_x*minor_23_24 - d_1_y*minor_23_14
+    minor_123_125 = D_l_1_ry*minor_23_12 + d_1_x*minor_23_25 - d_1_y*minor_23_15
+    minor_123_126 = D_l_1_rz*minor_23_12 + d_1_x*minor_23_26 - d_1_y*minor_23_16
+    A_z_4 = (
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12
+    )
+    minor_123_123 = d_1_x*minor_23_23 - d_1_y*minor_23_13 + d_1_z*minor_23_12
+    A_rx_4 = (
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12
+    )
+    A_ry_4 = (
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12
+    )
+    A_rz_4 = (
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12
+    )
+    minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry
+    minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx
+    minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx
+    minor_46_36 = -D_l_4_rz*d_6_z + D_l_6_rz*d_4_z
+    minor_46_35 = -D_l_4_ry*d_6_z + D_l_6_ry*d_4_z
+    minor_46_34 = -D_l_4_rx*d_6_z + D_l_6_rx*d_4_z
+    minor_46_26 = -D_l_4_rz*d_6_y + D_l_6_rz*d_4_y
+    minor_46_25 = -D_l_4_ry*d_6_y + D_l_6_ry*d_4_y
+    minor_46_24 = -D_l_4_rx*d_6_y + D_l_6_rx*d_4_y
+    minor_46_23 = d_4_y*d_6_z - d_4_z*d_6_y
+    A_x_5 = (
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23
+    )
+    minor_46_16 = -D_l_4_rz*d_6_x + D_l_6_rz*d_4_x
+    minor_46_15 = -D_l_4_ry*d_6_x + D_l_6_ry*d_4_x
+    minor_46_14 = -D_l_4_rx*d_6_x + D_l_6_rx*d_4_x
+    minor_46_13 = d_4_x*d_6_z - d_4_z*d_6_x
+    A_y_5 = (
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13
+    )
+    minor_46_12 = d_4_x*d_6_y - d_4_y*d_6_x
+    A_z_5 = (
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12
+    )
+    A_rx_5 = (
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12
+    )
+    A_ry_5 = (
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12
+    )
+    A_rz_5 = (
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12
+    )
+    minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry
+    minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx
+    minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx
+    minor_45_36 = -D_l_4_rz*d_5_z + D_l_5_rz*d_4_z
+    minor_45_35 = -D_l_4_ry*d_5_z + D_l_5_ry*d_4_z
+    minor_45_34 = -D_l_4_rx*d_5_z + D_l_5_rx*d_4_z
+    minor_45_26 = -D_l_4_rz*d_5_y + D_l_5_rz*d_4_y
+    minor_45_25 = -D_l_4_ry*d_5_y + D_l_5_ry*d_4_y
+    minor_45_24 = -D_l_4_rx*d_5_y + D_l_5_rx*d_4_y
+    minor_45_23 = d_4_y*d_5_z - d_4_z*d_5_y
+    A_x_6 = (
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23
+    )
+    minor_45_16 = -D_l_4_rz*d_5_x + D_l_5_rz*d_4_x
+    minor_45_15 = -D_l_4_ry*d_5_x + D_l_5_ry*d_4_x
+    minor_45_14 = -D_l_4_rx*d_5_x + D_l_5_rx*d_4_x
+    minor_45_13 = d_4_x*d_5_z - d_4_z*d_5_x
+    A_y_6 = (
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13
+    )
+    minor_45_12 = d_4_x*d_5_y - d_4_y*d_5_x
+    A_z_6 = (
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12
+    )
+    A_rx_6 = (
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12
+    )
+    A_ry_6 = (
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12
+    )
+    A_rz_6 = (
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12
+    )
+    det_D_l = A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*d_1_x + A_y_1*d_1_y + A_z_1*d_1_z
+    t12 = 1.0/det_D_l
+    t13 = l_1*t12
+    D_p_x_1 = A_x_1*t13
+    t14 = l_2*t12
+    D_p_x_2 = A_x_2*t14
+    t15 = l_3*t12
+    D_p_x_3 = A_x_3*t15
+    t16 = l_4*t12
+    D_p_x_4 = A_x_4*t16
+    t17 = l_5*t12
+    D_p_x_5 = A_x_5*t17
+    t18 = l_6*t12
+    D_p_x_6 = A_x_6*t18
+    D_p_y_1 = A_y_1*t13
+    D_p_y_2 = A_y_2*t14
+    D_p_y_3 = A_y_3*t15
+    D_p_y_4 = A_y_4*t16
+    D_p_y_5 = A_y_5*t17
+    D_p_y_6 = A_y_6*t18
+    D_p_z_1 = A_z_1*t13
+    D_p_z_2 = A_z_2*t14
+    D_p_z_3 = A_z_3*t15
+    D_p_z_4 = A_z_4*t16
+    D_p_z_5 = A_z_5*t17
+    D_p_z_6 = A_z_6*t18
+    D_p_rx_1 = A_rx_1*t13
+    D_p_rx_2 = A_rx_2*t14
+    D_p_rx_3 = A_rx_3*t15
+    D_p_rx_4 = A_rx_4*t16
+    D_p_rx_5 = A_rx_5*t17
+    D_p_rx_6 = A_rx_6*t18
+    D_p_ry_1 = A_ry_1*t13
+    D_p_ry_2 = A_ry_2*t14
+    D_p_ry_3 = A_ry_3*t15
+    D_p_ry_4 = A_ry_4*t16
+    D_p_ry_5 = A_ry_5*t17
+    D_p_ry_6 = A_ry_6*t18
+    D_p_rz_1 = A_rz_1*t13
+    D_p_rz_2 = A_rz_2*t14
+    D_p_rz_3 = A_rz_3*t15
+    D_p_rz_4 = A_rz_4*t16
+    D_p_rz_5 = A_rz_5*t17
+    D_p_rz_6 = A_rz_6*t18
+    t19 = B_1_y*D_p_rz_1
+    U_1_x_1 = B_1_z*D_p_ry_1 + D_p_x_1 - t19
+    t20 = B_1_y*D_p_rz_2
+    U_1_x_2 = B_1_z*D_p_ry_2 + D_p_x_2 - t20
+    t21 = B_1_y*D_p_rz_3
+    U_1_x_3 = B_1_z*D_p_ry_3 + D_p_x_3 - t21
+    t22 = B_1_y*D_p_rz_4
+    U_1_x_4 = B_1_z*D_p_ry_4 + D_p_x_4 - t22
+    t23 = B_1_y*D_p_rz_5
+    U_1_x_5 = B_1_z*D_p_ry_5 + D_p_x_5 - t23
+    t24 = B_1_y*D_p_rz_6
+    U_1_x_6 = B_1_z*D_p_ry_6 + D_p_x_6 - t24
+    t25 = B_1_x*D_p_rz_1 - B_1_z*D_p_rx_1
+    U_1_y_1 = D_p_y_1 + t25
+    t26 = B_1_x*D_p_rz_2 - B_1_z*D_p_rx_2
+    U_1_y_2 = D_p_y_2 + t26
+    t27 = B_1_x*D_p_rz_3 - B_1_z*D_p_rx_3
+    U_1_y_3 = D_p_y_3 + t27
+    t28 = B_1_x*D_p_rz_4 - B_1_z*D_p_rx_4
+    U_1_y_4 = D_p_y_4 + t28
+    t29 = B_1_x*D_p_rz_5 - B_1_z*D_p_rx_5
+    U_1_y_5 = D_p_y_5 + t29
+    t30 = B_1_x*D_p_rz_6 - B_1_z*D_p_rx_6
+    U_1_y_6 = D_p_y_6 + t30
+    t31 = B_1_x*D_p_ry_1
+    U_1_z_1 = B_1_y*D_p_rx_1 + D_p_z_1 - t31
+    t32 = B_1_x*D_p_ry_2
+    U_1_z_2 = B_1_y*D_p_rx_2 + D_p_z_2 - t32
+    t33 = B_1_x*D_p_ry_3
+    U_1_z_3 = B_1_y*D_p_rx_3 + D_p_z_3 - t33
+    t34 = B_1_x*D_p_ry_4
+    U_1_z_4 = B_1_y*D_p_rx_4 + D_p_z_4 - t34
+    t35 = B_1_x*D_p_ry_5
+    U_1_z_5 = B_1_y*D_p_rx_5 + D_p_z_5 - t35
+    t36 = B_1_x*D_p_ry_6
+    U_1_z_6 = B_1_y*D_p_rx_6 + D_p_z_6 - t36
+    t37 = B_2_y*D_p_rz_1
+    U_2_x_1 = B_2_z*D_p_ry_1 + D_p_x_1 - t37
+    t38 = B_2_y*D_p_rz_2
+    U_2_x_2 = B_2_z*D_p_ry_2 + D_p_x_2 - t38
+    t39 = B_2_y*D_p_rz_3
+    U_2_x_3 = B_2_z*D_p_ry_3 + D_p_x_3 - t39
+    t40 = B_2_y*D_p_rz_4
+    U_2_x_4 = B_2_z*D_p_ry_4 + D_p_x_4 - t40
+    t41 = B_2_y*D_p_rz_5
+    U_2_x_5 = B_2_z*D_p_ry_5 + D_p_x_5 - t41
+    t42 = B_2_y*D_p_rz_6
+    U_2_x_6 = B_2_z*D_p_ry_6 + D_p_x_6 - t42
+    t43 = B_2_x*D_p_rz_1 - B_2_z*D_p_rx_1
+    U_2_y_1 = D_p_y_1 + t43
+    t44 = B_2_x*D_p_rz_2 - B_2_z*D_p_rx_2
+    U_2_y_2 = D_p_y_2 + t44
+    t45 = B_2_x*D_p_rz_3 - B_2_z*D_p_rx_3
+    U_2_y_3 = D_p_y_3 + t45
+    t46 = B_2_x*D_p_rz_4 - B_2_z*D_p_rx_4
+    U_2_y_4 = D_p_y_4 + t46
+    t47 = B_2_x*D_p_rz_5 - B_2_z*D_p_rx_5
+    U_2_y_5 = D_p_y_5 + t47
+    t48 = B_2_x*D_p_rz_6 - B_2_z*D_p_rx_6
+    U_2_y_6 = D_p_y_6 + t48
+    t49 = B_2_x*D_p_ry_1
+    U_2_z_1 = B_2_y*D_p_rx_1 + D_p_z_1 - t49
+    t50 = B_2_x*D_p_ry_2
+    U_2_z_2 = B_2_y*D_p_rx_2 + D_p_z_2 - t50
+    t51 = B_2_x*D_p_ry_3
+    U_2_z_3 = B_2_y*D_p_rx_3 + D_p_z_3 - t51
+    t52 = B_2_x*D_p_ry_4
+    U_2_z_4 = B_2_y*D_p_rx_4 + D_p_z_4 - t52
+    t53 = B_2_x*D_p_ry_5
+    U_2_z_5 = B_2_y*D_p_rx_5 + D_p_z_5 - t53
+    t54 = B_2_x*D_p_ry_6
+    U_2_z_6 = B_2_y*D_p_rx_6 + D_p_z_6 - t54
+    t55 = B_3_y*D_p_rz_1
+    U_3_x_1 = B_3_z*D_p_ry_1 + D_p_x_1 - t55
+    t56 = B_3_y*D_p_rz_2
+    U_3_x_2 = B_3_z*D_p_ry_2 + D_p_x_2 - t56
+    t57 = B_3_y*D_p_rz_3
+    U_3_x_3 = B_3_z*D_p_ry_3 + D_p_x_3 - t57
+    t58 = B_3_y*D_p_rz_4
+    U_3_x_4 = B_3_z*D_p_ry_4 + D_p_x_4 - t58
+    t59 = B_3_y*D_p_rz_5
+    U_3_x_5 = B_3_z*D_p_ry_5 + D_p_x_5 - t59
+    t60 = B_3_y*D_p_rz_6
+    U_3_x_6 = B_3_z*D_p_ry_6 + D_p_x_6 - t60
+    t61 = B_3_x*D_p_rz_1 - B_3_z*D_p_rx_1
+    U_3_y_1 = D_p_y_1 + t61
+    t62 = B_3_x*D_p_rz_2 - B_3_z*D_p_rx_2
+    U_3_y_2 = D_p_y_2 + t62
+    t63 = B_3_x*D_p_rz_3 - B_3_z*D_p_rx_3
+    U_3_y_3 = D_p_y_3 + t63
+    t64 = B_3_x*D_p_rz_4 - B_3_z*D_p_rx_4
+    U_3_y_4 = D_p_y_4 + t64
+    t65 = B_3_x*D_p_rz_5 - B_3_z*D_p_rx_5
+    U_3_y_5 = D_p_y_5 + t65
+    t66 = B_3_x*D_p_rz_6 - B_3_z*D_p_rx_6
+    U_3_y_6 = D_p_y_6 + t66
+    t67 = B_3_x*D_p_ry_1
+    U_3_z_1 = B_3_y*D_p_rx_1 + D_p_z_1 - t67
+    t68 = B_3_x*D_p_ry_2
+    U_3_z_2 = B_3_y*D_p_rx_2 + D_p_z_2 - t68
+    t69 = B_3_x*D_p_ry_3
+    U_3_z_3 = B_3_y*D_p_rx_3 + D_p_z_3 - t69
+    t70 = B_3_x*D_p_ry_4
+    U_3_z_4 = B_3_y*D_p_rx_4 + D_p_z_4 - t70
+    t71 = B_3_x*D_p_ry_5
+    U_3_z_5 = B_3_y*D_p_rx_5 + D_p_z_5 - t71
+    t72 = B_3_x*D_p_ry_6
+    U_3_z_6 = B_3_y*D_p_rx_6 + D_p_z_6 - t72
+    t73 = B_4_y*D_p_rz_1
+    U_4_x_1 = B_4_z*D_p_ry_1 + D_p_x_1 - t73
+    t74 = B_4_y*D_p_rz_2
+    U_4_x_2 = B_4_z*D_p_ry_2 + D_p_x_2 - t74
+    t75 = B_4_y*D_p_rz_3
+    U_4_x_3 = B_4_z*D_p_ry_3 + D_p_x_3 - t75
+    t76 = B_4_y*D_p_rz_4
+    U_4_x_4 = B_4_z*D_p_ry_4 + D_p_x_4 - t76
+    t77 = B_4_y*D_p_rz_5
+    U_4_x_5 = B_4_z*D_p_ry_5 + D_p_x_5 - t77
+    t78 = B_4_y*D_p_rz_6
+    U_4_x_6 = B_4_z*D_p_ry_6 + D_p_x_6 - t78
+    t79 = B_4_x*D_p_rz_1 - B_4_z*D_p_rx_1
+    U_4_y_1 = D_p_y_1 + t79
+    t80 = B_4_x*D_p_rz_2 - B_4_z*D_p_rx_2
+    U_4_y_2 = D_p_y_2 + t80
+    t81 = B_4_x*D_p_rz_3 - B_4_z*D_p_rx_3
+    U_4_y_3 = D_p_y_3 + t81
+    t82 = B_4_x*D_p_rz_4 - B_4_z*D_p_rx_4
+    U_4_y_4 = D_p_y_4 + t82
+    t83 = B_4_x*D_p_rz_5 - B_4_z*D_p_rx_5
+    U_4_y_5 = D_p_y_5 + t83
+    t84 = B_4_x*D_p_rz_6 - B_4_z*D_p_rx_6
+    U_4_y_6 = D_p_y_6 + t84
+    t85 = B_4_x*D_p_ry_1
+    U_4_z_1 = B_4_y*D_p_rx_1 + D_p_z_1 - t85
+    t86 = B_4_x*D_p_ry_2
+    U_4_z_2 = B_4_y*D_p_rx_2 + D_p_z_2 - t86
+    t87 = B_4_x*D_p_ry_3
+    U_4_z_3 = B_4_y*D_p_rx_3 + D_p_z_3 - t87
+    t88 = B_4_x*D_p_ry_4
+    U_4_z_4 = B_4_y*D_p_rx_4 + D_p_z_4 - t88
+    t89 = B_4_x*D_p_ry_5
+    U_4_z_5 = B_4_y*D_p_rx_5 + D_p_z_5 - t89
+    t90 = B_4_x*D_p_ry_6
+    U_4_z_6 = B_4_y*D_p_rx_6 + D_p_z_6 - t90
+    t91 = B_5_y*D_p_rz_1
+    U_5_x_1 = B_5_z*D_p_ry_1 + D_p_x_1 - t91
+    t92 = B_5_y*D_p_rz_2
+    U_5_x_2 = B_5_z*D_p_ry_2 + D_p_x_2 - t92
+    t93 = B_5_y*D_p_rz_3
+    U_5_x_3 = B_5_z*D_p_ry_3 + D_p_x_3 - t93
+    t94 = B_5_y*D_p_rz_4
+    U_5_x_4 = B_5_z*D_p_ry_4 + D_p_x_4 - t94
+    t95 = B_5_y*D_p_rz_5
+    U_5_x_5 = B_5_z*D_p_ry_5 + D_p_x_5 - t95
+    t96 = B_5_y*D_p_rz_6
+    U_5_x_6 = B_5_z*D_p_ry_6 + D_p_x_6 - t96
+    t97 = B_5_x*D_p_rz_1 - B_5_z*D_p_rx_1
+    U_5_y_1 = D_p_y_1 + t97
+    t98 = B_5_x*D_p_rz_2 - B_5_z*D_p_rx_2
+    U_5_y_2 = D_p_y_2 + t98
+    t99 = B_5_x*D_p_rz_3 - B_5_z*D_p_rx_3
+    U_5_y_3 = D_p_y_3 + t99
+    t100 = B_5_x*D_p_rz_4 - B_5_z*D_p_rx_4
+    U_5_y_4 = D_p_y_4 + t100
+    t101 = B_5_x*D_p_rz_5 - B_5_z*D_p_rx_5
+    U_5_y_5 = D_p_y_5 + t101
+    t102 = B_5_x*D_p_rz_6 - B_5_z*D_p_rx_6
+    U_5_y_6 = D_p_y_6 + t102
+    t103 = B_5_x*D_p_ry_1
+    U_5_z_1 = B_5_y*D_p_rx_1 + D_p_z_1 - t103
+    t104 = B_5_x*D_p_ry_2
+    U_5_z_2 = B_5_y*D_p_rx_2 + D_p_z_2 - t104
+    t105 = B_5_x*D_p_ry_3
+    U_5_z_3 = B_5_y*D_p_rx_3 + D_p_z_3 - t105
+    t106 = B_5_x*D_p_ry_4
+    U_5_z_4 = B_5_y*D_p_rx_4 + D_p_z_4 - t106
+    t107 = B_5_x*D_p_ry_5
+    U_5_z_5 = B_5_y*D_p_rx_5 + D_p_z_5 - t107
+    t108 = B_5_x*D_p_ry_6
+    U_5_z_6 = B_5_y*D_p_rx_6 + D_p_z_6 - t108
+    t109 = B_6_y*D_p_rz_1
+    U_6_x_1 = B_6_z*D_p_ry_1 + D_p_x_1 - t109
+    t110 = B_6_y*D_p_rz_2
+    U_6_x_2 = B_6_z*D_p_ry_2 + D_p_x_2 - t110
+    t111 = B_6_y*D_p_rz_3
+    U_6_x_3 = B_6_z*D_p_ry_3 + D_p_x_3 - t111
+    t112 = B_6_y*D_p_rz_4
+    U_6_x_4 = B_6_z*D_p_ry_4 + D_p_x_4 - t112
+    t113 = B_6_y*D_p_rz_5
+    U_6_x_5 = B_6_z*D_p_ry_5 + D_p_x_5 - t113
+    t114 = B_6_y*D_p_rz_6
+    U_6_x_6 = B_6_z*D_p_ry_6 + D_p_x_6 - t114
+    t115 = B_6_x*D_p_rz_1 - B_6_z*D_p_rx_1
+    U_6_y_1 = D_p_y_1 + t115
+    t116 = B_6_x*D_p_rz_2 - B_6_z*D_p_rx_2
+    U_6_y_2 = D_p_y_2 + t116
+    t117 = B_6_x*D_p_rz_3 - B_6_z*D_p_rx_3
+    U_6_y_3 = D_p_y_3 + t117
+    t118 = B_6_x*D_p_rz_4 - B_6_z*D_p_rx_4
+    U_6_y_4 = D_p_y_4 + t118
+    t119 = B_6_x*D_p_rz_5 - B_6_z*D_p_rx_5
+    U_6_y_5 = D_p_y_5 + t119
+    t120 = B_6_x*D_p_rz_6 - B_6_z*D_p_rx_6
+    U_6_y_6 = D_p_y_6 + t120
+    t121 = B_6_x*D_p_ry_1
+    U_6_z_1 = B_6_y*D_p_rx_1 + D_p_z_1 - t121
+    t122 = B_6_x*D_p_ry_2
+    U_6_z_2 = B_6_y*D_p_rx_2 + D_p_z_2 - t122
+    t123 = B_6_x*D_p_ry_3
+    U_6_z_3 = B_6_y*D_p_rx_3 + D_p_z_3 - t123
+    t124 = B_6_x*D_p_ry_4
+    U_6_z_4 = B_6_y*D_p_rx_4 + D_p_z_4 - t124
+    t125 = B_6_x*D_p_ry_5
+    U_6_z_5 = B_6_y*D_p_rx_5 + D_p_z_5 - t125
+    t126 = B_6_x*D_p_ry_6
+    U_6_z_6 = B_6_y*D_p_rx_6 + D_p_z_6 - t126
+    t127 = B_1_y*D_p_rx_1 - t31
+    t128 = B_1_z*D_p_ry_1 - t19
+    f_1_11 = (
+        -U_1_x_1**2 - U_1_y_1**2 - U_1_z_1**2 - d_1_x*(D_p_ry_1*t127 - D_p_rz_1*t25) - d_1_y*(-D_p_rx_1*t127
+        + D_p_rz_1*t128) - d_1_z*(D_p_rx_1*t25 - D_p_ry_1*t128) + 1
+    )
+    t129 = B_2_y*D_p_rx_1 - t49
+    t130 = B_2_z*D_p_ry_1 - t37
+    f_2_11 = (
+        -U_2_x_1**2 - U_2_y_1**2 - U_2_z_1**2 - d_2_x*(D_p_ry_1*t129 - D_p_rz_1*t43) - d_2_y*(-D_p_rx_1*t129
+        + D_p_rz_1*t130) - d_2_z*(D_p_rx_1*t43 - D_p_ry_1*t130)
+    )
+    t131 = B_3_y*D_p_rx_1 - t67
+    t132 = B_3_z*D_p_ry_1 - t55
+    f_3_11 = (
+        -U_3_x_1**2 - U_3_y_1**2 - U_3_z_1**2 - d_3_x*(D_p_ry_1*t131 - D_p_rz_1*t61) - d_3_y*(-D_p_rx_1*t131
+        + D_p_rz_1*t132) - d_3_z*(D_p_rx_1*t61 - D_p_ry_1*t132)
+    )
+    t133 = B_4_y*D_p_rx_1 - t85
+    t134 = B_4_z*D_p_ry_1 - t73
+    f_4_11 = (
+        -U_4_x_1**2 - U_4_y_1**2 - U_4_z_1**2 - d_4_x*(D_p_ry_1*t133 - D_p_rz_1*t79) - d_4_y*(-D_p_rx_1*t133
+        + D_p_rz_1*t134) - d_4_z*(D_p_rx_1*t79 - D_p_ry_1*t134)
+    )
+    t135 = B_5_y*D_p_rx_1 - t103
+    t136 = B_5_z*D_p_ry_1 - t91
+    f_5_11 = (
+        -U_5_x_1**2 - U_5_y_1**2 - U_5_z_1**2 - d_5_x*(D_p_ry_1*t135 - D_p_rz_1*t97) - d_5_y*(-D_p_rx_1*t135
+        + D_p_rz_1*t136) - d_5_z*(D_p_rx_1*t97 - D_p_ry_1*t136)
+    )
+    t137 = B_6_y*D_p_rx_1 - t121
+    t138 = B_6_z*D_p_ry_1 - t109
+    f_6_11 = (
+        -U_6_x_1**2 - U_6_y_1**2 - U_6_z_1**2 - d_6_x*(D_p_ry_1*t137 - D_p_rz_1*t115) - d_6_y*(-D_p_rx_1*t137
+        + D_p_rz_1*t138) - d_6_z*(D_p_rx_1*t115 - D_p_ry_1*t138)
+    )
+    P_x_11 = t12*(A_x_1*f_1_11 + A_x_2*f_2_11 + A_x_3*f_3_11 + A_x_4*f_4_11 + A_x_5*f_5_11 + A_x_6*f_6_11)
+    P_y_11 = t12*(A_y_1*f_1_11 + A_y_2*f_2_11 + A_y_3*f_3_11 + A_y_4*f_4_11 + A_y_5*f_5_11 + A_y_6*f_6_11)
+    P_z_11 = t12*(A_z_1*f_1_11 + A_z_2*f_2_11 + A_z_3*f_3_11 + A_z_4*f_4_11 + A_z_5*f_5_11 + A_z_6*f_6_11)
+    P_rx_11 = (
+        t12*(A_rx_1*f_1_11 + A_rx_2*f_2_11 + A_rx_3*f_3_11 + A_rx_4*f_4_11 + A_rx_5*f_5_11 + A_rx_6*f_6_11)
+    )
+    P_ry_11 = (
+        t12*(A_ry_1*f_1_11 + A_ry_2*f_2_11 + A_ry_3*f_3_11 + A_ry_4*f_4_11 + A_ry_5*f_5_11 + A_ry_6*f_6_11)
+    )
+    P_rz_11 = (
+        t12*(A_rz_1*f_1_11 + A_rz_2*f_2_11 + A_rz_3*f_3_11 + A_rz_4*f_4_11 + A_rz_5*f_5_11 + A_rz_6*f_6_11)
+    )
+    t139 = B_1_y*D_p_rx_2 - t32
+    t140 = (1/2)*d_1_x
+    t141 = B_1_z*D_p_ry_2 - t20
+    t142 = (1/2)*d_1_y
+    t143 = (1/2)*d_1_z
+    f_1_12 = (
+        -U_1_x_1*U_1_x_2 - U_1_y_1*U_1_y_2 - U_1_z_1*U_1_z_2 - t140*(D_p_ry_1*t139 - D_p_rz_1*t26)
+        - t140*(D_p_ry_2*t127 - D_p_rz_2*t25) - t142*(-D_p_rx_1*t139 + D_p_rz_1*t141) - t142*(-D_p_rx_2*t127
+        + D_p_rz_2*t128) - t143*(D_p_rx_1*t26 - D_p_ry_1*t141) - t143*(D_p_rx_2*t25 - D_p_ry_2*t128)
+    )
+    t144 = B_2_y*D_p_rx_2 - t50
+    t145 = (1/2)*d_2_x
+    t146 = B_2_z*D_p_ry_2 - t38
+    t147 = (1/2)*d_2_y
+    t148 = (1/2)*d_2_z
+    f_2_12 = (
+        -U_2_x_1*U_2_x_2 - U_2_y_1*U_2_y_2 - U_2_z_1*U_2_z_2 - t145*(D_p_ry_1*t144 - D_p_rz_1*t44)
+        - t145*(D_p_ry_2*t129 - D_p_rz_2*t43) - t147*(-D_p_rx_1*t144 + D_p_rz_1*t146) - t147*(-D_p_rx_2*t129
+        + D_p_rz_2*t130) - t148*(D_p_rx_1*t44 - D_p_ry_1*t146) - t148*(D_p_rx_2*t43 - D_p_ry_2*t130)
+    )
+    t149 = B_3_y*D_p_rx_2 - t68
+    t150 = (1/2)*d_3_x
+    t151 = B_3_z*D_p_ry_2 - t56
+    t152 = (1/2)*d_3_y
+    t153 = (1/2)*d_3_z
+    f_3_12 = (
+        -U_3_x_1*U_3_x_2 - U_3_y_1*U_3_y_2 - U_3_z_1*U_3_z_2 - t150*(D_p_ry_1*t149 - D_p_rz_1*t62)
+        - t150*(D_p_ry_2*t131 - D_p_rz_2*t61) - t152*(-D_p_rx_1*t149 + D_p_rz_1*t151) - t152*(-D_p_rx_2*t131
+        + D_p_rz_2*t132) - t153*(D_p_rx_1*t62 - D_p_ry_1*t151) - t153*(D_p_rx_2*t61 - D_p_ry_2*t132)
+    )
+    t154 = B_4_y*D_p_rx_2 - t86
+    t155 = (1/2)*d_4_x
+    t156 = B_4_z*D_p_ry_2 - t74
+    t157 = (1/2)*d_4_y
+    t158 = (1/2)*d_4_z
+    f_4_12 = (
+        -U_4_x_1*U_4_x_2 - U_4_y_1*U_4_y_2 - U_4_z_1*U_4_z_2 - t155*(D_p_ry_1*t154 - D_p_rz_1*t80)
+        - t155*(D_p_ry_2*t133 - D_p_rz_2*t79) - t157*(-D_p_rx_1*t154 + D_p_rz_1*t156) - t157*(-D_p_rx_2*t133
+        + D_p_rz_2*t134) - t158*(D_p_rx_1*t80 - D_p_ry_1*t156) - t158*(D_p_rx_2*t79 - D_p_ry_2*t134)
+    )
+    t159 = B_5_y*D_p_rx_2 - t104
+    t160 = (1/2)*d_5_x
+    t161 = B_5_z*D_p_ry_2 - t92
+    t162 = (1/2)*d_5_y
+    t163 = (1/2)*d_5_z
+    f_5_12 = (
+        -U_5_x_1*U_5_x_2 - U_5_y_1*U_5_y_2 - U_5_z_1*U_5_z_2 - t160*(D_p_ry_1*t159 - D_p_rz_1*t98)
+        - t160*(D_p_ry_2*t135 - D_p_rz_2*t97) - t162*(-D_p_rx_1*t159 + D_p_rz_1*t161) - t162*(-D_p_rx_2*t135
+        + D_p_rz_2*t136) - t163*(D_p_rx_1*t98 - D_p_ry_1*t161) - t163*(D_p_rx_2*t97 - D_p_ry_2*t136)
+    )
+    t164 = B_6_y*D_p_rx_2 - t122
+    t165 = (1/2)*d_6_x
+    t166 = B_6_z*D_p_ry_2 - t110
+    t167 = (1/2)*d_6_y
+    t168 = (1/2)*d_6_z
+    f_6_12 = (
+        -U_6_x_1*U_6_x_2 - U_6_y_1*U_6_y_2 - U_6_z_1*U_6_z_2 - t165*(D_p_ry_1*t164 - D_p_rz_1*t116)
+        - t165*(D_p_ry_2*t137 - D_p_rz_2*t115) - t167*(-D_p_rx_1*t164 + D_p_rz_1*t166) - t167*(-D_p_rx_2*t137
+        + D_p_rz_2*t138) - t168*(D_p_rx_1*t116 - D_p_ry_1*t166) - t168*(D_p_rx_2*t115 - D_p_ry_2*t138)
+    )
+    P_x_12 = t12*(A_x_1*f_1_12 + A_x_2*f_2_12 + A_x_3*f_3_12 + A_x_4*f_4_12 + A_x_5*f_5_12 + A_x_6*f_6_12)
+    P_y_12 = t12*(A_y_1*f_1_12 + A_y_2*f_2_12 + A_y_3*f_3_12 + A_y_4*f_4_12 + A_y_5*f_5_12 + A_y_6*f_6_12)
+    P_z_12 = t12*(A_z_1*f_1_12 + A_z_2*f_2_12 + A_z_3*f_3_12 + A_z_4*f_4_12 + A_z_5*f_5_12 + A_z_6*f_6_12)
+    P_rx_12 = (
+        t12*(A_rx_1*f_1_12 + A_rx_2*f_2_12 + A_rx_3*f_3_12 + A_rx_4*f_4_12 + A_rx_5*f_5_12 + A_rx_6*f_6_12)
+    )
+    P_ry_12 = (
+        t12*(A_ry_1*f_1_12 + A_ry_2*f_2_12 + A_ry_3*f_3_12 + A_ry_4*f_4_12 + A_ry_5*f_5_12 + A_ry_6*f_6_12)
+    )
+    P_rz_12 = (
+        t12*(A_rz_1*f_1_12 + A_rz_2*f_2_12 + A_rz_3*f_3_12 + A_rz_4*f_4_12 + A_rz_5*f_5_12 + A_rz_6*f_6_12)
+    )
+    t169 = B_1_y*D_p_rx_3 - t33
+    t170 = B_1_z*D_p_ry_3 - t21
+    f_1_13 = (
+        -U_1_x_1*U_1_x_3 - U_1_y_1*U_1_y_3 - U_1_z_1*U_1_z_3 - t140*(D_p_ry_1*t169 - D_p_rz_1*t27)
+        - t140*(D_p_ry_3*t127 - D_p_rz_3*t25) - t142*(-D_p_rx_1*t169 + D_p_rz_1*t170) - t142*(-D_p_rx_3*t127
+        + D_p_rz_3*t128) - t143*(D_p_rx_1*t27 - D_p_ry_1*t170) - t143*(D_p_rx_3*t25 - D_p_ry_3*t128)
+    )
+    t171 = B_2_y*D_p_rx_3 - t51
+    t172 = B_2_z*D_p_ry_3 - t39
+    f_2_13 = (
+        -U_2_x_1*U_2_x_3 - U_2_y_1*U_2_y_3 - U_2_z_1*U_2_z_3 - t145*(D_p_ry_1*t171 - D_p_rz_1*t45)
+        - t145*(D_p_ry_3*t129 - D_p_rz_3*t43) - t147*(-D_p_rx_1*t171 + D_p_rz_1*t172) - t147*(-D_p_rx_3*t129
+        + D_p_rz_3*t130) - t148*(D_p_rx_1*t45 - D_p_ry_1*t172) - t148*(D_p_rx_3*t43 - D_p_ry_3*t130)
+    )
+    t173 = B_3_y*D_p_rx_3 - t69
+    t174 = B_3_z*D_p_ry_3 - t57
+    f_3_13 = (
+        -U_3_x_1*U_3_x_3 - U_3_y_1*U_3_y_3 - U_3_z_1*U_3_z_3 - t150*(D_p_ry_1*t173 - D_p_rz_1*t63)
+        - t150*(D_p_ry_3*t131 - D_p_rz_3*t61) - t152*(-D_p_rx_1*t173 + D_p_rz_1*t174) - t152*(-D_p_rx_3*t131
+        + D_p_rz_3*t132) - t153*(D_p_rx_1*t63 - D_p_ry_1*t174) - t153*(D_p_rx_3*t61 - D_p_ry_3*t132)
+    )
+    t175 = B_4_y*D_p_rx_3 - t87
+    t176 = B_4_z*D_p_ry_3 - t75
+    f_4_13 = (
+        -U_4_x_1*U_4_x_3 - U_4_y_1*U_4_y_3 - U_4_z_1*U_4_z_3 - t155*(D_p_ry_1*t175 - D_p_rz_1*t81)
+        - t155*(D_p_ry_3*t133 - D_p_rz_3*t79) - t157*(-D_p_rx_1*t175 + D_p_rz_1*t176) - t157*(-D_p_rx_3*t133
+        + D_p_rz_3*t134) - t158*(D_p_rx_1*t81 - D_p_ry_1*t176) - t158*(D_p_rx_3*t79 - D_p_ry_3*t134)
+    )
+    t177 = B_5_y*D_p_rx_3 - t105
+    t178 = B_5_z*D_p_ry_3 - t93
+    f_5_13 = (
+        -U_5_x_1*U_5_x_3 - U_5_y_1*U_5_y_3 - U_5_z_1*U_5_z_3 - t160*(D_p_ry_1*t177 - D_p_rz_1*t99)
+        - t160*(D_p_ry_3*t135 - D_p_rz_3*t97) - t162*(-D_p_rx_1*t177 + D_p_rz_1*t178) - t162*(-D_p_rx_3*t135
+        + D_p_rz_3*t136) - t163*(D_p_rx_1*t99 - D_p_ry_1*t178) - t163*(D_p_rx_3*t97 - D_p_ry_3*t136)
+    )
+    t179 = B_6_y*D_p_rx_3 - t123
+    t180 = B_6_z*D_p_ry_3 - t111
+    f_6_13 = (
+        -U_6_x_1*U_6_x_3 - U_6_y_1*U_6_y_3 - U_6_z_1*U_6_z_3 - t165*(D_p_ry_1*t179 - D_p_rz_1*t117)
+        - t165*(D_p_ry_3*t137 - D_p_rz_3*t115) - t167*(-D_p_rx_1*t179 + D_p_rz_1*t180) - t167*(-D_p_rx_3*t137
+        + D_p_rz_3*t138) - t168*(D_p_rx_1*t117 - D_p_ry_1*t180) - t168*(D_p_rx_3*t115 - D_p_ry_3*t138)
+    )
+    P_x_13 = t12*(A_x_1*f_1_13 + A_x_2*f_2_13 + A_x_3*f_3_13 + A_x_4*f_4_13 + A_x_5*f_5_13 + A_x_6*f_6_13)
+    P_y_13 = t12*(A_y_1*f_1_13 + A_y_2*f_2_13 + A_y_3*f_3_13 + A_y_4*f_4_13 + A_y_5*f_5_13 + A_y_6*f_6_13)
+    P_z_13 = t12*(A_z_1*f_1_13 + A_z_2*f_2_13 + A_z_3*f_3_13 + A_z_4*f_4_13 + A_z_5*f_5_13 + A_z_6*f_6_13)
+    P_rx_13 = (
+        t12*(A_rx_1*f_1_13 + A_rx_2*f_2_13 + A_rx_3*f_3_13 + A_rx_4*f_4_13 + A_rx_5*f_5_13 + A_rx_6*f_6_13)
+    )
+    P_ry_13 = (
+        t12*(A_ry_1*f_1_13 + A_ry_2*f_2_13 + A_ry_3*f_3_13 + A_ry_4*f_4_13 + A_ry_5*f_5_13 + A_ry_6*f_6_13)
+    )
+    P_rz_13 = (
+        t12*(A_rz_1*f_1_13 + A_rz_2*f_2_13 + A_rz_3*f_3_13 + A_rz_4*f_4_13 + A_rz_5*f_5_13 + A_rz_6*f_6_13)
+    )
+    t181 = B_1_y*D_p_rx_4 - t34
+    t182 = B_1_z*D_p_ry_4 - t22
+    f_1_14 = (
+        -U_1_x_1*U_1_x_4 - U_1_y_1*U_1_y_4 - U_1_z_1*U_1_z_4 - t140*(D_p_ry_1*t181 - D_p_rz_1*t28)
+        - t140*(D_p_ry_4*t127 - D_p_rz_4*t25) - t142*(-D_p_rx_1*t181 + D_p_rz_1*t182) - t142*(-D_p_rx_4*t127
+        + D_p_rz_4*t128) - t143*(D_p_rx_1*t28 - D_p_ry_1*t182) - t143*(D_p_rx_4*t25 - D_p_ry_4*t128)
+    )
+    t183 = B_2_y*D_p_rx_4 - t52
+    t184 = B_2_z*D_p_ry_4 - t40
+    f_2_14 = (
+        -U_2_x_1*U_2_x_4 - U_2_y_1*U_2_y_4 - U_2_z_1*U_2_z_4 - t145*(D_p_ry_1*t183 - D_p_rz_1*t46)
+        - t145*(D_p_ry_4*t129 - D_p_rz_4*t43) - t147*(-D_p_rx_1*t183 + D_p_rz_1*t184) - t147*(-D_p_rx_4*t129
+        + D_p_rz_4*t130) - t148*(D_p_rx_1*t46 - D_p_ry_1*t184) - t148*(D_p_rx_4*t43 - D_p_ry_4*t130)
+    )
+    t185 = B_3_y*D_p_rx_4 - t70
+    t186 = B_3_z*D_p_ry_4 - t58
+    f_3_14 = (
+        -U_3_x_1*U_3_x_4 - U_3_y_1*U_3_y_4 - U_3_z_1*U_3_z_4 - t150*(D_p_ry_1*t185 - D_p_rz_1*t64)
+        - t150*(D_p_ry_4*t131 - D_p_rz_4*t61) - t152*(-D_p_rx_1*t185 + D_p_rz_1*t186) - t152*(-D_p_rx_4*t131
+        + D_p_rz_4*t132) - t153*(D_p_rx_1*t64 - D_p_ry_1*t186) - t153*(D_p_rx_4*t61 - D_p_ry_4*t132)
+    )
+    t187 = B_4_y*D_p_rx_4 - t88
+    t188 = B_4_z*D_p_ry_4 - t76
+    f_4_14 = (
+        -U_4_x_1*U_4_x_4 - U_4_y_1*U_4_y_4 - U_4_z_1*U_4_z_4 - t155*(D_p_ry_1*t187 - D_p_rz_1*t82)
+        - t155*(D_p_ry_4*t133 - D_p_rz_4*t79) - t157*(-D_p_rx_1*t187 + D_p_rz_1*t188) - t157*(-D_p_rx_4*t133
+        + D_p_rz_4*t134) - t158*(D_p_rx_1*t82 - D_p_ry_1*t188) - t158*(D_p_rx_4*t79 - D_p_ry_4*t134)
+    )
+    t189 = B_5_y*D_p_rx_4 - t106
+    t190 = B_5_z*D_p_ry_4 - t94
+    f_5_14 = (
+        -U_5_x_1*U_5_x_4 - U_5_y_1*U_5_y_4 - U_5_z_1*U_5_z_4 - t160*(D_p_ry_1*t189 - D_p_rz_1*t100)
+        - t160*(D_p_ry_4*t135 - D_p_rz_4*t97) - t162*(-D_p_rx_1*t189 + D_p_rz_1*t190) - t162*(-D_p_rx_4*t135
+        + D_p_rz_4*t136) - t163*(D_p_rx_1*t100 - D_p_ry_1*t190) - t163*(D_p_rx_4*t97 - D_p_ry_4*t136)
+    )
+    t191 = B_6_y*D_p_rx_4 - t124
+    t192 = B_6_z*D_p_ry_4 - t112
+    f_6_14 = (
+        -U_6_x_1*U_6_x_4 - U_6_y_1*U_6_y_4 - U_6_z_1*U_6_z_4 - t165*(D_p_ry_1*t191 - D_p_rz_1*t118)
+        - t165*(D_p_ry_4*t137 - D_p_rz_4*t115) - t167*(-D_p_rx_1*t191 + D_p_rz_1*t192) - t167*(-D_p_rx_4*t137
+        + D_p_rz_4*t138) - t168*(D_p_rx_1*t118 - D_p_ry_1*t192) - t168*(D_p_rx_4*t115 - D_p_ry_4*t138)
+    )
+    P_x_14 = t12*(A_x_1*f_1_14 + A_x_2*f_2_14 + A_x_3*f_3_14 + A_x_4*f_4_14 + A_x_5*f_5_14 + A_x_6*f_6_14)
+    P_y_14 = t12*(A_y_1*f_1_14 + A_y_2*f_2_14 + A_y_3*f_3_14 + A_y_4*f_4_14 + A_y_5*f_5_14 + A_y_6*f_6_14)
+    P_z_14 = t12*(A_z_1*f_1_14 + A_z_2*f_2_14 + A_z_3*f_3_14 + A_z_4*f_4_14 + A_z_5*f_5_14 + A_z_6*f_6_14)
+    P_rx_14 = (
+        t12*(A_rx_1*f_1_14 + A_rx_2*f_2_14 + A_rx_3*f_3_14 + A_rx_4*f_4_14 + A_rx_5*f_5_14 + A_rx_6*f_6_14)
+    )
+    P_ry_14 = (
+        t12*(A_ry_1*f_1_14 + A_ry_2*f_2_14 + A_ry_3*f_3_14 + A_ry_4*f_4_14 + A_ry_5*f_5_14 + A_ry_6*f_6_14)
+    )
+    P_rz_14 = (
+        t12*(A_rz_1*f_1_14 + A_rz_2*f_2_14 + A_rz_3*f_3_14 + A_rz_4*f_4_14 + A_rz_5*f_5_14 + A_rz_6*f_6_14)
+    )
+    t193 = B_1_y*D_p_rx_5 - t35
+    t194 = B_1_z*D_p_ry_5 - t23
+    f_1_15 = (
+        -U_1_x_1*U_1_x_5 - U_1_y_1*U_1_y_5 - U_1_z_1*U_1_z_5 - t140*(D_p_ry_1*t193 - D_p_rz_1*t29)
+        - t140*(D_p_ry_5*t127 - D_p_rz_5*t25) - t142*(-D_p_rx_1*t193 + D_p_rz_1*t194) - t142*(-D_p_rx_5*t127
+        + D_p_rz_5*t128) - t143*(D_p_rx_1*t29 - D_p_ry_1*t194) - t143*(D_p_rx_5*t25 - D_p_ry_5*t128)
+    )
+    t195 = B_2_y*D_p_rx_5 - t53
+    t196 = B_2_z*D_p_ry_5 - t41
+    f_2_15 = (
+        -U_2_x_1*U_2_x_5 - U_2_y_1*U_2_y_5 - U_2_z_1*U_2_z_5 - t145*(D_p_ry_1*t195 - D_p_rz_1*t47)
+        - t145*(D_p_ry_5*t129 - D_p_rz_5*t43) - t147*(-D_p_rx_1*t195 + D_p_rz_1*t196) - t147*(-D_p_rx_5*t129
+        + D_p_rz_5*t130) - t148*(D_p_rx_1*t47 - D_p_ry_1*t196) - t148*(D_p_rx_5*t43 - D_p_ry_5*t130)
+    )
+    t197 = B_3_y*D_p_rx_5 - t71
+    t198 = B_3_z*D_p_ry_5 - t59
+    f_3_15 = (
+        -U_3_x_1*U_3_x_5 - U_3_y_1*U_3_y_5 - U_3_z_1*U_3_z_5 - t150*(D_p_ry_1*t197 - D_p_rz_1*t65)
+        - t150*(D_p_ry_5*t131 - D_p_rz_5*t61) - t152*(-D_p_rx_1*t197 + D_p_rz_1*t198) - t152*(-D_p_rx_5*t131
+        + D_p_rz_5*t132) - t153*(D_p_rx_1*t65 - D_p_ry_1*t198) - t153*(D_p_rx_5*t61 - D_p_ry_5*t132)
+    )
+    t199 = B_4_y*D_p_rx_5 - t89
+    t200 = B_4_z*D_p_ry_5 - t77
+    f_4_15 = (
+        -U_4_x_1*U_4_x_5 - U_4_y_1*U_4_y_5 - U_4_z_1*U_4_z_5 - t155*(D_p_ry_1*t199 - D_p_rz_1*t83)
+        - t155*(D_p_ry_5*t133 - D_p_rz_5*t79) - t157*(-D_p_rx_1*t199 + D_p_rz_1*t200) - t157*(-D_p_rx_5*t133
+        + D_p_rz_5*t134) - t158*(D_p_rx_1*t83 - D_p_ry_1*t200) - t158*(D_p_rx_5*t79 - D_p_ry_5*t134)
+    )
+    t201 = B_5_y*D_p_rx_5 - t107
+    t202 = B_5_z*D_p_ry_5 - t95
+    f_5_15 = (
+        -U_5_x_1*U_5_x_5 - U_5_y_1*U_5_y_5 - U_5_z_1*U_5_z_5 - t160*(D_p_ry_1*t201 - D_p_rz_1*t101)
+        - t160*(D_p_ry_5*t135 - D_p_rz_5*t97) - t162*(-D_p_rx_1*t201 + D_p_rz_1*t202) - t162*(-D_p_rx_5*t135
+        + D_p_rz_5*t136) - t163*(D_p_rx_1*t101 - D_p_ry_1*t202) - t163*(D_p_rx_5*t97 - D_p_ry_5*t136)
+    )
+    t203 = B_6_y*D_p_rx_5 - t125
+    t204 = B_6_z*D_p_ry_5 - t113
+    f_6_15 = (
+        -U_6_x_1*U_6_x_5 - U_6_y_1*U_6_y_5 - U_6_z_1*U_6_z_5 - t165*(D_p_ry_1*t203 - D_p_rz_1*t119)
+        - t165*(D_p_ry_5*t137 - D_p_rz_5*t115) - t167*(-D_p_rx_1*t203 + D_p_rz_1*t204) - t167*(-D_p_rx_5*t137
+        + D_p_rz_5*t138) - t168*(D_p_rx_1*t119 - D_p_ry_1*t204) - t168*(D_p_rx_5*t115 - D_p_ry_5*t138)
+    )
+    P_x_15 = t12*(A_x_1*f_1_15 + A_x_2*f_2_15 + A_x_3*f_3_15 + A_x_4*f_4_15 + A_x_5*f_5_15 + A_x_6*f_6_15)
+    P_y_15 = t12*(A_y_1*f_1_15 + A_y_2*f_2_15 + A_y_3*f_3_15 + A_y_4*f_4_15 + A_y_5*f_5_15 + A_y_6*f_6_15)
+    P_z_15 = t12*(A_z_1*f_1_15 + A_z_2*f_2_15 + A_z_3*f_3_15 + A_z_4*f_4_15 + A_z_5*f_5_15 + A_z_6*f_6_15)
+    P_rx_15 = (
+        t12*(A_rx_1*f_1_15 + A_rx_2*f_2_15 + A_rx_3*f_3_15 + A_rx_4*f_4_15 + A_rx_5*f_5_15 + A_rx_6*f_6_15)
+    )
+    P_ry_15 = (
+        t12*(A_ry_1*f_1_15 + A_ry_2*f_2_15 + A_ry_3*f_3_15 + A_ry_4*f_4_15 + A_ry_5*f_5_15 + A_ry_6*f_6_15)
+    )
+    P_rz_15 = (
+        t12*(A_rz_1*f_1_15 + A_rz_2*f_2_15 + A_rz_3*f_3_15 + A_rz_4*f_4_15 + A_rz_5*f_5_15 + A_rz_6*f_6_15)
+    )
+    t205 = B_1_y*D_p_rx_6 - t36
+    t206 = B_1_z*D_p_ry_6 - t24
+    f_1_16 = (
+        -U_1_x_1*U_1_x_6 - U_1_y_1*U_1_y_6 - U_1_z_1*U_1_z_6 - t140*(D_p_ry_1*t205 - D_p_rz_1*t30)
+        - t140*(D_p_ry_6*t127 - D_p_rz_6*t25) - t142*(-D_p_rx_1*t205 + D_p_rz_1*t206) - t142*(-D_p_rx_6*t127
+        + D_p_rz_6*t128) - t143*(D_p_rx_1*t30 - D_p_ry_1*t206) - t143*(D_p_rx_6*t25 - D_p_ry_6*t128)
+    )
+    t207 = B_2_y*D_p_rx_6 - t54
+    t208 = B_2_z*D_p_ry_6 - t42
+    f_2_16 = (
+        -U_2_x_1*U_2_x_6 - U_2_y_1*U_2_y_6 - U_2_z_1*U_2_z_6 - t145*(D_p_ry_1*t207 - D_p_rz_1*t48)
+        - t145*(D_p_ry_6*t129 - D_p_rz_6*t43) - t147*(-D_p_rx_1*t207 + D_p_rz_1*t208) - t147*(-D_p_rx_6*t129
+        + D_p_rz_6*t130) - t148*(D_p_rx_1*t48 - D_p_ry_1*t208) - t148*(D_p_rx_6*t43 - D_p_ry_6*t130)
+    )
+    t209 = B_3_y*D_p_rx_6 - t72
+    t210 = B_3_z*D_p_ry_6 - t60
+    f_3_16 = (
+        -U_3_x_1*U_3_x_6 - U_3_y_1*U_3_y_6 - U_3_z_1*U_3_z_6 - t150*(D_p_ry_1*t209 - D_p_rz_1*t66)
+        - t150*(D_p_ry_6*t131 - D_p_rz_6*t61) - t152*(-D_p_rx_1*t209 + D_p_rz_1*t210) - t152*(-D_p_rx_6*t131
+        + D_p_rz_6*t132) - t153*(D_p_rx_1*t66 - D_p_ry_1*t210) - t153*(D_p_rx_6*t61 - D_p_ry_6*t132)
+    )
+    t211 = B_4_y*D_p_rx_6 - t90
+    t212 = B_4_z*D_p_ry_6 - t78
+    f_4_16 = (
+        -U_4_x_1*U_4_x_6 - U_4_y_1*U_4_y_6 - U_4_z_1*U_4_z_6 - t155*(D_p_ry_1*t211 - D_p_rz_1*t84)
+        - t155*(D_p_ry_6*t133 - D_p_rz_6*t79) - t157*(-D_p_rx_1*t211 + D_p_rz_1*t212) - t157*(-D_p_rx_6*t133
+        + D_p_rz_6*t134) - t158*(D_p_rx_1*t84 - D_p_ry_1*t212) - t158*(D_p_rx_6*t79 - D_p_ry_6*t134)
+    )
+    t213 = B_5_y*D_p_rx_6 - t108
+    t214 = B_5_z*D_p_ry_6 - t96
+    f_5_16 = (
+        -U_5_x_1*U_5_x_6 - U_5_y_1*U_5_y_6 - U_5_z_1*U_5_z_6 - t160*(D_p_ry_1*t213 - D_p_rz_1*t102)
+        - t160*(D_p_ry_6*t135 - D_p_rz_6*t97) - t162*(-D_p_rx_1*t213 + D_p_rz_1*t214) - t162*(-D_p_rx_6*t135
+        + D_p_rz_6*t136) - t163*(D_p_rx_1*t102 - D_p_ry_1*t214) - t163*(D_p_rx_6*t97 - D_p_ry_6*t136)
+    )
+    t215 = B_6_y*D_p_rx_6 - t126
+    t216 = B_6_z*D_p_ry_6 - t114
+    f_6_16 = (
+        -U_6_x_1*U_6_x_6 - U_6_y_1*U_6_y_6 - U_6_z_1*U_6_z_6 - t165*(D_p_ry_1*t215 - D_p_rz_1*t120)
+        - t165*(D_p_ry_6*t137 - D_p_rz_6*t115) - t167*(-D_p_rx_1*t215 + D_p_rz_1*t216) - t167*(-D_p_rx_6*t137
+        + D_p_rz_6*t138) - t168*(D_p_rx_1*t120 - D_p_ry_1*t216) - t168*(D_p_rx_6*t115 - D_p_ry_6*t138)
+    )
+    P_x_16 = t12*(A_x_1*f_1_16 + A_x_2*f_2_16 + A_x_3*f_3_16 + A_x_4*f_4_16 + A_x_5*f_5_16 + A_x_6*f_6_16)
+    P_y_16 = t12*(A_y_1*f_1_16 + A_y_2*f_2_16 + A_y_3*f_3_16 + A_y_4*f_4_16 + A_y_5*f_5_16 + A_y_6*f_6_16)
+    P_z_16 = t12*(A_z_1*f_1_16 + A_z_2*f_2_16 + A_z_3*f_3_16 + A_z_4*f_4_16 + A_z_5*f_5_16 + A_z_6*f_6_16)
+    P_rx_16 = (
+        t12*(A_rx_1*f_1_16 + A_rx_2*f_2_16 + A_rx_3*f_3_16 + A_rx_4*f_4_16 + A_rx_5*f_5_16 + A_rx_6*f_6_16)
+    )
+    P_ry_16 = (
+        t12*(A_ry_1*f_1_16 + A_ry_2*f_2_16 + A_ry_3*f_3_16 + A_ry_4*f_4_16 + A_ry_5*f_5_16 + A_ry_6*f_6_16)
+    )
+    P_rz_16 = (
+        t12*(A_rz_1*f_1_16 + A_rz_2*f_2_16 + A_rz_3*f_3_16 + A_rz_4*f_4_16 + A_rz_5*f_5_16 + A_rz_6*f_6_16)
+    )
+    f_1_22 = (
+        -U_1_x_2**2 - U_1_y_2**2 - U_1_z_2**2 - d_1_x*(D_p_ry_2*t139 - D_p_rz_2*t26) - d_1_y*(-D_p_rx_2*t139
+        + D_p_rz_2*t141) - d_1_z*(D_p_rx_2*t26 - D_p_ry_2*t141)
+    )
+    f_2_22 = (
+        -U_2_x_2**2 - U_2_y_2**2 - U_2_z_2**2 - d_2_x*(D_p_ry_2*t144 - D_p_rz_2*t44) - d_2_y*(-D_p_rx_2*t144
+        + D_p_rz_2*t146) - d_2_z*(D_p_rx_2*t44 - D_p_ry_2*t146) + 1
+    )
+    f_3_22 = (
+        -U_3_x_2**2 - U_3_y_2**2 - U_3_z_2**2 - d_3_x*(D_p_ry_2*t149 - D_p_rz_2*t62) - d_3_y*(-D_p_rx_2*t149
+        + D_p_rz_2*t151) - d_3_z*(D_p_rx_2*t62 - D_p_ry_2*t151)
+    )
+    f_4_22 = (
+        -U_4_x_2**2 - U_4_y_2**2 - U_4_z_2**2 - d_4_x*(D_p_ry_2*t154 - D_p_rz_2*t80) - d_4_y*(-D_p_rx_2*t154
+        + D_p_rz_2*t156) - d_4_z*(D_p_rx_2*t80 - D_p_ry_2*t156)
+    )
+    f_5_22 = (
+        -U_5_x_2**2 - U_5_y_2**2 - U_5_z_2**2 - d_5_x*(D_p_ry_2*t159 - D_p_rz_2*t98) - d_5_y*(-D_p_rx_2*t159
+        + D_p_rz_2*t161) - d_5_z*(D_p_rx_2*t98 - D_p_ry_2*t161)
+    )
+    f_6_22 = (
+        -U_6_x_2**2 - U_6_y_2**2 - U_6_z_2**2 - d_6_x*(D_p_ry_2*t164 - D_p_rz_2*t116) - d_6_y*(-D_p_rx_2*t164
+        + D_p_rz_2*t166) - d_6_z*(D_p_rx_2*t116 - D_p_ry_2*t166)
+    )
+    P_x_22 = t12*(A_x_1*f_1_22 + A_x_2*f_2_22 + A_x_3*f_3_22 + A_x_4*f_4_22 + A_x_5*f_5_22 + A_x_6*f_6_22)
+    P_y_22 = t12*(A_y_1*f_1_22 + A_y_2*f_2_22 + A_y_3*f_3_22 + A_y_4*f_4_22 + A_y_5*f_5_22 + A_y_6*f_6_22)
+    P_z_22 = t12*(A_z_1*f_1_22 + A_z_2*f_2_22 + A_z_3*f_3_22 + A_z_4*f_4_22 + A_z_5*f_5_22 + A_z_6*f_6_22)
+    P_rx_22 = (
+        t12*(A_rx_1*f_1_22 + A_rx_2*f_2_22 + A_rx_3*f_3_22 + A_rx_4*f_4_22 + A_rx_5*f_5_22 + A_rx_6*f_6_22)
+    )
+    P_ry_22 = (
+        t12*(A_ry_1*f_1_22 + A_ry_2*f_2_22 + A_ry_3*f_3_22 + A_ry_4*f_4_22 + A_ry_5*f_5_22 + A_ry_6*f_6_22)
+    )
+    P_rz_22 = (
+        t12*(A_rz_1*f_1_22 + A_rz_2*f_2_22 + A_rz_3*f_3_22 + A_rz_4*f_4_22 + A_rz_5*f_5_22 + A_rz_6*f_6_22)
+    )
+    f_1_23 = (
+        -U_1_x_2*U_1_x_3 - U_1_y_2*U_1_y_3 - U_1_z_2*U_1_z_3 - t140*(D_p_ry_2*t169 - D_p_rz_2*t27)
+        - t140*(D_p_ry_3*t139 - D_p_rz_3*t26) - t142*(-D_p_rx_2*t169 + D_p_rz_2*t170) - t142*(-D_p_rx_3*t139
+        + D_p_rz_3*t141) - t143*(D_p_rx_2*t27 - D_p_ry_2*t170) - t143*(D_p_rx_3*t26 - D_p_ry_3*t141)
+    )
+    f_2_23 = (
+        -U_2_x_2*U_2_x_3 - U_2_y_2*U_2_y_3 - U_2_z_2*U_2_z_3 - t145*(D_p_ry_2*t171 - D_p_rz_2*t45)
+        - t145*(D_p_ry_3*t144 - D_p_rz_3*t44) - t147*(-D_p_rx_2*t171 + D_p_rz_2*t172) - t147*(-D_p_rx_3*t144
+        + D_p_rz_3*t146) - t148*(D_p_rx_2*t45 - D_p_ry_2*t172) - t148*(D_p_rx_3*t44 - D_p_ry_3*t146)
+    )
+    f_3_23 = (
+        -U_3_x_2*U_3_x_3 - U_3_y_2*U_3_y_3 - U_3_z_2*U_3_z_3 - t150*(D_p_ry_2*t173 - D_p_rz_2*t63)
+        - t150*(D_p_ry_3*t149 - D_p_rz_3*t62) - t152*(-D_p_rx_2*t173 + D_p_rz_2*t174) - t152*(-D_p_rx_3*t149
+        + D_p_rz_3*t151) - t153*(D_p_rx_2*t63 - D_p_ry_2*t174) - t153*(D_p_rx_3*t62 - D_p_ry_3*t151)
+    )
+    f_4_23 = (
+        -U_4_x_2*U_4_x_3 - U_4_y_2*U_4_y_3 - U_4_z_2*U_4_z_3 - t155*(D_p_ry_2*t175 - D_p_rz_2*t81)
+        - t155*(D_p_ry_3*t154 - D_p_rz_3*t80) - t157*(-D_p_rx_2*t175 + D_p_rz_2*t176) - t157*(-D_p_rx_3*t154
+        + D_p_rz_3*t156) - t158*(D_p_rx_2*t81 - D_p_ry_2*t176) - t158*(D_p_rx_3*t80 - D_p_ry_3*t156)
+    )
+    f_5_23 = (
+        -U_5_x_2*U_5_x_3 - U_5_y_2*U_5_y_3 - U_5_z_2*U_5_z_3 - t160*(D_p_ry_2*t177 - D_p_rz_2*t99)
+        - t160*(D_p_ry_3*t159 - D_p_rz_3*t98) - t162*(-D_p_rx_2*t177 + D_p_rz_2*t178) - t162*(-D_p_rx_3*t159
+        + D_p_rz_3*t161) - t163*(D_p_rx_2*t99 - D_p_ry_2*t178) - t163*(D_p_rx_3*t98 - D_p_ry_3*t161)
+    )
+    f_6_23 = (
+        -U_6_x_2*U_6_x_3 - U_6_y_2*U_6_y_3 - U_6_z_2*U_6_z_3 - t165*(D_p_ry_2*t179 - D_p_rz_2*t117)
+        - t165*(D_p_ry_3*t164 - D_p_rz_3*t116) - t167*(-D_p_rx_2*t179 + D_p_rz_2*t180) - t167*(-D_p_rx_3*t164
+        + D_p_rz_3*t166) - t168*(D_p_rx_2*t117 - D_p_ry_2*t180) - t168*(D_p_rx_3*t116 - D_p_ry_3*t166)
+    )
+    P_x_23 = t12*(A_x_1*f_1_23 + A_x_2*f_2_23 + A_x_3*f_3_23 + A_x_4*f_4_23 + A_x_5*f_5_23 + A_x_6*f_6_23)
+    P_y_23 = t12*(A_y_1*f_1_23 + A_y_2*f_2_23 + A_y_3*f_3_23 + A_y_4*f_4_23 + A_y_5*f_5_23 + A_y_6*f_6_23)
+    P_z_23 = t12*(A_z_1*f_1_23 + A_z_2*f_2_23 + A_z_3*f_3_23 + A_z_4*f_4_23 + A_z_5*f_5_23 + A_z_6*f_6_23)
+    P_rx_23 = (
+        t12*(A_rx_1*f_1_23 + A_rx_2*f_2_23 + A_rx_3*f_3_23 + A_rx_4*f_4_23 + A_rx_5*f_5_23 + A_rx_6*f_6_23)
+    )
+    P_ry_23 = (
+        t12*(A_ry_1*f_1_23 + A_ry_2*f_2_23 + A_ry_3*f_3_23 + A_ry_4*f_4_23 + A_ry_5*f_5_23 + A_ry_6*f_6_23)
+    )
+    P_rz_23 = (
+        t12*(A_rz_1*f_1_23 + A_rz_2*f_2_23 + A_rz_3*f_3_23 + A_rz_4*f_4_23 + A_rz_5*f_5_23 + A_rz_6*f_6_23)
+    )
+    f_1_24 = (
+        -U_1_x_2*U_1_x_4 - U_1_y_2*U_1_y_4 - U_1_z_2*U_1_z_4 - t140*(D_p_ry_2*t181 - D_p_rz_2*t28)
+        - t140*(D_p_ry_4*t139 - D_p_rz_4*t26) - t142*(-D_p_rx_2*t181 + D_p_rz_2*t182) - t142*(-D_p_rx_4*t139
+        + D_p_rz_4*t141) - t143*(D_p_rx_2*t28 - D_p_ry_2*t182) - t143*(D_p_rx_4*t26 - D_p_ry_4*t141)
+    )
+    f_2_24 = (
+        -U_2_x_2*U_2_x_4 - U_2_y_2*U_2_y_4 - U_2_z_2*U_2_z_4 - t145*(D_p_ry_2*t183 - D_p_rz_2*t46)
+        - t145*(D_p_ry_4*t144 - D_p_rz_4*t44) - t147*(-D_p_rx_2*t183 + D_p_rz_2*t184) - t147*(-D_p_rx_4*t144
+        + D_p_rz_4*t146) - t148*(D_p_rx_2*t46 - D_p_ry_2*t184) - t148*(D_p_rx_4*t44 - D_p_ry_4*t146)
+    )
+    f_3_24 = (
+        -U_3_x_2*U_3_x_4 - U_3_y_2*U_3_y_4 - U_3_z_2*U_3_z_4 - t150*(D_p_ry_2*t185 - D_p_rz_2*t64)
+        - t150*(D_p_ry_4*t149 - D_p_rz_4*t62) - t152*(-D_p_rx_2*t185 + D_p_rz_2*t186) - t152*(-D_p_rx_4*t149
+        + D_p_rz_4*t151) - t153*(D_p_rx_2*t64 - D_p_ry_2*t186) - t153*(D_p_rx_4*t62 - D_p_ry_4*t151)
+    )
+    f_4_24 = (
+        -U_4_x_2*U_4_x_4 - U_4_y_2*U_4_y_4 - U_4_z_2*U_4_z_4 - t155*(D_p_ry_2*t187 - D_p_rz_2*t82)
+        - t155*(D_p_ry_4*t154 - D_p_rz_4*t80) - t157*(-D_p_rx_2*t187 + D_p_rz_2*t188) - t157*(-D_p_rx_4*t154
+        + D_p_rz_4*t156) - t158*(D_p_rx_2*t82 - D_p_ry_2*t188) - t158*(D_p_rx_4*t80 - D_p_ry_4*t156)
+    )
+    f_5_24 = (
+        -U_5_x_2*U_5_x_4 - U_5_y_2*U_5_y_4 - U_5_z_2*U_5_z_4 - t160*(D_p_ry_2*t189 - D_p_rz_2*t100)
+        - t160*(D_p_ry_4*t159 - D_p_rz_4*t98) - t162*(-D_p_rx_2*t189 + D_p_rz_2*t190) - t162*(-D_p_rx_4*t159
+        + D_p_rz_4*t161) - t163*(D_p_rx_2*t100 - D_p_ry_2*t190) - t163*(D_p_rx_4*t98 - D_p_ry_4*t161)
+    )
+    f_6_24 = (
+        -U_6_x_2*U_6_x_4 - U_6_y_2*U_6_y_4 - U_6_z_2*U_6_z_4 - t165*(D_p_ry_2*t191 - D_p_rz_2*t118)
+        - t165*(D_p_ry_4*t164 - D_p_rz_4*t116) - t167*(-D_p_rx_2*t191 + D_p_rz_2*t192) - t167*(-D_p_rx_4*t164
+        + D_p_rz_4*t166) - t168*(D_p_rx_2*t118 - D_p_ry_2*t192) - t168*(D_p_rx_4*t116 - D_p_ry_4*t166)
+    )
+    P_x_24 = t12*(A_x_1*f_1_24 + A_x_2*f_2_24 + A_x_3*f_3_24 + A_x_4*f_4_24 + A_x_5*f_5_24 + A_x_6*f_6_24)
+    P_y_24 = t12*(A_y_1*f_1_24 + A_y_2*f_2_24 + A_y_3*f_3_24 + A_y_4*f_4_24 + A_y_5*f_5_24 + A_y_6*f_6_24)
+    P_z_24 = t12*(A_z_1*f_1_24 + A_z_2*f_2_24 + A_z_3*f_3_24 + A_z_4*f_4_24 + A_z_5*f_5_24 + A_z_6*f_6_24)
+    P_rx_24 = (
+        t12*(A_rx_1*f_1_24 + A_rx_2*f_2_24 + A_rx_3*f_3_24 + A_rx_4*f_4_24 + A_rx_5*f_5_24 + A_rx_6*f_6_24)
+    )
+    P_ry_24 = (
+        t12*(A_ry_1*f_1_24 + A_ry_2*f_2_24 + A_ry_3*f_3_24 + A_ry_4*f_4_24 + A_ry_5*f_5_24 + A_ry_6*f_6_24)
+    )
+    P_rz_24 = (
+        t12*(A_rz_1*f_1_24 + A_rz_2*f_2_24 + A_rz_3*f_3_24 + A_rz_4*f_4_24 + A_rz_5*f_5_24 + A_rz_6*f_6_24)
+    )
+    f_1_25 = (
+        -U_1_x_2*U_1_x_5 - U_1_y_2*U_1_y_5 - U_1_z_2*U_1_z_5 - t140*(D_p_ry_2*t193 - D_p_rz_2*t29)
+        - t140*(D_p_ry_5*t139 - D_p_rz_5*t26) - t142*(-D_p_rx_2*t193 + D_p_rz_2*t194) - t142*(-D_p_rx_5*t139
+        + D_p_rz_5*t141) - t143*(D_p_rx_2*t29 - D_p_ry_2*t194) - t143*(D_p_rx_5*t26 - D_p_ry_5*t141)
+    )
+    f_2_25 = (
+        -U_2_x_2*U_2_x_5 - U_2_y_2*U_2_y_5 - U_2_z_2*U_2_z_5 - t145*(D_p_ry_2*t195 - D_p_rz_2*t47)
+        - t145*(D_p_ry_5*t144 - D_p_rz_5*t44) - t147*(-D_p_rx_2*t195 + D_p_rz_2*t196) - t147*(-D_p_rx_5*t144
+        + D_p_rz_5*t146) - t148*(D_p_rx_2*t47 - D_p_ry_2*t196) - t148*(D_p_rx_5*t44 - D_p_ry_5*t146)
+    )
+    f_3_25 = (
+        -U_3_x_2*U_3_x_5 - U_3_y_2*U_3_y_5 - U_3_z_2*U_3_z_5 - t150*(D_p_ry_2*t197 - D_p_rz_2*t65)
+        - t150*(D_p_ry_5*t149 - D_p_rz_5*t62) - t152*(-D_p_rx_2*t197 + D_p_rz_2*t198) - t152*(-D_p_rx_5*t149
+        + D_p_rz_5*t151) - t153*(D_p_rx_2*t65 - D_p_ry_2*t198) - t153*(D_p_rx_5*t62 - D_p_ry_5*t151)
+    )
+    f_4_25 = (
+        -U_4_x_2*U_4_x_5 - U_4_y_2*U_4_y_5 - U_4_z_2*U_4_z_5 - t155*(D_p_ry_2*t199 - D_p_rz_2*t83)
+        - t155*(D_p_ry_5*t154 - D_p_rz_5*t80) - t157*(-D_p_rx_2*t199 + D_p_rz_2*t200) - t157*(-D_p_rx_5*t154
+        + D_p_rz_5*t156) - t158*(D_p_rx_2*t83 - D_p_ry_2*t200) - t158*(D_p_rx_5*t80 - D_p_ry_5*t156)
+    )
+    f_5_25 = (
+        -U_5_x_2*U_5_x_5 - U_5_y_2*U_5_y_5 - U_5_z_2*U_5_z_5 - t160*(D_p_ry_2*t201 - D_p_rz_2*t101)
+        - t160*(D_p_ry_5*t159 - D_p_rz_5*t98) - t162*(-D_p_rx_2*t201 + D_p_rz_2*t202) - t162*(-D_p_rx_5*t159
+        + D_p_rz_5*t161) - t163*(D_p_rx_2*t101 - D_p_ry_2*t202) - t163*(D_p_rx_5*t98 - D_p_ry_5*t161)
+    )
+    f_6_25 = (
+        -U_6_x_2*U_6_x_5 - U_6_y_2*U_6_y_5 - U_6_z_2*U_6_z_5 - t165*(D_p_ry_2*t203 - D_p_rz_2*t119)
+        - t165*(D_p_ry_5*t164 - D_p_rz_5*t116) - t167*(-D_p_rx_2*t203 + D_p_rz_2*t204) - t167*(-D_p_rx_5*t164
+        + D_p_rz_5*t166) - t168*(D_p_rx_2*t119 - D_p_ry_2*t204) - t168*(D_p_rx_5*t116 - D_p_ry_5*t166)
+    )
+    P_x_25 = t12*(A_x_1*f_1_25 + A_x_2*f_2_25 + A_x_3*f_3_25 + A_x_4*f_4_25 + A_x_5*f_5_25 + A_x_6*f_6_25)
+    P_y_25 = t12*(A_y_1*f_1_25 + A_y_2*f_2_25 + A_y_3*f_3_25 + A_y_4*f_4_25 + A_y_5*f_5_25 + A_y_6*f_6_25)
+    P_z_25 = t12*(A_z_1*f_1_25 + A_z_2*f_2_25 + A_z_3*f_3_25 + A_z_4*f_4_25 + A_z_5*f_5_25 + A_z_6*f_6_25)
+    P_rx_25 = (
+        t12*(A_rx_1*f_1_25 + A_rx_2*f_2_25 + A_rx_3*f_3_25 + A_rx_4*f_4_25 + A_rx_5*f_5_25 + A_rx_6*f_6_25)
+    )
+    P_ry_25 = (
+        t12*(A_ry_1*f_1_25 + A_ry_2*f_2_25 + A_ry_3*f_3_25 + A_ry_4*f_4_25 + A_ry_5*f_5_25 + A_ry_6*f_6_25)
+    )
+    P_rz_25 = (
+        t12*(A_rz_1*f_1_25 + A_rz_2*f_2_25 + A_rz_3*f_3_25 + A_rz_4*f_4_25 + A_rz_5*f_5_25 + A_rz_6*f_6_25)
+    )
+    f_1_26 = (
+        -U_1_x_2*U_1_x_6 - U_1_y_2*U_1_y_6 - U_1_z_2*U_1_z_6 - t140*(D_p_ry_2*t205 - D_p_rz_2*t30)
+        - t140*(D_p_ry_6*t139 - D_p_rz_6*t26) - t142*(-D_p_rx_2*t205 + D_p_rz_2*t206) - t142*(-D_p_rx_6*t139
+        + D_p_rz_6*t141) - t143*(D_p_rx_2*t30 - D_p_ry_2*t206) - t143*(D_p_rx_6*t26 - D_p_ry_6*t141)
+    )
+    f_2_26 = (
+        -U_2_x_2*U_2_x_6 - U_2_y_2*U_2_y_6 - U_2_z_2*U_2_z_6 - t145*(D_p_ry_2*t207 - D_p_rz_2*t48)
+        - t145*(D_p_ry_6*t144 - D_p_rz_6*t44) - t147*(-D_p_rx_2*t207 + D_p_rz_2*t208) - t147*(-D_p_rx_6*t144
+        + D_p_rz_6*t146) - t148*(D_p_rx_2*t48 - D_p_ry_2*t208) - t148*(D_p_rx_6*t44 - D_p_ry_6*t146)
+    )
+    f_3_26 = (
+        -U_3_x_2*U_3_x_6 - U_3_y_2*U_3_y_6 - U_3_z_2*U_3_z_6 - t150*(D_p_ry_2*t209 - D_p_rz_2*t66)
+        - t150*(D_p_ry_6*t149 - D_p_rz_6*t62) - t152*(-D_p_rx_2*t209 + D_p_rz_2*t210) - t152*(-D_p_rx_6*t149
+        + D_p_rz_6*t151) - t153*(D_p_rx_2*t66 - D_p_ry_2*t210) - t153*(D_p_rx_6*t62 - D_p_ry_6*t151)
+    )
+    f_4_26 = (
+        -U_4_x_2*U_4_x_6 - U_4_y_2*U_4_y_6 - U_4_z_2*U_4_z_6 - t155*(D_p_ry_2*t211 - D_p_rz_2*t84)
+        - t155*(D_p_ry_6*t154 - D_p_rz_6*t80) - t157*(-D_p_rx_2*t211 + D_p_rz_2*t212) - t157*(-D_p_rx_6*t154
+        + D_p_rz_6*t156) - t158*(D_p_rx_2*t84 - D_p_ry_2*t212) - t158*(D_p_rx_6*t80 - D_p_ry_6*t156)
+    )
+    f_5_26 = (
+        -U_5_x_2*U_5_x_6 - U_5_y_2*U_5_y_6 - U_5_z_2*U_5_z_6 - t160*(D_p_ry_2*t213 - D_p_rz_2*t102)
+        - t160*(D_p_ry_6*t159 - D_p_rz_6*t98) - t162*(-D_p_rx_2*t213 + D_p_rz_2*t214) - t162*(-D_p_rx_6*t159
+        + D_p_rz_6*t161) - t163*(D_p_rx_2*t102 - D_p_ry_2*t214) - t163*(D_p_rx_6*t98 - D_p_ry_6*t161)
+    )
+    f_6_26 = (
+        -U_6_x_2*U_6_x_6 - U_6_y_2*U_6_y_6 - U_6_z_2*U_6_z_6 - t165*(D_p_ry_2*t215 - D_p_rz_2*t120)
+        - t165*(D_p_ry_6*t164 - D_p_rz_6*t116) - t167*(-D_p_rx_2*t215 + D_p_rz_2*t216) - t167*(-D_p_rx_6*t164
+        + D_p_rz_6*t166) - t168*(D_p_rx_2*t120 - D_p_ry_2*t216) - t168*(D_p_rx_6*t116 - D_p_ry_6*t166)
+    )
+    P_x_26 = t12*(A_x_1*f_1_26 + A_x_2*f_2_26 + A_x_3*f_3_26 + A_x_4*f_4_26 + A_x_5*f_5_26 + A_x_6*f_6_26)
+    P_y_26 = t12*(A_y_1*f_1_26 + A_y_2*f_2_26 + A_y_3*f_3_26 + A_y_4*f_4_26 + A_y_5*f_5_26 + A_y_6*f_6_26)
+    P_z_26 = t12*(A_z_1*f_1_26 + A_z_2*f_2_26 + A_z_3*f_3_26 + A_z_4*f_4_26 + A_z_5*f_5_26 + A_z_6*f_6_26)
+    P_rx_26 = (
+        t12*(A_rx_1*f_1_26 + A_rx_2*f_2_26 + A_rx_3*f_3_26 + A_rx_4*f_4_26 + A_rx_5*f_5_26 + A_rx_6*f_6_26)
+    )
+    P_ry_26 = (
+        t12*(A_ry_1*f_1_26 + A_ry_2*f_2_26 + A_ry_3*f_3_26 + A_ry_4*f_4_26 + A_ry_5*f_5_26 + A_ry_6*f_6_26)
+    )
+    P_rz_26 = (
+        t12*(A_rz_1*f_1_26 + A_rz_2*f_2_26 + A_rz_3*f_3_26 + A_rz_4*f_4_26 + A_rz_5*f_5_26 + A_rz_6*f_6_26)
+    )
+    f_1_33 = (
+        -U_1_x_3**2 - U_1_y_3**2 - U_1_z_3**2 - d_1_x*(D_p_ry_3*t169 - D_p_rz_3*t27) - d_1_y*(-D_p_rx_3*t169
+        + D_p_rz_3*t170) - d_1_z*(D_p_rx_3*t27 - D_p_ry_3*t170)
+    )
+    f_2_33 = (
+        -U_2_x_3**2 - U_2_y_3**2 - U_2_z_3**2 - d_2_x*(D_p_ry_3*t171 - D_p_rz_3*t45) - d_2_y*(-D_p_rx_3*t171
+        + D_p_rz_3*t172) - d_2_z*(D_p_rx_3*t45 - D_p_ry_3*t172)
+    )
+    f_3_33 = (
+        -U_3_x_3**2 - U_3_y_3**2 - U_3_z_3**2 - d_3_x*(D_p_ry_3*t173 - D_p_rz_3*t63) - d_3_y*(-D_p_rx_3*t173
+        + D_p_rz_3*t174) - d_3_z*(D_p_rx_3*t63 - D_p_ry_3*t174) + 1
+    )
+    f_4_33 = (
+        -U_4_x_3**2 - U_4_y_3**2 - U_4_z_3**2 - d_4_x*(D_p_ry_3*t175 - D_p_rz_3*t81) - d_4_y*(-D_p_rx_3*t175
+        + D_p_rz_3*t176) - d_4_z*(D_p_rx_3*t81 - D_p_ry_3*t176)
+    )
+    f_5_33 = (
+        -U_5_x_3**2 - U_5_y_3**2 - U_5_z_3**2 - d_5_x*(D_p_ry_3*t177 - D_p_rz_3*t99) - d_5_y*(-D_p_rx_3*t177
+        + D_p_rz_3*t178) - d_5_z*(D_p_rx_3*t99 - D_p_ry_3*t178)
+    )
+    f_6_33 = (
+        -U_6_x_3**2 - U_6_y_3**2 - U_6_z_3**2 - d_6_x*(D_p_ry_3*t179 - D_p_rz_3*t117) - d_6_y*(-D_p_rx_3*t179
+        + D_p_rz_3*t180) - d_6_z*(D_p_rx_3*t117 - D_p_ry_3*t180)
+    )
+    P_x_33 = t12*(A_x_1*f_1_33 + A_x_2*f_2_33 + A_x_3*f_3_33 + A_x_4*f_4_33 + A_x_5*f_5_33 + A_x_6*f_6_33)
+    P_y_33 = t12*(A_y_1*f_1_33 + A_y_2*f_2_33 + A_y_3*f_3_33 + A_y_4*f_4_33 + A_y_5*f_5_33 + A_y_6*f_6_33)
+    P_z_33 = t12*(A_z_1*f_1_33 + A_z_2*f_2_33 + A_z_3*f_3_33 + A_z_4*f_4_33 + A_z_5*f_5_33 + A_z_6*f_6_33)
+    P_rx_33 = (
+        t12*(A_rx_1*f_1_33 + A_rx_2*f_2_33 + A_rx_3*f_3_33 + A_rx_4*f_4_33 + A_rx_5*f_5_33 + A_rx_6*f_6_33)
+    )
+    P_ry_33 = (
+        t12*(A_ry_1*f_1_33 + A_ry_2*f_2_33 + A_ry_3*f_3_33 + A_ry_4*f_4_33 + A_ry_5*f_5_33 + A_ry_6*f_6_33)
+    )
+    P_rz_33 = (
+        t12*(A_rz_1*f_1_33 + A_rz_2*f_2_33 + A_rz_3*f_3_33 + A_rz_4*f_4_33 + A_rz_5*f_5_33 + A_rz_6*f_6_33)
+    )
+    f_1_34 = (
+        -U_1_x_3*U_1_x_4 - U_1_y_3*U_1_y_4 - U_1_z_3*U_1_z_4 - t140*(D_p_ry_3*t181 - D_p_rz_3*t28)
+        - t140*(D_p_ry_4*t169 - D_p_rz_4*t27) - t142*(-D_p_rx_3*t181 + D_p_rz_3*t182) - t142*(-D_p_rx_4*t169
+        + D_p_rz_4*t170) - t143*(D_p_rx_3*t28 - D_p_ry_3*t182) - t143*(D_p_rx_4*t27 - D_p_ry_4*t170)
+    )
+    f_2_34 = (
+        -U_2_x_3*U_2_x_4 - U_2_y_3*U_2_y_4 - U_2_z_3*U_2_z_4 - t145*(D_p_ry_3*t183 - D_p_rz_3*t46)
+        - t145*(D_p_ry_4*t171 - D_p_rz_4*t45) - t147*(-D_p_rx_3*t183 + D_p_rz_3*t184) - t147*(-D_p_rx_4*t171
+        + D_p_rz_4*t172) - t148*(D_p_rx_3*t46 - D_p_ry_3*t184) - t148*(D_p_rx_4*t45 - D_p_ry_4*t172)
+    )
+    f_3_34 = (
+        -U_3_x_3*U_3_x_4 - U_3_y_3*U_3_y_4 - U_3_z_3*U_3_z_4 - t150*(D_p_ry_3*t185 - D_p_rz_3*t64)
+        - t150*(D_p_ry_4*t173 - D_p_rz_4*t63) - t152*(-D_p_rx_3*t185 + D_p_rz_3*t186) - t152*(-D_p_rx_4*t173
+        + D_p_rz_4*t174) - t153*(D_p_rx_3*t64 - D_p_ry_3*t186) - t153*(D_p_rx_4*t63 - D_p_ry_4*t174)
+    )
+    f_4_34 = (
+        -U_4_x_3*U_4_x_4 - U_4_y_3*U_4_y_4 - U_4_z_3*U_4_z_4 - t155*(D_p_ry_3*t187 - D_p_rz_3*t82)
+        - t155*(D_p_ry_4*t175 - D_p_rz_4*t81) - t157*(-D_p_rx_3*t187 + D_p_rz_3*t188) - t157*(-D_p_rx_4*t175
+        + D_p_rz_4*t176) - t158*(D_p_rx_3*t82 - D_p_ry_3*t188) - t158*(D_p_rx_4*t81 - D_p_ry_4*t176)
+    )
+    f_5_34 = (
+        -U_5_x_3*U_5_x_4 - U_5_y_3*U_5_y_4 - U_5_z_3*U_5_z_4 - t160*(D_p_ry_3*t189 - D_p_rz_3*t100)
+        - t160*(D_p_ry_4*t177 - D_p_rz_4*t99) - t162*(-D_p_rx_3*t189 + D_p_rz_3*t190) - t162*(-D_p_rx_4*t177
+        + D_p_rz_4*t178) - t163*(D_p_rx_3*t100 - D_p_ry_3*t190) - t163*(D_p_rx_4*t99 - D_p_ry_4*t178)
+    )
+    f_6_34 = (
+        -U_6_x_3*U_6_x_4 - U_6_y_3*U_6_y_4 - U_6_z_3*U_6_z_4 - t165*(D_p_ry_3*t191 - D_p_rz_3*t118)
+        - t165*(D_p_ry_4*t179 - D_p_rz_4*t117) - t167*(-D_p_rx_3*t191 + D_p_rz_3*t192) - t167*(-D_p_rx_4*t179
+        + D_p_rz_4*t180) - t168*(D_p_rx_3*t118 - D_p_ry_3*t192) - t168*(D_p_rx_4*t117 - D_p_ry_4*t180)
+    )
+    P_x_34 = t12*(A_x_1*f_1_34 + A_x_2*f_2_34 + A_x_3*f_3_34 + A_x_4*f_4_34 + A_x_5*f_5_34 + A_x_6*f_6_34)
+    P_y_34 = t12*(A_y_1*f_1_34 + A_y_2*f_2_34 + A_y_3*f_3_34 + A_y_4*f_4_34 + A_y_5*f_5_34 + A_y_6*f_6_34)
+    P_z_34 = t12*(A_z_1*f_1_34 + A_z_2*f_2_34 + A_z_3*f_3_34 + A_z_4*f_4_34 + A_z_5*f_5_34 + A_z_6*f_6_34)
+    P_rx_34 = (
+        t12*(A_rx_1*f_1_34 + A_rx_2*f_2_34 + A_rx_3*f_3_34 + A_rx_4*f_4_34 + A_rx_5*f_5_34 + A_rx_6*f_6_34)
+    )
+    P_ry_34 = (
+        t12*(A_ry_1*f_1_34 + A_ry_2*f_2_34 + A_ry_3*f_3_34 + A_ry_4*f_4_34 + A_ry_5*f_5_34 + A_ry_6*f_6_34)
+    )
+    P_rz_34 = (
+        t12*(A_rz_1*f_1_34 + A_rz_2*f_2_34 + A_rz_3*f_3_34 + A_rz_4*f_4_34 + A_rz_5*f_5_34 + A_rz_6*f_6_34)
+    )
+    f_1_35 = (
+        -U_1_x_3*U_1_x_5 - U_1_y_3*U_1_y_5 - U_1_z_3*U_1_z_5 - t140*(D_p_ry_3*t193 - D_p_rz_3*t29)
+        - t140*(D_p_ry_5*t169 - D_p_rz_5*t27) - t142*(-D_p_rx_3*t193 + D_p_rz_3*t194) - t142*(-D_p_rx_5*t169
+        + D_p_rz_5*t170) - t143*(D_p_rx_3*t29 - D_p_ry_3*t194) - t143*(D_p_rx_5*t27 - D_p_ry_5*t170)
+    )
+    f_2_35 = (
+        -U_2_x_3*U_2_x_5 - U_2_y_3*U_2_y_5 - U_2_z_3*U_2_z_5 - t145*(D_p_ry_3*t195 - D_p_rz_3*t47)
+        - t145*(D_p_ry_5*t171 - D_p_rz_5*t45) - t147*(-D_p_rx_3*t195 + D_p_rz_3*t196) - t147*(-D_p_rx_5*t171
+        + D_p_rz_5*t172) - t148*(D_p_rx_3*t47 - D_p_ry_3*t196) - t148*(D_p_rx_5*t45 - D_p_ry_5*t172)
+    )
+    f_3_35 = (
+        -U_3_x_3*U_3_x_5 - U_3_y_3*U_3_y_5 - U_3_z_3*U_3_z_5 - t150*(D_p_ry_3*t197 - D_p_rz_3*t65)
+        - t150*(D_p_ry_5*t173 - D_p_rz_5*t63) - t152*(-D_p_rx_3*t197 + D_p_rz_3*t198) - t152*(-D_p_rx_5*t173
+        + D_p_rz_5*t174) - t153*(D_p_rx_3*t65 - D_p_ry_3*t198) - t153*(D_p_rx_5*t63 - D_p_ry_5*t174)
+    )
+    f_4_35 = (
+        -U_4_x_3*U_4_x_5 - U_4_y_3*U_4_y_5 - U_4_z_3*U_4_z_5 - t155*(D_p_ry_3*t199 - D_p_rz_3*t83)
+        - t155*(D_p_ry_5*t175 - D_p_rz_5*t81) - t157*(-D_p_rx_3*t199 + D_p_rz_3*t200) - t157*(-D_p_rx_5*t175
+        + D_p_rz_5*t176) - t158*(D_p_rx_3*t83 - D_p_ry_3*t200) - t158*(D_p_rx_5*t81 - D_p_ry_5*t176)
+    )
+    f_5_35 = (
+        -U_5_x_3*U_5_x_5 - U_5_y_3*U_5_y_5 - U_5_z_3*U_5_z_5 - t160*(D_p_ry_3*t201 - D_p_rz_3*t101)
+        - t160*(D_p_ry_5*t177 - D_p_rz_5*t99) - t162*(-D_p_rx_3*t201 + D_p_rz_3*t202) - t162*(-D_p_rx_5*t177
+        + D_p_rz_5*t178) - t163*(D_p_rx_3*t101 - D_p_ry_3*t202) - t163*(D_p_rx_5*t99 - D_p_ry_5*t178)
+    )
+    f_6_35 = (
+        -U_6_x_3*U_6_x_5 - U_6_y_3*U_6_y_5 - U_6_z_3*U_6_z_5 - t165*(D_p_ry_3*t203 - D_p_rz_3*t119)
+        - t165*(D_p_ry_5*t179 - D_p_rz_5*t117) - t167*(-D_p_rx_3*t203 + D_p_rz_3*t204) - t167*(-D_p_rx_5*t179
+        + D_p_rz_5*t180) - t168*(D_p_rx_3*t119 - D_p_ry_3*t204) - t168*(D_p_rx_5*t117 - D_p_ry_5*t180)
+    )
+    P_x_35 = t12*(A_x_1*f_1_35 + A_x_2*f_2_35 + A_x_3*f_3_35 + A_x_4*f_4_35 + A_x_5*f_5_35 + A_x_6*f_6_35)
+    P_y_35 = t12*(A_y_1*f_1_35 + A_y_2*f_2_35 + A_y_3*f_3_35 + A_y_4*f_4_35 + A_y_5*f_5_35 + A_y_6*f_6_35)
+    P_z_35 = t12*(A_z_1*f_1_35 + A_z_2*f_2_35 + A_z_3*f_3_35 + A_z_4*f_4_35 + A_z_5*f_5_35 + A_z_6*f_6_35)
+    P_rx_35 = (
+        t12*(A_rx_1*f_1_35 + A_rx_2*f_2_35 + A_rx_3*f_3_35 + A_rx_4*f_4_35 + A_rx_5*f_5_35 + A_rx_6*f_6_35)
+    )
+    P_ry_35 = (
+        t12*(A_ry_1*f_1_35 + A_ry_2*f_2_35 + A_ry_3*f_3_35 + A_ry_4*f_4_35 + A_ry_5*f_5_35 + A_ry_6*f_6_35)
+    )
+    P_rz_35 = (
+        t12*(A_rz_1*f_1_35 + A_rz_2*f_2_35 + A_rz_3*f_3_35 + A_rz_4*f_4_35 + A_rz_5*f_5_35 + A_rz_6*f_6_35)
+    )
+    f_1_36 = (
+        -U_1_x_3*U_1_x_6 - U_1_y_3*U_1_y_6 - U_1_z_3*U_1_z_6 - t140*(D_p_ry_3*t205 - D_p_rz_3*t30)
+        - t140*(D_p_ry_6*t169 - D_p_rz_6*t27) - t142*(-D_p_rx_3*t205 + D_p_rz_3*t206) - t142*(-D_p_rx_6*t169
+        + D_p_rz_6*t170) - t143*(D_p_rx_3*t30 - D_p_ry_3*t206) - t143*(D_p_rx_6*t27 - D_p_ry_6*t170)
+    )
+    f_2_36 = (
+        -U_2_x_3*U_2_x_6 - U_2_y_3*U_2_y_6 - U_2_z_3*U_2_z_6 - t145*(D_p_ry_3*t207 - D_p_rz_3*t48)
+        - t145*(D_p_ry_6*t171 - D_p_rz_6*t45) - t147*(-D_p_rx_3*t207 + D_p_rz_3*t208) - t147*(-D_p_rx_6*t171
+        + D_p_rz_6*t172) - t148*(D_p_rx_3*t48 - D_p_ry_3*t208) - t148*(D_p_rx_6*t45 - D_p_ry_6*t172)
+    )
+    f_3_36 = (
+        -U_3_x_3*U_3_x_6 - U_3_y_3*U_3_y_6 - U_3_z_3*U_3_z_6 - t150*(D_p_ry_3*t209 - D_p_rz_3*t66)
+        - t150*(D_p_ry_6*t173 - D_p_rz_6*t63) - t152*(-D_p_rx_3*t209 + D_p_rz_3*t210) - t152*(-D_p_rx_6*t173
+        + D_p_rz_6*t174) - t153*(D_p_rx_3*t66 - D_p_ry_3*t210) - t153*(D_p_rx_6*t63 - D_p_ry_6*t174)
+    )
+    f_4_36 = (
+        -U_4_x_3*U_4_x_6 - U_4_y_3*U_4_y_6 - U_4_z_3*U_4_z_6 - t155*(D_p_ry_3*t211 - D_p_rz_3*t84)
+        - t155*(D_p_ry_6*t175 - D_p_rz_6*t81) - t157*(-D_p_rx_3*t211 + D_p_rz_3*t212) - t157*(-D_p_rx_6*t175
+        + D_p_rz_6*t176) - t158*(D_p_rx_3*t84 - D_p_ry_3*t212) - t158*(D_p_rx_6*t81 - D_p_ry_6*t176)
+    )
+    f_5_36 = (
+        -U_5_x_3*U_5_x_6 - U_5_y_3*U_5_y_6 - U_5_z_3*U_5_z_6 - t160*(D_p_ry_3*t213 - D_p_rz_3*t102)
+        - t160*(D_p_ry_6*t177 - D_p_rz_6*t99) - t162*(-D_p_rx_3*t213 + D_p_rz_3*t214) - t162*(-D_p_rx_6*t177
+        + D_p_rz_6*t178) - t163*(D_p_rx_3*t102 - D_p_ry_3*t214) - t163*(D_p_rx_6*t99 - D_p_ry_6*t178)
+    )
+    f_6_36 = (
+        -U_6_x_3*U_6_x_6 - U_6_y_3*U_6_y_6 - U_6_z_3*U_6_z_6 - t165*(D_p_ry_3*t215 - D_p_rz_3*t120)
+        - t165*(D_p_ry_6*t179 - D_p_rz_6*t117) - t167*(-D_p_rx_3*t215 + D_p_rz_3*t216) - t167*(-D_p_rx_6*t179
+        + D_p_rz_6*t180) - t168*(D_p_rx_3*t120 - D_p_ry_3*t216) - t168*(D_p_rx_6*t117 - D_p_ry_6*t180)
+    )
+    P_x_36 = t12*(A_x_1*f_1_36 + A_x_2*f_2_36 + A_x_3*f_3_36 + A_x_4*f_4_36 + A_x_5*f_5_36 + A_x_6*f_6_36)
+    P_y_36 = t12*(A_y_1*f_1_36 + A_y_2*f_2_36 + A_y_3*f_3_36 + A_y_4*f_4_36 + A_y_5*f_5_36 + A_y_6*f_6_36)
+    P_z_36 = t12*(A_z_1*f_1_36 + A_z_2*f_2_36 + A_z_3*f_3_36 + A_z_4*f_4_36 + A_z_5*f_5_36 + A_z_6*f_6_36)
+    P_rx_36 = (
+        t12*(A_rx_1*f_1_36 + A_rx_2*f_2_36 + A_rx_3*f_3_36 + A_rx_4*f_4_36 + A_rx_5*f_5_36 + A_rx_6*f_6_36)
+    )
+    P_ry_36 = (
+        t12*(A_ry_1*f_1_36 + A_ry_2*f_2_36 + A_ry_3*f_3_36 + A_ry_4*f_4_36 + A_ry_5*f_5_36 + A_ry_6*f_6_36)
+    )
+    P_rz_36 = (
+        t12*(A_rz_1*f_1_36 + A_rz_2*f_2_36 + A_rz_3*f_3_36 + A_rz_4*f_4_36 + A_rz_5*f_5_36 + A_rz_6*f_6_36)
+    )
+    f_1_44 = (
+        -U_1_x_4**2 - U_1_y_4**2 - U_1_z_4**2 - d_1_x*(D_p_ry_4*t181 - D_p_rz_4*t28) - d_1_y*(-D_p_rx_4*t181
+        + D_p_rz_4*t182) - d_1_z*(D_p_rx_4*t28 - D_p_ry_4*t182)
+    )
+    f_2_44 = (
+        -U_2_x_4**2 - U_2_y_4**2 - U_2_z_4**2 - d_2_x*(D_p_ry_4*t183 - D_p_rz_4*t46) - d_2_y*(-D_p_rx_4*t183
+        + D_p_rz_4*t184) - d_2_z*(D_p_rx_4*t46 - D_p_ry_4*t184)
+    )
+    f_3_44 = (
+        -U_3_x_4**2 - U_3_y_4**2 - U_3_z_4**2 - d_3_x*(D_p_ry_4*t185 - D_p_rz_4*t64) - d_3_y*(-D_p_rx_4*t185
+        + D_p_rz_4*t186) - d_3_z*(D_p_rx_4*t64 - D_p_ry_4*t186)
+    )
+    f_4_44 = (
+        -U_4_x_4**2 - U_4_y_4**2 - U_4_z_4**2 - d_4_x*(D_p_ry_4*t187 - D_p_rz_4*t82) - d_4_y*(-D_p_rx_4*t187
+        + D_p_rz_4*t188) - d_4_z*(D_p_rx_4*t82 - D_p_ry_4*t188) + 1
+    )
+    f_5_44 = (
+        -U_5_x_4**2 - U_5_y_4**2 - U_5_z_4**2 - d_5_x*(D_p_ry_4*t189 - D_p_rz_4*t100) - d_5_y*(-D_p_rx_4*t189
+        + D_p_rz_4*t190) - d_5_z*(D_p_rx_4*t100 - D_p_ry_4*t190)
+    )
+    f_6_44 = (
+        -U_6_x_4**2 - U_6_y_4**2 - U_6_z_4**2 - d_6_x*(D_p_ry_4*t191 - D_p_rz_4*t118) - d_6_y*(-D_p_rx_4*t191
+        + D_p_rz_4*t192) - d_6_z*(D_p_rx_4*t118 - D_p_ry_4*t192)
+    )
+    P_x_44 = t12*(A_x_1*f_1_44 + A_x_2*f_2_44 + A_x_3*f_3_44 + A_x_4*f_4_44 + A_x_5*f_5_44 + A_x_6*f_6_44)
+    P_y_44 = t12*(A_y_1*f_1_44 + A_y_2*f_2_44 + A_y_3*f_3_44 + A_y_4*f_4_44 + A_y_5*f_5_44 + A_y_6*f_6_44)
+    P_z_44 = t12*(A_z_1*f_1_44 + A_z_2*f_2_44 + A_z_3*f_3_44 + A_z_4*f_4_44 + A_z_5*f_5_44 + A_z_6*f_6_44)
+    P_rx_44 = (
+        t12*(A_rx_1*f_1_44 + A_rx_2*f_2_44 + A_rx_3*f_3_44 + A_rx_4*f_4_44 + A_rx_5*f_5_44 + A_rx_6*f_6_44)
+    )
+    P_ry_44 = (
+        t12*(A_ry_1*f_1_44 + A_ry_2*f_2_44 + A_ry_3*f_3_44 + A_ry_4*f_4_44 + A_ry_5*f_5_44 + A_ry_6*f_6_44)
+    )
+    P_rz_44 = (
+        t12*(A_rz_1*f_1_44 + A_rz_2*f_2_44 + A_rz_3*f_3_44 + A_rz_4*f_4_44 + A_rz_5*f_5_44 + A_rz_6*f_6_44)
+    )
+    f_1_45 = (
+        -U_1_x_4*U_1_x_5 - U_1_y_4*U_1_y_5 - U_1_z_4*U_1_z_5 - t140*(D_p_ry_4*t193 - D_p_rz_4*t29)
+        - t140*(D_p_ry_5*t181 - D_p_rz_5*t28) - t142*(-D_p_rx_4*t193 + D_p_rz_4*t194) - t142*(-D_p_rx_5*t181
+        + D_p_rz_5*t182) - t143*(D_p_rx_4*t29 - D_p_ry_4*t194) - t143*(D_p_rx_5*t28 - D_p_ry_5*t182)
+    )
+    f_2_45 = (
+        -U_2_x_4*U_2_x_5 - U_2_y_4*U_2_y_5 - U_2_z_4*U_2_z_5 - t145*(D_p_ry_4*t195 - D_p_rz_4*t47)
+        - t145*(D_p_ry_5*t183 - D_p_rz_5*t46) - t147*(-D_p_rx_4*t195 + D_p_rz_4*t196) - t147*(-D_p_rx_5*t183
+        + D_p_rz_5*t184) - t148*(D_p_rx_4*t47 - D_p_ry_4*t196) - t148*(D_p_rx_5*t46 - D_p_ry_5*t184)
+    )
+    f_3_45 = (
+        -U_3_x_4*U_3_x_5 - U_3_y_4*U_3_y_5 - U_3_z_4*U_3_z_5 - t150*(D_p_ry_4*t197 - D_p_rz_4*t65)
+        - t150*(D_p_ry_5*t185 - D_p_rz_5*t64) - t152*(-D_p_rx_4*t197 + D_p_rz_4*t198) - t152*(-D_p_rx_5*t185
+        + D_p_rz_5*t186) - t153*(D_p_rx_4*t65 - D_p_ry_4*t198) - t153*(D_p_rx_5*t64 - D_p_ry_5*t186)
+    )
+    f_4_45 = (
+        -U_4_x_4*U_4_x_5 - U_4_y_4*U_4_y_5 - U_4_z_4*U_4_z_5 - t155*(D_p_ry_4*t199 - D_p_rz_4*t83)
+        - t155*(D_p_ry_5*t187 - D_p_rz_5*t82) - t157*(-D_p_rx_4*t199 + D_p_rz_4*t200) - t157*(-D_p_rx_5*t187
+        + D_p_rz_5*t188) - t158*(D_p_rx_4*t83 - D_p_ry_4*t200) - t158*(D_p_rx_5*t82 - D_p_ry_5*t188)
+    )
+    f_5_45 = (
+        -U_5_x_4*U_5_x_5 - U_5_y_4*U_5_y_5 - U_5_z_4*U_5_z_5 - t160*(D_p_ry_4*t201 - D_p_rz_4*t101)
+        - t160*(D_p_ry_5*t189 - D_p_rz_5*t100) - t162*(-D_p_rx_4*t201 + D_p_rz_4*t202) - t162*(-D_p_rx_5*t189
+        + D_p_rz_5*t190) - t163*(D_p_rx_4*t101 - D_p_ry_4*t202) - t163*(D_p_rx_5*t100 - D_p_ry_5*t190)
+    )
+    f_6_45 = (
+        -U_6_x_4*U_6_x_5 - U_6_y_4*U_6_y_5 - U_6_z_4*U_6_z_5 - t165*(D_p_ry_4*t203 - D_p_rz_4*t119)
+        - t165*(D_p_ry_5*t191 - D_p_rz_5*t118) - t167*(-D_p_rx_4*t203 + D_p_rz_4*t204) - t167*(-D_p_rx_5*t191
+        + D_p_rz_5*t192) - t168*(D_p_rx_4*t119 - D_p_ry_4*t204) - t168*(D_p_rx_5*t118 - D_p_ry_5*t192)
+    )
+    P_x_45 = t12*(A_x_1*f_1_45 + A_x_2*f_2_45 + A_x_3*f_3_45 + A_x_4*f_4_45 + A_x_5*f_5_45 + A_x_6*f_6_45)
+    P_y_45 = t12*(A_y_1*f_1_45 + A_y_2*f_2_45 + A_y_3*f_3_45 + A_y_4*f_4_45 + A_y_5*f_5_45 + A_y_6*f_6_45)
+    P_z_45 = t12*(A_z_1*f_1_45 + A_z_2*f_2_45 + A_z_3*f_3_45 + A_z_4*f_4_45 + A_z_5*f_5_45 + A_z_6*f_6_45)
+    P_rx_45 = (
+        t12*(A_rx_1*f_1_45 + A_rx_2*f_2_45 + A_rx_3*f_3_45 + A_rx_4*f_4_45 + A_rx_5*f_5_45 + A_rx_6*f_6_45)
+    )
+    P_ry_45 = (
+        t12*(A_ry_1*f_1_45 + A_ry_2*f_2_45 + A_ry_3*f_3_45 + A_ry_4*f_4_45 + A_ry_5*f_5_45 + A_ry_6*f_6_45)
+    )
+    P_rz_45 = (
+        t12*(A_rz_1*f_1_45 + A_rz_2*f_2_45 + A_rz_3*f_3_45 + A_rz_4*f_4_45 + A_rz_5*f_5_45 + A_rz_6*f_6_45)
+    )
+    f_1_46 = (
+        -U_1_x_4*U_1_x_6 - U_1_y_4*U_1_y_6 - U_1_z_4*U_1_z_6 - t140*(D_p_ry_4*t205 - D_p_rz_4*t30)
+        - t140*(D_p_ry_6*t181 - D_p_rz_6*t28) - t142*(-D_p_rx_4*t205 + D_p_rz_4*t206) - t142*(-D_p_rx_6*t181
+        + D_p_rz_6*t182) - t143*(D_p_rx_4*t30 - D_p_ry_4*t206) - t143*(D_p_rx_6*t28 - D_p_ry_6*t182)
+    )
+    f_2_46 = (
+        -U_2_x_4*U_2_x_6 - U_2_y_4*U_2_y_6 - U_2_z_4*U_2_z_6 - t145*(D_p_ry_4*t207 - D_p_rz_4*t48)
+        - t145*(D_p_ry_6*t183 - D_p_rz_6*t46) - t147*(-D_p_rx_4*t207 + D_p_rz_4*t208) - t147*(-D_p_rx_6*t183
+        + D_p_rz_6*t184) - t148*(D_p_rx_4*t48 - D_p_ry_4*t208) - t148*(D_p_rx_6*t46 - D_p_ry_6*t184)
+    )
+    f_3_46 = (
+        -U_3_x_4*U_3_x_6 - U_3_y_4*U_3_y_6 - U_3_z_4*U_3_z_6 - t150*(D_p_ry_4*t209 - D_p_rz_4*t66)
+        - t150*(D_p_ry_6*t185 - D_p_rz_6*t64) - t152*(-D_p_rx_4*t209 + D_p_rz_4*t210) - t152*(-D_p_rx_6*t185
+        + D_p_rz_6*t186) - t153*(D_p_rx_4*t66 - D_p_ry_4*t210) - t153*(D_p_rx_6*t64 - D_p_ry_6*t186)
+    )
+    f_4_46 = (
+        -U_4_x_4*U_4_x_6 - U_4_y_4*U_4_y_6 - U_4_z_4*U_4_z_6 - t155*(D_p_ry_4*t211 - D_p_rz_4*t84)
+        - t155*(D_p_ry_6*t187 - D_p_rz_6*t82) - t157*(-D_p_rx_4*t211 + D_p_rz_4*t212) - t157*(-D_p_rx_6*t187
+        + D_p_rz_6*t188) - t158*(D_p_rx_4*t84 - D_p_ry_4*t212) - t158*(D_p_rx_6*t82 - D_p_ry_6*t188)
+    )
+    f_5_46 = (
+        -U_5_x_4*U_5_x_6 - U_5_y_4*U_5_y_6 - U_5_z_4*U_5_z_6 - t160*(D_p_ry_4*t213 - D_p_rz_4*t102)
+        - t160*(D_p_ry_6*t189 - D_p_rz_6*t100) - t162*(-D_p_rx_4*t213 + D_p_rz_4*t214) - t162*(-D_p_rx_6*t189
+        + D_p_rz_6*t190) - t163*(D_p_rx_4*t102 - D_p_ry_4*t214) - t163*(D_p_rx_6*t100 - D_p_ry_6*t190)
+    )
+    f_6_46 = (
+        -U_6_x_4*U_6_x_6 - U_6_y_4*U_6_y_6 - U_6_z_4*U_6_z_6 - t165*(D_p_ry_4*t215 - D_p_rz_4*t120)
+        - t165*(D_p_ry_6*t191 - D_p_rz_6*t118) - t167*(-D_p_rx_4*t215 + D_p_rz_4*t216) - t167*(-D_p_rx_6*t191
+        + D_p_rz_6*t192) - t168*(D_p_rx_4*t120 - D_p_ry_4*t216) - t168*(D_p_rx_6*t118 - D_p_ry_6*t192)
+    )
+    P_x_46 = t12*(A_x_1*f_1_46 + A_x_2*f_2_46 + A_x_3*f_3_46 + A_x_4*f_4_46 + A_x_5*f_5_46 + A_x_6*f_6_46)
+    P_y_46 = t12*(A_y_1*f_1_46 + A_y_2*f_2_46 + A_y_3*f_3_46 + A_y_4*f_4_46 + A_y_5*f_5_46 + A_y_6*f_6_46)
+    P_z_46 = t12*(A_z_1*f_1_46 + A_z_2*f_2_46 + A_z_3*f_3_46 + A_z_4*f_4_46 + A_z_5*f_5_46 + A_z_6*f_6_46)
+    P_rx_46 = (
+        t12*(A_rx_1*f_1_46 + A_rx_2*f_2_46 + A_rx_3*f_3_46 + A_rx_4*f_4_46 + A_rx_5*f_5_46 + A_rx_6*f_6_46)
+    )
+    P_ry_46 = (
+        t12*(A_ry_1*f_1_46 + A_ry_2*f_2_46 + A_ry_3*f_3_46 + A_ry_4*f_4_46 + A_ry_5*f_5_46 + A_ry_6*f_6_46)
+    )
+    P_rz_46 = (
+        t12*(A_rz_1*f_1_46 + A_rz_2*f_2_46 + A_rz_3*f_3_46 + A_rz_4*f_4_46 + A_rz_5*f_5_46 + A_rz_6*f_6_46)
+    )
+    f_1_55 = (
+        -U_1_x_5**2 - U_1_y_5**2 - U_1_z_5**2 - d_1_x*(D_p_ry_5*t193 - D_p_rz_5*t29) - d_1_y*(-D_p_rx_5*t193
+        + D_p_rz_5*t194) - d_1_z*(D_p_rx_5*t29 - D_p_ry_5*t194)
+    )
+    f_2_55 = (
+        -U_2_x_5**2 - U_2_y_5**2 - U_2_z_5**2 - d_2_x*(D_p_ry_5*t195 - D_p_rz_5*t47) - d_2_y*(-D_p_rx_5*t195
+        + D_p_rz_5*t196) - d_2_z*(D_p_rx_5*t47 - D_p_ry_5*t196)
+    )
+    f_3_55 = (
+        -U_3_x_5**2 - U_3_y_5**2 - U_3_z_5**2 - d_3_x*(D_p_ry_5*t197 - D_p_rz_5*t65) - d_3_y*(-D_p_rx_5*t197
+        + D_p_rz_5*t198) - d_3_z*(D_p_rx_5*t65 - D_p_ry_5*t198)
+    )
+    f_4_55 = (
+        -U_4_x_5**2 - U_4_y_5**2 - U_4_z_5**2 - d_4_x*(D_p_ry_5*t199 - D_p_rz_5*t83) - d_4_y*(-D_p_rx_5*t199
+        + D_p_rz_5*t200) - d_4_z*(D_p_rx_5*t83 - D_p_ry_5*t200)
+    )
+    f_5_55 = (
+        -U_5_x_5**2 - U_5_y_5**2 - U_5_z_5**2 - d_5_x*(D_p_ry_5*t201 - D_p_rz_5*t101) - d_5_y*(-D_p_rx_5*t201
+        + D_p_rz_5*t202) - d_5_z*(D_p_rx_5*t101 - D_p_ry_5*t202) + 1
+    )
+    f_6_55 = (
+        -U_6_x_5**2 - U_6_y_5**2 - U_6_z_5**2 - d_6_x*(D_p_ry_5*t203 - D_p_rz_5*t119) - d_6_y*(-D_p_rx_5*t203
+        + D_p_rz_5*t204) - d_6_z*(D_p_rx_5*t119 - D_p_ry_5*t204)
+    )
+    P_x_55 = t12*(A_x_1*f_1_55 + A_x_2*f_2_55 + A_x_3*f_3_55 + A_x_4*f_4_55 + A_x_5*f_5_55 + A_x_6*f_6_55)
+    P_y_55 = t12*(A_y_1*f_1_55 + A_y_2*f_2_55 + A_y_3*f_3_55 + A_y_4*f_4_55 + A_y_5*f_5_55 + A_y_6*f_6_55)
+    P_z_55 = t12*(A_z_1*f_1_55 + A_z_2*f_2_55 + A_z_3*f_3_55 + A_z_4*f_4_55 + A_z_5*f_5_55 + A_z_6*f_6_55)
+    P_rx_55 = (
+        t12*(A_rx_1*f_1_55 + A_rx_2*f_2_55 + A_rx_3*f_3_55 + A_rx_4*f_4_55 + A_rx_5*f_5_55 + A_rx_6*f_6_55)
+    )
+    P_ry_55 = (
+        t12*(A_ry_1*f_1_55 + A_ry_2*f_2_55 + A_ry_3*f_3_55 + A_ry_4*f_4_55 + A_ry_5*f_5_55 + A_ry_6*f_6_55)
+    )
+    P_rz_55 = (
+        t12*(A_rz_1*f_1_55 + A_rz_2*f_2_55 + A_rz_3*f_3_55 + A_rz_4*f_4_55 + A_rz_5*f_5_55 + A_rz_6*f_6_55)
+    )
+    f_1_56 = (
+        -U_1_x_5*U_1_x_6 - U_1_y_5*U_1_y_6 - U_1_z_5*U_1_z_6 - t140*(D_p_ry_5*t205 - D_p_rz_5*t30)
+        - t140*(D_p_ry_6*t193 - D_p_rz_6*t29) - t142*(-D_p_rx_5*t205 + D_p_rz_5*t206) - t142*(-D_p_rx_6*t193
+        + D_p_rz_6*t194) - t143*(D_p_rx_5*t30 - D_p_ry_5*t206) - t143*(D_p_rx_6*t29 - D_p_ry_6*t194)
+    )
+    f_2_56 = (
+        -U_2_x_5*U_2_x_6 - U_2_y_5*U_2_y_6 - U_2_z_5*U_2_z_6 - t145*(D_p_ry_5*t207 - D_p_rz_5*t48)
+        - t145*(D_p_ry_6*t195 - D_p_rz_6*t47) - t147*(-D_p_rx_5*t207 + D_p_rz_5*t208) - t147*(-D_p_rx_6*t195
+        + D_p_rz_6*t196) - t148*(D_p_rx_5*t48 - D_p_ry_5*t208) - t148*(D_p_rx_6*t47 - D_p_ry_6*t196)
+    )
+    f_3_56 = (
+        -U_3_x_5*U_3_x_6 - U_3_y_5*U_3_y_6 - U_3_z_5*U_3_z_6 - t150*(D_p_ry_5*t209 - D_p_rz_5*t66)
+        - t150*(D_p_ry_6*t197 - D_p_rz_6*t65) - t152*(-D_p_rx_5*t209 + D_p_rz_5*t210) - t152*(-D_p_rx_6*t197
+        + D_p_rz_6*t198) - t153*(D_p_rx_5*t66 - D_p_ry_5*t210) - t153*(D_p_rx_6*t65 - D_p_ry_6*t198)
+    )
+    f_4_56 = (
+        -U_4_x_5*U_4_x_6 - U_4_y_5*U_4_y_6 - U_4_z_5*U_4_z_6 - t155*(D_p_ry_5*t211 - D_p_rz_5*t84)
+        - t155*(D_p_ry_6*t199 - D_p_rz_6*t83) - t157*(-D_p_rx_5*t211 + D_p_rz_5*t212) - t157*(-D_p_rx_6*t199
+        + D_p_rz_6*t200) - t158*(D_p_rx_5*t84 - D_p_ry_5*t212) - t158*(D_p_rx_6*t83 - D_p_ry_6*t200)
+    )
+    f_5_56 = (
+        -U_5_x_5*U_5_x_6 - U_5_y_5*U_5_y_6 - U_5_z_5*U_5_z_6 - t160*(D_p_ry_5*t213 - D_p_rz_5*t102)
+        - t160*(D_p_ry_6*t201 - D_p_rz_6*t101) - t162*(-D_p_rx_5*t213 + D_p_rz_5*t214) - t162*(-D_p_rx_6*t201
+        + D_p_rz_6*t202) - t163*(D_p_rx_5*t102 - D_p_ry_5*t214) - t163*(D_p_rx_6*t101 - D_p_ry_6*t202)
+    )
+    f_6_56 = (
+        -U_6_x_5*U_6_x_6 - U_6_y_5*U_6_y_6 - U_6_z_5*U_6_z_6 - t165*(D_p_ry_5*t215 - D_p_rz_5*t120)
+        - t165*(D_p_ry_6*t203 - D_p_rz_6*t119) - t167*(-D_p_rx_5*t215 + D_p_rz_5*t216) - t167*(-D_p_rx_6*t203
+        + D_p_rz_6*t204) - t168*(D_p_rx_5*t120 - D_p_ry_5*t216) - t168*(D_p_rx_6*t119 - D_p_ry_6*t204)
+    )
+    P_x_56 = t12*(A_x_1*f_1_56 + A_x_2*f_2_56 + A_x_3*f_3_56 + A_x_4*f_4_56 + A_x_5*f_5_56 + A_x_6*f_6_56)
+    P_y_56 = t12*(A_y_1*f_1_56 + A_y_2*f_2_56 + A_y_3*f_3_56 + A_y_4*f_4_56 + A_y_5*f_5_56 + A_y_6*f_6_56)
+    P_z_56 = t12*(A_z_1*f_1_56 + A_z_2*f_2_56 + A_z_3*f_3_56 + A_z_4*f_4_56 + A_z_5*f_5_56 + A_z_6*f_6_56)
+    P_rx_56 = (
+        t12*(A_rx_1*f_1_56 + A_rx_2*f_2_56 + A_rx_3*f_3_56 + A_rx_4*f_4_56 + A_rx_5*f_5_56 + A_rx_6*f_6_56)
+    )
+    P_ry_56 = (
+        t12*(A_ry_1*f_1_56 + A_ry_2*f_2_56 + A_ry_3*f_3_56 + A_ry_4*f_4_56 + A_ry_5*f_5_56 + A_ry_6*f_6_56)
+    )
+    P_rz_56 = (
+        t12*(A_rz_1*f_1_56 + A_rz_2*f_2_56 + A_rz_3*f_3_56 + A_rz_4*f_4_56 + A_rz_5*f_5_56 + A_rz_6*f_6_56)
+    )
+    f_1_66 = (
+        -U_1_x_6**2 - U_1_y_6**2 - U_1_z_6**2 - d_1_x*(D_p_ry_6*t205 - D_p_rz_6*t30) - d_1_y*(-D_p_rx_6*t205
+        + D_p_rz_6*t206) - d_1_z*(D_p_rx_6*t30 - D_p_ry_6*t206)
+    )
+    f_2_66 = (
+        -U_2_x_6**2 - U_2_y_6**2 - U_2_z_6**2 - d_2_x*(D_p_ry_6*t207 - D_p_rz_6*t48) - d_2_y*(-D_p_rx_6*t207
+        + D_p_rz_6*t208) - d_2_z*(D_p_rx_6*t48 - D_p_ry_6*t208)
+    )
+    f_3_66 = (
+        -U_3_x_6**2 - U_3_y_6**2 - U_3_z_6**2 - d_3_x*(D_p_ry_6*t209 - D_p_rz_6*t66) - d_3_y*(-D_p_rx_6*t209
+        + D_p_rz_6*t210) - d_3_z*(D_p_rx_6*t66 - D_p_ry_6*t210)
+    )
+    f_4_66 = (
+        -U_4_x_6**2 - U_4_y_6**2 - U_4_z_6**2 - d_4_x*(D_p_ry_6*t211 - D_p_rz_6*t84) - d_4_y*(-D_p_rx_6*t211
+        + D_p_rz_6*t212) - d_4_z*(D_p_rx_6*t84 - D_p_ry_6*t212)
+    )
+    f_5_66 = (
+        -U_5_x_6**2 - U_5_y_6**2 - U_5_z_6**2 - d_5_x*(D_p_ry_6*t213 - D_p_rz_6*t102) - d_5_y*(-D_p_rx_6*t213
+        + D_p_rz_6*t214) - d_5_z*(D_p_rx_6*t102 - D_p_ry_6*t214)
+    )
+    f_6_66 = (
+        -U_6_x_6**2 - U_6_y_6**2 - U_6_z_6**2 - d_6_x*(D_p_ry_6*t215 - D_p_rz_6*t120) - d_6_y*(-D_p_rx_6*t215
+        + D_p_rz_6*t216) - d_6_z*(D_p_rx_6*t120 - D_p_ry_6*t216) + 1
+    )
+    P_x_66 = t12*(A_x_1*f_1_66 + A_x_2*f_2_66 + A_x_3*f_3_66 + A_x_4*f_4_66 + A_x_5*f_5_66 + A_x_6*f_6_66)
+    P_y_66 = t12*(A_y_1*f_1_66 + A_y_2*f_2_66 + A_y_3*f_3_66 + A_y_4*f_4_66 + A_y_5*f_5_66 + A_y_6*f_6_66)
+    P_z_66 = t12*(A_z_1*f_1_66 + A_z_2*f_2_66 + A_z_3*f_3_66 + A_z_4*f_4_66 + A_z_5*f_5_66 + A_z_6*f_6_66)
+    P_rx_66 = (
+        t12*(A_rx_1*f_1_66 + A_rx_2*f_2_66 + A_rx_3*f_3_66 + A_rx_4*f_4_66 + A_rx_5*f_5_66 + A_rx_6*f_6_66)
+    )
+    P_ry_66 = (
+        t12*(A_ry_1*f_1_66 + A_ry_2*f_2_66 + A_ry_3*f_3_66 + A_ry_4*f_4_66 + A_ry_5*f_5_66 + A_ry_6*f_6_66)
+    )
+    P_rz_66 = (
+        t12*(A_rz_1*f_1_66 + A_rz_2*f_2_66 + A_rz_3*f_3_66 + A_rz_4*f_4_66 + A_rz_5*f_5_66 + A_rz_6*f_6_66)
+    )
+    P_out = np.empty((*batch, 6, 6, 6), dtype)
+    P_out[..., 0, 0, 0] = P_x_11
+    P_out[..., 0, 0, 1] = P_out[..., 0, 1, 0] = P_x_12
+    P_out[..., 0, 0, 2] = P_out[..., 0, 2, 0] = P_x_13
+    P_out[..., 0, 0, 3] = P_out[..., 0, 3, 0] = P_x_14
+    P_out[..., 0, 0, 4] = P_out[..., 0, 4, 0] = P_x_15
+    P_out[..., 0, 0, 5] = P_out[..., 0, 5, 0] = P_x_16
+    P_out[..., 0, 1, 1] = P_x_22
+    P_out[..., 0, 1, 2] = P_out[..., 0, 2, 1] = P_x_23
+    P_out[..., 0, 1, 3] = P_out[..., 0, 3, 1] = P_x_24
+    P_out[..., 0, 1, 4] = P_out[..., 0, 4, 1] = P_x_25
+    P_out[..., 0, 1, 5] = P_out[..., 0, 5, 1] = P_x_26
+    P_out[..., 0, 2, 2] = P_x_33
+    P_out[..., 0, 2, 3] = P_out[..., 0, 3, 2] = P_x_34
+    P_out[..., 0, 2, 4] = P_out[..., 0, 4, 2] = P_x_35
+    P_out[..., 0, 2, 5] = P_out[..., 0, 5, 2] = P_x_36
+    P_out[..., 0, 3, 3] = P_x_44
+    P_out[..., 0, 3, 4] = P_out[..., 0, 4, 3] = P_x_45
+    P_out[..., 0, 3, 5] = P_out[..., 0, 5, 3] = P_x_46
+    P_out[..., 0, 4, 4] = P_x_55
+    P_out[..., 0, 4, 5] = P_out[..., 0, 5, 4] = P_x_56
+    P_out[..., 0, 5, 5] = P_x_66
+    P_out[..., 1, 0, 0] = P_y_11
+    P_out[..., 1, 0, 1] = P_out[..., 1, 1, 0] = P_y_12
+    P_out[..., 1, 0, 2] = P_out[..., 1, 2, 0] = P_y_13
+    P_out[..., 1, 0, 3] = P_out[..., 1, 3, 0] = P_y_14
+    P_out[..., 1, 0, 4] = P_out[..., 1, 4, 0] = P_y_15
+    P_out[..., 1, 0, 5] = P_out[..., 1, 5, 0] = P_y_16
+    P_out[..., 1, 1, 1] = P_y_22
+    P_out[..., 1, 1, 2] = P_out[..., 1, 2, 1] = P_y_23
+    P_out[..., 1, 1, 3] = P_out[..., 1, 3, 1] = P_y_24
+    P_out[..., 1, 1, 4] = P_out[..., 1, 4, 1] = P_y_25
+    P_out[..., 1, 1, 5] = P_out[..., 1, 5, 1] = P_y_26
+    P_out[..., 1, 2, 2] = P_y_33
+    P_out[..., 1, 2, 3] = P_out[..., 1, 3, 2] = P_y_34
+    P_out[..., 1, 2, 4] = P_out[..., 1, 4, 2] = P_y_35
+    P_out[..., 1, 2, 5] = P_out[..., 1, 5, 2] = P_y_36
+    P_out[..., 1, 3, 3] = P_y_44
+    P_out[..., 1, 3, 4] = P_out[..., 1, 4, 3] = P_y_45
+    P_out[..., 1, 3, 5] = P_out[..., 1, 5, 3] = P_y_46
+    P_out[..., 1, 4, 4] = P_y_55
+    P_out[..., 1, 4, 5] = P_out[..., 1, 5, 4] = P_y_56
+    P_out[..., 1, 5, 5] = P_y_66
+    P_out[..., 2, 0, 0] = P_z_11
+    P_out[..., 2, 0, 1] = P_out[..., 2, 1, 0] = P_z_12
+    P_out[..., 2, 0, 2] = P_out[..., 2, 2, 0] = P_z_13
+    P_out[..., 2, 0, 3] = P_out[..., 2, 3, 0] = P_z_14
+    P_out[..., 2, 0, 4] = P_out[..., 2, 4, 0] = P_z_15
+    P_out[..., 2, 0, 5] = P_out[..., 2, 5, 0] = P_z_16
+    P_out[..., 2, 1, 1] = P_z_22
+    P_out[..., 2, 1, 2] = P_out[..., 2, 2, 1] = P_z_23
+    P_out[..., 2, 1, 3] = P_out[..., 2, 3, 1] = P_z_24
+    P_out[..., 2, 1, 4] = P_out[..., 2, 4, 1] = P_z_25
+    P_out[..., 2, 1, 5] = P_out[..., 2, 5, 1] = P_z_26
+    P_out[..., 2, 2, 2] = P_z_33
+    P_out[..., 2, 2, 3] = P_out[..., 2, 3, 2] = P_z_34
+    P_out[..., 2, 2, 4] = P_out[..., 2, 4, 2] = P_z_35
+    P_out[..., 2, 2, 5] = P_out[..., 2, 5, 2] = P_z_36
+    P_out[..., 2, 3, 3] = P_z_44
+    P_out[..., 2, 3, 4] = P_out[..., 2, 4, 3] = P_z_45
+    P_out[..., 2, 3, 5] = P_out[..., 2, 5, 3] = P_z_46
+    P_out[..., 2, 4, 4] = P_z_55
+    P_out[..., 2, 4, 5] = P_out[..., 2, 5, 4] = P_z_56
+    P_out[..., 2, 5, 5] = P_z_66
+    P_out[..., 3, 0, 0] = P_rx_11
+    P_out[..., 3, 0, 1] = P_out[..., 3, 1, 0] = P_rx_12
+    P_out[..., 3, 0, 2] = P_out[..., 3, 2, 0] = P_rx_13
+    P_out[..., 3, 0, 3] = P_out[..., 3, 3, 0] = P_rx_14
+    P_out[..., 3, 0, 4] = P_out[..., 3, 4, 0] = P_rx_15
+    P_out[..., 3, 0, 5] = P_out[..., 3, 5, 0] = P_rx_16
+    P_out[..., 3, 1, 1] = P_rx_22
+    P_out[..., 3, 1, 2] = P_out[..., 3, 2, 1] = P_rx_23
+    P_out[..., 3, 1, 3] = P_out[..., 3, 3, 1] = P_rx_24
+    P_out[..., 3, 1, 4] = P_out[..., 3, 4, 1] = P_rx_25
+    P_out[..., 3, 1, 5] = P_out[..., 3, 5, 1] = P_rx_26
+    P_out[..., 3, 2, 2] = P_rx_33
+    P_out[..., 3, 2, 3] = P_out[..., 3, 3, 2] = P_rx_34
+    P_out[..., 3, 2, 4] = P_out[..., 3, 4, 2] = P_rx_35
+    P_out[..., 3, 2, 5] = P_out[..., 3, 5, 2] = P_rx_36
+    P_out[..., 3, 3, 3] = P_rx_44
+    P_out[..., 3, 3, 4] = P_out[..., 3, 4, 3] = P_rx_45
+    P_out[..., 3, 3, 5] = P_out[..., 3, 5, 3] = P_rx_46
+    P_out[..., 3, 4, 4] = P_rx_55
+    P_out[..., 3, 4, 5] = P_out[..., 3, 5, 4] = P_rx_56
+    P_out[..., 3, 5, 5] = P_rx_66
+    P_out[..., 4, 0, 0] = P_ry_11
+    P_out[..., 4, 0, 1] = P_out[..., 4, 1, 0] = P_ry_12
+    P_out[..., 4, 0, 2] = P_out[..., 4, 2, 0] = P_ry_13
+    P_out[..., 4, 0, 3] = P_out[..., 4, 3, 0] = P_ry_14
+    P_out[..., 4, 0, 4] = P_out[..., 4, 4, 0] = P_ry_15
+    P_out[..., 4, 0, 5] = P_out[..., 4, 5, 0] = P_ry_16
+    P_out[..., 4, 1, 1] = P_ry_22
+    P_out[..., 4, 1, 2] = P_out[..., 4, 2, 1] = P_ry_23
+    P_out[..., 4, 1, 3] = P_out[..., 4, 3, 1] = P_ry_24
+    P_out[..., 4, 1, 4] = P_out[..., 4, 4, 1] = P_ry_25
+    P_out[..., 4, 1, 5] = P_out[..., 4, 5, 1] = P_ry_26
+    P_out[..., 4, 2, 2] = P_ry_33
+    P_out[..., 4, 2, 3] = P_out[..., 4, 3, 2] = P_ry_34
+    P_out[..., 4, 2, 4] = P_out[..., 4, 4, 2] = P_ry_35
+    P_out[..., 4, 2, 5] = P_out[..., 4, 5, 2] = P_ry_36
+    P_out[..., 4, 3, 3] = P_ry_44
+    P_out[..., 4, 3, 4] = P_out[..., 4, 4, 3] = P_ry_45
+    P_out[..., 4, 3, 5] = P_out[..., 4, 5, 3] = P_ry_46
+    P_out[..., 4, 4, 4] = P_ry_55
+    P_out[..., 4, 4, 5] = P_out[..., 4, 5, 4] = P_ry_56
+    P_out[..., 4, 5, 5] = P_ry_66
+    P_out[..., 5, 0, 0] = P_rz_11
+    P_out[..., 5, 0, 1] = P_out[..., 5, 1, 0] = P_rz_12
+    P_out[..., 5, 0, 2] = P_out[..., 5, 2, 0] = P_rz_13
+    P_out[..., 5, 0, 3] = P_out[..., 5, 3, 0] = P_rz_14
+    P_out[..., 5, 0, 4] = P_out[..., 5, 4, 0] = P_rz_15
+    P_out[..., 5, 0, 5] = P_out[..., 5, 5, 0] = P_rz_16
+    P_out[..., 5, 1, 1] = P_rz_22
+    P_out[..., 5, 1, 2] = P_out[..., 5, 2, 1] = P_rz_23
+    P_out[..., 5, 1, 3] = P_out[..., 5, 3, 1] = P_rz_24
+    P_out[..., 5, 1, 4] = P_out[..., 5, 4, 1] = P_rz_25
+    P_out[..., 5, 1, 5] = P_out[..., 5, 5, 1] = P_rz_26
+    P_out[..., 5, 2, 2] = P_rz_33
+    P_out[..., 5, 2, 3] = P_out[..., 5, 3, 2] = P_rz_34
+    P_out[..., 5, 2, 4] = P_out[..., 5, 4, 2] = P_rz_35
+    P_out[..., 5, 2, 5] = P_out[..., 5, 5, 2] = P_rz_36
+    P_out[..., 5, 3, 3] = P_rz_44
+    P_out[..., 5, 3, 4] = P_out[..., 5, 4, 3] = P_rz_45
+    P_out[..., 5, 3, 5] = P_out[..., 5, 5, 3] = P_rz_46
+    P_out[..., 5, 4, 4] = P_rz_55
+    P_out[..., 5, 4, 5] = P_out[..., 5, 5, 4] = P_rz_56
+    P_out[..., 5, 5, 5] = P_rz_66
+    return P_out
+
+
+def kinetic_energy(p, q_dot, parameters):
+    """Kinetic energies of the structure and of the transmissions.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    q_dot : array, shape (..., 12) [m/s]
+        Rates of the 12 generalised coordinates.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    T_ss : array, shape (...) [J]
+        Platform and the bodies that move it.
+    T_t : array, shape (...) [J]
+        Rotors and motors.
+
+    Notes
+    -----
+    Equations 24 and 28.
+    2129 operations; 527160399 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    (
+        l_1_dot, l_2_dot, l_3_dot, l_4_dot, l_5_dot, l_6_dot, s_1_dot, s_2_dot, s_3_dot, s_4_dot, s_5_dot,
+        s_6_dot,
+    ) = _entries(q_dot, (12,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    c_p_x, c_p_y, c_p_z = _entries(parameters.platform_center, (3,))
+    I_p_x, I_p_y, I_p_z = _entries(parameters.platform_inertia, (3,))
+    I_p_xy, I_p_xz, I_p_yz = _entries(parameters.platform_products, (3,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    m_b_1, m_b_2, m_b_3, m_b_4, m_b_5, m_b_6 = _entries(parameters.leg_base_mass, (6,))
+    c_b_1, c_b_2, c_b_3, c_b_4, c_b_5, c_b_6 = _entries(parameters.leg_base_center, (6,))
+    I_b_1, I_b_2, I_b_3, I_b_4, I_b_5, I_b_6 = _entries(parameters.leg_base_inertia, (6,))
+    m_r_1, m_r_2, m_r_3, m_r_4, m_r_5, m_r_6 = _entries(parameters.leg_rod_mass, (6,))
+    c_r_1, c_r_2, c_r_3, c_r_4, c_r_5, c_r_6 = _entries(parameters.leg_rod_center, (6,))
+    I_r_1, I_r_2, I_r_3, I_r_4, I_r_5, I_r_6 = _entries(parameters.leg_rod_inertia, (6,))
+    I_m_1, I_m_2, I_m_3, I_m_4, I_m_5, I_m_6 = _entries(parameters.motor_inertia, (6,))
+    h_m_1, h_m_2, h_m_3, h_m_4, h_m_5, h_m_6 = _entries(parameters.motor_travel, (6,))
+    batch, dtype = _batch(p_x, l_1_dot, m_p, c_p_x, I_p_x, I_p_xy, a_1_x, b_1_x, m_b_1, c_b_1, I_b_1, m_r_1,
+        c_r_1, I_r_1, I_m_1, h_m_1)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    l_1 = np.sqrt(d_1_x**2 + d_1_y**2 + d_1_z**2)
+    l_2 = np.sqrt(d_2_x**2 + d_2_y**2 + d_2_z**2)
+    l_3 = np.sqrt(d_3_x**2 + d_3_y**2 + d_3_z**2)
+    l_4 = np.sqrt(d_4_x**2 + d_4_y**2 + d_4_z**2)
+    l_5 = np.sqrt(d_5_x**2 + d_5_y**2 + d_5_z**2)
+    l_6 = np.sqrt(d_6_x**2 + d_6_y**2 + d_6_z**2)
+    c_x = R_x_x*c_p_x + R_x_y*c_p_y + R_x_z*c_p_z
+    c_y = R_y_x*c_p_x + R_y_y*c_p_y + R_y_z*c_p_z
+    c_z = R_z_x*c_p_x + R_z_y*c_p_y + R_z_z*c_p_z
+    t12 = I_p_xy*R_x_x
+    t13 = I_p_xz*R_x_x
+    t14 = 2*R_x_z
+    t15 = I_p_yz*R_x_y
+    J_x_x = I_p_x*R_x_x**2 + I_p_y*R_x_y**2 + I_p_z*R_x_z**2 + 2*R_x_y*t12 + t13*t14 + t14*t15
+    t16 = I_p_x*R_x_x
+    t17 = I_p_xy*R_x_y
+    t18 = I_p_xz*R_x_z
+    t19 = I_p_y*R_x_y
+    t20 = I_p_yz*R_x_z
+    t21 = I_p_z*R_x_z
+    J_x_y = (
+        R_y_x*t16 + R_y_x*t17 + R_y_x*t18 + R_y_y*t12 + R_y_y*t19 + R_y_y*t20 + R_y_z*t13 + R_y_z*t15
+        + R_y_z*t21
+    )
+    J_x_z = (
+        R_z_x*t16 + R_z_x*t17 + R_z_x*t18 + R_z_y*t12 + R_z_y*t19 + R_z_y*t20 + R_z_z*t13 + R_z_z*t15
+        + R_z_z*t21
+    )
+    t22 = I_p_xy*R_y_x
+    t23 = I_p_xz*R_y_x
+    t24 = 2*R_y_z
+    t25 = I_p_yz*R_y_y
+    J_y_y = I_p_x*R_y_x**2 + I_p_y*R_y_y**2 + I_p_z*R_y_z**2 + 2*R_y_y*t22 + t23*t24 + t24*t25
+    t26 = I_p_xy*R_z_x
+    t27 = I_p_xz*R_z_x
+    t28 = I_p_yz*R_z_y
+    J_y_z = (
+        I_p_x*R_y_x*R_z_x + I_p_y*R_y_y*R_z_y + I_p_z*R_y_z*R_z_z + R_y_y*t26 + R_y_z*t27 + R_y_z*t28
+        + R_z_y*t22 + R_z_z*t23 + R_z_z*t25
+    )
+    t29 = 2*R_z_z
+    J_z_z = I_p_x*R_z_x**2 + I_p_y*R_z_y**2 + I_p_z*R_z_z**2 + 2*R_z_y*t26 + t27*t29 + t28*t29
+    t30 = 1.0/(l_1**2)
+    m_perp_1 = I_b_1*t30 + I_r_1*t30 + c_b_1**2*m_b_1*t30 + m_r_1*(-c_r_1/l_1 + 1)**2
+    t31 = 1.0/(l_2**2)
+    m_perp_2 = I_b_2*t31 + I_r_2*t31 + c_b_2**2*m_b_2*t31 + m_r_2*(-c_r_2/l_2 + 1)**2
+    t32 = 1.0/(l_3**2)
+    m_perp_3 = I_b_3*t32 + I_r_3*t32 + c_b_3**2*m_b_3*t32 + m_r_3*(-c_r_3/l_3 + 1)**2
+    t33 = 1.0/(l_4**2)
+    m_perp_4 = I_b_4*t33 + I_r_4*t33 + c_b_4**2*m_b_4*t33 + m_r_4*(-c_r_4/l_4 + 1)**2
+    t34 = 1.0/(l_5**2)
+    m_perp_5 = I_b_5*t34 + I_r_5*t34 + c_b_5**2*m_b_5*t34 + m_r_5*(-c_r_5/l_5 + 1)**2
+    t35 = 1.0/(l_6**2)
+    m_perp_6 = I_b_6*t35 + I_r_6*t35 + c_b_6**2*m_b_6*t35 + m_r_6*(-c_r_6/l_6 + 1)**2
+    D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y
+    D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x
+    D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x
+    D_l_2_rx = B_2_y*d_2_z - B_2_z*d_2_y
+    D_l_2_ry = -B_2_x*d_2_z + B_2_z*d_2_x
+    D_l_2_rz = B_2_x*d_2_y - B_2_y*d_2_x
+    D_l_3_rx = B_3_y*d_3_z - B_3_z*d_3_y
+    D_l_3_ry = -B_3_x*d_3_z + B_3_z*d_3_x
+    D_l_3_rz = B_3_x*d_3_y - B_3_y*d_3_x
+    D_l_4_rx = B_4_y*d_4_z - B_4_z*d_4_y
+    D_l_4_ry = -B_4_x*d_4_z + B_4_z*d_4_x
+    D_l_4_rz = B_4_x*d_4_y - B_4_y*d_4_x
+    D_l_5_rx = B_5_y*d_5_z - B_5_z*d_5_y
+    D_l_5_ry = -B_5_x*d_5_z + B_5_z*d_5_x
+    D_l_5_rz = B_5_x*d_5_y - B_5_y*d_5_x
+    D_l_6_rx = B_6_y*d_6_z - B_6_z*d_6_y
+    D_l_6_ry = -B_6_x*d_6_z + B_6_z*d_6_x
+    D_l_6_rz = B_6_x*d_6_y - B_6_y*d_6_x
+    minor_23_23 = d_2_y*d_3_z - d_2_z*d_3_y
+    minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry
+    minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx
+    minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx
+    minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45
+    minor_23_24 = -D_l_2_rx*d_3_y + D_l_3_rx*d_2_y
+    minor_56_36 = -D_l_5_rz*d_6_z + D_l_6_rz*d_5_z
+    minor_56_35 = -D_l_5_ry*d_6_z + D_l_6_ry*d_5_z
+    minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + d_4_z*minor_56_56
+    minor_23_25 = -D_l_2_ry*d_3_y + D_l_3_ry*d_2_y
+    minor_56_34 = -D_l_5_rx*d_6_z + D_l_6_rx*d_5_z
+    minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + d_4_z*minor_56_46
+    minor_23_26 = -D_l_2_rz*d_3_y + D_l_3_rz*d_2_y
+    minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + d_4_z*minor_56_45
+    minor_23_34 = -D_l_2_rx*d_3_z + D_l_3_rx*d_2_z
+    minor_56_26 = -D_l_5_rz*d_6_y + D_l_6_rz*d_5_y
+    minor_56_25 = -D_l_5_ry*d_6_y + D_l_6_ry*d_5_y
+    minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + d_4_y*minor_56_56
+    minor_23_35 = -D_l_2_ry*d_3_z + D_l_3_ry*d_2_z
+    minor_56_24 = -D_l_5_rx*d_6_y + D_l_6_rx*d_5_y
+    minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + d_4_y*minor_56_46
+    minor_23_36 = -D_l_2_rz*d_3_z + D_l_3_rz*d_2_z
+    minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + d_4_y*minor_56_45
+    minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx
+    minor_56_23 = d_5_y*d_6_z - d_5_z*d_6_y
+    minor_456_236 = D_l_4_rz*minor_56_23 + d_4_y*minor_56_36 - d_4_z*minor_56_26
+    minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx
+    minor_456_235 = D_l_4_ry*minor_56_23 + d_4_y*minor_56_35 - d_4_z*minor_56_25
+    minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry
+    minor_456_234 = D_l_4_rx*minor_56_23 + d_4_y*minor_56_34 - d_4_z*minor_56_24
+    A_x_1 = (
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234
+    )
+    minor_23_13 = d_2_x*d_3_z - d_2_z*d_3_x
+    minor_23_14 = -D_l_2_rx*d_3_x + D_l_3_rx*d_2_x
+    minor_23_15 = -D_l_2_ry*d_3_x + D_l_3_ry*d_2_x
+    minor_23_16 = -D_l_2_rz*d_3_x + D_l_3_rz*d_2_x
+    minor_56_16 = -D_l_5_rz*d_6_x + D_l_6_rz*d_5_x
+    minor_56_15 = -D_l_5_ry*d_6_x + D_l_6_ry*d_5_x
+    minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + d_4_x*minor_56_56
+    minor_56_14 = -D_l_5_rx*d_6_x + D_l_6_rx*d_5_x
+    minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + d_4_x*minor_56_46
+    minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + d_4_x*minor_56_45
+    minor_56_13 = d_5_x*d_6_z - d_5_z*d_6_x
+    minor_456_136 = D_l_4_rz*minor_56_13 + d_4_x*minor_56_36 - d_4_z*minor_56_16
+    minor_456_135 = D_l_4_ry*minor_56_13 + d_4_x*minor_56_35 - d_4_z*minor_56_15
+    minor_456_134 = D_l_4_rx*minor_56_13 + d_4_x*minor_56_34 - d_4_z*minor_56_14
+    A_y_1 = (
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134
+    )
+    minor_23_12 = d_2_x*d_3_y - d_2_y*d_3_x
+    minor_56_12 = d_5_x*d_6_y - d_5_y*d_6_x
+    minor_456_126 = D_l_4_rz*minor_56_12 + d_4_x*minor_56_26 - d_4_y*minor_56_16
+    minor_456_125 = D_l_4_ry*minor_56_12 + d_4_x*minor_56_25 - d_4_y*minor_56_15
+    minor_456_124 = D_l_4_rx*minor_56_12 + d_4_x*minor_56_24 - d_4_y*minor_56_14
+    A_z_1 = (
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124
+    )
+    minor_456_123 = d_4_x*minor_56_23 - d_4_y*minor_56_13 + d_4_z*minor_56_12
+    A_rx_1 = (
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123
+    )
+    A_ry_1 = (
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123
+    )
+    A_rz_1 = (
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123
+    )
+    minor_13_23 = d_1_y*d_3_z - d_1_z*d_3_y
+    minor_13_24 = -D_l_1_rx*d_3_y + D_l_3_rx*d_1_y
+    minor_13_25 = -D_l_1_ry*d_3_y + D_l_3_ry*d_1_y
+    minor_13_26 = -D_l_1_rz*d_3_y + D_l_3_rz*d_1_y
+    minor_13_34 = -D_l_1_rx*d_3_z + D_l_3_rx*d_1_z
+    minor_13_35 = -D_l_1_ry*d_3_z + D_l_3_ry*d_1_z
+    minor_13_36 = -D_l_1_rz*d_3_z + D_l_3_rz*d_1_z
+    minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx
+    minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx
+    minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry
+    A_x_2 = (
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234
+    )
+    minor_13_13 = d_1_x*d_3_z - d_1_z*d_3_x
+    minor_13_14 = -D_l_1_rx*d_3_x + D_l_3_rx*d_1_x
+    minor_13_15 = -D_l_1_ry*d_3_x + D_l_3_ry*d_1_x
+    minor_13_16 = -D_l_1_rz*d_3_x + D_l_3_rz*d_1_x
+    A_y_2 = (
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134
+    )
+    minor_13_12 = d_1_x*d_3_y - d_1_y*d_3_x
+    A_z_2 = (
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124
+    )
+    A_rx_2 = (
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123
+    )
+    A_ry_2 = (
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123
+    )
+    A_rz_2 = (
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123
+    )
+    minor_12_23 = d_1_y*d_2_z - d_1_z*d_2_y
+    minor_12_24 = -D_l_1_rx*d_2_y + D_l_2_rx*d_1_y
+    minor_12_25 = -D_l_1_ry*d_2_y + D_l_2_ry*d_1_y
+    minor_12_26 = -D_l_1_rz*d_2_y + D_l_2_rz*d_1_y
+    minor_12_34 = -D_l_1_rx*d_2_z + D_l_2_rx*d_1_z
+    minor_12_35 = -D_l_1_ry*d_2_z + D_l_2_ry*d_1_z
+    minor_12_36 = -D_l_1_rz*d_2_z + D_l_2_rz*d_1_z
+    minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx
+    minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx
+    minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry
+    A_x_3 = (
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234
+    )
+    minor_12_13 = d_1_x*d_2_z - d_1_z*d_2_x
+    minor_12_14 = -D_l_1_rx*d_2_x + D_l_2_rx*d_1_x
+    minor_12_15 = -D_l_1_ry*d_2_x + D_l_2_ry*d_1_x
+    minor_12_16 = -D_l_1_rz*d_2_x + D_l_2_rz*d_1_x
+    A_y_3 = (
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134
+    )
+    minor_12_12 = d_1_x*d_2_y - d_1_y*d_2_x
+    A_z_3 = (
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124
+    )
+    A_rx_3 = (
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123
+    )
+    A_ry_3 = (
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123
+    )
+    A_rz_3 = (
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123
+    )
+    minor_123_234 = D_l_1_rx*minor_23_23 + d_1_y*minor_23_34 - d_1_z*minor_23_24
+    minor_123_235 = D_l_1_ry*minor_23_23 + d_1_y*minor_23_35 - d_1_z*minor_23_25
+    minor_123_236 = D_l_1_rz*minor_23_23 + d_1_y*minor_23_36 - d_1_z*minor_23_26
+    minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + d_1_y*minor_23_45
+    minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + d_1_y*minor_23_46
+    minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + d_1_y*minor_23_56
+    minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + d_1_z*minor_23_45
+    minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + d_1_z*minor_23_46
+    minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + d_1_z*minor_23_56
+    minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45
+    A_x_4 = (
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23
+    )
+    minor_123_134 = D_l_1_rx*minor_23_13 + d_1_x*minor_23_34 - d_1_z*minor_23_14
+    minor_123_135 = D_l_1_ry*minor_23_13 + d_1_x*minor_23_35 - d_1_z*minor_23_15
+    minor_123_136 = D_l_1_rz*minor_23_13 + d_1_x*minor_23_36 - d_1_z*minor_23_16
+    minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + d_1_x*minor_23_45
+    minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + d_1_x*minor_23_46
+    minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + d_1_x*minor_23_56
+    A_y_4 = (
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13
+    )
+    minor_123_124 = D_l_1_rx*minor_23_12 + d_1_x*minor_23_24 - d_1_y*minor_23_14
+    minor_123_125 = D_l_1_ry*minor_23_12 + d_1_x*minor_23_25 - d_1_y*minor_23_15
+    minor_123_126 = D_l_1_rz*minor_23_12 + d_1_x*minor_23_26 - d_1_y*minor_23_16
+    A_z_4 = (
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12
+    )
+    minor_123_123 = d_1_x*minor_23_23 - d_1_y*minor_23_13 + d_1_z*minor_23_12
+    A_rx_4 = (
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12
+    )
+    A_ry_4 = (
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12
+    )
+    A_rz_4 = (
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12
+    )
+    minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry
+    minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx
+    minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx
+    minor_46_36 = -D_l_4_rz*d_6_z + D_l_6_rz*d_4_z
+    minor_46_35 = -D_l_4_ry*d_6_z + D_l_6_ry*d_4_z
+    minor_46_34 = -D_l_4_rx*d_6_z + D_l_6_rx*d_4_z
+    minor_46_26 = -D_l_4_rz*d_6_y + D_l_6_rz*d_4_y
+    minor_46_25 = -D_l_4_ry*d_6_y + D_l_6_ry*d_4_y
+    minor_46_24 = -D_l_4_rx*d_6_y + D_l_6_rx*d_4_y
+    minor_46_23 = d_4_y*d_6_z - d_4_z*d_6_y
+    A_x_5 = (
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23
+    )
+    minor_46_16 = -D_l_4_rz*d_6_x + D_l_6_rz*d_4_x
+    minor_46_15 = -D_l_4_ry*d_6_x + D_l_6_ry*d_4_x
+    minor_46_14 = -D_l_4_rx*d_6_x + D_l_6_rx*d_4_x
+    minor_46_13 = d_4_x*d_6_z - d_4_z*d_6_x
+    A_y_5 = (
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13
+    )
+    minor_46_12 = d_4_x*d_6_y - d_4_y*d_6_x
+    A_z_5 = (
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12
+    )
+    A_rx_5 = (
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12
+    )
+    A_ry_5 = (
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12
+    )
+    A_rz_5 = (
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12
+    )
+    minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry
+    minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx
+    minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx
+    minor_45_36 = -D_l_4_rz*d_5_z + D_l_5_rz*d_4_z
+    minor_45_35 = -D_l_4_ry*d_5_z + D_l_5_ry*d_4_z
+    minor_45_34 = -D_l_4_rx*d_5_z + D_l_5_rx*d_4_z
+    minor_45_26 = -D_l_4_rz*d_5_y + D_l_5_rz*d_4_y
+    minor_45_25 = -D_l_4_ry*d_5_y + D_l_5_ry*d_4_y
+    minor_45_24 = -D_l_4_rx*d_5_y + D_l_5_rx*d_4_y
+    minor_45_23 = d_4_y*d_5_z - d_4_z*d_5_y
+    A_x_6 = (
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23
+    )
+    minor_45_16 = -D_l_4_rz*d_5_x + D_l_5_rz*d_4_x
+    minor_45_15 = -D_l_4_ry*d_5_x + D_l_5_ry*d_4_x
+    minor_45_14 = -D_l_4_rx*d_5_x + D_l_5_rx*d_4_x
+    minor_45_13 = d_4_x*d_5_z - d_4_z*d_5_x
+    A_y_6 = (
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13
+    )
+    minor_45_12 = d_4_x*d_5_y - d_4_y*d_5_x
+    A_z_6 = (
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12
+    )
+    A_rx_6 = (
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12
+    )
+    A_ry_6 = (
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12
+    )
+    A_rz_6 = (
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12
+    )
+    det_D_l = A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*d_1_x + A_y_1*d_1_y + A_z_1*d_1_z
+    t36 = 1.0/det_D_l
+    t37 = l_1*t36
+    D_p_x_1 = A_x_1*t37
+    t38 = l_2*t36
+    D_p_x_2 = A_x_2*t38
+    t39 = l_3*t36
+    D_p_x_3 = A_x_3*t39
+    t40 = l_4*t36
+    D_p_x_4 = A_x_4*t40
+    t41 = l_5*t36
+    D_p_x_5 = A_x_5*t41
+    t42 = l_6*t36
+    D_p_x_6 = A_x_6*t42
+    D_p_y_1 = A_y_1*t37
+    D_p_y_2 = A_y_2*t38
+    D_p_y_3 = A_y_3*t39
+    D_p_y_4 = A_y_4*t40
+    D_p_y_5 = A_y_5*t41
+    D_p_y_6 = A_y_6*t42
+    D_p_z_1 = A_z_1*t37
+    D_p_z_2 = A_z_2*t38
+    D_p_z_3 = A_z_3*t39
+    D_p_z_4 = A_z_4*t40
+    D_p_z_5 = A_z_5*t41
+    D_p_z_6 = A_z_6*t42
+    D_p_rx_1 = A_rx_1*t37
+    D_p_rx_2 = A_rx_2*t38
+    D_p_rx_3 = A_rx_3*t39
+    D_p_rx_4 = A_rx_4*t40
+    D_p_rx_5 = A_rx_5*t41
+    D_p_rx_6 = A_rx_6*t42
+    D_p_ry_1 = A_ry_1*t37
+    D_p_ry_2 = A_ry_2*t38
+    D_p_ry_3 = A_ry_3*t39
+    D_p_ry_4 = A_ry_4*t40
+    D_p_ry_5 = A_ry_5*t41
+    D_p_ry_6 = A_ry_6*t42
+    D_p_rz_1 = A_rz_1*t37
+    D_p_rz_2 = A_rz_2*t38
+    D_p_rz_3 = A_rz_3*t39
+    D_p_rz_4 = A_rz_4*t40
+    D_p_rz_5 = A_rz_5*t41
+    D_p_rz_6 = A_rz_6*t42
+    v_p_x = (
+        D_p_x_1*l_1_dot + D_p_x_2*l_2_dot + D_p_x_3*l_3_dot + D_p_x_4*l_4_dot + D_p_x_5*l_5_dot
+        + D_p_x_6*l_6_dot
+    )
+    v_p_y = (
+        D_p_y_1*l_1_dot + D_p_y_2*l_2_dot + D_p_y_3*l_3_dot + D_p_y_4*l_4_dot + D_p_y_5*l_5_dot
+        + D_p_y_6*l_6_dot
+    )
+    v_p_z = (
+        D_p_z_1*l_1_dot + D_p_z_2*l_2_dot + D_p_z_3*l_3_dot + D_p_z_4*l_4_dot + D_p_z_5*l_5_dot
+        + D_p_z_6*l_6_dot
+    )
+    w_p_x = (
+        D_p_rx_1*l_1_dot + D_p_rx_2*l_2_dot + D_p_rx_3*l_3_dot + D_p_rx_4*l_4_dot + D_p_rx_5*l_5_dot
+        + D_p_rx_6*l_6_dot
+    )
+    w_p_y = (
+        D_p_ry_1*l_1_dot + D_p_ry_2*l_2_dot + D_p_ry_3*l_3_dot + D_p_ry_4*l_4_dot + D_p_ry_5*l_5_dot
+        + D_p_ry_6*l_6_dot
+    )
+    w_p_z = (
+        D_p_rz_1*l_1_dot + D_p_rz_2*l_2_dot + D_p_rz_3*l_3_dot + D_p_rz_4*l_4_dot + D_p_rz_5*l_5_dot
+        + D_p_rz_6*l_6_dot
+    )
+    t43 = 2*B_6_x
+    t44 = 2*B_6_y
+    t45 = 2*B_6_z
+    t46 = w_p_x*w_p_y
+    t47 = w_p_x*w_p_z
+    t48 = w_p_y*w_p_z
+    t49 = w_p_x**2
+    t50 = w_p_y**2
+    t51 = w_p_z**2
+    t52 = (1/2)*m_perp_1
+    t53 = (1/2)*m_perp_2
+    t54 = (1/2)*m_perp_3
+    t55 = (1/2)*m_perp_4
+    t56 = (1/2)*m_perp_5
+    t57 = (1/2)*m_perp_6
+    t58 = c_y**2
+    t59 = c_z**2
+    t60 = c_x**2
+    t61 = 2*c_x
+    t62 = v_p_z*w_p_y
+    t63 = 2*c_y
+    t64 = v_p_x*w_p_z
+    t65 = 2*c_z
+    t66 = v_p_y*w_p_x
+    t67 = v_p_y*w_p_z
+    t68 = v_p_z*w_p_x
+    t69 = v_p_x*w_p_y
+    t70 = v_p_x**2 + v_p_y**2 + v_p_z**2
+    t71 = B_1_y**2
+    t72 = B_1_z**2
+    t73 = B_1_x**2
+    t74 = 2*B_1_x
+    t75 = 2*B_1_y
+    t76 = 2*B_1_z
+    t77 = B_2_y**2
+    t78 = B_2_z**2
+    t79 = B_2_x**2
+    t80 = 2*B_2_x
+    t81 = 2*B_2_y
+    t82 = 2*B_2_z
+    t83 = B_3_y**2
+    t84 = B_3_z**2
+    t85 = B_3_x**2
+    t86 = 2*B_3_x
+    t87 = 2*B_3_y
+    t88 = 2*B_3_z
+    t89 = B_4_y**2
+    t90 = B_4_z**2
+    t91 = B_4_x**2
+    t92 = 2*B_4_x
+    t93 = 2*B_4_y
+    t94 = 2*B_4_z
+    t95 = B_5_y**2
+    t96 = B_5_z**2
+    t97 = B_5_x**2
+    t98 = 2*B_5_x
+    t99 = 2*B_5_y
+    t100 = 2*B_5_z
+    t101 = B_6_y**2
+    t102 = B_6_z**2
+    t103 = B_6_x**2
+    T_ss_out = np.empty(batch, dtype)
+    T_ss_out[...] = (
+        (1/2)*J_x_x*t49 + J_x_y*t46 + J_x_z*t47 + (1/2)*J_y_y*t50 + J_y_z*t48 + (1/2)*J_z_z*t51
+        + l_1_dot**2*((1/2)*m_r_1 - t52) + l_2_dot**2*((1/2)*m_r_2 - t53) + l_3_dot**2*((1/2)*m_r_3 - t54)
+        + l_4_dot**2*((1/2)*m_r_4 - t55) + l_5_dot**2*((1/2)*m_r_5 - t56) + l_6_dot**2*((1/2)*m_r_6 - t57)
+        + (1/2)*m_p*(-c_y*t46*t61 - c_z*t47*t61 - c_z*t48*t63 + t49*(t58 + t59) + t50*(t59 + t60) + t51*(t58
+        + t60) - t61*t62 + t61*t67 - t63*t64 + t63*t68 - t65*t66 + t65*t69 + t70) + t52*(-B_1_y*t46*t74
+        - B_1_z*t47*t74 - B_1_z*t48*t75 + t49*(t71 + t72) + t50*(t72 + t73) + t51*(t71 + t73) - t62*t74
+        - t64*t75 - t66*t76 + t67*t74 + t68*t75 + t69*t76 + t70) + t53*(-B_2_y*t46*t80 - B_2_z*t47*t80
+        - B_2_z*t48*t81 + t49*(t77 + t78) + t50*(t78 + t79) + t51*(t77 + t79) - t62*t80 - t64*t81 - t66*t82
+        + t67*t80 + t68*t81 + t69*t82 + t70) + t54*(-B_3_y*t46*t86 - B_3_z*t47*t86 - B_3_z*t48*t87 + t49*(t83
+        + t84) + t50*(t84 + t85) + t51*(t83 + t85) - t62*t86 - t64*t87 - t66*t88 + t67*t86 + t68*t87 + t69*t88
+        + t70) + t55*(-B_4_y*t46*t92 - B_4_z*t47*t92 - B_4_z*t48*t93 + t49*(t89 + t90) + t50*(t90 + t91)
+        + t51*(t89 + t91) - t62*t92 - t64*t93 - t66*t94 + t67*t92 + t68*t93 + t69*t94 + t70)
+        + t56*(-B_5_y*t46*t98 - B_5_z*t47*t98 - B_5_z*t48*t99 - t100*t66 + t100*t69 + t49*(t95 + t96)
+        + t50*(t96 + t97) + t51*(t95 + t97) - t62*t98 - t64*t99 + t67*t98 + t68*t99 + t70)
+        + t57*(-B_6_y*t43*t46 - B_6_z*t43*t47 - B_6_z*t44*t48 - t43*t62 + t43*t67 - t44*t64 + t44*t68
+        - t45*t66 + t45*t69 + t49*(t101 + t102) + t50*(t102 + t103) + t51*(t101 + t103) + t70)
+    )
+    T_t_out = np.empty(batch, dtype)
+    T_t_out[...] = (
+        (1/2)*I_m_1*s_1_dot**2/h_m_1**2 + (1/2)*I_m_2*s_2_dot**2/h_m_2**2 + (1/2)*I_m_3*s_3_dot**2/h_m_3**2
+        + (1/2)*I_m_4*s_4_dot**2/h_m_4**2 + (1/2)*I_m_5*s_5_dot**2/h_m_5**2 + (1/2)*I_m_6*s_6_dot**2/h_m_6**2
+    )
+    return T_ss_out[()], T_t_out[()]
+
+
+def mass_matrix(p, parameters):
+    """Mass matrix M in the 12 generalised coordinates.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    M : array, shape (..., 12, 12) [kg]
+        Symmetric; block diagonal: M_ss (6 by 6) and the diagonal M_t.
+
+    Notes
+    -----
+    Equations 24, 30 and 33.
+    2403 operations; 547725198 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    c_p_x, c_p_y, c_p_z = _entries(parameters.platform_center, (3,))
+    I_p_x, I_p_y, I_p_z = _entries(parameters.platform_inertia, (3,))
+    I_p_xy, I_p_xz, I_p_yz = _entries(parameters.platform_products, (3,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    m_b_1, m_b_2, m_b_3, m_b_4, m_b_5, m_b_6 = _entries(parameters.leg_base_mass, (6,))
+    c_b_1, c_b_2, c_b_3, c_b_4, c_b_5, c_b_6 = _entries(parameters.leg_base_center, (6,))
+    I_b_1, I_b_2, I_b_3, I_b_4, I_b_5, I_b_6 = _entries(parameters.leg_base_inertia, (6,))
+    m_r_1, m_r_2, m_r_3, m_r_4, m_r_5, m_r_6 = _entries(parameters.leg_rod_mass, (6,))
+    c_r_1, c_r_2, c_r_3, c_r_4, c_r_5, c_r_6 = _entries(parameters.leg_rod_center, (6,))
+    I_r_1, I_r_2, I_r_3, I_r_4, I_r_5, I_r_6 = _entries(parameters.leg_rod_inertia, (6,))
+    I_m_1, I_m_2, I_m_3, I_m_4, I_m_5, I_m_6 = _entries(parameters.motor_inertia, (6,))
+    h_m_1, h_m_2, h_m_3, h_m_4, h_m_5, h_m_6 = _entries(parameters.motor_travel, (6,))
+    batch, dtype = _batch(p_x, m_p, c_p_x, I_p_x, I_p_xy, a_1_x, b_1_x, m_b_1, c_b_1, I_b_1, m_r_1, c_r_1,
+        I_r_1, I_m_1, h_m_1)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    l_1 = np.sqrt(d_1_x**2 + d_1_y**2 + d_1_z**2)
+    l_2 = np.sqrt(d_2_x**2 + d_2_y**2 + d_2_z**2)
+    l_3 = np.sqrt(d_3_x**2 + d_3_y**2 + d_3_z**2)
+    l_4 = np.sqrt(d_4_x**2 + d_4_y**2 + d_4_z**2)
+    l_5 = np.sqrt(d_5_x**2 + d_5_y**2 + d_5_z**2)
+    l_6 = np.sqrt(d_6_x**2 + d_6_y**2 + d_6_z**2)
+    c_x = R_x_x*c_p_x + R_x_y*c_p_y + R_x_z*c_p_z
+    c_y = R_y_x*c_p_x + R_y_y*c_p_y + R_y_z*c_p_z
+    c_z = R_z_x*c_p_x + R_z_y*c_p_y + R_z_z*c_p_z
+    t12 = I_p_xy*R_x_x
+    t13 = I_p_xz*R_x_x
+    t14 = 2*R_x_z
+    t15 = I_p_yz*R_x_y
+    J_x_x = I_p_x*R_x_x**2 + I_p_y*R_x_y**2 + I_p_z*R_x_z**2 + 2*R_x_y*t12 + t13*t14 + t14*t15
+    t16 = I_p_x*R_x_x
+    t17 = I_p_xy*R_x_y
+    t18 = I_p_xz*R_x_z
+    t19 = I_p_y*R_x_y
+    t20 = I_p_yz*R_x_z
+    t21 = I_p_z*R_x_z
+    J_x_y = (
+        R_y_x*t16 + R_y_x*t17 + R_y_x*t18 + R_y_y*t12 + R_y_y*t19 + R_y_y*t20 + R_y_z*t13 + R_y_z*t15
+        + R_y_z*t21
+    )
+    J_x_z = (
+        R_z_x*t16 + R_z_x*t17 + R_z_x*t18 + R_z_y*t12 + R_z_y*t19 + R_z_y*t20 + R_z_z*t13 + R_z_z*t15
+        + R_z_z*t21
+    )
+    t22 = I_p_xy*R_y_x
+    t23 = I_p_xz*R_y_x
+    t24 = 2*R_y_z
+    t25 = I_p_yz*R_y_y
+    J_y_y = I_p_x*R_y_x**2 + I_p_y*R_y_y**2 + I_p_z*R_y_z**2 + 2*R_y_y*t22 + t23*t24 + t24*t25
+    t26 = I_p_xy*R_z_x
+    t27 = I_p_xz*R_z_x
+    t28 = I_p_yz*R_z_y
+    J_y_z = (
+        I_p_x*R_y_x*R_z_x + I_p_y*R_y_y*R_z_y + I_p_z*R_y_z*R_z_z + R_y_y*t26 + R_y_z*t27 + R_y_z*t28
+        + R_z_y*t22 + R_z_z*t23 + R_z_z*t25
+    )
+    t29 = 2*R_z_z
+    J_z_z = I_p_x*R_z_x**2 + I_p_y*R_z_y**2 + I_p_z*R_z_z**2 + 2*R_z_y*t26 + t27*t29 + t28*t29
+    t30 = 1.0/(l_1**2)
+    m_perp_1 = I_b_1*t30 + I_r_1*t30 + c_b_1**2*m_b_1*t30 + m_r_1*(-c_r_1/l_1 + 1)**2
+    t31 = 1.0/(l_2**2)
+    m_perp_2 = I_b_2*t31 + I_r_2*t31 + c_b_2**2*m_b_2*t31 + m_r_2*(-c_r_2/l_2 + 1)**2
+    t32 = 1.0/(l_3**2)
+    m_perp_3 = I_b_3*t32 + I_r_3*t32 + c_b_3**2*m_b_3*t32 + m_r_3*(-c_r_3/l_3 + 1)**2
+    t33 = 1.0/(l_4**2)
+    m_perp_4 = I_b_4*t33 + I_r_4*t33 + c_b_4**2*m_b_4*t33 + m_r_4*(-c_r_4/l_4 + 1)**2
+    t34 = 1.0/(l_5**2)
+    m_perp_5 = I_b_5*t34 + I_r_5*t34 + c_b_5**2*m_b_5*t34 + m_r_5*(-c_r_5/l_5 + 1)**2
+    t35 = 1.0/(l_6**2)
+    m_perp_6 = I_b_6*t35 + I_r_6*t35 + c_b_6**2*m_b_6*t35 + m_r_6*(-c_r_6/l_6 + 1)**2
+    D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y
+    D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x
+    D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x
+    D_l_2_rx = B_2_y*d_2_z - B_2_z*d_2_y
+    D_l_2_ry = -B_2_x*d_2_z + B_2_z*d_2_x
+    D_l_2_rz = B_2_x*d_2_y - B_2_y*d_2_x
+    D_l_3_rx = B_3_y*d_3_z - B_3_z*d_3_y
+    D_l_3_ry = -B_3_x*d_3_z + B_3_z*d_3_x
+    D_l_3_rz = B_3_x*d_3_y - B_3_y*d_3_x
+    D_l_4_rx = B_4_y*d_4_z - B_4_z*d_4_y
+    D_l_4_ry = -B_4_x*d_4_z + B_4_z*d_4_x
+    D_l_4_rz = B_4_x*d_4_y - B_4_y*d_4_x
+    D_l_5_rx = B_5_y*d_5_z - B_5_z*d_5_y
+    D_l_5_ry = -B_5_x*d_5_z + B_5_z*d_5_x
+    D_l_5_rz = B_5_x*d_5_y - B_5_y*d_5_x
+    D_l_6_rx = B_6_y*d_6_z - B_6_z*d_6_y
+    D_l_6_ry = -B_6_x*d_6_z + B_6_z*d_6_x
+    D_l_6_rz = B_6_x*d_6_y - B_6_y*d_6_x
+    minor_23_23 = d_2_y*d_3_z - d_2_z*d_3_y
+    minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry
+    minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx
+    minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx
+    minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45
+    minor_23_24 = -D_l_2_rx*d_3_y + D_l_3_rx*d_2_y
+    minor_56_36 = -D_l_5_rz*d_6_z + D_l_6_rz*d_5_z
+    minor_56_35 = -D_l_5_ry*d_6_z + D_l_6_ry*d_5_z
+    minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + d_4_z*minor_56_56
+    minor_23_25 = -D_l_2_ry*d_3_y + D_l_3_ry*d_2_y
+    minor_56_34 = -D_l_5_rx*d_6_z + D_l_6_rx*d_5_z
+    minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + d_4_z*minor_56_46
+    minor_23_26 = -D_l_2_rz*d_3_y + D_l_3_rz*d_2_y
+    minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + d_4_z*minor_56_45
+    minor_23_34 = -D_l_2_rx*d_3_z + D_l_3_rx*d_2_z
+    minor_56_26 = -D_l_5_rz*d_6_y + D_l_6_rz*d_5_y
+    minor_56_25 = -D_l_5_ry*d_6_y + D_l_6_ry*d_5_y
+    minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + d_4_y*minor_56_56
+    minor_23_35 = -D_l_2_ry*d_3_z + D_l_3_ry*d_2_z
+    minor_56_24 = -D_l_5_rx*d_6_y + D_l_6_rx*d_5_y
+    minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + d_4_y*minor_56_46
+    minor_23_36 = -D_l_2_rz*d_3_z + D_l_3_rz*d_2_z
+    minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + d_4_y*minor_56_45
+    minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx
+    minor_56_23 = d_5_y*d_6_z - d_5_z*d_6_y
+    minor_456_236 = D_l_4_rz*minor_56_23 + d_4_y*minor_56_36 - d_4_z*minor_56_26
+    minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx
+    minor_456_235 = D_l_4_ry*minor_56_23 + d_4_y*minor_56_35 - d_4_z*minor_56_25
+    minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry
+    minor_456_234 = D_l_4_rx*minor_56_23 + d_4_y*minor_56_34 - d_4_z*minor_56_24
+    A_x_1 = (
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234
+    )
+    minor_23_13 = d_2_x*d_3_z - d_2_z*d_3_x
+    minor_23_14 = -D_l_2_rx*d_3_x + D_l_3_rx*d_2_x
+    minor_23_15 = -D_l_2_ry*d_3_x + D_l_3_ry*d_2_x
+    minor_23_16 = -D_l_2_rz*d_3_x + D_l_3_rz*d_2_x
+    minor_56_16 = -D_l_5_rz*d_6_x + D_l_6_rz*d_5_x
+    minor_56_15 = -D_l_5_ry*d_6_x + D_l_6_ry*d_5_x
+    minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + d_4_x*minor_56_56
+    minor_56_14 = -D_l_5_rx*d_6_x + D_l_6_rx*d_5_x
+    minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + d_4_x*minor_56_46
+    minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + d_4_x*minor_56_45
+    minor_56_13 = d_5_x*d_6_z - d_5_z*d_6_x
+    minor_456_136 = D_l_4_rz*minor_56_13 + d_4_x*minor_56_36 - d_4_z*minor_56_16
+    minor_456_135 = D_l_4_ry*minor_56_13 + d_4_x*minor_56_35 - d_4_z*minor_56_15
+    minor_456_134 = D_l_4_rx*minor_56_13 + d_4_x*minor_56_34 - d_4_z*minor_56_14
+    A_y_1 = (
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134
+    )
+    minor_23_12 = d_2_x*d_3_y - d_2_y*d_3_x
+    minor_56_12 = d_5_x*d_6_y - d_5_y*d_6_x
+    minor_456_126 = D_l_4_rz*minor_56_12 + d_4_x*minor_56_26 - d_4_y*minor_56_16
+    minor_456_125 = D_l_4_ry*minor_56_12 + d_4_x*minor_56_25 - d_4_y*minor_56_15
+    minor_456_124 = D_l_4_rx*minor_56_12 + d_4_x*minor_56_24 - d_4_y*minor_56_14
+    A_z_1 = (
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124
+    )
+    minor_456_123 = d_4_x*minor_56_23 - d_4_y*minor_56_13 + d_4_z*minor_56_12
+    A_rx_1 = (
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123
+    )
+    A_ry_1 = (
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123
+    )
+    A_rz_1 = (
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123
+    )
+    minor_13_23 = d_1_y*d_3_z - d_1_z*d_3_y
+    minor_13_24 = -D_l_1_rx*d_3_y + D_l_3_rx*d_1_y
+    minor_13_25 = -D_l_1_ry*d_3_y + D_l_3_ry*d_1_y
+    minor_13_26 = -D_l_1_rz*d_3_y + D_l_3_rz*d_1_y
+    minor_13_34 = -D_l_1_rx*d_3_z + D_l_3_rx*d_1_z
+    minor_13_35 = -D_l_1_ry*d_3_z + D_l_3_ry*d_1_z
+    minor_13_36 = -D_l_1_rz*d_3_z + D_l_3_rz*d_1_z
+    minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx
+    minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx
+    minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry
+    A_x_2 = (
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234
+    )
+    minor_13_13 = d_1_x*d_3_z - d_1_z*d_3_x
+    minor_13_14 = -D_l_1_rx*d_3_x + D_l_3_rx*d_1_x
+    minor_13_15 = -D_l_1_ry*d_3_x + D_l_3_ry*d_1_x
+    minor_13_16 = -D_l_1_rz*d_3_x + D_l_3_rz*d_1_x
+    A_y_2 = (
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134
+    )
+    minor_13_12 = d_1_x*d_3_y - d_1_y*d_3_x
+    A_z_2 = (
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124
+    )
+    A_rx_2 = (
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123
+    )
+    A_ry_2 = (
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123
+    )
+    A_rz_2 = (
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123
+    )
+    minor_12_23 = d_1_y*d_2_z - d_1_z*d_2_y
+    minor_12_24 = -D_l_1_rx*d_2_y + D_l_2_rx*d_1_y
+    minor_12_25 = -D_l_1_ry*d_2_y + D_l_2_ry*d_1_y
+    minor_12_26 = -D_l_1_rz*d_2_y + D_l_2_rz*d_1_y
+    minor_12_34 = -D_l_1_rx*d_2_z + D_l_2_rx*d_1_z
+    minor_12_35 = -D_l_1_ry*d_2_z + D_l_2_ry*d_1_z
+    minor_12_36 = -D_l_1_rz*d_2_z + D_l_2_rz*d_1_z
+    minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx
+    minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx
+    minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry
+    A_x_3 = (
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234
+    )
+    minor_12_13 = d_1_x*d_2_z - d_1_z*d_2_x
+    minor_12_14 = -D_l_1_rx*d_2_x + D_l_2_rx*d_1_x
+    minor_12_15 = -D_l_1_ry*d_2_x + D_l_2_ry*d_1_x
+    minor_12_16 = -D_l_1_rz*d_2_x + D_l_2_rz*d_1_x
+    A_y_3 = (
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134
+    )
+    minor_12_12 = d_1_x*d_2_y - d_1_y*d_2_x
+    A_z_3 = (
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124
+    )
+    A_rx_3 = (
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123
+    )
+    A_ry_3 = (
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123
+    )
+    A_rz_3 = (
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123
+    )
+    minor_123_234 = D_l_1_rx*minor_23_23 + d_1_y*minor_23_34 - d_1_z*minor_23_24
+    minor_123_235 = D_l_1_ry*minor_23_23 + d_1_y*minor_23_35 - d_1_z*minor_23_25
+    minor_123_236 = D_l_1_rz*minor_23_23 + d_1_y*minor_23_36 - d_1_z*minor_23_26
+    minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + d_1_y*minor_23_45
+    minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + d_1_y*minor_23_46
+    minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + d_1_y*minor_23_56
+    minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + d_1_z*minor_23_45
+    minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + d_1_z*minor_23_46
+    minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + d_1_z*minor_23_56
+    minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45
+    A_x_4 = (
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23
+    )
+    minor_123_134 = D_l_1_rx*minor_23_13 + d_1_x*minor_23_34 - d_1_z*minor_23_14
+    minor_123_135 = D_l_1_ry*minor_23_13 + d_1_x*minor_23_35 - d_1_z*minor_23_15
+    minor_123_136 = D_l_1_rz*minor_23_13 + d_1_x*minor_23_36 - d_1_z*minor_23_16
+    minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + d_1_x*minor_23_45
+    minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + d_1_x*minor_23_46
+    minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + d_1_x*minor_23_56
+    A_y_4 = (
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13
+    )
+    minor_123_124 = D_l_1_rx*minor_23_12 + d_1_x*minor_23_24 - d_1_y*minor_23_14
+    minor_123_125 = D_l_1_ry*minor_23_12 + d_1_x*minor_23_25 - d_1_y*minor_23_15
+    minor_123_126 = D_l_1_rz*minor_23_12 + d_1_x*minor_23_26 - d_1_y*minor_23_16
+    A_z_4 = (
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12
+    )
+    minor_123_123 = d_1_x*minor_23_23 - d_1_y*minor_23_13 + d_1_z*minor_23_12
+    A_rx_4 = (
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12
+    )
+    A_ry_4 = (
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12
+    )
+    A_rz_4 = (
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12
+    )
+    minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry
+    minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx
+    minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx
+    minor_46_36 = -D_l_4_rz*d_6_z + D_l_6_rz*d_4_z
+    minor_46_35 = -D_l_4_ry*d_6_z + D_l_6_ry*d_4_z
+    minor_46_34 = -D_l_4_rx*d_6_z + D_l_6_rx*d_4_z
+    minor_46_26 = -D_l_4_rz*d_6_y + D_l_6_rz*d_4_y
+    minor_46_25 = -D_l_4_ry*d_6_y + D_l_6_ry*d_4_y
+    minor_46_24 = -D_l_4_rx*d_6_y + D_l_6_rx*d_4_y
+    minor_46_23 = d_4_y*d_6_z - d_4_z*d_6_y
+    A_x_5 = (
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23
+    )
+    minor_46_16 = -D_l_4_rz*d_6_x + D_l_6_rz*d_4_x
+    minor_46_15 = -D_l_4_ry*d_6_x + D_l_6_ry*d_4_x
+    minor_46_14 = -D_l_4_rx*d_6_x + D_l_6_rx*d_4_x
+    minor_46_13 = d_4_x*d_6_z - d_4_z*d_6_x
+    A_y_5 = (
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13
+    )
+    minor_46_12 = d_4_x*d_6_y - d_4_y*d_6_x
+    A_z_5 = (
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12
+    )
+    A_rx_5 = (
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12
+    )
+    A_ry_5 = (
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12
+    )
+    A_rz_5 = (
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12
+    )
+    minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry
+    minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx
+    minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx
+    minor_45_36 = -D_l_4_rz*d_5_z + D_l_5_rz*d_4_z
+    minor_45_35 = -D_l_4_ry*d_5_z + D_l_5_ry*d_4_z
+    minor_45_34 = -D_l_4_rx*d_5_z + D_l_5_rx*d_4_z
+    minor_45_26 = -D_l_4_rz*d_5_y + D_l_5_rz*d_4_y
+    minor_45_25 = -D_l_4_ry*d_5_y + D_l_5_ry*d_4_y
+    minor_45_24 = -D_l_4_rx*d_5_y + D_l_5_rx*d_4_y
+    minor_45_23 = d_4_y*d_5_z - d_4_z*d_5_y
+    A_x_6 = (
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23
+    )
+    minor_45_16 = -D_l_4_rz*d_5_x + D_l_5_rz*d_4_x
+    minor_45_15 = -D_l_4_ry*d_5_x + D_l_5_ry*d_4_x
+    minor_45_14 = -D_l_4_rx*d_5_x + D_l_5_rx*d_4_x
+    minor_45_13 = d_4_x*d_5_z - d_4_z*d_5_x
+    A_y_6 = (
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13
+    )
+    minor_45_12 = d_4_x*d_5_y - d_4_y*d_5_x
+    A_z_6 = (
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12
+    )
+    A_rx_6 = (
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12
+    )
+    A_ry_6 = (
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12
+    )
+    A_rz_6 = (
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12
+    )
+    det_D_l = A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*d_1_x + A_y_1*d_1_y + A_z_1*d_1_z
+    t36 = 1.0/det_D_l
+    t37 = l_1*t36
+    D_p_x_1 = A_x_1*t37
+    t38 = l_2*t36
+    D_p_x_2 = A_x_2*t38
+    t39 = l_3*t36
+    D_p_x_3 = A_x_3*t39
+    t40 = l_4*t36
+    D_p_x_4 = A_x_4*t40
+    t41 = l_5*t36
+    D_p_x_5 = A_x_5*t41
+    t42 = l_6*t36
+    D_p_x_6 = A_x_6*t42
+    D_p_y_1 = A_y_1*t37
+    D_p_y_2 = A_y_2*t38
+    D_p_y_3 = A_y_3*t39
+    D_p_y_4 = A_y_4*t40
+    D_p_y_5 = A_y_5*t41
+    D_p_y_6 = A_y_6*t42
+    D_p_z_1 = A_z_1*t37
+    D_p_z_2 = A_z_2*t38
+    D_p_z_3 = A_z_3*t39
+    D_p_z_4 = A_z_4*t40
+    D_p_z_5 = A_z_5*t41
+    D_p_z_6 = A_z_6*t42
+    D_p_rx_1 = A_rx_1*t37
+    D_p_rx_2 = A_rx_2*t38
+    D_p_rx_3 = A_rx_3*t39
+    D_p_rx_4 = A_rx_4*t40
+    D_p_rx_5 = A_rx_5*t41
+    D_p_rx_6 = A_rx_6*t42
+    D_p_ry_1 = A_ry_1*t37
+    D_p_ry_2 = A_ry_2*t38
+    D_p_ry_3 = A_ry_3*t39
+    D_p_ry_4 = A_ry_4*t40
+    D_p_ry_5 = A_ry_5*t41
+    D_p_ry_6 = A_ry_6*t42
+    D_p_rz_1 = A_rz_1*t37
+    D_p_rz_2 = A_rz_2*t38
+    D_p_rz_3 = A_rz_3*t39
+    D_p_rz_4 = A_rz_4*t40
+    D_p_rz_5 = A_rz_5*t41
+    D_p_rz_6 = A_rz_6*t42
+    M_p_x_x = m_p + m_perp_1 + m_perp_2 + m_perp_3 + m_perp_4 + m_perp_5 + m_perp_6
+    t43 = B_1_z*m_perp_1
+    t44 = B_2_z*m_perp_2
+    t45 = B_3_z*m_perp_3
+    t46 = B_4_z*m_perp_4
+    t47 = B_5_z*m_perp_5
+    t48 = B_6_z*m_perp_6
+    t49 = c_z*m_p
+    M_p_x_ry = t43 + t44 + t45 + t46 + t47 + t48 + t49
+    t50 = B_1_y*m_perp_1
+    t51 = B_2_y*m_perp_2
+    t52 = B_3_y*m_perp_3
+    t53 = B_4_y*m_perp_4
+    t54 = B_5_y*m_perp_5
+    t55 = B_6_y*m_perp_6
+    t56 = c_y*m_p
+    M_p_z_rx = t50 + t51 + t52 + t53 + t54 + t55 + t56
+    M_p_x_rz = -M_p_z_rx
+    M_p_y_rx = -M_p_x_ry
+    M_p_y_rz = (
+        B_1_x*m_perp_1 + B_2_x*m_perp_2 + B_3_x*m_perp_3 + B_4_x*m_perp_4 + B_5_x*m_perp_5 + B_6_x*m_perp_6
+        + c_x*m_p
+    )
+    M_p_z_ry = -M_p_y_rz
+    t57 = 2*c_y**2
+    t58 = 2*c_z**2
+    t59 = (1/2)*m_p
+    t60 = 2*B_1_y**2
+    t61 = 2*B_1_z**2
+    t62 = (1/2)*m_perp_1
+    t63 = 2*B_2_y**2
+    t64 = 2*B_2_z**2
+    t65 = (1/2)*m_perp_2
+    t66 = 2*B_3_y**2
+    t67 = 2*B_3_z**2
+    t68 = (1/2)*m_perp_3
+    t69 = 2*B_4_y**2
+    t70 = 2*B_4_z**2
+    t71 = (1/2)*m_perp_4
+    t72 = 2*B_5_y**2
+    t73 = 2*B_5_z**2
+    t74 = (1/2)*m_perp_5
+    t75 = 2*B_6_y**2
+    t76 = 2*B_6_z**2
+    t77 = (1/2)*m_perp_6
+    M_p_rx_rx = (
+        J_x_x + t59*(t57 + t58) + t62*(t60 + t61) + t65*(t63 + t64) + t68*(t66 + t67) + t71*(t69 + t70)
+        + t74*(t72 + t73) + t77*(t75 + t76)
+    )
+    M_p_rx_ry = -B_1_x*t50 - B_2_x*t51 - B_3_x*t52 - B_4_x*t53 - B_5_x*t54 - B_6_x*t55 + J_x_y - c_x*t56
+    M_p_rx_rz = -B_1_x*t43 - B_2_x*t44 - B_3_x*t45 - B_4_x*t46 - B_5_x*t47 - B_6_x*t48 + J_x_z - c_x*t49
+    t78 = 2*c_x**2
+    t79 = 2*B_1_x**2
+    t80 = 2*B_2_x**2
+    t81 = 2*B_3_x**2
+    t82 = 2*B_4_x**2
+    t83 = 2*B_5_x**2
+    t84 = 2*B_6_x**2
+    M_p_ry_ry = (
+        J_y_y + t59*(t58 + t78) + t62*(t61 + t79) + t65*(t64 + t80) + t68*(t67 + t81) + t71*(t70 + t82)
+        + t74*(t73 + t83) + t77*(t76 + t84)
+    )
+    M_p_ry_rz = -B_1_y*t43 - B_2_y*t44 - B_3_y*t45 - B_4_y*t46 - B_5_y*t47 - B_6_y*t48 + J_y_z - c_y*t49
+    M_p_rz_rz = (
+        J_z_z + t59*(t57 + t78) + t62*(t60 + t79) + t65*(t63 + t80) + t68*(t66 + t81) + t71*(t69 + t82)
+        + t74*(t72 + t83) + t77*(t75 + t84)
+    )
+    h_x_l_1 = D_p_ry_1*M_p_x_ry + D_p_rz_1*M_p_x_rz + D_p_x_1*M_p_x_x
+    h_x_l_2 = D_p_ry_2*M_p_x_ry + D_p_rz_2*M_p_x_rz + D_p_x_2*M_p_x_x
+    h_x_l_3 = D_p_ry_3*M_p_x_ry + D_p_rz_3*M_p_x_rz + D_p_x_3*M_p_x_x
+    h_x_l_4 = D_p_ry_4*M_p_x_ry + D_p_rz_4*M_p_x_rz + D_p_x_4*M_p_x_x
+    h_x_l_5 = D_p_ry_5*M_p_x_ry + D_p_rz_5*M_p_x_rz + D_p_x_5*M_p_x_x
+    h_x_l_6 = D_p_ry_6*M_p_x_ry + D_p_rz_6*M_p_x_rz + D_p_x_6*M_p_x_x
+    h_y_l_1 = D_p_rx_1*M_p_y_rx + D_p_rz_1*M_p_y_rz + D_p_y_1*M_p_x_x
+    h_y_l_2 = D_p_rx_2*M_p_y_rx + D_p_rz_2*M_p_y_rz + D_p_y_2*M_p_x_x
+    h_y_l_3 = D_p_rx_3*M_p_y_rx + D_p_rz_3*M_p_y_rz + D_p_y_3*M_p_x_x
+    h_y_l_4 = D_p_rx_4*M_p_y_rx + D_p_rz_4*M_p_y_rz + D_p_y_4*M_p_x_x
+    h_y_l_5 = D_p_rx_5*M_p_y_rx + D_p_rz_5*M_p_y_rz + D_p_y_5*M_p_x_x
+    h_y_l_6 = D_p_rx_6*M_p_y_rx + D_p_rz_6*M_p_y_rz + D_p_y_6*M_p_x_x
+    h_z_l_1 = D_p_rx_1*M_p_z_rx + D_p_ry_1*M_p_z_ry + D_p_z_1*M_p_x_x
+    h_z_l_2 = D_p_rx_2*M_p_z_rx + D_p_ry_2*M_p_z_ry + D_p_z_2*M_p_x_x
+    h_z_l_3 = D_p_rx_3*M_p_z_rx + D_p_ry_3*M_p_z_ry + D_p_z_3*M_p_x_x
+    h_z_l_4 = D_p_rx_4*M_p_z_rx + D_p_ry_4*M_p_z_ry + D_p_z_4*M_p_x_x
+    h_z_l_5 = D_p_rx_5*M_p_z_rx + D_p_ry_5*M_p_z_ry + D_p_z_5*M_p_x_x
+    h_z_l_6 = D_p_rx_6*M_p_z_rx + D_p_ry_6*M_p_z_ry + D_p_z_6*M_p_x_x
+    h_rx_l_1 = (
+        D_p_rx_1*M_p_rx_rx + D_p_ry_1*M_p_rx_ry + D_p_rz_1*M_p_rx_rz + D_p_y_1*M_p_y_rx + D_p_z_1*M_p_z_rx
+    )
+    h_rx_l_2 = (
+        D_p_rx_2*M_p_rx_rx + D_p_ry_2*M_p_rx_ry + D_p_rz_2*M_p_rx_rz + D_p_y_2*M_p_y_rx + D_p_z_2*M_p_z_rx
+    )
+    h_rx_l_3 = (
+        D_p_rx_3*M_p_rx_rx + D_p_ry_3*M_p_rx_ry + D_p_rz_3*M_p_rx_rz + D_p_y_3*M_p_y_rx + D_p_z_3*M_p_z_rx
+    )
+    h_rx_l_4 = (
+        D_p_rx_4*M_p_rx_rx + D_p_ry_4*M_p_rx_ry + D_p_rz_4*M_p_rx_rz + D_p_y_4*M_p_y_rx + D_p_z_4*M_p_z_rx
+    )
+    h_rx_l_5 = (
+        D_p_rx_5*M_p_rx_rx + D_p_ry_5*M_p_rx_ry + D_p_rz_5*M_p_rx_rz + D_p_y_5*M_p_y_rx + D_p_z_5*M_p_z_rx
+    )
+    h_rx_l_6 = (
+        D_p_rx_6*M_p_rx_rx + D_p_ry_6*M_p_rx_ry + D_p_rz_6*M_p_rx_rz + D_p_y_6*M_p_y_rx + D_p_z_6*M_p_z_rx
+    )
+    h_ry_l_1 = (
+        D_p_rx_1*M_p_rx_ry + D_p_ry_1*M_p_ry_ry + D_p_rz_1*M_p_ry_rz + D_p_x_1*M_p_x_ry + D_p_z_1*M_p_z_ry
+    )
+    h_ry_l_2 = (
+        D_p_rx_2*M_p_rx_ry + D_p_ry_2*M_p_ry_ry + D_p_rz_2*M_p_ry_rz + D_p_x_2*M_p_x_ry + D_p_z_2*M_p_z_ry
+    )
+    h_ry_l_3 = (
+        D_p_rx_3*M_p_rx_ry + D_p_ry_3*M_p_ry_ry + D_p_rz_3*M_p_ry_rz + D_p_x_3*M_p_x_ry + D_p_z_3*M_p_z_ry
+    )
+    h_ry_l_4 = (
+        D_p_rx_4*M_p_rx_ry + D_p_ry_4*M_p_ry_ry + D_p_rz_4*M_p_ry_rz + D_p_x_4*M_p_x_ry + D_p_z_4*M_p_z_ry
+    )
+    h_ry_l_5 = (
+        D_p_rx_5*M_p_rx_ry + D_p_ry_5*M_p_ry_ry + D_p_rz_5*M_p_ry_rz + D_p_x_5*M_p_x_ry + D_p_z_5*M_p_z_ry
+    )
+    h_ry_l_6 = (
+        D_p_rx_6*M_p_rx_ry + D_p_ry_6*M_p_ry_ry + D_p_rz_6*M_p_ry_rz + D_p_x_6*M_p_x_ry + D_p_z_6*M_p_z_ry
+    )
+    h_rz_l_1 = (
+        D_p_rx_1*M_p_rx_rz + D_p_ry_1*M_p_ry_rz + D_p_rz_1*M_p_rz_rz + D_p_x_1*M_p_x_rz + D_p_y_1*M_p_y_rz
+    )
+    h_rz_l_2 = (
+        D_p_rx_2*M_p_rx_rz + D_p_ry_2*M_p_ry_rz + D_p_rz_2*M_p_rz_rz + D_p_x_2*M_p_x_rz + D_p_y_2*M_p_y_rz
+    )
+    h_rz_l_3 = (
+        D_p_rx_3*M_p_rx_rz + D_p_ry_3*M_p_ry_rz + D_p_rz_3*M_p_rz_rz + D_p_x_3*M_p_x_rz + D_p_y_3*M_p_y_rz
+    )
+    h_rz_l_4 = (
+        D_p_rx_4*M_p_rx_rz + D_p_ry_4*M_p_ry_rz + D_p_rz_4*M_p_rz_rz + D_p_x_4*M_p_x_rz + D_p_y_4*M_p_y_rz
+    )
+    h_rz_l_5 = (
+        D_p_rx_5*M_p_rx_rz + D_p_ry_5*M_p_ry_rz + D_p_rz_5*M_p_rz_rz + D_p_x_5*M_p_x_rz + D_p_y_5*M_p_y_rz
+    )
+    h_rz_l_6 = (
+        D_p_rx_6*M_p_rx_rz + D_p_ry_6*M_p_ry_rz + D_p_rz_6*M_p_rz_rz + D_p_x_6*M_p_x_rz + D_p_y_6*M_p_y_rz
+    )
+    M_out = np.zeros((*batch, 12, 12), dtype)
+    M_out[..., 0, 0] = (
+        D_p_rx_1*h_rx_l_1 + D_p_ry_1*h_ry_l_1 + D_p_rz_1*h_rz_l_1 + D_p_x_1*h_x_l_1 + D_p_y_1*h_y_l_1
+        + D_p_z_1*h_z_l_1 - m_perp_1 + m_r_1
+    )
+    M_out[..., 0, 1] = M_out[..., 1, 0] = (
+        D_p_rx_1*h_rx_l_2 + D_p_ry_1*h_ry_l_2 + D_p_rz_1*h_rz_l_2 + D_p_x_1*h_x_l_2 + D_p_y_1*h_y_l_2
+        + D_p_z_1*h_z_l_2
+    )
+    M_out[..., 0, 2] = M_out[..., 2, 0] = (
+        D_p_rx_1*h_rx_l_3 + D_p_ry_1*h_ry_l_3 + D_p_rz_1*h_rz_l_3 + D_p_x_1*h_x_l_3 + D_p_y_1*h_y_l_3
+        + D_p_z_1*h_z_l_3
+    )
+    M_out[..., 0, 3] = M_out[..., 3, 0] = (
+        D_p_rx_1*h_rx_l_4 + D_p_ry_1*h_ry_l_4 + D_p_rz_1*h_rz_l_4 + D_p_x_1*h_x_l_4 + D_p_y_1*h_y_l_4
+        + D_p_z_1*h_z_l_4
+    )
+    M_out[..., 0, 4] = M_out[..., 4, 0] = (
+        D_p_rx_1*h_rx_l_5 + D_p_ry_1*h_ry_l_5 + D_p_rz_1*h_rz_l_5 + D_p_x_1*h_x_l_5 + D_p_y_1*h_y_l_5
+        + D_p_z_1*h_z_l_5
+    )
+    M_out[..., 0, 5] = M_out[..., 5, 0] = (
+        D_p_rx_1*h_rx_l_6 + D_p_ry_1*h_ry_l_6 + D_p_rz_1*h_rz_l_6 + D_p_x_1*h_x_l_6 + D_p_y_1*h_y_l_6
+        + D_p_z_1*h_z_l_6
+    )
+    M_out[..., 1, 1] = (
+        D_p_rx_2*h_rx_l_2 + D_p_ry_2*h_ry_l_2 + D_p_rz_2*h_rz_l_2 + D_p_x_2*h_x_l_2 + D_p_y_2*h_y_l_2
+        + D_p_z_2*h_z_l_2 - m_perp_2 + m_r_2
+    )
+    M_out[..., 1, 2] = M_out[..., 2, 1] = (
+        D_p_rx_2*h_rx_l_3 + D_p_ry_2*h_ry_l_3 + D_p_rz_2*h_rz_l_3 + D_p_x_2*h_x_l_3 + D_p_y_2*h_y_l_3
+        + D_p_z_2*h_z_l_3
+    )
+    M_out[..., 1, 3] = M_out[..., 3, 1] = (
+        D_p_rx_2*h_rx_l_4 + D_p_ry_2*h_ry_l_4 + D_p_rz_2*h_rz_l_4 + D_p_x_2*h_x_l_4 + D_p_y_2*h_y_l_4
+        + D_p_z_2*h_z_l_4
+    )
+    M_out[..., 1, 4] = M_out[..., 4, 1] = (
+        D_p_rx_2*h_rx_l_5 + D_p_ry_2*h_ry_l_5 + D_p_rz_2*h_rz_l_5 + D_p_x_2*h_x_l_5 + D_p_y_2*h_y_l_5
+        + D_p_z_2*h_z_l_5
+    )
+    M_out[..., 1, 5] = M_out[..., 5, 1] = (
+        D_p_rx_2*h_rx_l_6 + D_p_ry_2*h_ry_l_6 + D_p_rz_2*h_rz_l_6 + D_p_x_2*h_x_l_6 + D_p_y_2*h_y_l_6
+        + D_p_z_2*h_z_l_6
+    )
+    M_out[..., 2, 2] = (
+        D_p_rx_3*h_rx_l_3 + D_p_ry_3*h_ry_l_3 + D_p_rz_3*h_rz_l_3 + D_p_x_3*h_x_l_3 + D_p_y_3*h_y_l_3
+        + D_p_z_3*h_z_l_3 - m_perp_3 + m_r_3
+    )
+    M_out[..., 2, 3] = M_out[..., 3, 2] = (
+        D_p_rx_3*h_rx_l_4 + D_p_ry_3*h_ry_l_4 + D_p_rz_3*h_rz_l_4 + D_p_x_3*h_x_l_4 + D_p_y_3*h_y_l_4
+        + D_p_z_3*h_z_l_4
+    )
+    M_out[..., 2, 4] = M_out[..., 4, 2] = (
+        D_p_rx_3*h_rx_l_5 + D_p_ry_3*h_ry_l_5 + D_p_rz_3*h_rz_l_5 + D_p_x_3*h_x_l_5 + D_p_y_3*h_y_l_5
+        + D_p_z_3*h_z_l_5
+    )
+    M_out[..., 2, 5] = M_out[..., 5, 2] = (
+        D_p_rx_3*h_rx_l_6 + D_p_ry_3*h_ry_l_6 + D_p_rz_3*h_rz_l_6 + D_p_x_3*h_x_l_6 + D_p_y_3*h_y_l_6
+        + D_p_z_3*h_z_l_6
+    )
+    M_out[..., 3, 3] = (
+        D_p_rx_4*h_rx_l_4 + D_p_ry_4*h_ry_l_4 + D_p_rz_4*h_rz_l_4 + D_p_x_4*h_x_l_4 + D_p_y_4*h_y_l_4
+        + D_p_z_4*h_z_l_4 - m_perp_4 + m_r_4
+    )
+    M_out[..., 3, 4] = M_out[..., 4, 3] = (
+        D_p_rx_4*h_rx_l_5 + D_p_ry_4*h_ry_l_5 + D_p_rz_4*h_rz_l_5 + D_p_x_4*h_x_l_5 + D_p_y_4*h_y_l_5
+        + D_p_z_4*h_z_l_5
+    )
+    M_out[..., 3, 5] = M_out[..., 5, 3] = (
+        D_p_rx_4*h_rx_l_6 + D_p_ry_4*h_ry_l_6 + D_p_rz_4*h_rz_l_6 + D_p_x_4*h_x_l_6 + D_p_y_4*h_y_l_6
+        + D_p_z_4*h_z_l_6
+    )
+    M_out[..., 4, 4] = (
+        D_p_rx_5*h_rx_l_5 + D_p_ry_5*h_ry_l_5 + D_p_rz_5*h_rz_l_5 + D_p_x_5*h_x_l_5 + D_p_y_5*h_y_l_5
+        + D_p_z_5*h_z_l_5 - m_perp_5 + m_r_5
+    )
+    M_out[..., 4, 5] = M_out[..., 5, 4] = (
+        D_p_rx_5*h_rx_l_6 + D_p_ry_5*h_ry_l_6 + D_p_rz_5*h_rz_l_6 + D_p_x_5*h_x_l_6 + D_p_y_5*h_y_l_6
+        + D_p_z_5*h_z_l_6
+    )
+    M_out[..., 5, 5] = (
+        D_p_rx_6*h_rx_l_6 + D_p_ry_6*h_ry_l_6 + D_p_rz_6*h_rz_l_6 + D_p_x_6*h_x_l_6 + D_p_y_6*h_y_l_6
+        + D_p_z_6*h_z_l_6 - m_perp_6 + m_r_6
+    )
+    M_out[..., 6, 6] = I_m_1/h_m_1**2
+    M_out[..., 7, 7] = I_m_2/h_m_2**2
+    M_out[..., 8, 8] = I_m_3/h_m_3**2
+    M_out[..., 9, 9] = I_m_4/h_m_4**2
+    M_out[..., 10, 10] = I_m_5/h_m_5**2
+    M_out[..., 11, 11] = I_m_6/h_m_6**2
+    return M_out
+
+
+def velocity_forces(p, l_dot, parameters):
+    """Coriolis and centrifugal forces h of M_ss l_ddot + h + grad V = Q.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    l_dot : array, shape (..., 6) [m/s]
+        Leg velocities.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    h : array, shape (..., 6) [N]
+        Generalised forces conjugate to the leg lengths.
+
+    Notes
+    -----
+    Lagrange's equations; equation 47 before linearisation.
+    6765 operations; 641399025012 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    l_1_dot, l_2_dot, l_3_dot, l_4_dot, l_5_dot, l_6_dot = _entries(l_dot, (6,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    c_p_x, c_p_y, c_p_z = _entries(parameters.platform_center, (3,))
+    I_p_x, I_p_y, I_p_z = _entries(parameters.platform_inertia, (3,))
+    I_p_xy, I_p_xz, I_p_yz = _entries(parameters.platform_products, (3,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    m_b_1, m_b_2, m_b_3, m_b_4, m_b_5, m_b_6 = _entries(parameters.leg_base_mass, (6,))
+    c_b_1, c_b_2, c_b_3, c_b_4, c_b_5, c_b_6 = _entries(parameters.leg_base_center, (6,))
+    I_b_1, I_b_2, I_b_3, I_b_4, I_b_5, I_b_6 = _entries(parameters.leg_base_inertia, (6,))
+    m_r_1, m_r_2, m_r_3, m_r_4, m_r_5, m_r_6 = _entries(parameters.leg_rod_mass, (6,))
+    c_r_1, c_r_2, c_r_3, c_r_4, c_r_5, c_r_6 = _entries(parameters.leg_rod_center, (6,))
+    I_r_1, I_r_2, I_r_3, I_r_4, I_r_5, I_r_6 = _entries(parameters.leg_rod_inertia, (6,))
+    batch, dtype = _batch(p_x, l_1_dot, m_p, c_p_x, I_p_x, I_p_xy, a_1_x, b_1_x, m_b_1, c_b_1, I_b_1, m_r_1,
+        c_r_1, I_r_1)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    l_1 = np.sqrt(d_1_x**2 + d_1_y**2 + d_1_z**2)
+    l_2 = np.sqrt(d_2_x**2 + d_2_y**2 + d_2_z**2)
+    l_3 = np.sqrt(d_3_x**2 + d_3_y**2 + d_3_z**2)
+    l_4 = np.sqrt(d_4_x**2 + d_4_y**2 + d_4_z**2)
+    l_5 = np.sqrt(d_5_x**2 + d_5_y**2 + d_5_z**2)
+    l_6 = np.sqrt(d_6_x**2 + d_6_y**2 + d_6_z**2)
+    c_x = R_x_x*c_p_x + R_x_y*c_p_y + R_x_z*c_p_z
+    c_y = R_y_x*c_p_x + R_y_y*c_p_y + R_y_z*c_p_z
+    c_z = R_z_x*c_p_x + R_z_y*c_p_y + R_z_z*c_p_z
+    t12 = I_p_xy*R_x_y
+    t13 = 2*t12
+    t14 = I_p_xz*R_x_z
+    t15 = 2*t14
+    t16 = I_p_yz*R_x_z
+    t17 = 2*t16
+    J_x_x = I_p_x*R_x_x**2 + I_p_y*R_x_y**2 + I_p_z*R_x_z**2 + R_x_x*t13 + R_x_x*t15 + R_x_y*t17
+    t18 = I_p_x*R_x_x
+    t19 = I_p_xy*R_x_x
+    t20 = I_p_xz*R_x_x
+    t21 = I_p_y*R_x_y
+    t22 = I_p_yz*R_x_y
+    t23 = I_p_z*R_x_z
+    J_x_y = (
+        R_y_x*t12 + R_y_x*t14 + R_y_x*t18 + R_y_y*t16 + R_y_y*t19 + R_y_y*t21 + R_y_z*t20 + R_y_z*t22
+        + R_y_z*t23
+    )
+    t24 = I_p_xy*R_z_y
+    t25 = I_p_xz*R_z_z
+    t26 = I_p_yz*R_z_z
+    J_x_z = (
+        R_x_x*t24 + R_x_x*t25 + R_x_y*t26 + R_z_x*t12 + R_z_x*t14 + R_z_x*t18 + R_z_y*t16 + R_z_y*t21
+        + R_z_z*t23
+    )
+    t27 = I_p_xy*R_y_y
+    t28 = 2*t27
+    t29 = I_p_xz*R_y_z
+    t30 = 2*t29
+    t31 = I_p_yz*R_y_z
+    t32 = 2*t31
+    J_y_y = I_p_x*R_y_x**2 + I_p_y*R_y_y**2 + I_p_z*R_y_z**2 + R_y_x*t28 + R_y_x*t30 + R_y_y*t32
+    t33 = I_p_x*R_z_x
+    t34 = I_p_xy*R_z_x
+    t35 = I_p_xz*R_z_x
+    t36 = I_p_y*R_z_y
+    t37 = I_p_yz*R_z_y
+    t38 = I_p_z*R_z_z
+    J_y_z = (
+        R_y_x*t24 + R_y_x*t25 + R_y_x*t33 + R_y_y*t26 + R_y_y*t34 + R_y_y*t36 + R_y_z*t35 + R_y_z*t37
+        + R_y_z*t38
+    )
+    t39 = 2*t24
+    t40 = 2*t25
+    t41 = 2*t26
+    J_z_z = I_p_x*R_z_x**2 + I_p_y*R_z_y**2 + I_p_z*R_z_z**2 + R_z_x*t39 + R_z_x*t40 + R_z_y*t41
+    t42 = 1.0/(l_1**2)
+    t43 = c_b_1**2*m_b_1
+    t44 = -c_r_1/l_1 + 1
+    m_perp_1 = I_b_1*t42 + I_r_1*t42 + m_r_1*t44**2 + t42*t43
+    t45 = 1.0/(l_2**2)
+    t46 = c_b_2**2*m_b_2
+    t47 = -c_r_2/l_2 + 1
+    m_perp_2 = I_b_2*t45 + I_r_2*t45 + m_r_2*t47**2 + t45*t46
+    t48 = 1.0/(l_3**2)
+    t49 = c_b_3**2*m_b_3
+    t50 = -c_r_3/l_3 + 1
+    m_perp_3 = I_b_3*t48 + I_r_3*t48 + m_r_3*t50**2 + t48*t49
+    t51 = 1.0/(l_4**2)
+    t52 = c_b_4**2*m_b_4
+    t53 = -c_r_4/l_4 + 1
+    m_perp_4 = I_b_4*t51 + I_r_4*t51 + m_r_4*t53**2 + t51*t52
+    t54 = 1.0/(l_5**2)
+    t55 = c_b_5**2*m_b_5
+    t56 = -c_r_5/l_5 + 1
+    m_perp_5 = I_b_5*t54 + I_r_5*t54 + m_r_5*t56**2 + t54*t55
+    t57 = 1.0/(l_6**2)
+    t58 = c_b_6**2*m_b_6
+    t59 = -c_r_6/l_6 + 1
+    m_perp_6 = I_b_6*t57 + I_r_6*t57 + m_r_6*t59**2 + t57*t58
+    D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y
+    D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x
+    D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x
+    D_l_2_rx = B_2_y*d_2_z - B_2_z*d_2_y
+    D_l_2_ry = -B_2_x*d_2_z + B_2_z*d_2_x
+    D_l_2_rz = B_2_x*d_2_y - B_2_y*d_2_x
+    D_l_3_rx = B_3_y*d_3_z - B_3_z*d_3_y
+    D_l_3_ry = -B_3_x*d_3_z + B_3_z*d_3_x
+    D_l_3_rz = B_3_x*d_3_y - B_3_y*d_3_x
+    D_l_4_rx = B_4_y*d_4_z - B_4_z*d_4_y
+    D_l_4_ry = -B_4_x*d_4_z + B_4_z*d_4_x
+    D_l_4_rz = B_4_x*d_4_y - B_4_y*d_4_x
+    D_l_5_rx = B_5_y*d_5_z - B_5_z*d_5_y
+    D_l_5_ry = -B_5_x*d_5_z + B_5_z*d_5_x
+    D_l_5_rz = B_5_x*d_5_y - B_5_y*d_5_x
+    D_l_6_rx = B_6_y*d_6_z - B_6_z*d_6_y
+    D_l_6_ry = -B_6_x*d_6_z + B_6_z*d_6_x
+    D_l_6_rz = B_6_x*d_6_y - B_6_y*d_6_x
+    minor_23_23 = d_2_y*d_3_z - d_2_z*d_3_y
+    minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry
+    minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx
+    minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx
+    minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45
+    minor_23_24 = -D_l_2_rx*d_3_y + D_l_3_rx*d_2_y
+    minor_56_36 = -D_l_5_rz*d_6_z + D_l_6_rz*d_5_z
+    minor_56_35 = -D_l_5_ry*d_6_z + D_l_6_ry*d_5_z
+    minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + d_4_z*minor_56_56
+    minor_23_25 = -D_l_2_ry*d_3_y + D_l_3_ry*d_2_y
+    minor_56_34 = -D_l_5_rx*d_6_z + D_l_6_rx*d_5_z
+    minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + d_4_z*minor_56_46
+    minor_23_26 = -D_l_2_rz*d_3_y + D_l_3_rz*d_2_y
+    minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + d_4_z*minor_56_45
+    minor_23_34 = -D_l_2_rx*d_3_z + D_l_3_rx*d_2_z
+    minor_56_26 = -D_l_5_rz*d_6_y + D_l_6_rz*d_5_y
+    minor_56_25 = -D_l_5_ry*d_6_y + D_l_6_ry*d_5_y
+    minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + d_4_y*minor_56_56
+    minor_23_35 = -D_l_2_ry*d_3_z + D_l_3_ry*d_2_z
+    minor_56_24 = -D_l_5_rx*d_6_y + D_l_6_rx*d_5_y
+    minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + d_4_y*minor_56_46
+    minor_23_36 = -D_l_2_rz*d_3_z + D_l_3_rz*d_2_z
+    minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + d_4_y*minor_56_45
+    minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx
+    minor_56_23 = d_5_y*d_6_z - d_5_z*d_6_y
+    minor_456_236 = D_l_4_rz*minor_56_23 + d_4_y*minor_56_36 - d_4_z*minor_56_26
+    minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx
+    minor_456_235 = D_l_4_ry*minor_56_23 + d_4_y*minor_56_35 - d_4_z*minor_56_25
+    minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry
+    minor_456_234 = D_l_4_rx*minor_56_23 + d_4_y*minor_56_34 - d_4_z*minor_56_24
+    A_x_1 = (
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234
+    )
+    minor_23_13 = d_2_x*d_3_z - d_2_z*d_3_x
+    minor_23_14 = -D_l_2_rx*d_3_x + D_l_3_rx*d_2_x
+    minor_23_15 = -D_l_2_ry*d_3_x + D_l_3_ry*d_2_x
+    minor_23_16 = -D_l_2_rz*d_3_x + D_l_3_rz*d_2_x
+    minor_56_16 = -D_l_5_rz*d_6_x + D_l_6_rz*d_5_x
+    minor_56_15 = -D_l_5_ry*d_6_x + D_l_6_ry*d_5_x
+    minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + d_4_x*minor_56_56
+    minor_56_14 = -D_l_5_rx*d_6_x + D_l_6_rx*d_5_x
+    minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + d_4_x*minor_56_46
+    minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + d_4_x*minor_56_45
+    minor_56_13 = d_5_x*d_6_z - d_5_z*d_6_x
+    minor_456_136 = D_l_4_rz*minor_56_13 + d_4_x*minor_56_36 - d_4_z*minor_56_16
+    minor_456_135 = D_l_4_ry*minor_56_13 + d_4_x*minor_56_35 - d_4_z*minor_56_15
+    minor_456_134 = D_l_4_rx*minor_56_13 + d_4_x*minor_56_34 - d_4_z*minor_56_14
+    A_y_1 = (
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134
+    )
+    minor_23_12 = d_2_x*d_3_y - d_2_y*d_3_x
+    minor_56_12 = d_5_x*d_6_y - d_5_y*d_6_x
+    minor_456_126 = D_l_4_rz*minor_56_12 + d_4_x*minor_56_26 - d_4_y*minor_56_16
+    minor_456_125 = D_l_4_ry*minor_56_12 + d_4_x*minor_56_25 - d_4_y*minor_56_15
+    minor_456_124 = D_l_4_rx*minor_56_12 + d_4_x*minor_56_24 - d_4_y*minor_56_14
+    A_z_1 = (
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124
+    )
+    minor_456_123 = d_4_x*minor_56_23 - d_4_y*minor_56_13 + d_4_z*minor_56_12
+    A_rx_1 = (
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123
+    )
+    A_ry_1 = (
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123
+    )
+    A_rz_1 = (
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123
+    )
+    minor_13_23 = d_1_y*d_3_z - d_1_z*d_3_y
+    minor_13_24 = -D_l_1_rx*d_3_y + D_l_3_rx*d_1_y
+    minor_13_25 = -D_l_1_ry*d_3_y + D_l_3_ry*d_1_y
+    minor_13_26 = -D_l_1_rz*d_3_y + D_l_3_rz*d_1_y
+    minor_13_34 = -D_l_1_rx*d_3_z + D_l_3_rx*d_1_z
+    minor_13_35 = -D_l_1_ry*d_3_z + D_l_3_ry*d_1_z
+    minor_13_36 = -D_l_1_rz*d_3_z + D_l_3_rz*d_1_z
+    minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx
+    minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx
+    minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry
+    A_x_2 = (
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234
+    )
+    minor_13_13 = d_1_x*d_3_z - d_1_z*d_3_x
+    minor_13_14 = -D_l_1_rx*d_3_x + D_l_3_rx*d_1_x
+    minor_13_15 = -D_l_1_ry*d_3_x + D_l_3_ry*d_1_x
+    minor_13_16 = -D_l_1_rz*d_3_x + D_l_3_rz*d_1_x
+    A_y_2 = (
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134
+    )
+    minor_13_12 = d_1_x*d_3_y - d_1_y*d_3_x
+    A_z_2 = (
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124
+    )
+    A_rx_2 = (
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123
+    )
+    A_ry_2 = (
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123
+    )
+    A_rz_2 = (
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123
+    )
+    minor_12_23 = d_1_y*d_2_z - d_1_z*d_2_y
+    minor_12_24 = -D_l_1_rx*d_2_y + D_l_2_rx*d_1_y
+    minor_12_25 = -D_l_1_ry*d_2_y + D_l_2_ry*d_1_y
+    minor_12_26 = -D_l_1_rz*d_2_y + D_l_2_rz*d_1_y
+    minor_12_34 = -D_l_1_rx*d_2_z + D_l_2_rx*d_1_z
+    minor_12_35 = -D_l_1_ry*d_2_z + D_l_2_ry*d_1_z
+    minor_12_36 = -D_l_1_rz*d_2_z + D_l_2_rz*d_1_z
+    minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx
+    minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx
+    minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry
+    A_x_3 = (
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234
+    )
+    minor_12_13 = d_1_x*d_2_z - d_1_z*d_2_x
+    minor_12_14 = -D_l_1_rx*d_2_x + D_l_2_rx*d_1_x
+    minor_12_15 = -D_l_1_ry*d_2_x + D_l_2_ry*d_1_x
+    minor_12_16 = -D_l_1_rz*d_2_x + D_l_2_rz*d_1_x
+    A_y_3 = (
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134
+    )
+    minor_12_12 = d_1_x*d_2_y - d_1_y*d_2_x
+    A_z_3 = (
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124
+    )
+    A_rx_3 = (
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123
+    )
+    A_ry_3 = (
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123
+    )
+    A_rz_3 = (
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123
+    )
+    minor_123_234 = D_l_1_rx*minor_23_23 + d_1_y*minor_23_34 - d_1_z*minor_23_24
+    minor_123_235 = D_l_1_ry*minor_23_23 + d_1_y*minor_23_35 - d_1_z*minor_23_25
+    minor_123_236 = D_l_1_rz*minor_23_23 + d_1_y*minor_23_36 - d_1_z*minor_23_26
+    minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + d_1_y*minor_23_45
+    minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + d_1_y*minor_23_46
+    minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + d_1_y*minor_23_56
+    minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + d_1_z*minor_23_45
+    minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + d_1_z*minor_23_46
+    minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + d_1_z*minor_23_56
+    minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45
+    A_x_4 = (
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23
+    )
+    minor_123_134 = D_l_1_rx*minor_23_13 + d_1_x*minor_23_34 - d_1_z*minor_23_14
+    minor_123_135 = D_l_1_ry*minor_23_13 + d_1_x*minor_23_35 - d_1_z*minor_23_15
+    minor_123_136 = D_l_1_rz*minor_23_13 + d_1_x*minor_23_36 - d_1_z*minor_23_16
+    minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + d_1_x*minor_23_45
+    minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + d_1_x*minor_23_46
+    minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + d_1_x*minor_23_56
+    A_y_4 = (
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13
+    )
+    minor_123_124 = D_l_1_rx*minor_23_12 + d_1_x*minor_23_24 - d_1_y*minor_23_14
+    minor_123_125 = D_l_1_ry*minor_23_12 + d_1_x*minor_23_25 - d_1_y*minor_23_15
+    minor_123_126 = D_l_1_rz*minor_23_12 + d_1_x*minor_23_26 - d_1_y*minor_23_16
+    A_z_4 = (
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12
+    )
+    minor_123_123 = d_1_x*minor_23_23 - d_1_y*minor_23_13 + d_1_z*minor_23_12
+    A_rx_4 = (
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12
+    )
+    A_ry_4 = (
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12
+    )
+    A_rz_4 = (
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12
+    )
+    minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry
+    minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx
+    minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx
+    minor_46_36 = -D_l_4_rz*d_6_z + D_l_6_rz*d_4_z
+    minor_46_35 = -D_l_4_ry*d_6_z + D_l_6_ry*d_4_z
+    minor_46_34 = -D_l_4_rx*d_6_z + D_l_6_rx*d_4_z
+    minor_46_26 = -D_l_4_rz*d_6_y + D_l_6_rz*d_4_y
+    minor_46_25 = -D_l_4_ry*d_6_y + D_l_6_ry*d_4_y
+    minor_46_24 = -D_l_4_rx*d_6_y + D_l_6_rx*d_4_y
+    minor_46_23 = d_4_y*d_6_z - d_4_z*d_6_y
+    A_x_5 = (
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23
+    )
+    minor_46_16 = -D_l_4_rz*d_6_x + D_l_6_rz*d_4_x
+    minor_46_15 = -D_l_4_ry*d_6_x + D_l_6_ry*d_4_x
+    minor_46_14 = -D_l_4_rx*d_6_x + D_l_6_rx*d_4_x
+    minor_46_13 = d_4_x*d_6_z - d_4_z*d_6_x
+    A_y_5 = (
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13
+    )
+    minor_46_12 = d_4_x*d_6_y - d_4_y*d_6_x
+    A_z_5 = (
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12
+    )
+    A_rx_5 = (
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12
+    )
+    A_ry_5 = (
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12
+    )
+    A_rz_5 = (
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12
+    )
+    minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry
+    minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx
+    minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx
+    minor_45_36 = -D_l_4_rz*d_5_z + D_l_5_rz*d_4_z
+    minor_45_35 = -D_l_4_ry*d_5_z + D_l_5_ry*d_4_z
+    minor_45_34 = -D_l_4_rx*d_5_z + D_l_5_rx*d_4_z
+    minor_45_26 = -D_l_4_rz*d_5_y + D_l_5_rz*d_4_y
+    minor_45_25 = -D_l_4_ry*d_5_y + D_l_5_ry*d_4_y
+    minor_45_24 = -D_l_4_rx*d_5_y + D_l_5_rx*d_4_y
+    minor_45_23 = d_4_y*d_5_z - d_4_z*d_5_y
+    A_x_6 = (
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23
+    )
+    minor_45_16 = -D_l_4_rz*d_5_x + D_l_5_rz*d_4_x
+    minor_45_15 = -D_l_4_ry*d_5_x + D_l_5_ry*d_4_x
+    minor_45_14 = -D_l_4_rx*d_5_x + D_l_5_rx*d_4_x
+    minor_45_13 = d_4_x*d_5_z - d_4_z*d_5_x
+    A_y_6 = (
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13
+    )
+    minor_45_12 = d_4_x*d_5_y - d_4_y*d_5_x
+    A_z_6 = (
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12
+    )
+    A_rx_6 = (
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12
+    )
+    A_ry_6 = (
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12
+    )
+    A_rz_6 = (
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12
+    )
+    det_D_l = A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*d_1_x + A_y_1*d_1_y + A_z_1*d_1_z
+    t60 = 1.0/det_D_l
+    t61 = l_1*t60
+    D_p_x_1 = A_x_1*t61
+    t62 = l_2*t60
+    D_p_x_2 = A_x_2*t62
+    t63 = l_3*t60
+    D_p_x_3 = A_x_3*t63
+    t64 = l_4*t60
+    D_p_x_4 = A_x_4*t64
+    t65 = l_5*t60
+    D_p_x_5 = A_x_5*t65
+    t66 = l_6*t60
+    D_p_x_6 = A_x_6*t66
+    D_p_y_1 = A_y_1*t61
+    D_p_y_2 = A_y_2*t62
+    D_p_y_3 = A_y_3*t63
+    D_p_y_4 = A_y_4*t64
+    D_p_y_5 = A_y_5*t65
+    D_p_y_6 = A_y_6*t66
+    D_p_z_1 = A_z_1*t61
+    D_p_z_2 = A_z_2*t62
+    D_p_z_3 = A_z_3*t63
+    D_p_z_4 = A_z_4*t64
+    D_p_z_5 = A_z_5*t65
+    D_p_z_6 = A_z_6*t66
+    D_p_rx_1 = A_rx_1*t61
+    D_p_rx_2 = A_rx_2*t62
+    D_p_rx_3 = A_rx_3*t63
+    D_p_rx_4 = A_rx_4*t64
+    D_p_rx_5 = A_rx_5*t65
+    D_p_rx_6 = A_rx_6*t66
+    D_p_ry_1 = A_ry_1*t61
+    D_p_ry_2 = A_ry_2*t62
+    D_p_ry_3 = A_ry_3*t63
+    D_p_ry_4 = A_ry_4*t64
+    D_p_ry_5 = A_ry_5*t65
+    D_p_ry_6 = A_ry_6*t66
+    D_p_rz_1 = A_rz_1*t61
+    D_p_rz_2 = A_rz_2*t62
+    D_p_rz_3 = A_rz_3*t63
+    D_p_rz_4 = A_rz_4*t64
+    D_p_rz_5 = A_rz_5*t65
+    D_p_rz_6 = A_rz_6*t66
+    t67 = B_1_y*D_p_rz_1
+    U_1_x_1 = B_1_z*D_p_ry_1 + D_p_x_1 - t67
+    t68 = B_1_y*D_p_rz_2
+    U_1_x_2 = B_1_z*D_p_ry_2 + D_p_x_2 - t68
+    t69 = B_1_y*D_p_rz_3
+    U_1_x_3 = B_1_z*D_p_ry_3 + D_p_x_3 - t69
+    t70 = B_1_y*D_p_rz_4
+    U_1_x_4 = B_1_z*D_p_ry_4 + D_p_x_4 - t70
+    t71 = B_1_y*D_p_rz_5
+    U_1_x_5 = B_1_z*D_p_ry_5 + D_p_x_5 - t71
+    t72 = B_1_y*D_p_rz_6
+    U_1_x_6 = B_1_z*D_p_ry_6 + D_p_x_6 - t72
+    t73 = B_1_x*D_p_rz_1 - B_1_z*D_p_rx_1
+    U_1_y_1 = D_p_y_1 + t73
+    t74 = B_1_x*D_p_rz_2 - B_1_z*D_p_rx_2
+    U_1_y_2 = D_p_y_2 + t74
+    t75 = B_1_x*D_p_rz_3 - B_1_z*D_p_rx_3
+    U_1_y_3 = D_p_y_3 + t75
+    t76 = B_1_x*D_p_rz_4 - B_1_z*D_p_rx_4
+    U_1_y_4 = D_p_y_4 + t76
+    t77 = B_1_x*D_p_rz_5 - B_1_z*D_p_rx_5
+    U_1_y_5 = D_p_y_5 + t77
+    t78 = B_1_x*D_p_rz_6 - B_1_z*D_p_rx_6
+    U_1_y_6 = D_p_y_6 + t78
+    t79 = B_1_x*D_p_ry_1
+    U_1_z_1 = B_1_y*D_p_rx_1 + D_p_z_1 - t79
+    t80 = B_1_x*D_p_ry_2
+    U_1_z_2 = B_1_y*D_p_rx_2 + D_p_z_2 - t80
+    t81 = B_1_x*D_p_ry_3
+    U_1_z_3 = B_1_y*D_p_rx_3 + D_p_z_3 - t81
+    t82 = B_1_x*D_p_ry_4
+    U_1_z_4 = B_1_y*D_p_rx_4 + D_p_z_4 - t82
+    t83 = B_1_x*D_p_ry_5
+    U_1_z_5 = B_1_y*D_p_rx_5 + D_p_z_5 - t83
+    t84 = B_1_x*D_p_ry_6
+    U_1_z_6 = B_1_y*D_p_rx_6 + D_p_z_6 - t84
+    t85 = B_2_y*D_p_rz_1
+    U_2_x_1 = B_2_z*D_p_ry_1 + D_p_x_1 - t85
+    t86 = B_2_y*D_p_rz_2
+    U_2_x_2 = B_2_z*D_p_ry_2 + D_p_x_2 - t86
+    t87 = B_2_y*D_p_rz_3
+    U_2_x_3 = B_2_z*D_p_ry_3 + D_p_x_3 - t87
+    t88 = B_2_y*D_p_rz_4
+    U_2_x_4 = B_2_z*D_p_ry_4 + D_p_x_4 - t88
+    t89 = B_2_y*D_p_rz_5
+    U_2_x_5 = B_2_z*D_p_ry_5 + D_p_x_5 - t89
+    t90 = B_2_y*D_p_rz_6
+    U_2_x_6 = B_2_z*D_p_ry_6 + D_p_x_6 - t90
+    t91 = B_2_x*D_p_rz_1 - B_2_z*D_p_rx_1
+    U_2_y_1 = D_p_y_1 + t91
+    t92 = B_2_x*D_p_rz_2 - B_2_z*D_p_rx_2
+    U_2_y_2 = D_p_y_2 + t92
+    t93 = B_2_x*D_p_rz_3 - B_2_z*D_p_rx_3
+    U_2_y_3 = D_p_y_3 + t93
+    t94 = B_2_x*D_p_rz_4 - B_2_z*D_p_rx_4
+    U_2_y_4 = D_p_y_4 + t94
+    t95 = B_2_x*D_p_rz_5 - B_2_z*D_p_rx_5
+    U_2_y_5 = D_p_y_5 + t95
+    t96 = B_2_x*D_p_rz_6 - B_2_z*D_p_rx_6
+    U_2_y_6 = D_p_y_6 + t96
+    t97 = B_2_x*D_p_ry_1
+    U_2_z_1 = B_2_y*D_p_rx_1 + D_p_z_1 - t97
+    t98 = B_2_x*D_p_ry_2
+    U_2_z_2 = B_2_y*D_p_rx_2 + D_p_z_2 - t98
+    t99 = B_2_x*D_p_ry_3
+    U_2_z_3 = B_2_y*D_p_rx_3 + D_p_z_3 - t99
+    t100 = B_2_x*D_p_ry_4
+    U_2_z_4 = B_2_y*D_p_rx_4 + D_p_z_4 - t100
+    t101 = B_2_x*D_p_ry_5
+    U_2_z_5 = B_2_y*D_p_rx_5 + D_p_z_5 - t101
+    t102 = B_2_x*D_p_ry_6
+    U_2_z_6 = B_2_y*D_p_rx_6 + D_p_z_6 - t102
+    t103 = B_3_y*D_p_rz_1
+    U_3_x_1 = B_3_z*D_p_ry_1 + D_p_x_1 - t103
+    t104 = B_3_y*D_p_rz_2
+    U_3_x_2 = B_3_z*D_p_ry_2 + D_p_x_2 - t104
+    t105 = B_3_y*D_p_rz_3
+    U_3_x_3 = B_3_z*D_p_ry_3 + D_p_x_3 - t105
+    t106 = B_3_y*D_p_rz_4
+    U_3_x_4 = B_3_z*D_p_ry_4 + D_p_x_4 - t106
+    t107 = B_3_y*D_p_rz_5
+    U_3_x_5 = B_3_z*D_p_ry_5 + D_p_x_5 - t107
+    t108 = B_3_y*D_p_rz_6
+    U_3_x_6 = B_3_z*D_p_ry_6 + D_p_x_6 - t108
+    t109 = B_3_x*D_p_rz_1 - B_3_z*D_p_rx_1
+    U_3_y_1 = D_p_y_1 + t109
+    t110 = B_3_x*D_p_rz_2 - B_3_z*D_p_rx_2
+    U_3_y_2 = D_p_y_2 + t110
+    t111 = B_3_x*D_p_rz_3 - B_3_z*D_p_rx_3
+    U_3_y_3 = D_p_y_3 + t111
+    t112 = B_3_x*D_p_rz_4 - B_3_z*D_p_rx_4
+    U_3_y_4 = D_p_y_4 + t112
+    t113 = B_3_x*D_p_rz_5 - B_3_z*D_p_rx_5
+    U_3_y_5 = D_p_y_5 + t113
+    t114 = B_3_x*D_p_rz_6 - B_3_z*D_p_rx_6
+    U_3_y_6 = D_p_y_6 + t114
+    t115 = B_3_x*D_p_ry_1
+    U_3_z_1 = B_3_y*D_p_rx_1 + D_p_z_1 - t115
+    t116 = B_3_x*D_p_ry_2
+    U_3_z_2 = B_3_y*D_p_rx_2 + D_p_z_2 - t116
+    t117 = B_3_x*D_p_ry_3
+    U_3_z_3 = B_3_y*D_p_rx_3 + D_p_z_3 - t117
+    t118 = B_3_x*D_p_ry_4
+    U_3_z_4 = B_3_y*D_p_rx_4 + D_p_z_4 - t118
+    t119 = B_3_x*D_p_ry_5
+    U_3_z_5 = B_3_y*D_p_rx_5 + D_p_z_5 - t119
+    t120 = B_3_x*D_p_ry_6
+    U_3_z_6 = B_3_y*D_p_rx_6 + D_p_z_6 - t120
+    t121 = B_4_y*D_p_rz_1
+    U_4_x_1 = B_4_z*D_p_ry_1 + D_p_x_1 - t121
+    t122 = B_4_y*D_p_rz_2
+    U_4_x_2 = B_4_z*D_p_ry_2 + D_p_x_2 - t122
+    t123 = B_4_y*D_p_rz_3
+    U_4_x_3 = B_4_z*D_p_ry_3 + D_p_x_3 - t123
+    t124 = B_4_y*D_p_rz_4
+    U_4_x_4 = B_4_z*D_p_ry_4 + D_p_x_4 - t124
+    t125 = B_4_y*D_p_rz_5
+    U_4_x_5 = B_4_z*D_p_ry_5 + D_p_x_5 - t125
+    t126 = B_4_y*D_p_rz_6
+    U_4_x_6 = B_4_z*D_p_ry_6 + D_p_x_6 - t126
+    t127 = B_4_x*D_p_rz_1 - B_4_z*D_p_rx_1
+    U_4_y_1 = D_p_y_1 + t127
+    t128 = B_4_x*D_p_rz_2 - B_4_z*D_p_rx_2
+    U_4_y_2 = D_p_y_2 + t128
+    t129 = B_4_x*D_p_rz_3 - B_4_z*D_p_rx_3
+    U_4_y_3 = D_p_y_3 + t129
+    t130 = B_4_x*D_p_rz_4 - B_4_z*D_p_rx_4
+    U_4_y_4 = D_p_y_4 + t130
+    t131 = B_4_x*D_p_rz_5 - B_4_z*D_p_rx_5
+    U_4_y_5 = D_p_y_5 + t131
+    t132 = B_4_x*D_p_rz_6 - B_4_z*D_p_rx_6
+    U_4_y_6 = D_p_y_6 + t132
+    t133 = B_4_x*D_p_ry_1
+    U_4_z_1 = B_4_y*D_p_rx_1 + D_p_z_1 - t133
+    t134 = B_4_x*D_p_ry_2
+    U_4_z_2 = B_4_y*D_p_rx_2 + D_p_z_2 - t134
+    t135 = B_4_x*D_p_ry_3
+    U_4_z_3 = B_4_y*D_p_rx_3 + D_p_z_3 - t135
+    t136 = B_4_x*D_p_ry_4
+    U_4_z_4 = B_4_y*D_p_rx_4 + D_p_z_4 - t136
+    t137 = B_4_x*D_p_ry_5
+    U_4_z_5 = B_4_y*D_p_rx_5 + D_p_z_5 - t137
+    t138 = B_4_x*D_p_ry_6
+    U_4_z_6 = B_4_y*D_p_rx_6 + D_p_z_6 - t138
+    t139 = B_5_y*D_p_rz_1
+    U_5_x_1 = B_5_z*D_p_ry_1 + D_p_x_1 - t139
+    t140 = B_5_y*D_p_rz_2
+    U_5_x_2 = B_5_z*D_p_ry_2 + D_p_x_2 - t140
+    t141 = B_5_y*D_p_rz_3
+    U_5_x_3 = B_5_z*D_p_ry_3 + D_p_x_3 - t141
+    t142 = B_5_y*D_p_rz_4
+    U_5_x_4 = B_5_z*D_p_ry_4 + D_p_x_4 - t142
+    t143 = B_5_y*D_p_rz_5
+    U_5_x_5 = B_5_z*D_p_ry_5 + D_p_x_5 - t143
+    t144 = B_5_y*D_p_rz_6
+    U_5_x_6 = B_5_z*D_p_ry_6 + D_p_x_6 - t144
+    t145 = B_5_x*D_p_rz_1 - B_5_z*D_p_rx_1
+    U_5_y_1 = D_p_y_1 + t145
+    t146 = B_5_x*D_p_rz_2 - B_5_z*D_p_rx_2
+    U_5_y_2 = D_p_y_2 + t146
+    t147 = B_5_x*D_p_rz_3 - B_5_z*D_p_rx_3
+    U_5_y_3 = D_p_y_3 + t147
+    t148 = B_5_x*D_p_rz_4 - B_5_z*D_p_rx_4
+    U_5_y_4 = D_p_y_4 + t148
+    t149 = B_5_x*D_p_rz_5 - B_5_z*D_p_rx_5
+    U_5_y_5 = D_p_y_5 + t149
+    t150 = B_5_x*D_p_rz_6 - B_5_z*D_p_rx_6
+    U_5_y_6 = D_p_y_6 + t150
+    t151 = B_5_x*D_p_ry_1
+    U_5_z_1 = B_5_y*D_p_rx_1 + D_p_z_1 - t151
+    t152 = B_5_x*D_p_ry_2
+    U_5_z_2 = B_5_y*D_p_rx_2 + D_p_z_2 - t152
+    t153 = B_5_x*D_p_ry_3
+    U_5_z_3 = B_5_y*D_p_rx_3 + D_p_z_3 - t153
+    t154 = B_5_x*D_p_ry_4
+    U_5_z_4 = B_5_y*D_p_rx_4 + D_p_z_4 - t154
+    t155 = B_5_x*D_p_ry_5
+    U_5_z_5 = B_5_y*D_p_rx_5 + D_p_z_5 - t155
+    t156 = B_5_x*D_p_ry_6
+    U_5_z_6 = B_5_y*D_p_rx_6 + D_p_z_6 - t156
+    t157 = B_6_y*D_p_rz_1
+    U_6_x_1 = B_6_z*D_p_ry_1 + D_p_x_1 - t157
+    t158 = B_6_y*D_p_rz_2
+    U_6_x_2 = B_6_z*D_p_ry_2 + D_p_x_2 - t158
+    t159 = B_6_y*D_p_rz_3
+    U_6_x_3 = B_6_z*D_p_ry_3 + D_p_x_3 - t159
+    t160 = B_6_y*D_p_rz_4
+    U_6_x_4 = B_6_z*D_p_ry_4 + D_p_x_4 - t160
+    t161 = B_6_y*D_p_rz_5
+    U_6_x_5 = B_6_z*D_p_ry_5 + D_p_x_5 - t161
+    t162 = B_6_y*D_p_rz_6
+    U_6_x_6 = B_6_z*D_p_ry_6 + D_p_x_6 - t162
+    t163 = B_6_x*D_p_rz_1 - B_6_z*D_p_rx_1
+    U_6_y_1 = D_p_y_1 + t163
+    t164 = B_6_x*D_p_rz_2 - B_6_z*D_p_rx_2
+    U_6_y_2 = D_p_y_2 + t164
+    t165 = B_6_x*D_p_rz_3 - B_6_z*D_p_rx_3
+    U_6_y_3 = D_p_y_3 + t165
+    t166 = B_6_x*D_p_rz_4 - B_6_z*D_p_rx_4
+    U_6_y_4 = D_p_y_4 + t166
+    t167 = B_6_x*D_p_rz_5 - B_6_z*D_p_rx_5
+    U_6_y_5 = D_p_y_5 + t167
+    t168 = B_6_x*D_p_rz_6 - B_6_z*D_p_rx_6
+    U_6_y_6 = D_p_y_6 + t168
+    t169 = B_6_x*D_p_ry_1
+    U_6_z_1 = B_6_y*D_p_rx_1 + D_p_z_1 - t169
+    t170 = B_6_x*D_p_ry_2
+    U_6_z_2 = B_6_y*D_p_rx_2 + D_p_z_2 - t170
+    t171 = B_6_x*D_p_ry_3
+    U_6_z_3 = B_6_y*D_p_rx_3 + D_p_z_3 - t171
+    t172 = B_6_x*D_p_ry_4
+    U_6_z_4 = B_6_y*D_p_rx_4 + D_p_z_4 - t172
+    t173 = B_6_x*D_p_ry_5
+    U_6_z_5 = B_6_y*D_p_rx_5 + D_p_z_5 - t173
+    t174 = B_6_x*D_p_ry_6
+    U_6_z_6 = B_6_y*D_p_rx_6 + D_p_z_6 - t174
+    v_p_x = (
+        D_p_x_1*l_1_dot + D_p_x_2*l_2_dot + D_p_x_3*l_3_dot + D_p_x_4*l_4_dot + D_p_x_5*l_5_dot
+        + D_p_x_6*l_6_dot
+    )
+    v_p_y = (
+        D_p_y_1*l_1_dot + D_p_y_2*l_2_dot + D_p_y_3*l_3_dot + D_p_y_4*l_4_dot + D_p_y_5*l_5_dot
+        + D_p_y_6*l_6_dot
+    )
+    v_p_z = (
+        D_p_z_1*l_1_dot + D_p_z_2*l_2_dot + D_p_z_3*l_3_dot + D_p_z_4*l_4_dot + D_p_z_5*l_5_dot
+        + D_p_z_6*l_6_dot
+    )
+    w_p_x = (
+        D_p_rx_1*l_1_dot + D_p_rx_2*l_2_dot + D_p_rx_3*l_3_dot + D_p_rx_4*l_4_dot + D_p_rx_5*l_5_dot
+        + D_p_rx_6*l_6_dot
+    )
+    w_p_y = (
+        D_p_ry_1*l_1_dot + D_p_ry_2*l_2_dot + D_p_ry_3*l_3_dot + D_p_ry_4*l_4_dot + D_p_ry_5*l_5_dot
+        + D_p_ry_6*l_6_dot
+    )
+    w_p_z = (
+        D_p_rz_1*l_1_dot + D_p_rz_2*l_2_dot + D_p_rz_3*l_3_dot + D_p_rz_4*l_4_dot + D_p_rz_5*l_5_dot
+        + D_p_rz_6*l_6_dot
+    )
+    s_dot_1_x = (
+        U_1_x_1*l_1_dot + U_1_x_2*l_2_dot + U_1_x_3*l_3_dot + U_1_x_4*l_4_dot + U_1_x_5*l_5_dot
+        + U_1_x_6*l_6_dot
+    )
+    s_dot_1_y = (
+        U_1_y_1*l_1_dot + U_1_y_2*l_2_dot + U_1_y_3*l_3_dot + U_1_y_4*l_4_dot + U_1_y_5*l_5_dot
+        + U_1_y_6*l_6_dot
+    )
+    s_dot_1_z = (
+        U_1_z_1*l_1_dot + U_1_z_2*l_2_dot + U_1_z_3*l_3_dot + U_1_z_4*l_4_dot + U_1_z_5*l_5_dot
+        + U_1_z_6*l_6_dot
+    )
+    s_dot_2_x = (
+        U_2_x_1*l_1_dot + U_2_x_2*l_2_dot + U_2_x_3*l_3_dot + U_2_x_4*l_4_dot + U_2_x_5*l_5_dot
+        + U_2_x_6*l_6_dot
+    )
+    s_dot_2_y = (
+        U_2_y_1*l_1_dot + U_2_y_2*l_2_dot + U_2_y_3*l_3_dot + U_2_y_4*l_4_dot + U_2_y_5*l_5_dot
+        + U_2_y_6*l_6_dot
+    )
+    s_dot_2_z = (
+        U_2_z_1*l_1_dot + U_2_z_2*l_2_dot + U_2_z_3*l_3_dot + U_2_z_4*l_4_dot + U_2_z_5*l_5_dot
+        + U_2_z_6*l_6_dot
+    )
+    s_dot_3_x = (
+        U_3_x_1*l_1_dot + U_3_x_2*l_2_dot + U_3_x_3*l_3_dot + U_3_x_4*l_4_dot + U_3_x_5*l_5_dot
+        + U_3_x_6*l_6_dot
+    )
+    s_dot_3_y = (
+        U_3_y_1*l_1_dot + U_3_y_2*l_2_dot + U_3_y_3*l_3_dot + U_3_y_4*l_4_dot + U_3_y_5*l_5_dot
+        + U_3_y_6*l_6_dot
+    )
+    s_dot_3_z = (
+        U_3_z_1*l_1_dot + U_3_z_2*l_2_dot + U_3_z_3*l_3_dot + U_3_z_4*l_4_dot + U_3_z_5*l_5_dot
+        + U_3_z_6*l_6_dot
+    )
+    s_dot_4_x = (
+        U_4_x_1*l_1_dot + U_4_x_2*l_2_dot + U_4_x_3*l_3_dot + U_4_x_4*l_4_dot + U_4_x_5*l_5_dot
+        + U_4_x_6*l_6_dot
+    )
+    s_dot_4_y = (
+        U_4_y_1*l_1_dot + U_4_y_2*l_2_dot + U_4_y_3*l_3_dot + U_4_y_4*l_4_dot + U_4_y_5*l_5_dot
+        + U_4_y_6*l_6_dot
+    )
+    s_dot_4_z = (
+        U_4_z_1*l_1_dot + U_4_z_2*l_2_dot + U_4_z_3*l_3_dot + U_4_z_4*l_4_dot + U_4_z_5*l_5_dot
+        + U_4_z_6*l_6_dot
+    )
+    s_dot_5_x = (
+        U_5_x_1*l_1_dot + U_5_x_2*l_2_dot + U_5_x_3*l_3_dot + U_5_x_4*l_4_dot + U_5_x_5*l_5_dot
+        + U_5_x_6*l_6_dot
+    )
+    s_dot_5_y = (
+        U_5_y_1*l_1_dot + U_5_y_2*l_2_dot + U_5_y_3*l_3_dot + U_5_y_4*l_4_dot + U_5_y_5*l_5_dot
+        + U_5_y_6*l_6_dot
+    )
+    s_dot_5_z = (
+        U_5_z_1*l_1_dot + U_5_z_2*l_2_dot + U_5_z_3*l_3_dot + U_5_z_4*l_4_dot + U_5_z_5*l_5_dot
+        + U_5_z_6*l_6_dot
+    )
+    s_dot_6_x = (
+        U_6_x_1*l_1_dot + U_6_x_2*l_2_dot + U_6_x_3*l_3_dot + U_6_x_4*l_4_dot + U_6_x_5*l_5_dot
+        + U_6_x_6*l_6_dot
+    )
+    s_dot_6_y = (
+        U_6_y_1*l_1_dot + U_6_y_2*l_2_dot + U_6_y_3*l_3_dot + U_6_y_4*l_4_dot + U_6_y_5*l_5_dot
+        + U_6_y_6*l_6_dot
+    )
+    s_dot_6_z = (
+        U_6_z_1*l_1_dot + U_6_z_2*l_2_dot + U_6_z_3*l_3_dot + U_6_z_4*l_4_dot + U_6_z_5*l_5_dot
+        + U_6_z_6*l_6_dot
+    )
+    t175 = B_1_y*D_p_rx_1 - t79
+    t176 = B_1_y*D_p_rx_2 - t80
+    t177 = B_1_y*D_p_rx_3 - t81
+    t178 = B_1_y*D_p_rx_4 - t82
+    t179 = B_1_y*D_p_rx_5 - t83
+    t180 = B_1_y*D_p_rx_6 - t84
+    D_l_dot_1_rx = (
+        l_1_dot*(B_1_y*U_1_z_1 - B_1_z*U_1_y_1 - d_1_y*t175 + d_1_z*t73) + l_2_dot*(B_1_y*U_1_z_2
+        - B_1_z*U_1_y_2 - d_1_y*t176 + d_1_z*t74) + l_3_dot*(B_1_y*U_1_z_3 - B_1_z*U_1_y_3 - d_1_y*t177
+        + d_1_z*t75) + l_4_dot*(B_1_y*U_1_z_4 - B_1_z*U_1_y_4 - d_1_y*t178 + d_1_z*t76)
+        + l_5_dot*(B_1_y*U_1_z_5 - B_1_z*U_1_y_5 - d_1_y*t179 + d_1_z*t77) + l_6_dot*(B_1_y*U_1_z_6
+        - B_1_z*U_1_y_6 - d_1_y*t180 + d_1_z*t78)
+    )
+    t181 = B_1_z*D_p_ry_1 - t67
+    t182 = B_1_z*D_p_ry_2 - t68
+    t183 = B_1_z*D_p_ry_3 - t69
+    t184 = B_1_z*D_p_ry_4 - t70
+    t185 = B_1_z*D_p_ry_5 - t71
+    t186 = B_1_z*D_p_ry_6 - t72
+    D_l_dot_1_ry = (
+        l_1_dot*(-B_1_x*U_1_z_1 + B_1_z*U_1_x_1 + d_1_x*t175 - d_1_z*t181) + l_2_dot*(-B_1_x*U_1_z_2
+        + B_1_z*U_1_x_2 + d_1_x*t176 - d_1_z*t182) + l_3_dot*(-B_1_x*U_1_z_3 + B_1_z*U_1_x_3 + d_1_x*t177
+        - d_1_z*t183) + l_4_dot*(-B_1_x*U_1_z_4 + B_1_z*U_1_x_4 + d_1_x*t178 - d_1_z*t184)
+        + l_5_dot*(-B_1_x*U_1_z_5 + B_1_z*U_1_x_5 + d_1_x*t179 - d_1_z*t185) + l_6_dot*(-B_1_x*U_1_z_6
+        + B_1_z*U_1_x_6 + d_1_x*t180 - d_1_z*t186)
+    )
+    D_l_dot_1_rz = (
+        l_1_dot*(B_1_x*U_1_y_1 - B_1_y*U_1_x_1 - d_1_x*t73 + d_1_y*t181) + l_2_dot*(B_1_x*U_1_y_2
+        - B_1_y*U_1_x_2 - d_1_x*t74 + d_1_y*t182) + l_3_dot*(B_1_x*U_1_y_3 - B_1_y*U_1_x_3 - d_1_x*t75
+        + d_1_y*t183) + l_4_dot*(B_1_x*U_1_y_4 - B_1_y*U_1_x_4 - d_1_x*t76 + d_1_y*t184)
+        + l_5_dot*(B_1_x*U_1_y_5 - B_1_y*U_1_x_5 - d_1_x*t77 + d_1_y*t185) + l_6_dot*(B_1_x*U_1_y_6
+        - B_1_y*U_1_x_6 - d_1_x*t78 + d_1_y*t186)
+    )
+    t187 = B_2_y*D_p_rx_1 - t97
+    t188 = B_2_y*D_p_rx_2 - t98
+    t189 = B_2_y*D_p_rx_3 - t99
+    t190 = B_2_y*D_p_rx_4 - t100
+    t191 = B_2_y*D_p_rx_5 - t101
+    t192 = B_2_y*D_p_rx_6 - t102
+    D_l_dot_2_rx = (
+        l_1_dot*(B_2_y*U_2_z_1 - B_2_z*U_2_y_1 - d_2_y*t187 + d_2_z*t91) + l_2_dot*(B_2_y*U_2_z_2
+        - B_2_z*U_2_y_2 - d_2_y*t188 + d_2_z*t92) + l_3_dot*(B_2_y*U_2_z_3 - B_2_z*U_2_y_3 - d_2_y*t189
+        + d_2_z*t93) + l_4_dot*(B_2_y*U_2_z_4 - B_2_z*U_2_y_4 - d_2_y*t190 + d_2_z*t94)
+        + l_5_dot*(B_2_y*U_2_z_5 - B_2_z*U_2_y_5 - d_2_y*t191 + d_2_z*t95) + l_6_dot*(B_2_y*U_2_z_6
+        - B_2_z*U_2_y_6 - d_2_y*t192 + d_2_z*t96)
+    )
+    t193 = B_2_z*D_p_ry_1 - t85
+    t194 = B_2_z*D_p_ry_2 - t86
+    t195 = B_2_z*D_p_ry_3 - t87
+    t196 = B_2_z*D_p_ry_4 - t88
+    t197 = B_2_z*D_p_ry_5 - t89
+    t198 = B_2_z*D_p_ry_6 - t90
+    D_l_dot_2_ry = (
+        l_1_dot*(-B_2_x*U_2_z_1 + B_2_z*U_2_x_1 + d_2_x*t187 - d_2_z*t193) + l_2_dot*(-B_2_x*U_2_z_2
+        + B_2_z*U_2_x_2 + d_2_x*t188 - d_2_z*t194) + l_3_dot*(-B_2_x*U_2_z_3 + B_2_z*U_2_x_3 + d_2_x*t189
+        - d_2_z*t195) + l_4_dot*(-B_2_x*U_2_z_4 + B_2_z*U_2_x_4 + d_2_x*t190 - d_2_z*t196)
+        + l_5_dot*(-B_2_x*U_2_z_5 + B_2_z*U_2_x_5 + d_2_x*t191 - d_2_z*t197) + l_6_dot*(-B_2_x*U_2_z_6
+        + B_2_z*U_2_x_6 + d_2_x*t192 - d_2_z*t198)
+    )
+    D_l_dot_2_rz = (
+        l_1_dot*(B_2_x*U_2_y_1 - B_2_y*U_2_x_1 - d_2_x*t91 + d_2_y*t193) + l_2_dot*(B_2_x*U_2_y_2
+        - B_2_y*U_2_x_2 - d_2_x*t92 + d_2_y*t194) + l_3_dot*(B_2_x*U_2_y_3 - B_2_y*U_2_x_3 - d_2_x*t93
+        + d_2_y*t195) + l_4_dot*(B_2_x*U_2_y_4 - B_2_y*U_2_x_4 - d_2_x*t94 + d_2_y*t196)
+        + l_5_dot*(B_2_x*U_2_y_5 - B_2_y*U_2_x_5 - d_2_x*t95 + d_2_y*t197) + l_6_dot*(B_2_x*U_2_y_6
+        - B_2_y*U_2_x_6 - d_2_x*t96 + d_2_y*t198)
+    )
+    t199 = B_3_y*D_p_rx_1 - t115
+    t200 = B_3_y*D_p_rx_2 - t116
+    t201 = B_3_y*D_p_rx_3 - t117
+    t202 = B_3_y*D_p_rx_4 - t118
+    t203 = B_3_y*D_p_rx_5 - t119
+    t204 = B_3_y*D_p_rx_6 - t120
+    D_l_dot_3_rx = (
+        l_1_dot*(B_3_y*U_3_z_1 - B_3_z*U_3_y_1 - d_3_y*t199 + d_3_z*t109) + l_2_dot*(B_3_y*U_3_z_2
+        - B_3_z*U_3_y_2 - d_3_y*t200 + d_3_z*t110) + l_3_dot*(B_3_y*U_3_z_3 - B_3_z*U_3_y_3 - d_3_y*t201
+        + d_3_z*t111) + l_4_dot*(B_3_y*U_3_z_4 - B_3_z*U_3_y_4 - d_3_y*t202 + d_3_z*t112)
+        + l_5_dot*(B_3_y*U_3_z_5 - B_3_z*U_3_y_5 - d_3_y*t203 + d_3_z*t113) + l_6_dot*(B_3_y*U_3_z_6
+        - B_3_z*U_3_y_6 - d_3_y*t204 + d_3_z*t114)
+    )
+    t205 = B_3_z*D_p_ry_1 - t103
+    t206 = B_3_z*D_p_ry_2 - t104
+    t207 = B_3_z*D_p_ry_3 - t105
+    t208 = B_3_z*D_p_ry_4 - t106
+    t209 = B_3_z*D_p_ry_5 - t107
+    t210 = B_3_z*D_p_ry_6 - t108
+    D_l_dot_3_ry = (
+        l_1_dot*(-B_3_x*U_3_z_1 + B_3_z*U_3_x_1 + d_3_x*t199 - d_3_z*t205) + l_2_dot*(-B_3_x*U_3_z_2
+        + B_3_z*U_3_x_2 + d_3_x*t200 - d_3_z*t206) + l_3_dot*(-B_3_x*U_3_z_3 + B_3_z*U_3_x_3 + d_3_x*t201
+        - d_3_z*t207) + l_4_dot*(-B_3_x*U_3_z_4 + B_3_z*U_3_x_4 + d_3_x*t202 - d_3_z*t208)
+        + l_5_dot*(-B_3_x*U_3_z_5 + B_3_z*U_3_x_5 + d_3_x*t203 - d_3_z*t209) + l_6_dot*(-B_3_x*U_3_z_6
+        + B_3_z*U_3_x_6 + d_3_x*t204 - d_3_z*t210)
+    )
+    D_l_dot_3_rz = (
+        l_1_dot*(B_3_x*U_3_y_1 - B_3_y*U_3_x_1 - d_3_x*t109 + d_3_y*t205) + l_2_dot*(B_3_x*U_3_y_2
+        - B_3_y*U_3_x_2 - d_3_x*t110 + d_3_y*t206) + l_3_dot*(B_3_x*U_3_y_3 - B_3_y*U_3_x_3 - d_3_x*t111
+        + d_3_y*t207) + l_4_dot*(B_3_x*U_3_y_4 - B_3_y*U_3_x_4 - d_3_x*t112 + d_3_y*t208)
+        + l_5_dot*(B_3_x*U_3_y_5 - B_3_y*U_3_x_5 - d_3_x*t113 + d_3_y*t209) + l_6_dot*(B_3_x*U_3_y_6
+        - B_3_y*U_3_x_6 - d_3_x*t114 + d_3_y*t210)
+    )
+    t211 = B_4_y*D_p_rx_1 - t133
+    t212 = B_4_y*D_p_rx_2 - t134
+    t213 = B_4_y*D_p_rx_3 - t135
+    t214 = B_4_y*D_p_rx_4 - t136
+    t215 = B_4_y*D_p_rx_5 - t137
+    t216 = B_4_y*D_p_rx_6 - t138
+    D_l_dot_4_rx = (
+        l_1_dot*(B_4_y*U_4_z_1 - B_4_z*U_4_y_1 - d_4_y*t211 + d_4_z*t127) + l_2_dot*(B_4_y*U_4_z_2
+        - B_4_z*U_4_y_2 - d_4_y*t212 + d_4_z*t128) + l_3_dot*(B_4_y*U_4_z_3 - B_4_z*U_4_y_3 - d_4_y*t213
+        + d_4_z*t129) + l_4_dot*(B_4_y*U_4_z_4 - B_4_z*U_4_y_4 - d_4_y*t214 + d_4_z*t130)
+        + l_5_dot*(B_4_y*U_4_z_5 - B_4_z*U_4_y_5 - d_4_y*t215 + d_4_z*t131) + l_6_dot*(B_4_y*U_4_z_6
+        - B_4_z*U_4_y_6 - d_4_y*t216 + d_4_z*t132)
+    )
+    t217 = B_4_z*D_p_ry_1 - t121
+    t218 = B_4_z*D_p_ry_2 - t122
+    t219 = B_4_z*D_p_ry_3 - t123
+    t220 = B_4_z*D_p_ry_4 - t124
+    t221 = B_4_z*D_p_ry_5 - t125
+    t222 = B_4_z*D_p_ry_6 - t126
+    D_l_dot_4_ry = (
+        l_1_dot*(-B_4_x*U_4_z_1 + B_4_z*U_4_x_1 + d_4_x*t211 - d_4_z*t217) + l_2_dot*(-B_4_x*U_4_z_2
+        + B_4_z*U_4_x_2 + d_4_x*t212 - d_4_z*t218) + l_3_dot*(-B_4_x*U_4_z_3 + B_4_z*U_4_x_3 + d_4_x*t213
+        - d_4_z*t219) + l_4_dot*(-B_4_x*U_4_z_4 + B_4_z*U_4_x_4 + d_4_x*t214 - d_4_z*t220)
+        + l_5_dot*(-B_4_x*U_4_z_5 + B_4_z*U_4_x_5 + d_4_x*t215 - d_4_z*t221) + l_6_dot*(-B_4_x*U_4_z_6
+        + B_4_z*U_4_x_6 + d_4_x*t216 - d_4_z*t222)
+    )
+    D_l_dot_4_rz = (
+        l_1_dot*(B_4_x*U_4_y_1 - B_4_y*U_4_x_1 - d_4_x*t127 + d_4_y*t217) + l_2_dot*(B_4_x*U_4_y_2
+        - B_4_y*U_4_x_2 - d_4_x*t128 + d_4_y*t218) + l_3_dot*(B_4_x*U_4_y_3 - B_4_y*U_4_x_3 - d_4_x*t129
+        + d_4_y*t219) + l_4_dot*(B_4_x*U_4_y_4 - B_4_y*U_4_x_4 - d_4_x*t130 + d_4_y*t220)
+        + l_5_dot*(B_4_x*U_4_y_5 - B_4_y*U_4_x_5 - d_4_x*t131 + d_4_y*t221) + l_6_dot*(B_4_x*U_4_y_6
+        - B_4_y*U_4_x_6 - d_4_x*t132 + d_4_y*t222)
+    )
+    t223 = B_5_y*D_p_rx_1 - t151
+    t224 = B_5_y*D_p_rx_2 - t152
+    t225 = B_5_y*D_p_rx_3 - t153
+    t226 = B_5_y*D_p_rx_4 - t154
+    t227 = B_5_y*D_p_rx_5 - t155
+    t228 = B_5_y*D_p_rx_6 - t156
+    D_l_dot_5_rx = (
+        l_1_dot*(B_5_y*U_5_z_1 - B_5_z*U_5_y_1 - d_5_y*t223 + d_5_z*t145) + l_2_dot*(B_5_y*U_5_z_2
+        - B_5_z*U_5_y_2 - d_5_y*t224 + d_5_z*t146) + l_3_dot*(B_5_y*U_5_z_3 - B_5_z*U_5_y_3 - d_5_y*t225
+        + d_5_z*t147) + l_4_dot*(B_5_y*U_5_z_4 - B_5_z*U_5_y_4 - d_5_y*t226 + d_5_z*t148)
+        + l_5_dot*(B_5_y*U_5_z_5 - B_5_z*U_5_y_5 - d_5_y*t227 + d_5_z*t149) + l_6_dot*(B_5_y*U_5_z_6
+        - B_5_z*U_5_y_6 - d_5_y*t228 + d_5_z*t150)
+    )
+    t229 = B_5_z*D_p_ry_1 - t139
+    t230 = B_5_z*D_p_ry_2 - t140
+    t231 = B_5_z*D_p_ry_3 - t141
+    t232 = B_5_z*D_p_ry_4 - t142
+    t233 = B_5_z*D_p_ry_5 - t143
+    t234 = B_5_z*D_p_ry_6 - t144
+    D_l_dot_5_ry = (
+        l_1_dot*(-B_5_x*U_5_z_1 + B_5_z*U_5_x_1 + d_5_x*t223 - d_5_z*t229) + l_2_dot*(-B_5_x*U_5_z_2
+        + B_5_z*U_5_x_2 + d_5_x*t224 - d_5_z*t230) + l_3_dot*(-B_5_x*U_5_z_3 + B_5_z*U_5_x_3 + d_5_x*t225
+        - d_5_z*t231) + l_4_dot*(-B_5_x*U_5_z_4 + B_5_z*U_5_x_4 + d_5_x*t226 - d_5_z*t232)
+        + l_5_dot*(-B_5_x*U_5_z_5 + B_5_z*U_5_x_5 + d_5_x*t227 - d_5_z*t233) + l_6_dot*(-B_5_x*U_5_z_6
+        + B_5_z*U_5_x_6 + d_5_x*t228 - d_5_z*t234)
+    )
+    D_l_dot_5_rz = (
+        l_1_dot*(B_5_x*U_5_y_1 - B_5_y*U_5_x_1 - d_5_x*t145 + d_5_y*t229) + l_2_dot*(B_5_x*U_5_y_2
+        - B_5_y*U_5_x_2 - d_5_x*t146 + d_5_y*t230) + l_3_dot*(B_5_x*U_5_y_3 - B_5_y*U_5_x_3 - d_5_x*t147
+        + d_5_y*t231) + l_4_dot*(B_5_x*U_5_y_4 - B_5_y*U_5_x_4 - d_5_x*t148 + d_5_y*t232)
+        + l_5_dot*(B_5_x*U_5_y_5 - B_5_y*U_5_x_5 - d_5_x*t149 + d_5_y*t233) + l_6_dot*(B_5_x*U_5_y_6
+        - B_5_y*U_5_x_6 - d_5_x*t150 + d_5_y*t234)
+    )
+    t235 = B_6_y*D_p_rx_1 - t169
+    t236 = B_6_y*D_p_rx_2 - t170
+    t237 = B_6_y*D_p_rx_3 - t171
+    t238 = B_6_y*D_p_rx_4 - t172
+    t239 = B_6_y*D_p_rx_5 - t173
+    t240 = B_6_y*D_p_rx_6 - t174
+    D_l_dot_6_rx = (
+        l_1_dot*(B_6_y*U_6_z_1 - B_6_z*U_6_y_1 - d_6_y*t235 + d_6_z*t163) + l_2_dot*(B_6_y*U_6_z_2
+        - B_6_z*U_6_y_2 - d_6_y*t236 + d_6_z*t164) + l_3_dot*(B_6_y*U_6_z_3 - B_6_z*U_6_y_3 - d_6_y*t237
+        + d_6_z*t165) + l_4_dot*(B_6_y*U_6_z_4 - B_6_z*U_6_y_4 - d_6_y*t238 + d_6_z*t166)
+        + l_5_dot*(B_6_y*U_6_z_5 - B_6_z*U_6_y_5 - d_6_y*t239 + d_6_z*t167) + l_6_dot*(B_6_y*U_6_z_6
+        - B_6_z*U_6_y_6 - d_6_y*t240 + d_6_z*t168)
+    )
+    t241 = B_6_z*D_p_ry_1 - t157
+    t242 = B_6_z*D_p_ry_2 - t158
+    t243 = B_6_z*D_p_ry_3 - t159
+    t244 = B_6_z*D_p_ry_4 - t160
+    t245 = B_6_z*D_p_ry_5 - t161
+    t246 = B_6_z*D_p_ry_6 - t162
+    D_l_dot_6_ry = (
+        l_1_dot*(-B_6_x*U_6_z_1 + B_6_z*U_6_x_1 + d_6_x*t235 - d_6_z*t241) + l_2_dot*(-B_6_x*U_6_z_2
+        + B_6_z*U_6_x_2 + d_6_x*t236 - d_6_z*t242) + l_3_dot*(-B_6_x*U_6_z_3 + B_6_z*U_6_x_3 + d_6_x*t237
+        - d_6_z*t243) + l_4_dot*(-B_6_x*U_6_z_4 + B_6_z*U_6_x_4 + d_6_x*t238 - d_6_z*t244)
+        + l_5_dot*(-B_6_x*U_6_z_5 + B_6_z*U_6_x_5 + d_6_x*t239 - d_6_z*t245) + l_6_dot*(-B_6_x*U_6_z_6
+        + B_6_z*U_6_x_6 + d_6_x*t240 - d_6_z*t246)
+    )
+    D_l_dot_6_rz = (
+        l_1_dot*(B_6_x*U_6_y_1 - B_6_y*U_6_x_1 - d_6_x*t163 + d_6_y*t241) + l_2_dot*(B_6_x*U_6_y_2
+        - B_6_y*U_6_x_2 - d_6_x*t164 + d_6_y*t242) + l_3_dot*(B_6_x*U_6_y_3 - B_6_y*U_6_x_3 - d_6_x*t165
+        + d_6_y*t243) + l_4_dot*(B_6_x*U_6_y_4 - B_6_y*U_6_x_4 - d_6_x*t166 + d_6_y*t244)
+        + l_5_dot*(B_6_x*U_6_y_5 - B_6_y*U_6_x_5 - d_6_x*t167 + d_6_y*t245) + l_6_dot*(B_6_x*U_6_y_6
+        - B_6_y*U_6_x_6 - d_6_x*t168 + d_6_y*t246)
+    )
+    t247 = (
+        -D_l_dot_2_rx*D_p_rx_1 - D_l_dot_2_ry*D_p_ry_1 - D_l_dot_2_rz*D_p_rz_1 - D_p_x_1*s_dot_2_x
+        - D_p_y_1*s_dot_2_y - D_p_z_1*s_dot_2_z
+    )
+    t248 = (
+        -D_l_dot_3_rx*D_p_rx_1 - D_l_dot_3_ry*D_p_ry_1 - D_l_dot_3_rz*D_p_rz_1 - D_p_x_1*s_dot_3_x
+        - D_p_y_1*s_dot_3_y - D_p_z_1*s_dot_3_z
+    )
+    t249 = (
+        -D_l_dot_4_rx*D_p_rx_1 - D_l_dot_4_ry*D_p_ry_1 - D_l_dot_4_rz*D_p_rz_1 - D_p_x_1*s_dot_4_x
+        - D_p_y_1*s_dot_4_y - D_p_z_1*s_dot_4_z
+    )
+    t250 = (
+        -D_l_dot_5_rx*D_p_rx_1 - D_l_dot_5_ry*D_p_ry_1 - D_l_dot_5_rz*D_p_rz_1 - D_p_x_1*s_dot_5_x
+        - D_p_y_1*s_dot_5_y - D_p_z_1*s_dot_5_z
+    )
+    t251 = (
+        -D_l_dot_6_rx*D_p_rx_1 - D_l_dot_6_ry*D_p_ry_1 - D_l_dot_6_rz*D_p_rz_1 - D_p_x_1*s_dot_6_x
+        - D_p_y_1*s_dot_6_y - D_p_z_1*s_dot_6_z
+    )
+    t252 = (
+        -D_l_dot_1_rx*D_p_rx_1 - D_l_dot_1_ry*D_p_ry_1 - D_l_dot_1_rz*D_p_rz_1 - D_p_x_1*s_dot_1_x
+        - D_p_y_1*s_dot_1_y - D_p_z_1*s_dot_1_z + l_1_dot
+    )
+    D_p_dot_x_1 = t60*(A_x_1*t252 + A_x_2*t247 + A_x_3*t248 + A_x_4*t249 + A_x_5*t250 + A_x_6*t251)
+    D_p_dot_y_1 = t60*(A_y_1*t252 + A_y_2*t247 + A_y_3*t248 + A_y_4*t249 + A_y_5*t250 + A_y_6*t251)
+    D_p_dot_z_1 = t60*(A_z_1*t252 + A_z_2*t247 + A_z_3*t248 + A_z_4*t249 + A_z_5*t250 + A_z_6*t251)
+    D_p_dot_rx_1 = t60*(A_rx_1*t252 + A_rx_2*t247 + A_rx_3*t248 + A_rx_4*t249 + A_rx_5*t250 + A_rx_6*t251)
+    D_p_dot_ry_1 = t60*(A_ry_1*t252 + A_ry_2*t247 + A_ry_3*t248 + A_ry_4*t249 + A_ry_5*t250 + A_ry_6*t251)
+    D_p_dot_rz_1 = t60*(A_rz_1*t252 + A_rz_2*t247 + A_rz_3*t248 + A_rz_4*t249 + A_rz_5*t250 + A_rz_6*t251)
+    t253 = (
+        -D_l_dot_1_rx*D_p_rx_2 - D_l_dot_1_ry*D_p_ry_2 - D_l_dot_1_rz*D_p_rz_2 - D_p_x_2*s_dot_1_x
+        - D_p_y_2*s_dot_1_y - D_p_z_2*s_dot_1_z
+    )
+    t254 = (
+        -D_l_dot_3_rx*D_p_rx_2 - D_l_dot_3_ry*D_p_ry_2 - D_l_dot_3_rz*D_p_rz_2 - D_p_x_2*s_dot_3_x
+        - D_p_y_2*s_dot_3_y - D_p_z_2*s_dot_3_z
+    )
+    t255 = (
+        -D_l_dot_4_rx*D_p_rx_2 - D_l_dot_4_ry*D_p_ry_2 - D_l_dot_4_rz*D_p_rz_2 - D_p_x_2*s_dot_4_x
+        - D_p_y_2*s_dot_4_y - D_p_z_2*s_dot_4_z
+    )
+    t256 = (
+        -D_l_dot_5_rx*D_p_rx_2 - D_l_dot_5_ry*D_p_ry_2 - D_l_dot_5_rz*D_p_rz_2 - D_p_x_2*s_dot_5_x
+        - D_p_y_2*s_dot_5_y - D_p_z_2*s_dot_5_z
+    )
+    t257 = (
+        -D_l_dot_6_rx*D_p_rx_2 - D_l_dot_6_ry*D_p_ry_2 - D_l_dot_6_rz*D_p_rz_2 - D_p_x_2*s_dot_6_x
+        - D_p_y_2*s_dot_6_y - D_p_z_2*s_dot_6_z
+    )
+    t258 = (
+        -D_l_dot_2_rx*D_p_rx_2 - D_l_dot_2_ry*D_p_ry_2 - D_l_dot_2_rz*D_p_rz_2 - D_p_x_2*s_dot_2_x
+        - D_p_y_2*s_dot_2_y - D_p_z_2*s_dot_2_z + l_2_dot
+    )
+    D_p_dot_x_2 = t60*(A_x_1*t253 + A_x_2*t258 + A_x_3*t254 + A_x_4*t255 + A_x_5*t256 + A_x_6*t257)
+    D_p_dot_y_2 = t60*(A_y_1*t253 + A_y_2*t258 + A_y_3*t254 + A_y_4*t255 + A_y_5*t256 + A_y_6*t257)
+    D_p_dot_z_2 = t60*(A_z_1*t253 + A_z_2*t258 + A_z_3*t254 + A_z_4*t255 + A_z_5*t256 + A_z_6*t257)
+    D_p_dot_rx_2 = t60*(A_rx_1*t253 + A_rx_2*t258 + A_rx_3*t254 + A_rx_4*t255 + A_rx_5*t256 + A_rx_6*t257)
+    D_p_dot_ry_2 = t60*(A_ry_1*t253 + A_ry_2*t258 + A_ry_3*t254 + A_ry_4*t255 + A_ry_5*t256 + A_ry_6*t257)
+    D_p_dot_rz_2 = t60*(A_rz_1*t253 + A_rz_2*t258 + A_rz_3*t254 + A_rz_4*t255 + A_rz_5*t256 + A_rz_6*t257)
+    t259 = (
+        -D_l_dot_1_rx*D_p_rx_3 - D_l_dot_1_ry*D_p_ry_3 - D_l_dot_1_rz*D_p_rz_3 - D_p_x_3*s_dot_1_x
+        - D_p_y_3*s_dot_1_y - D_p_z_3*s_dot_1_z
+    )
+    t260 = (
+        -D_l_dot_2_rx*D_p_rx_3 - D_l_dot_2_ry*D_p_ry_3 - D_l_dot_2_rz*D_p_rz_3 - D_p_x_3*s_dot_2_x
+        - D_p_y_3*s_dot_2_y - D_p_z_3*s_dot_2_z
+    )
+    t261 = (
+        -D_l_dot_4_rx*D_p_rx_3 - D_l_dot_4_ry*D_p_ry_3 - D_l_dot_4_rz*D_p_rz_3 - D_p_x_3*s_dot_4_x
+        - D_p_y_3*s_dot_4_y - D_p_z_3*s_dot_4_z
+    )
+    t262 = (
+        -D_l_dot_5_rx*D_p_rx_3 - D_l_dot_5_ry*D_p_ry_3 - D_l_dot_5_rz*D_p_rz_3 - D_p_x_3*s_dot_5_x
+        - D_p_y_3*s_dot_5_y - D_p_z_3*s_dot_5_z
+    )
+    t263 = (
+        -D_l_dot_6_rx*D_p_rx_3 - D_l_dot_6_ry*D_p_ry_3 - D_l_dot_6_rz*D_p_rz_3 - D_p_x_3*s_dot_6_x
+        - D_p_y_3*s_dot_6_y - D_p_z_3*s_dot_6_z
+    )
+    t264 = (
+        -D_l_dot_3_rx*D_p_rx_3 - D_l_dot_3_ry*D_p_ry_3 - D_l_dot_3_rz*D_p_rz_3 - D_p_x_3*s_dot_3_x
+        - D_p_y_3*s_dot_3_y - D_p_z_3*s_dot_3_z + l_3_dot
+    )
+    D_p_dot_x_3 = t60*(A_x_1*t259 + A_x_2*t260 + A_x_3*t264 + A_x_4*t261 + A_x_5*t262 + A_x_6*t263)
+    D_p_dot_y_3 = t60*(A_y_1*t259 + A_y_2*t260 + A_y_3*t264 + A_y_4*t261 + A_y_5*t262 + A_y_6*t263)
+    D_p_dot_z_3 = t60*(A_z_1*t259 + A_z_2*t260 + A_z_3*t264 + A_z_4*t261 + A_z_5*t262 + A_z_6*t263)
+    D_p_dot_rx_3 = t60*(A_rx_1*t259 + A_rx_2*t260 + A_rx_3*t264 + A_rx_4*t261 + A_rx_5*t262 + A_rx_6*t263)
+    D_p_dot_ry_3 = t60*(A_ry_1*t259 + A_ry_2*t260 + A_ry_3*t264 + A_ry_4*t261 + A_ry_5*t262 + A_ry_6*t263)
+    D_p_dot_rz_3 = t60*(A_rz_1*t259 + A_rz_2*t260 + A_rz_3*t264 + A_rz_4*t261 + A_rz_5*t262 + A_rz_6*t263)
+    t265 = (
+        -D_l_dot_1_rx*D_p_rx_4 - D_l_dot_1_ry*D_p_ry_4 - D_l_dot_1_rz*D_p_rz_4 - D_p_x_4*s_dot_1_x
+        - D_p_y_4*s_dot_1_y - D_p_z_4*s_dot_1_z
+    )
+    t266 = (
+        -D_l_dot_2_rx*D_p_rx_4 - D_l_dot_2_ry*D_p_ry_4 - D_l_dot_2_rz*D_p_rz_4 - D_p_x_4*s_dot_2_x
+        - D_p_y_4*s_dot_2_y - D_p_z_4*s_dot_2_z
+    )
+    t267 = (
+        -D_l_dot_3_rx*D_p_rx_4 - D_l_dot_3_ry*D_p_ry_4 - D_l_dot_3_rz*D_p_rz_4 - D_p_x_4*s_dot_3_x
+        - D_p_y_4*s_dot_3_y - D_p_z_4*s_dot_3_z
+    )
+    t268 = (
+        -D_l_dot_5_rx*D_p_rx_4 - D_l_dot_5_ry*D_p_ry_4 - D_l_dot_5_rz*D_p_rz_4 - D_p_x_4*s_dot_5_x
+        - D_p_y_4*s_dot_5_y - D_p_z_4*s_dot_5_z
+    )
+    t269 = (
+        -D_l_dot_6_rx*D_p_rx_4 - D_l_dot_6_ry*D_p_ry_4 - D_l_dot_6_rz*D_p_rz_4 - D_p_x_4*s_dot_6_x
+        - D_p_y_4*s_dot_6_y - D_p_z_4*s_dot_6_z
+    )
+    t270 = (
+        -D_l_dot_4_rx*D_p_rx_4 - D_l_dot_4_ry*D_p_ry_4 - D_l_dot_4_rz*D_p_rz_4 - D_p_x_4*s_dot_4_x
+        - D_p_y_4*s_dot_4_y - D_p_z_4*s_dot_4_z + l_4_dot
+    )
+    D_p_dot_x_4 = t60*(A_x_1*t265 + A_x_2*t266 + A_x_3*t267 + A_x_4*t270 + A_x_5*t268 + A_x_6*t269)
+    D_p_dot_y_4 = t60*(A_y_1*t265 + A_y_2*t266 + A_y_3*t267 + A_y_4*t270 + A_y_5*t268 + A_y_6*t269)
+    D_p_dot_z_4 = t60*(A_z_1*t265 + A_z_2*t266 + A_z_3*t267 + A_z_4*t270 + A_z_5*t268 + A_z_6*t269)
+    D_p_dot_rx_4 = t60*(A_rx_1*t265 + A_rx_2*t266 + A_rx_3*t267 + A_rx_4*t270 + A_rx_5*t268 + A_rx_6*t269)
+    D_p_dot_ry_4 = t60*(A_ry_1*t265 + A_ry_2*t266 + A_ry_3*t267 + A_ry_4*t270 + A_ry_5*t268 + A_ry_6*t269)
+    D_p_dot_rz_4 = t60*(A_rz_1*t265 + A_rz_2*t266 + A_rz_3*t267 + A_rz_4*t270 + A_rz_5*t268 + A_rz_6*t269)
+    t271 = (
+        -D_l_dot_1_rx*D_p_rx_5 - D_l_dot_1_ry*D_p_ry_5 - D_l_dot_1_rz*D_p_rz_5 - D_p_x_5*s_dot_1_x
+        - D_p_y_5*s_dot_1_y - D_p_z_5*s_dot_1_z
+    )
+    t272 = (
+        -D_l_dot_2_rx*D_p_rx_5 - D_l_dot_2_ry*D_p_ry_5 - D_l_dot_2_rz*D_p_rz_5 - D_p_x_5*s_dot_2_x
+        - D_p_y_5*s_dot_2_y - D_p_z_5*s_dot_2_z
+    )
+    t273 = (
+        -D_l_dot_3_rx*D_p_rx_5 - D_l_dot_3_ry*D_p_ry_5 - D_l_dot_3_rz*D_p_rz_5 - D_p_x_5*s_dot_3_x
+        - D_p_y_5*s_dot_3_y - D_p_z_5*s_dot_3_z
+    )
+    t274 = (
+        -D_l_dot_4_rx*D_p_rx_5 - D_l_dot_4_ry*D_p_ry_5 - D_l_dot_4_rz*D_p_rz_5 - D_p_x_5*s_dot_4_x
+        - D_p_y_5*s_dot_4_y - D_p_z_5*s_dot_4_z
+    )
+    t275 = (
+        -D_l_dot_6_rx*D_p_rx_5 - D_l_dot_6_ry*D_p_ry_5 - D_l_dot_6_rz*D_p_rz_5 - D_p_x_5*s_dot_6_x
+        - D_p_y_5*s_dot_6_y - D_p_z_5*s_dot_6_z
+    )
+    t276 = (
+        -D_l_dot_5_rx*D_p_rx_5 - D_l_dot_5_ry*D_p_ry_5 - D_l_dot_5_rz*D_p_rz_5 - D_p_x_5*s_dot_5_x
+        - D_p_y_5*s_dot_5_y - D_p_z_5*s_dot_5_z + l_5_dot
+    )
+    D_p_dot_x_5 = t60*(A_x_1*t271 + A_x_2*t272 + A_x_3*t273 + A_x_4*t274 + A_x_5*t276 + A_x_6*t275)
+    D_p_dot_y_5 = t60*(A_y_1*t271 + A_y_2*t272 + A_y_3*t273 + A_y_4*t274 + A_y_5*t276 + A_y_6*t275)
+    D_p_dot_z_5 = t60*(A_z_1*t271 + A_z_2*t272 + A_z_3*t273 + A_z_4*t274 + A_z_5*t276 + A_z_6*t275)
+    D_p_dot_rx_5 = t60*(A_rx_1*t271 + A_rx_2*t272 + A_rx_3*t273 + A_rx_4*t274 + A_rx_5*t276 + A_rx_6*t275)
+    D_p_dot_ry_5 = t60*(A_ry_1*t271 + A_ry_2*t272 + A_ry_3*t273 + A_ry_4*t274 + A_ry_5*t276 + A_ry_6*t275)
+    D_p_dot_rz_5 = t60*(A_rz_1*t271 + A_rz_2*t272 + A_rz_3*t273 + A_rz_4*t274 + A_rz_5*t276 + A_rz_6*t275)
+    t277 = (
+        -D_l_dot_1_rx*D_p_rx_6 - D_l_dot_1_ry*D_p_ry_6 - D_l_dot_1_rz*D_p_rz_6 - D_p_x_6*s_dot_1_x
+        - D_p_y_6*s_dot_1_y - D_p_z_6*s_dot_1_z
+    )
+    t278 = (
+        -D_l_dot_2_rx*D_p_rx_6 - D_l_dot_2_ry*D_p_ry_6 - D_l_dot_2_rz*D_p_rz_6 - D_p_x_6*s_dot_2_x
+        - D_p_y_6*s_dot_2_y - D_p_z_6*s_dot_2_z
+    )
+    t279 = (
+        -D_l_dot_3_rx*D_p_rx_6 - D_l_dot_3_ry*D_p_ry_6 - D_l_dot_3_rz*D_p_rz_6 - D_p_x_6*s_dot_3_x
+        - D_p_y_6*s_dot_3_y - D_p_z_6*s_dot_3_z
+    )
+    t280 = (
+        -D_l_dot_4_rx*D_p_rx_6 - D_l_dot_4_ry*D_p_ry_6 - D_l_dot_4_rz*D_p_rz_6 - D_p_x_6*s_dot_4_x
+        - D_p_y_6*s_dot_4_y - D_p_z_6*s_dot_4_z
+    )
+    t281 = (
+        -D_l_dot_5_rx*D_p_rx_6 - D_l_dot_5_ry*D_p_ry_6 - D_l_dot_5_rz*D_p_rz_6 - D_p_x_6*s_dot_5_x
+        - D_p_y_6*s_dot_5_y - D_p_z_6*s_dot_5_z
+    )
+    t282 = (
+        -D_l_dot_6_rx*D_p_rx_6 - D_l_dot_6_ry*D_p_ry_6 - D_l_dot_6_rz*D_p_rz_6 - D_p_x_6*s_dot_6_x
+        - D_p_y_6*s_dot_6_y - D_p_z_6*s_dot_6_z + l_6_dot
+    )
+    D_p_dot_x_6 = t60*(A_x_1*t277 + A_x_2*t278 + A_x_3*t279 + A_x_4*t280 + A_x_5*t281 + A_x_6*t282)
+    D_p_dot_y_6 = t60*(A_y_1*t277 + A_y_2*t278 + A_y_3*t279 + A_y_4*t280 + A_y_5*t281 + A_y_6*t282)
+    D_p_dot_z_6 = t60*(A_z_1*t277 + A_z_2*t278 + A_z_3*t279 + A_z_4*t280 + A_z_5*t281 + A_z_6*t282)
+    D_p_dot_rx_6 = t60*(A_rx_1*t277 + A_rx_2*t278 + A_rx_3*t279 + A_rx_4*t280 + A_rx_5*t281 + A_rx_6*t282)
+    D_p_dot_ry_6 = t60*(A_ry_1*t277 + A_ry_2*t278 + A_ry_3*t279 + A_ry_4*t280 + A_ry_5*t281 + A_ry_6*t282)
+    D_p_dot_rz_6 = t60*(A_rz_1*t277 + A_rz_2*t278 + A_rz_3*t279 + A_rz_4*t280 + A_rz_5*t281 + A_rz_6*t282)
+    a_p_x = (
+        D_p_dot_x_1*l_1_dot + D_p_dot_x_2*l_2_dot + D_p_dot_x_3*l_3_dot + D_p_dot_x_4*l_4_dot
+        + D_p_dot_x_5*l_5_dot + D_p_dot_x_6*l_6_dot
+    )
+    a_p_y = (
+        D_p_dot_y_1*l_1_dot + D_p_dot_y_2*l_2_dot + D_p_dot_y_3*l_3_dot + D_p_dot_y_4*l_4_dot
+        + D_p_dot_y_5*l_5_dot + D_p_dot_y_6*l_6_dot
+    )
+    a_p_z = (
+        D_p_dot_z_1*l_1_dot + D_p_dot_z_2*l_2_dot + D_p_dot_z_3*l_3_dot + D_p_dot_z_4*l_4_dot
+        + D_p_dot_z_5*l_5_dot + D_p_dot_z_6*l_6_dot
+    )
+    a_p_rx = (
+        D_p_dot_rx_1*l_1_dot + D_p_dot_rx_2*l_2_dot + D_p_dot_rx_3*l_3_dot + D_p_dot_rx_4*l_4_dot
+        + D_p_dot_rx_5*l_5_dot + D_p_dot_rx_6*l_6_dot
+    )
+    a_p_ry = (
+        D_p_dot_ry_1*l_1_dot + D_p_dot_ry_2*l_2_dot + D_p_dot_ry_3*l_3_dot + D_p_dot_ry_4*l_4_dot
+        + D_p_dot_ry_5*l_5_dot + D_p_dot_ry_6*l_6_dot
+    )
+    a_p_rz = (
+        D_p_dot_rz_1*l_1_dot + D_p_dot_rz_2*l_2_dot + D_p_dot_rz_3*l_3_dot + D_p_dot_rz_4*l_4_dot
+        + D_p_dot_rz_5*l_5_dot + D_p_dot_rz_6*l_6_dot
+    )
+    t283 = 2*v_p_y
+    t284 = c_x*w_p_y
+    t285 = 2*c_y
+    t286 = c_x*w_p_z
+    t287 = 2*t286
+    t288 = c_y**2
+    t289 = c_z**2
+    t290 = (1/2)*m_p
+    t291 = B_1_z*v_p_y
+    t292 = B_1_x*w_p_y
+    t293 = B_1_y*t292
+    t294 = B_1_x*w_p_z
+    t295 = B_1_z*t294
+    t296 = B_1_y**2
+    t297 = B_1_z**2
+    t298 = t296 + t297
+    t299 = (1/2)*m_perp_1
+    t300 = B_2_z*v_p_y
+    t301 = B_2_x*w_p_y
+    t302 = B_2_y*t301
+    t303 = B_2_x*w_p_z
+    t304 = B_2_z*t303
+    t305 = B_2_y**2
+    t306 = B_2_z**2
+    t307 = t305 + t306
+    t308 = (1/2)*m_perp_2
+    t309 = B_3_z*v_p_y
+    t310 = B_3_x*w_p_y
+    t311 = B_3_y*t310
+    t312 = B_3_x*w_p_z
+    t313 = B_3_z*t312
+    t314 = B_3_y**2
+    t315 = B_3_z**2
+    t316 = t314 + t315
+    t317 = (1/2)*m_perp_3
+    t318 = B_4_z*v_p_y
+    t319 = B_4_x*w_p_y
+    t320 = B_4_y*t319
+    t321 = B_4_x*w_p_z
+    t322 = B_4_z*t321
+    t323 = B_4_y**2
+    t324 = B_4_z**2
+    t325 = t323 + t324
+    t326 = (1/2)*m_perp_4
+    t327 = B_5_z*v_p_y
+    t328 = B_5_x*w_p_y
+    t329 = B_5_y*t328
+    t330 = B_5_x*w_p_z
+    t331 = B_5_z*t330
+    t332 = B_5_y**2
+    t333 = B_5_z**2
+    t334 = t332 + t333
+    t335 = (1/2)*m_perp_5
+    t336 = B_6_z*v_p_y
+    t337 = B_6_x*w_p_y
+    t338 = B_6_y*t337
+    t339 = B_6_x*w_p_z
+    t340 = B_6_z*t339
+    t341 = B_6_y**2
+    t342 = B_6_z**2
+    t343 = t341 + t342
+    t344 = (1/2)*m_perp_6
+    pi_rx = (
+        J_x_x*w_p_x + J_x_y*w_p_y + J_x_z*w_p_z + t290*(2*c_y*v_p_z - c_z*t283 - c_z*t287 - t284*t285
+        + 2*w_p_x*(t288 + t289)) + t299*(2*B_1_y*v_p_z - 2*t291 - 2*t293 - 2*t295 + 2*t298*w_p_x)
+        + t308*(2*B_2_y*v_p_z - 2*t300 - 2*t302 - 2*t304 + 2*t307*w_p_x) + t317*(2*B_3_y*v_p_z - 2*t309
+        - 2*t311 - 2*t313 + 2*t316*w_p_x) + t326*(2*B_4_y*v_p_z - 2*t318 - 2*t320 - 2*t322 + 2*t325*w_p_x)
+        + t335*(2*B_5_y*v_p_z - 2*t327 - 2*t329 - 2*t331 + 2*t334*w_p_x) + t344*(2*B_6_y*v_p_z - 2*t336
+        - 2*t338 - 2*t340 + 2*t343*w_p_x)
+    )
+    t345 = 2*v_p_z
+    t346 = c_y*w_p_x
+    t347 = 2*t346
+    t348 = c_y*w_p_z
+    t349 = c_x**2
+    t350 = B_1_y*w_p_x
+    t351 = B_1_x*t350
+    t352 = B_1_y*w_p_z
+    t353 = B_1_x**2
+    t354 = t297 + t353
+    t355 = B_2_y*w_p_x
+    t356 = B_2_x*t355
+    t357 = B_2_y*w_p_z
+    t358 = B_2_x**2
+    t359 = t306 + t358
+    t360 = B_3_y*w_p_x
+    t361 = B_3_x*t360
+    t362 = B_3_y*w_p_z
+    t363 = B_3_x**2
+    t364 = t315 + t363
+    t365 = B_4_y*w_p_x
+    t366 = B_4_x*t365
+    t367 = B_4_y*w_p_z
+    t368 = B_4_x**2
+    t369 = t324 + t368
+    t370 = B_5_y*w_p_x
+    t371 = B_5_x*t370
+    t372 = B_5_y*w_p_z
+    t373 = B_5_x**2
+    t374 = t333 + t373
+    t375 = B_6_y*w_p_x
+    t376 = B_6_x*t375
+    t377 = B_6_y*w_p_z
+    t378 = B_6_x**2
+    t379 = t342 + t378
+    pi_ry = (
+        J_x_y*w_p_x + J_y_y*w_p_y + J_y_z*w_p_z + t290*(-c_x*t345 - c_x*t347 - 2*c_z*t348 + 2*c_z*v_p_x
+        + 2*w_p_y*(t289 + t349)) + t299*(-B_1_x*t345 - 2*B_1_z*t352 + 2*B_1_z*v_p_x - 2*t351 + 2*t354*w_p_y)
+        + t308*(-B_2_x*t345 - 2*B_2_z*t357 + 2*B_2_z*v_p_x - 2*t356 + 2*t359*w_p_y) + t317*(-B_3_x*t345
+        - 2*B_3_z*t362 + 2*B_3_z*v_p_x - 2*t361 + 2*t364*w_p_y) + t326*(-B_4_x*t345 - 2*B_4_z*t367
+        + 2*B_4_z*v_p_x - 2*t366 + 2*t369*w_p_y) + t335*(-B_5_x*t345 - 2*B_5_z*t372 + 2*B_5_z*v_p_x - 2*t371
+        + 2*t374*w_p_y) + t344*(-B_6_x*t345 - 2*B_6_z*t377 + 2*B_6_z*v_p_x - 2*t376 + 2*t379*w_p_y)
+    )
+    t380 = 2*v_p_x
+    t381 = c_z*w_p_x
+    t382 = 2*c_x
+    t383 = c_z*w_p_y
+    t384 = B_1_z*w_p_x
+    t385 = 2*B_1_x
+    t386 = B_1_z*w_p_y
+    t387 = t296 + t353
+    t388 = B_2_z*w_p_x
+    t389 = 2*B_2_x
+    t390 = B_2_z*w_p_y
+    t391 = t305 + t358
+    t392 = B_3_z*w_p_x
+    t393 = 2*B_3_x
+    t394 = B_3_z*w_p_y
+    t395 = t314 + t363
+    t396 = B_4_z*w_p_x
+    t397 = 2*B_4_x
+    t398 = B_4_z*w_p_y
+    t399 = t323 + t368
+    t400 = B_5_z*w_p_x
+    t401 = 2*B_5_x
+    t402 = B_5_z*w_p_y
+    t403 = t332 + t373
+    t404 = B_6_z*w_p_x
+    t405 = 2*B_6_x
+    t406 = B_6_z*w_p_y
+    t407 = t341 + t378
+    pi_rz = (
+        J_x_z*w_p_x + J_y_z*w_p_y + J_z_z*w_p_z + t290*(2*c_x*v_p_y - c_y*t380 - t285*t383 - t381*t382
+        + 2*w_p_z*(t288 + t349)) + t299*(2*B_1_x*v_p_y - B_1_y*t380 - 2*B_1_y*t386 - t384*t385 + 2*t387*w_p_z)
+        + t308*(2*B_2_x*v_p_y - B_2_y*t380 - 2*B_2_y*t390 - t388*t389 + 2*t391*w_p_z) + t317*(2*B_3_x*v_p_y
+        - B_3_y*t380 - 2*B_3_y*t394 - t392*t393 + 2*t395*w_p_z) + t326*(2*B_4_x*v_p_y - B_4_y*t380
+        - 2*B_4_y*t398 - t396*t397 + 2*t399*w_p_z) + t335*(2*B_5_x*v_p_y - B_5_y*t380 - 2*B_5_y*t402
+        - t400*t401 + 2*t403*w_p_z) + t344*(2*B_6_x*v_p_y - B_6_y*t380 - 2*B_6_y*t406 - t404*t405
+        + 2*t407*w_p_z)
+    )
+    t408 = m_p + m_perp_1 + m_perp_2 + m_perp_3 + m_perp_4 + m_perp_5 + m_perp_6
+    t409 = c_y*w_p_x - t284
+    t410 = m_p*t409
+    t411 = B_1_y*w_p_x - t292
+    t412 = m_perp_1*t411
+    t413 = B_2_y*w_p_x - t301
+    t414 = m_perp_2*t413
+    t415 = B_3_y*w_p_x - t310
+    t416 = m_perp_3*t415
+    t417 = B_4_y*w_p_x - t319
+    t418 = m_perp_4*t417
+    t419 = B_5_y*w_p_x - t328
+    t420 = m_perp_5*t419
+    t421 = B_6_y*w_p_x - t337
+    t422 = m_perp_6*t421
+    t423 = t286 - t381
+    t424 = m_p*w_p_z
+    t425 = t294 - t384
+    t426 = m_perp_1*w_p_z
+    t427 = t303 - t388
+    t428 = m_perp_2*w_p_z
+    t429 = t312 - t392
+    t430 = m_perp_3*w_p_z
+    t431 = t321 - t396
+    t432 = m_perp_4*w_p_z
+    t433 = t330 - t400
+    t434 = m_perp_5*w_p_z
+    t435 = t339 - t404
+    t436 = m_perp_6*w_p_z
+    t437 = B_1_z*m_perp_1
+    t438 = B_2_z*m_perp_2
+    t439 = B_3_z*m_perp_3
+    t440 = B_4_z*m_perp_4
+    t441 = B_5_z*m_perp_5
+    t442 = B_6_z*m_perp_6
+    t443 = c_z*m_p
+    t444 = t437 + t438 + t439 + t440 + t441 + t442 + t443
+    t445 = B_1_y*m_perp_1
+    t446 = B_2_y*m_perp_2
+    t447 = B_3_y*m_perp_3
+    t448 = B_4_y*m_perp_4
+    t449 = B_5_y*m_perp_5
+    t450 = B_6_y*m_perp_6
+    t451 = c_y*m_p
+    t452 = t445 + t446 + t447 + t448 + t449 + t450 + t451
+    t453 = 2/l_1**3
+    t454 = -I_b_1*t453 - I_r_1*t453 + 2*c_r_1*m_r_1*t42*t44 - t43*t453
+    t455 = l_1_dot*t454
+    t456 = 2/l_2**3
+    t457 = -I_b_2*t456 - I_r_2*t456 + 2*c_r_2*m_r_2*t45*t47 - t456*t46
+    t458 = l_2_dot*t457
+    t459 = 2/l_3**3
+    t460 = -I_b_3*t459 - I_r_3*t459 + 2*c_r_3*m_r_3*t48*t50 - t459*t49
+    t461 = l_3_dot*t460
+    t462 = 2/l_4**3
+    t463 = -I_b_4*t462 - I_r_4*t462 + 2*c_r_4*m_r_4*t51*t53 - t462*t52
+    t464 = l_4_dot*t463
+    t465 = 2/l_5**3
+    t466 = -I_b_5*t465 - I_r_5*t465 + 2*c_r_5*m_r_5*t54*t56 - t465*t55
+    t467 = l_5_dot*t466
+    t468 = 2/l_6**3
+    t469 = -I_b_6*t468 - I_r_6*t468 + 2*c_r_6*m_r_6*t57*t59 - t468*t58
+    t470 = l_6_dot*t469
+    z_x = (
+        a_p_ry*t444 - a_p_rz*t452 + a_p_x*t408 + t410*w_p_y + t412*w_p_y + t414*w_p_y + t416*w_p_y
+        + t418*w_p_y + t420*w_p_y + t422*w_p_y - t423*t424 - t425*t426 - t427*t428 - t429*t430 - t431*t432
+        - t433*t434 - t435*t436 + t455*(-t352 + t386 + v_p_x) + t458*(-t357 + t390 + v_p_x) + t461*(-t362
+        + t394 + v_p_x) + t464*(-t367 + t398 + v_p_x) + t467*(-t372 + t402 + v_p_x) + t470*(-t377 + t406
+        + v_p_x)
+    )
+    t471 = c_z*w_p_y - t348
+    t472 = B_1_z*w_p_y - t352
+    t473 = B_2_z*w_p_y - t357
+    t474 = B_3_z*w_p_y - t362
+    t475 = B_4_z*w_p_y - t367
+    t476 = B_5_z*w_p_y - t372
+    t477 = B_6_z*w_p_y - t377
+    t478 = B_1_x*m_perp_1
+    t479 = B_2_x*m_perp_2
+    t480 = B_3_x*m_perp_3
+    t481 = B_4_x*m_perp_4
+    t482 = B_5_x*m_perp_5
+    t483 = B_6_x*m_perp_6
+    t484 = c_x*m_p
+    t485 = t478 + t479 + t480 + t481 + t482 + t483 + t484
+    z_y = (
+        -a_p_rx*t444 + a_p_rz*t485 + a_p_y*t408 - t410*w_p_x - t412*w_p_x - t414*w_p_x - t416*w_p_x
+        - t418*w_p_x - t420*w_p_x - t422*w_p_x + t424*t471 + t426*t472 + t428*t473 + t430*t474 + t432*t475
+        + t434*t476 + t436*t477 + t455*(t425 + v_p_y) + t458*(t427 + v_p_y) + t461*(t429 + v_p_y) + t464*(t431
+        + v_p_y) + t467*(t433 + v_p_y) + t470*(t435 + v_p_y)
+    )
+    z_z = (
+        a_p_rx*t452 - a_p_ry*t485 + a_p_z*t408 + m_p*t423*w_p_x - m_p*t471*w_p_y + m_perp_1*t425*w_p_x
+        - m_perp_1*t472*w_p_y + m_perp_2*t427*w_p_x - m_perp_2*t473*w_p_y + m_perp_3*t429*w_p_x
+        - m_perp_3*t474*w_p_y + m_perp_4*t431*w_p_x - m_perp_4*t475*w_p_y + m_perp_5*t433*w_p_x
+        - m_perp_5*t476*w_p_y + m_perp_6*t435*w_p_x - m_perp_6*t477*w_p_y + t455*(-t292 + t350 + v_p_z)
+        + t458*(-t301 + t355 + v_p_z) + t461*(-t310 + t360 + v_p_z) + t464*(-t319 + t365 + v_p_z)
+        + t467*(-t328 + t370 + v_p_z) + t470*(-t337 + t375 + v_p_z)
+    )
+    t486 = 2*w_p_y
+    t487 = c_y*t486
+    t488 = 2*w_p_z
+    t489 = c_z*t488
+    t490 = t290*t471
+    t491 = B_1_y*t486
+    t492 = B_1_z*t488
+    t493 = t299*t472
+    t494 = B_2_y*t486
+    t495 = B_2_z*t488
+    t496 = t308*t473
+    t497 = B_3_y*t486
+    t498 = B_3_z*t488
+    t499 = t317*t474
+    t500 = B_4_y*t486
+    t501 = B_4_z*t488
+    t502 = t326*t475
+    t503 = B_5_y*t486
+    t504 = B_5_z*t488
+    t505 = t335*t476
+    t506 = B_6_y*t486
+    t507 = B_6_z*t488
+    t508 = t344*t477
+    t509 = t290*t409
+    t510 = t290*t423
+    t511 = t299*t411
+    t512 = t299*t425
+    t513 = t308*t413
+    t514 = t308*t427
+    t515 = t317*t415
+    t516 = t317*t429
+    t517 = t326*t417
+    t518 = t326*t431
+    t519 = t335*t419
+    t520 = t335*t433
+    t521 = t344*t421
+    t522 = t344*t435
+    t523 = w_p_x**2
+    t524 = w_p_y**2
+    t525 = 2*w_p_x
+    t526 = t283*w_p_x - 2*v_p_x*w_p_y
+    t527 = B_1_z*t523 + B_1_z*t524 - 1/2*t294*t525 - 1/2*t352*t486 - 1/2*t526
+    t528 = w_p_z**2
+    t529 = t380*w_p_z - 2*v_p_z*w_p_x
+    t530 = 2*B_1_y*t523 + 2*B_1_y*t528 - t292*t525 - t386*t488 - t529
+    t531 = (1/2)*t437
+    t532 = B_2_z*t523 + B_2_z*t524 - 1/2*t303*t525 - 1/2*t357*t486 - 1/2*t526
+    t533 = 2*B_2_y*t523 + 2*B_2_y*t528 - t301*t525 - t390*t488 - t529
+    t534 = (1/2)*t438
+    t535 = B_3_z*t523 + B_3_z*t524 - 1/2*t312*t525 - 1/2*t362*t486 - 1/2*t526
+    t536 = 2*B_3_y*t523 + 2*B_3_y*t528 - t310*t525 - t394*t488 - t529
+    t537 = (1/2)*t439
+    t538 = B_4_z*t523 + B_4_z*t524 - 1/2*t321*t525 - 1/2*t367*t486 - 1/2*t526
+    t539 = 2*B_4_y*t523 + 2*B_4_y*t528 - t319*t525 - t398*t488 - t529
+    t540 = (1/2)*t440
+    t541 = B_5_z*t523 + B_5_z*t524 - 1/2*t330*t525 - 1/2*t372*t486 - 1/2*t526
+    t542 = 2*B_5_y*t523 + 2*B_5_y*t528 - t328*t525 - t402*t488 - t529
+    t543 = (1/2)*t441
+    t544 = B_6_z*t523 + B_6_z*t524 - 1/2*t339*t525 - 1/2*t377*t486 - 1/2*t526
+    t545 = 2*B_6_y*t523 + 2*B_6_y*t528 - t337*t525 - t406*t488 - t529
+    t546 = (1/2)*t442
+    t547 = c_z*t523 + c_z*t524 - 1/2*t286*t525 - 1/2*t348*t486 - 1/2*t526
+    t548 = 2*c_y*t523 + 2*c_y*t528 - t284*t525 - t383*t488 - t529
+    t549 = (1/2)*t443
+    t550 = -B_1_x*t445 - B_2_x*t446 - B_3_x*t447 - B_4_x*t448 - B_5_x*t449 - B_6_x*t450 + J_x_y - c_x*t451
+    t551 = -B_1_x*t437 - B_2_x*t438 - B_3_x*t439 - B_4_x*t440 - B_5_x*t441 - B_6_x*t442 + J_x_z - c_x*t443
+    t552 = t12 + t14 + t18
+    t553 = w_p_x*w_p_y
+    t554 = t24 + t25 + t33
+    t555 = w_p_y*w_p_z
+    t556 = I_p_x*R_y_x
+    t557 = t28 + t30 + 2*t556
+    t558 = (1/2)*t524
+    t559 = t552*t553 + t554*t555 + t557*t558
+    t560 = t16 + t19 + t21
+    t561 = t26 + t34 + t36
+    t562 = I_p_xy*R_y_x
+    t563 = I_p_y*R_y_y
+    t564 = t32 + 2*t562 + 2*t563
+    t565 = t553*t560 + t555*t561 + t558*t564
+    t566 = t20 + t22 + t23
+    t567 = t35 + t37 + t38
+    t568 = I_p_xz*R_y_x
+    t569 = I_p_yz*R_y_y
+    t570 = I_p_z*R_y_z
+    t571 = 2*t568 + 2*t569 + 2*t570
+    t572 = t553*t566 + t555*t567 + t558*t571
+    t573 = w_p_x*w_p_z
+    t574 = t27 + t29 + t556
+    t575 = 2*t33 + t39 + t40
+    t576 = (1/2)*t528
+    t577 = t552*t573 + t555*t574 + t575*t576
+    t578 = t31 + t562 + t563
+    t579 = 2*t34 + 2*t36 + t41
+    t580 = t555*t578 + t560*t573 + t576*t579
+    t581 = t568 + t569 + t570
+    t582 = 2*t35 + 2*t37 + 2*t38
+    t583 = t555*t581 + t566*t573 + t576*t582
+    t584 = -R_y_x*w_p_z + R_z_x*w_p_y
+    t585 = t13 + t15 + 2*t18
+    t586 = -R_y_y*w_p_z + R_z_y*w_p_y
+    t587 = t17 + 2*t19 + 2*t21
+    t588 = -R_y_z*w_p_z + R_z_z*w_p_y
+    t589 = 2*t20 + 2*t22 + 2*t23
+    t590 = 2*t288
+    t591 = 2*t289
+    t592 = 2*t296
+    t593 = 2*t297
+    t594 = 2*t305
+    t595 = 2*t306
+    t596 = 2*t314
+    t597 = 2*t315
+    t598 = 2*t323
+    t599 = 2*t324
+    t600 = 2*t332
+    t601 = 2*t333
+    t602 = 2*t341
+    t603 = 2*t342
+    t604 = R_x_x*w_p_z - R_z_x*w_p_x
+    t605 = R_x_y*w_p_z - R_z_y*w_p_x
+    t606 = R_x_z*w_p_z - R_z_z*w_p_x
+    t607 = t552*t604 + t560*t605 + t566*t606 + t574*t584 + t578*t586 + t581*t588
+    t608 = -R_x_x*w_p_y + R_y_x*w_p_x
+    t609 = -R_x_y*w_p_y + R_y_y*w_p_x
+    t610 = -R_x_z*w_p_y + R_y_z*w_p_x
+    t611 = t552*t608 + t554*t584 + t560*t609 + t561*t586 + t566*t610 + t567*t588
+    z_rx = (
+        -R_y_x*t577 - R_y_y*t580 - R_y_z*t583 + R_z_x*t559 + R_z_y*t565 + R_z_z*t572 + a_p_rx*(J_x_x
+        + t290*(t590 + t591) + t299*(t592 + t593) + t308*(t594 + t595) + t317*(t596 + t597) + t326*(t598
+        + t599) + t335*(t600 + t601) + t344*(t602 + t603)) + a_p_ry*t550 + a_p_rz*t551 - a_p_y*t444
+        + a_p_z*t452 + pi_ry*w_p_z - pi_rz*w_p_y - t445*t527 - t446*t532 - t447*t535 - t448*t538 - t449*t541
+        - t450*t544 - t451*t547 + t455*(B_1_y*v_p_z - t291 - t293 - t295 + t298*w_p_x) + t458*(B_2_y*v_p_z
+        - t300 - t302 - t304 + t307*w_p_x) + t461*(B_3_y*v_p_z - t309 - t311 - t313 + t316*w_p_x)
+        + t464*(B_4_y*v_p_z - t318 - t320 - t322 + t325*w_p_x) + t467*(B_5_y*v_p_z - t327 - t329 - t331
+        + t334*w_p_x) + t470*(B_6_y*v_p_z - t336 - t338 - t340 + t343*w_p_x) + t490*(-t487 - t489)
+        + t493*(-t491 - t492) + t496*(-t494 - t495) + t499*(-t497 - t498) + t502*(-t500 - t501) + t505*(-t503
+        - t504) + t508*(-t506 - t507) + t509*(4*c_z*w_p_x - t283 - t287) + t510*(-2*t284 + t345 + 4*t346)
+        + t511*(4*B_1_z*w_p_x - t283 - 2*t294) + t512*(-2*t292 + t345 + 4*t350) + t513*(4*B_2_z*w_p_x - t283
+        - 2*t303) + t514*(-2*t301 + t345 + 4*t355) + t515*(4*B_3_z*w_p_x - t283 - 2*t312) + t516*(-2*t310
+        + t345 + 4*t360) + t517*(4*B_4_z*w_p_x - t283 - 2*t321) + t518*(-2*t319 + t345 + 4*t365)
+        + t519*(4*B_5_z*w_p_x - t283 - 2*t330) + t520*(-2*t328 + t345 + 4*t370) + t521*(4*B_6_z*w_p_x - t283
+        - 2*t339) + t522*(-2*t337 + t345 + 4*t375) + t530*t531 + t533*t534 + t536*t537 + t539*t540 + t542*t543
+        + t545*t546 + t548*t549 + t607*w_p_y + t611*w_p_z + w_p_x*(t584*t585 + t586*t587 + t588*t589)
+    )
+    t612 = c_x*t525
+    t613 = B_1_x*t525
+    t614 = B_2_x*t525
+    t615 = B_3_x*t525
+    t616 = B_4_x*t525
+    t617 = B_5_x*t525
+    t618 = B_6_x*t525
+    t619 = t283*w_p_z - t345*w_p_y
+    t620 = -t350*t486 - t384*t488 + t385*t524 + t385*t528 + t619
+    t621 = -t355*t486 - t388*t488 + t389*t524 + t389*t528 + t619
+    t622 = -t360*t486 - t392*t488 + t393*t524 + t393*t528 + t619
+    t623 = -t365*t486 - t396*t488 + t397*t524 + t397*t528 + t619
+    t624 = -t370*t486 - t400*t488 + t401*t524 + t401*t528 + t619
+    t625 = -t375*t486 - t404*t488 + t405*t524 + t405*t528 + t619
+    t626 = -t346*t486 - t381*t488 + t382*t524 + t382*t528 + t619
+    t627 = -B_1_y*t437 - B_2_y*t438 - B_3_y*t439 - B_4_y*t440 - B_5_y*t441 - B_6_y*t442 + J_y_z - c_y*t443
+    t628 = (1/2)*t523
+    t629 = t553*t574 + t554*t573 + t585*t628
+    t630 = t553*t578 + t561*t573 + t587*t628
+    t631 = t553*t581 + t567*t573 + t589*t628
+    t632 = 2*t349
+    t633 = 2*t353
+    t634 = 2*t358
+    t635 = 2*t363
+    t636 = 2*t368
+    t637 = 2*t373
+    t638 = 2*t378
+    t639 = t554*t604 + t561*t605 + t567*t606 + t574*t608 + t578*t609 + t581*t610
+    z_ry = (
+        R_x_x*t577 + R_x_y*t580 + R_x_z*t583 - R_z_x*t629 - R_z_y*t630 - R_z_z*t631 + a_p_rx*t550
+        + a_p_ry*(J_y_y + t290*(t591 + t632) + t299*(t593 + t633) + t308*(t595 + t634) + t317*(t597 + t635)
+        + t326*(t599 + t636) + t335*(t601 + t637) + t344*(t603 + t638)) + a_p_rz*t627 + a_p_x*t444
+        - a_p_z*t485 - pi_rx*w_p_z + pi_rz*w_p_x + t455*(-B_1_x*v_p_z - B_1_z*t352 + B_1_z*v_p_x - t351
+        + t354*w_p_y) + t458*(-B_2_x*v_p_z - B_2_z*t357 + B_2_z*v_p_x - t356 + t359*w_p_y)
+        + t461*(-B_3_x*v_p_z - B_3_z*t362 + B_3_z*v_p_x - t361 + t364*w_p_y) + t464*(-B_4_x*v_p_z - B_4_z*t367
+        + B_4_z*v_p_x - t366 + t369*w_p_y) + t467*(-B_5_x*v_p_z - B_5_z*t372 + B_5_z*v_p_x - t371
+        + t374*w_p_y) + t470*(-B_6_x*v_p_z - B_6_z*t377 + B_6_z*v_p_x - t376 + t379*w_p_y) + t478*t527
+        + t479*t532 + t480*t535 + t481*t538 + t482*t541 + t483*t544 + t484*t547 + t490*(4*c_x*w_p_y - t345
+        - t347) + t493*(4*B_1_x*w_p_y - t345 - 2*t350) + t496*(4*B_2_x*w_p_y - t345 - 2*t355)
+        + t499*(4*B_3_x*w_p_y - t345 - 2*t360) + t502*(4*B_4_x*w_p_y - t345 - 2*t365) + t505*(4*B_5_x*w_p_y
+        - t345 - 2*t370) + t508*(4*B_6_x*w_p_y - t345 - 2*t375) + t509*(-2*t348 + t380 + 4*t383) + t510*(-t489
+        - t612) + t511*(-2*t352 + t380 + 4*t386) + t512*(-t492 - t613) + t513*(-2*t357 + t380 + 4*t390)
+        + t514*(-t495 - t614) + t515*(-2*t362 + t380 + 4*t394) + t516*(-t498 - t615) + t517*(-2*t367 + t380
+        + 4*t398) + t518*(-t501 - t616) + t519*(-2*t372 + t380 + 4*t402) + t520*(-t504 - t617) + t521*(-2*t377
+        + t380 + 4*t406) + t522*(-t507 - t618) - t531*t620 - t534*t621 - t537*t622 - t540*t623 - t543*t624
+        - t546*t625 - t549*t626 + t607*w_p_x + t639*w_p_z + w_p_y*(t557*t604 + t564*t605 + t571*t606)
+    )
+    z_rz = (
+        -R_x_x*t559 - R_x_y*t565 - R_x_z*t572 + R_y_x*t629 + R_y_y*t630 + R_y_z*t631 + a_p_rx*t551
+        + a_p_ry*t627 + a_p_rz*(J_z_z + t290*(t590 + t632) + t299*(t592 + t633) + t308*(t594 + t634)
+        + t317*(t596 + t635) + t326*(t598 + t636) + t335*(t600 + t637) + t344*(t602 + t638)) - a_p_x*t452
+        + a_p_y*t485 + pi_rx*w_p_y - pi_ry*w_p_x + (1/2)*t445*t620 + (1/2)*t446*t621 + (1/2)*t447*t622
+        + (1/2)*t448*t623 + (1/2)*t449*t624 + (1/2)*t450*t625 + (1/2)*t451*t626 + t455*(-B_1_x*t384
+        + B_1_x*v_p_y - B_1_y*t386 - B_1_y*v_p_x + t387*w_p_z) + t458*(-B_2_x*t388 + B_2_x*v_p_y - B_2_y*t390
+        - B_2_y*v_p_x + t391*w_p_z) + t461*(-B_3_x*t392 + B_3_x*v_p_y - B_3_y*t394 - B_3_y*v_p_x + t395*w_p_z)
+        + t464*(-B_4_x*t396 + B_4_x*v_p_y - B_4_y*t398 - B_4_y*v_p_x + t399*w_p_z) + t467*(-B_5_x*t400
+        + B_5_x*v_p_y - B_5_y*t402 - B_5_y*v_p_x + t403*w_p_z) + t470*(-B_6_x*t404 + B_6_x*v_p_y - B_6_y*t406
+        - B_6_y*v_p_x + t407*w_p_z) - 1/2*t478*t530 - 1/2*t479*t533 - 1/2*t480*t536 - 1/2*t481*t539
+        - 1/2*t482*t542 - 1/2*t483*t545 - 1/2*t484*t548 + t490*(t283 + 4*t286 - 2*t381) + t493*(t283 + 4*t294
+        - 2*t384) + t496*(t283 + 4*t303 - 2*t388) + t499*(t283 + 4*t312 - 2*t392) + t502*(t283 + 4*t321
+        - 2*t396) + t505*(t283 + 4*t330 - 2*t400) + t508*(t283 + 4*t339 - 2*t404) + t509*(-t487 - t612)
+        + t510*(4*c_y*w_p_z - t380 - 2*t383) + t511*(-t491 - t613) + t512*(4*B_1_y*w_p_z - t380 - 2*t386)
+        + t513*(-t494 - t614) + t514*(4*B_2_y*w_p_z - t380 - 2*t390) + t515*(-t497 - t615)
+        + t516*(4*B_3_y*w_p_z - t380 - 2*t394) + t517*(-t500 - t616) + t518*(4*B_4_y*w_p_z - t380 - 2*t398)
+        + t519*(-t503 - t617) + t520*(4*B_5_y*w_p_z - t380 - 2*t402) + t521*(-t506 - t618)
+        + t522*(4*B_6_y*w_p_z - t380 - 2*t406) + t611*w_p_x + t639*w_p_y + w_p_z*(t575*t608 + t579*t609
+        + t582*t610)
+    )
+    t640 = l_1_dot**2
+    t641 = (1/2)*v_p_x**2 + (1/2)*v_p_y**2 + (1/2)*v_p_z**2
+    t642 = l_2_dot**2
+    t643 = l_3_dot**2
+    t644 = l_4_dot**2
+    t645 = l_5_dot**2
+    t646 = l_6_dot**2
+    h_out = np.empty((*batch, 6), dtype)
+    h_out[..., 0] = (
+        D_p_rx_1*z_rx + D_p_ry_1*z_ry + D_p_rz_1*z_rz + D_p_x_1*z_x + D_p_y_1*z_y + D_p_z_1*z_z - t454*t640
+        - t454*(-t292*t350 - t292*v_p_z - t294*t384 + t294*v_p_y + t298*t628 + t350*v_p_z - t352*t386
+        - t352*v_p_x + t354*t558 - t384*v_p_y + t386*v_p_x + t387*t576 - 1/2*t640 + t641)
+    )
+    h_out[..., 1] = (
+        D_p_rx_2*z_rx + D_p_ry_2*z_ry + D_p_rz_2*z_rz + D_p_x_2*z_x + D_p_y_2*z_y + D_p_z_2*z_z - t457*t642
+        - t457*(-t301*t355 - t301*v_p_z - t303*t388 + t303*v_p_y + t307*t628 + t355*v_p_z - t357*t390
+        - t357*v_p_x + t359*t558 - t388*v_p_y + t390*v_p_x + t391*t576 + t641 - 1/2*t642)
+    )
+    h_out[..., 2] = (
+        D_p_rx_3*z_rx + D_p_ry_3*z_ry + D_p_rz_3*z_rz + D_p_x_3*z_x + D_p_y_3*z_y + D_p_z_3*z_z - t460*t643
+        - t460*(-t310*t360 - t310*v_p_z - t312*t392 + t312*v_p_y + t316*t628 + t360*v_p_z - t362*t394
+        - t362*v_p_x + t364*t558 - t392*v_p_y + t394*v_p_x + t395*t576 + t641 - 1/2*t643)
+    )
+    h_out[..., 3] = (
+        D_p_rx_4*z_rx + D_p_ry_4*z_ry + D_p_rz_4*z_rz + D_p_x_4*z_x + D_p_y_4*z_y + D_p_z_4*z_z - t463*t644
+        - t463*(-t319*t365 - t319*v_p_z - t321*t396 + t321*v_p_y + t325*t628 + t365*v_p_z - t367*t398
+        - t367*v_p_x + t369*t558 - t396*v_p_y + t398*v_p_x + t399*t576 + t641 - 1/2*t644)
+    )
+    h_out[..., 4] = (
+        D_p_rx_5*z_rx + D_p_ry_5*z_ry + D_p_rz_5*z_rz + D_p_x_5*z_x + D_p_y_5*z_y + D_p_z_5*z_z - t466*t645
+        - t466*(-t328*t370 - t328*v_p_z - t330*t400 + t330*v_p_y + t334*t628 + t370*v_p_z - t372*t402
+        - t372*v_p_x + t374*t558 - t400*v_p_y + t402*v_p_x + t403*t576 + t641 - 1/2*t645)
+    )
+    h_out[..., 5] = (
+        D_p_rx_6*z_rx + D_p_ry_6*z_ry + D_p_rz_6*z_rz + D_p_x_6*z_x + D_p_y_6*z_y + D_p_z_6*z_z - t469*t646
+        - t469*(-t337*t375 - t337*v_p_z - t339*t404 + t339*v_p_y + t343*t628 + t375*v_p_z - t377*t406
+        - t377*v_p_x + t379*t558 - t404*v_p_y + t406*v_p_x + t407*t576 + t641 - 1/2*t646)
+    )
+    return h_out
+
+
+def gravity_potential(p, parameters):
+    """Gravitational potential energy V_g = -U_g, with the force function U_g.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    V_g : array, shape (...) [J]
+        Zero at the origin of the base frame.
+
+    Notes
+    -----
+    Equation 26, for gravity in any direction and all moving bodies.
+    384 operations; 11508 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    c_p_x, c_p_y, c_p_z = _entries(parameters.platform_center, (3,))
+    g_x, g_y, g_z = _entries(parameters.gravity, (3,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    m_b_1, m_b_2, m_b_3, m_b_4, m_b_5, m_b_6 = _entries(parameters.leg_base_mass, (6,))
+    c_b_1, c_b_2, c_b_3, c_b_4, c_b_5, c_b_6 = _entries(parameters.leg_base_center, (6,))
+    m_r_1, m_r_2, m_r_3, m_r_4, m_r_5, m_r_6 = _entries(parameters.leg_rod_mass, (6,))
+    c_r_1, c_r_2, c_r_3, c_r_4, c_r_5, c_r_6 = _entries(parameters.leg_rod_center, (6,))
+    batch, dtype = _batch(p_x, m_p, c_p_x, g_x, a_1_x, b_1_x, m_b_1, c_b_1, m_r_1, c_r_1)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    l_1 = np.sqrt(d_1_x**2 + d_1_y**2 + d_1_z**2)
+    l_2 = np.sqrt(d_2_x**2 + d_2_y**2 + d_2_z**2)
+    l_3 = np.sqrt(d_3_x**2 + d_3_y**2 + d_3_z**2)
+    l_4 = np.sqrt(d_4_x**2 + d_4_y**2 + d_4_z**2)
+    l_5 = np.sqrt(d_5_x**2 + d_5_y**2 + d_5_z**2)
+    l_6 = np.sqrt(d_6_x**2 + d_6_y**2 + d_6_z**2)
+    c_x = R_x_x*c_p_x + R_x_y*c_p_y + R_x_z*c_p_z
+    c_y = R_y_x*c_p_x + R_y_y*c_p_y + R_y_z*c_p_z
+    c_z = R_z_x*c_p_x + R_z_y*c_p_y + R_z_z*c_p_z
+    m_lift_1 = m_r_1 + (c_b_1*m_b_1 - c_r_1*m_r_1)/l_1
+    m_lift_2 = m_r_2 + (c_b_2*m_b_2 - c_r_2*m_r_2)/l_2
+    m_lift_3 = m_r_3 + (c_b_3*m_b_3 - c_r_3*m_r_3)/l_3
+    m_lift_4 = m_r_4 + (c_b_4*m_b_4 - c_r_4*m_r_4)/l_4
+    m_lift_5 = m_r_5 + (c_b_5*m_b_5 - c_r_5*m_r_5)/l_5
+    m_lift_6 = m_r_6 + (c_b_6*m_b_6 - c_r_6*m_r_6)/l_6
+    V_g_out = np.empty(batch, dtype)
+    V_g_out[...] = (
+        -g_x*(a_1_x*m_b_1 + a_1_x*m_r_1 + a_2_x*m_b_2 + a_2_x*m_r_2 + a_3_x*m_b_3 + a_3_x*m_r_3 + a_4_x*m_b_4
+        + a_4_x*m_r_4 + a_5_x*m_b_5 + a_5_x*m_r_5 + a_6_x*m_b_6 + a_6_x*m_r_6 + c_x*m_p + d_1_x*m_lift_1
+        + d_2_x*m_lift_2 + d_3_x*m_lift_3 + d_4_x*m_lift_4 + d_5_x*m_lift_5 + d_6_x*m_lift_6 + m_p*p_x)
+        - g_y*(a_1_y*m_b_1 + a_1_y*m_r_1 + a_2_y*m_b_2 + a_2_y*m_r_2 + a_3_y*m_b_3 + a_3_y*m_r_3 + a_4_y*m_b_4
+        + a_4_y*m_r_4 + a_5_y*m_b_5 + a_5_y*m_r_5 + a_6_y*m_b_6 + a_6_y*m_r_6 + c_y*m_p + d_1_y*m_lift_1
+        + d_2_y*m_lift_2 + d_3_y*m_lift_3 + d_4_y*m_lift_4 + d_5_y*m_lift_5 + d_6_y*m_lift_6 + m_p*p_y)
+        - g_z*(a_1_z*m_b_1 + a_1_z*m_r_1 + a_2_z*m_b_2 + a_2_z*m_r_2 + a_3_z*m_b_3 + a_3_z*m_r_3 + a_4_z*m_b_4
+        + a_4_z*m_r_4 + a_5_z*m_b_5 + a_5_z*m_r_5 + a_6_z*m_b_6 + a_6_z*m_r_6 + c_z*m_p + d_1_z*m_lift_1
+        + d_2_z*m_lift_2 + d_3_z*m_lift_3 + d_4_z*m_lift_4 + d_5_z*m_lift_5 + d_6_z*m_lift_6 + m_p*p_z)
+    )
+    return V_g_out[()]
+
+
+def gravity_gradient(p, parameters):
+    """Gradient of the gravitational potential energy with respect to the leg lengths.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    G : array, shape (..., 6) [N]
+        dV_g/dq_k.
+
+    Notes
+    -----
+    Equation 27.
+    1786 operations; 18148452 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    c_p_x, c_p_y, c_p_z = _entries(parameters.platform_center, (3,))
+    g_x, g_y, g_z = _entries(parameters.gravity, (3,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    m_b_1, m_b_2, m_b_3, m_b_4, m_b_5, m_b_6 = _entries(parameters.leg_base_mass, (6,))
+    c_b_1, c_b_2, c_b_3, c_b_4, c_b_5, c_b_6 = _entries(parameters.leg_base_center, (6,))
+    m_r_1, m_r_2, m_r_3, m_r_4, m_r_5, m_r_6 = _entries(parameters.leg_rod_mass, (6,))
+    c_r_1, c_r_2, c_r_3, c_r_4, c_r_5, c_r_6 = _entries(parameters.leg_rod_center, (6,))
+    batch, dtype = _batch(p_x, m_p, c_p_x, g_x, a_1_x, b_1_x, m_b_1, c_b_1, m_r_1, c_r_1)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    l_1 = np.sqrt(d_1_x**2 + d_1_y**2 + d_1_z**2)
+    l_2 = np.sqrt(d_2_x**2 + d_2_y**2 + d_2_z**2)
+    l_3 = np.sqrt(d_3_x**2 + d_3_y**2 + d_3_z**2)
+    l_4 = np.sqrt(d_4_x**2 + d_4_y**2 + d_4_z**2)
+    l_5 = np.sqrt(d_5_x**2 + d_5_y**2 + d_5_z**2)
+    l_6 = np.sqrt(d_6_x**2 + d_6_y**2 + d_6_z**2)
+    c_x = R_x_x*c_p_x + R_x_y*c_p_y + R_x_z*c_p_z
+    c_y = R_y_x*c_p_x + R_y_y*c_p_y + R_y_z*c_p_z
+    c_z = R_z_x*c_p_x + R_z_y*c_p_y + R_z_z*c_p_z
+    t12 = c_b_1*m_b_1 - c_r_1*m_r_1
+    m_lift_1 = m_r_1 + t12/l_1
+    t13 = c_b_2*m_b_2 - c_r_2*m_r_2
+    m_lift_2 = m_r_2 + t13/l_2
+    t14 = c_b_3*m_b_3 - c_r_3*m_r_3
+    m_lift_3 = m_r_3 + t14/l_3
+    t15 = c_b_4*m_b_4 - c_r_4*m_r_4
+    m_lift_4 = m_r_4 + t15/l_4
+    t16 = c_b_5*m_b_5 - c_r_5*m_r_5
+    m_lift_5 = m_r_5 + t16/l_5
+    t17 = c_b_6*m_b_6 - c_r_6*m_r_6
+    m_lift_6 = m_r_6 + t17/l_6
+    D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y
+    D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x
+    D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x
+    D_l_2_rx = B_2_y*d_2_z - B_2_z*d_2_y
+    D_l_2_ry = -B_2_x*d_2_z + B_2_z*d_2_x
+    D_l_2_rz = B_2_x*d_2_y - B_2_y*d_2_x
+    D_l_3_rx = B_3_y*d_3_z - B_3_z*d_3_y
+    D_l_3_ry = -B_3_x*d_3_z + B_3_z*d_3_x
+    D_l_3_rz = B_3_x*d_3_y - B_3_y*d_3_x
+    D_l_4_rx = B_4_y*d_4_z - B_4_z*d_4_y
+    D_l_4_ry = -B_4_x*d_4_z + B_4_z*d_4_x
+    D_l_4_rz = B_4_x*d_4_y - B_4_y*d_4_x
+    D_l_5_rx = B_5_y*d_5_z - B_5_z*d_5_y
+    D_l_5_ry = -B_5_x*d_5_z + B_5_z*d_5_x
+    D_l_5_rz = B_5_x*d_5_y - B_5_y*d_5_x
+    D_l_6_rx = B_6_y*d_6_z - B_6_z*d_6_y
+    D_l_6_ry = -B_6_x*d_6_z + B_6_z*d_6_x
+    D_l_6_rz = B_6_x*d_6_y - B_6_y*d_6_x
+    minor_23_23 = d_2_y*d_3_z - d_2_z*d_3_y
+    minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry
+    minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx
+    minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx
+    minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45
+    minor_23_24 = -D_l_2_rx*d_3_y + D_l_3_rx*d_2_y
+    minor_56_36 = -D_l_5_rz*d_6_z + D_l_6_rz*d_5_z
+    minor_56_35 = -D_l_5_ry*d_6_z + D_l_6_ry*d_5_z
+    minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + d_4_z*minor_56_56
+    minor_23_25 = -D_l_2_ry*d_3_y + D_l_3_ry*d_2_y
+    minor_56_34 = -D_l_5_rx*d_6_z + D_l_6_rx*d_5_z
+    minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + d_4_z*minor_56_46
+    minor_23_26 = -D_l_2_rz*d_3_y + D_l_3_rz*d_2_y
+    minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + d_4_z*minor_56_45
+    minor_23_34 = -D_l_2_rx*d_3_z + D_l_3_rx*d_2_z
+    minor_56_26 = -D_l_5_rz*d_6_y + D_l_6_rz*d_5_y
+    minor_56_25 = -D_l_5_ry*d_6_y + D_l_6_ry*d_5_y
+    minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + d_4_y*minor_56_56
+    minor_23_35 = -D_l_2_ry*d_3_z + D_l_3_ry*d_2_z
+    minor_56_24 = -D_l_5_rx*d_6_y + D_l_6_rx*d_5_y
+    minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + d_4_y*minor_56_46
+    minor_23_36 = -D_l_2_rz*d_3_z + D_l_3_rz*d_2_z
+    minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + d_4_y*minor_56_45
+    minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx
+    minor_56_23 = d_5_y*d_6_z - d_5_z*d_6_y
+    minor_456_236 = D_l_4_rz*minor_56_23 + d_4_y*minor_56_36 - d_4_z*minor_56_26
+    minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx
+    minor_456_235 = D_l_4_ry*minor_56_23 + d_4_y*minor_56_35 - d_4_z*minor_56_25
+    minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry
+    minor_456_234 = D_l_4_rx*minor_56_23 + d_4_y*minor_56_34 - d_4_z*minor_56_24
+    A_x_1 = (
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234
+    )
+    minor_23_13 = d_2_x*d_3_z - d_2_z*d_3_x
+    minor_23_14 = -D_l_2_rx*d_3_x + D_l_3_rx*d_2_x
+    minor_23_15 = -D_l_2_ry*d_3_x + D_l_3_ry*d_2_x
+    minor_23_16 = -D_l_2_rz*d_3_x + D_l_3_rz*d_2_x
+    minor_56_16 = -D_l_5_rz*d_6_x + D_l_6_rz*d_5_x
+    minor_56_15 = -D_l_5_ry*d_6_x + D_l_6_ry*d_5_x
+    minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + d_4_x*minor_56_56
+    minor_56_14 = -D_l_5_rx*d_6_x + D_l_6_rx*d_5_x
+    minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + d_4_x*minor_56_46
+    minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + d_4_x*minor_56_45
+    minor_56_13 = d_5_x*d_6_z - d_5_z*d_6_x
+    minor_456_136 = D_l_4_rz*minor_56_13 + d_4_x*minor_56_36 - d_4_z*minor_56_16
+    minor_456_135 = D_l_4_ry*minor_56_13 + d_4_x*minor_56_35 - d_4_z*minor_56_15
+    minor_456_134 = D_l_4_rx*minor_56_13 + d_4_x*minor_56_34 - d_4_z*minor_56_14
+    A_y_1 = (
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134
+    )
+    minor_23_12 = d_2_x*d_3_y - d_2_y*d_3_x
+    minor_56_12 = d_5_x*d_6_y - d_5_y*d_6_x
+    minor_456_126 = D_l_4_rz*minor_56_12 + d_4_x*minor_56_26 - d_4_y*minor_56_16
+    minor_456_125 = D_l_4_ry*minor_56_12 + d_4_x*minor_56_25 - d_4_y*minor_56_15
+    minor_456_124 = D_l_4_rx*minor_56_12 + d_4_x*minor_56_24 - d_4_y*minor_56_14
+    A_z_1 = (
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124
+    )
+    minor_456_123 = d_4_x*minor_56_23 - d_4_y*minor_56_13 + d_4_z*minor_56_12
+    A_rx_1 = (
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123
+    )
+    A_ry_1 = (
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123
+    )
+    A_rz_1 = (
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123
+    )
+    minor_13_23 = d_1_y*d_3_z - d_1_z*d_3_y
+    minor_13_24 = -D_l_1_rx*d_3_y + D_l_3_rx*d_1_y
+    minor_13_25 = -D_l_1_ry*d_3_y + D_l_3_ry*d_1_y
+    minor_13_26 = -D_l_1_rz*d_3_y + D_l_3_rz*d_1_y
+    minor_13_34 = -D_l_1_rx*d_3_z + D_l_3_rx*d_1_z
+    minor_13_35 = -D_l_1_ry*d_3_z + D_l_3_ry*d_1_z
+    minor_13_36 = -D_l_1_rz*d_3_z + D_l_3_rz*d_1_z
+    minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx
+    minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx
+    minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry
+    A_x_2 = (
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234
+    )
+    minor_13_13 = d_1_x*d_3_z - d_1_z*d_3_x
+    minor_13_14 = -D_l_1_rx*d_3_x + D_l_3_rx*d_1_x
+    minor_13_15 = -D_l_1_ry*d_3_x + D_l_3_ry*d_1_x
+    minor_13_16 = -D_l_1_rz*d_3_x + D_l_3_rz*d_1_x
+    A_y_2 = (
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134
+    )
+    minor_13_12 = d_1_x*d_3_y - d_1_y*d_3_x
+    A_z_2 = (
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124
+    )
+    A_rx_2 = (
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123
+    )
+    A_ry_2 = (
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123
+    )
+    A_rz_2 = (
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123
+    )
+    minor_12_23 = d_1_y*d_2_z - d_1_z*d_2_y
+    minor_12_24 = -D_l_1_rx*d_2_y + D_l_2_rx*d_1_y
+    minor_12_25 = -D_l_1_ry*d_2_y + D_l_2_ry*d_1_y
+    minor_12_26 = -D_l_1_rz*d_2_y + D_l_2_rz*d_1_y
+    minor_12_34 = -D_l_1_rx*d_2_z + D_l_2_rx*d_1_z
+    minor_12_35 = -D_l_1_ry*d_2_z + D_l_2_ry*d_1_z
+    minor_12_36 = -D_l_1_rz*d_2_z + D_l_2_rz*d_1_z
+    minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx
+    minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx
+    minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry
+    A_x_3 = (
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234
+    )
+    minor_12_13 = d_1_x*d_2_z - d_1_z*d_2_x
+    minor_12_14 = -D_l_1_rx*d_2_x + D_l_2_rx*d_1_x
+    minor_12_15 = -D_l_1_ry*d_2_x + D_l_2_ry*d_1_x
+    minor_12_16 = -D_l_1_rz*d_2_x + D_l_2_rz*d_1_x
+    A_y_3 = (
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134
+    )
+    minor_12_12 = d_1_x*d_2_y - d_1_y*d_2_x
+    A_z_3 = (
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124
+    )
+    A_rx_3 = (
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123
+    )
+    A_ry_3 = (
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123
+    )
+    A_rz_3 = (
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123
+    )
+    minor_123_234 = D_l_1_rx*minor_23_23 + d_1_y*minor_23_34 - d_1_z*minor_23_24
+    minor_123_235 = D_l_1_ry*minor_23_23 + d_1_y*minor_23_35 - d_1_z*minor_23_25
+    minor_123_236 = D_l_1_rz*minor_23_23 + d_1_y*minor_23_36 - d_1_z*minor_23_26
+    minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + d_1_y*minor_23_45
+    minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + d_1_y*minor_23_46
+    minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + d_1_y*minor_23_56
+    minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + d_1_z*minor_23_45
+    minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + d_1_z*minor_23_46
+    minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + d_1_z*minor_23_56
+    minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45
+    A_x_4 = (
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23
+    )
+    minor_123_134 = D_l_1_rx*minor_23_13 + d_1_x*minor_23_34 - d_1_z*minor_23_14
+    minor_123_135 = D_l_1_ry*minor_23_13 + d_1_x*minor_23_35 - d_1_z*minor_23_15
+    minor_123_136 = D_l_1_rz*minor_23_13 + d_1_x*minor_23_36 - d_1_z*minor_23_16
+    minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + d_1_x*minor_23_45
+    minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + d_1_x*minor_23_46
+    minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + d_1_x*minor_23_56
+    A_y_4 = (
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13
+    )
+    minor_123_124 = D_l_1_rx*minor_23_12 + d_1_x*minor_23_24 - d_1_y*minor_23_14
+    minor_123_125 = D_l_1_ry*minor_23_12 + d_1_x*minor_23_25 - d_1_y*minor_23_15
+    minor_123_126 = D_l_1_rz*minor_23_12 + d_1_x*minor_23_26 - d_1_y*minor_23_16
+    A_z_4 = (
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12
+    )
+    minor_123_123 = d_1_x*minor_23_23 - d_1_y*minor_23_13 + d_1_z*minor_23_12
+    A_rx_4 = (
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12
+    )
+    A_ry_4 = (
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12
+    )
+    A_rz_4 = (
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12
+    )
+    minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry
+    minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx
+    minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx
+    minor_46_36 = -D_l_4_rz*d_6_z + D_l_6_rz*d_4_z
+    minor_46_35 = -D_l_4_ry*d_6_z + D_l_6_ry*d_4_z
+    minor_46_34 = -D_l_4_rx*d_6_z + D_l_6_rx*d_4_z
+    minor_46_26 = -D_l_4_rz*d_6_y + D_l_6_rz*d_4_y
+    minor_46_25 = -D_l_4_ry*d_6_y + D_l_6_ry*d_4_y
+    minor_46_24 = -D_l_4_rx*d_6_y + D_l_6_rx*d_4_y
+    minor_46_23 = d_4_y*d_6_z - d_4_z*d_6_y
+    A_x_5 = (
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23
+    )
+    minor_46_16 = -D_l_4_rz*d_6_x + D_l_6_rz*d_4_x
+    minor_46_15 = -D_l_4_ry*d_6_x + D_l_6_ry*d_4_x
+    minor_46_14 = -D_l_4_rx*d_6_x + D_l_6_rx*d_4_x
+    minor_46_13 = d_4_x*d_6_z - d_4_z*d_6_x
+    A_y_5 = (
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13
+    )
+    minor_46_12 = d_4_x*d_6_y - d_4_y*d_6_x
+    A_z_5 = (
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12
+    )
+    A_rx_5 = (
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12
+    )
+    A_ry_5 = (
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12
+    )
+    A_rz_5 = (
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12
+    )
+    minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry
+    minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx
+    minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx
+    minor_45_36 = -D_l_4_rz*d_5_z + D_l_5_rz*d_4_z
+    minor_45_35 = -D_l_4_ry*d_5_z + D_l_5_ry*d_4_z
+    minor_45_34 = -D_l_4_rx*d_5_z + D_l_5_rx*d_4_z
+    minor_45_26 = -D_l_4_rz*d_5_y + D_l_5_rz*d_4_y
+    minor_45_25 = -D_l_4_ry*d_5_y + D_l_5_ry*d_4_y
+    minor_45_24 = -D_l_4_rx*d_5_y + D_l_5_rx*d_4_y
+    minor_45_23 = d_4_y*d_5_z - d_4_z*d_5_y
+    A_x_6 = (
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23
+    )
+    minor_45_16 = -D_l_4_rz*d_5_x + D_l_5_rz*d_4_x
+    minor_45_15 = -D_l_4_ry*d_5_x + D_l_5_ry*d_4_x
+    minor_45_14 = -D_l_4_rx*d_5_x + D_l_5_rx*d_4_x
+    minor_45_13 = d_4_x*d_5_z - d_4_z*d_5_x
+    A_y_6 = (
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13
+    )
+    minor_45_12 = d_4_x*d_5_y - d_4_y*d_5_x
+    A_z_6 = (
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12
+    )
+    A_rx_6 = (
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12
+    )
+    A_ry_6 = (
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12
+    )
+    A_rz_6 = (
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12
+    )
+    det_D_l = A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*d_1_x + A_y_1*d_1_y + A_z_1*d_1_z
+    t18 = 1.0/det_D_l
+    t19 = l_1*t18
+    D_p_x_1 = A_x_1*t19
+    t20 = l_2*t18
+    D_p_x_2 = A_x_2*t20
+    t21 = l_3*t18
+    D_p_x_3 = A_x_3*t21
+    t22 = l_4*t18
+    D_p_x_4 = A_x_4*t22
+    t23 = l_5*t18
+    D_p_x_5 = A_x_5*t23
+    t24 = l_6*t18
+    D_p_x_6 = A_x_6*t24
+    D_p_y_1 = A_y_1*t19
+    D_p_y_2 = A_y_2*t20
+    D_p_y_3 = A_y_3*t21
+    D_p_y_4 = A_y_4*t22
+    D_p_y_5 = A_y_5*t23
+    D_p_y_6 = A_y_6*t24
+    D_p_z_1 = A_z_1*t19
+    D_p_z_2 = A_z_2*t20
+    D_p_z_3 = A_z_3*t21
+    D_p_z_4 = A_z_4*t22
+    D_p_z_5 = A_z_5*t23
+    D_p_z_6 = A_z_6*t24
+    D_p_rx_1 = A_rx_1*t19
+    D_p_rx_2 = A_rx_2*t20
+    D_p_rx_3 = A_rx_3*t21
+    D_p_rx_4 = A_rx_4*t22
+    D_p_rx_5 = A_rx_5*t23
+    D_p_rx_6 = A_rx_6*t24
+    D_p_ry_1 = A_ry_1*t19
+    D_p_ry_2 = A_ry_2*t20
+    D_p_ry_3 = A_ry_3*t21
+    D_p_ry_4 = A_ry_4*t22
+    D_p_ry_5 = A_ry_5*t23
+    D_p_ry_6 = A_ry_6*t24
+    D_p_rz_1 = A_rz_1*t19
+    D_p_rz_2 = A_rz_2*t20
+    D_p_rz_3 = A_rz_3*t21
+    D_p_rz_4 = A_rz_4*t22
+    D_p_rz_5 = A_rz_5*t23
+    D_p_rz_6 = A_rz_6*t24
+    t25 = g_x*m_lift_1
+    t26 = g_x*m_lift_2
+    t27 = g_x*m_lift_3
+    t28 = g_x*m_lift_4
+    t29 = g_x*m_lift_5
+    t30 = g_x*m_lift_6
+    t31 = g_x*m_p
+    G_p_x = -t25 - t26 - t27 - t28 - t29 - t30 - t31
+    t32 = g_y*m_lift_1
+    t33 = g_y*m_lift_2
+    t34 = g_y*m_lift_3
+    t35 = g_y*m_lift_4
+    t36 = g_y*m_lift_5
+    t37 = g_y*m_lift_6
+    t38 = g_y*m_p
+    G_p_y = -t32 - t33 - t34 - t35 - t36 - t37 - t38
+    t39 = g_z*m_lift_1
+    t40 = g_z*m_lift_2
+    t41 = g_z*m_lift_3
+    t42 = g_z*m_lift_4
+    t43 = g_z*m_lift_5
+    t44 = g_z*m_lift_6
+    t45 = g_z*m_p
+    G_p_z = -t39 - t40 - t41 - t42 - t43 - t44 - t45
+    G_p_rx = (
+        -B_1_y*t39 + B_1_z*g_y*m_lift_1 - B_2_y*t40 + B_2_z*g_y*m_lift_2 - B_3_y*t41 + B_3_z*g_y*m_lift_3
+        - B_4_y*t42 + B_4_z*g_y*m_lift_4 - B_5_y*t43 + B_5_z*g_y*m_lift_5 - B_6_y*t44 + B_6_z*g_y*m_lift_6
+        - c_y*t45 + c_z*g_y*m_p
+    )
+    G_p_ry = (
+        B_1_x*t39 - B_1_z*t25 + B_2_x*t40 - B_2_z*t26 + B_3_x*t41 - B_3_z*t27 + B_4_x*t42 - B_4_z*t28
+        + B_5_x*t43 - B_5_z*t29 + B_6_x*t44 - B_6_z*t30 + c_x*t45 - c_z*t31
+    )
+    G_p_rz = (
+        -B_1_x*t32 + B_1_y*g_x*m_lift_1 - B_2_x*t33 + B_2_y*g_x*m_lift_2 - B_3_x*t34 + B_3_y*g_x*m_lift_3
+        - B_4_x*t35 + B_4_y*g_x*m_lift_4 - B_5_x*t36 + B_5_y*g_x*m_lift_5 - B_6_x*t37 + B_6_y*g_x*m_lift_6
+        - c_x*t38 + c_y*g_x*m_p
+    )
+    G_out = np.empty((*batch, 6), dtype)
+    G_out[..., 0] = (
+        D_p_rx_1*G_p_rx + D_p_ry_1*G_p_ry + D_p_rz_1*G_p_rz + D_p_x_1*G_p_x + D_p_y_1*G_p_y + D_p_z_1*G_p_z
+        - t12*(-d_1_x*g_x - d_1_y*g_y - d_1_z*g_z)/l_1**2
+    )
+    G_out[..., 1] = (
+        D_p_rx_2*G_p_rx + D_p_ry_2*G_p_ry + D_p_rz_2*G_p_rz + D_p_x_2*G_p_x + D_p_y_2*G_p_y + D_p_z_2*G_p_z
+        - t13*(-d_2_x*g_x - d_2_y*g_y - d_2_z*g_z)/l_2**2
+    )
+    G_out[..., 2] = (
+        D_p_rx_3*G_p_rx + D_p_ry_3*G_p_ry + D_p_rz_3*G_p_rz + D_p_x_3*G_p_x + D_p_y_3*G_p_y + D_p_z_3*G_p_z
+        - t14*(-d_3_x*g_x - d_3_y*g_y - d_3_z*g_z)/l_3**2
+    )
+    G_out[..., 3] = (
+        D_p_rx_4*G_p_rx + D_p_ry_4*G_p_ry + D_p_rz_4*G_p_rz + D_p_x_4*G_p_x + D_p_y_4*G_p_y + D_p_z_4*G_p_z
+        - t15*(-d_4_x*g_x - d_4_y*g_y - d_4_z*g_z)/l_4**2
+    )
+    G_out[..., 4] = (
+        D_p_rx_5*G_p_rx + D_p_ry_5*G_p_ry + D_p_rz_5*G_p_rz + D_p_x_5*G_p_x + D_p_y_5*G_p_y + D_p_z_5*G_p_z
+        - t16*(-d_5_x*g_x - d_5_y*g_y - d_5_z*g_z)/l_5**2
+    )
+    G_out[..., 5] = (
+        D_p_rx_6*G_p_rx + D_p_ry_6*G_p_ry + D_p_rz_6*G_p_rz + D_p_x_6*G_p_x + D_p_y_6*G_p_y + D_p_z_6*G_p_z
+        - t17*(-d_6_x*g_x - d_6_y*g_y - d_6_z*g_z)/l_6**2
+    )
+    return G_out
+
+
+def gravity_hessian(p, parameters):
+    """Hessian of the gravitational potential energy with respect to the leg lengths.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    H_g : array, shape (..., 6, 6) [N/m]
+        d2V_g/dq_k dq_l, symmetric.
+
+    Notes
+    -----
+    Section 4 and equation 49.
+    3020 operations; 9244803996 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    c_p_x, c_p_y, c_p_z = _entries(parameters.platform_center, (3,))
+    g_x, g_y, g_z = _entries(parameters.gravity, (3,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    m_b_1, m_b_2, m_b_3, m_b_4, m_b_5, m_b_6 = _entries(parameters.leg_base_mass, (6,))
+    c_b_1, c_b_2, c_b_3, c_b_4, c_b_5, c_b_6 = _entries(parameters.leg_base_center, (6,))
+    m_r_1, m_r_2, m_r_3, m_r_4, m_r_5, m_r_6 = _entries(parameters.leg_rod_mass, (6,))
+    c_r_1, c_r_2, c_r_3, c_r_4, c_r_5, c_r_6 = _entries(parameters.leg_rod_center, (6,))
+    batch, dtype = _batch(p_x, m_p, c_p_x, g_x, a_1_x, b_1_x, m_b_1, c_b_1, m_r_1, c_r_1)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    l_1 = np.sqrt(d_1_x**2 + d_1_y**2 + d_1_z**2)
+    l_2 = np.sqrt(d_2_x**2 + d_2_y**2 + d_2_z**2)
+    l_3 = np.sqrt(d_3_x**2 + d_3_y**2 + d_3_z**2)
+    l_4 = np.sqrt(d_4_x**2 + d_4_y**2 + d_4_z**2)
+    l_5 = np.sqrt(d_5_x**2 + d_5_y**2 + d_5_z**2)
+    l_6 = np.sqrt(d_6_x**2 + d_6_y**2 + d_6_z**2)
+    c_x = R_x_x*c_p_x + R_x_y*c_p_y + R_x_z*c_p_z
+    c_y = R_y_x*c_p_x + R_y_y*c_p_y + R_y_z*c_p_z
+    c_z = R_z_x*c_p_x + R_z_y*c_p_y + R_z_z*c_p_z
+    t12 = c_b_1*m_b_1 - c_r_1*m_r_1
+    m_lift_1 = m_r_1 + t12/l_1
+    t13 = c_b_2*m_b_2 - c_r_2*m_r_2
+    m_lift_2 = m_r_2 + t13/l_2
+    t14 = c_b_3*m_b_3 - c_r_3*m_r_3
+    m_lift_3 = m_r_3 + t14/l_3
+    t15 = c_b_4*m_b_4 - c_r_4*m_r_4
+    m_lift_4 = m_r_4 + t15/l_4
+    t16 = c_b_5*m_b_5 - c_r_5*m_r_5
+    m_lift_5 = m_r_5 + t16/l_5
+    t17 = c_b_6*m_b_6 - c_r_6*m_r_6
+    m_lift_6 = m_r_6 + t17/l_6
+    D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y
+    D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x
+    D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x
+    D_l_2_rx = B_2_y*d_2_z - B_2_z*d_2_y
+    D_l_2_ry = -B_2_x*d_2_z + B_2_z*d_2_x
+    D_l_2_rz = B_2_x*d_2_y - B_2_y*d_2_x
+    D_l_3_rx = B_3_y*d_3_z - B_3_z*d_3_y
+    D_l_3_ry = -B_3_x*d_3_z + B_3_z*d_3_x
+    D_l_3_rz = B_3_x*d_3_y - B_3_y*d_3_x
+    D_l_4_rx = B_4_y*d_4_z - B_4_z*d_4_y
+    D_l_4_ry = -B_4_x*d_4_z + B_4_z*d_4_x
+    D_l_4_rz = B_4_x*d_4_y - B_4_y*d_4_x
+    D_l_5_rx = B_5_y*d_5_z - B_5_z*d_5_y
+    D_l_5_ry = -B_5_x*d_5_z + B_5_z*d_5_x
+    D_l_5_rz = B_5_x*d_5_y - B_5_y*d_5_x
+    D_l_6_rx = B_6_y*d_6_z - B_6_z*d_6_y
+    D_l_6_ry = -B_6_x*d_6_z + B_6_z*d_6_x
+    D_l_6_rz = B_6_x*d_6_y - B_6_y*d_6_x
+    minor_23_23 = d_2_y*d_3_z - d_2_z*d_3_y
+    minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry
+    minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx
+    minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx
+    minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45
+    minor_23_24 = -D_l_2_rx*d_3_y + D_l_3_rx*d_2_y
+    minor_56_36 = -D_l_5_rz*d_6_z + D_l_6_rz*d_5_z
+    minor_56_35 = -D_l_5_ry*d_6_z + D_l_6_ry*d_5_z
+    minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + d_4_z*minor_56_56
+    minor_23_25 = -D_l_2_ry*d_3_y + D_l_3_ry*d_2_y
+    minor_56_34 = -D_l_5_rx*d_6_z + D_l_6_rx*d_5_z
+    minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + d_4_z*minor_56_46
+    minor_23_26 = -D_l_2_rz*d_3_y + D_l_3_rz*d_2_y
+    minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + d_4_z*minor_56_45
+    minor_23_34 = -D_l_2_rx*d_3_z + D_l_3_rx*d_2_z
+    minor_56_26 = -D_l_5_rz*d_6_y + D_l_6_rz*d_5_y
+    minor_56_25 = -D_l_5_ry*d_6_y + D_l_6_ry*d_5_y
+    minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + d_4_y*minor_56_56
+    minor_23_35 = -D_l_2_ry*d_3_z + D_l_3_ry*d_2_z
+    minor_56_24 = -D_l_5_rx*d_6_y + D_l_6_rx*d_5_y
+    minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + d_4_y*minor_56_46
+    minor_23_36 = -D_l_2_rz*d_3_z + D_l_3_rz*d_2_z
+    minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + d_4_y*minor_56_45
+    minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx
+    minor_56_23 = d_5_y*d_6_z - d_5_z*d_6_y
+    minor_456_236 = D_l_4_rz*minor_56_23 + d_4_y*minor_56_36 - d_4_z*minor_56_26
+    minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx
+    minor_456_235 = D_l_4_ry*minor_56_23 + d_4_y*minor_56_35 - d_4_z*minor_56_25
+    minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry
+    minor_456_234 = D_l_4_rx*minor_56_23 + d_4_y*minor_56_34 - d_4_z*minor_56_24
+    A_x_1 = (
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234
+    )
+    minor_23_13 = d_2_x*d_3_z - d_2_z*d_3_x
+    minor_23_14 = -D_l_2_rx*d_3_x + D_l_3_rx*d_2_x
+    minor_23_15 = -D_l_2_ry*d_3_x + D_l_3_ry*d_2_x
+    minor_23_16 = -D_l_2_rz*d_3_x + D_l_3_rz*d_2_x
+    minor_56_16 = -D_l_5_rz*d_6_x + D_l_6_rz*d_5_x
+    minor_56_15 = -D_l_5_ry*d_6_x + D_l_6_ry*d_5_x
+    minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + d_4_x*minor_56_56
+    minor_56_14 = -D_l_5_rx*d_6_x + D_l_6_rx*d_5_x
+    minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + d_4_x*minor_56_46
+    minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + d_4_x*minor_56_45
+    minor_56_13 = d_5_x*d_6_z - d_5_z*d_6_x
+    minor_456_136 = D_l_4_rz*minor_56_13 + d_4_x*minor_56_36 - d_4_z*minor_56_16
+    minor_456_135 = D_l_4_ry*minor_56_13 + d_4_x*minor_56_35 - d_4_z*minor_56_15
+    minor_456_134 = D_l_4_rx*minor_56_13 + d_4_x*minor_56_34 - d_4_z*minor_56_14
+    A_y_1 = (
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134
+    )
+    minor_23_12 = d_2_x*d_3_y - d_2_y*d_3_x
+    minor_56_12 = d_5_x*d_6_y - d_5_y*d_6_x
+    minor_456_126 = D_l_4_rz*minor_56_12 + d_4_x*minor_56_26 - d_4_y*minor_56_16
+    minor_456_125 = D_l_4_ry*minor_56_12 + d_4_x*minor_56_25 - d_4_y*minor_56_15
+    minor_456_124 = D_l_4_rx*minor_56_12 + d_4_x*minor_56_24 - d_4_y*minor_56_14
+    A_z_1 = (
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124
+    )
+    minor_456_123 = d_4_x*minor_56_23 - d_4_y*minor_56_13 + d_4_z*minor_56_12
+    A_rx_1 = (
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123
+    )
+    A_ry_1 = (
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123
+    )
+    A_rz_1 = (
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123
+    )
+    minor_13_23 = d_1_y*d_3_z - d_1_z*d_3_y
+    minor_13_24 = -D_l_1_rx*d_3_y + D_l_3_rx*d_1_y
+    minor_13_25 = -D_l_1_ry*d_3_y + D_l_3_ry*d_1_y
+    minor_13_26 = -D_l_1_rz*d_3_y + D_l_3_rz*d_1_y
+    minor_13_34 = -D_l_1_rx*d_3_z + D_l_3_rx*d_1_z
+    minor_13_35 = -D_l_1_ry*d_3_z + D_l_3_ry*d_1_z
+    minor_13_36 = -D_l_1_rz*d_3_z + D_l_3_rz*d_1_z
+    minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx
+    minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx
+    minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry
+    A_x_2 = (
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234
+    )
+    minor_13_13 = d_1_x*d_3_z - d_1_z*d_3_x
+    minor_13_14 = -D_l_1_rx*d_3_x + D_l_3_rx*d_1_x
+    minor_13_15 = -D_l_1_ry*d_3_x + D_l_3_ry*d_1_x
+    minor_13_16 = -D_l_1_rz*d_3_x + D_l_3_rz*d_1_x
+    A_y_2 = (
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134
+    )
+    minor_13_12 = d_1_x*d_3_y - d_1_y*d_3_x
+    A_z_2 = (
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124
+    )
+    A_rx_2 = (
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123
+    )
+    A_ry_2 = (
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123
+    )
+    A_rz_2 = (
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123
+    )
+    minor_12_23 = d_1_y*d_2_z - d_1_z*d_2_y
+    minor_12_24 = -D_l_1_rx*d_2_y + D_l_2_rx*d_1_y
+    minor_12_25 = -D_l_1_ry*d_2_y + D_l_2_ry*d_1_y
+    minor_12_26 = -D_l_1_rz*d_2_y + D_l_2_rz*d_1_y
+    minor_12_34 = -D_l_1_rx*d_2_z + D_l_2_rx*d_1_z
+    minor_12_35 = -D_l_1_ry*d_2_z + D_l_2_ry*d_1_z
+    minor_12_36 = -D_l_1_rz*d_2_z + D_l_2_rz*d_1_z
+    minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx
+    minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx
+    minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry
+    A_x_3 = (
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234
+    )
+    minor_12_13 = d_1_x*d_2_z - d_1_z*d_2_x
+    minor_12_14 = -D_l_1_rx*d_2_x + D_l_2_rx*d_1_x
+    minor_12_15 = -D_l_1_ry*d_2_x + D_l_2_ry*d_1_x
+    minor_12_16 = -D_l_1_rz*d_2_x + D_l_2_rz*d_1_x
+    A_y_3 = (
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134
+    )
+    minor_12_12 = d_1_x*d_2_y - d_1_y*d_2_x
+    A_z_3 = (
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124
+    )
+    A_rx_3 = (
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123
+    )
+    A_ry_3 = (
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123
+    )
+    A_rz_3 = (
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123
+    )
+    minor_123_234 = D_l_1_rx*minor_23_23 + d_1_y*minor_23_34 - d_1_z*minor_23_24
+    minor_123_235 = D_l_1_ry*minor_23_23 + d_1_y*minor_23_35 - d_1_z*minor_23_25
+    minor_123_236 = D_l_1_rz*minor_23_23 + d_1_y*minor_23_36 - d_1_z*minor_23_26
+    minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + d_1_y*minor_23_45
+    minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + d_1_y*minor_23_46
+    minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + d_1_y*minor_23_56
+    minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + d_1_z*minor_23_45
+    minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + d_1_z*minor_23_46
+    minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + d_1_z*minor_23_56
+    minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45
+    A_x_4 = (
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23
+    )
+    minor_123_134 = D_l_1_rx*minor_23_13 + d_1_x*minor_23_34 - d_1_z*minor_23_14
+    minor_123_135 = D_l_1_ry*minor_23_13 + d_1_x*minor_23_35 - d_1_z*minor_23_15
+    minor_123_136 = D_l_1_rz*minor_23_13 + d_1_x*minor_23_36 - d_1_z*minor_23_16
+    minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + d_1_x*minor_23_45
+    minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + d_1_x*minor_23_46
+    minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + d_1_x*minor_23_56
+    A_y_4 = (
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13
+    )
+    minor_123_124 = D_l_1_rx*minor_23_12 + d_1_x*minor_23_24 - d_1_y*minor_23_14
+    minor_123_125 = D_l_1_ry*minor_23_12 + d_1_x*minor_23_25 - d_1_y*minor_23_15
+    minor_123_126 = D_l_1_rz*minor_23_12 + d_1_x*minor_23_26 - d_1_y*minor_23_16
+    A_z_4 = (
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12
+    )
+    minor_123_123 = d_1_x*minor_23_23 - d_1_y*minor_23_13 + d_1_z*minor_23_12
+    A_rx_4 = (
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12
+    )
+    A_ry_4 = (
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12
+    )
+    A_rz_4 = (
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12
+    )
+    minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry
+    minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx
+    minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx
+    minor_46_36 = -D_l_4_rz*d_6_z + D_l_6_rz*d_4_z
+    minor_46_35 = -D_l_4_ry*d_6_z + D_l_6_ry*d_4_z
+    minor_46_34 = -D_l_4_rx*d_6_z + D_l_6_rx*d_4_z
+    minor_46_26 = -D_l_4_rz*d_6_y + D_l_6_rz*d_4_y
+    minor_46_25 = -D_l_4_ry*d_6_y + D_l_6_ry*d_4_y
+    minor_46_24 = -D_l_4_rx*d_6_y + D_l_6_rx*d_4_y
+    minor_46_23 = d_4_y*d_6_z - d_4_z*d_6_y
+    A_x_5 = (
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23
+    )
+    minor_46_16 = -D_l_4_rz*d_6_x + D_l_6_rz*d_4_x
+    minor_46_15 = -D_l_4_ry*d_6_x + D_l_6_ry*d_4_x
+    minor_46_14 = -D_l_4_rx*d_6_x + D_l_6_rx*d_4_x
+    minor_46_13 = d_4_x*d_6_z - d_4_z*d_6_x
+    A_y_5 = (
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13
+    )
+    minor_46_12 = d_4_x*d_6_y - d_4_y*d_6_x
+    A_z_5 = (
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12
+    )
+    A_rx_5 = (
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12
+    )
+    A_ry_5 = (
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12
+    )
+    A_rz_5 = (
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12
+    )
+    minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry
+    minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx
+    minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx
+    minor_45_36 = -D_l_4_rz*d_5_z + D_l_5_rz*d_4_z
+    minor_45_35 = -D_l_4_ry*d_5_z + D_l_5_ry*d_4_z
+    minor_45_34 = -D_l_4_rx*d_5_z + D_l_5_rx*d_4_z
+    minor_45_26 = -D_l_4_rz*d_5_y + D_l_5_rz*d_4_y
+    minor_45_25 = -D_l_4_ry*d_5_y + D_l_5_ry*d_4_y
+    minor_45_24 = -D_l_4_rx*d_5_y + D_l_5_rx*d_4_y
+    minor_45_23 = d_4_y*d_5_z - d_4_z*d_5_y
+    A_x_6 = (
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23
+    )
+    minor_45_16 = -D_l_4_rz*d_5_x + D_l_5_rz*d_4_x
+    minor_45_15 = -D_l_4_ry*d_5_x + D_l_5_ry*d_4_x
+    minor_45_14 = -D_l_4_rx*d_5_x + D_l_5_rx*d_4_x
+    minor_45_13 = d_4_x*d_5_z - d_4_z*d_5_x
+    A_y_6 = (
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13
+    )
+    minor_45_12 = d_4_x*d_5_y - d_4_y*d_5_x
+    A_z_6 = (
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12
+    )
+    A_rx_6 = (
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12
+    )
+    A_ry_6 = (
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12
+    )
+    A_rz_6 = (
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12
+    )
+    det_D_l = A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*d_1_x + A_y_1*d_1_y + A_z_1*d_1_z
+    t18 = 1.0/det_D_l
+    t19 = l_1*t18
+    D_p_x_1 = A_x_1*t19
+    t20 = l_2*t18
+    D_p_x_2 = A_x_2*t20
+    t21 = l_3*t18
+    D_p_x_3 = A_x_3*t21
+    t22 = l_4*t18
+    D_p_x_4 = A_x_4*t22
+    t23 = l_5*t18
+    D_p_x_5 = A_x_5*t23
+    t24 = l_6*t18
+    D_p_x_6 = A_x_6*t24
+    D_p_y_1 = A_y_1*t19
+    D_p_y_2 = A_y_2*t20
+    D_p_y_3 = A_y_3*t21
+    D_p_y_4 = A_y_4*t22
+    D_p_y_5 = A_y_5*t23
+    D_p_y_6 = A_y_6*t24
+    D_p_z_1 = A_z_1*t19
+    D_p_z_2 = A_z_2*t20
+    D_p_z_3 = A_z_3*t21
+    D_p_z_4 = A_z_4*t22
+    D_p_z_5 = A_z_5*t23
+    D_p_z_6 = A_z_6*t24
+    D_p_rx_1 = A_rx_1*t19
+    D_p_rx_2 = A_rx_2*t20
+    D_p_rx_3 = A_rx_3*t21
+    D_p_rx_4 = A_rx_4*t22
+    D_p_rx_5 = A_rx_5*t23
+    D_p_rx_6 = A_rx_6*t24
+    D_p_ry_1 = A_ry_1*t19
+    D_p_ry_2 = A_ry_2*t20
+    D_p_ry_3 = A_ry_3*t21
+    D_p_ry_4 = A_ry_4*t22
+    D_p_ry_5 = A_ry_5*t23
+    D_p_ry_6 = A_ry_6*t24
+    D_p_rz_1 = A_rz_1*t19
+    D_p_rz_2 = A_rz_2*t20
+    D_p_rz_3 = A_rz_3*t21
+    D_p_rz_4 = A_rz_4*t22
+    D_p_rz_5 = A_rz_5*t23
+    D_p_rz_6 = A_rz_6*t24
+    t25 = g_x*m_lift_1
+    t26 = g_x*m_lift_2
+    t27 = g_x*m_lift_3
+    t28 = g_x*m_lift_4
+    t29 = g_x*m_lift_5
+    t30 = g_x*m_lift_6
+    t31 = g_x*m_p
+    G_p_x = -t25 - t26 - t27 - t28 - t29 - t30 - t31
+    t32 = g_y*m_lift_1
+    t33 = g_y*m_lift_2
+    t34 = g_y*m_lift_3
+    t35 = g_y*m_lift_4
+    t36 = g_y*m_lift_5
+    t37 = g_y*m_lift_6
+    t38 = g_y*m_p
+    G_p_y = -t32 - t33 - t34 - t35 - t36 - t37 - t38
+    t39 = g_z*m_lift_1
+    t40 = g_z*m_lift_2
+    t41 = g_z*m_lift_3
+    t42 = g_z*m_lift_4
+    t43 = g_z*m_lift_5
+    t44 = g_z*m_lift_6
+    t45 = g_z*m_p
+    G_p_z = -t39 - t40 - t41 - t42 - t43 - t44 - t45
+    G_p_rx = (
+        -B_1_y*t39 + B_1_z*g_y*m_lift_1 - B_2_y*t40 + B_2_z*g_y*m_lift_2 - B_3_y*t41 + B_3_z*g_y*m_lift_3
+        - B_4_y*t42 + B_4_z*g_y*m_lift_4 - B_5_y*t43 + B_5_z*g_y*m_lift_5 - B_6_y*t44 + B_6_z*g_y*m_lift_6
+        - c_y*t45 + c_z*g_y*m_p
+    )
+    G_p_ry = (
+        B_1_x*t39 - B_1_z*t25 + B_2_x*t40 - B_2_z*t26 + B_3_x*t41 - B_3_z*t27 + B_4_x*t42 - B_4_z*t28
+        + B_5_x*t43 - B_5_z*t29 + B_6_x*t44 - B_6_z*t30 + c_x*t45 - c_z*t31
+    )
+    G_p_rz = (
+        -B_1_x*t32 + B_1_y*g_x*m_lift_1 - B_2_x*t33 + B_2_y*g_x*m_lift_2 - B_3_x*t34 + B_3_y*g_x*m_lift_3
+        - B_4_x*t35 + B_4_y*g_x*m_lift_4 - B_5_x*t36 + B_5_y*g_x*m_lift_5 - B_6_x*t37 + B_6_y*g_x*m_lift_6
+        - c_x*t38 + c_y*g_x*m_p
+    )
+    mu_1 = t18*(A_rx_1*G_p_rx + A_ry_1*G_p_ry + A_rz_1*G_p_rz + A_x_1*G_p_x + A_y_1*G_p_y + A_z_1*G_p_z)
+    mu_2 = t18*(A_rx_2*G_p_rx + A_ry_2*G_p_ry + A_rz_2*G_p_rz + A_x_2*G_p_x + A_y_2*G_p_y + A_z_2*G_p_z)
+    mu_3 = t18*(A_rx_3*G_p_rx + A_ry_3*G_p_ry + A_rz_3*G_p_rz + A_x_3*G_p_x + A_y_3*G_p_y + A_z_3*G_p_z)
+    mu_4 = t18*(A_rx_4*G_p_rx + A_ry_4*G_p_ry + A_rz_4*G_p_rz + A_x_4*G_p_x + A_y_4*G_p_y + A_z_4*G_p_z)
+    mu_5 = t18*(A_rx_5*G_p_rx + A_ry_5*G_p_ry + A_rz_5*G_p_rz + A_x_5*G_p_x + A_y_5*G_p_y + A_z_5*G_p_z)
+    mu_6 = t18*(A_rx_6*G_p_rx + A_ry_6*G_p_ry + A_rz_6*G_p_rz + A_x_6*G_p_x + A_y_6*G_p_y + A_z_6*G_p_z)
+    g_4_x = -d_1_x*mu_1 - t25
+    g_4_y = -d_1_y*mu_1 - t32
+    g_4_z = -d_1_z*mu_1 - t39
+    g_5_x = -d_2_x*mu_2 - t26
+    g_5_y = -d_2_y*mu_2 - t33
+    g_5_z = -d_2_z*mu_2 - t40
+    g_6_x = -d_3_x*mu_3 - t27
+    g_6_y = -d_3_y*mu_3 - t34
+    g_6_z = -d_3_z*mu_3 - t41
+    g_7_x = -d_4_x*mu_4 - t28
+    g_7_y = -d_4_y*mu_4 - t35
+    g_7_z = -d_4_z*mu_4 - t42
+    g_8_x = -d_5_x*mu_5 - t29
+    g_8_y = -d_5_y*mu_5 - t36
+    g_8_z = -d_5_z*mu_5 - t43
+    g_9_x = -d_6_x*mu_6 - t30
+    g_9_y = -d_6_y*mu_6 - t37
+    g_9_z = -d_6_z*mu_6 - t44
+    g_10_x = -t31
+    g_10_y = -t38
+    g_10_z = -t45
+    L_x_x = -mu_1 - mu_2 - mu_3 - mu_4 - mu_5 - mu_6
+    t46 = B_1_z*mu_1
+    t47 = B_2_z*mu_2
+    t48 = B_3_z*mu_3
+    t49 = B_4_z*mu_4
+    t50 = B_5_z*mu_5
+    t51 = B_6_z*mu_6
+    L_y_rx = t46 + t47 + t48 + t49 + t50 + t51
+    L_x_ry = -L_y_rx
+    t52 = B_1_y*mu_1
+    t53 = B_2_y*mu_2
+    t54 = B_3_y*mu_3
+    t55 = B_4_y*mu_4
+    t56 = B_5_y*mu_5
+    t57 = B_6_y*mu_6
+    L_x_rz = t52 + t53 + t54 + t55 + t56 + t57
+    L_z_ry = B_1_x*mu_1 + B_2_x*mu_2 + B_3_x*mu_3 + B_4_x*mu_4 + B_5_x*mu_5 + B_6_x*mu_6
+    L_y_rz = -L_z_ry
+    L_z_rx = -L_x_rz
+    t58 = (
+        B_1_z**2*mu_1 + B_1_z*g_4_z + B_2_z**2*mu_2 + B_2_z*g_5_z + B_3_z**2*mu_3 + B_3_z*g_6_z
+        + B_4_z**2*mu_4 + B_4_z*g_7_z + B_5_z**2*mu_5 + B_5_z*g_8_z + B_6_z**2*mu_6 + B_6_z*g_9_z + c_z*g_10_z
+    )
+    t59 = (
+        B_1_y**2*mu_1 + B_1_y*g_4_y + B_2_y**2*mu_2 + B_2_y*g_5_y + B_3_y**2*mu_3 + B_3_y*g_6_y
+        + B_4_y**2*mu_4 + B_4_y*g_7_y + B_5_y**2*mu_5 + B_5_y*g_8_y + B_6_y**2*mu_6 + B_6_y*g_9_y + c_y*g_10_y
+    )
+    L_rx_rx = -t58 - t59
+    t60 = (1/2)*B_1_x
+    t61 = (1/2)*g_4_x
+    t62 = (1/2)*B_2_x
+    t63 = (1/2)*g_5_x
+    t64 = (1/2)*B_3_x
+    t65 = (1/2)*g_6_x
+    t66 = (1/2)*B_4_x
+    t67 = (1/2)*g_7_x
+    t68 = (1/2)*B_5_x
+    t69 = (1/2)*g_8_x
+    t70 = (1/2)*B_6_x
+    t71 = (1/2)*g_9_x
+    t72 = (1/2)*c_x
+    t73 = (1/2)*g_10_x
+    L_rx_ry = (
+        B_1_x*t52 + B_1_y*t61 + B_2_x*t53 + B_2_y*t63 + B_3_x*t54 + B_3_y*t65 + B_4_x*t55 + B_4_y*t67
+        + B_5_x*t56 + B_5_y*t69 + B_6_x*t57 + B_6_y*t71 + c_y*t73 + g_10_y*t72 + g_4_y*t60 + g_5_y*t62
+        + g_6_y*t64 + g_7_y*t66 + g_8_y*t68 + g_9_y*t70
+    )
+    L_rx_rz = (
+        B_1_x*t46 + B_1_z*t61 + B_2_x*t47 + B_2_z*t63 + B_3_x*t48 + B_3_z*t65 + B_4_x*t49 + B_4_z*t67
+        + B_5_x*t50 + B_5_z*t69 + B_6_x*t51 + B_6_z*t71 + c_z*t73 + g_10_z*t72 + g_4_z*t60 + g_5_z*t62
+        + g_6_z*t64 + g_7_z*t66 + g_8_z*t68 + g_9_z*t70
+    )
+    t74 = (
+        B_1_x**2*mu_1 + B_1_x*g_4_x + B_2_x**2*mu_2 + B_2_x*g_5_x + B_3_x**2*mu_3 + B_3_x*g_6_x
+        + B_4_x**2*mu_4 + B_4_x*g_7_x + B_5_x**2*mu_5 + B_5_x*g_8_x + B_6_x**2*mu_6 + B_6_x*g_9_x + c_x*g_10_x
+    )
+    L_ry_ry = -t58 - t74
+    L_ry_rz = (
+        (1/2)*B_1_y*g_4_z + B_1_y*t46 + (1/2)*B_1_z*g_4_y + (1/2)*B_2_y*g_5_z + B_2_y*t47 + (1/2)*B_2_z*g_5_y
+        + (1/2)*B_3_y*g_6_z + B_3_y*t48 + (1/2)*B_3_z*g_6_y + (1/2)*B_4_y*g_7_z + B_4_y*t49
+        + (1/2)*B_4_z*g_7_y + (1/2)*B_5_y*g_8_z + B_5_y*t50 + (1/2)*B_5_z*g_8_y + (1/2)*B_6_y*g_9_z
+        + B_6_y*t51 + (1/2)*B_6_z*g_9_y + (1/2)*c_y*g_10_z + (1/2)*c_z*g_10_y
+    )
+    L_rz_rz = -t59 - t74
+    t75 = t12/l_1**2
+    t76 = g_x*t75
+    f_x_l_1 = D_p_ry_1*L_x_ry + D_p_rz_1*L_x_rz + D_p_x_1*L_x_x + t76
+    t77 = t13/l_2**2
+    t78 = g_x*t77
+    f_x_l_2 = D_p_ry_2*L_x_ry + D_p_rz_2*L_x_rz + D_p_x_2*L_x_x + t78
+    t79 = t14/l_3**2
+    t80 = g_x*t79
+    f_x_l_3 = D_p_ry_3*L_x_ry + D_p_rz_3*L_x_rz + D_p_x_3*L_x_x + t80
+    t81 = t15/l_4**2
+    t82 = g_x*t81
+    f_x_l_4 = D_p_ry_4*L_x_ry + D_p_rz_4*L_x_rz + D_p_x_4*L_x_x + t82
+    t83 = t16/l_5**2
+    t84 = g_x*t83
+    f_x_l_5 = D_p_ry_5*L_x_ry + D_p_rz_5*L_x_rz + D_p_x_5*L_x_x + t84
+    t85 = t17/l_6**2
+    t86 = g_x*t85
+    f_x_l_6 = D_p_ry_6*L_x_ry + D_p_rz_6*L_x_rz + D_p_x_6*L_x_x + t86
+    t87 = g_y*t75
+    f_y_l_1 = D_p_rx_1*L_y_rx + D_p_rz_1*L_y_rz + D_p_y_1*L_x_x + t87
+    t88 = g_y*t77
+    f_y_l_2 = D_p_rx_2*L_y_rx + D_p_rz_2*L_y_rz + D_p_y_2*L_x_x + t88
+    t89 = g_y*t79
+    f_y_l_3 = D_p_rx_3*L_y_rx + D_p_rz_3*L_y_rz + D_p_y_3*L_x_x + t89
+    t90 = g_y*t81
+    f_y_l_4 = D_p_rx_4*L_y_rx + D_p_rz_4*L_y_rz + D_p_y_4*L_x_x + t90
+    t91 = g_y*t83
+    f_y_l_5 = D_p_rx_5*L_y_rx + D_p_rz_5*L_y_rz + D_p_y_5*L_x_x + t91
+    t92 = g_y*t85
+    f_y_l_6 = D_p_rx_6*L_y_rx + D_p_rz_6*L_y_rz + D_p_y_6*L_x_x + t92
+    t93 = g_z*t75
+    f_z_l_1 = D_p_rx_1*L_z_rx + D_p_ry_1*L_z_ry + D_p_z_1*L_x_x + t93
+    t94 = g_z*t77
+    f_z_l_2 = D_p_rx_2*L_z_rx + D_p_ry_2*L_z_ry + D_p_z_2*L_x_x + t94
+    t95 = g_z*t79
+    f_z_l_3 = D_p_rx_3*L_z_rx + D_p_ry_3*L_z_ry + D_p_z_3*L_x_x + t95
+    t96 = g_z*t81
+    f_z_l_4 = D_p_rx_4*L_z_rx + D_p_ry_4*L_z_ry + D_p_z_4*L_x_x + t96
+    t97 = g_z*t83
+    f_z_l_5 = D_p_rx_5*L_z_rx + D_p_ry_5*L_z_ry + D_p_z_5*L_x_x + t97
+    t98 = g_z*t85
+    f_z_l_6 = D_p_rx_6*L_z_rx + D_p_ry_6*L_z_ry + D_p_z_6*L_x_x + t98
+    t99 = t75*(-B_1_y*g_z + B_1_z*g_y)
+    f_rx_l_1 = D_p_rx_1*L_rx_rx + D_p_ry_1*L_rx_ry + D_p_rz_1*L_rx_rz + D_p_y_1*L_y_rx + D_p_z_1*L_z_rx - t99
+    t100 = t77*(-B_2_y*g_z + B_2_z*g_y)
+    f_rx_l_2 = D_p_rx_2*L_rx_rx + D_p_ry_2*L_rx_ry + D_p_rz_2*L_rx_rz + D_p_y_2*L_y_rx + D_p_z_2*L_z_rx - t100
+    t101 = t79*(-B_3_y*g_z + B_3_z*g_y)
+    f_rx_l_3 = D_p_rx_3*L_rx_rx + D_p_ry_3*L_rx_ry + D_p_rz_3*L_rx_rz + D_p_y_3*L_y_rx + D_p_z_3*L_z_rx - t101
+    t102 = t81*(-B_4_y*g_z + B_4_z*g_y)
+    f_rx_l_4 = D_p_rx_4*L_rx_rx + D_p_ry_4*L_rx_ry + D_p_rz_4*L_rx_rz + D_p_y_4*L_y_rx + D_p_z_4*L_z_rx - t102
+    t103 = t83*(-B_5_y*g_z + B_5_z*g_y)
+    f_rx_l_5 = D_p_rx_5*L_rx_rx + D_p_ry_5*L_rx_ry + D_p_rz_5*L_rx_rz + D_p_y_5*L_y_rx + D_p_z_5*L_z_rx - t103
+    t104 = t85*(-B_6_y*g_z + B_6_z*g_y)
+    f_rx_l_6 = D_p_rx_6*L_rx_rx + D_p_ry_6*L_rx_ry + D_p_rz_6*L_rx_rz + D_p_y_6*L_y_rx + D_p_z_6*L_z_rx - t104
+    t105 = t75*(B_1_x*g_z - B_1_z*g_x)
+    f_ry_l_1 = D_p_rx_1*L_rx_ry + D_p_ry_1*L_ry_ry + D_p_rz_1*L_ry_rz + D_p_x_1*L_x_ry + D_p_z_1*L_z_ry - t105
+    t106 = t77*(B_2_x*g_z - B_2_z*g_x)
+    f_ry_l_2 = D_p_rx_2*L_rx_ry + D_p_ry_2*L_ry_ry + D_p_rz_2*L_ry_rz + D_p_x_2*L_x_ry + D_p_z_2*L_z_ry - t106
+    t107 = t79*(B_3_x*g_z - B_3_z*g_x)
+    f_ry_l_3 = D_p_rx_3*L_rx_ry + D_p_ry_3*L_ry_ry + D_p_rz_3*L_ry_rz + D_p_x_3*L_x_ry + D_p_z_3*L_z_ry - t107
+    t108 = t81*(B_4_x*g_z - B_4_z*g_x)
+    f_ry_l_4 = D_p_rx_4*L_rx_ry + D_p_ry_4*L_ry_ry + D_p_rz_4*L_ry_rz + D_p_x_4*L_x_ry + D_p_z_4*L_z_ry - t108
+    t109 = t83*(B_5_x*g_z - B_5_z*g_x)
+    f_ry_l_5 = D_p_rx_5*L_rx_ry + D_p_ry_5*L_ry_ry + D_p_rz_5*L_ry_rz + D_p_x_5*L_x_ry + D_p_z_5*L_z_ry - t109
+    t110 = t85*(B_6_x*g_z - B_6_z*g_x)
+    f_ry_l_6 = D_p_rx_6*L_rx_ry + D_p_ry_6*L_ry_ry + D_p_rz_6*L_ry_rz + D_p_x_6*L_x_ry + D_p_z_6*L_z_ry - t110
+    t111 = t75*(-B_1_x*g_y + B_1_y*g_x)
+    f_rz_l_1 = D_p_rx_1*L_rx_rz + D_p_ry_1*L_ry_rz + D_p_rz_1*L_rz_rz + D_p_x_1*L_x_rz + D_p_y_1*L_y_rz - t111
+    t112 = t77*(-B_2_x*g_y + B_2_y*g_x)
+    f_rz_l_2 = D_p_rx_2*L_rx_rz + D_p_ry_2*L_ry_rz + D_p_rz_2*L_rz_rz + D_p_x_2*L_x_rz + D_p_y_2*L_y_rz - t112
+    t113 = t79*(-B_3_x*g_y + B_3_y*g_x)
+    f_rz_l_3 = D_p_rx_3*L_rx_rz + D_p_ry_3*L_ry_rz + D_p_rz_3*L_rz_rz + D_p_x_3*L_x_rz + D_p_y_3*L_y_rz - t113
+    t114 = t81*(-B_4_x*g_y + B_4_y*g_x)
+    f_rz_l_4 = D_p_rx_4*L_rx_rz + D_p_ry_4*L_ry_rz + D_p_rz_4*L_rz_rz + D_p_x_4*L_x_rz + D_p_y_4*L_y_rz - t114
+    t115 = t83*(-B_5_x*g_y + B_5_y*g_x)
+    f_rz_l_5 = D_p_rx_5*L_rx_rz + D_p_ry_5*L_ry_rz + D_p_rz_5*L_rz_rz + D_p_x_5*L_x_rz + D_p_y_5*L_y_rz - t115
+    t116 = t85*(-B_6_x*g_y + B_6_y*g_x)
+    f_rz_l_6 = D_p_rx_6*L_rx_rz + D_p_ry_6*L_ry_rz + D_p_rz_6*L_rz_rz + D_p_x_6*L_x_rz + D_p_y_6*L_y_rz - t116
+    H_g_out = np.empty((*batch, 6, 6), dtype)
+    H_g_out[..., 0, 0] = (
+        D_p_rx_1*f_rx_l_1 - D_p_rx_1*t99 + D_p_ry_1*f_ry_l_1 - D_p_ry_1*t105 + D_p_rz_1*f_rz_l_1
+        - D_p_rz_1*t111 + D_p_x_1*f_x_l_1 + D_p_x_1*t76 + D_p_y_1*f_y_l_1 + D_p_y_1*t87 + D_p_z_1*f_z_l_1
+        + D_p_z_1*t93 + mu_1 + 2*t12*(-d_1_x*g_x - d_1_y*g_y - d_1_z*g_z)/l_1**3
+    )
+    H_g_out[..., 0, 1] = H_g_out[..., 1, 0] = (
+        D_p_rx_1*f_rx_l_2 - D_p_rx_2*t99 + D_p_ry_1*f_ry_l_2 - D_p_ry_2*t105 + D_p_rz_1*f_rz_l_2
+        - D_p_rz_2*t111 + D_p_x_1*f_x_l_2 + D_p_x_2*t76 + D_p_y_1*f_y_l_2 + D_p_y_2*t87 + D_p_z_1*f_z_l_2
+        + D_p_z_2*t93
+    )
+    H_g_out[..., 0, 2] = H_g_out[..., 2, 0] = (
+        D_p_rx_1*f_rx_l_3 - D_p_rx_3*t99 + D_p_ry_1*f_ry_l_3 - D_p_ry_3*t105 + D_p_rz_1*f_rz_l_3
+        - D_p_rz_3*t111 + D_p_x_1*f_x_l_3 + D_p_x_3*t76 + D_p_y_1*f_y_l_3 + D_p_y_3*t87 + D_p_z_1*f_z_l_3
+        + D_p_z_3*t93
+    )
+    H_g_out[..., 0, 3] = H_g_out[..., 3, 0] = (
+        D_p_rx_1*f_rx_l_4 - D_p_rx_4*t99 + D_p_ry_1*f_ry_l_4 - D_p_ry_4*t105 + D_p_rz_1*f_rz_l_4
+        - D_p_rz_4*t111 + D_p_x_1*f_x_l_4 + D_p_x_4*t76 + D_p_y_1*f_y_l_4 + D_p_y_4*t87 + D_p_z_1*f_z_l_4
+        + D_p_z_4*t93
+    )
+    H_g_out[..., 0, 4] = H_g_out[..., 4, 0] = (
+        D_p_rx_1*f_rx_l_5 - D_p_rx_5*t99 + D_p_ry_1*f_ry_l_5 - D_p_ry_5*t105 + D_p_rz_1*f_rz_l_5
+        - D_p_rz_5*t111 + D_p_x_1*f_x_l_5 + D_p_x_5*t76 + D_p_y_1*f_y_l_5 + D_p_y_5*t87 + D_p_z_1*f_z_l_5
+        + D_p_z_5*t93
+    )
+    H_g_out[..., 0, 5] = H_g_out[..., 5, 0] = (
+        D_p_rx_1*f_rx_l_6 - D_p_rx_6*t99 + D_p_ry_1*f_ry_l_6 - D_p_ry_6*t105 + D_p_rz_1*f_rz_l_6
+        - D_p_rz_6*t111 + D_p_x_1*f_x_l_6 + D_p_x_6*t76 + D_p_y_1*f_y_l_6 + D_p_y_6*t87 + D_p_z_1*f_z_l_6
+        + D_p_z_6*t93
+    )
+    H_g_out[..., 1, 1] = (
+        D_p_rx_2*f_rx_l_2 - D_p_rx_2*t100 + D_p_ry_2*f_ry_l_2 - D_p_ry_2*t106 + D_p_rz_2*f_rz_l_2
+        - D_p_rz_2*t112 + D_p_x_2*f_x_l_2 + D_p_x_2*t78 + D_p_y_2*f_y_l_2 + D_p_y_2*t88 + D_p_z_2*f_z_l_2
+        + D_p_z_2*t94 + mu_2 + 2*t13*(-d_2_x*g_x - d_2_y*g_y - d_2_z*g_z)/l_2**3
+    )
+    H_g_out[..., 1, 2] = H_g_out[..., 2, 1] = (
+        D_p_rx_2*f_rx_l_3 - D_p_rx_3*t100 + D_p_ry_2*f_ry_l_3 - D_p_ry_3*t106 + D_p_rz_2*f_rz_l_3
+        - D_p_rz_3*t112 + D_p_x_2*f_x_l_3 + D_p_x_3*t78 + D_p_y_2*f_y_l_3 + D_p_y_3*t88 + D_p_z_2*f_z_l_3
+        + D_p_z_3*t94
+    )
+    H_g_out[..., 1, 3] = H_g_out[..., 3, 1] = (
+        D_p_rx_2*f_rx_l_4 - D_p_rx_4*t100 + D_p_ry_2*f_ry_l_4 - D_p_ry_4*t106 + D_p_rz_2*f_rz_l_4
+        - D_p_rz_4*t112 + D_p_x_2*f_x_l_4 + D_p_x_4*t78 + D_p_y_2*f_y_l_4 + D_p_y_4*t88 + D_p_z_2*f_z_l_4
+        + D_p_z_4*t94
+    )
+    H_g_out[..., 1, 4] = H_g_out[..., 4, 1] = (
+        D_p_rx_2*f_rx_l_5 - D_p_rx_5*t100 + D_p_ry_2*f_ry_l_5 - D_p_ry_5*t106 + D_p_rz_2*f_rz_l_5
+        - D_p_rz_5*t112 + D_p_x_2*f_x_l_5 + D_p_x_5*t78 + D_p_y_2*f_y_l_5 + D_p_y_5*t88 + D_p_z_2*f_z_l_5
+        + D_p_z_5*t94
+    )
+    H_g_out[..., 1, 5] = H_g_out[..., 5, 1] = (
+        D_p_rx_2*f_rx_l_6 - D_p_rx_6*t100 + D_p_ry_2*f_ry_l_6 - D_p_ry_6*t106 + D_p_rz_2*f_rz_l_6
+        - D_p_rz_6*t112 + D_p_x_2*f_x_l_6 + D_p_x_6*t78 + D_p_y_2*f_y_l_6 + D_p_y_6*t88 + D_p_z_2*f_z_l_6
+        + D_p_z_6*t94
+    )
+    H_g_out[..., 2, 2] = (
+        D_p_rx_3*f_rx_l_3 - D_p_rx_3*t101 + D_p_ry_3*f_ry_l_3 - D_p_ry_3*t107 + D_p_rz_3*f_rz_l_3
+        - D_p_rz_3*t113 + D_p_x_3*f_x_l_3 + D_p_x_3*t80 + D_p_y_3*f_y_l_3 + D_p_y_3*t89 + D_p_z_3*f_z_l_3
+        + D_p_z_3*t95 + mu_3 + 2*t14*(-d_3_x*g_x - d_3_y*g_y - d_3_z*g_z)/l_3**3
+    )
+    H_g_out[..., 2, 3] = H_g_out[..., 3, 2] = (
+        D_p_rx_3*f_rx_l_4 - D_p_rx_4*t101 + D_p_ry_3*f_ry_l_4 - D_p_ry_4*t107 + D_p_rz_3*f_rz_l_4
+        - D_p_rz_4*t113 + D_p_x_3*f_x_l_4 + D_p_x_4*t80 + D_p_y_3*f_y_l_4 + D_p_y_4*t89 + D_p_z_3*f_z_l_4
+        + D_p_z_4*t95
+    )
+    H_g_out[..., 2, 4] = H_g_out[..., 4, 2] = (
+        D_p_rx_3*f_rx_l_5 - D_p_rx_5*t101 + D_p_ry_3*f_ry_l_5 - D_p_ry_5*t107 + D_p_rz_3*f_rz_l_5
+        - D_p_rz_5*t113 + D_p_x_3*f_x_l_5 + D_p_x_5*t80 + D_p_y_3*f_y_l_5 + D_p_y_5*t89 + D_p_z_3*f_z_l_5
+        + D_p_z_5*t95
+    )
+    H_g_out[..., 2, 5] = H_g_out[..., 5, 2] = (
+        D_p_rx_3*f_rx_l_6 - D_p_rx_6*t101 + D_p_ry_3*f_ry_l_6 - D_p_ry_6*t107 + D_p_rz_3*f_rz_l_6
+        - D_p_rz_6*t113 + D_p_x_3*f_x_l_6 + D_p_x_6*t80 + D_p_y_3*f_y_l_6 + D_p_y_6*t89 + D_p_z_3*f_z_l_6
+        + D_p_z_6*t95
+    )
+    H_g_out[..., 3, 3] = (
+        D_p_rx_4*f_rx_l_4 - D_p_rx_4*t102 + D_p_ry_4*f_ry_l_4 - D_p_ry_4*t108 + D_p_rz_4*f_rz_l_4
+        - D_p_rz_4*t114 + D_p_x_4*f_x_l_4 + D_p_x_4*t82 + D_p_y_4*f_y_l_4 + D_p_y_4*t90 + D_p_z_4*f_z_l_4
+        + D_p_z_4*t96 + mu_4 + 2*t15*(-d_4_x*g_x - d_4_y*g_y - d_4_z*g_z)/l_4**3
+    )
+    H_g_out[..., 3, 4] = H_g_out[..., 4, 3] = (
+        D_p_rx_4*f_rx_l_5 - D_p_rx_5*t102 + D_p_ry_4*f_ry_l_5 - D_p_ry_5*t108 + D_p_rz_4*f_rz_l_5
+        - D_p_rz_5*t114 + D_p_x_4*f_x_l_5 + D_p_x_5*t82 + D_p_y_4*f_y_l_5 + D_p_y_5*t90 + D_p_z_4*f_z_l_5
+        + D_p_z_5*t96
+    )
+    H_g_out[..., 3, 5] = H_g_out[..., 5, 3] = (
+        D_p_rx_4*f_rx_l_6 - D_p_rx_6*t102 + D_p_ry_4*f_ry_l_6 - D_p_ry_6*t108 + D_p_rz_4*f_rz_l_6
+        - D_p_rz_6*t114 + D_p_x_4*f_x_l_6 + D_p_x_6*t82 + D_p_y_4*f_y_l_6 + D_p_y_6*t90 + D_p_z_4*f_z_l_6
+        + D_p_z_6*t96
+    )
+    H_g_out[..., 4, 4] = (
+        D_p_rx_5*f_rx_l_5 - D_p_rx_5*t103 + D_p_ry_5*f_ry_l_5 - D_p_ry_5*t109 + D_p_rz_5*f_rz_l_5
+        - D_p_rz_5*t115 + D_p_x_5*f_x_l_5 + D_p_x_5*t84 + D_p_y_5*f_y_l_5 + D_p_y_5*t91 + D_p_z_5*f_z_l_5
+        + D_p_z_5*t97 + mu_5 + 2*t16*(-d_5_x*g_x - d_5_y*g_y - d_5_z*g_z)/l_5**3
+    )
+    H_g_out[..., 4, 5] = H_g_out[..., 5, 4] = (
+        D_p_rx_5*f_rx_l_6 - D_p_rx_6*t103 + D_p_ry_5*f_ry_l_6 - D_p_ry_6*t109 + D_p_rz_5*f_rz_l_6
+        - D_p_rz_6*t115 + D_p_x_5*f_x_l_6 + D_p_x_6*t84 + D_p_y_5*f_y_l_6 + D_p_y_6*t91 + D_p_z_5*f_z_l_6
+        + D_p_z_6*t97
+    )
+    H_g_out[..., 5, 5] = (
+        D_p_rx_6*f_rx_l_6 - D_p_rx_6*t104 + D_p_ry_6*f_ry_l_6 - D_p_ry_6*t110 + D_p_rz_6*f_rz_l_6
+        - D_p_rz_6*t116 + D_p_x_6*f_x_l_6 + D_p_x_6*t86 + D_p_y_6*f_y_l_6 + D_p_y_6*t92 + D_p_z_6*f_z_l_6
+        + D_p_z_6*t98 + mu_6 + 2*t17*(-d_6_x*g_x - d_6_y*g_y - d_6_z*g_z)/l_6**3
+    )
+    return H_g_out
+
+
+def elastic_potential(p, delta_q, parameters):
+    """Elastic potential energy V_el = -U_el of the transmissions, with the force function U_el.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    delta_q : array, shape (..., 12) [m]
+        Small displacements of the 12 generalised coordinates from the reference configuration at p.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    V_el : array, shape (...) [J]
+        Zero in the reference configuration.
+
+    Notes
+    -----
+    Equation 38, summed.
+    29 operations; 29 with every named value expanded.
+    """
+    p_x, _, _, _, _, _ = _entries(p, (6,))
+    (
+        delta_l_1, delta_l_2, delta_l_3, delta_l_4, delta_l_5, delta_l_6, delta_s_1, delta_s_2, delta_s_3,
+        delta_s_4, delta_s_5, delta_s_6,
+    ) = _entries(delta_q, (12,))
+    k_l_1, k_l_2, k_l_3, k_l_4, k_l_5, k_l_6 = _entries(parameters.leg_stiffness, (6,))
+    batch, dtype = _batch(p_x, delta_l_1, k_l_1)
+    V_el_out = np.empty(batch, dtype)
+    V_el_out[...] = (
+        (1/2)*k_l_1*(delta_l_1 - delta_s_1)**2 + (1/2)*k_l_2*(delta_l_2 - delta_s_2)**2
+        + (1/2)*k_l_3*(delta_l_3 - delta_s_3)**2 + (1/2)*k_l_4*(delta_l_4 - delta_s_4)**2
+        + (1/2)*k_l_5*(delta_l_5 - delta_s_5)**2 + (1/2)*k_l_6*(delta_l_6 - delta_s_6)**2
+    )
+    return V_el_out[()]
+
+
+def elastic_gradient(p, delta_q, parameters):
+    """Gradient of the elastic potential energy.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    delta_q : array, shape (..., 12) [m]
+        Small displacements of the 12 generalised coordinates from the reference configuration at p.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    E : array, shape (..., 12) [N]
+        dV_el/dq.
+
+    Notes
+    -----
+    Equation 38 differentiated.
+    42 operations; 60 with every named value expanded.
+    """
+    p_x, _, _, _, _, _ = _entries(p, (6,))
+    (
+        delta_l_1, delta_l_2, delta_l_3, delta_l_4, delta_l_5, delta_l_6, delta_s_1, delta_s_2, delta_s_3,
+        delta_s_4, delta_s_5, delta_s_6,
+    ) = _entries(delta_q, (12,))
+    k_l_1, k_l_2, k_l_3, k_l_4, k_l_5, k_l_6 = _entries(parameters.leg_stiffness, (6,))
+    batch, dtype = _batch(p_x, delta_l_1, k_l_1)
+    t1 = 2*delta_l_1 - 2*delta_s_1
+    t2 = (1/2)*k_l_1
+    t3 = 2*delta_l_2 - 2*delta_s_2
+    t4 = (1/2)*k_l_2
+    t5 = 2*delta_l_3 - 2*delta_s_3
+    t6 = (1/2)*k_l_3
+    t7 = 2*delta_l_4 - 2*delta_s_4
+    t8 = (1/2)*k_l_4
+    t9 = 2*delta_l_5 - 2*delta_s_5
+    t10 = (1/2)*k_l_5
+    t11 = 2*delta_l_6 - 2*delta_s_6
+    t12 = (1/2)*k_l_6
+    E_out = np.empty((*batch, 12), dtype)
+    E_out[..., 0] = t1*t2
+    E_out[..., 1] = t3*t4
+    E_out[..., 2] = t5*t6
+    E_out[..., 3] = t7*t8
+    E_out[..., 4] = t10*t9
+    E_out[..., 5] = t11*t12
+    E_out[..., 6] = -t1*t2
+    E_out[..., 7] = -t3*t4
+    E_out[..., 8] = -t5*t6
+    E_out[..., 9] = -t7*t8
+    E_out[..., 10] = -t10*t9
+    E_out[..., 11] = -t11*t12
+    return E_out
+
+
+def elastic_hessian(p, parameters):
+    """Hessian of the elastic potential energy.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    H_el : array, shape (..., 12, 12) [N/m]
+        d2V_el/dq2, symmetric, with 6 zero eigenvalues.
+
+    Notes
+    -----
+    Equation 38 differentiated twice.
+    6 operations; 12 with every named value expanded.
+    """
+    p_x, _, _, _, _, _ = _entries(p, (6,))
+    k_l_1, k_l_2, k_l_3, k_l_4, k_l_5, k_l_6 = _entries(parameters.leg_stiffness, (6,))
+    batch, dtype = _batch(p_x, k_l_1)
+    H_el_out = np.zeros((*batch, 12, 12), dtype)
+    H_el_out[..., 0, 0] = k_l_1
+    H_el_out[..., 0, 6] = H_el_out[..., 6, 0] = -k_l_1
+    H_el_out[..., 1, 1] = k_l_2
+    H_el_out[..., 1, 7] = H_el_out[..., 7, 1] = -k_l_2
+    H_el_out[..., 2, 2] = k_l_3
+    H_el_out[..., 2, 8] = H_el_out[..., 8, 2] = -k_l_3
+    H_el_out[..., 3, 3] = k_l_4
+    H_el_out[..., 3, 9] = H_el_out[..., 9, 3] = -k_l_4
+    H_el_out[..., 4, 4] = k_l_5
+    H_el_out[..., 4, 10] = H_el_out[..., 10, 4] = -k_l_5
+    H_el_out[..., 5, 5] = k_l_6
+    H_el_out[..., 5, 11] = H_el_out[..., 11, 5] = -k_l_6
+    H_el_out[..., 6, 6] = k_l_1
+    H_el_out[..., 7, 7] = k_l_2
+    H_el_out[..., 8, 8] = k_l_3
+    H_el_out[..., 9, 9] = k_l_4
+    H_el_out[..., 10, 10] = k_l_5
+    H_el_out[..., 11, 11] = k_l_6
+    return H_el_out
+
+
+def static_equilibrium(p, parameters):
+    """Drive forces that hold the pose, and the corresponding displacements.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    tau_st : array, shape (..., 6) [N]
+        Forces of the drives, positive in the direction of their coordinates.
+    theta_st : array, shape (..., 6) [m]
+        Displacements relative to the unstrained transmissions, in the order of the coordinates.
+
+    Notes
+    -----
+    Equation 44, solved at the pose.
+    1798 operations; 36296922 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    c_p_x, c_p_y, c_p_z = _entries(parameters.platform_center, (3,))
+    g_x, g_y, g_z = _entries(parameters.gravity, (3,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    k_l_1, k_l_2, k_l_3, k_l_4, k_l_5, k_l_6 = _entries(parameters.leg_stiffness, (6,))
+    m_b_1, m_b_2, m_b_3, m_b_4, m_b_5, m_b_6 = _entries(parameters.leg_base_mass, (6,))
+    c_b_1, c_b_2, c_b_3, c_b_4, c_b_5, c_b_6 = _entries(parameters.leg_base_center, (6,))
+    m_r_1, m_r_2, m_r_3, m_r_4, m_r_5, m_r_6 = _entries(parameters.leg_rod_mass, (6,))
+    c_r_1, c_r_2, c_r_3, c_r_4, c_r_5, c_r_6 = _entries(parameters.leg_rod_center, (6,))
+    batch, dtype = _batch(p_x, m_p, c_p_x, g_x, a_1_x, b_1_x, k_l_1, m_b_1, c_b_1, m_r_1, c_r_1)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    l_1 = np.sqrt(d_1_x**2 + d_1_y**2 + d_1_z**2)
+    l_2 = np.sqrt(d_2_x**2 + d_2_y**2 + d_2_z**2)
+    l_3 = np.sqrt(d_3_x**2 + d_3_y**2 + d_3_z**2)
+    l_4 = np.sqrt(d_4_x**2 + d_4_y**2 + d_4_z**2)
+    l_5 = np.sqrt(d_5_x**2 + d_5_y**2 + d_5_z**2)
+    l_6 = np.sqrt(d_6_x**2 + d_6_y**2 + d_6_z**2)
+    c_x = R_x_x*c_p_x + R_x_y*c_p_y + R_x_z*c_p_z
+    c_y = R_y_x*c_p_x + R_y_y*c_p_y + R_y_z*c_p_z
+    c_z = R_z_x*c_p_x + R_z_y*c_p_y + R_z_z*c_p_z
+    t12 = c_b_1*m_b_1 - c_r_1*m_r_1
+    m_lift_1 = m_r_1 + t12/l_1
+    t13 = c_b_2*m_b_2 - c_r_2*m_r_2
+    m_lift_2 = m_r_2 + t13/l_2
+    t14 = c_b_3*m_b_3 - c_r_3*m_r_3
+    m_lift_3 = m_r_3 + t14/l_3
+    t15 = c_b_4*m_b_4 - c_r_4*m_r_4
+    m_lift_4 = m_r_4 + t15/l_4
+    t16 = c_b_5*m_b_5 - c_r_5*m_r_5
+    m_lift_5 = m_r_5 + t16/l_5
+    t17 = c_b_6*m_b_6 - c_r_6*m_r_6
+    m_lift_6 = m_r_6 + t17/l_6
+    D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y
+    D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x
+    D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x
+    D_l_2_rx = B_2_y*d_2_z - B_2_z*d_2_y
+    D_l_2_ry = -B_2_x*d_2_z + B_2_z*d_2_x
+    D_l_2_rz = B_2_x*d_2_y - B_2_y*d_2_x
+    D_l_3_rx = B_3_y*d_3_z - B_3_z*d_3_y
+    D_l_3_ry = -B_3_x*d_3_z + B_3_z*d_3_x
+    D_l_3_rz = B_3_x*d_3_y - B_3_y*d_3_x
+    D_l_4_rx = B_4_y*d_4_z - B_4_z*d_4_y
+    D_l_4_ry = -B_4_x*d_4_z + B_4_z*d_4_x
+    D_l_4_rz = B_4_x*d_4_y - B_4_y*d_4_x
+    D_l_5_rx = B_5_y*d_5_z - B_5_z*d_5_y
+    D_l_5_ry = -B_5_x*d_5_z + B_5_z*d_5_x
+    D_l_5_rz = B_5_x*d_5_y - B_5_y*d_5_x
+    D_l_6_rx = B_6_y*d_6_z - B_6_z*d_6_y
+    D_l_6_ry = -B_6_x*d_6_z + B_6_z*d_6_x
+    D_l_6_rz = B_6_x*d_6_y - B_6_y*d_6_x
+    minor_23_23 = d_2_y*d_3_z - d_2_z*d_3_y
+    minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry
+    minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx
+    minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx
+    minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45
+    minor_23_24 = -D_l_2_rx*d_3_y + D_l_3_rx*d_2_y
+    minor_56_36 = -D_l_5_rz*d_6_z + D_l_6_rz*d_5_z
+    minor_56_35 = -D_l_5_ry*d_6_z + D_l_6_ry*d_5_z
+    minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + d_4_z*minor_56_56
+    minor_23_25 = -D_l_2_ry*d_3_y + D_l_3_ry*d_2_y
+    minor_56_34 = -D_l_5_rx*d_6_z + D_l_6_rx*d_5_z
+    minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + d_4_z*minor_56_46
+    minor_23_26 = -D_l_2_rz*d_3_y + D_l_3_rz*d_2_y
+    minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + d_4_z*minor_56_45
+    minor_23_34 = -D_l_2_rx*d_3_z + D_l_3_rx*d_2_z
+    minor_56_26 = -D_l_5_rz*d_6_y + D_l_6_rz*d_5_y
+    minor_56_25 = -D_l_5_ry*d_6_y + D_l_6_ry*d_5_y
+    minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + d_4_y*minor_56_56
+    minor_23_35 = -D_l_2_ry*d_3_z + D_l_3_ry*d_2_z
+    minor_56_24 = -D_l_5_rx*d_6_y + D_l_6_rx*d_5_y
+    minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + d_4_y*minor_56_46
+    minor_23_36 = -D_l_2_rz*d_3_z + D_l_3_rz*d_2_z
+    minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + d_4_y*minor_56_45
+    minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx
+    minor_56_23 = d_5_y*d_6_z - d_5_z*d_6_y
+    minor_456_236 = D_l_4_rz*minor_56_23 + d_4_y*minor_56_36 - d_4_z*minor_56_26
+    minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx
+    minor_456_235 = D_l_4_ry*minor_56_23 + d_4_y*minor_56_35 - d_4_z*minor_56_25
+    minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry
+    minor_456_234 = D_l_4_rx*minor_56_23 + d_4_y*minor_56_34 - d_4_z*minor_56_24
+    A_x_1 = (
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234
+    )
+    minor_23_13 = d_2_x*d_3_z - d_2_z*d_3_x
+    minor_23_14 = -D_l_2_rx*d_3_x + D_l_3_rx*d_2_x
+    minor_23_15 = -D_l_2_ry*d_3_x + D_l_3_ry*d_2_x
+    minor_23_16 = -D_l_2_rz*d_3_x + D_l_3_rz*d_2_x
+    minor_56_16 = -D_l_5_rz*d_6_x + D_l_6_rz*d_5_x
+    minor_56_15 = -D_l_5_ry*d_6_x + D_l_6_ry*d_5_x
+    minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + d_4_x*minor_56_56
+    minor_56_14 = -D_l_5_rx*d_6_x + D_l_6_rx*d_5_x
+    minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + d_4_x*minor_56_46
+    minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + d_4_x*minor_56_45
+    minor_56_13 = d_5_x*d_6_z - d_5_z*d_6_x
+    minor_456_136 = D_l_4_rz*minor_56_13 + d_4_x*minor_56_36 - d_4_z*minor_56_16
+    minor_456_135 = D_l_4_ry*minor_56_13 + d_4_x*minor_56_35 - d_4_z*minor_56_15
+    minor_456_134 = D_l_4_rx*minor_56_13 + d_4_x*minor_56_34 - d_4_z*minor_56_14
+    A_y_1 = (
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134
+    )
+    minor_23_12 = d_2_x*d_3_y - d_2_y*d_3_x
+    minor_56_12 = d_5_x*d_6_y - d_5_y*d_6_x
+    minor_456_126 = D_l_4_rz*minor_56_12 + d_4_x*minor_56_26 - d_4_y*minor_56_16
+    minor_456_125 = D_l_4_ry*minor_56_12 + d_4_x*minor_56_25 - d_4_y*minor_56_15
+    minor_456_124 = D_l_4_rx*minor_56_12 + d_4_x*minor_56_24 - d_4_y*minor_56_14
+    A_z_1 = (
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124
+    )
+    minor_456_123 = d_4_x*minor_56_23 - d_4_y*minor_56_13 + d_4_z*minor_56_12
+    A_rx_1 = (
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123
+    )
+    A_ry_1 = (
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123
+    )
+    A_rz_1 = (
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123
+    )
+    minor_13_23 = d_1_y*d_3_z - d_1_z*d_3_y
+    minor_13_24 = -D_l_1_rx*d_3_y + D_l_3_rx*d_1_y
+    minor_13_25 = -D_l_1_ry*d_3_y + D_l_3_ry*d_1_y
+    minor_13_26 = -D_l_1_rz*d_3_y + D_l_3_rz*d_1_y
+    minor_13_34 = -D_l_1_rx*d_3_z + D_l_3_rx*d_1_z
+    minor_13_35 = -D_l_1_ry*d_3_z + D_l_3_ry*d_1_z
+    minor_13_36 = -D_l_1_rz*d_3_z + D_l_3_rz*d_1_z
+    minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx
+    minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx
+    minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry
+    A_x_2 = (
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234
+    )
+    minor_13_13 = d_1_x*d_3_z - d_1_z*d_3_x
+    minor_13_14 = -D_l_1_rx*d_3_x + D_l_3_rx*d_1_x
+    minor_13_15 = -D_l_1_ry*d_3_x + D_l_3_ry*d_1_x
+    minor_13_16 = -D_l_1_rz*d_3_x + D_l_3_rz*d_1_x
+    A_y_2 = (
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134
+    )
+    minor_13_12 = d_1_x*d_3_y - d_1_y*d_3_x
+    A_z_2 = (
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124
+    )
+    A_rx_2 = (
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123
+    )
+    A_ry_2 = (
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123
+    )
+    A_rz_2 = (
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123
+    )
+    minor_12_23 = d_1_y*d_2_z - d_1_z*d_2_y
+    minor_12_24 = -D_l_1_rx*d_2_y + D_l_2_rx*d_1_y
+    minor_12_25 = -D_l_1_ry*d_2_y + D_l_2_ry*d_1_y
+    minor_12_26 = -D_l_1_rz*d_2_y + D_l_2_rz*d_1_y
+    minor_12_34 = -D_l_1_rx*d_2_z + D_l_2_rx*d_1_z
+    minor_12_35 = -D_l_1_ry*d_2_z + D_l_2_ry*d_1_z
+    minor_12_36 = -D_l_1_rz*d_2_z + D_l_2_rz*d_1_z
+    minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx
+    minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx
+    minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry
+    A_x_3 = (
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234
+    )
+    minor_12_13 = d_1_x*d_2_z - d_1_z*d_2_x
+    minor_12_14 = -D_l_1_rx*d_2_x + D_l_2_rx*d_1_x
+    minor_12_15 = -D_l_1_ry*d_2_x + D_l_2_ry*d_1_x
+    minor_12_16 = -D_l_1_rz*d_2_x + D_l_2_rz*d_1_x
+    A_y_3 = (
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134
+    )
+    minor_12_12 = d_1_x*d_2_y - d_1_y*d_2_x
+    A_z_3 = (
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124
+    )
+    A_rx_3 = (
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123
+    )
+    A_ry_3 = (
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123
+    )
+    A_rz_3 = (
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123
+    )
+    minor_123_234 = D_l_1_rx*minor_23_23 + d_1_y*minor_23_34 - d_1_z*minor_23_24
+    minor_123_235 = D_l_1_ry*minor_23_23 + d_1_y*minor_23_35 - d_1_z*minor_23_25
+    minor_123_236 = D_l_1_rz*minor_23_23 + d_1_y*minor_23_36 - d_1_z*minor_23_26
+    minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + d_1_y*minor_23_45
+    minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + d_1_y*minor_23_46
+    minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + d_1_y*minor_23_56
+    minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + d_1_z*minor_23_45
+    minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + d_1_z*minor_23_46
+    minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + d_1_z*minor_23_56
+    minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45
+    A_x_4 = (
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23
+    )
+    minor_123_134 = D_l_1_rx*minor_23_13 + d_1_x*minor_23_34 - d_1_z*minor_23_14
+    minor_123_135 = D_l_1_ry*minor_23_13 + d_1_x*minor_23_35 - d_1_z*minor_23_15
+    minor_123_136 = D_l_1_rz*minor_23_13 + d_1_x*minor_23_36 - d_1_z*minor_23_16
+    minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + d_1_x*minor_23_45
+    minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + d_1_x*minor_23_46
+    minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + d_1_x*minor_23_56
+    A_y_4 = (
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13
+    )
+    minor_123_124 = D_l_1_rx*minor_23_12 + d_1_x*minor_23_24 - d_1_y*minor_23_14
+    minor_123_125 = D_l_1_ry*minor_23_12 + d_1_x*minor_23_25 - d_1_y*minor_23_15
+    minor_123_126 = D_l_1_rz*minor_23_12 + d_1_x*minor_23_26 - d_1_y*minor_23_16
+    A_z_4 = (
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12
+    )
+    minor_123_123 = d_1_x*minor_23_23 - d_1_y*minor_23_13 + d_1_z*minor_23_12
+    A_rx_4 = (
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12
+    )
+    A_ry_4 = (
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12
+    )
+    A_rz_4 = (
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12
+    )
+    minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry
+    minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx
+    minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx
+    minor_46_36 = -D_l_4_rz*d_6_z + D_l_6_rz*d_4_z
+    minor_46_35 = -D_l_4_ry*d_6_z + D_l_6_ry*d_4_z
+    minor_46_34 = -D_l_4_rx*d_6_z + D_l_6_rx*d_4_z
+    minor_46_26 = -D_l_4_rz*d_6_y + D_l_6_rz*d_4_y
+    minor_46_25 = -D_l_4_ry*d_6_y + D_l_6_ry*d_4_y
+    minor_46_24 = -D_l_4_rx*d_6_y + D_l_6_rx*d_4_y
+    minor_46_23 = d_4_y*d_6_z - d_4_z*d_6_y
+    A_x_5 = (
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23
+    )
+    minor_46_16 = -D_l_4_rz*d_6_x + D_l_6_rz*d_4_x
+    minor_46_15 = -D_l_4_ry*d_6_x + D_l_6_ry*d_4_x
+    minor_46_14 = -D_l_4_rx*d_6_x + D_l_6_rx*d_4_x
+    minor_46_13 = d_4_x*d_6_z - d_4_z*d_6_x
+    A_y_5 = (
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13
+    )
+    minor_46_12 = d_4_x*d_6_y - d_4_y*d_6_x
+    A_z_5 = (
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12
+    )
+    A_rx_5 = (
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12
+    )
+    A_ry_5 = (
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12
+    )
+    A_rz_5 = (
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12
+    )
+    minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry
+    minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx
+    minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx
+    minor_45_36 = -D_l_4_rz*d_5_z + D_l_5_rz*d_4_z
+    minor_45_35 = -D_l_4_ry*d_5_z + D_l_5_ry*d_4_z
+    minor_45_34 = -D_l_4_rx*d_5_z + D_l_5_rx*d_4_z
+    minor_45_26 = -D_l_4_rz*d_5_y + D_l_5_rz*d_4_y
+    minor_45_25 = -D_l_4_ry*d_5_y + D_l_5_ry*d_4_y
+    minor_45_24 = -D_l_4_rx*d_5_y + D_l_5_rx*d_4_y
+    minor_45_23 = d_4_y*d_5_z - d_4_z*d_5_y
+    A_x_6 = (
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23
+    )
+    minor_45_16 = -D_l_4_rz*d_5_x + D_l_5_rz*d_4_x
+    minor_45_15 = -D_l_4_ry*d_5_x + D_l_5_ry*d_4_x
+    minor_45_14 = -D_l_4_rx*d_5_x + D_l_5_rx*d_4_x
+    minor_45_13 = d_4_x*d_5_z - d_4_z*d_5_x
+    A_y_6 = (
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13
+    )
+    minor_45_12 = d_4_x*d_5_y - d_4_y*d_5_x
+    A_z_6 = (
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12
+    )
+    A_rx_6 = (
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12
+    )
+    A_ry_6 = (
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12
+    )
+    A_rz_6 = (
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12
+    )
+    det_D_l = A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*d_1_x + A_y_1*d_1_y + A_z_1*d_1_z
+    t18 = 1.0/det_D_l
+    t19 = l_1*t18
+    D_p_x_1 = A_x_1*t19
+    t20 = l_2*t18
+    D_p_x_2 = A_x_2*t20
+    t21 = l_3*t18
+    D_p_x_3 = A_x_3*t21
+    t22 = l_4*t18
+    D_p_x_4 = A_x_4*t22
+    t23 = l_5*t18
+    D_p_x_5 = A_x_5*t23
+    t24 = l_6*t18
+    D_p_x_6 = A_x_6*t24
+    D_p_y_1 = A_y_1*t19
+    D_p_y_2 = A_y_2*t20
+    D_p_y_3 = A_y_3*t21
+    D_p_y_4 = A_y_4*t22
+    D_p_y_5 = A_y_5*t23
+    D_p_y_6 = A_y_6*t24
+    D_p_z_1 = A_z_1*t19
+    D_p_z_2 = A_z_2*t20
+    D_p_z_3 = A_z_3*t21
+    D_p_z_4 = A_z_4*t22
+    D_p_z_5 = A_z_5*t23
+    D_p_z_6 = A_z_6*t24
+    D_p_rx_1 = A_rx_1*t19
+    D_p_rx_2 = A_rx_2*t20
+    D_p_rx_3 = A_rx_3*t21
+    D_p_rx_4 = A_rx_4*t22
+    D_p_rx_5 = A_rx_5*t23
+    D_p_rx_6 = A_rx_6*t24
+    D_p_ry_1 = A_ry_1*t19
+    D_p_ry_2 = A_ry_2*t20
+    D_p_ry_3 = A_ry_3*t21
+    D_p_ry_4 = A_ry_4*t22
+    D_p_ry_5 = A_ry_5*t23
+    D_p_ry_6 = A_ry_6*t24
+    D_p_rz_1 = A_rz_1*t19
+    D_p_rz_2 = A_rz_2*t20
+    D_p_rz_3 = A_rz_3*t21
+    D_p_rz_4 = A_rz_4*t22
+    D_p_rz_5 = A_rz_5*t23
+    D_p_rz_6 = A_rz_6*t24
+    t25 = g_x*m_lift_1
+    t26 = g_x*m_lift_2
+    t27 = g_x*m_lift_3
+    t28 = g_x*m_lift_4
+    t29 = g_x*m_lift_5
+    t30 = g_x*m_lift_6
+    t31 = g_x*m_p
+    G_p_x = -t25 - t26 - t27 - t28 - t29 - t30 - t31
+    t32 = g_y*m_lift_1
+    t33 = g_y*m_lift_2
+    t34 = g_y*m_lift_3
+    t35 = g_y*m_lift_4
+    t36 = g_y*m_lift_5
+    t37 = g_y*m_lift_6
+    t38 = g_y*m_p
+    G_p_y = -t32 - t33 - t34 - t35 - t36 - t37 - t38
+    t39 = g_z*m_lift_1
+    t40 = g_z*m_lift_2
+    t41 = g_z*m_lift_3
+    t42 = g_z*m_lift_4
+    t43 = g_z*m_lift_5
+    t44 = g_z*m_lift_6
+    t45 = g_z*m_p
+    G_p_z = -t39 - t40 - t41 - t42 - t43 - t44 - t45
+    G_p_rx = (
+        -B_1_y*t39 + B_1_z*g_y*m_lift_1 - B_2_y*t40 + B_2_z*g_y*m_lift_2 - B_3_y*t41 + B_3_z*g_y*m_lift_3
+        - B_4_y*t42 + B_4_z*g_y*m_lift_4 - B_5_y*t43 + B_5_z*g_y*m_lift_5 - B_6_y*t44 + B_6_z*g_y*m_lift_6
+        - c_y*t45 + c_z*g_y*m_p
+    )
+    G_p_ry = (
+        B_1_x*t39 - B_1_z*t25 + B_2_x*t40 - B_2_z*t26 + B_3_x*t41 - B_3_z*t27 + B_4_x*t42 - B_4_z*t28
+        + B_5_x*t43 - B_5_z*t29 + B_6_x*t44 - B_6_z*t30 + c_x*t45 - c_z*t31
+    )
+    G_p_rz = (
+        -B_1_x*t32 + B_1_y*g_x*m_lift_1 - B_2_x*t33 + B_2_y*g_x*m_lift_2 - B_3_x*t34 + B_3_y*g_x*m_lift_3
+        - B_4_x*t35 + B_4_y*g_x*m_lift_4 - B_5_x*t36 + B_5_y*g_x*m_lift_5 - B_6_x*t37 + B_6_y*g_x*m_lift_6
+        - c_x*t38 + c_y*g_x*m_p
+    )
+    G_1 = (
+        D_p_rx_1*G_p_rx + D_p_ry_1*G_p_ry + D_p_rz_1*G_p_rz + D_p_x_1*G_p_x + D_p_y_1*G_p_y + D_p_z_1*G_p_z
+        - t12*(-d_1_x*g_x - d_1_y*g_y - d_1_z*g_z)/l_1**2
+    )
+    G_2 = (
+        D_p_rx_2*G_p_rx + D_p_ry_2*G_p_ry + D_p_rz_2*G_p_rz + D_p_x_2*G_p_x + D_p_y_2*G_p_y + D_p_z_2*G_p_z
+        - t13*(-d_2_x*g_x - d_2_y*g_y - d_2_z*g_z)/l_2**2
+    )
+    G_3 = (
+        D_p_rx_3*G_p_rx + D_p_ry_3*G_p_ry + D_p_rz_3*G_p_rz + D_p_x_3*G_p_x + D_p_y_3*G_p_y + D_p_z_3*G_p_z
+        - t14*(-d_3_x*g_x - d_3_y*g_y - d_3_z*g_z)/l_3**2
+    )
+    G_4 = (
+        D_p_rx_4*G_p_rx + D_p_ry_4*G_p_ry + D_p_rz_4*G_p_rz + D_p_x_4*G_p_x + D_p_y_4*G_p_y + D_p_z_4*G_p_z
+        - t15*(-d_4_x*g_x - d_4_y*g_y - d_4_z*g_z)/l_4**2
+    )
+    G_5 = (
+        D_p_rx_5*G_p_rx + D_p_ry_5*G_p_ry + D_p_rz_5*G_p_rz + D_p_x_5*G_p_x + D_p_y_5*G_p_y + D_p_z_5*G_p_z
+        - t16*(-d_5_x*g_x - d_5_y*g_y - d_5_z*g_z)/l_5**2
+    )
+    G_6 = (
+        D_p_rx_6*G_p_rx + D_p_ry_6*G_p_ry + D_p_rz_6*G_p_rz + D_p_x_6*G_p_x + D_p_y_6*G_p_y + D_p_z_6*G_p_z
+        - t17*(-d_6_x*g_x - d_6_y*g_y - d_6_z*g_z)/l_6**2
+    )
+    s_1_st = G_1/k_l_1
+    s_2_st = G_2/k_l_2
+    s_3_st = G_3/k_l_3
+    s_4_st = G_4/k_l_4
+    s_5_st = G_5/k_l_5
+    s_6_st = G_6/k_l_6
+    f_st_1 = k_l_1*s_1_st
+    f_st_2 = k_l_2*s_2_st
+    f_st_3 = k_l_3*s_3_st
+    f_st_4 = k_l_4*s_4_st
+    f_st_5 = k_l_5*s_5_st
+    f_st_6 = k_l_6*s_6_st
+    tau_st_out = np.empty((*batch, 6), dtype)
+    tau_st_out[..., 0] = f_st_1
+    tau_st_out[..., 1] = f_st_2
+    tau_st_out[..., 2] = f_st_3
+    tau_st_out[..., 3] = f_st_4
+    tau_st_out[..., 4] = f_st_5
+    tau_st_out[..., 5] = f_st_6
+    theta_st_out = np.empty((*batch, 6), dtype)
+    theta_st_out[..., 0] = s_1_st
+    theta_st_out[..., 1] = s_2_st
+    theta_st_out[..., 2] = s_3_st
+    theta_st_out[..., 3] = s_4_st
+    theta_st_out[..., 4] = s_5_st
+    theta_st_out[..., 5] = s_6_st
+    return tau_st_out, theta_st_out
+
+
+def stiffness_matrix(p, parameters):
+    """Stiffness matrix K in the 12 generalised coordinates.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    K : array, shape (..., 12, 12) [N/m]
+        Symmetric; Hessian of V_el + V_g, positive for a restoring force.
+
+    Notes
+    -----
+    Equations 46 and 48: K = -H_U.
+    3032 operations; 9244804014 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    c_p_x, c_p_y, c_p_z = _entries(parameters.platform_center, (3,))
+    g_x, g_y, g_z = _entries(parameters.gravity, (3,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    k_l_1, k_l_2, k_l_3, k_l_4, k_l_5, k_l_6 = _entries(parameters.leg_stiffness, (6,))
+    m_b_1, m_b_2, m_b_3, m_b_4, m_b_5, m_b_6 = _entries(parameters.leg_base_mass, (6,))
+    c_b_1, c_b_2, c_b_3, c_b_4, c_b_5, c_b_6 = _entries(parameters.leg_base_center, (6,))
+    m_r_1, m_r_2, m_r_3, m_r_4, m_r_5, m_r_6 = _entries(parameters.leg_rod_mass, (6,))
+    c_r_1, c_r_2, c_r_3, c_r_4, c_r_5, c_r_6 = _entries(parameters.leg_rod_center, (6,))
+    batch, dtype = _batch(p_x, m_p, c_p_x, g_x, a_1_x, b_1_x, k_l_1, m_b_1, c_b_1, m_r_1, c_r_1)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    l_1 = np.sqrt(d_1_x**2 + d_1_y**2 + d_1_z**2)
+    l_2 = np.sqrt(d_2_x**2 + d_2_y**2 + d_2_z**2)
+    l_3 = np.sqrt(d_3_x**2 + d_3_y**2 + d_3_z**2)
+    l_4 = np.sqrt(d_4_x**2 + d_4_y**2 + d_4_z**2)
+    l_5 = np.sqrt(d_5_x**2 + d_5_y**2 + d_5_z**2)
+    l_6 = np.sqrt(d_6_x**2 + d_6_y**2 + d_6_z**2)
+    c_x = R_x_x*c_p_x + R_x_y*c_p_y + R_x_z*c_p_z
+    c_y = R_y_x*c_p_x + R_y_y*c_p_y + R_y_z*c_p_z
+    c_z = R_z_x*c_p_x + R_z_y*c_p_y + R_z_z*c_p_z
+    t12 = c_b_1*m_b_1 - c_r_1*m_r_1
+    m_lift_1 = m_r_1 + t12/l_1
+    t13 = c_b_2*m_b_2 - c_r_2*m_r_2
+    m_lift_2 = m_r_2 + t13/l_2
+    t14 = c_b_3*m_b_3 - c_r_3*m_r_3
+    m_lift_3 = m_r_3 + t14/l_3
+    t15 = c_b_4*m_b_4 - c_r_4*m_r_4
+    m_lift_4 = m_r_4 + t15/l_4
+    t16 = c_b_5*m_b_5 - c_r_5*m_r_5
+    m_lift_5 = m_r_5 + t16/l_5
+    t17 = c_b_6*m_b_6 - c_r_6*m_r_6
+    m_lift_6 = m_r_6 + t17/l_6
+    D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y
+    D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x
+    D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x
+    D_l_2_rx = B_2_y*d_2_z - B_2_z*d_2_y
+    D_l_2_ry = -B_2_x*d_2_z + B_2_z*d_2_x
+    D_l_2_rz = B_2_x*d_2_y - B_2_y*d_2_x
+    D_l_3_rx = B_3_y*d_3_z - B_3_z*d_3_y
+    D_l_3_ry = -B_3_x*d_3_z + B_3_z*d_3_x
+    D_l_3_rz = B_3_x*d_3_y - B_3_y*d_3_x
+    D_l_4_rx = B_4_y*d_4_z - B_4_z*d_4_y
+    D_l_4_ry = -B_4_x*d_4_z + B_4_z*d_4_x
+    D_l_4_rz = B_4_x*d_4_y - B_4_y*d_4_x
+    D_l_5_rx = B_5_y*d_5_z - B_5_z*d_5_y
+    D_l_5_ry = -B_5_x*d_5_z + B_5_z*d_5_x
+    D_l_5_rz = B_5_x*d_5_y - B_5_y*d_5_x
+    D_l_6_rx = B_6_y*d_6_z - B_6_z*d_6_y
+    D_l_6_ry = -B_6_x*d_6_z + B_6_z*d_6_x
+    D_l_6_rz = B_6_x*d_6_y - B_6_y*d_6_x
+    minor_23_23 = d_2_y*d_3_z - d_2_z*d_3_y
+    minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry
+    minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx
+    minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx
+    minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45
+    minor_23_24 = -D_l_2_rx*d_3_y + D_l_3_rx*d_2_y
+    minor_56_36 = -D_l_5_rz*d_6_z + D_l_6_rz*d_5_z
+    minor_56_35 = -D_l_5_ry*d_6_z + D_l_6_ry*d_5_z
+    minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + d_4_z*minor_56_56
+    minor_23_25 = -D_l_2_ry*d_3_y + D_l_3_ry*d_2_y
+    minor_56_34 = -D_l_5_rx*d_6_z + D_l_6_rx*d_5_z
+    minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + d_4_z*minor_56_46
+    minor_23_26 = -D_l_2_rz*d_3_y + D_l_3_rz*d_2_y
+    minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + d_4_z*minor_56_45
+    minor_23_34 = -D_l_2_rx*d_3_z + D_l_3_rx*d_2_z
+    minor_56_26 = -D_l_5_rz*d_6_y + D_l_6_rz*d_5_y
+    minor_56_25 = -D_l_5_ry*d_6_y + D_l_6_ry*d_5_y
+    minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + d_4_y*minor_56_56
+    minor_23_35 = -D_l_2_ry*d_3_z + D_l_3_ry*d_2_z
+    minor_56_24 = -D_l_5_rx*d_6_y + D_l_6_rx*d_5_y
+    minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + d_4_y*minor_56_46
+    minor_23_36 = -D_l_2_rz*d_3_z + D_l_3_rz*d_2_z
+    minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + d_4_y*minor_56_45
+    minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx
+    minor_56_23 = d_5_y*d_6_z - d_5_z*d_6_y
+    minor_456_236 = D_l_4_rz*minor_56_23 + d_4_y*minor_56_36 - d_4_z*minor_56_26
+    minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx
+    minor_456_235 = D_l_4_ry*minor_56_23 + d_4_y*minor_56_35 - d_4_z*minor_56_25
+    minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry
+    minor_456_234 = D_l_4_rx*minor_56_23 + d_4_y*minor_56_34 - d_4_z*minor_56_24
+    A_x_1 = (
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234
+    )
+    minor_23_13 = d_2_x*d_3_z - d_2_z*d_3_x
+    minor_23_14 = -D_l_2_rx*d_3_x + D_l_3_rx*d_2_x
+    minor_23_15 = -D_l_2_ry*d_3_x + D_l_3_ry*d_2_x
+    minor_23_16 = -D_l_2_rz*d_3_x + D_l_3_rz*d_2_x
+    minor_56_16 = -D_l_5_rz*d_6_x + D_l_6_rz*d_5_x
+    minor_56_15 = -D_l_5_ry*d_6_x + D_l_6_ry*d_5_x
+    minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + d_4_x*minor_56_56
+    minor_56_14 = -D_l_5_rx*d_6_x + D_l_6_rx*d_5_x
+    minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + d_4_x*minor_56_46
+    minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + d_4_x*minor_56_45
+    minor_56_13 = d_5_x*d_6_z - d_5_z*d_6_x
+    minor_456_136 = D_l_4_rz*minor_56_13 + d_4_x*minor_56_36 - d_4_z*minor_56_16
+    minor_456_135 = D_l_4_ry*minor_56_13 + d_4_x*minor_56_35 - d_4_z*minor_56_15
+    minor_456_134 = D_l_4_rx*minor_56_13 + d_4_x*minor_56_34 - d_4_z*minor_56_14
+    A_y_1 = (
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134
+    )
+    minor_23_12 = d_2_x*d_3_y - d_2_y*d_3_x
+    minor_56_12 = d_5_x*d_6_y - d_5_y*d_6_x
+    minor_456_126 = D_l_4_rz*minor_56_12 + d_4_x*minor_56_26 - d_4_y*minor_56_16
+    minor_456_125 = D_l_4_ry*minor_56_12 + d_4_x*minor_56_25 - d_4_y*minor_56_15
+    minor_456_124 = D_l_4_rx*minor_56_12 + d_4_x*minor_56_24 - d_4_y*minor_56_14
+    A_z_1 = (
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124
+    )
+    minor_456_123 = d_4_x*minor_56_23 - d_4_y*minor_56_13 + d_4_z*minor_56_12
+    A_rx_1 = (
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123
+    )
+    A_ry_1 = (
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123
+    )
+    A_rz_1 = (
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123
+    )
+    minor_13_23 = d_1_y*d_3_z - d_1_z*d_3_y
+    minor_13_24 = -D_l_1_rx*d_3_y + D_l_3_rx*d_1_y
+    minor_13_25 = -D_l_1_ry*d_3_y + D_l_3_ry*d_1_y
+    minor_13_26 = -D_l_1_rz*d_3_y + D_l_3_rz*d_1_y
+    minor_13_34 = -D_l_1_rx*d_3_z + D_l_3_rx*d_1_z
+    minor_13_35 = -D_l_1_ry*d_3_z + D_l_3_ry*d_1_z
+    minor_13_36 = -D_l_1_rz*d_3_z + D_l_3_rz*d_1_z
+    minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx
+    minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx
+    minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry
+    A_x_2 = (
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234
+    )
+    minor_13_13 = d_1_x*d_3_z - d_1_z*d_3_x
+    minor_13_14 = -D_l_1_rx*d_3_x + D_l_3_rx*d_1_x
+    minor_13_15 = -D_l_1_ry*d_3_x + D_l_3_ry*d_1_x
+    minor_13_16 = -D_l_1_rz*d_3_x + D_l_3_rz*d_1_x
+    A_y_2 = (
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134
+    )
+    minor_13_12 = d_1_x*d_3_y - d_1_y*d_3_x
+    A_z_2 = (
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124
+    )
+    A_rx_2 = (
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123
+    )
+    A_ry_2 = (
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123
+    )
+    A_rz_2 = (
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123
+    )
+    minor_12_23 = d_1_y*d_2_z - d_1_z*d_2_y
+    minor_12_24 = -D_l_1_rx*d_2_y + D_l_2_rx*d_1_y
+    minor_12_25 = -D_l_1_ry*d_2_y + D_l_2_ry*d_1_y
+    minor_12_26 = -D_l_1_rz*d_2_y + D_l_2_rz*d_1_y
+    minor_12_34 = -D_l_1_rx*d_2_z + D_l_2_rx*d_1_z
+    minor_12_35 = -D_l_1_ry*d_2_z + D_l_2_ry*d_1_z
+    minor_12_36 = -D_l_1_rz*d_2_z + D_l_2_rz*d_1_z
+    minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx
+    minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx
+    minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry
+    A_x_3 = (
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234
+    )
+    minor_12_13 = d_1_x*d_2_z - d_1_z*d_2_x
+    minor_12_14 = -D_l_1_rx*d_2_x + D_l_2_rx*d_1_x
+    minor_12_15 = -D_l_1_ry*d_2_x + D_l_2_ry*d_1_x
+    minor_12_16 = -D_l_1_rz*d_2_x + D_l_2_rz*d_1_x
+    A_y_3 = (
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134
+    )
+    minor_12_12 = d_1_x*d_2_y - d_1_y*d_2_x
+    A_z_3 = (
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124
+    )
+    A_rx_3 = (
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123
+    )
+    A_ry_3 = (
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123
+    )
+    A_rz_3 = (
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123
+    )
+    minor_123_234 = D_l_1_rx*minor_23_23 + d_1_y*minor_23_34 - d_1_z*minor_23_24
+    minor_123_235 = D_l_1_ry*minor_23_23 + d_1_y*minor_23_35 - d_1_z*minor_23_25
+    minor_123_236 = D_l_1_rz*minor_23_23 + d_1_y*minor_23_36 - d_1_z*minor_23_26
+    minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + d_1_y*minor_23_45
+    minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + d_1_y*minor_23_46
+    minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + d_1_y*minor_23_56
+    minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + d_1_z*minor_23_45
+    minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + d_1_z*minor_23_46
+    minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + d_1_z*minor_23_56
+    minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45
+    A_x_4 = (
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23
+    )
+    minor_123_134 = D_l_1_rx*minor_23_13 + d_1_x*minor_23_34 - d_1_z*minor_23_14
+    minor_123_135 = D_l_1_ry*minor_23_13 + d_1_x*minor_23_35 - d_1_z*minor_23_15
+    minor_123_136 = D_l_1_rz*minor_23_13 + d_1_x*minor_23_36 - d_1_z*minor_23_16
+    minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + d_1_x*minor_23_45
+    minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + d_1_x*minor_23_46
+    minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + d_1_x*minor_23_56
+    A_y_4 = (
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13
+    )
+    minor_123_124 = D_l_1_rx*minor_23_12 + d_1_x*minor_23_24 - d_1_y*minor_23_14
+    minor_123_125 = D_l_1_ry*minor_23_12 + d_1_x*minor_23_25 - d_1_y*minor_23_15
+    minor_123_126 = D_l_1_rz*minor_23_12 + d_1_x*minor_23_26 - d_1_y*minor_23_16
+    A_z_4 = (
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12
+    )
+    minor_123_123 = d_1_x*minor_23_23 - d_1_y*minor_23_13 + d_1_z*minor_23_12
+    A_rx_4 = (
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12
+    )
+    A_ry_4 = (
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12
+    )
+    A_rz_4 = (
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12
+    )
+    minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry
+    minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx
+    minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx
+    minor_46_36 = -D_l_4_rz*d_6_z + D_l_6_rz*d_4_z
+    minor_46_35 = -D_l_4_ry*d_6_z + D_l_6_ry*d_4_z
+    minor_46_34 = -D_l_4_rx*d_6_z + D_l_6_rx*d_4_z
+    minor_46_26 = -D_l_4_rz*d_6_y + D_l_6_rz*d_4_y
+    minor_46_25 = -D_l_4_ry*d_6_y + D_l_6_ry*d_4_y
+    minor_46_24 = -D_l_4_rx*d_6_y + D_l_6_rx*d_4_y
+    minor_46_23 = d_4_y*d_6_z - d_4_z*d_6_y
+    A_x_5 = (
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23
+    )
+    minor_46_16 = -D_l_4_rz*d_6_x + D_l_6_rz*d_4_x
+    minor_46_15 = -D_l_4_ry*d_6_x + D_l_6_ry*d_4_x
+    minor_46_14 = -D_l_4_rx*d_6_x + D_l_6_rx*d_4_x
+    minor_46_13 = d_4_x*d_6_z - d_4_z*d_6_x
+    A_y_5 = (
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13
+    )
+    minor_46_12 = d_4_x*d_6_y - d_4_y*d_6_x
+    A_z_5 = (
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12
+    )
+    A_rx_5 = (
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12
+    )
+    A_ry_5 = (
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12
+    )
+    A_rz_5 = (
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12
+    )
+    minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry
+    minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx
+    minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx
+    minor_45_36 = -D_l_4_rz*d_5_z + D_l_5_rz*d_4_z
+    minor_45_35 = -D_l_4_ry*d_5_z + D_l_5_ry*d_4_z
+    minor_45_34 = -D_l_4_rx*d_5_z + D_l_5_rx*d_4_z
+    minor_45_26 = -D_l_4_rz*d_5_y + D_l_5_rz*d_4_y
+    minor_45_25 = -D_l_4_ry*d_5_y + D_l_5_ry*d_4_y
+    minor_45_24 = -D_l_4_rx*d_5_y + D_l_5_rx*d_4_y
+    minor_45_23 = d_4_y*d_5_z - d_4_z*d_5_y
+    A_x_6 = (
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23
+    )
+    minor_45_16 = -D_l_4_rz*d_5_x + D_l_5_rz*d_4_x
+    minor_45_15 = -D_l_4_ry*d_5_x + D_l_5_ry*d_4_x
+    minor_45_14 = -D_l_4_rx*d_5_x + D_l_5_rx*d_4_x
+    minor_45_13 = d_4_x*d_5_z - d_4_z*d_5_x
+    A_y_6 = (
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13
+    )
+    minor_45_12 = d_4_x*d_5_y - d_4_y*d_5_x
+    A_z_6 = (
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12
+    )
+    A_rx_6 = (
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12
+    )
+    A_ry_6 = (
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12
+    )
+    A_rz_6 = (
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12
+    )
+    det_D_l = A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*d_1_x + A_y_1*d_1_y + A_z_1*d_1_z
+    t18 = 1.0/det_D_l
+    t19 = l_1*t18
+    D_p_x_1 = A_x_1*t19
+    t20 = l_2*t18
+    D_p_x_2 = A_x_2*t20
+    t21 = l_3*t18
+    D_p_x_3 = A_x_3*t21
+    t22 = l_4*t18
+    D_p_x_4 = A_x_4*t22
+    t23 = l_5*t18
+    D_p_x_5 = A_x_5*t23
+    t24 = l_6*t18
+    D_p_x_6 = A_x_6*t24
+    D_p_y_1 = A_y_1*t19
+    D_p_y_2 = A_y_2*t20
+    D_p_y_3 = A_y_3*t21
+    D_p_y_4 = A_y_4*t22
+    D_p_y_5 = A_y_5*t23
+    D_p_y_6 = A_y_6*t24
+    D_p_z_1 = A_z_1*t19
+    D_p_z_2 = A_z_2*t20
+    D_p_z_3 = A_z_3*t21
+    D_p_z_4 = A_z_4*t22
+    D_p_z_5 = A_z_5*t23
+    D_p_z_6 = A_z_6*t24
+    D_p_rx_1 = A_rx_1*t19
+    D_p_rx_2 = A_rx_2*t20
+    D_p_rx_3 = A_rx_3*t21
+    D_p_rx_4 = A_rx_4*t22
+    D_p_rx_5 = A_rx_5*t23
+    D_p_rx_6 = A_rx_6*t24
+    D_p_ry_1 = A_ry_1*t19
+    D_p_ry_2 = A_ry_2*t20
+    D_p_ry_3 = A_ry_3*t21
+    D_p_ry_4 = A_ry_4*t22
+    D_p_ry_5 = A_ry_5*t23
+    D_p_ry_6 = A_ry_6*t24
+    D_p_rz_1 = A_rz_1*t19
+    D_p_rz_2 = A_rz_2*t20
+    D_p_rz_3 = A_rz_3*t21
+    D_p_rz_4 = A_rz_4*t22
+    D_p_rz_5 = A_rz_5*t23
+    D_p_rz_6 = A_rz_6*t24
+    t25 = g_x*m_lift_1
+    t26 = g_x*m_lift_2
+    t27 = g_x*m_lift_3
+    t28 = g_x*m_lift_4
+    t29 = g_x*m_lift_5
+    t30 = g_x*m_lift_6
+    t31 = g_x*m_p
+    G_p_x = -t25 - t26 - t27 - t28 - t29 - t30 - t31
+    t32 = g_y*m_lift_1
+    t33 = g_y*m_lift_2
+    t34 = g_y*m_lift_3
+    t35 = g_y*m_lift_4
+    t36 = g_y*m_lift_5
+    t37 = g_y*m_lift_6
+    t38 = g_y*m_p
+    G_p_y = -t32 - t33 - t34 - t35 - t36 - t37 - t38
+    t39 = g_z*m_lift_1
+    t40 = g_z*m_lift_2
+    t41 = g_z*m_lift_3
+    t42 = g_z*m_lift_4
+    t43 = g_z*m_lift_5
+    t44 = g_z*m_lift_6
+    t45 = g_z*m_p
+    G_p_z = -t39 - t40 - t41 - t42 - t43 - t44 - t45
+    G_p_rx = (
+        -B_1_y*t39 + B_1_z*g_y*m_lift_1 - B_2_y*t40 + B_2_z*g_y*m_lift_2 - B_3_y*t41 + B_3_z*g_y*m_lift_3
+        - B_4_y*t42 + B_4_z*g_y*m_lift_4 - B_5_y*t43 + B_5_z*g_y*m_lift_5 - B_6_y*t44 + B_6_z*g_y*m_lift_6
+        - c_y*t45 + c_z*g_y*m_p
+    )
+    G_p_ry = (
+        B_1_x*t39 - B_1_z*t25 + B_2_x*t40 - B_2_z*t26 + B_3_x*t41 - B_3_z*t27 + B_4_x*t42 - B_4_z*t28
+        + B_5_x*t43 - B_5_z*t29 + B_6_x*t44 - B_6_z*t30 + c_x*t45 - c_z*t31
+    )
+    G_p_rz = (
+        -B_1_x*t32 + B_1_y*g_x*m_lift_1 - B_2_x*t33 + B_2_y*g_x*m_lift_2 - B_3_x*t34 + B_3_y*g_x*m_lift_3
+        - B_4_x*t35 + B_4_y*g_x*m_lift_4 - B_5_x*t36 + B_5_y*g_x*m_lift_5 - B_6_x*t37 + B_6_y*g_x*m_lift_6
+        - c_x*t38 + c_y*g_x*m_p
+    )
+    mu_1 = t18*(A_rx_1*G_p_rx + A_ry_1*G_p_ry + A_rz_1*G_p_rz + A_x_1*G_p_x + A_y_1*G_p_y + A_z_1*G_p_z)
+    mu_2 = t18*(A_rx_2*G_p_rx + A_ry_2*G_p_ry + A_rz_2*G_p_rz + A_x_2*G_p_x + A_y_2*G_p_y + A_z_2*G_p_z)
+    mu_3 = t18*(A_rx_3*G_p_rx + A_ry_3*G_p_ry + A_rz_3*G_p_rz + A_x_3*G_p_x + A_y_3*G_p_y + A_z_3*G_p_z)
+    mu_4 = t18*(A_rx_4*G_p_rx + A_ry_4*G_p_ry + A_rz_4*G_p_rz + A_x_4*G_p_x + A_y_4*G_p_y + A_z_4*G_p_z)
+    mu_5 = t18*(A_rx_5*G_p_rx + A_ry_5*G_p_ry + A_rz_5*G_p_rz + A_x_5*G_p_x + A_y_5*G_p_y + A_z_5*G_p_z)
+    mu_6 = t18*(A_rx_6*G_p_rx + A_ry_6*G_p_ry + A_rz_6*G_p_rz + A_x_6*G_p_x + A_y_6*G_p_y + A_z_6*G_p_z)
+    g_4_x = -d_1_x*mu_1 - t25
+    g_4_y = -d_1_y*mu_1 - t32
+    g_4_z = -d_1_z*mu_1 - t39
+    g_5_x = -d_2_x*mu_2 - t26
+    g_5_y = -d_2_y*mu_2 - t33
+    g_5_z = -d_2_z*mu_2 - t40
+    g_6_x = -d_3_x*mu_3 - t27
+    g_6_y = -d_3_y*mu_3 - t34
+    g_6_z = -d_3_z*mu_3 - t41
+    g_7_x = -d_4_x*mu_4 - t28
+    g_7_y = -d_4_y*mu_4 - t35
+    g_7_z = -d_4_z*mu_4 - t42
+    g_8_x = -d_5_x*mu_5 - t29
+    g_8_y = -d_5_y*mu_5 - t36
+    g_8_z = -d_5_z*mu_5 - t43
+    g_9_x = -d_6_x*mu_6 - t30
+    g_9_y = -d_6_y*mu_6 - t37
+    g_9_z = -d_6_z*mu_6 - t44
+    g_10_x = -t31
+    g_10_y = -t38
+    g_10_z = -t45
+    L_x_x = -mu_1 - mu_2 - mu_3 - mu_4 - mu_5 - mu_6
+    t46 = B_1_z*mu_1
+    t47 = B_2_z*mu_2
+    t48 = B_3_z*mu_3
+    t49 = B_4_z*mu_4
+    t50 = B_5_z*mu_5
+    t51 = B_6_z*mu_6
+    L_y_rx = t46 + t47 + t48 + t49 + t50 + t51
+    L_x_ry = -L_y_rx
+    t52 = B_1_y*mu_1
+    t53 = B_2_y*mu_2
+    t54 = B_3_y*mu_3
+    t55 = B_4_y*mu_4
+    t56 = B_5_y*mu_5
+    t57 = B_6_y*mu_6
+    L_x_rz = t52 + t53 + t54 + t55 + t56 + t57
+    L_z_ry = B_1_x*mu_1 + B_2_x*mu_2 + B_3_x*mu_3 + B_4_x*mu_4 + B_5_x*mu_5 + B_6_x*mu_6
+    L_y_rz = -L_z_ry
+    L_z_rx = -L_x_rz
+    t58 = (
+        B_1_z**2*mu_1 + B_1_z*g_4_z + B_2_z**2*mu_2 + B_2_z*g_5_z + B_3_z**2*mu_3 + B_3_z*g_6_z
+        + B_4_z**2*mu_4 + B_4_z*g_7_z + B_5_z**2*mu_5 + B_5_z*g_8_z + B_6_z**2*mu_6 + B_6_z*g_9_z + c_z*g_10_z
+    )
+    t59 = (
+        B_1_y**2*mu_1 + B_1_y*g_4_y + B_2_y**2*mu_2 + B_2_y*g_5_y + B_3_y**2*mu_3 + B_3_y*g_6_y
+        + B_4_y**2*mu_4 + B_4_y*g_7_y + B_5_y**2*mu_5 + B_5_y*g_8_y + B_6_y**2*mu_6 + B_6_y*g_9_y + c_y*g_10_y
+    )
+    L_rx_rx = -t58 - t59
+    t60 = (1/2)*B_1_x
+    t61 = (1/2)*g_4_x
+    t62 = (1/2)*B_2_x
+    t63 = (1/2)*g_5_x
+    t64 = (1/2)*B_3_x
+    t65 = (1/2)*g_6_x
+    t66 = (1/2)*B_4_x
+    t67 = (1/2)*g_7_x
+    t68 = (1/2)*B_5_x
+    t69 = (1/2)*g_8_x
+    t70 = (1/2)*B_6_x
+    t71 = (1/2)*g_9_x
+    t72 = (1/2)*c_x
+    t73 = (1/2)*g_10_x
+    L_rx_ry = (
+        B_1_x*t52 + B_1_y*t61 + B_2_x*t53 + B_2_y*t63 + B_3_x*t54 + B_3_y*t65 + B_4_x*t55 + B_4_y*t67
+        + B_5_x*t56 + B_5_y*t69 + B_6_x*t57 + B_6_y*t71 + c_y*t73 + g_10_y*t72 + g_4_y*t60 + g_5_y*t62
+        + g_6_y*t64 + g_7_y*t66 + g_8_y*t68 + g_9_y*t70
+    )
+    L_rx_rz = (
+        B_1_x*t46 + B_1_z*t61 + B_2_x*t47 + B_2_z*t63 + B_3_x*t48 + B_3_z*t65 + B_4_x*t49 + B_4_z*t67
+        + B_5_x*t50 + B_5_z*t69 + B_6_x*t51 + B_6_z*t71 + c_z*t73 + g_10_z*t72 + g_4_z*t60 + g_5_z*t62
+        + g_6_z*t64 + g_7_z*t66 + g_8_z*t68 + g_9_z*t70
+    )
+    t74 = (
+        B_1_x**2*mu_1 + B_1_x*g_4_x + B_2_x**2*mu_2 + B_2_x*g_5_x + B_3_x**2*mu_3 + B_3_x*g_6_x
+        + B_4_x**2*mu_4 + B_4_x*g_7_x + B_5_x**2*mu_5 + B_5_x*g_8_x + B_6_x**2*mu_6 + B_6_x*g_9_x + c_x*g_10_x
+    )
+    L_ry_ry = -t58 - t74
+    L_ry_rz = (
+        (1/2)*B_1_y*g_4_z + B_1_y*t46 + (1/2)*B_1_z*g_4_y + (1/2)*B_2_y*g_5_z + B_2_y*t47 + (1/2)*B_2_z*g_5_y
+        + (1/2)*B_3_y*g_6_z + B_3_y*t48 + (1/2)*B_3_z*g_6_y + (1/2)*B_4_y*g_7_z + B_4_y*t49
+        + (1/2)*B_4_z*g_7_y + (1/2)*B_5_y*g_8_z + B_5_y*t50 + (1/2)*B_5_z*g_8_y + (1/2)*B_6_y*g_9_z
+        + B_6_y*t51 + (1/2)*B_6_z*g_9_y + (1/2)*c_y*g_10_z + (1/2)*c_z*g_10_y
+    )
+    L_rz_rz = -t59 - t74
+    t75 = t12/l_1**2
+    t76 = g_x*t75
+    f_x_l_1 = D_p_ry_1*L_x_ry + D_p_rz_1*L_x_rz + D_p_x_1*L_x_x + t76
+    t77 = t13/l_2**2
+    t78 = g_x*t77
+    f_x_l_2 = D_p_ry_2*L_x_ry + D_p_rz_2*L_x_rz + D_p_x_2*L_x_x + t78
+    t79 = t14/l_3**2
+    t80 = g_x*t79
+    f_x_l_3 = D_p_ry_3*L_x_ry + D_p_rz_3*L_x_rz + D_p_x_3*L_x_x + t80
+    t81 = t15/l_4**2
+    t82 = g_x*t81
+    f_x_l_4 = D_p_ry_4*L_x_ry + D_p_rz_4*L_x_rz + D_p_x_4*L_x_x + t82
+    t83 = t16/l_5**2
+    t84 = g_x*t83
+    f_x_l_5 = D_p_ry_5*L_x_ry + D_p_rz_5*L_x_rz + D_p_x_5*L_x_x + t84
+    t85 = t17/l_6**2
+    t86 = g_x*t85
+    f_x_l_6 = D_p_ry_6*L_x_ry + D_p_rz_6*L_x_rz + D_p_x_6*L_x_x + t86
+    t87 = g_y*t75
+    f_y_l_1 = D_p_rx_1*L_y_rx + D_p_rz_1*L_y_rz + D_p_y_1*L_x_x + t87
+    t88 = g_y*t77
+    f_y_l_2 = D_p_rx_2*L_y_rx + D_p_rz_2*L_y_rz + D_p_y_2*L_x_x + t88
+    t89 = g_y*t79
+    f_y_l_3 = D_p_rx_3*L_y_rx + D_p_rz_3*L_y_rz + D_p_y_3*L_x_x + t89
+    t90 = g_y*t81
+    f_y_l_4 = D_p_rx_4*L_y_rx + D_p_rz_4*L_y_rz + D_p_y_4*L_x_x + t90
+    t91 = g_y*t83
+    f_y_l_5 = D_p_rx_5*L_y_rx + D_p_rz_5*L_y_rz + D_p_y_5*L_x_x + t91
+    t92 = g_y*t85
+    f_y_l_6 = D_p_rx_6*L_y_rx + D_p_rz_6*L_y_rz + D_p_y_6*L_x_x + t92
+    t93 = g_z*t75
+    f_z_l_1 = D_p_rx_1*L_z_rx + D_p_ry_1*L_z_ry + D_p_z_1*L_x_x + t93
+    t94 = g_z*t77
+    f_z_l_2 = D_p_rx_2*L_z_rx + D_p_ry_2*L_z_ry + D_p_z_2*L_x_x + t94
+    t95 = g_z*t79
+    f_z_l_3 = D_p_rx_3*L_z_rx + D_p_ry_3*L_z_ry + D_p_z_3*L_x_x + t95
+    t96 = g_z*t81
+    f_z_l_4 = D_p_rx_4*L_z_rx + D_p_ry_4*L_z_ry + D_p_z_4*L_x_x + t96
+    t97 = g_z*t83
+    f_z_l_5 = D_p_rx_5*L_z_rx + D_p_ry_5*L_z_ry + D_p_z_5*L_x_x + t97
+    t98 = g_z*t85
+    f_z_l_6 = D_p_rx_6*L_z_rx + D_p_ry_6*L_z_ry + D_p_z_6*L_x_x + t98
+    t99 = t75*(-B_1_y*g_z + B_1_z*g_y)
+    f_rx_l_1 = D_p_rx_1*L_rx_rx + D_p_ry_1*L_rx_ry + D_p_rz_1*L_rx_rz + D_p_y_1*L_y_rx + D_p_z_1*L_z_rx - t99
+    t100 = t77*(-B_2_y*g_z + B_2_z*g_y)
+    f_rx_l_2 = D_p_rx_2*L_rx_rx + D_p_ry_2*L_rx_ry + D_p_rz_2*L_rx_rz + D_p_y_2*L_y_rx + D_p_z_2*L_z_rx - t100
+    t101 = t79*(-B_3_y*g_z + B_3_z*g_y)
+    f_rx_l_3 = D_p_rx_3*L_rx_rx + D_p_ry_3*L_rx_ry + D_p_rz_3*L_rx_rz + D_p_y_3*L_y_rx + D_p_z_3*L_z_rx - t101
+    t102 = t81*(-B_4_y*g_z + B_4_z*g_y)
+    f_rx_l_4 = D_p_rx_4*L_rx_rx + D_p_ry_4*L_rx_ry + D_p_rz_4*L_rx_rz + D_p_y_4*L_y_rx + D_p_z_4*L_z_rx - t102
+    t103 = t83*(-B_5_y*g_z + B_5_z*g_y)
+    f_rx_l_5 = D_p_rx_5*L_rx_rx + D_p_ry_5*L_rx_ry + D_p_rz_5*L_rx_rz + D_p_y_5*L_y_rx + D_p_z_5*L_z_rx - t103
+    t104 = t85*(-B_6_y*g_z + B_6_z*g_y)
+    f_rx_l_6 = D_p_rx_6*L_rx_rx + D_p_ry_6*L_rx_ry + D_p_rz_6*L_rx_rz + D_p_y_6*L_y_rx + D_p_z_6*L_z_rx - t104
+    t105 = t75*(B_1_x*g_z - B_1_z*g_x)
+    f_ry_l_1 = D_p_rx_1*L_rx_ry + D_p_ry_1*L_ry_ry + D_p_rz_1*L_ry_rz + D_p_x_1*L_x_ry + D_p_z_1*L_z_ry - t105
+    t106 = t77*(B_2_x*g_z - B_2_z*g_x)
+    f_ry_l_2 = D_p_rx_2*L_rx_ry + D_p_ry_2*L_ry_ry + D_p_rz_2*L_ry_rz + D_p_x_2*L_x_ry + D_p_z_2*L_z_ry - t106
+    t107 = t79*(B_3_x*g_z - B_3_z*g_x)
+    f_ry_l_3 = D_p_rx_3*L_rx_ry + D_p_ry_3*L_ry_ry + D_p_rz_3*L_ry_rz + D_p_x_3*L_x_ry + D_p_z_3*L_z_ry - t107
+    t108 = t81*(B_4_x*g_z - B_4_z*g_x)
+    f_ry_l_4 = D_p_rx_4*L_rx_ry + D_p_ry_4*L_ry_ry + D_p_rz_4*L_ry_rz + D_p_x_4*L_x_ry + D_p_z_4*L_z_ry - t108
+    t109 = t83*(B_5_x*g_z - B_5_z*g_x)
+    f_ry_l_5 = D_p_rx_5*L_rx_ry + D_p_ry_5*L_ry_ry + D_p_rz_5*L_ry_rz + D_p_x_5*L_x_ry + D_p_z_5*L_z_ry - t109
+    t110 = t85*(B_6_x*g_z - B_6_z*g_x)
+    f_ry_l_6 = D_p_rx_6*L_rx_ry + D_p_ry_6*L_ry_ry + D_p_rz_6*L_ry_rz + D_p_x_6*L_x_ry + D_p_z_6*L_z_ry - t110
+    t111 = t75*(-B_1_x*g_y + B_1_y*g_x)
+    f_rz_l_1 = D_p_rx_1*L_rx_rz + D_p_ry_1*L_ry_rz + D_p_rz_1*L_rz_rz + D_p_x_1*L_x_rz + D_p_y_1*L_y_rz - t111
+    t112 = t77*(-B_2_x*g_y + B_2_y*g_x)
+    f_rz_l_2 = D_p_rx_2*L_rx_rz + D_p_ry_2*L_ry_rz + D_p_rz_2*L_rz_rz + D_p_x_2*L_x_rz + D_p_y_2*L_y_rz - t112
+    t113 = t79*(-B_3_x*g_y + B_3_y*g_x)
+    f_rz_l_3 = D_p_rx_3*L_rx_rz + D_p_ry_3*L_ry_rz + D_p_rz_3*L_rz_rz + D_p_x_3*L_x_rz + D_p_y_3*L_y_rz - t113
+    t114 = t81*(-B_4_x*g_y + B_4_y*g_x)
+    f_rz_l_4 = D_p_rx_4*L_rx_rz + D_p_ry_4*L_ry_rz + D_p_rz_4*L_rz_rz + D_p_x_4*L_x_rz + D_p_y_4*L_y_rz - t114
+    t115 = t83*(-B_5_x*g_y + B_5_y*g_x)
+    f_rz_l_5 = D_p_rx_5*L_rx_rz + D_p_ry_5*L_ry_rz + D_p_rz_5*L_rz_rz + D_p_x_5*L_x_rz + D_p_y_5*L_y_rz - t115
+    t116 = t85*(-B_6_x*g_y + B_6_y*g_x)
+    f_rz_l_6 = D_p_rx_6*L_rx_rz + D_p_ry_6*L_ry_rz + D_p_rz_6*L_rz_rz + D_p_x_6*L_x_rz + D_p_y_6*L_y_rz - t116
+    K_out = np.zeros((*batch, 12, 12), dtype)
+    K_out[..., 0, 0] = (
+        D_p_rx_1*f_rx_l_1 - D_p_rx_1*t99 + D_p_ry_1*f_ry_l_1 - D_p_ry_1*t105 + D_p_rz_1*f_rz_l_1
+        - D_p_rz_1*t111 + D_p_x_1*f_x_l_1 + D_p_x_1*t76 + D_p_y_1*f_y_l_1 + D_p_y_1*t87 + D_p_z_1*f_z_l_1
+        + D_p_z_1*t93 + k_l_1 + mu_1 + 2*t12*(-d_1_x*g_x - d_1_y*g_y - d_1_z*g_z)/l_1**3
+    )
+    K_out[..., 0, 1] = K_out[..., 1, 0] = (
+        D_p_rx_1*f_rx_l_2 - D_p_rx_2*t99 + D_p_ry_1*f_ry_l_2 - D_p_ry_2*t105 + D_p_rz_1*f_rz_l_2
+        - D_p_rz_2*t111 + D_p_x_1*f_x_l_2 + D_p_x_2*t76 + D_p_y_1*f_y_l_2 + D_p_y_2*t87 + D_p_z_1*f_z_l_2
+        + D_p_z_2*t93
+    )
+    K_out[..., 0, 2] = K_out[..., 2, 0] = (
+        D_p_rx_1*f_rx_l_3 - D_p_rx_3*t99 + D_p_ry_1*f_ry_l_3 - D_p_ry_3*t105 + D_p_rz_1*f_rz_l_3
+        - D_p_rz_3*t111 + D_p_x_1*f_x_l_3 + D_p_x_3*t76 + D_p_y_1*f_y_l_3 + D_p_y_3*t87 + D_p_z_1*f_z_l_3
+        + D_p_z_3*t93
+    )
+    K_out[..., 0, 3] = K_out[..., 3, 0] = (
+        D_p_rx_1*f_rx_l_4 - D_p_rx_4*t99 + D_p_ry_1*f_ry_l_4 - D_p_ry_4*t105 + D_p_rz_1*f_rz_l_4
+        - D_p_rz_4*t111 + D_p_x_1*f_x_l_4 + D_p_x_4*t76 + D_p_y_1*f_y_l_4 + D_p_y_4*t87 + D_p_z_1*f_z_l_4
+        + D_p_z_4*t93
+    )
+    K_out[..., 0, 4] = K_out[..., 4, 0] = (
+        D_p_rx_1*f_rx_l_5 - D_p_rx_5*t99 + D_p_ry_1*f_ry_l_5 - D_p_ry_5*t105 + D_p_rz_1*f_rz_l_5
+        - D_p_rz_5*t111 + D_p_x_1*f_x_l_5 + D_p_x_5*t76 + D_p_y_1*f_y_l_5 + D_p_y_5*t87 + D_p_z_1*f_z_l_5
+        + D_p_z_5*t93
+    )
+    K_out[..., 0, 5] = K_out[..., 5, 0] = (
+        D_p_rx_1*f_rx_l_6 - D_p_rx_6*t99 + D_p_ry_1*f_ry_l_6 - D_p_ry_6*t105 + D_p_rz_1*f_rz_l_6
+        - D_p_rz_6*t111 + D_p_x_1*f_x_l_6 + D_p_x_6*t76 + D_p_y_1*f_y_l_6 + D_p_y_6*t87 + D_p_z_1*f_z_l_6
+        + D_p_z_6*t93
+    )
+    K_out[..., 0, 6] = K_out[..., 6, 0] = -k_l_1
+    K_out[..., 1, 1] = (
+        D_p_rx_2*f_rx_l_2 - D_p_rx_2*t100 + D_p_ry_2*f_ry_l_2 - D_p_ry_2*t106 + D_p_rz_2*f_rz_l_2
+        - D_p_rz_2*t112 + D_p_x_2*f_x_l_2 + D_p_x_2*t78 + D_p_y_2*f_y_l_2 + D_p_y_2*t88 + D_p_z_2*f_z_l_2
+        + D_p_z_2*t94 + k_l_2 + mu_2 + 2*t13*(-d_2_x*g_x - d_2_y*g_y - d_2_z*g_z)/l_2**3
+    )
+    K_out[..., 1, 2] = K_out[..., 2, 1] = (
+        D_p_rx_2*f_rx_l_3 - D_p_rx_3*t100 + D_p_ry_2*f_ry_l_3 - D_p_ry_3*t106 + D_p_rz_2*f_rz_l_3
+        - D_p_rz_3*t112 + D_p_x_2*f_x_l_3 + D_p_x_3*t78 + D_p_y_2*f_y_l_3 + D_p_y_3*t88 + D_p_z_2*f_z_l_3
+        + D_p_z_3*t94
+    )
+    K_out[..., 1, 3] = K_out[..., 3, 1] = (
+        D_p_rx_2*f_rx_l_4 - D_p_rx_4*t100 + D_p_ry_2*f_ry_l_4 - D_p_ry_4*t106 + D_p_rz_2*f_rz_l_4
+        - D_p_rz_4*t112 + D_p_x_2*f_x_l_4 + D_p_x_4*t78 + D_p_y_2*f_y_l_4 + D_p_y_4*t88 + D_p_z_2*f_z_l_4
+        + D_p_z_4*t94
+    )
+    K_out[..., 1, 4] = K_out[..., 4, 1] = (
+        D_p_rx_2*f_rx_l_5 - D_p_rx_5*t100 + D_p_ry_2*f_ry_l_5 - D_p_ry_5*t106 + D_p_rz_2*f_rz_l_5
+        - D_p_rz_5*t112 + D_p_x_2*f_x_l_5 + D_p_x_5*t78 + D_p_y_2*f_y_l_5 + D_p_y_5*t88 + D_p_z_2*f_z_l_5
+        + D_p_z_5*t94
+    )
+    K_out[..., 1, 5] = K_out[..., 5, 1] = (
+        D_p_rx_2*f_rx_l_6 - D_p_rx_6*t100 + D_p_ry_2*f_ry_l_6 - D_p_ry_6*t106 + D_p_rz_2*f_rz_l_6
+        - D_p_rz_6*t112 + D_p_x_2*f_x_l_6 + D_p_x_6*t78 + D_p_y_2*f_y_l_6 + D_p_y_6*t88 + D_p_z_2*f_z_l_6
+        + D_p_z_6*t94
+    )
+    K_out[..., 1, 7] = K_out[..., 7, 1] = -k_l_2
+    K_out[..., 2, 2] = (
+        D_p_rx_3*f_rx_l_3 - D_p_rx_3*t101 + D_p_ry_3*f_ry_l_3 - D_p_ry_3*t107 + D_p_rz_3*f_rz_l_3
+        - D_p_rz_3*t113 + D_p_x_3*f_x_l_3 + D_p_x_3*t80 + D_p_y_3*f_y_l_3 + D_p_y_3*t89 + D_p_z_3*f_z_l_3
+        + D_p_z_3*t95 + k_l_3 + mu_3 + 2*t14*(-d_3_x*g_x - d_3_y*g_y - d_3_z*g_z)/l_3**3
+    )
+    K_out[..., 2, 3] = K_out[..., 3, 2] = (
+        D_p_rx_3*f_rx_l_4 - D_p_rx_4*t101 + D_p_ry_3*f_ry_l_4 - D_p_ry_4*t107 + D_p_rz_3*f_rz_l_4
+        - D_p_rz_4*t113 + D_p_x_3*f_x_l_4 + D_p_x_4*t80 + D_p_y_3*f_y_l_4 + D_p_y_4*t89 + D_p_z_3*f_z_l_4
+        + D_p_z_4*t95
+    )
+    K_out[..., 2, 4] = K_out[..., 4, 2] = (
+        D_p_rx_3*f_rx_l_5 - D_p_rx_5*t101 + D_p_ry_3*f_ry_l_5 - D_p_ry_5*t107 + D_p_rz_3*f_rz_l_5
+        - D_p_rz_5*t113 + D_p_x_3*f_x_l_5 + D_p_x_5*t80 + D_p_y_3*f_y_l_5 + D_p_y_5*t89 + D_p_z_3*f_z_l_5
+        + D_p_z_5*t95
+    )
+    K_out[..., 2, 5] = K_out[..., 5, 2] = (
+        D_p_rx_3*f_rx_l_6 - D_p_rx_6*t101 + D_p_ry_3*f_ry_l_6 - D_p_ry_6*t107 + D_p_rz_3*f_rz_l_6
+        - D_p_rz_6*t113 + D_p_x_3*f_x_l_6 + D_p_x_6*t80 + D_p_y_3*f_y_l_6 + D_p_y_6*t89 + D_p_z_3*f_z_l_6
+        + D_p_z_6*t95
+    )
+    K_out[..., 2, 8] = K_out[..., 8, 2] = -k_l_3
+    K_out[..., 3, 3] = (
+        D_p_rx_4*f_rx_l_4 - D_p_rx_4*t102 + D_p_ry_4*f_ry_l_4 - D_p_ry_4*t108 + D_p_rz_4*f_rz_l_4
+        - D_p_rz_4*t114 + D_p_x_4*f_x_l_4 + D_p_x_4*t82 + D_p_y_4*f_y_l_4 + D_p_y_4*t90 + D_p_z_4*f_z_l_4
+        + D_p_z_4*t96 + k_l_4 + mu_4 + 2*t15*(-d_4_x*g_x - d_4_y*g_y - d_4_z*g_z)/l_4**3
+    )
+    K_out[..., 3, 4] = K_out[..., 4, 3] = (
+        D_p_rx_4*f_rx_l_5 - D_p_rx_5*t102 + D_p_ry_4*f_ry_l_5 - D_p_ry_5*t108 + D_p_rz_4*f_rz_l_5
+        - D_p_rz_5*t114 + D_p_x_4*f_x_l_5 + D_p_x_5*t82 + D_p_y_4*f_y_l_5 + D_p_y_5*t90 + D_p_z_4*f_z_l_5
+        + D_p_z_5*t96
+    )
+    K_out[..., 3, 5] = K_out[..., 5, 3] = (
+        D_p_rx_4*f_rx_l_6 - D_p_rx_6*t102 + D_p_ry_4*f_ry_l_6 - D_p_ry_6*t108 + D_p_rz_4*f_rz_l_6
+        - D_p_rz_6*t114 + D_p_x_4*f_x_l_6 + D_p_x_6*t82 + D_p_y_4*f_y_l_6 + D_p_y_6*t90 + D_p_z_4*f_z_l_6
+        + D_p_z_6*t96
+    )
+    K_out[..., 3, 9] = K_out[..., 9, 3] = -k_l_4
+    K_out[..., 4, 4] = (
+        D_p_rx_5*f_rx_l_5 - D_p_rx_5*t103 + D_p_ry_5*f_ry_l_5 - D_p_ry_5*t109 + D_p_rz_5*f_rz_l_5
+        - D_p_rz_5*t115 + D_p_x_5*f_x_l_5 + D_p_x_5*t84 + D_p_y_5*f_y_l_5 + D_p_y_5*t91 + D_p_z_5*f_z_l_5
+        + D_p_z_5*t97 + k_l_5 + mu_5 + 2*t16*(-d_5_x*g_x - d_5_y*g_y - d_5_z*g_z)/l_5**3
+    )
+    K_out[..., 4, 5] = K_out[..., 5, 4] = (
+        D_p_rx_5*f_rx_l_6 - D_p_rx_6*t103 + D_p_ry_5*f_ry_l_6 - D_p_ry_6*t109 + D_p_rz_5*f_rz_l_6
+        - D_p_rz_6*t115 + D_p_x_5*f_x_l_6 + D_p_x_6*t84 + D_p_y_5*f_y_l_6 + D_p_y_6*t91 + D_p_z_5*f_z_l_6
+        + D_p_z_6*t97
+    )
+    K_out[..., 4, 10] = K_out[..., 10, 4] = -k_l_5
+    K_out[..., 5, 5] = (
+        D_p_rx_6*f_rx_l_6 - D_p_rx_6*t104 + D_p_ry_6*f_ry_l_6 - D_p_ry_6*t110 + D_p_rz_6*f_rz_l_6
+        - D_p_rz_6*t116 + D_p_x_6*f_x_l_6 + D_p_x_6*t86 + D_p_y_6*f_y_l_6 + D_p_y_6*t92 + D_p_z_6*f_z_l_6
+        + D_p_z_6*t98 + k_l_6 + mu_6 + 2*t17*(-d_6_x*g_x - d_6_y*g_y - d_6_z*g_z)/l_6**3
+    )
+    K_out[..., 5, 11] = K_out[..., 11, 5] = -k_l_6
+    K_out[..., 6, 6] = k_l_1
+    K_out[..., 7, 7] = k_l_2
+    K_out[..., 8, 8] = k_l_3
+    K_out[..., 9, 9] = k_l_4
+    K_out[..., 10, 10] = k_l_5
+    K_out[..., 11, 11] = k_l_6
+    return K_out
+
+
+def modal_matrices(p, parameters):
+    """Mass and stiffness matrices of M q_ddot + K q = 0, evaluated together.
+
+    Common intermediate values are evaluated once: call this function for an eigenproblem.
+
+    Parameters
+    ----------
+    p : array, shape (..., 6) [m, rad]
+        platform's origin in the base frame, then the platform's rotation vector.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    M : array, shape (..., 12, 12) [kg]
+        Mass matrix.
+    K : array, shape (..., 12, 12) [N/m]
+        Symmetric; Hessian of V_el + V_g, positive for a restoring force.
+
+    Notes
+    -----
+    Equation 48.
+    3924 operations; 9792529212 with every named value expanded.
+    """
+    p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
+    (m_p,) = _entries(parameters.platform_mass, ())
+    c_p_x, c_p_y, c_p_z = _entries(parameters.platform_center, (3,))
+    I_p_x, I_p_y, I_p_z = _entries(parameters.platform_inertia, (3,))
+    I_p_xy, I_p_xz, I_p_yz = _entries(parameters.platform_products, (3,))
+    g_x, g_y, g_z = _entries(parameters.gravity, (3,))
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    k_l_1, k_l_2, k_l_3, k_l_4, k_l_5, k_l_6 = _entries(parameters.leg_stiffness, (6,))
+    m_b_1, m_b_2, m_b_3, m_b_4, m_b_5, m_b_6 = _entries(parameters.leg_base_mass, (6,))
+    c_b_1, c_b_2, c_b_3, c_b_4, c_b_5, c_b_6 = _entries(parameters.leg_base_center, (6,))
+    I_b_1, I_b_2, I_b_3, I_b_4, I_b_5, I_b_6 = _entries(parameters.leg_base_inertia, (6,))
+    m_r_1, m_r_2, m_r_3, m_r_4, m_r_5, m_r_6 = _entries(parameters.leg_rod_mass, (6,))
+    c_r_1, c_r_2, c_r_3, c_r_4, c_r_5, c_r_6 = _entries(parameters.leg_rod_center, (6,))
+    I_r_1, I_r_2, I_r_3, I_r_4, I_r_5, I_r_6 = _entries(parameters.leg_rod_inertia, (6,))
+    I_m_1, I_m_2, I_m_3, I_m_4, I_m_5, I_m_6 = _entries(parameters.motor_inertia, (6,))
+    h_m_1, h_m_2, h_m_3, h_m_4, h_m_5, h_m_6 = _entries(parameters.motor_travel, (6,))
+    batch, dtype = _batch(p_x, m_p, c_p_x, I_p_x, I_p_xy, g_x, a_1_x, b_1_x, k_l_1, m_b_1, c_b_1, I_b_1,
+        m_r_1, c_r_1, I_r_1, I_m_1, h_m_1)
+    t1 = rot_x**2
+    t2 = rot_y**2
+    t3 = rot_z**2
+    t4 = t2 + t3
+    half_angle = (1/2)*np.sqrt(t1 + t4 + 1e-30)
+    s_half = np.sin(half_angle)/half_angle
+    t5 = s_half**2
+    t6 = (1/2)*t5
+    R_x_x = -t4*t6 + 1
+    c_half = np.cos(half_angle)
+    t7 = c_half*s_half
+    t8 = rot_z*t7
+    R_x_y = (1/2)*rot_x*rot_y*t5 - t8
+    t9 = rot_y*t7
+    t10 = rot_x*t6
+    R_x_z = rot_z*t10 + t9
+    B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z
+    d_1_x = B_1_x - a_1_x + p_x
+    R_y_x = rot_y*t10 + t8
+    R_y_y = t6*(-t1 - t3) + 1
+    t11 = rot_x*t7
+    R_y_z = (1/2)*rot_y*rot_z*t5 - t11
+    B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z
+    d_1_y = B_1_y - a_1_y + p_y
+    R_z_x = (1/2)*rot_x*rot_z*t5 - t9
+    R_z_y = rot_y*rot_z*t6 + t11
+    R_z_z = t6*(-t1 - t2) + 1
+    B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z
+    d_1_z = B_1_z - a_1_z + p_z
+    B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z
+    d_2_x = B_2_x - a_2_x + p_x
+    B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z
+    d_2_y = B_2_y - a_2_y + p_y
+    B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z
+    d_2_z = B_2_z - a_2_z + p_z
+    B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z
+    d_3_x = B_3_x - a_3_x + p_x
+    B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z
+    d_3_y = B_3_y - a_3_y + p_y
+    B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z
+    d_3_z = B_3_z - a_3_z + p_z
+    B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z
+    d_4_x = B_4_x - a_4_x + p_x
+    B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z
+    d_4_y = B_4_y - a_4_y + p_y
+    B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z
+    d_4_z = B_4_z - a_4_z + p_z
+    B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z
+    d_5_x = B_5_x - a_5_x + p_x
+    B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z
+    d_5_y = B_5_y - a_5_y + p_y
+    B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z
+    d_5_z = B_5_z - a_5_z + p_z
+    B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z
+    d_6_x = B_6_x - a_6_x + p_x
+    B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z
+    d_6_y = B_6_y - a_6_y + p_y
+    B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z
+    d_6_z = B_6_z - a_6_z + p_z
+    l_1 = np.sqrt(d_1_x**2 + d_1_y**2 + d_1_z**2)
+    l_2 = np.sqrt(d_2_x**2 + d_2_y**2 + d_2_z**2)
+    l_3 = np.sqrt(d_3_x**2 + d_3_y**2 + d_3_z**2)
+    l_4 = np.sqrt(d_4_x**2 + d_4_y**2 + d_4_z**2)
+    l_5 = np.sqrt(d_5_x**2 + d_5_y**2 + d_5_z**2)
+    l_6 = np.sqrt(d_6_x**2 + d_6_y**2 + d_6_z**2)
+    c_x = R_x_x*c_p_x + R_x_y*c_p_y + R_x_z*c_p_z
+    c_y = R_y_x*c_p_x + R_y_y*c_p_y + R_y_z*c_p_z
+    c_z = R_z_x*c_p_x + R_z_y*c_p_y + R_z_z*c_p_z
+    t12 = I_p_xy*R_x_x
+    t13 = I_p_xz*R_x_x
+    t14 = 2*R_x_z
+    t15 = I_p_yz*R_x_y
+    J_x_x = I_p_x*R_x_x**2 + I_p_y*R_x_y**2 + I_p_z*R_x_z**2 + 2*R_x_y*t12 + t13*t14 + t14*t15
+    t16 = I_p_x*R_x_x
+    t17 = I_p_xy*R_x_y
+    t18 = I_p_xz*R_x_z
+    t19 = I_p_y*R_x_y
+    t20 = I_p_yz*R_x_z
+    t21 = I_p_z*R_x_z
+    J_x_y = (
+        R_y_x*t16 + R_y_x*t17 + R_y_x*t18 + R_y_y*t12 + R_y_y*t19 + R_y_y*t20 + R_y_z*t13 + R_y_z*t15
+        + R_y_z*t21
+    )
+    J_x_z = (
+        R_z_x*t16 + R_z_x*t17 + R_z_x*t18 + R_z_y*t12 + R_z_y*t19 + R_z_y*t20 + R_z_z*t13 + R_z_z*t15
+        + R_z_z*t21
+    )
+    t22 = I_p_xy*R_y_x
+    t23 = I_p_xz*R_y_x
+    t24 = 2*R_y_z
+    t25 = I_p_yz*R_y_y
+    J_y_y = I_p_x*R_y_x**2 + I_p_y*R_y_y**2 + I_p_z*R_y_z**2 + 2*R_y_y*t22 + t23*t24 + t24*t25
+    t26 = I_p_xy*R_z_x
+    t27 = I_p_xz*R_z_x
+    t28 = I_p_yz*R_z_y
+    J_y_z = (
+        I_p_x*R_y_x*R_z_x + I_p_y*R_y_y*R_z_y + I_p_z*R_y_z*R_z_z + R_y_y*t26 + R_y_z*t27 + R_y_z*t28
+        + R_z_y*t22 + R_z_z*t23 + R_z_z*t25
+    )
+    t29 = 2*R_z_z
+    J_z_z = I_p_x*R_z_x**2 + I_p_y*R_z_y**2 + I_p_z*R_z_z**2 + 2*R_z_y*t26 + t27*t29 + t28*t29
+    t30 = 1.0/(l_1**2)
+    t31 = 1.0/l_1
+    m_perp_1 = I_b_1*t30 + I_r_1*t30 + c_b_1**2*m_b_1*t30 + m_r_1*(-c_r_1*t31 + 1)**2
+    t32 = c_b_1*m_b_1 - c_r_1*m_r_1
+    m_lift_1 = m_r_1 + t31*t32
+    t33 = 1.0/(l_2**2)
+    t34 = 1.0/l_2
+    m_perp_2 = I_b_2*t33 + I_r_2*t33 + c_b_2**2*m_b_2*t33 + m_r_2*(-c_r_2*t34 + 1)**2
+    t35 = c_b_2*m_b_2 - c_r_2*m_r_2
+    m_lift_2 = m_r_2 + t34*t35
+    t36 = 1.0/(l_3**2)
+    t37 = 1.0/l_3
+    m_perp_3 = I_b_3*t36 + I_r_3*t36 + c_b_3**2*m_b_3*t36 + m_r_3*(-c_r_3*t37 + 1)**2
+    t38 = c_b_3*m_b_3 - c_r_3*m_r_3
+    m_lift_3 = m_r_3 + t37*t38
+    t39 = 1.0/(l_4**2)
+    t40 = 1.0/l_4
+    m_perp_4 = I_b_4*t39 + I_r_4*t39 + c_b_4**2*m_b_4*t39 + m_r_4*(-c_r_4*t40 + 1)**2
+    t41 = c_b_4*m_b_4 - c_r_4*m_r_4
+    m_lift_4 = m_r_4 + t40*t41
+    t42 = 1.0/(l_5**2)
+    t43 = 1.0/l_5
+    m_perp_5 = I_b_5*t42 + I_r_5*t42 + c_b_5**2*m_b_5*t42 + m_r_5*(-c_r_5*t43 + 1)**2
+    t44 = c_b_5*m_b_5 - c_r_5*m_r_5
+    m_lift_5 = m_r_5 + t43*t44
+    t45 = 1.0/(l_6**2)
+    t46 = 1.0/l_6
+    m_perp_6 = I_b_6*t45 + I_r_6*t45 + c_b_6**2*m_b_6*t45 + m_r_6*(-c_r_6*t46 + 1)**2
+    t47 = c_b_6*m_b_6 - c_r_6*m_r_6
+    m_lift_6 = m_r_6 + t46*t47
+    D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y
+    D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x
+    D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x
+    D_l_2_rx = B_2_y*d_2_z - B_2_z*d_2_y
+    D_l_2_ry = -B_2_x*d_2_z + B_2_z*d_2_x
+    D_l_2_rz = B_2_x*d_2_y - B_2_y*d_2_x
+    D_l_3_rx = B_3_y*d_3_z - B_3_z*d_3_y
+    D_l_3_ry = -B_3_x*d_3_z + B_3_z*d_3_x
+    D_l_3_rz = B_3_x*d_3_y - B_3_y*d_3_x
+    D_l_4_rx = B_4_y*d_4_z - B_4_z*d_4_y
+    D_l_4_ry = -B_4_x*d_4_z + B_4_z*d_4_x
+    D_l_4_rz = B_4_x*d_4_y - B_4_y*d_4_x
+    D_l_5_rx = B_5_y*d_5_z - B_5_z*d_5_y
+    D_l_5_ry = -B_5_x*d_5_z + B_5_z*d_5_x
+    D_l_5_rz = B_5_x*d_5_y - B_5_y*d_5_x
+    D_l_6_rx = B_6_y*d_6_z - B_6_z*d_6_y
+    D_l_6_ry = -B_6_x*d_6_z + B_6_z*d_6_x
+    D_l_6_rz = B_6_x*d_6_y - B_6_y*d_6_x
+    minor_23_23 = d_2_y*d_3_z - d_2_z*d_3_y
+    minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry
+    minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx
+    minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx
+    minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45
+    minor_23_24 = -D_l_2_rx*d_3_y + D_l_3_rx*d_2_y
+    minor_56_36 = -D_l_5_rz*d_6_z + D_l_6_rz*d_5_z
+    minor_56_35 = -D_l_5_ry*d_6_z + D_l_6_ry*d_5_z
+    minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + d_4_z*minor_56_56
+    minor_23_25 = -D_l_2_ry*d_3_y + D_l_3_ry*d_2_y
+    minor_56_34 = -D_l_5_rx*d_6_z + D_l_6_rx*d_5_z
+    minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + d_4_z*minor_56_46
+    minor_23_26 = -D_l_2_rz*d_3_y + D_l_3_rz*d_2_y
+    minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + d_4_z*minor_56_45
+    minor_23_34 = -D_l_2_rx*d_3_z + D_l_3_rx*d_2_z
+    minor_56_26 = -D_l_5_rz*d_6_y + D_l_6_rz*d_5_y
+    minor_56_25 = -D_l_5_ry*d_6_y + D_l_6_ry*d_5_y
+    minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + d_4_y*minor_56_56
+    minor_23_35 = -D_l_2_ry*d_3_z + D_l_3_ry*d_2_z
+    minor_56_24 = -D_l_5_rx*d_6_y + D_l_6_rx*d_5_y
+    minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + d_4_y*minor_56_46
+    minor_23_36 = -D_l_2_rz*d_3_z + D_l_3_rz*d_2_z
+    minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + d_4_y*minor_56_45
+    minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx
+    minor_56_23 = d_5_y*d_6_z - d_5_z*d_6_y
+    minor_456_236 = D_l_4_rz*minor_56_23 + d_4_y*minor_56_36 - d_4_z*minor_56_26
+    minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx
+    minor_456_235 = D_l_4_ry*minor_56_23 + d_4_y*minor_56_35 - d_4_z*minor_56_25
+    minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry
+    minor_456_234 = D_l_4_rx*minor_56_23 + d_4_y*minor_56_34 - d_4_z*minor_56_24
+    A_x_1 = (
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234
+    )
+    minor_23_13 = d_2_x*d_3_z - d_2_z*d_3_x
+    minor_23_14 = -D_l_2_rx*d_3_x + D_l_3_rx*d_2_x
+    minor_23_15 = -D_l_2_ry*d_3_x + D_l_3_ry*d_2_x
+    minor_23_16 = -D_l_2_rz*d_3_x + D_l_3_rz*d_2_x
+    minor_56_16 = -D_l_5_rz*d_6_x + D_l_6_rz*d_5_x
+    minor_56_15 = -D_l_5_ry*d_6_x + D_l_6_ry*d_5_x
+    minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + d_4_x*minor_56_56
+    minor_56_14 = -D_l_5_rx*d_6_x + D_l_6_rx*d_5_x
+    minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + d_4_x*minor_56_46
+    minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + d_4_x*minor_56_45
+    minor_56_13 = d_5_x*d_6_z - d_5_z*d_6_x
+    minor_456_136 = D_l_4_rz*minor_56_13 + d_4_x*minor_56_36 - d_4_z*minor_56_16
+    minor_456_135 = D_l_4_ry*minor_56_13 + d_4_x*minor_56_35 - d_4_z*minor_56_15
+    minor_456_134 = D_l_4_rx*minor_56_13 + d_4_x*minor_56_34 - d_4_z*minor_56_14
+    A_y_1 = (
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134
+    )
+    minor_23_12 = d_2_x*d_3_y - d_2_y*d_3_x
+    minor_56_12 = d_5_x*d_6_y - d_5_y*d_6_x
+    minor_456_126 = D_l_4_rz*minor_56_12 + d_4_x*minor_56_26 - d_4_y*minor_56_16
+    minor_456_125 = D_l_4_ry*minor_56_12 + d_4_x*minor_56_25 - d_4_y*minor_56_15
+    minor_456_124 = D_l_4_rx*minor_56_12 + d_4_x*minor_56_24 - d_4_y*minor_56_14
+    A_z_1 = (
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124
+    )
+    minor_456_123 = d_4_x*minor_56_23 - d_4_y*minor_56_13 + d_4_z*minor_56_12
+    A_rx_1 = (
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123
+    )
+    A_ry_1 = (
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123
+    )
+    A_rz_1 = (
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123
+    )
+    minor_13_23 = d_1_y*d_3_z - d_1_z*d_3_y
+    minor_13_24 = -D_l_1_rx*d_3_y + D_l_3_rx*d_1_y
+    minor_13_25 = -D_l_1_ry*d_3_y + D_l_3_ry*d_1_y
+    minor_13_26 = -D_l_1_rz*d_3_y + D_l_3_rz*d_1_y
+    minor_13_34 = -D_l_1_rx*d_3_z + D_l_3_rx*d_1_z
+    minor_13_35 = -D_l_1_ry*d_3_z + D_l_3_ry*d_1_z
+    minor_13_36 = -D_l_1_rz*d_3_z + D_l_3_rz*d_1_z
+    minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx
+    minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx
+    minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry
+    A_x_2 = (
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234
+    )
+    minor_13_13 = d_1_x*d_3_z - d_1_z*d_3_x
+    minor_13_14 = -D_l_1_rx*d_3_x + D_l_3_rx*d_1_x
+    minor_13_15 = -D_l_1_ry*d_3_x + D_l_3_ry*d_1_x
+    minor_13_16 = -D_l_1_rz*d_3_x + D_l_3_rz*d_1_x
+    A_y_2 = (
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134
+    )
+    minor_13_12 = d_1_x*d_3_y - d_1_y*d_3_x
+    A_z_2 = (
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124
+    )
+    A_rx_2 = (
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123
+    )
+    A_ry_2 = (
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123
+    )
+    A_rz_2 = (
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123
+    )
+    minor_12_23 = d_1_y*d_2_z - d_1_z*d_2_y
+    minor_12_24 = -D_l_1_rx*d_2_y + D_l_2_rx*d_1_y
+    minor_12_25 = -D_l_1_ry*d_2_y + D_l_2_ry*d_1_y
+    minor_12_26 = -D_l_1_rz*d_2_y + D_l_2_rz*d_1_y
+    minor_12_34 = -D_l_1_rx*d_2_z + D_l_2_rx*d_1_z
+    minor_12_35 = -D_l_1_ry*d_2_z + D_l_2_ry*d_1_z
+    minor_12_36 = -D_l_1_rz*d_2_z + D_l_2_rz*d_1_z
+    minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx
+    minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx
+    minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry
+    A_x_3 = (
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234
+    )
+    minor_12_13 = d_1_x*d_2_z - d_1_z*d_2_x
+    minor_12_14 = -D_l_1_rx*d_2_x + D_l_2_rx*d_1_x
+    minor_12_15 = -D_l_1_ry*d_2_x + D_l_2_ry*d_1_x
+    minor_12_16 = -D_l_1_rz*d_2_x + D_l_2_rz*d_1_x
+    A_y_3 = (
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134
+    )
+    minor_12_12 = d_1_x*d_2_y - d_1_y*d_2_x
+    A_z_3 = (
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124
+    )
+    A_rx_3 = (
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123
+    )
+    A_ry_3 = (
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123
+    )
+    A_rz_3 = (
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123
+    )
+    minor_123_234 = D_l_1_rx*minor_23_23 + d_1_y*minor_23_34 - d_1_z*minor_23_24
+    minor_123_235 = D_l_1_ry*minor_23_23 + d_1_y*minor_23_35 - d_1_z*minor_23_25
+    minor_123_236 = D_l_1_rz*minor_23_23 + d_1_y*minor_23_36 - d_1_z*minor_23_26
+    minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + d_1_y*minor_23_45
+    minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + d_1_y*minor_23_46
+    minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + d_1_y*minor_23_56
+    minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + d_1_z*minor_23_45
+    minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + d_1_z*minor_23_46
+    minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + d_1_z*minor_23_56
+    minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45
+    A_x_4 = (
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23
+    )
+    minor_123_134 = D_l_1_rx*minor_23_13 + d_1_x*minor_23_34 - d_1_z*minor_23_14
+    minor_123_135 = D_l_1_ry*minor_23_13 + d_1_x*minor_23_35 - d_1_z*minor_23_15
+    minor_123_136 = D_l_1_rz*minor_23_13 + d_1_x*minor_23_36 - d_1_z*minor_23_16
+    minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + d_1_x*minor_23_45
+    minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + d_1_x*minor_23_46
+    minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + d_1_x*minor_23_56
+    A_y_4 = (
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13
+    )
+    minor_123_124 = D_l_1_rx*minor_23_12 + d_1_x*minor_23_24 - d_1_y*minor_23_14
+    minor_123_125 = D_l_1_ry*minor_23_12 + d_1_x*minor_23_25 - d_1_y*minor_23_15
+    minor_123_126 = D_l_1_rz*minor_23_12 + d_1_x*minor_23_26 - d_1_y*minor_23_16
+    A_z_4 = (
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12
+    )
+    minor_123_123 = d_1_x*minor_23_23 - d_1_y*minor_23_13 + d_1_z*minor_23_12
+    A_rx_4 = (
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12
+    )
+    A_ry_4 = (
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12
+    )
+    A_rz_4 = (
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12
+    )
+    minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry
+    minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx
+    minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx
+    minor_46_36 = -D_l_4_rz*d_6_z + D_l_6_rz*d_4_z
+    minor_46_35 = -D_l_4_ry*d_6_z + D_l_6_ry*d_4_z
+    minor_46_34 = -D_l_4_rx*d_6_z + D_l_6_rx*d_4_z
+    minor_46_26 = -D_l_4_rz*d_6_y + D_l_6_rz*d_4_y
+    minor_46_25 = -D_l_4_ry*d_6_y + D_l_6_ry*d_4_y
+    minor_46_24 = -D_l_4_rx*d_6_y + D_l_6_rx*d_4_y
+    minor_46_23 = d_4_y*d_6_z - d_4_z*d_6_y
+    A_x_5 = (
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23
+    )
+    minor_46_16 = -D_l_4_rz*d_6_x + D_l_6_rz*d_4_x
+    minor_46_15 = -D_l_4_ry*d_6_x + D_l_6_ry*d_4_x
+    minor_46_14 = -D_l_4_rx*d_6_x + D_l_6_rx*d_4_x
+    minor_46_13 = d_4_x*d_6_z - d_4_z*d_6_x
+    A_y_5 = (
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13
+    )
+    minor_46_12 = d_4_x*d_6_y - d_4_y*d_6_x
+    A_z_5 = (
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12
+    )
+    A_rx_5 = (
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12
+    )
+    A_ry_5 = (
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12
+    )
+    A_rz_5 = (
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12
+    )
+    minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry
+    minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx
+    minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx
+    minor_45_36 = -D_l_4_rz*d_5_z + D_l_5_rz*d_4_z
+    minor_45_35 = -D_l_4_ry*d_5_z + D_l_5_ry*d_4_z
+    minor_45_34 = -D_l_4_rx*d_5_z + D_l_5_rx*d_4_z
+    minor_45_26 = -D_l_4_rz*d_5_y + D_l_5_rz*d_4_y
+    minor_45_25 = -D_l_4_ry*d_5_y + D_l_5_ry*d_4_y
+    minor_45_24 = -D_l_4_rx*d_5_y + D_l_5_rx*d_4_y
+    minor_45_23 = d_4_y*d_5_z - d_4_z*d_5_y
+    A_x_6 = (
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23
+    )
+    minor_45_16 = -D_l_4_rz*d_5_x + D_l_5_rz*d_4_x
+    minor_45_15 = -D_l_4_ry*d_5_x + D_l_5_ry*d_4_x
+    minor_45_14 = -D_l_4_rx*d_5_x + D_l_5_rx*d_4_x
+    minor_45_13 = d_4_x*d_5_z - d_4_z*d_5_x
+    A_y_6 = (
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13
+    )
+    minor_45_12 = d_4_x*d_5_y - d_4_y*d_5_x
+    A_z_6 = (
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12
+    )
+    A_rx_6 = (
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12
+    )
+    A_ry_6 = (
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12
+    )
+    A_rz_6 = (
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12
+    )
+    det_D_l = A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*d_1_x + A_y_1*d_1_y + A_z_1*d_1_z
+    t48 = 1.0/det_D_l
+    t49 = l_1*t48
+    D_p_x_1 = A_x_1*t49
+    t50 = l_2*t48
+    D_p_x_2 = A_x_2*t50
+    t51 = l_3*t48
+    D_p_x_3 = A_x_3*t51
+    t52 = l_4*t48
+    D_p_x_4 = A_x_4*t52
+    t53 = l_5*t48
+    D_p_x_5 = A_x_5*t53
+    t54 = l_6*t48
+    D_p_x_6 = A_x_6*t54
+    D_p_y_1 = A_y_1*t49
+    D_p_y_2 = A_y_2*t50
+    D_p_y_3 = A_y_3*t51
+    D_p_y_4 = A_y_4*t52
+    D_p_y_5 = A_y_5*t53
+    D_p_y_6 = A_y_6*t54
+    D_p_z_1 = A_z_1*t49
+    D_p_z_2 = A_z_2*t50
+    D_p_z_3 = A_z_3*t51
+    D_p_z_4 = A_z_4*t52
+    D_p_z_5 = A_z_5*t53
+    D_p_z_6 = A_z_6*t54
+    D_p_rx_1 = A_rx_1*t49
+    D_p_rx_2 = A_rx_2*t50
+    D_p_rx_3 = A_rx_3*t51
+    D_p_rx_4 = A_rx_4*t52
+    D_p_rx_5 = A_rx_5*t53
+    D_p_rx_6 = A_rx_6*t54
+    D_p_ry_1 = A_ry_1*t49
+    D_p_ry_2 = A_ry_2*t50
+    D_p_ry_3 = A_ry_3*t51
+    D_p_ry_4 = A_ry_4*t52
+    D_p_ry_5 = A_ry_5*t53
+    D_p_ry_6 = A_ry_6*t54
+    D_p_rz_1 = A_rz_1*t49
+    D_p_rz_2 = A_rz_2*t50
+    D_p_rz_3 = A_rz_3*t51
+    D_p_rz_4 = A_rz_4*t52
+    D_p_rz_5 = A_rz_5*t53
+    D_p_rz_6 = A_rz_6*t54
+    t55 = g_x*m_lift_1
+    t56 = g_x*m_lift_2
+    t57 = g_x*m_lift_3
+    t58 = g_x*m_lift_4
+    t59 = g_x*m_lift_5
+    t60 = g_x*m_lift_6
+    t61 = g_x*m_p
+    G_p_x = -t55 - t56 - t57 - t58 - t59 - t60 - t61
+    t62 = g_y*m_lift_1
+    t63 = g_y*m_lift_2
+    t64 = g_y*m_lift_3
+    t65 = g_y*m_lift_4
+    t66 = g_y*m_lift_5
+    t67 = g_y*m_lift_6
+    t68 = g_y*m_p
+    G_p_y = -t62 - t63 - t64 - t65 - t66 - t67 - t68
+    t69 = g_z*m_lift_1
+    t70 = g_z*m_lift_2
+    t71 = g_z*m_lift_3
+    t72 = g_z*m_lift_4
+    t73 = g_z*m_lift_5
+    t74 = g_z*m_lift_6
+    t75 = g_z*m_p
+    G_p_z = -t69 - t70 - t71 - t72 - t73 - t74 - t75
+    G_p_rx = (
+        -B_1_y*t69 + B_1_z*g_y*m_lift_1 - B_2_y*t70 + B_2_z*g_y*m_lift_2 - B_3_y*t71 + B_3_z*g_y*m_lift_3
+        - B_4_y*t72 + B_4_z*g_y*m_lift_4 - B_5_y*t73 + B_5_z*g_y*m_lift_5 - B_6_y*t74 + B_6_z*g_y*m_lift_6
+        - c_y*t75 + c_z*g_y*m_p
+    )
+    G_p_ry = (
+        B_1_x*t69 - B_1_z*t55 + B_2_x*t70 - B_2_z*t56 + B_3_x*t71 - B_3_z*t57 + B_4_x*t72 - B_4_z*t58
+        + B_5_x*t73 - B_5_z*t59 + B_6_x*t74 - B_6_z*t60 + c_x*t75 - c_z*t61
+    )
+    G_p_rz = (
+        -B_1_x*t62 + B_1_y*g_x*m_lift_1 - B_2_x*t63 + B_2_y*g_x*m_lift_2 - B_3_x*t64 + B_3_y*g_x*m_lift_3
+        - B_4_x*t65 + B_4_y*g_x*m_lift_4 - B_5_x*t66 + B_5_y*g_x*m_lift_5 - B_6_x*t67 + B_6_y*g_x*m_lift_6
+        - c_x*t68 + c_y*g_x*m_p
+    )
+    mu_1 = t48*(A_rx_1*G_p_rx + A_ry_1*G_p_ry + A_rz_1*G_p_rz + A_x_1*G_p_x + A_y_1*G_p_y + A_z_1*G_p_z)
+    mu_2 = t48*(A_rx_2*G_p_rx + A_ry_2*G_p_ry + A_rz_2*G_p_rz + A_x_2*G_p_x + A_y_2*G_p_y + A_z_2*G_p_z)
+    mu_3 = t48*(A_rx_3*G_p_rx + A_ry_3*G_p_ry + A_rz_3*G_p_rz + A_x_3*G_p_x + A_y_3*G_p_y + A_z_3*G_p_z)
+    mu_4 = t48*(A_rx_4*G_p_rx + A_ry_4*G_p_ry + A_rz_4*G_p_rz + A_x_4*G_p_x + A_y_4*G_p_y + A_z_4*G_p_z)
+    mu_5 = t48*(A_rx_5*G_p_rx + A_ry_5*G_p_ry + A_rz_5*G_p_rz + A_x_5*G_p_x + A_y_5*G_p_y + A_z_5*G_p_z)
+    mu_6 = t48*(A_rx_6*G_p_rx + A_ry_6*G_p_ry + A_rz_6*G_p_rz + A_x_6*G_p_x + A_y_6*G_p_y + A_z_6*G_p_z)
+    g_4_x = -d_1_x*mu_1 - t55
+    g_4_y = -d_1_y*mu_1 - t62
+    g_4_z = -d_1_z*mu_1 - t69
+    g_5_x = -d_2_x*mu_2 - t56
+    g_5_y = -d_2_y*mu_2 - t63
+    g_5_z = -d_2_z*mu_2 - t70
+    g_6_x = -d_3_x*mu_3 - t57
+    g_6_y = -d_3_y*mu_3 - t64
+    g_6_z = -d_3_z*mu_3 - t71
+    g_7_x = -d_4_x*mu_4 - t58
+    g_7_y = -d_4_y*mu_4 - t65
+    g_7_z = -d_4_z*mu_4 - t72
+    g_8_x = -d_5_x*mu_5 - t59
+    g_8_y = -d_5_y*mu_5 - t66
+    g_8_z = -d_5_z*mu_5 - t73
+    g_9_x = -d_6_x*mu_6 - t60
+    g_9_y = -d_6_y*mu_6 - t67
+    g_9_z = -d_6_z*mu_6 - t74
+    g_10_x = -t61
+    g_10_y = -t68
+    g_10_z = -t75
+    L_x_x = -mu_1 - mu_2 - mu_3 - mu_4 - mu_5 - mu_6
+    t76 = B_1_z*mu_1
+    t77 = B_2_z*mu_2
+    t78 = B_3_z*mu_3
+    t79 = B_4_z*mu_4
+    t80 = B_5_z*mu_5
+    t81 = B_6_z*mu_6
+    L_y_rx = t76 + t77 + t78 + t79 + t80 + t81
+    L_x_ry = -L_y_rx
+    t82 = B_1_y*mu_1
+    t83 = B_2_y*mu_2
+    t84 = B_3_y*mu_3
+    t85 = B_4_y*mu_4
+    t86 = B_5_y*mu_5
+    t87 = B_6_y*mu_6
+    L_x_rz = t82 + t83 + t84 + t85 + t86 + t87
+    L_z_ry = B_1_x*mu_1 + B_2_x*mu_2 + B_3_x*mu_3 + B_4_x*mu_4 + B_5_x*mu_5 + B_6_x*mu_6
+    L_y_rz = -L_z_ry
+    L_z_rx = -L_x_rz
+    t88 = B_3_y**2
+    t89 = B_4_y**2
+    t90 = B_5_y**2
+    t91 = B_6_y**2
+    t92 = B_1_y**2
+    t93 = B_2_y**2
+    t94 = (
+        B_1_y*g_4_y + B_2_y*g_5_y + B_3_y*g_6_y + B_4_y*g_7_y + B_5_y*g_8_y + B_6_y*g_9_y + c_y*g_10_y
+        + mu_1*t92 + mu_2*t93 + mu_3*t88 + mu_4*t89 + mu_5*t90 + mu_6*t91
+    )
+    t95 = B_1_z**2
+    t96 = B_2_z**2
+    t97 = B_3_z**2
+    t98 = B_4_z**2
+    t99 = B_5_z**2
+    t100 = B_6_z**2
+    t101 = (
+        B_1_z*g_4_z + B_2_z*g_5_z + B_3_z*g_6_z + B_4_z*g_7_z + B_5_z*g_8_z + B_6_z*g_9_z + c_z*g_10_z
+        + mu_1*t95 + mu_2*t96 + mu_3*t97 + mu_4*t98 + mu_5*t99 + mu_6*t100
+    )
+    L_rx_rx = -t101 - t94
+    t102 = (1/2)*B_1_x
+    t103 = (1/2)*g_4_x
+    t104 = (1/2)*B_2_x
+    t105 = (1/2)*g_5_x
+    t106 = (1/2)*B_3_x
+    t107 = (1/2)*g_6_x
+    t108 = (1/2)*B_4_x
+    t109 = (1/2)*g_7_x
+    t110 = (1/2)*B_5_x
+    t111 = (1/2)*g_8_x
+    t112 = (1/2)*B_6_x
+    t113 = (1/2)*g_9_x
+    t114 = (1/2)*c_x
+    t115 = (1/2)*g_10_x
+    L_rx_ry = (
+        B_1_x*t82 + B_1_y*t103 + B_2_x*t83 + B_2_y*t105 + B_3_x*t84 + B_3_y*t107 + B_4_x*t85 + B_4_y*t109
+        + B_5_x*t86 + B_5_y*t111 + B_6_x*t87 + B_6_y*t113 + c_y*t115 + g_10_y*t114 + g_4_y*t102 + g_5_y*t104
+        + g_6_y*t106 + g_7_y*t108 + g_8_y*t110 + g_9_y*t112
+    )
+    L_rx_rz = (
+        B_1_x*t76 + B_1_z*t103 + B_2_x*t77 + B_2_z*t105 + B_3_x*t78 + B_3_z*t107 + B_4_x*t79 + B_4_z*t109
+        + B_5_x*t80 + B_5_z*t111 + B_6_x*t81 + B_6_z*t113 + c_z*t115 + g_10_z*t114 + g_4_z*t102 + g_5_z*t104
+        + g_6_z*t106 + g_7_z*t108 + g_8_z*t110 + g_9_z*t112
+    )
+    t116 = B_1_x**2
+    t117 = B_2_x**2
+    t118 = B_3_x**2
+    t119 = B_4_x**2
+    t120 = B_5_x**2
+    t121 = B_6_x**2
+    t122 = (
+        B_1_x*g_4_x + B_2_x*g_5_x + B_3_x*g_6_x + B_4_x*g_7_x + B_5_x*g_8_x + B_6_x*g_9_x + c_x*g_10_x
+        + mu_1*t116 + mu_2*t117 + mu_3*t118 + mu_4*t119 + mu_5*t120 + mu_6*t121
+    )
+    L_ry_ry = -t101 - t122
+    L_ry_rz = (
+        (1/2)*B_1_y*g_4_z + B_1_y*t76 + (1/2)*B_1_z*g_4_y + (1/2)*B_2_y*g_5_z + B_2_y*t77 + (1/2)*B_2_z*g_5_y
+        + (1/2)*B_3_y*g_6_z + B_3_y*t78 + (1/2)*B_3_z*g_6_y + (1/2)*B_4_y*g_7_z + B_4_y*t79
+        + (1/2)*B_4_z*g_7_y + (1/2)*B_5_y*g_8_z + B_5_y*t80 + (1/2)*B_5_z*g_8_y + (1/2)*B_6_y*g_9_z
+        + B_6_y*t81 + (1/2)*B_6_z*g_9_y + (1/2)*c_y*g_10_z + (1/2)*c_z*g_10_y
+    )
+    L_rz_rz = -t122 - t94
+    t123 = t30*t32
+    t124 = g_x*t123
+    f_x_l_1 = D_p_ry_1*L_x_ry + D_p_rz_1*L_x_rz + D_p_x_1*L_x_x + t124
+    t125 = t33*t35
+    t126 = g_x*t125
+    f_x_l_2 = D_p_ry_2*L_x_ry + D_p_rz_2*L_x_rz + D_p_x_2*L_x_x + t126
+    t127 = t36*t38
+    t128 = g_x*t127
+    f_x_l_3 = D_p_ry_3*L_x_ry + D_p_rz_3*L_x_rz + D_p_x_3*L_x_x + t128
+    t129 = t39*t41
+    t130 = g_x*t129
+    f_x_l_4 = D_p_ry_4*L_x_ry + D_p_rz_4*L_x_rz + D_p_x_4*L_x_x + t130
+    t131 = t42*t44
+    t132 = g_x*t131
+    f_x_l_5 = D_p_ry_5*L_x_ry + D_p_rz_5*L_x_rz + D_p_x_5*L_x_x + t132
+    t133 = t45*t47
+    t134 = g_x*t133
+    f_x_l_6 = D_p_ry_6*L_x_ry + D_p_rz_6*L_x_rz + D_p_x_6*L_x_x + t134
+    t135 = g_y*t123
+    f_y_l_1 = D_p_rx_1*L_y_rx + D_p_rz_1*L_y_rz + D_p_y_1*L_x_x + t135
+    t136 = g_y*t125
+    f_y_l_2 = D_p_rx_2*L_y_rx + D_p_rz_2*L_y_rz + D_p_y_2*L_x_x + t136
+    t137 = g_y*t127
+    f_y_l_3 = D_p_rx_3*L_y_rx + D_p_rz_3*L_y_rz + D_p_y_3*L_x_x + t137
+    t138 = g_y*t129
+    f_y_l_4 = D_p_rx_4*L_y_rx + D_p_rz_4*L_y_rz + D_p_y_4*L_x_x + t138
+    t139 = g_y*t131
+    f_y_l_5 = D_p_rx_5*L_y_rx + D_p_rz_5*L_y_rz + D_p_y_5*L_x_x + t139
+    t140 = g_y*t133
+    f_y_l_6 = D_p_rx_6*L_y_rx + D_p_rz_6*L_y_rz + D_p_y_6*L_x_x + t140
+    t141 = g_z*t123
+    f_z_l_1 = D_p_rx_1*L_z_rx + D_p_ry_1*L_z_ry + D_p_z_1*L_x_x + t141
+    t142 = g_z*t125
+    f_z_l_2 = D_p_rx_2*L_z_rx + D_p_ry_2*L_z_ry + D_p_z_2*L_x_x + t142
+    t143 = g_z*t127
+    f_z_l_3 = D_p_rx_3*L_z_rx + D_p_ry_3*L_z_ry + D_p_z_3*L_x_x + t143
+    t144 = g_z*t129
+    f_z_l_4 = D_p_rx_4*L_z_rx + D_p_ry_4*L_z_ry + D_p_z_4*L_x_x + t144
+    t145 = g_z*t131
+    f_z_l_5 = D_p_rx_5*L_z_rx + D_p_ry_5*L_z_ry + D_p_z_5*L_x_x + t145
+    t146 = g_z*t133
+    f_z_l_6 = D_p_rx_6*L_z_rx + D_p_ry_6*L_z_ry + D_p_z_6*L_x_x + t146
+    t147 = t123*(-B_1_y*g_z + B_1_z*g_y)
+    f_rx_l_1 = D_p_rx_1*L_rx_rx + D_p_ry_1*L_rx_ry + D_p_rz_1*L_rx_rz + D_p_y_1*L_y_rx + D_p_z_1*L_z_rx - t147
+    t148 = t125*(-B_2_y*g_z + B_2_z*g_y)
+    f_rx_l_2 = D_p_rx_2*L_rx_rx + D_p_ry_2*L_rx_ry + D_p_rz_2*L_rx_rz + D_p_y_2*L_y_rx + D_p_z_2*L_z_rx - t148
+    t149 = t127*(-B_3_y*g_z + B_3_z*g_y)
+    f_rx_l_3 = D_p_rx_3*L_rx_rx + D_p_ry_3*L_rx_ry + D_p_rz_3*L_rx_rz + D_p_y_3*L_y_rx + D_p_z_3*L_z_rx - t149
+    t150 = t129*(-B_4_y*g_z + B_4_z*g_y)
+    f_rx_l_4 = D_p_rx_4*L_rx_rx + D_p_ry_4*L_rx_ry + D_p_rz_4*L_rx_rz + D_p_y_4*L_y_rx + D_p_z_4*L_z_rx - t150
+    t151 = t131*(-B_5_y*g_z + B_5_z*g_y)
+    f_rx_l_5 = D_p_rx_5*L_rx_rx + D_p_ry_5*L_rx_ry + D_p_rz_5*L_rx_rz + D_p_y_5*L_y_rx + D_p_z_5*L_z_rx - t151
+    t152 = t133*(-B_6_y*g_z + B_6_z*g_y)
+    f_rx_l_6 = D_p_rx_6*L_rx_rx + D_p_ry_6*L_rx_ry + D_p_rz_6*L_rx_rz + D_p_y_6*L_y_rx + D_p_z_6*L_z_rx - t152
+    t153 = t123*(B_1_x*g_z - B_1_z*g_x)
+    f_ry_l_1 = D_p_rx_1*L_rx_ry + D_p_ry_1*L_ry_ry + D_p_rz_1*L_ry_rz + D_p_x_1*L_x_ry + D_p_z_1*L_z_ry - t153
+    t154 = t125*(B_2_x*g_z - B_2_z*g_x)
+    f_ry_l_2 = D_p_rx_2*L_rx_ry + D_p_ry_2*L_ry_ry + D_p_rz_2*L_ry_rz + D_p_x_2*L_x_ry + D_p_z_2*L_z_ry - t154
+    t155 = t127*(B_3_x*g_z - B_3_z*g_x)
+    f_ry_l_3 = D_p_rx_3*L_rx_ry + D_p_ry_3*L_ry_ry + D_p_rz_3*L_ry_rz + D_p_x_3*L_x_ry + D_p_z_3*L_z_ry - t155
+    t156 = t129*(B_4_x*g_z - B_4_z*g_x)
+    f_ry_l_4 = D_p_rx_4*L_rx_ry + D_p_ry_4*L_ry_ry + D_p_rz_4*L_ry_rz + D_p_x_4*L_x_ry + D_p_z_4*L_z_ry - t156
+    t157 = t131*(B_5_x*g_z - B_5_z*g_x)
+    f_ry_l_5 = D_p_rx_5*L_rx_ry + D_p_ry_5*L_ry_ry + D_p_rz_5*L_ry_rz + D_p_x_5*L_x_ry + D_p_z_5*L_z_ry - t157
+    t158 = t133*(B_6_x*g_z - B_6_z*g_x)
+    f_ry_l_6 = D_p_rx_6*L_rx_ry + D_p_ry_6*L_ry_ry + D_p_rz_6*L_ry_rz + D_p_x_6*L_x_ry + D_p_z_6*L_z_ry - t158
+    t159 = t123*(-B_1_x*g_y + B_1_y*g_x)
+    f_rz_l_1 = D_p_rx_1*L_rx_rz + D_p_ry_1*L_ry_rz + D_p_rz_1*L_rz_rz + D_p_x_1*L_x_rz + D_p_y_1*L_y_rz - t159
+    t160 = t125*(-B_2_x*g_y + B_2_y*g_x)
+    f_rz_l_2 = D_p_rx_2*L_rx_rz + D_p_ry_2*L_ry_rz + D_p_rz_2*L_rz_rz + D_p_x_2*L_x_rz + D_p_y_2*L_y_rz - t160
+    t161 = t127*(-B_3_x*g_y + B_3_y*g_x)
+    f_rz_l_3 = D_p_rx_3*L_rx_rz + D_p_ry_3*L_ry_rz + D_p_rz_3*L_rz_rz + D_p_x_3*L_x_rz + D_p_y_3*L_y_rz - t161
+    t162 = t129*(-B_4_x*g_y + B_4_y*g_x)
+    f_rz_l_4 = D_p_rx_4*L_rx_rz + D_p_ry_4*L_ry_rz + D_p_rz_4*L_rz_rz + D_p_x_4*L_x_rz + D_p_y_4*L_y_rz - t162
+    t163 = t131*(-B_5_x*g_y + B_5_y*g_x)
+    f_rz_l_5 = D_p_rx_5*L_rx_rz + D_p_ry_5*L_ry_rz + D_p_rz_5*L_rz_rz + D_p_x_5*L_x_rz + D_p_y_5*L_y_rz - t163
+    t164 = t133*(-B_6_x*g_y + B_6_y*g_x)
+    f_rz_l_6 = D_p_rx_6*L_rx_rz + D_p_ry_6*L_ry_rz + D_p_rz_6*L_rz_rz + D_p_x_6*L_x_rz + D_p_y_6*L_y_rz - t164
+    M_p_x_x = m_p + m_perp_1 + m_perp_2 + m_perp_3 + m_perp_4 + m_perp_5 + m_perp_6
+    t165 = B_1_z*m_perp_1
+    t166 = B_2_z*m_perp_2
+    t167 = B_3_z*m_perp_3
+    t168 = B_4_z*m_perp_4
+    t169 = B_5_z*m_perp_5
+    t170 = B_6_z*m_perp_6
+    t171 = c_z*m_p
+    M_p_x_ry = t165 + t166 + t167 + t168 + t169 + t170 + t171
+    t172 = B_1_y*m_perp_1
+    t173 = B_2_y*m_perp_2
+    t174 = B_3_y*m_perp_3
+    t175 = B_4_y*m_perp_4
+    t176 = B_5_y*m_perp_5
+    t177 = B_6_y*m_perp_6
+    t178 = c_y*m_p
+    M_p_z_rx = t172 + t173 + t174 + t175 + t176 + t177 + t178
+    M_p_x_rz = -M_p_z_rx
+    M_p_y_rx = -M_p_x_ry
+    M_p_y_rz = (
+        B_1_x*m_perp_1 + B_2_x*m_perp_2 + B_3_x*m_perp_3 + B_4_x*m_perp_4 + B_5_x*m_perp_5 + B_6_x*m_perp_6
+        + c_x*m_p
+    )
+    M_p_z_ry = -M_p_y_rz
+    t179 = 2*c_y**2
+    t180 = 2*c_z**2
+    t181 = (1/2)*m_p
+    t182 = 2*t92
+    t183 = 2*t95
+    t184 = (1/2)*m_perp_1
+    t185 = 2*t93
+    t186 = 2*t96
+    t187 = (1/2)*m_perp_2
+    t188 = 2*t88
+    t189 = 2*t97
+    t190 = (1/2)*m_perp_3
+    t191 = 2*t89
+    t192 = 2*t98
+    t193 = (1/2)*m_perp_4
+    t194 = 2*t90
+    t195 = 2*t99
+    t196 = (1/2)*m_perp_5
+    t197 = 2*t91
+    t198 = 2*t100
+    t199 = (1/2)*m_perp_6
+    M_p_rx_rx = (
+        J_x_x + t181*(t179 + t180) + t184*(t182 + t183) + t187*(t185 + t186) + t190*(t188 + t189) + t193*(t191
+        + t192) + t196*(t194 + t195) + t199*(t197 + t198)
+    )
+    M_p_rx_ry = (
+        -B_1_x*t172 - B_2_x*t173 - B_3_x*t174 - B_4_x*t175 - B_5_x*t176 - B_6_x*t177 + J_x_y - c_x*t178
+    )
+    M_p_rx_rz = (
+        -B_1_x*t165 - B_2_x*t166 - B_3_x*t167 - B_4_x*t168 - B_5_x*t169 - B_6_x*t170 + J_x_z - c_x*t171
+    )
+    t200 = 2*c_x**2
+    t201 = 2*t116
+    t202 = 2*t117
+    t203 = 2*t118
+    t204 = 2*t119
+    t205 = 2*t120
+    t206 = 2*t121
+    M_p_ry_ry = (
+        J_y_y + t181*(t180 + t200) + t184*(t183 + t201) + t187*(t186 + t202) + t190*(t189 + t203) + t193*(t192
+        + t204) + t196*(t195 + t205) + t199*(t198 + t206)
+    )
+    M_p_ry_rz = (
+        -B_1_y*t165 - B_2_y*t166 - B_3_y*t167 - B_4_y*t168 - B_5_y*t169 - B_6_y*t170 + J_y_z - c_y*t171
+    )
+    M_p_rz_rz = (
+        J_z_z + t181*(t179 + t200) + t184*(t182 + t201) + t187*(t185 + t202) + t190*(t188 + t203) + t193*(t191
+        + t204) + t196*(t194 + t205) + t199*(t197 + t206)
+    )
+    h_x_l_1 = D_p_ry_1*M_p_x_ry + D_p_rz_1*M_p_x_rz + D_p_x_1*M_p_x_x
+    h_x_l_2 = D_p_ry_2*M_p_x_ry + D_p_rz_2*M_p_x_rz + D_p_x_2*M_p_x_x
+    h_x_l_3 = D_p_ry_3*M_p_x_ry + D_p_rz_3*M_p_x_rz + D_p_x_3*M_p_x_x
+    h_x_l_4 = D_p_ry_4*M_p_x_ry + D_p_rz_4*M_p_x_rz + D_p_x_4*M_p_x_x
+    h_x_l_5 = D_p_ry_5*M_p_x_ry + D_p_rz_5*M_p_x_rz + D_p_x_5*M_p_x_x
+    h_x_l_6 = D_p_ry_6*M_p_x_ry + D_p_rz_6*M_p_x_rz + D_p_x_6*M_p_x_x
+    h_y_l_1 = D_p_rx_1*M_p_y_rx + D_p_rz_1*M_p_y_rz + D_p_y_1*M_p_x_x
+    h_y_l_2 = D_p_rx_2*M_p_y_rx + D_p_rz_2*M_p_y_rz + D_p_y_2*M_p_x_x
+    h_y_l_3 = D_p_rx_3*M_p_y_rx + D_p_rz_3*M_p_y_rz + D_p_y_3*M_p_x_x
+    h_y_l_4 = D_p_rx_4*M_p_y_rx + D_p_rz_4*M_p_y_rz + D_p_y_4*M_p_x_x
+    h_y_l_5 = D_p_rx_5*M_p_y_rx + D_p_rz_5*M_p_y_rz + D_p_y_5*M_p_x_x
+    h_y_l_6 = D_p_rx_6*M_p_y_rx + D_p_rz_6*M_p_y_rz + D_p_y_6*M_p_x_x
+    h_z_l_1 = D_p_rx_1*M_p_z_rx + D_p_ry_1*M_p_z_ry + D_p_z_1*M_p_x_x
+    h_z_l_2 = D_p_rx_2*M_p_z_rx + D_p_ry_2*M_p_z_ry + D_p_z_2*M_p_x_x
+    h_z_l_3 = D_p_rx_3*M_p_z_rx + D_p_ry_3*M_p_z_ry + D_p_z_3*M_p_x_x
+    h_z_l_4 = D_p_rx_4*M_p_z_rx + D_p_ry_4*M_p_z_ry + D_p_z_4*M_p_x_x
+    h_z_l_5 = D_p_rx_5*M_p_z_rx + D_p_ry_5*M_p_z_ry + D_p_z_5*M_p_x_x
+    h_z_l_6 = D_p_rx_6*M_p_z_rx + D_p_ry_6*M_p_z_ry + D_p_z_6*M_p_x_x
+    h_rx_l_1 = (
+        D_p_rx_1*M_p_rx_rx + D_p_ry_1*M_p_rx_ry + D_p_rz_1*M_p_rx_rz + D_p_y_1*M_p_y_rx + D_p_z_1*M_p_z_rx
+    )
+    h_rx_l_2 = (
+        D_p_rx_2*M_p_rx_rx + D_p_ry_2*M_p_rx_ry + D_p_rz_2*M_p_rx_rz + D_p_y_2*M_p_y_rx + D_p_z_2*M_p_z_rx
+    )
+    h_rx_l_3 = (
+        D_p_rx_3*M_p_rx_rx + D_p_ry_3*M_p_rx_ry + D_p_rz_3*M_p_rx_rz + D_p_y_3*M_p_y_rx + D_p_z_3*M_p_z_rx
+    )
+    h_rx_l_4 = (
+        D_p_rx_4*M_p_rx_rx + D_p_ry_4*M_p_rx_ry + D_p_rz_4*M_p_rx_rz + D_p_y_4*M_p_y_rx + D_p_z_4*M_p_z_rx
+    )
+    h_rx_l_5 = (
+        D_p_rx_5*M_p_rx_rx + D_p_ry_5*M_p_rx_ry + D_p_rz_5*M_p_rx_rz + D_p_y_5*M_p_y_rx + D_p_z_5*M_p_z_rx
+    )
+    h_rx_l_6 = (
+        D_p_rx_6*M_p_rx_rx + D_p_ry_6*M_p_rx_ry + D_p_rz_6*M_p_rx_rz + D_p_y_6*M_p_y_rx + D_p_z_6*M_p_z_rx
+    )
+    h_ry_l_1 = (
+        D_p_rx_1*M_p_rx_ry + D_p_ry_1*M_p_ry_ry + D_p_rz_1*M_p_ry_rz + D_p_x_1*M_p_x_ry + D_p_z_1*M_p_z_ry
+    )
+    h_ry_l_2 = (
+        D_p_rx_2*M_p_rx_ry + D_p_ry_2*M_p_ry_ry + D_p_rz_2*M_p_ry_rz + D_p_x_2*M_p_x_ry + D_p_z_2*M_p_z_ry
+    )
+    h_ry_l_3 = (
+        D_p_rx_3*M_p_rx_ry + D_p_ry_3*M_p_ry_ry + D_p_rz_3*M_p_ry_rz + D_p_x_3*M_p_x_ry + D_p_z_3*M_p_z_ry
+    )
+    h_ry_l_4 = (
+        D_p_rx_4*M_p_rx_ry + D_p_ry_4*M_p_ry_ry + D_p_rz_4*M_p_ry_rz + D_p_x_4*M_p_x_ry + D_p_z_4*M_p_z_ry
+    )
+    h_ry_l_5 = (
+        D_p_rx_5*M_p_rx_ry + D_p_ry_5*M_p_ry_ry + D_p_rz_5*M_p_ry_rz + D_p_x_5*M_p_x_ry + D_p_z_5*M_p_z_ry
+    )
+    h_ry_l_6 = (
+        D_p_rx_6*M_p_rx_ry + D_p_ry_6*M_p_ry_ry + D_p_rz_6*M_p_ry_rz + D_p_x_6*M_p_x_ry + D_p_z_6*M_p_z_ry
+    )
+    h_rz_l_1 = (
+        D_p_rx_1*M_p_rx_rz + D_p_ry_1*M_p_ry_rz + D_p_rz_1*M_p_rz_rz + D_p_x_1*M_p_x_rz + D_p_y_1*M_p_y_rz
+    )
+    h_rz_l_2 = (
+        D_p_rx_2*M_p_rx_rz + D_p_ry_2*M_p_ry_rz + D_p_rz_2*M_p_rz_rz + D_p_x_2*M_p_x_rz + D_p_y_2*M_p_y_rz
+    )
+    h_rz_l_3 = (
+        D_p_rx_3*M_p_rx_rz + D_p_ry_3*M_p_ry_rz + D_p_rz_3*M_p_rz_rz + D_p_x_3*M_p_x_rz + D_p_y_3*M_p_y_rz
+    )
+    h_rz_l_4 = (
+        D_p_rx_4*M_p_rx_rz + D_p_ry_4*M_p_ry_rz + D_p_rz_4*M_p_rz_rz + D_p_x_4*M_p_x_rz + D_p_y_4*M_p_y_rz
+    )
+    h_rz_l_5 = (
+        D_p_rx_5*M_p_rx_rz + D_p_ry_5*M_p_ry_rz + D_p_rz_5*M_p_rz_rz + D_p_x_5*M_p_x_rz + D_p_y_5*M_p_y_rz
+    )
+    h_rz_l_6 = (
+        D_p_rx_6*M_p_rx_rz + D_p_ry_6*M_p_ry_rz + D_p_rz_6*M_p_rz_rz + D_p_x_6*M_p_x_rz + D_p_y_6*M_p_y_rz
+    )
+    M_out = np.zeros((*batch, 12, 12), dtype)
+    M_out[..., 0, 0] = (
+        D_p_rx_1*h_rx_l_1 + D_p_ry_1*h_ry_l_1 + D_p_rz_1*h_rz_l_1 + D_p_x_1*h_x_l_1 + D_p_y_1*h_y_l_1
+        + D_p_z_1*h_z_l_1 - m_perp_1 + m_r_1
+    )
+    M_out[..., 0, 1] = M_out[..., 1, 0] = (
+        D_p_rx_1*h_rx_l_2 + D_p_ry_1*h_ry_l_2 + D_p_rz_1*h_rz_l_2 + D_p_x_1*h_x_l_2 + D_p_y_1*h_y_l_2
+        + D_p_z_1*h_z_l_2
+    )
+    M_out[..., 0, 2] = M_out[..., 2, 0] = (
+        D_p_rx_1*h_rx_l_3 + D_p_ry_1*h_ry_l_3 + D_p_rz_1*h_rz_l_3 + D_p_x_1*h_x_l_3 + D_p_y_1*h_y_l_3
+        + D_p_z_1*h_z_l_3
+    )
+    M_out[..., 0, 3] = M_out[..., 3, 0] = (
+        D_p_rx_1*h_rx_l_4 + D_p_ry_1*h_ry_l_4 + D_p_rz_1*h_rz_l_4 + D_p_x_1*h_x_l_4 + D_p_y_1*h_y_l_4
+        + D_p_z_1*h_z_l_4
+    )
+    M_out[..., 0, 4] = M_out[..., 4, 0] = (
+        D_p_rx_1*h_rx_l_5 + D_p_ry_1*h_ry_l_5 + D_p_rz_1*h_rz_l_5 + D_p_x_1*h_x_l_5 + D_p_y_1*h_y_l_5
+        + D_p_z_1*h_z_l_5
+    )
+    M_out[..., 0, 5] = M_out[..., 5, 0] = (
+        D_p_rx_1*h_rx_l_6 + D_p_ry_1*h_ry_l_6 + D_p_rz_1*h_rz_l_6 + D_p_x_1*h_x_l_6 + D_p_y_1*h_y_l_6
+        + D_p_z_1*h_z_l_6
+    )
+    M_out[..., 1, 1] = (
+        D_p_rx_2*h_rx_l_2 + D_p_ry_2*h_ry_l_2 + D_p_rz_2*h_rz_l_2 + D_p_x_2*h_x_l_2 + D_p_y_2*h_y_l_2
+        + D_p_z_2*h_z_l_2 - m_perp_2 + m_r_2
+    )
+    M_out[..., 1, 2] = M_out[..., 2, 1] = (
+        D_p_rx_2*h_rx_l_3 + D_p_ry_2*h_ry_l_3 + D_p_rz_2*h_rz_l_3 + D_p_x_2*h_x_l_3 + D_p_y_2*h_y_l_3
+        + D_p_z_2*h_z_l_3
+    )
+    M_out[..., 1, 3] = M_out[..., 3, 1] = (
+        D_p_rx_2*h_rx_l_4 + D_p_ry_2*h_ry_l_4 + D_p_rz_2*h_rz_l_4 + D_p_x_2*h_x_l_4 + D_p_y_2*h_y_l_4
+        + D_p_z_2*h_z_l_4
+    )
+    M_out[..., 1, 4] = M_out[..., 4, 1] = (
+        D_p_rx_2*h_rx_l_5 + D_p_ry_2*h_ry_l_5 + D_p_rz_2*h_rz_l_5 + D_p_x_2*h_x_l_5 + D_p_y_2*h_y_l_5
+        + D_p_z_2*h_z_l_5
+    )
+    M_out[..., 1, 5] = M_out[..., 5, 1] = (
+        D_p_rx_2*h_rx_l_6 + D_p_ry_2*h_ry_l_6 + D_p_rz_2*h_rz_l_6 + D_p_x_2*h_x_l_6 + D_p_y_2*h_y_l_6
+        + D_p_z_2*h_z_l_6
+    )
+    M_out[..., 2, 2] = (
+        D_p_rx_3*h_rx_l_3 + D_p_ry_3*h_ry_l_3 + D_p_rz_3*h_rz_l_3 + D_p_x_3*h_x_l_3 + D_p_y_3*h_y_l_3
+        + D_p_z_3*h_z_l_3 - m_perp_3 + m_r_3
+    )
+    M_out[..., 2, 3] = M_out[..., 3, 2] = (
+        D_p_rx_3*h_rx_l_4 + D_p_ry_3*h_ry_l_4 + D_p_rz_3*h_rz_l_4 + D_p_x_3*h_x_l_4 + D_p_y_3*h_y_l_4
+        + D_p_z_3*h_z_l_4
+    )
+    M_out[..., 2, 4] = M_out[..., 4, 2] = (
+        D_p_rx_3*h_rx_l_5 + D_p_ry_3*h_ry_l_5 + D_p_rz_3*h_rz_l_5 + D_p_x_3*h_x_l_5 + D_p_y_3*h_y_l_5
+        + D_p_z_3*h_z_l_5
+    )
+    M_out[..., 2, 5] = M_out[..., 5, 2] = (
+        D_p_rx_3*h_rx_l_6 + D_p_ry_3*h_ry_l_6 + D_p_rz_3*h_rz_l_6 + D_p_x_3*h_x_l_6 + D_p_y_3*h_y_l_6
+        + D_p_z_3*h_z_l_6
+    )
+    M_out[..., 3, 3] = (
+        D_p_rx_4*h_rx_l_4 + D_p_ry_4*h_ry_l_4 + D_p_rz_4*h_rz_l_4 + D_p_x_4*h_x_l_4 + D_p_y_4*h_y_l_4
+        + D_p_z_4*h_z_l_4 - m_perp_4 + m_r_4
+    )
+    M_out[..., 3, 4] = M_out[..., 4, 3] = (
+        D_p_rx_4*h_rx_l_5 + D_p_ry_4*h_ry_l_5 + D_p_rz_4*h_rz_l_5 + D_p_x_4*h_x_l_5 + D_p_y_4*h_y_l_5
+        + D_p_z_4*h_z_l_5
+    )
+    M_out[..., 3, 5] = M_out[..., 5, 3] = (
+        D_p_rx_4*h_rx_l_6 + D_p_ry_4*h_ry_l_6 + D_p_rz_4*h_rz_l_6 + D_p_x_4*h_x_l_6 + D_p_y_4*h_y_l_6
+        + D_p_z_4*h_z_l_6
+    )
+    M_out[..., 4, 4] = (
+        D_p_rx_5*h_rx_l_5 + D_p_ry_5*h_ry_l_5 + D_p_rz_5*h_rz_l_5 + D_p_x_5*h_x_l_5 + D_p_y_5*h_y_l_5
+        + D_p_z_5*h_z_l_5 - m_perp_5 + m_r_5
+    )
+    M_out[..., 4, 5] = M_out[..., 5, 4] = (
+        D_p_rx_5*h_rx_l_6 + D_p_ry_5*h_ry_l_6 + D_p_rz_5*h_rz_l_6 + D_p_x_5*h_x_l_6 + D_p_y_5*h_y_l_6
+        + D_p_z_5*h_z_l_6
+    )
+    M_out[..., 5, 5] = (
+        D_p_rx_6*h_rx_l_6 + D_p_ry_6*h_ry_l_6 + D_p_rz_6*h_rz_l_6 + D_p_x_6*h_x_l_6 + D_p_y_6*h_y_l_6
+        + D_p_z_6*h_z_l_6 - m_perp_6 + m_r_6
+    )
+    M_out[..., 6, 6] = I_m_1/h_m_1**2
+    M_out[..., 7, 7] = I_m_2/h_m_2**2
+    M_out[..., 8, 8] = I_m_3/h_m_3**2
+    M_out[..., 9, 9] = I_m_4/h_m_4**2
+    M_out[..., 10, 10] = I_m_5/h_m_5**2
+    M_out[..., 11, 11] = I_m_6/h_m_6**2
+    K_out = np.zeros((*batch, 12, 12), dtype)
+    K_out[..., 0, 0] = (
+        D_p_rx_1*f_rx_l_1 - D_p_rx_1*t147 + D_p_ry_1*f_ry_l_1 - D_p_ry_1*t153 + D_p_rz_1*f_rz_l_1
+        - D_p_rz_1*t159 + D_p_x_1*f_x_l_1 + D_p_x_1*t124 + D_p_y_1*f_y_l_1 + D_p_y_1*t135 + D_p_z_1*f_z_l_1
+        + D_p_z_1*t141 + k_l_1 + mu_1 + 2*t32*(-d_1_x*g_x - d_1_y*g_y - d_1_z*g_z)/l_1**3
+    )
+    K_out[..., 0, 1] = K_out[..., 1, 0] = (
+        D_p_rx_1*f_rx_l_2 - D_p_rx_2*t147 + D_p_ry_1*f_ry_l_2 - D_p_ry_2*t153 + D_p_rz_1*f_rz_l_2
+        - D_p_rz_2*t159 + D_p_x_1*f_x_l_2 + D_p_x_2*t124 + D_p_y_1*f_y_l_2 + D_p_y_2*t135 + D_p_z_1*f_z_l_2
+        + D_p_z_2*t141
+    )
+    K_out[..., 0, 2] = K_out[..., 2, 0] = (
+        D_p_rx_1*f_rx_l_3 - D_p_rx_3*t147 + D_p_ry_1*f_ry_l_3 - D_p_ry_3*t153 + D_p_rz_1*f_rz_l_3
+        - D_p_rz_3*t159 + D_p_x_1*f_x_l_3 + D_p_x_3*t124 + D_p_y_1*f_y_l_3 + D_p_y_3*t135 + D_p_z_1*f_z_l_3
+        + D_p_z_3*t141
+    )
+    K_out[..., 0, 3] = K_out[..., 3, 0] = (
+        D_p_rx_1*f_rx_l_4 - D_p_rx_4*t147 + D_p_ry_1*f_ry_l_4 - D_p_ry_4*t153 + D_p_rz_1*f_rz_l_4
+        - D_p_rz_4*t159 + D_p_x_1*f_x_l_4 + D_p_x_4*t124 + D_p_y_1*f_y_l_4 + D_p_y_4*t135 + D_p_z_1*f_z_l_4
+        + D_p_z_4*t141
+    )
+    K_out[..., 0, 4] = K_out[..., 4, 0] = (
+        D_p_rx_1*f_rx_l_5 - D_p_rx_5*t147 + D_p_ry_1*f_ry_l_5 - D_p_ry_5*t153 + D_p_rz_1*f_rz_l_5
+        - D_p_rz_5*t159 + D_p_x_1*f_x_l_5 + D_p_x_5*t124 + D_p_y_1*f_y_l_5 + D_p_y_5*t135 + D_p_z_1*f_z_l_5
+        + D_p_z_5*t141
+    )
+    K_out[..., 0, 5] = K_out[..., 5, 0] = (
+        D_p_rx_1*f_rx_l_6 - D_p_rx_6*t147 + D_p_ry_1*f_ry_l_6 - D_p_ry_6*t153 + D_p_rz_1*f_rz_l_6
+        - D_p_rz_6*t159 + D_p_x_1*f_x_l_6 + D_p_x_6*t124 + D_p_y_1*f_y_l_6 + D_p_y_6*t135 + D_p_z_1*f_z_l_6
+        + D_p_z_6*t141
+    )
+    K_out[..., 0, 6] = K_out[..., 6, 0] = -k_l_1
+    K_out[..., 1, 1] = (
+        D_p_rx_2*f_rx_l_2 - D_p_rx_2*t148 + D_p_ry_2*f_ry_l_2 - D_p_ry_2*t154 + D_p_rz_2*f_rz_l_2
+        - D_p_rz_2*t160 + D_p_x_2*f_x_l_2 + D_p_x_2*t126 + D_p_y_2*f_y_l_2 + D_p_y_2*t136 + D_p_z_2*f_z_l_2
+        + D_p_z_2*t142 + k_l_2 + mu_2 + 2*t35*(-d_2_x*g_x - d_2_y*g_y - d_2_z*g_z)/l_2**3
+    )
+    K_out[..., 1, 2] = K_out[..., 2, 1] = (
+        D_p_rx_2*f_rx_l_3 - D_p_rx_3*t148 + D_p_ry_2*f_ry_l_3 - D_p_ry_3*t154 + D_p_rz_2*f_rz_l_3
+        - D_p_rz_3*t160 + D_p_x_2*f_x_l_3 + D_p_x_3*t126 + D_p_y_2*f_y_l_3 + D_p_y_3*t136 + D_p_z_2*f_z_l_3
+        + D_p_z_3*t142
+    )
+    K_out[..., 1, 3] = K_out[..., 3, 1] = (
+        D_p_rx_2*f_rx_l_4 - D_p_rx_4*t148 + D_p_ry_2*f_ry_l_4 - D_p_ry_4*t154 + D_p_rz_2*f_rz_l_4
+        - D_p_rz_4*t160 + D_p_x_2*f_x_l_4 + D_p_x_4*t126 + D_p_y_2*f_y_l_4 + D_p_y_4*t136 + D_p_z_2*f_z_l_4
+        + D_p_z_4*t142
+    )
+    K_out[..., 1, 4] = K_out[..., 4, 1] = (
+        D_p_rx_2*f_rx_l_5 - D_p_rx_5*t148 + D_p_ry_2*f_ry_l_5 - D_p_ry_5*t154 + D_p_rz_2*f_rz_l_5
+        - D_p_rz_5*t160 + D_p_x_2*f_x_l_5 + D_p_x_5*t126 + D_p_y_2*f_y_l_5 + D_p_y_5*t136 + D_p_z_2*f_z_l_5
+        + D_p_z_5*t142
+    )
+    K_out[..., 1, 5] = K_out[..., 5, 1] = (
+        D_p_rx_2*f_rx_l_6 - D_p_rx_6*t148 + D_p_ry_2*f_ry_l_6 - D_p_ry_6*t154 + D_p_rz_2*f_rz_l_6
+        - D_p_rz_6*t160 + D_p_x_2*f_x_l_6 + D_p_x_6*t126 + D_p_y_2*f_y_l_6 + D_p_y_6*t136 + D_p_z_2*f_z_l_6
+        + D_p_z_6*t142
+    )
+    K_out[..., 1, 7] = K_out[..., 7, 1] = -k_l_2
+    K_out[..., 2, 2] = (
+        D_p_rx_3*f_rx_l_3 - D_p_rx_3*t149 + D_p_ry_3*f_ry_l_3 - D_p_ry_3*t155 + D_p_rz_3*f_rz_l_3
+        - D_p_rz_3*t161 + D_p_x_3*f_x_l_3 + D_p_x_3*t128 + D_p_y_3*f_y_l_3 + D_p_y_3*t137 + D_p_z_3*f_z_l_3
+        + D_p_z_3*t143 + k_l_3 + mu_3 + 2*t38*(-d_3_x*g_x - d_3_y*g_y - d_3_z*g_z)/l_3**3
+    )
+    K_out[..., 2, 3] = K_out[..., 3, 2] = (
+        D_p_rx_3*f_rx_l_4 - D_p_rx_4*t149 + D_p_ry_3*f_ry_l_4 - D_p_ry_4*t155 + D_p_rz_3*f_rz_l_4
+        - D_p_rz_4*t161 + D_p_x_3*f_x_l_4 + D_p_x_4*t128 + D_p_y_3*f_y_l_4 + D_p_y_4*t137 + D_p_z_3*f_z_l_4
+        + D_p_z_4*t143
+    )
+    K_out[..., 2, 4] = K_out[..., 4, 2] = (
+        D_p_rx_3*f_rx_l_5 - D_p_rx_5*t149 + D_p_ry_3*f_ry_l_5 - D_p_ry_5*t155 + D_p_rz_3*f_rz_l_5
+        - D_p_rz_5*t161 + D_p_x_3*f_x_l_5 + D_p_x_5*t128 + D_p_y_3*f_y_l_5 + D_p_y_5*t137 + D_p_z_3*f_z_l_5
+        + D_p_z_5*t143
+    )
+    K_out[..., 2, 5] = K_out[..., 5, 2] = (
+        D_p_rx_3*f_rx_l_6 - D_p_rx_6*t149 + D_p_ry_3*f_ry_l_6 - D_p_ry_6*t155 + D_p_rz_3*f_rz_l_6
+        - D_p_rz_6*t161 + D_p_x_3*f_x_l_6 + D_p_x_6*t128 + D_p_y_3*f_y_l_6 + D_p_y_6*t137 + D_p_z_3*f_z_l_6
+        + D_p_z_6*t143
+    )
+    K_out[..., 2, 8] = K_out[..., 8, 2] = -k_l_3
+    K_out[..., 3, 3] = (
+        D_p_rx_4*f_rx_l_4 - D_p_rx_4*t150 + D_p_ry_4*f_ry_l_4 - D_p_ry_4*t156 + D_p_rz_4*f_rz_l_4
+        - D_p_rz_4*t162 + D_p_x_4*f_x_l_4 + D_p_x_4*t130 + D_p_y_4*f_y_l_4 + D_p_y_4*t138 + D_p_z_4*f_z_l_4
+        + D_p_z_4*t144 + k_l_4 + mu_4 + 2*t41*(-d_4_x*g_x - d_4_y*g_y - d_4_z*g_z)/l_4**3
+    )
+    K_out[..., 3, 4] = K_out[..., 4, 3] = (
+        D_p_rx_4*f_rx_l_5 - D_p_rx_5*t150 + D_p_ry_4*f_ry_l_5 - D_p_ry_5*t156 + D_p_rz_4*f_rz_l_5
+        - D_p_rz_5*t162 + D_p_x_4*f_x_l_5 + D_p_x_5*t130 + D_p_y_4*f_y_l_5 + D_p_y_5*t138 + D_p_z_4*f_z_l_5
+        + D_p_z_5*t144
+    )
+    K_out[..., 3, 5] = K_out[..., 5, 3] = (
+        D_p_rx_4*f_rx_l_6 - D_p_rx_6*t150 + D_p_ry_4*f_ry_l_6 - D_p_ry_6*t156 + D_p_rz_4*f_rz_l_6
+        - D_p_rz_6*t162 + D_p_x_4*f_x_l_6 + D_p_x_6*t130 + D_p_y_4*f_y_l_6 + D_p_y_6*t138 + D_p_z_4*f_z_l_6
+        + D_p_z_6*t144
+    )
+    K_out[..., 3, 9] = K_out[..., 9, 3] = -k_l_4
+    K_out[..., 4, 4] = (
+        D_p_rx_5*f_rx_l_5 - D_p_rx_5*t151 + D_p_ry_5*f_ry_l_5 - D_p_ry_5*t157 + D_p_rz_5*f_rz_l_5
+        - D_p_rz_5*t163 + D_p_x_5*f_x_l_5 + D_p_x_5*t132 + D_p_y_5*f_y_l_5 + D_p_y_5*t139 + D_p_z_5*f_z_l_5
+        + D_p_z_5*t145 + k_l_5 + mu_5 + 2*t44*(-d_5_x*g_x - d_5_y*g_y - d_5_z*g_z)/l_5**3
+    )
+    K_out[..., 4, 5] = K_out[..., 5, 4] = (
+        D_p_rx_5*f_rx_l_6 - D_p_rx_6*t151 + D_p_ry_5*f_ry_l_6 - D_p_ry_6*t157 + D_p_rz_5*f_rz_l_6
+        - D_p_rz_6*t163 + D_p_x_5*f_x_l_6 + D_p_x_6*t132 + D_p_y_5*f_y_l_6 + D_p_y_6*t139 + D_p_z_5*f_z_l_6
+        + D_p_z_6*t145
+    )
+    K_out[..., 4, 10] = K_out[..., 10, 4] = -k_l_5
+    K_out[..., 5, 5] = (
+        D_p_rx_6*f_rx_l_6 - D_p_rx_6*t152 + D_p_ry_6*f_ry_l_6 - D_p_ry_6*t158 + D_p_rz_6*f_rz_l_6
+        - D_p_rz_6*t164 + D_p_x_6*f_x_l_6 + D_p_x_6*t134 + D_p_y_6*f_y_l_6 + D_p_y_6*t140 + D_p_z_6*f_z_l_6
+        + D_p_z_6*t146 + k_l_6 + mu_6 + 2*t47*(-d_6_x*g_x - d_6_y*g_y - d_6_z*g_z)/l_6**3
+    )
+    K_out[..., 5, 11] = K_out[..., 11, 5] = -k_l_6
+    K_out[..., 6, 6] = k_l_1
+    K_out[..., 7, 7] = k_l_2
+    K_out[..., 8, 8] = k_l_3
+    K_out[..., 9, 9] = k_l_4
+    K_out[..., 10, 10] = k_l_5
+    K_out[..., 11, 11] = k_l_6
+    return M_out, K_out
